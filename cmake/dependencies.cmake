@@ -1,0 +1,29 @@
+# Where each package comes from. Debian's names of the packages are in cmake/packages.txt.
+
+find_package(Eigen3 3.3 REQUIRED NO_MODULE)
+find_package(hwy 1.0 REQUIRED CONFIG)
+find_package(Boost 1.71 REQUIRED COMPONENTS program_options unit_test_framework)
+find_package(Threads REQUIRED)
+
+# assimp and OMPL 1.5 export variables or targets by version; both end up behind one name each here. Their headers are
+# system headers: their warnings are not ours.
+find_package(assimp 5 REQUIRED CONFIG)
+add_library(clearway_assimp INTERFACE)
+target_link_libraries(clearway_assimp INTERFACE assimp::assimp)
+
+add_library(clearway_boost INTERFACE)
+target_link_libraries(clearway_boost INTERFACE Boost::headers)
+
+add_library(clearway_program_options INTERFACE)
+target_link_libraries(clearway_program_options INTERFACE Boost::program_options)
+
+find_package(ompl 1.5 REQUIRED CONFIG)
+add_library(clearway_ompl INTERFACE)
+if(TARGET ompl::ompl)
+  target_link_libraries(clearway_ompl INTERFACE ompl::ompl Threads::Threads)
+else()
+  target_include_directories(clearway_ompl SYSTEM INTERFACE ${OMPL_INCLUDE_DIRS})
+  # omplConfig lists ODE and serialization libraries that only other OMPL.app programs need.
+  list(FILTER OMPL_LIBRARIES INCLUDE REGEX "libompl")
+  target_link_libraries(clearway_ompl INTERFACE ${OMPL_LIBRARIES} Threads::Threads)
+endif()
