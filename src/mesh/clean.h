@@ -1,0 +1,30 @@
+// Makes a mesh fit for a tree: checks it, welds equal vertices, drops exact duplicates. Keeps degenerate triangles.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "clearway/mesh.h"
+
+namespace clearway {
+
+/// What was found; the public report copies it.
+struct CleanCounts {
+    std::size_t weldedVertices = 0;
+    std::size_t unusedVertices = 0;
+    std::size_t degenerateTriangles = 0;
+    std::size_t duplicateTriangles = 0;
+};
+
+struct CleanMesh {
+    std::vector<Vector3> vertices;            ///< each used, no two equal; -0.0 counts as 0.0
+    std::vector<TriangleIndices> triangles;
+    std::vector<std::uint32_t> triangleIds;   ///< position in the mesh given, of each triangle kept (a duplicate's first)
+    CleanCounts counts;
+};
+
+/// A zero-area triangle is a segment or a point in exact arithmetic of its doubles.
+/// Throws std::invalid_argument as Model::build says.
+CleanMesh clean(const Mesh& mesh);
+
+}  // namespace clearway
