@@ -4,23 +4,16 @@
 #include <cstdint>
 #include <vector>
 
+#include "clearway/build_report.h"
 #include "clearway/mesh.h"
 
 namespace clearway {
-
-/// What was found; the public report copies it.
-struct CleanCounts {
-    std::size_t weldedVertices = 0;
-    std::size_t unusedVertices = 0;
-    std::size_t degenerateTriangles = 0;
-    std::size_t duplicateTriangles = 0;
-};
 
 struct CleanMesh {
     std::vector<Vector3> vertices;            ///< each used, no two equal; -0.0 counts as 0.0
     std::vector<TriangleIndices> triangles;
     std::vector<std::uint32_t> triangleIds;   ///< position in the mesh given, of each triangle kept (a duplicate's first)
-    CleanCounts counts;
+    CleanReport report;
 };
 
 /// A zero-area triangle is a segment or a point in exact arithmetic of its doubles.

@@ -1,0 +1,92 @@
+// A planning problem as OMPL.app's .cfg files state it, and the .path files of its solutions.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "clearway/mesh.h"
+#include "clearway/types.h"
+
+namespace clearway {
+
+enum class Space { kSe3, kSe2 };
+
+/// Where the part is, in the environment's frame. In SE(2) z is 0 and the rotation is about z.
+struct PartState {
+    Vector3 position = Vector3::Zero();
+    Eigen::Quaternion<double, Eigen::DontAlign> rotation{1, 0, 0, 0};  ///< (w, x, y, z) in the constructor; unit length
+};
+
+/// The pose X_environmentPart of a state. The quaternion is normalised first, so that the rotation's defect is rounding.
+Pose poseOf(const PartState& state);
+
+/// A planner by OMPL's class name in any case ("RRTConnect", "rrtconnect"), and its parameters as OMPL's ParamSet takes them.
+struct PlannerChoice {
+    std::string name;
+    std::vector<std::pair<std::string, std::string>> parameters;
+};
+
+struct Problem {
+    std::string file;  ///< the .cfg; empty when made in memory
+    std::string name;
+    std::string robot;  ///< mesh file of the part, resolved against the .cfg's folder
+    std::string world;  ///< mesh file of the environment, likewise
+    Space space = Space::kSe3;
+    PartState start;
+    PartState goal;
+    std::optional<Box> volume;  ///< bounds of the part's position; without it see boundsOf()
+    std::string objective = "length";
+    std::optional<double> objectiveThreshold;
+    std::string sampler;
+    std::vector<PlannerChoice> planners;
+
+    // [benchmark]
+    std::optional<double> timeLimit;    ///< seconds
+    std::optional<double> memoryLimit;  ///< megabytes
+    std::optional<int> runCount;
+
+    // [clearway]
+    double margin = 0;           ///< environment units
+    std::optional<double> step;  ///< most any point of the part moves between two checks, environment units
+    bool asOmplApp = true;       ///< meshes read as OMPL.app reads them; `reading = stored` turns it off
+
+    /// Keys that mean nothing here, one line each, to be shown once.
+    std::vector<std::string> warnings;
+};
+
+/// Reads a .cfg. Throws std::runtime_error when it cannot be read, std::invalid_argument when robot, world, start or goal
+/// is missing or a value is wrong; both name the file, the key, the value and what was expected.
+Problem readProblem(const std::string& file);
+
+/// Writes what readProblem reads back to the same values (numbers with 17 digits); mesh files by their names relative to
+/// the .cfg's folder. To a temporary name, then renamed. Throws std::runtime_error when it cannot.
+void writeProblem(const Problem& problem, const std::string& file);
+
+/// The part's and the environment's mesh, read the way the problem says (loadMesh with the fitting MeshReading).
+Mesh loadPart(const Problem& problem);
+Mesh loadEnvironment(const Problem& problem);
+
+/// problem.volume, else OMPL.app's rule: the environment's box grown to hold start and goal. Throws std::invalid_argument
+/// when the bounds leave the start or the goal out.
+Box boundsOf(const Problem& problem, const Box& environmentBox);
+
+/// One state a line: x y z qx qy qz qw, or x y yaw in SE(2); 17 digits. Written to a temporary name, then renamed.
+void writePath(const std::vector<PartState>& path, Space space, const std::string& file);
+
+/// Reads such a file (quaternions are normalised: 6-digit files are off by 3e-7). Throws std::runtime_error or
+/// std::invalid_argument that name the file and the line.
+std::vector<PartState> readPath(const std::string& file, Space space);
+
+/// Poses X_environmentPart, one a line: 12 numbers (rotation row-major, then translation) or 7 (x y z qx qy qz qw).
+/// Blank lines and lines that begin with # are left out. A 12-number rotation off by up to 1e-5 is projected to the
+/// nearest one, and counted.
+struct PoseFile {
+    std::vector<Pose> poses;
+    std::size_t projected = 0;
+};
+PoseFile readPoses(const std::string& file);
+
+}  // namespace clearway
