@@ -1,0 +1,52 @@
+// What the subcommands share in reading their arguments: long options, positional arguments, --help, strict
+// numbers.
+#pragma once
+
+#include <boost/program_options/options_description.hpp>
+#include <boost/program_options/variables_map.hpp>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/subcommands.h"
+
+namespace clearway {
+
+/// What a subcommand takes. Options that carry a value are declared as strings (optionValue) and read as
+/// numbers through Options, so that every wrong number is refused in the same words.
+struct CommandLine {
+    std::string usage;                    ///< "clearway info MESH [options]"
+    std::string purpose;                  ///< printed under the usage by --help
+    std::vector<std::string> positional;  ///< names of the positional arguments, all of them required
+    boost::program_options::options_description options{"Options"};
+};
+
+/// A string value that --help shows under the given name: ("seed", optionValue("N"), "...").
+boost::program_options::typed_value<std::string>* optionValue(const char* shownAs);
+
+/// The arguments as given. Every getter throws std::invalid_argument, naming the option, its value and what
+/// was expected, when the value is wrong, and naming the option when it was not given.
+class Options {
+  public:
+    explicit Options(boost::program_options::variables_map values) : values_(std::move(values)) {}
+
+    bool has(const std::string& name) const { return values_.count(name) > 0; }
+    /// A positional argument or the value of an option. Never empty.
+    std::string text(const std::string& name) const;
+    std::int64_t integer(const std::string& name, std::int64_t least, std::int64_t most) const;
+    double positive(const std::string& name) const;     ///< finite, > 0
+    double nonNegative(const std::string& name) const;  ///< finite, >= 0
+
+  private:
+    double number(const std::string& name, const char* expected) const;
+    [[noreturn]] void refuse(const std::string& name, const char* expected) const;
+    boost::program_options::variables_map values_;
+};
+
+/// The options given, or nothing when --help was among them and the help has been printed.
+/// Throws std::invalid_argument for an unknown or repeated option, a missing value, and too few or too many
+/// positional arguments.
+std::optional<Options> parse(const CommandLine& commandLine, const Arguments& arguments);
+
+}  // namespace clearway

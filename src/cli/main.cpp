@@ -1,0 +1,76 @@
+// The clearway program: finds the subcommand, runs it, and turns what it throws into one line on stderr.
+#include <algorithm>
+#include <csignal>
+#include <exception>
+#include <iostream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "cli/subcommands.h"
+
+namespace clearway {
+
+namespace {
+
+/// In the order of --help.
+const std::vector<Subcommand> kSubcommands = {};
+
+std::string names() {
+    std::string all;
+    for (const Subcommand& subcommand : kSubcommands)
+        all += (all.empty() ? "" : ", ") + std::string(subcommand.name);
+    return all;
+}
+
+void printHelp() {
+    std::cout << "clearway: planning and validity checking for a rigid part in a tight assembly\n\n"
+                 "Usage: clearway SUBCOMMAND [arguments]\n\n";
+    for (const Subcommand& subcommand : kSubcommands) {
+        const std::string name = subcommand.name;
+        std::cout << "  " << name << std::string(8 - std::min<std::size_t>(name.size(), 7), ' ')
+                  << subcommand.purpose << "\n";
+    }
+    std::cout << "\n  clearway SUBCOMMAND --help   shows its arguments\n"
+                 "  clearway --version           shows the version\n\n"
+                 "Exit codes: 0 done; 1 the answer is no (no path found); 2 bad input or usage, said in one "
+                 "line on stderr\n";
+}
+
+int run(const Arguments& words) {
+    if (words.empty())
+        throw std::invalid_argument("no subcommand, expected one of " + names() + ", or --help");
+    if (words[0] == "--help" || words[0] == "-h") return printHelp(), kDone;
+    if (words[0] == "--version") return std::cout << "clearway " CLEARWAY_VERSION "\n", kDone;
+    for (const Subcommand& subcommand : kSubcommands) {
+        if (words[0] == subcommand.name) return subcommand.run({words.begin() + 1, words.end()});
+    }
+    throw std::invalid_argument("unknown subcommand '" + words[0] + "', expected one of " + names() +
+                                ", or --help");
+}
+
+/// A message is one line, whatever text of a file or of a library it quotes.
+std::string oneLine(std::string message) {
+    while (!message.empty() && message.back() == '\n') message.pop_back();
+    std::replace_if(
+        message.begin(), message.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+    return message;
+}
+
+}  // namespace
+
+}  // namespace clearway
+
+int main(int argc, char** argv) {
+    std::signal(SIGPIPE, SIG_IGN);  // a reader that has gone is an error to report, not to die of half-way
+    const clearway::Arguments words(argv + 1, argv + argc);
+    try {
+        const int code = clearway::run(words);
+        if (!std::cout.flush()) throw std::runtime_error("cannot write to standard output");
+        return code;
+    } catch (const std::exception& error) {
+        std::cout.flush();
+        std::cerr << "clearway: " << clearway::oneLine(error.what()) << "\n";
+        return clearway::kBadInput;
+    }
+}

@@ -1,0 +1,23 @@
+// The subcommands of the program: one file each, one row each in main.cpp.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace clearway {
+
+using Arguments = std::vector<std::string>;  ///< what follows the subcommand's name
+
+/// Exit codes of the program. Every subcommand returns one of the first two; kBadInput is what main makes of
+/// an exception, whose message it prints as one line on stderr.
+constexpr int kDone = 0;
+constexpr int kAnswerIsNo = 1;  ///< no path found, path collides
+constexpr int kBadInput = 2;
+
+struct Subcommand {
+    const char* name;
+    const char* purpose;  ///< one line for --help
+    int (*run)(const Arguments& arguments);
+};
+
+}  // namespace clearway

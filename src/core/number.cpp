@@ -1,0 +1,46 @@
+#include "core/number.h"
+
+#include <charconv>
+#include <cmath>
+#include <system_error>
+
+namespace clearway {
+
+namespace {
+
+/// from_chars takes a leading minus but no plus sign.
+std::string_view withoutPlus(std::string_view text) {
+    if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
+    return text;
+}
+
+template <typename Number>
+std::optional<Number> parseWhole(std::string_view text) {
+    text = withoutPlus(text);
+    Number value{};
+    const char* const end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, value);
+    if (error != std::errc{} || stop != end) return std::nullopt;
+    return value;
+}
+
+}  // namespace
+
+std::optional<double> parseNumber(std::string_view text) {
+    const std::optional<double> value = parseWhole<double>(text);
+    return value && std::isfinite(*value) ? value : std::nullopt;
+}
+
+std::optional<std::int64_t> parseInteger(std::string_view text) {
+    return parseWhole<std::int64_t>(text);
+}
+
+std::string formatNumber(double value) {
+    if (std::isnan(value)) return "nan";
+    if (std::isinf(value)) return value > 0 ? "inf" : "-inf";
+    char text[32];
+    const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::general, 17).ptr;
+    return std::string(text, end);
+}
+
+}  // namespace clearway

@@ -1,0 +1,56 @@
+#include "core/replace_file.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <stdexcept>
+
+namespace clearway {
+
+namespace {
+
+/// Two programs that write the same file at once must not share a temporary one.
+std::string temporaryName(const std::string& file) {
+    return file + "." + std::to_string(std::random_device{}()) + ".tmp";
+}
+
+[[noreturn]] void refuse(const std::string& file, const char* expected) {
+    const int reason = errno;
+    throw std::runtime_error("cannot write '" + file + "': " +
+                             (reason ? std::strerror(reason) : "write failed") + ", expected " + expected);
+}
+
+struct TemporaryFile {
+    std::string name;
+    ~TemporaryFile() { std::remove(name.c_str()); }
+};
+
+}  // namespace
+
+void replaceFile(const std::string& file, const std::function<void(std::ostream&)>& write) {
+    // Renaming over a device or a pipe would replace it, and renaming over a folder fails only after all the
+    // work.
+    std::error_code ignored;
+    const auto kind = std::filesystem::status(file, ignored).type();
+    if (kind == std::filesystem::file_type::directory) {
+        throw std::runtime_error("cannot write '" + file + "': it is a folder, expected the name of a file");
+    }
+    if (kind != std::filesystem::file_type::not_found && kind != std::filesystem::file_type::regular) {
+        throw std::runtime_error("cannot write '" + file +
+                                 "': it is no regular file, expected one or a new name");
+    }
+    const TemporaryFile temporary{temporaryName(file)};
+    errno = 0;
+    std::ofstream stream(temporary.name, std::ios::binary | std::ios::trunc);
+    if (!stream) refuse(file, "a folder that exists and may be written");
+    write(stream);
+    stream.close();
+    if (!stream) refuse(file, "room for the whole file");
+    errno = 0;
+    if (std::rename(temporary.name.c_str(), file.c_str()) != 0) refuse(file, "a name that may be replaced");
+}
+
+}  // namespace clearway
