@@ -1,0 +1,123 @@
+// The oracle's own foundations: long double against rationals, rationals against closed forms.
+#define BOOST_TEST_MODULE oracle_triangle_distance
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+
+#include "support/exact_triangle.h"
+#include "support/hard_triangles.h"
+#include "support/random_meshes.h"
+#include "support/triangle_distance.h"
+
+using namespace clearway;
+using namespace clearway::testing;
+
+namespace {
+
+long double exactDistance(const TrianglePair& pair) {
+    return rootOf(exactDistanceSquared(toExact(pair.a), toExact(pair.b)));
+}
+
+long double extentOf(const TrianglePair& pair) {
+    Box box;
+    for (const Vector3& p : pair.a) box.extend(p);
+    for (const Vector3& p : pair.b) box.extend(p);
+    return box.diagonal().norm();
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(rationals_reproduce_known_distances) {
+    for (const KnownPair& known : knownTrianglePairs()) {
+        BOOST_TEST_CONTEXT(known.name) {
+            const long double distance = exactDistance(known.pair);
+            BOOST_TEST(std::abs(distance - known.distance) <= 1e-15L * known.distance);
+        }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(rationals_say_zero_exactly_when_a_point_is_shared) {
+    const Triangle flat = {Vector3(0, 0, 0), Vector3(4, 0, 0), Vector3(0, 4, 0)};
+    const auto shared = [&](const Triangle& other) { return sharePoint(toExact(flat), toExact(other)); };
+    BOOST_TEST(shared(flat));
+    BOOST_TEST(shared({Vector3(1, 1, -1), Vector3(1, 1, 1), Vector3(9, 9, 9)}));         // pierces the face
+    BOOST_TEST(shared({Vector3(1, 1, 0), Vector3(1, 1, 1), Vector3(2, 1, 1)}));          // vertex on the face
+    BOOST_TEST(shared({Vector3(2, 0, 0), Vector3(2, -3, 1), Vector3(2, -3, -1)}));       // vertex on an edge
+    BOOST_TEST(shared({Vector3(1, -1, 1), Vector3(1, 1, -1), Vector3(1, -5, -5)}));      // edges cross
+    BOOST_TEST(shared({Vector3(0.5, 0.5, 0), Vector3(1, 0.5, 0), Vector3(0.5, 1, 0)}));  // coplanar, nested
+    BOOST_TEST(shared({Vector3(4, 0, 0), Vector3(8, 0, 1), Vector3(8, 1, 0)}));          // a common vertex
+    BOOST_TEST(shared({Vector3(1, 1, 0), Vector3(1, 1, 0), Vector3(1, 1, 0)}));          // a point
+    BOOST_TEST(!shared({Vector3(2, 2 + 1e-15, 0), Vector3(3, 3, 1), Vector3(3, 3, -1)}));
+    BOOST_TEST(!shared({Vector3(1, 1, 5e-324), Vector3(1, 1, 1), Vector3(2, 1, 1)}));
+    BOOST_TEST(!shared({Vector3(1, 1, -1), Vector3(1, 1, -1), Vector3(1, 1, -5e-324)}));
+}
+
+BOOST_AUTO_TEST_CASE(rationals_match_brute_sampling_on_the_integer_grid) {
+    // On small integers a fine lattice of both triangles' points bounds the distance from above within its
+    // spacing.
+    Random random(11);
+    constexpr int kSteps = 24;
+    for (int trial = 0; trial < 200; ++trial) {
+        TrianglePair pair;
+        for (Vector3& p : pair.a) p = Vector3(random.below(3), random.below(3), random.below(3));
+        for (Vector3& p : pair.b) p = Vector3(random.below(3), random.below(3), random.below(3));
+        double sampled = std::numeric_limits<double>::infinity();
+        for (int i = 0; i <= kSteps; ++i) {
+            for (int j = 0; i + j <= kSteps; ++j) {
+                const Vector3 p =
+                    pair.a[0] + (pair.a[1] - pair.a[0]) * i / kSteps + (pair.a[2] - pair.a[0]) * j / kSteps;
+                const LongVector q = closestOnTriangle(p.cast<long double>(), toLong(pair.b));
+                sampled = std::min(sampled, static_cast<double>((q - p.cast<long double>()).norm()));
+            }
+        }
+        BOOST_TEST_CONTEXT("trial " << trial) {
+            const long double exact = exactDistance(pair);
+            BOOST_TEST(exact <= sampled + 1e-15);
+            BOOST_TEST(sampled <= exact + 2 * std::sqrt(3.0) * 2 / kSteps);
+        }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(long_double_agrees_with_rationals_on_hard_pairs) {
+    Random random(7);
+    long double worst = 0;
+    std::string worstFamily;
+    for (const TriangleFamily& family : hardTriangleFamilies()) {
+        for (int trial = 0; trial < 60; ++trial) {
+            const TrianglePair pair = family.make(random);
+            const long double exact = exactDistance(pair);
+            const TriangleDistance found = triangleDistance(toLong(pair.a), toLong(pair.b));
+            const long double error = std::abs(found.distance - exact) / extentOf(pair);
+            if (error > worst) {
+                worst = error;
+                worstFamily = family.name;
+            }
+            BOOST_TEST_CONTEXT(family.name << ", seed 7, trial " << trial) {
+                BOOST_TEST(error <= 1e-15L);
+                BOOST_TEST((found.pointOnA - found.pointOnB).norm() == found.distance);
+                BOOST_TEST((closestOnTriangle(found.pointOnA, toLong(pair.a)) - found.pointOnA).norm() <=
+                           1e-17L * extentOf(pair));
+                BOOST_TEST((closestOnTriangle(found.pointOnB, toLong(pair.b)) - found.pointOnB).norm() <=
+                           1e-17L * extentOf(pair));
+            }
+        }
+    }
+    BOOST_TEST_MESSAGE("largest error, relative to the pair's extent: " << worst << " in " << worstFamily);
+}
+
+BOOST_AUTO_TEST_CASE(all_vertex_orders_agree) {
+    Random random(13);
+    const std::array<std::array<int, 3>, 6> orders = {
+        {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}}};
+    for (const TriangleFamily& family : hardTriangleFamilies()) {
+        const TrianglePair pair = family.make(random);
+        const long double first = triangleDistance(toLong(pair.a), toLong(pair.b)).distance;
+        for (const auto& i : orders) {
+            for (const auto& j : orders) {
+                const Triangle a = {pair.a[i[0]], pair.a[i[1]], pair.a[i[2]]};
+                const Triangle b = {pair.b[j[0]], pair.b[j[1]], pair.b[j[2]]};
+                const long double swapped = triangleDistance(toLong(b), toLong(a)).distance;
+                BOOST_TEST(std::abs(swapped - first) <= 1e-15L * extentOf(pair), family.name);
+            }
+        }
+    }
+}

@@ -1,0 +1,32 @@
+// The distance of two triangles in rational arithmetic: the squared distance of rational points is rational,
+// so it has no error at all. Slow (about a millisecond a pair): for near-ties and to check the long double
+// one.
+#pragma once
+
+#include <array>
+#include <boost/multiprecision/cpp_int.hpp>
+
+#include "clearway/types.h"
+
+namespace clearway::testing {
+
+using Rational =
+    boost::multiprecision::number<boost::multiprecision::cpp_rational_backend, boost::multiprecision::et_off>;
+using ExactPoint = std::array<Rational, 3>;
+using ExactTriangle = std::array<ExactPoint, 3>;
+
+/// Of any triangles, segments and points among them; 0 exactly when they share a point.
+Rational exactDistanceSquared(const ExactTriangle& a, const ExactTriangle& b);
+
+bool sharePoint(const ExactTriangle& a, const ExactTriangle& b);
+
+/// The doubles' own values.
+ExactTriangle toExact(const std::array<Vector3, 3>& triangle);
+
+/// R x + t of the pose's 12 doubles, without rounding.
+ExactTriangle exactlyMoved(const Pose& X_ab, const std::array<Vector3, 3>& triangle);
+
+/// Rounded from the exact square.
+long double rootOf(const Rational& square);
+
+}  // namespace clearway::testing
