@@ -4,9 +4,14 @@
 #pragma once
 
 #include <array>
-#include <boost/multiprecision/cpp_int.hpp>
 
 #include "clearway/types.h"
+
+// g++ 12 takes the small numbers' storage for uninitialised where it inlines them.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#include <boost/multiprecision/cpp_int.hpp>
+#pragma GCC diagnostic pop
 
 namespace clearway::testing {
 

@@ -81,7 +81,11 @@ LongVector closestOnTriangle(const LongVector& point, const LongTriangle& triang
     return closest;
 }
 
-TriangleDistance triangleDistance(const LongTriangle& a, const LongTriangle& b) {
+TriangleDistance triangleDistance(const LongTriangle& first, const LongTriangle& second) {
+    // Relative to a corner: a pair far from the origin keeps its digits.
+    const LongVector& origin = first[0];
+    const LongTriangle a = {first[0] - origin, first[1] - origin, first[2] - origin};
+    const LongTriangle b = {second[0] - origin, second[1] - origin, second[2] - origin};
     TriangleDistance best{std::numeric_limits<long double>::infinity(), {}, {}};
     for (int i = 0; i < 3; ++i) {
         keepNearer(best, a[i], closestOnTriangle(a[i], b));
@@ -92,6 +96,8 @@ TriangleDistance triangleDistance(const LongTriangle& a, const LongTriangle& b) 
             tryEdges(best, a[i], a[(i + 1) % 3], b[j], b[(j + 1) % 3]);
         }
     }
+    best.pointOnA += origin;
+    best.pointOnB += origin;
     return best;
 }
 
