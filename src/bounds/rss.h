@@ -10,9 +10,9 @@ namespace clearway {
 
 /// In double, mesh coordinates.
 struct Rss {
-    Vector3 centre = Vector3::Zero();     ///< of the rectangle
-    Matrix3 axes = Matrix3::Identity();   ///< columns a0, a1 (along the rectangle's sides) and a2 = a0 x a1
-    double halfLength0 = 0;               ///< half the side along a0
+    Vector3 centre = Vector3::Zero();    ///< of the rectangle
+    Matrix3 axes = Matrix3::Identity();  ///< columns a0, a1 (along the rectangle's sides) and a2 = a0 x a1
+    double halfLength0 = 0;              ///< half the side along a0
     double halfLength1 = 0;
     double radius = 0;
 
@@ -24,8 +24,8 @@ struct Rss {
     double longestExtent() const;
 };
 
-/// The same volume as the kernels read it: floats, relative to a tree's origin, in a tree's unit. Its axes are the
-/// rounded ones, orthonormal only to float; the radius is measured from the rectangle as stored.
+/// The same volume as the kernels read it: floats, relative to a tree's origin, in a tree's unit. Its axes
+/// are the rounded ones, orthonormal only to float; the radius is measured from the rectangle as stored.
 struct FloatRss {
     float centre[3];
     float axis0[3];
@@ -41,9 +41,9 @@ Rss fitRss(const std::vector<Vector3>& points, const Matrix3& axes);
 /// The RSS of the points in the frame of their covariance, smallest spread as the normal.
 Rss fitRss(const std::vector<Vector3>& points);
 
-/// Rounds the rectangle to floats ((x - origin) / unit), then takes as radius the largest distance, in double, of a point
-/// from the rectangle as stored, rounded up: so every point is inside the volume that is stored.
-/// unit: a power of two.
+/// Rounds the rectangle to floats ((x - origin) / unit), then takes as radius the largest distance, in
+/// double, of a point from the rectangle as stored, rounded up: so every point is inside the volume that is
+/// stored. unit: a power of two.
 FloatRss roundOutward(const Rss& rss, const std::vector<Vector3>& points, const Vector3& origin, double unit);
 
 }  // namespace clearway

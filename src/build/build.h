@@ -11,7 +11,8 @@ namespace clearway {
 /// Any general split with any leaf split. options: as requireBuildOptions accepts.
 BinaryTree buildBinaryTree(const CleanMesh& mesh, const BuildOptions& options);
 
-/// Wide nodes made by opening, again and again, the inner child of largest area; width 2 keeps the binary tree.
+/// Wide nodes made by opening, again and again, the inner child of largest area; width 2 keeps the binary
+/// tree.
 FlatTree flatten(const BinaryTree& tree, const CleanMesh& mesh, int nodeWidth);
 
 }  // namespace clearway

@@ -1,0 +1,73 @@
+// The way from triangles to a binary tree: the general split's topology, its leaves split further, then
+// volumes for all.
+#include "build/build.h"
+
+#include <algorithm>
+#include <cassert>
+#include <numeric>
+#include <utility>
+
+#include "build/general_splits.h"
+#include "build/leaf_splits.h"
+#include "build/triangle_run.h"
+
+namespace clearway {
+
+namespace {
+
+/// Puts a small tree over the triangles of a leaf in the leaf's place.
+void graft(BinaryTree& tree, std::size_t leaf, const BinaryTree& branch) {
+    const std::uint32_t firstTriangle = tree.nodes[leaf].firstTriangle;
+    std::copy(branch.order.begin(), branch.order.end(), tree.order.begin() + firstTriangle);
+    // The branch's root takes the leaf's place, its other nodes go to the end.
+    const std::int32_t shift = static_cast<std::int32_t>(tree.nodes.size()) - 1;
+    for (std::size_t i = 0; i < branch.nodes.size(); ++i) {
+        BinaryNode node = branch.nodes[i];
+        node.firstTriangle += firstTriangle;
+        if (!node.isLeaf()) {
+            node.left += shift;
+            node.right += shift;
+        }
+        if (i == 0) {
+            tree.nodes[leaf] = node;
+        } else {
+            tree.nodes.push_back(node);
+        }
+    }
+}
+
+void splitLeaves(BinaryTree& tree, const CleanMesh& mesh, LeafSplit leafSplit, GeneralSplit generalSplit) {
+    const std::size_t count = tree.nodes.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        if (!tree.nodes[i].isLeaf()) continue;
+        const auto first = tree.order.begin() + tree.nodes[i].firstTriangle;
+        graft(tree, i, leafSplit(mesh, {first, first + tree.nodes[i].triangleCount}, generalSplit));
+    }
+}
+
+void fitVolumes(BinaryTree& tree, const CleanMesh& mesh) {
+    std::vector<Vector3> corners;
+    for (BinaryNode& node : tree.nodes) {
+        gatherCorners(mesh, tree.order.data() + node.firstTriangle, node.triangleCount, corners);
+        node.volume = fitRss(corners);
+    }
+}
+
+}  // namespace
+
+BinaryTree buildBinaryTree(const CleanMesh& mesh, const BuildOptions& options) {
+    requireBuildOptions(options);
+    assert(!mesh.triangles.empty());
+    const NamedGeneralSplit& generalSplit = generalSplitNamed(options.generalSplit);
+    const NamedLeafSplit& leafSplit = leafSplitNamed(options.leafSplit);
+
+    std::vector<std::uint32_t> triangles(mesh.triangles.size());
+    std::iota(triangles.begin(), triangles.end(), 0u);
+    BinaryTree tree =
+        generalSplit.build(mesh, std::move(triangles), static_cast<std::size_t>(options.leafSize));
+    splitLeaves(tree, mesh, leafSplit.build, generalSplit.build);
+    fitVolumes(tree, mesh);
+    return tree;
+}
+
+}  // namespace clearway

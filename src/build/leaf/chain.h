@@ -1,0 +1,15 @@
+// ChainSplit: the group falls into chains of triangles that share a vertex. Source: Ytterlid's thesis, 2013.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "build/general_splits.h"
+
+namespace clearway {
+
+/// A leaf split, as leaf_splits.h says.
+BinaryTree splitIntoVertexChains(const CleanMesh& mesh, std::vector<std::uint32_t> group,
+                                 GeneralSplit general);
+
+}  // namespace clearway

@@ -1,0 +1,109 @@
+#define BOOST_TEST_MODULE build
+#include "build/build.h"
+
+#include <boost/test/data/monomorphic.hpp>
+#include <boost/test/data/test_case.hpp>
+#include <boost/test/unit_test.hpp>
+#include <cstring>
+
+#include "build/check_tree.h"
+#include "build/sample_meshes.h"
+
+namespace clearway::testing {
+namespace {
+
+namespace data = boost::unit_test::data;
+
+const int kLeafSizes[] = {1, 2, 4, 8, 16};
+
+FlatTree build(const CleanMesh& mesh, const BuildOptions& options) {
+    return flatten(buildBinaryTree(mesh, options), mesh, options.nodeWidth);
+}
+
+const auto eachGeneralSplit = data::make(generalSplitNames());
+const auto eachLeafSplit = data::make(leafSplitNames());
+const auto eachLeafSize = data::make(kLeafSizes);
+const auto eachNodeWidth = data::make(nodeWidths());
+
+BOOST_DATA_TEST_CASE(every_volume_holds_what_is_below_it_and_every_triangle_comes_once,
+                     eachGeneralSplit* eachLeafSplit* eachLeafSize* eachNodeWidth, general, leaf, leafSize,
+                     width) {
+    const BuildOptions options{general, leaf, leafSize, width};
+    for (const auto& triangles :
+         {soup(700, 11), bentSheet(40, 9), transformed(soup(90, 12), 1e-3, {5, -7, 1})}) {
+        const CleanMesh mesh = cleanMeshOf(triangles);
+        const FlatTree tree = build(mesh, options);
+        checkTree(tree, mesh);
+        for (const Leaf& stored : tree.leaves) {
+            BOOST_REQUIRE(stored.triangleCount <= (leaf == "all" ? 1u : static_cast<unsigned>(leafSize)));
+        }
+    }
+}
+
+BOOST_DATA_TEST_CASE(degenerate_meshes_build, eachGeneralSplit* eachLeafSplit* eachNodeWidth, general, leaf,
+                     width) {
+    for (const SampleMesh& sample : degenerateMeshes()) {
+        BOOST_TEST_CONTEXT(sample.name) {
+            for (const int leafSize : {1, 4}) {
+                checkTree(build(sample.mesh, {general, leaf, leafSize, width}), sample.mesh);
+            }
+        }
+    }
+}
+
+template <class Value>
+bool sameBytes(const std::vector<Value>& a, const std::vector<Value>& b) {
+    return a.size() == b.size() &&
+           (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(Value)) == 0);
+}
+
+BOOST_DATA_TEST_CASE(building_again_gives_the_same_tree, eachGeneralSplit* eachLeafSplit* eachNodeWidth,
+                     general, leaf, width) {
+    const CleanMesh mesh = cleanMeshOf(soup(500, 21));
+    const FlatTree first = build(mesh, {general, leaf, 4, width});
+    const FlatTree second = build(mesh, {general, leaf, 4, width});
+    BOOST_TEST(sameBytes(first.nodes2, second.nodes2));
+    BOOST_TEST(sameBytes(first.nodes8, second.nodes8));
+    BOOST_TEST(sameBytes(first.leafVertices, second.leafVertices));
+    BOOST_TEST(sameBytes(first.triangles, second.triangles));
+    BOOST_TEST(sameBytes(first.triangleIds, second.triangleIds));
+    BOOST_TEST(sameBytes(first.vertices, second.vertices));
+}
+
+/// Depth of the binary tree, in nodes.
+int depthOf(const BinaryTree& tree) {
+    std::vector<int> depths(tree.nodes.size(), 1);
+    int deepest = 1;
+    for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
+        deepest = std::max(deepest, depths[i]);
+        if (tree.nodes[i].isLeaf()) continue;
+        depths[tree.nodes[i].left] = depths[tree.nodes[i].right] = depths[i] + 1;
+    }
+    return deepest;
+}
+
+BOOST_DATA_TEST_CASE(no_input_makes_a_tree_that_is_too_deep, eachGeneralSplit, general) {
+    // Each triangle lies four times as far out as the one before: a plane through the mean cuts off one or
+    // two at a time.
+    std::vector<Corners> triangles;
+    for (int i = -250; i < 250; ++i) {
+        const double size = std::ldexp(1.0, 2 * i / 3);
+        triangles.push_back({size * Vector3(1, 0, 0), size * Vector3(1.1, 0, 0), size * Vector3(1, 0.1, 0)});
+    }
+    const CleanMesh mesh = cleanMeshOf(triangles);
+    const BinaryTree tree = buildBinaryTree(mesh, {general, "none", 1, 8});
+    BOOST_TEST(depthOf(tree) > 60);           // the input does what it is here for
+    BOOST_TEST(depthOf(tree) <= 96 + 1 + 9);  // kDeepestSplit, then halves of at most 500
+    checkTree(flatten(tree, mesh, 8), mesh);
+}
+
+BOOST_AUTO_TEST_CASE(one_triangle_is_a_root_volume_over_one_leaf) {
+    const CleanMesh mesh = cleanMeshOf({{Vector3::UnitX(), Vector3::UnitY(), Vector3::UnitZ()}});
+    const FlatTree tree = build(mesh, {});
+    BOOST_TEST(tree.nodes8.size() == 1u);
+    BOOST_TEST(tree.nodes8[0].child[0] == ~0);
+    BOOST_TEST(tree.triangleIds[0] == 7u);
+}
+
+}  // namespace
+}  // namespace clearway::testing

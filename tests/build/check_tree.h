@@ -1,0 +1,185 @@
+// What every flat tree must keep, checked in long double from what is stored.
+#pragma once
+
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "mesh/clean.h"
+#include "tree/flat_tree.h"
+
+namespace clearway::testing {
+
+using LongVector = Eigen::Matrix<long double, 3, 1>;
+
+inline LongVector inTreeUnits(const FlatTree& tree, const Vector3& point) {
+    const LongVector offset = point.cast<long double>() - tree.origin.cast<long double>();
+    return offset * std::ldexp(1.0L, -tree.unitExponent);
+}
+
+/// Distance of a point, tree units, from the rectangle as stored: that of one of its points, so not below the
+/// true one.
+template <int kWidth>
+long double distanceFromRectangle(const WideNode<kWidth>& node, int lane, const LongVector& point) {
+    const auto column = [lane](const float(&rows)[3][kWidth]) {
+        return LongVector(rows[0][lane], rows[1][lane], rows[2][lane]);
+    };
+    const auto clamped = [](long double value, long double limit) {
+        return std::max(-limit, std::min(value, limit));
+    };
+    const LongVector offset = point - column(node.centre);
+    const LongVector axis0 = column(node.axis0);
+    const LongVector axis1 = column(node.axis1);
+    const long double s = clamped(offset.dot(axis0), node.halfLength0[lane]);
+    const long double t = clamped(offset.dot(axis1), node.halfLength1[lane]);
+    return (offset - s * axis0 - t * axis1).norm();
+}
+
+/// Walks a tree and checks it against the mesh it was built from. Counts failures rather than reporting each
+/// vertex.
+template <int kWidth>
+class TreeChecker {
+  public:
+    TreeChecker(const FlatTree& tree, const CleanMesh& mesh) : tree_(tree), mesh_(mesh) {}
+
+    void check() {
+        const std::vector<WideNode<kWidth>>& nodes = allNodes();
+        nodeSeen_.assign(nodes.size(), 0);
+        leafSeen_.assign(tree_.leaves.size(), 0);
+        nodeSeen_[0] = 1;
+        BOOST_TEST(nodes[0].child[1] == kNoChild);
+        below(0);
+        BOOST_TEST(verticesOutside_ == 0u);
+        BOOST_TEST(wrongLanes_ == 0u);
+        BOOST_TEST((nodeSeen_ == std::vector<int>(nodes.size(), 1)), "each node is reached once");
+        BOOST_TEST((leafSeen_ == std::vector<int>(tree_.leaves.size(), 1)), "each leaf is reached once");
+        checkTriangles();
+        checkLeaves();
+    }
+
+  private:
+    const std::vector<WideNode<kWidth>>& allNodes() const {
+        if constexpr (kWidth == 2) {
+            return tree_.nodes2;
+        } else {
+            return tree_.nodes8;
+        }
+    }
+
+    /// The vertices below a node, all checked against the volumes on the way up.
+    std::set<std::uint32_t> below(std::int32_t index) {
+        const WideNode<kWidth>& node = allNodes()[index];
+        std::set<std::uint32_t> all;
+        bool pastTheLast = false;
+        for (int lane = 0; lane < kWidth; ++lane) {
+            const std::int32_t child = node.child[lane];
+            if (child == kNoChild) {
+                pastTheLast = true;
+                if (!isUnusedLane(node, lane)) ++wrongLanes_;
+                continue;
+            }
+            if (pastTheLast) ++wrongLanes_;  // used lanes come first
+            if (child >= 0) ++nodeSeen_.at(child);
+            const std::set<std::uint32_t> vertices = child >= 0 ? below(child) : inLeaf(~child);
+            for (const std::uint32_t vertex : vertices) {
+                const LongVector point = inTreeUnits(tree_, tree_.vertices[vertex]);
+                if (!(distanceFromRectangle(node, lane, point) <= node.radius[lane])) ++verticesOutside_;
+            }
+            all.insert(vertices.begin(), vertices.end());
+        }
+        return all;
+    }
+
+    static bool isUnusedLane(const WideNode<kWidth>& node, int lane) {
+        bool allZero = node.halfLength0[lane] == 0 && node.halfLength1[lane] == 0 && node.length[lane] == 0;
+        for (int i = 0; i < 3; ++i) {
+            allZero =
+                allZero && node.centre[i][lane] == 0 && node.axis0[i][lane] == 0 && node.axis1[i][lane] == 0;
+        }
+        return allZero && node.radius[lane] == -std::numeric_limits<float>::infinity();
+    }
+
+    std::set<std::uint32_t> inLeaf(std::int32_t index) {
+        ++leafSeen_.at(index);
+        const Leaf& leaf = tree_.leaves[index];
+        std::set<std::uint32_t> vertices;
+        for (std::uint32_t i = 0; i < leaf.triangleCount; ++i) {
+            const auto& triangle = tree_.triangles.at(leaf.firstTriangle + i);
+            vertices.insert(triangle.begin(), triangle.end());
+        }
+        return vertices;
+    }
+
+    /// Each triangle of the mesh once, with its id and its very vertices.
+    void checkTriangles() const {
+        BOOST_TEST(tree_.triangles.size() == mesh_.triangles.size());
+        BOOST_TEST(tree_.vertices.size() == mesh_.vertices.size());
+        std::set<std::uint32_t> ids;
+        for (std::size_t i = 0; i < tree_.triangles.size(); ++i) {
+            const std::uint32_t id = tree_.triangleIds.at(i);
+            ids.insert(id);
+            const TriangleIndices& original = mesh_.triangles.at(id - 7);  // as cleanMeshOf numbers them
+            for (int corner = 0; corner < 3; ++corner) {
+                BOOST_REQUIRE(tree_.vertices.at(tree_.triangles[i][corner]) ==
+                              mesh_.vertices[original[corner]]);
+            }
+        }
+        BOOST_TEST(ids.size() == mesh_.triangles.size());
+    }
+
+    /// Leaves cover the triangles in order; their floats are the vertices relative to the leaf's centre,
+    /// within its radius.
+    void checkLeaves() const {
+        std::uint32_t next = 0;
+        const long double perUnit = std::ldexp(1.0L, -tree_.unitExponent);
+        for (const Leaf& leaf : tree_.leaves) {
+            BOOST_REQUIRE(leaf.firstTriangle == next);
+            BOOST_REQUIRE((leaf.triangleCount >= 1 && leaf.triangleCount <= 16));
+            next += leaf.triangleCount;
+            const LongVector centre(leaf.centre[0], leaf.centre[1], leaf.centre[2]);
+            for (std::uint32_t i = 0; i < leaf.triangleCount; ++i) {
+                for (int corner = 0; corner < 3; ++corner) {
+                    const Vector3& vertex = tree_.vertices[tree_.triangles[leaf.firstTriangle + i][corner]];
+                    const LongVector offset = (vertex.cast<long double>() - centre) * perUnit;
+                    BOOST_REQUIRE(offset.norm() <= leaf.radius);
+                    for (int k = 0; k < 3; ++k) {
+                        const float stored = tree_.leafVertices.at(9 * leaf.firstTriangle +
+                                                                   (3 * corner + k) * leaf.triangleCount + i);
+                        BOOST_REQUIRE(std::abs(stored - offset[k]) <=
+                                      0x1.01p-24L * std::abs(offset[k]) + 0x1p-150L);
+                    }
+                }
+            }
+        }
+        BOOST_TEST(next == tree_.triangles.size());
+        BOOST_TEST(tree_.leafVertices.size() == 9 * tree_.triangles.size() + kLeafPadding);
+    }
+
+    const FlatTree& tree_;
+    const CleanMesh& mesh_;
+    std::vector<int> nodeSeen_;
+    std::vector<int> leafSeen_;
+    std::size_t verticesOutside_ = 0;
+    std::size_t wrongLanes_ = 0;
+};
+
+inline void checkTree(const FlatTree& tree, const CleanMesh& mesh) {
+    BOOST_TEST(tree.radius <= 1);
+    BOOST_TEST((tree.nodeWidth == 2 ? tree.nodes8.empty() : tree.nodes2.empty()));
+    for (const Vector3& vertex : tree.vertices) {
+        BOOST_REQUIRE(inTreeUnits(tree, vertex).norm() <= tree.radius);
+        BOOST_REQUIRE(vertex.cast<long double>().norm() <= tree.radiusAboutMeshOrigin);
+        BOOST_REQUIRE(tree.box.contains(vertex));
+    }
+    if (tree.nodeWidth == 2) {
+        TreeChecker<2>(tree, mesh).check();
+    } else {
+        TreeChecker<8>(tree, mesh).check();
+    }
+}
+
+}  // namespace clearway::testing
