@@ -8,6 +8,7 @@
 
 #include "build/check_tree.h"
 #include "build/sample_meshes.h"
+#include "build/top_down.h"
 
 namespace clearway::testing {
 namespace {
@@ -87,13 +88,13 @@ BOOST_DATA_TEST_CASE(no_input_makes_a_tree_that_is_too_deep, eachGeneralSplit, g
     // two at a time.
     std::vector<Corners> triangles;
     for (int i = -250; i < 250; ++i) {
-        const double size = std::ldexp(1.0, 2 * i / 3);
+        const double size = std::ldexp(1.0, 2 * i);
         triangles.push_back({size * Vector3(1, 0, 0), size * Vector3(1.1, 0, 0), size * Vector3(1, 0.1, 0)});
     }
     const CleanMesh mesh = cleanMeshOf(triangles);
     const BinaryTree tree = buildBinaryTree(mesh, {general, "none", 1, 8});
-    BOOST_TEST(depthOf(tree) > 60);           // the input does what it is here for
-    BOOST_TEST(depthOf(tree) <= 96 + 1 + 9);  // kDeepestSplit, then halves of at most 500
+    BOOST_TEST(depthOf(tree) > kDeepestSplit);           // the input does what it is here for
+    BOOST_TEST(depthOf(tree) <= kDeepestSplit + 1 + 9);  // the root, then halves of at most 500
     checkTree(flatten(tree, mesh, 8), mesh);
 }
 
