@@ -20,7 +20,8 @@ struct QueryCounters {
 };
 
 /// The scratch of one thread and its warm start: the closest pair of the last query, with which the next query of the
-/// same two models begins. Its answers do not depend on what it holds, only their speed does. Not to be shared by threads.
+/// same two models begins. Verdicts and intervals do not depend on what it holds, but for last digits; which of several
+/// equally close pairs is named may. Not to be shared by threads.
 class Workspace {
   public:
     Workspace();

@@ -1,0 +1,195 @@
+// Lower bounds of the distance between one RSS and the children of a wide node, one child per lane.
+//
+// Two ways to bound the distance of the rectangles, from which the radii are taken:
+//  - cheap: the box gaps in both rectangles' frames, and the support gap along one direction found by alternating
+//    projections between the rectangles;
+//  - exact: the same box gaps, and the support gap along the difference of the closest points over all pairs of edges and
+//    all corners and faces, which is the rectangles' distance but for rounding (the thesis's test, for comparison).
+// The support gap (min v.q - max v.p) / |v| is a true lower bound for ANY direction v, so a badly conditioned closest pair
+// makes the bound loose, never false. A computed closest distance is not a bound and is never used as one.
+//
+// Source of the volume: Larsen et al., Fast Proximity Queries with Swept Sphere Volumes, TR99-018, 1999.
+#include "hwy/highway.h"
+#include "kernels/vector3-inl.h"
+#include "tree/flat_tree.h"
+
+#if defined(CLEARWAY_KERNELS_RSS_LOWER_BOUND_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef CLEARWAY_KERNELS_RSS_LOWER_BOUND_INL_H_
+#undef CLEARWAY_KERNELS_RSS_LOWER_BOUND_INL_H_
+#else
+#define CLEARWAY_KERNELS_RSS_LOWER_BOUND_INL_H_
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace clearway {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// One RSS carried into the frame and unit of the node it is tested against.
+struct CarriedRss {
+    float centre[3];
+    float axis0[3];
+    float axis1[3];
+    float axis2[3];
+    float halfLength0;
+    float halfLength1;
+    float radius;
+};
+
+/// The lanes' rectangles in the frame of the one: centre, sides' directions and half lengths. The one rectangle is centred
+/// at 0 with its sides along x and y.
+template <class V>
+struct RelativeRectangles {
+    Lanes3<V> centre;
+    Lanes3<V> side0, side1, normal;
+    V half0, half1;  // of the lanes
+    V H0, H1;        // of the one
+};
+
+/// (min over one rectangle - max over the other) of v.x, over |v|; -infinity where |v|^2 is not a normal number.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V SupportGap(D d, const Lanes3<V>& v, const RelativeRectangles<V>& r) {
+    const auto lengthSquared = Dot(v, v);
+    auto reach = hn::Mul(hn::Abs(v.x), r.H0);
+    reach = hn::MulAdd(hn::Abs(v.y), r.H1, reach);
+    reach = hn::MulAdd(hn::Abs(Dot(v, r.side0)), r.half0, reach);
+    reach = hn::MulAdd(hn::Abs(Dot(v, r.side1)), r.half1, reach);
+    const auto gap = hn::Div(hn::Sub(hn::Abs(Dot(v, r.centre)), reach), hn::Sqrt(lengthSquared));
+    // By select and not by maximum: what a maximum makes of NaN differs between instruction sets.
+    const auto usable = hn::And(hn::Gt(lengthSquared, hn::Set(d, 1e-30f)), hn::Lt(lengthSquared, hn::Set(d, 1e30f)));
+    return hn::IfThenElse(usable, gap, hn::Set(d, -hwy::HighestValue<float>()));
+}
+
+/// Length of the gaps between the boxes around both rectangles in the one's frame, then in the lanes' frames; the larger.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V BoxGap(D d, const RelativeRectangles<V>& r) {
+    const auto zero = hn::Zero(d);
+    const auto gap = [&](V along, V extent) HWY_ATTR { return hn::Max(hn::Sub(hn::Abs(along), extent), zero); };
+    const auto extent = [&](V alongSide0, V alongSide1) HWY_ATTR {
+        return hn::MulAdd(hn::Abs(alongSide0), r.half0, hn::Mul(hn::Abs(alongSide1), r.half1));
+    };
+    const Lanes3<V> own = {gap(r.centre.x, hn::Add(extent(r.side0.x, r.side1.x), r.H0)),
+                           gap(r.centre.y, hn::Add(extent(r.side0.y, r.side1.y), r.H1)),
+                           gap(r.centre.z, extent(r.side0.z, r.side1.z))};
+    const auto reach = [&](const Lanes3<V>& axis) HWY_ATTR {
+        return hn::MulAdd(hn::Abs(axis.x), r.H0, hn::Mul(hn::Abs(axis.y), r.H1));
+    };
+    const Lanes3<V> theirs = {gap(Dot(r.side0, r.centre), hn::Add(reach(r.side0), r.half0)),
+                              gap(Dot(r.side1, r.centre), hn::Add(reach(r.side1), r.half1)),
+                              gap(Dot(r.normal, r.centre), reach(r.normal))};
+    return hn::Sqrt(hn::Max(Dot(own, own), Dot(theirs, theirs)));
+}
+
+/// From the one's centre to the lane's rectangle, back, and once more: the difference of the last two points.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE Lanes3<V> AlternatingDirection(D d, const RelativeRectangles<V>& r) {
+    const auto zero = hn::Zero(d);
+    Lanes3<V> onOne = {zero, zero, zero};
+    Lanes3<V> onLane = r.centre;
+    for (int round = 0; round < 2; ++round) {
+        const auto fromCentre = onOne - r.centre;
+        const auto along0 = hn::Clamp(Dot(fromCentre, r.side0), hn::Neg(r.half0), r.half0);
+        const auto along1 = hn::Clamp(Dot(fromCentre, r.side1), hn::Neg(r.half1), r.half1);
+        onLane = AddScaled(AddScaled(r.centre, along0, r.side0), along1, r.side1);
+        onOne = {hn::Clamp(onLane.x, hn::Neg(r.H0), r.H0), hn::Clamp(onLane.y, hn::Neg(r.H1), r.H1), zero};
+    }
+    return onLane - onOne;
+}
+
+/// Difference of the closest points of the two rectangles' edges, and of each corner and the other face.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE Lanes3<V> ClosestDirection(D d, const RelativeRectangles<V>& r) {
+    const auto zero = hn::Zero(d);
+    const auto one = hn::Set(d, 1.0f);
+    Lanes3<V> best = r.centre;
+    V bestSquared = hn::Set(d, hwy::HighestValue<float>());
+    const auto take = [&](const Lanes3<V>& v) HWY_ATTR {
+        const auto squared = Dot(v, v);
+        const auto nearer = hn::Lt(squared, bestSquared);
+        best = Select(nearer, v, best);
+        bestSquared = hn::IfThenElse(nearer, squared, bestSquared);
+    };
+    const auto signedHalf = [&](int side, V half) HWY_ATTR { return side == 0 ? half : hn::Neg(half); };
+
+    for (int ownAxis = 0; ownAxis < 2; ++ownAxis) {
+        const V ownHalf = ownAxis == 0 ? r.H0 : r.H1;
+        for (int laneAxis = 0; laneAxis < 2; ++laneAxis) {
+            const Lanes3<V>& direction = laneAxis == 0 ? r.side0 : r.side1;
+            const Lanes3<V>& across = laneAxis == 0 ? r.side1 : r.side0;
+            const V half = laneAxis == 0 ? r.half0 : r.half1;
+            const V halfAcross = laneAxis == 0 ? r.half1 : r.half0;
+            const V cosine = ownAxis == 0 ? direction.x : direction.y;
+            const V sineSquared = hn::NegMulAdd(cosine, cosine, one);
+            for (int sides = 0; sides < 4; ++sides) {
+                // Middles of the two edges; w from the own to the lane's.
+                const V offset = signedHalf(sides & 1, ownAxis == 0 ? r.H1 : r.H0);
+                Lanes3<V> w = AddScaled(r.centre, signedHalf(sides >> 1, halfAcross), across);
+                (ownAxis == 0 ? w.y : w.x) = hn::Sub(ownAxis == 0 ? w.y : w.x, offset);
+                const V wOwn = ownAxis == 0 ? w.x : w.y;
+                const V wLane = Dot(w, direction);
+                const V start = hn::Div(hn::NegMulAdd(cosine, wLane, wOwn), sineSquared);
+                V s = hn::IfThenElse(hn::Gt(sineSquared, hn::Set(d, 1e-12f)), start, zero);
+                s = hn::Clamp(s, hn::Neg(ownHalf), ownHalf);
+                const V t = hn::Clamp(hn::MulSub(s, cosine, wLane), hn::Neg(half), half);
+                s = hn::Clamp(hn::MulAdd(t, cosine, wOwn), hn::Neg(ownHalf), ownHalf);
+                Lanes3<V> v = AddScaled(w, t, direction);
+                (ownAxis == 0 ? v.x : v.y) = hn::Sub(ownAxis == 0 ? v.x : v.y, s);
+                take(v);
+            }
+        }
+    }
+    for (int corner = 0; corner < 4; ++corner) {
+        const Lanes3<V> onLane = AddScaled(AddScaled(r.centre, signedHalf(corner & 1, r.half0), r.side0),
+                                           signedHalf(corner >> 1, r.half1), r.side1);
+        take({hn::Sub(onLane.x, hn::Clamp(onLane.x, hn::Neg(r.H0), r.H0)),
+              hn::Sub(onLane.y, hn::Clamp(onLane.y, hn::Neg(r.H1), r.H1)), onLane.z});
+        const Lanes3<V> onOne = {signedHalf(corner & 1, r.H0), signedHalf(corner >> 1, r.H1), zero};
+        const auto fromCentre = onOne - r.centre;
+        const auto along0 = hn::Clamp(Dot(fromCentre, r.side0), hn::Neg(r.half0), r.half0);
+        const auto along1 = hn::Clamp(Dot(fromCentre, r.side1), hn::Neg(r.half1), r.half1);
+        take(AddScaled(AddScaled(r.centre, along0, r.side0), along1, r.side1) - onOne);
+    }
+    return best;
+}
+
+/// Lower bounds from one RSS to the kWidth children of a node.
+/// one: in the node's frame and unit.  slack: taken from every bound; kVolumeSlack in query/pair_query.h covers the rounding
+/// of everything done here.  bounds: kWidth values in the node's unit, negative when the volumes overlap (kept negative: they
+/// order the descent), +infinity for unused lanes, none above the true distance.
+template <int kWidth>
+HWY_INLINE void RssLowerBounds(const CarriedRss& one, const WideNode<kWidth>& node, float slack, float* bounds) {
+    const hn::CappedTag<float, kWidth> d;
+    using V = hn::Vec<decltype(d)>;
+    for (size_t i = 0; i < kWidth; i += hn::Lanes(d)) {
+        const auto load3 = [&](const float (&rows)[3][kWidth]) HWY_ATTR {
+            return Lanes3<V>{hn::Load(d, rows[0] + i), hn::Load(d, rows[1] + i), hn::Load(d, rows[2] + i)};
+        };
+        const auto splat3 = [&](const float (&p)[3]) HWY_ATTR {
+            return Lanes3<V>{hn::Set(d, p[0]), hn::Set(d, p[1]), hn::Set(d, p[2])};
+        };
+        const Lanes3<V> x = splat3(one.axis0), y = splat3(one.axis1), z = splat3(one.axis2);
+        const auto toOne = [&](const Lanes3<V>& v) HWY_ATTR { return Lanes3<V>{Dot(x, v), Dot(y, v), Dot(z, v)}; };
+
+        RelativeRectangles<V> r;
+        r.centre = toOne(load3(node.centre) - splat3(one.centre));
+        r.side0 = toOne(load3(node.axis0));
+        r.side1 = toOne(load3(node.axis1));
+        r.normal = Cross(r.side0, r.side1);
+        r.half0 = hn::Load(d, node.halfLength0 + i);
+        r.half1 = hn::Load(d, node.halfLength1 + i);
+        r.H0 = hn::Set(d, one.halfLength0);
+        r.H1 = hn::Set(d, one.halfLength1);
+
+        const auto boxGap = BoxGap(d, r);
+        const auto direction = kWidth == 2 ? ClosestDirection(d, r) : AlternatingDirection(d, r);
+        const auto rectangles = hn::Max(boxGap, SupportGap(d, direction, r));
+        const auto radii = hn::Add(hn::Load(d, node.radius + i), hn::Set(d, one.radius + slack));
+        hn::StoreU(hn::Sub(rectangles, radii), d, bounds + i);
+    }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace clearway
+HWY_AFTER_NAMESPACE();
+
+#endif

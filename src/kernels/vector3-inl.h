@@ -1,0 +1,58 @@
+// Three vector registers as the coordinates of one 3D vector per lane.
+// Meant to be included after hwy/highway.h inside the per-target passes of foreach_target.h.
+#include "hwy/highway.h"
+
+#if defined(CLEARWAY_KERNELS_VECTOR3_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef CLEARWAY_KERNELS_VECTOR3_INL_H_
+#undef CLEARWAY_KERNELS_VECTOR3_INL_H_
+#else
+#define CLEARWAY_KERNELS_VECTOR3_INL_H_
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace clearway {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+template <class V>
+struct Lanes3 {
+    V x, y, z;
+};
+
+template <class V>
+HWY_INLINE Lanes3<V> operator+(const Lanes3<V>& a, const Lanes3<V>& b) {
+    return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)};
+}
+
+template <class V>
+HWY_INLINE Lanes3<V> operator-(const Lanes3<V>& a, const Lanes3<V>& b) {
+    return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
+}
+
+/// a + s b.
+template <class V>
+HWY_INLINE Lanes3<V> AddScaled(const Lanes3<V>& a, V s, const Lanes3<V>& b) {
+    return {hn::MulAdd(s, b.x, a.x), hn::MulAdd(s, b.y, a.y), hn::MulAdd(s, b.z, a.z)};
+}
+
+template <class V>
+HWY_INLINE V Dot(const Lanes3<V>& a, const Lanes3<V>& b) {
+    return hn::MulAdd(a.x, b.x, hn::MulAdd(a.y, b.y, hn::Mul(a.z, b.z)));
+}
+
+template <class V>
+HWY_INLINE Lanes3<V> Cross(const Lanes3<V>& a, const Lanes3<V>& b) {
+    return {hn::MulSub(a.y, b.z, hn::Mul(a.z, b.y)), hn::MulSub(a.z, b.x, hn::Mul(a.x, b.z)),
+            hn::MulSub(a.x, b.y, hn::Mul(a.y, b.x))};
+}
+
+template <class V, class M>
+HWY_INLINE Lanes3<V> Select(M mask, const Lanes3<V>& yes, const Lanes3<V>& no) {
+    return {hn::IfThenElse(mask, yes.x, no.x), hn::IfThenElse(mask, yes.y, no.y), hn::IfThenElse(mask, yes.z, no.z)};
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace clearway
+HWY_AFTER_NAMESPACE();
+
+#endif

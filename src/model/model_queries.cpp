@@ -1,0 +1,109 @@
+// The public queries: checks what the caller gives, keeps the warm start, and turns trees' positions and units into ids and
+// environment units.
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+#include "clearway/model.h"
+#include "clearway/query.h"
+#include "query/queries.h"
+
+namespace clearway {
+namespace {
+
+void requireNotNegative(double value, const char* name) {
+    if (value >= 0) return;
+    std::ostringstream message;
+    message << name << " is " << value << ", expected a number of at least 0";
+    throw std::invalid_argument(message.str());
+}
+
+void requireSameWidth(const Model& part, const Model& environment) {
+    const int partWidth = part.tree().nodeWidth, environmentWidth = environment.tree().nodeWidth;
+    if (partWidth == environmentWidth) return;
+    std::ostringstream message;
+    message << "the part's nodes have " << partWidth << " children and the environment's " << environmentWidth
+            << ", expected both models to be built with the same nodeWidth";
+    throw std::invalid_argument(message.str());
+}
+
+PairQuery beginQuery(const Model& part, const Model& environment, const Pose& X_environmentPart, Workspace::State& state) {
+    requireSameWidth(part, environment);
+    state.counters = {};
+    return preparePairQuery(part.tree(), environment.tree(), X_environmentPart);
+}
+
+/// The last pair, when it belongs to these two models.
+const WarmStart* warmStartFor(const Model& part, const Model& environment, const Workspace::State& state) {
+    const WarmStart& warm = state.warmStart;
+    return warm.partId == part.id() && warm.environmentId == environment.id() ? &warm : nullptr;
+}
+
+std::int64_t componentOfTriangle(const std::vector<Component>& components, std::int64_t triangle) {
+    const auto after = std::upper_bound(components.begin(), components.end(), triangle,
+                                        [](std::int64_t id, const Component& c) { return id < c.firstTriangle; });
+    return after - components.begin() - 1;
+}
+
+bool answerWithin(const Model& part, const Model& environment, const Pose& X_environmentPart, double d,
+                  Workspace& workspace) {
+    Workspace::State& state = workspace.state();
+    const PairQuery query = beginQuery(part, environment, X_environmentPart, state);
+    const WithinAnswer answer =
+        anyPairWithin(query, d * query.perMeshUnit, warmStartFor(part, environment, state), state);
+    if (answer.within) {
+        state.warmStart = {part.id(), environment.id(), answer.partTriangle, answer.environmentTriangle};
+    }
+    return answer.within;
+}
+
+}  // namespace
+
+DistanceResult distance(const Model& part, const Model& environment, const Pose& X_environmentPart,
+                        const DistanceOptions& options, Workspace& workspace) {
+    requireNotNegative(options.relativeError, "relativeError");
+    requireNotNegative(options.absoluteError, "absoluteError");
+    requireNotNegative(options.cap, "cap");
+    Workspace::State& state = workspace.state();
+    const PairQuery query = beginQuery(part, environment, X_environmentPart, state);
+    const ClosestRequest request{options.relativeError, options.absoluteError * query.perMeshUnit,
+                                 options.cap * query.perMeshUnit};
+    const ClosestAnswer answer = closestPair(query, request, warmStartFor(part, environment, state), state);
+
+    DistanceResult result;
+    result.counters = state.counters;
+    const double toMeshUnits = std::ldexp(1.0, query.unitExponent);
+    if (!answer.found) {
+        constexpr double kInfinity = std::numeric_limits<double>::infinity();
+        result.lower = std::max(options.cap, answer.pair.lower * toMeshUnits);
+        result.upper = result.distance = kInfinity;
+        result.pointOnPart.setConstant(std::numeric_limits<double>::quiet_NaN());
+        result.pointOnEnvironment = result.pointOnPart;
+        return result;
+    }
+    state.warmStart = {part.id(), environment.id(), answer.partTriangle, answer.environmentTriangle};
+    result.lower = answer.pair.lower * toMeshUnits;
+    result.upper = answer.pair.upper * toMeshUnits;
+    for (int k = 0; k < 3; ++k) {
+        result.pointOnPart[k] = answer.pair.pointOnPart[k] * toMeshUnits;
+        result.pointOnEnvironment[k] = answer.pair.pointOnEnvironment[k] * toMeshUnits;
+    }
+    result.distance = answer.pair.contact ? 0.0 : (result.pointOnPart - result.pointOnEnvironment).norm();
+    result.partTriangle = part.tree().triangleIds[answer.partTriangle];
+    result.environmentTriangle = environment.tree().triangleIds[answer.environmentTriangle];
+    result.partComponent = componentOfTriangle(part.components(), result.partTriangle);
+    result.environmentComponent = componentOfTriangle(environment.components(), result.environmentTriangle);
+    return result;
+}
+
+bool collides(const Model& part, const Model& environment, const Pose& X_environmentPart, Workspace& workspace) {
+    return answerWithin(part, environment, X_environmentPart, 0, workspace);
+}
+
+bool isWithin(const Model& part, const Model& environment, const Pose& X_environmentPart, double d, Workspace& workspace) {
+    requireNotNegative(d, "d");
+    return answerWithin(part, environment, X_environmentPart, d, workspace);
+}
+
+}  // namespace clearway

@@ -1,0 +1,95 @@
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+#include "query/pair_query.h"
+
+namespace clearway {
+namespace {
+
+constexpr int kLargestRatioExponent = 60;  // squares of ratios beyond it overflow float
+
+double largestCoordinateOf(const Box& box) {
+    return std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
+}
+
+/// Bound of the moved box's coordinates; the box's corners are at most the vertices' reach.
+double largestMovedCoordinate(const Pose& pose, const Box& box) {
+    const Vector3 centre = pose * box.center();
+    const Vector3 reach = pose.rotation.cwiseAbs() * (0.5 * box.sizes());
+    return (centre.cwiseAbs() + reach).maxCoeff();
+}
+
+/// t: origin of the carried tree in the target's frame, mesh units.
+Carry makeCarry(const Matrix3& rotation, const Vector3& t, const FlatTree& carried, int carriedExponent,
+                const FlatTree& target, int targetExponent, double offsetError, int queryExponent) {
+    Carry carry;
+    const double perUnit = std::ldexp(1.0, -targetExponent);
+    for (int row = 0; row < 3; ++row) {
+        for (int column = 0; column < 3; ++column) {
+            carry.rotation[3 * row + column] = static_cast<float>(rotation(row, column));
+        }
+        carry.translation[row] = static_cast<float>(t[row] * perUnit);
+    }
+    carry.ratio = static_cast<float>(std::ldexp(1.0, carriedExponent - targetExponent));
+    const double reach = t.norm() * perUnit + double(carried.radius) * carry.ratio + target.radius;
+    carry.slack = static_cast<float>((kVolumeSlack * kUnitRoundoffFloat * reach + offsetError * perUnit) * (1 + 1e-6));
+    carry.toQueryUnit = static_cast<float>(std::ldexp(1.0, targetExponent - queryExponent));
+    return carry;
+}
+
+void requireRatio(int exponent, const char* what) {
+    if (std::abs(exponent) <= kLargestRatioExponent) return;
+    std::ostringstream message;
+    message << what << " are in a ratio of about 2^" << exponent << ", expected 2^-" << kLargestRatioExponent << " to 2^"
+            << kLargestRatioExponent;
+    throw std::invalid_argument(message.str());
+}
+
+}  // namespace
+
+PairQuery preparePairQuery(const FlatTree& part, const FlatTree& environment, const Pose& X_environmentPart) {
+    requirePose(X_environmentPart);
+    // A mesh that is one point has no unit of its own: its floats are all 0.
+    const int environmentExponent = environment.radius > 0 ? environment.unitExponent : part.unitExponent;
+    const int partExponent = part.radius > 0 ? part.unitExponent : environmentExponent;
+    requireRatio(partExponent - environmentExponent, "the sizes of part and environment");
+
+    const Matrix3& R = X_environmentPart.rotation;
+    const Vector3& t = X_environmentPart.translation;
+    PairQuery query;
+    query.part = &part;
+    query.environment = &environment;
+    query.unitExponent = std::max(partExponent, environmentExponent);
+    query.perMeshUnit = std::ldexp(1.0, -query.unitExponent);
+
+    const double largest = std::max({largestCoordinateOf(part.box), largestCoordinateOf(environment.box),
+                                     t.cwiseAbs().maxCoeff(), largestMovedCoordinate(X_environmentPart, part.box)});
+    query.largestCoordinate = largest * query.perMeshUnit;
+    const double offsetError = kOffsetSlack * kUnitRoundoffDouble * largest;
+    query.offsetSlack = offsetError * query.perMeshUnit;
+
+    const Vector3 between = X_environmentPart * part.origin - environment.origin;
+    const double away = between.norm();
+    if (away > 0) {
+        const int smaller = std::min(partExponent, environmentExponent);
+        requireRatio(std::max(0, std::ilogb(away) - smaller), "the way between part and environment and their sizes");
+    }
+    query.partToEnvironment = makeCarry(R, between, part, partExponent, environment, environmentExponent, offsetError,
+                                        query.unitExponent);
+    query.environmentToPart = makeCarry(R.transpose(), -(R.transpose() * between), environment, environmentExponent, part,
+                                        partExponent, offsetError, query.unitExponent);
+    for (int row = 0; row < 3; ++row) {
+        for (int column = 0; column < 3; ++column) {
+            query.R[3 * row + column] = R(row, column);
+            query.rotation[3 * row + column] = static_cast<float>(R(row, column));
+        }
+        query.t[row] = t[row];
+    }
+    query.partLeafToQuery = static_cast<float>(std::ldexp(1.0, partExponent - query.unitExponent));
+    query.environmentLeafToQuery = static_cast<float>(std::ldexp(1.0, environmentExponent - query.unitExponent));
+    return query;
+}
+
+}  // namespace clearway

@@ -1,0 +1,26 @@
+// Resolves one pair of triangles in double: the one place where a verdict on a pair is made.
+#pragma once
+
+#include <cstdint>
+
+#include "query/pair_query.h"
+
+namespace clearway {
+
+/// What double arithmetic can say of a pair; query units, environment frame. It depends on the pair's exact vertices and the
+/// pose alone, never on how the pair was found.
+struct ResolvedPair {
+    double lower = 0;  ///< <= true distance; 0 on contact
+    double upper = 0;  ///< >= true distance; 0 on contact
+    bool contact = false;
+    double pointOnPart[3];
+    double pointOnEnvironment[3];
+};
+
+/// Contact is what cannot be proved farther apart than kContactRoundoffs u64 M, so a pair that touches is never called free.
+constexpr double kContactRoundoffs = 32;
+
+/// partTriangle, environmentTriangle: positions in the trees.
+ResolvedPair resolvePair(const PairQuery& query, std::uint32_t partTriangle, std::uint32_t environmentTriangle);
+
+}  // namespace clearway

@@ -1,0 +1,58 @@
+#include "clearway/targets.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "hwy/targets.h"
+
+namespace clearway {
+namespace {
+
+std::string nameOf(std::int64_t target) {
+    std::string name = hwy::TargetName(target);
+    std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+    return name;
+}
+
+/// Highway gives better sets lower bits.
+std::vector<std::int64_t> machineTargets() {
+    hwy::SetSupportedTargetsForTest(0);
+    return hwy::SupportedAndGeneratedTargets();
+}
+
+std::int64_t& chosen() {
+    static std::int64_t target = 0;  // 0: the best
+    return target;
+}
+
+void choose(std::int64_t target) {
+    hwy::SetSupportedTargetsForTest(target);
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    chosen() = target;
+}
+
+}  // namespace
+
+std::vector<std::string> availableTargets() {
+    std::vector<std::string> names;
+    for (const std::int64_t target : machineTargets()) names.push_back(nameOf(target));
+    choose(chosen());
+    return names;
+}
+
+void useTarget(const std::string& name) {
+    if (name == "best") return choose(0);
+    std::string known;
+    for (const std::int64_t target : machineTargets()) {
+        if (nameOf(target) == name) return choose(target);
+        known += (known.empty() ? "" : ", ") + nameOf(target);
+    }
+    choose(chosen());
+    throw std::invalid_argument("target is '" + name + "', expected best or one this machine runs: " + known);
+}
+
+std::string currentTarget() {
+    return chosen() == 0 ? availableTargets().front() : nameOf(chosen());
+}
+
+}  // namespace clearway

@@ -1,0 +1,104 @@
+// The visitor of `isWithin` and of `collides`, which is within 0: stops at the first pair that is near enough.
+#include "hwy/highway.h"
+#include "kernels/tri_tri_distance-inl.h"
+#include "kernels/tri_tri_intersect-inl.h"
+#include "query/leaf_pairs-inl.h"
+#include "query/refine.h"
+#include "query/traverse-inl.h"
+
+#if defined(CLEARWAY_QUERY_WITHIN_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef CLEARWAY_QUERY_WITHIN_INL_H_
+#undef CLEARWAY_QUERY_WITHIN_INL_H_
+#else
+#define CLEARWAY_QUERY_WITHIN_INL_H_
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace clearway {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+class Within {
+  public:
+    /// d: query units; infinity is within reach of everything.
+    Within(const PairQuery& query, double d, Workspace::State& state) : query_(query), d_(d), state_(state) {
+        const double reach = d > kAlwaysResolved ? d : kAlwaysResolved;
+        dropFrom_ = reach < hwy::HighestValue<float>() ? nextFloatAbove(reach) : hwy::HighestValue<float>();
+    }
+
+    bool drops(float bound) const { return bound >= dropFrom_; }
+    bool done() const { return found_; }
+
+    HWY_INLINE void leaves(float /*bound*/, const Leaf& part, const Leaf& environment) {
+        const LeafPairs pairs(query_, part, environment);
+        state_.counters.triangleTests += std::uint64_t(pairs.total());
+        const float error = pairs.roundingError();
+        const hn::CappedTag<float, kPairLanes> d;
+        PairLanes lanes;
+        alignas(64) float lower[kPairLanes], upper[kPairLanes];
+
+        for (int first = 0; first < pairs.total() && !done(); first += kPairLanes) {
+            const int count = pairs.fill(first, lanes);
+            for (size_t lane = 0; lane < size_t(count); lane += hn::Lanes(d)) {
+                const auto a = LoadTriangles(d, lanes.part, lane), b = LoadTriangles(d, lanes.environment, lane);
+                if (d_ > 0) {
+                    const auto bounds = TriangleDistance(d, a, b);
+                    hn::Store(bounds.lower, d, lower + lane);
+                    hn::Store(bounds.upper, d, upper + lane);
+                } else {
+                    hn::Store(TriangleSeparation(d, a, b), d, lower + lane);
+                    hn::Store(hn::Set(d, hwy::HighestValue<float>()), d, upper + lane);
+                }
+            }
+            for (int lane = 0; lane < count && !done(); ++lane) {
+                if (drops(lower[lane] - error)) continue;
+                const std::uint32_t a = pairs.partTriangle(first + lane), b = pairs.environmentTriangle(first + lane);
+                if (double(upper[lane]) + double(error) <= d_) {
+                    remember(a, b);
+                } else {
+                    resolve(a, b);
+                }
+            }
+        }
+    }
+
+    HWY_INLINE void resolve(std::uint32_t partTriangle, std::uint32_t environmentTriangle) {
+        const ResolvedPair pair = resolvePair(query_, partTriangle, environmentTriangle);
+        ++state_.counters.refinedPairs;
+        if (pair.contact || pair.lower <= d_) remember(partTriangle, environmentTriangle);
+    }
+
+    void write(WithinAnswer& answer) const {
+        answer = {found_, partTriangle_, environmentTriangle_};
+    }
+
+  private:
+    void remember(std::uint32_t partTriangle, std::uint32_t environmentTriangle) {
+        found_ = true;
+        partTriangle_ = partTriangle;
+        environmentTriangle_ = environmentTriangle;
+    }
+
+    const PairQuery& query_;
+    double d_;
+    Workspace::State& state_;
+    float dropFrom_;
+    bool found_ = false;
+    std::uint32_t partTriangle_ = 0;
+    std::uint32_t environmentTriangle_ = 0;
+};
+
+template <int kWidth>
+HWY_INLINE void WithinWide(const PairQuery& query, double distance, const WarmStart* warmStart, Workspace::State& state,
+                           WithinAnswer& answer) {
+    Within visitor(query, distance, state);
+    if (warmStart != nullptr) visitor.resolve(warmStart->partTriangle, warmStart->environmentTriangle);
+    Traverse<kWidth>(query, state, visitor);
+    visitor.write(answer);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace clearway
+HWY_AFTER_NAMESPACE();
+
+#endif
