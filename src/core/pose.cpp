@@ -19,8 +19,8 @@ namespace {
 
 [[noreturn]] void refuseRotation(double defect, double accepted) {
     std::ostringstream message;
-    message << "the pose's rotation is none: max |R^T R - I| is " << defect << ", expected at most " << accepted
-            << " with a positive determinant and finite entries";
+    message << "the pose's rotation is none: max |R^T R - I| is " << defect << ", expected at most "
+            << accepted << " with a positive determinant and finite entries";
     throw std::invalid_argument(message.str());
 }
 

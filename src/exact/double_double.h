@@ -1,6 +1,7 @@
 // Error-free sums and products of doubles: the building stones of double-double arithmetic.
-// Source: Ogita, Rump, Oishi, Accurate Sum and Dot Product, SIAM J. Sci. Comput. 26 (2005); Dekker 1971; Knuth 1969.
-// Exact only without contraction (-ffp-contract=off) and while products stay within 2^-969 .. 2^996.
+// Source: Ogita, Rump, Oishi, Accurate Sum and Dot Product, SIAM J. Sci. Comput. 26 (2005); Dekker 1971;
+// Knuth 1969. Exact only without contraction (-ffp-contract=off) and while products stay within 2^-969 ..
+// 2^996.
 #pragma once
 
 namespace clearway {

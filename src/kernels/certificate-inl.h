@@ -1,4 +1,5 @@
-// A direction's proof that two triangles are apart: the support gap. True for every direction, however it was found.
+// A direction's proof that two triangles are apart: the support gap. True for every direction, however it was
+// found.
 #include "hwy/highway.h"
 #include "kernels/vector3-inl.h"
 
@@ -20,8 +21,8 @@ struct Triangles {
     Lanes3<V> corner[3];
 };
 
-/// Distance of the two slabs across v: max(min v.b - max v.a, min v.a - max v.b) / |v|, in the corners' unit; -infinity
-/// where |v|^2 is not a normal number. Negative when the slabs overlap.
+/// Distance of the two slabs across v: max(min v.b - max v.a, min v.a - max v.b) / |v|, in the corners' unit;
+/// -infinity where |v|^2 is not a normal number. Negative when the slabs overlap.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V SlabGap(D d, const Lanes3<V>& v, const Triangles<V>& a, const Triangles<V>& b) {
     const V a0 = Dot(v, a.corner[0]), a1 = Dot(v, a.corner[1]), a2 = Dot(v, a.corner[2]);
@@ -30,7 +31,8 @@ HWY_INLINE V SlabGap(D d, const Lanes3<V>& v, const Triangles<V>& a, const Trian
     const V bLow = hn::Min(b0, hn::Min(b1, b2)), bHigh = hn::Max(b0, hn::Max(b1, b2));
     const V lengthSquared = Dot(v, v);
     const V gap = hn::Div(hn::Max(hn::Sub(bLow, aHigh), hn::Sub(aLow, bHigh)), hn::Sqrt(lengthSquared));
-    const auto usable = hn::And(hn::Gt(lengthSquared, hn::Set(d, 1e-30f)), hn::Lt(lengthSquared, hn::Set(d, 1e30f)));
+    const auto usable =
+        hn::And(hn::Gt(lengthSquared, hn::Set(d, 1e-30f)), hn::Lt(lengthSquared, hn::Set(d, 1e30f)));
     return hn::IfThenElse(usable, gap, hn::Set(d, -hwy::HighestValue<float>()));
 }
 

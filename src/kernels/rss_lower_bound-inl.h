@@ -1,12 +1,16 @@
 // Lower bounds of the distance between one RSS and the children of a wide node, one child per lane.
 //
 // Two ways to bound the distance of the rectangles, from which the radii are taken:
-//  - cheap: the box gaps in both rectangles' frames, and the support gap along one direction found by alternating
+//  - cheap: the box gaps in both rectangles' frames, and the support gap along one direction found by
+//  alternating
 //    projections between the rectangles;
-//  - exact: the same box gaps, and the support gap along the difference of the closest points over all pairs of edges and
-//    all corners and faces, which is the rectangles' distance but for rounding (the thesis's test, for comparison).
-// The support gap (min v.q - max v.p) / |v| is a true lower bound for ANY direction v, so a badly conditioned closest pair
-// makes the bound loose, never false. A computed closest distance is not a bound and is never used as one.
+//  - exact: the same box gaps, and the support gap along the difference of the closest points over all pairs
+//  of edges and
+//    all corners and faces, which is the rectangles' distance but for rounding (the thesis's test, for
+//    comparison).
+// The support gap (min v.q - max v.p) / |v| is a true lower bound for ANY direction v, so a badly conditioned
+// closest pair makes the bound loose, never false. A computed closest distance is not a bound and is never
+// used as one.
 //
 // Source of the volume: Larsen et al., Fast Proximity Queries with Swept Sphere Volumes, TR99-018, 1999.
 #include "hwy/highway.h"
@@ -36,8 +40,8 @@ struct CarriedRss {
     float radius;
 };
 
-/// The lanes' rectangles in the frame of the one: centre, sides' directions and half lengths. The one rectangle is centred
-/// at 0 with its sides along x and y.
+/// The lanes' rectangles in the frame of the one: centre, sides' directions and half lengths. The one
+/// rectangle is centred at 0 with its sides along x and y.
 template <class V>
 struct RelativeRectangles {
     Lanes3<V> centre;
@@ -46,7 +50,8 @@ struct RelativeRectangles {
     V H0, H1;        // of the one
 };
 
-/// (min over one rectangle - max over the other) of v.x, over |v|; -infinity where |v|^2 is not a normal number.
+/// (min over one rectangle - max over the other) of v.x, over |v|; -infinity where |v|^2 is not a normal
+/// number.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V SupportGap(D d, const Lanes3<V>& v, const RelativeRectangles<V>& r) {
     const auto lengthSquared = Dot(v, v);
@@ -56,15 +61,18 @@ HWY_INLINE V SupportGap(D d, const Lanes3<V>& v, const RelativeRectangles<V>& r)
     reach = hn::MulAdd(hn::Abs(Dot(v, r.side1)), r.half1, reach);
     const auto gap = hn::Div(hn::Sub(hn::Abs(Dot(v, r.centre)), reach), hn::Sqrt(lengthSquared));
     // By select and not by maximum: what a maximum makes of NaN differs between instruction sets.
-    const auto usable = hn::And(hn::Gt(lengthSquared, hn::Set(d, 1e-30f)), hn::Lt(lengthSquared, hn::Set(d, 1e30f)));
+    const auto usable =
+        hn::And(hn::Gt(lengthSquared, hn::Set(d, 1e-30f)), hn::Lt(lengthSquared, hn::Set(d, 1e30f)));
     return hn::IfThenElse(usable, gap, hn::Set(d, -hwy::HighestValue<float>()));
 }
 
-/// Length of the gaps between the boxes around both rectangles in the one's frame, then in the lanes' frames; the larger.
+/// Length of the gaps between the boxes around both rectangles in the one's frame, then in the lanes' frames;
+/// the larger.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V BoxGap(D d, const RelativeRectangles<V>& r) {
     const auto zero = hn::Zero(d);
-    const auto gap = [&](V along, V extent) HWY_ATTR { return hn::Max(hn::Sub(hn::Abs(along), extent), zero); };
+    const auto gap = [&](V along, V extent)
+                         HWY_ATTR { return hn::Max(hn::Sub(hn::Abs(along), extent), zero); };
     const auto extent = [&](V alongSide0, V alongSide1) HWY_ATTR {
         return hn::MulAdd(hn::Abs(alongSide0), r.half0, hn::Mul(hn::Abs(alongSide1), r.half1));
     };
@@ -153,22 +161,26 @@ HWY_INLINE Lanes3<V> ClosestDirection(D d, const RelativeRectangles<V>& r) {
 }
 
 /// Lower bounds from one RSS to the kWidth children of a node.
-/// one: in the node's frame and unit.  slack: taken from every bound; kVolumeSlack in query/pair_query.h covers the rounding
-/// of everything done here.  bounds: kWidth values in the node's unit, negative when the volumes overlap (kept negative: they
-/// order the descent), +infinity for unused lanes, none above the true distance.
+/// one: in the node's frame and unit.  slack: taken from every bound; kVolumeSlack in query/pair_query.h
+/// covers the rounding of everything done here.  bounds: kWidth values in the node's unit, negative when the
+/// volumes overlap (kept negative: they order the descent), +infinity for unused lanes, none above the true
+/// distance.
 template <int kWidth>
-HWY_INLINE void RssLowerBounds(const CarriedRss& one, const WideNode<kWidth>& node, float slack, float* bounds) {
+HWY_INLINE void RssLowerBounds(const CarriedRss& one, const WideNode<kWidth>& node, float slack,
+                               float* bounds) {
     const hn::CappedTag<float, kWidth> d;
     using V = hn::Vec<decltype(d)>;
     for (size_t i = 0; i < kWidth; i += hn::Lanes(d)) {
-        const auto load3 = [&](const float (&rows)[3][kWidth]) HWY_ATTR {
+        const auto load3 = [&](const float(&rows)[3][kWidth]) HWY_ATTR {
             return Lanes3<V>{hn::Load(d, rows[0] + i), hn::Load(d, rows[1] + i), hn::Load(d, rows[2] + i)};
         };
-        const auto splat3 = [&](const float (&p)[3]) HWY_ATTR {
+        const auto splat3 = [&](const float(&p)[3]) HWY_ATTR {
             return Lanes3<V>{hn::Set(d, p[0]), hn::Set(d, p[1]), hn::Set(d, p[2])};
         };
         const Lanes3<V> x = splat3(one.axis0), y = splat3(one.axis1), z = splat3(one.axis2);
-        const auto toOne = [&](const Lanes3<V>& v) HWY_ATTR { return Lanes3<V>{Dot(x, v), Dot(y, v), Dot(z, v)}; };
+        const auto toOne = [&](const Lanes3<V>& v) HWY_ATTR {
+            return Lanes3<V>{Dot(x, v), Dot(y, v), Dot(z, v)};
+        };
 
         RelativeRectangles<V> r;
         r.centre = toOne(load3(node.centre) - splat3(one.centre));

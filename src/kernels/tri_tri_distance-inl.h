@@ -1,10 +1,11 @@
-// Distance of pairs of triangles, one pair per lane: an upper bound from a feasible pair of points and a lower bound from
-// slabs across the best directions.
+// Distance of pairs of triangles, one pair per lane: an upper bound from a feasible pair of points and a
+// lower bound from slabs across the best directions.
 //
-// The closest points of two disjoint triangles lie on a pair of edges or on a corner and the other face: 9 + 6 cases. Edge
-// pairs are solved by the cross product of the edges, which keeps its accuracy when they are nearly parallel; the result is
-// clamped and projected back and forth once, so every pair scored is a pair of points of the triangles. Triangles that
-// pierce each other are not told apart from near ones here: their lower bound is not above 0, and they are resolved later.
+// The closest points of two disjoint triangles lie on a pair of edges or on a corner and the other face: 9 +
+// 6 cases. Edge pairs are solved by the cross product of the edges, which keeps its accuracy when they are
+// nearly parallel; the result is clamped and projected back and forth once, so every pair scored is a pair of
+// points of the triangles. Triangles that pierce each other are not told apart from near ones here: their
+// lower bound is not above 0, and they are resolved later.
 #include "hwy/highway.h"
 #include "kernels/certificate-inl.h"
 #include "kernels/vector3-inl.h"
@@ -45,8 +46,8 @@ HWY_INLINE Lanes3<V> EdgeDifference(D d, const Lanes3<V>& w, const Lanes3<V>& u,
     return AddScaled(AddScaled(w, t, v), hn::Neg(s), u);
 }
 
-/// Difference q - p of the point p and the point of the triangle q0 + s u + t v below it, clamped to the triangle;
-/// w = p - q0, n = u x v.
+/// Difference q - p of the point p and the point of the triangle q0 + s u + t v below it, clamped to the
+/// triangle; w = p - q0, n = u x v.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE Lanes3<V> FaceDifference(D d, const Lanes3<V>& w, const Lanes3<V>& u, const Lanes3<V>& v,
                                     const Lanes3<V>& n, V nn) {
@@ -85,7 +86,8 @@ HWY_INLINE TriangleBounds<V> TriangleDistance(D d, const Triangles<V>& a, const 
         take(FaceDifference(d, b.corner[i] - a.corner[0], edgeA[0], spanA, normalA, normalASquared));
     }
 
-    const V lower = hn::Max(SlabGap(d, best, a, b), hn::Max(SlabGap(d, normalA, a, b), SlabGap(d, normalB, a, b)));
+    const V lower =
+        hn::Max(SlabGap(d, best, a, b), hn::Max(SlabGap(d, normalA, a, b), SlabGap(d, normalB, a, b)));
     return {lower, hn::Sqrt(bestSquared)};
 }
 

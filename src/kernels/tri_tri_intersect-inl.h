@@ -1,7 +1,7 @@
-// Separation of pairs of triangles, one pair per lane: the widest slab gap over the 11 directions among which two disjoint
-// triangles that are not coplanar have a separating one, both face normals and the 9 cross products of edges.
-// Gottschalk's separating axes; the gap, not a sign, is what comes back, so that rounding can be taken from it.
-// Coplanar pairs are left to the resolution in double: their gap is not above 0.
+// Separation of pairs of triangles, one pair per lane: the widest slab gap over the 11 directions among which
+// two disjoint triangles that are not coplanar have a separating one, both face normals and the 9 cross
+// products of edges. Gottschalk's separating axes; the gap, not a sign, is what comes back, so that rounding
+// can be taken from it. Coplanar pairs are left to the resolution in double: their gap is not above 0.
 #include "hwy/highway.h"
 #include "kernels/certificate-inl.h"
 #include "kernels/vector3-inl.h"

@@ -48,7 +48,8 @@ HWY_INLINE Lanes3<V> Cross(const Lanes3<V>& a, const Lanes3<V>& b) {
 
 template <class V, class M>
 HWY_INLINE Lanes3<V> Select(M mask, const Lanes3<V>& yes, const Lanes3<V>& no) {
-    return {hn::IfThenElse(mask, yes.x, no.x), hn::IfThenElse(mask, yes.y, no.y), hn::IfThenElse(mask, yes.z, no.z)};
+    return {hn::IfThenElse(mask, yes.x, no.x), hn::IfThenElse(mask, yes.y, no.y),
+            hn::IfThenElse(mask, yes.z, no.z)};
 }
 
 }  // namespace HWY_NAMESPACE

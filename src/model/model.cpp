@@ -40,12 +40,26 @@ Model Model::build(const Mesh& mesh, const BuildOptions& options) {
     return Model(std::move(data));
 }
 
-const BuildReport& Model::report() const { return data_->report; }
-const Box& Model::box() const { return data_->tree.box; }
-const std::vector<Component>& Model::components() const { return data_->components; }
-const MeshOrigin& Model::origin() const { return data_->origin; }
-double Model::radiusAboutOrigin() const { return data_->tree.radiusAboutMeshOrigin; }
-std::uint64_t Model::id() const { return data_->id; }
-const FlatTree& Model::tree() const { return data_->tree; }
+const BuildReport& Model::report() const {
+    return data_->report;
+}
+const Box& Model::box() const {
+    return data_->tree.box;
+}
+const std::vector<Component>& Model::components() const {
+    return data_->components;
+}
+const MeshOrigin& Model::origin() const {
+    return data_->origin;
+}
+double Model::radiusAboutOrigin() const {
+    return data_->tree.radiusAboutMeshOrigin;
+}
+std::uint64_t Model::id() const {
+    return data_->id;
+}
+const FlatTree& Model::tree() const {
+    return data_->tree;
+}
 
 }  // namespace clearway

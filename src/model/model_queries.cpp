@@ -1,5 +1,5 @@
-// The public queries: checks what the caller gives, keeps the warm start, and turns trees' positions and units into ids and
-// environment units.
+// The public queries: checks what the caller gives, keeps the warm start, and turns trees' positions and
+// units into ids and environment units.
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -28,7 +28,8 @@ void requireSameWidth(const Model& part, const Model& environment) {
     throw std::invalid_argument(message.str());
 }
 
-PairQuery beginQuery(const Model& part, const Model& environment, const Pose& X_environmentPart, Workspace::State& state) {
+PairQuery beginQuery(const Model& part, const Model& environment, const Pose& X_environmentPart,
+                     Workspace::State& state) {
     requireSameWidth(part, environment);
     state.counters = {};
     return preparePairQuery(part.tree(), environment.tree(), X_environmentPart);
@@ -41,8 +42,9 @@ const WarmStart* warmStartFor(const Model& part, const Model& environment, const
 }
 
 std::int64_t componentOfTriangle(const std::vector<Component>& components, std::int64_t triangle) {
-    const auto after = std::upper_bound(components.begin(), components.end(), triangle,
-                                        [](std::int64_t id, const Component& c) { return id < c.firstTriangle; });
+    const auto after =
+        std::upper_bound(components.begin(), components.end(), triangle,
+                         [](std::int64_t id, const Component& c) { return id < c.firstTriangle; });
     return after - components.begin() - 1;
 }
 
@@ -97,11 +99,13 @@ DistanceResult distance(const Model& part, const Model& environment, const Pose&
     return result;
 }
 
-bool collides(const Model& part, const Model& environment, const Pose& X_environmentPart, Workspace& workspace) {
+bool collides(const Model& part, const Model& environment, const Pose& X_environmentPart,
+              Workspace& workspace) {
     return answerWithin(part, environment, X_environmentPart, 0, workspace);
 }
 
-bool isWithin(const Model& part, const Model& environment, const Pose& X_environmentPart, double d, Workspace& workspace) {
+bool isWithin(const Model& part, const Model& environment, const Pose& X_environmentPart, double d,
+              Workspace& workspace) {
     requireNotNegative(d, "d");
     return answerWithin(part, environment, X_environmentPart, d, workspace);
 }

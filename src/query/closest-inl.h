@@ -1,4 +1,5 @@
-// The visitor of `distance`: shrinks an upper bound in float, keeps the pairs that may be the closest, resolves them in double.
+// The visitor of `distance`: shrinks an upper bound in float, keeps the pairs that may be the closest,
+// resolves them in double.
 #include "hwy/highway.h"
 #include "kernels/tri_tri_distance-inl.h"
 #include "query/leaf_pairs-inl.h"
@@ -39,13 +40,14 @@ class Closest {
         for (int first = 0; first < pairs.total() && !done(); first += kPairLanes) {
             const int count = pairs.fill(first, lanes);
             for (size_t lane = 0; lane < size_t(count); lane += hn::Lanes(d)) {
-                const auto bounds =
-                    TriangleDistance(d, LoadTriangles(d, lanes.part, lane), LoadTriangles(d, lanes.environment, lane));
+                const auto bounds = TriangleDistance(d, LoadTriangles(d, lanes.part, lane),
+                                                     LoadTriangles(d, lanes.environment, lane));
                 hn::Store(bounds.lower, d, lower + lane);
                 hn::Store(bounds.upper, d, upper + lane);
             }
             for (int lane = 0; lane < count && !done(); ++lane) {
-                const std::uint32_t a = pairs.partTriangle(first + lane), b = pairs.environmentTriangle(first + lane);
+                const std::uint32_t a = pairs.partTriangle(first + lane),
+                                    b = pairs.environmentTriangle(first + lane);
                 const float proved = lower[lane] - error;
                 if (!(proved > kAlwaysResolved)) {
                     resolve(a, b);  // may touch, pierce or be ill-conditioned: float says nothing about it
@@ -79,7 +81,8 @@ class Closest {
     void finish(ClosestAnswer& out) {
         Pile<Candidate>& candidates = state_.candidates;
         if (!done()) {
-            // The pair that set the upper bound comes first: with a wide tolerance its own lower bound would be dropped.
+            // The pair that set the upper bound comes first: with a wide tolerance its own lower bound would
+            // be dropped.
             if (!candidates.empty() && !(answer_.upper <= leastUpper_ && found_)) {
                 resolve(nearest_.partTriangle, nearest_.environmentTriangle);
             }
@@ -103,8 +106,8 @@ class Closest {
     }
 
   private:
-    /// Takes a smaller true upper bound of the distance. Dropping at bound b leaves an interval [b, upper], which may be as
-    /// wide as the request says.
+    /// Takes a smaller true upper bound of the distance. Dropping at bound b leaves an interval [b, upper],
+    /// which may be as wide as the request says.
     void shrink(double upper) {
         leastUpper_ = upper;
         double from = upper;

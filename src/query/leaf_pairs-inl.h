@@ -15,8 +15,8 @@ namespace clearway {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-constexpr int kPairLanes = 16;       ///< pairs given to a kernel at once
-constexpr int kLargestLeaf = 16;     ///< triangles
+constexpr int kPairLanes = 16;    ///< pairs given to a kernel at once
+constexpr int kLargestLeaf = 16;  ///< triangles
 
 /// Corners of up to kPairLanes pairs; row 3 corner + coordinate.
 struct alignas(64) PairLanes {
@@ -24,26 +24,30 @@ struct alignas(64) PairLanes {
     float environment[9][kPairLanes];
 };
 
-/// Two leaves in the environment's axes, relative to the environment leaf's centre, in query units: their corners are then
-/// numbers of the leaves' size, whatever the distance from the origin, and roundingError is small with them.
+/// Two leaves in the environment's axes, relative to the environment leaf's centre, in query units: their
+/// corners are then numbers of the leaves' size, whatever the distance from the origin, and roundingError is
+/// small with them.
 class LeafPairs {
   public:
     HWY_INLINE LeafPairs(const PairQuery& query, const Leaf& part, const Leaf& environment)
-        : part_(part), environment_(environment), total_(int(part.triangleCount * environment.triangleCount)) {
+        : part_(part),
+          environment_(environment),
+          total_(int(part.triangleCount * environment.triangleCount)) {
         float offset[3];
         double offsetSquared = 0;
         for (int row = 0; row < 3; ++row) {
             const double* R = query.R + 3 * row;
-            const double between = (R[0] * part.centre[0] + R[1] * part.centre[1] + R[2] * part.centre[2] + query.t[row] -
-                                    environment.centre[row]) *
+            const double between = (R[0] * part.centre[0] + R[1] * part.centre[1] + R[2] * part.centre[2] +
+                                    query.t[row] - environment.centre[row]) *
                                    query.perMeshUnit;
             offset[row] = static_cast<float>(between);
             offsetSquared += between * between;
         }
         const double reach = double(part.radius) * query.partLeafToQuery +
-                             double(environment.radius) * query.environmentLeafToQuery + __builtin_sqrt(offsetSquared);
-        roundingError_ =
-            static_cast<float>((kTriangleSlack * kUnitRoundoffFloat * reach + query.offsetSlack) * (1 + 1e-6));
+                             double(environment.radius) * query.environmentLeafToQuery +
+                             __builtin_sqrt(offsetSquared);
+        roundingError_ = static_cast<float>(
+            (kTriangleSlack * kUnitRoundoffFloat * reach + query.offsetSlack) * (1 + 1e-6));
 
         const int n = int(part.triangleCount);
         const float* stored = query.part->leafVertices.data() + 9 * size_t(part.firstTriangle);
@@ -67,12 +71,15 @@ class LeafPairs {
     float roundingError() const { return roundingError_; }
 
     /// Positions in the trees of the pair's triangles.
-    std::uint32_t partTriangle(int pair) const { return part_.firstTriangle + pair / environment_.triangleCount; }
+    std::uint32_t partTriangle(int pair) const {
+        return part_.firstTriangle + pair / environment_.triangleCount;
+    }
     std::uint32_t environmentTriangle(int pair) const {
         return environment_.firstTriangle + pair % environment_.triangleCount;
     }
 
-    /// Fills the lanes with the pairs from `first` on; lanes past the last pair repeat it. Returns how many pairs are new.
+    /// Fills the lanes with the pairs from `first` on; lanes past the last pair repeat it. Returns how many
+    /// pairs are new.
     HWY_INLINE int fill(int first, PairLanes& lanes) const {
         const int m = int(environment_.triangleCount);
         const int count = total_ - first < kPairLanes ? total_ - first : kPairLanes;

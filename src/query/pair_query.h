@@ -1,5 +1,6 @@
-// One query made ready for traversal: the pose composed in double, then rounded once, and the error terms that the rounding
-// costs. All lengths of a query are in its unit, 2^unitExponent, the larger of the two trees' units.
+// One query made ready for traversal: the pose composed in double, then rounded once, and the error terms
+// that the rounding costs. All lengths of a query are in its unit, 2^unitExponent, the larger of the two
+// trees' units.
 #pragma once
 
 #include <cmath>
@@ -13,8 +14,8 @@ namespace clearway {
 constexpr double kUnitRoundoffFloat = 0x1p-24;
 constexpr double kUnitRoundoffDouble = 0x1p-53;
 
-/// Rounding of one bound between volumes, in u32 (|t| + radius + radius): what the float kernel may answer too much.
-/// First order, worst case, u = u32, Q = |t| + both radii about their trees' origins:
+/// Rounding of one bound between volumes, in u32 (|t| + radius + radius): what the float kernel may answer
+/// too much. First order, worst case, u = u32, Q = |t| + both radii about their trees' origins:
 ///   volume carried over: rounded rotation and 6 operations per coordinate, rounded t       13.2 u Q
 ///   its axes off by 7 u each, so its rectangle by 7 u (h0 + h1)                             10 u Q
 ///   box gaps in axes that are orthonormal only to 15 u: extents 20, their length 30         50 u Q
@@ -22,17 +23,19 @@ constexpr double kUnitRoundoffDouble = 0x1p-53;
 /// The rotation's own defect, at most 3e-12 Q, is a ten-thousandth of this.
 constexpr double kVolumeSlack = 96;
 
-/// Rounding of one gap or distance between triangles, in u32 (leaf radius + leaf radius + |offset|), first order:
-///   corners of the part: stored 1, rotation 1.8, 6 operations per coordinate 10.4, offset 1;  of the environment: stored 1
-///   slab gap: products 3 + 3, difference 1, length and division 4.
+/// Rounding of one gap or distance between triangles, in u32 (leaf radius + leaf radius + |offset|), first
+/// order:
+///   corners of the part: stored 1, rotation 1.8, 6 operations per coordinate 10.4, offset 1;  of the
+///   environment: stored 1 slab gap: products 3 + 3, difference 1, length and division 4.
 constexpr double kTriangleSlack = 24;
 
-/// Composing R c + t - c' in double from coordinates of at most M, in u64 M: 3 products, 3 sums, 3 coordinates.
+/// Composing R c + t - c' in double from coordinates of at most M, in u64 M: 3 products, 3 sums, 3
+/// coordinates.
 constexpr double kOffsetSlack = 20;
 
-/// Pairs nearer than this (query units) are resolved in double whatever the query: the double function calls contact what it
-/// cannot prove apart, for flat triangles up to 4.3e-8 of their longest edge, so no pair it may judge so is left out and
-/// distance, collides and isWithin see the same contacts.
+/// Pairs nearer than this (query units) are resolved in double whatever the query: the double function calls
+/// contact what it cannot prove apart, for flat triangles up to 4.3e-8 of their longest edge, so no pair it
+/// may judge so is left out and distance, collides and isWithin see the same contacts.
 constexpr float kAlwaysResolved = 0x1p-22f;
 
 /// How volumes of one tree come into the frame and unit of the other's nodes: x -> ratio * (R x) + t.
@@ -56,20 +59,20 @@ struct PairQuery {
     Carry partToEnvironment;
     Carry environmentToPart;
 
-    double R[9];               ///< X_environmentPart as given, row-major
-    double t[3];               ///< mesh units
-    double perMeshUnit;        ///< 2^-unitExponent: mesh units -> query units
+    double R[9];         ///< X_environmentPart as given, row-major
+    double t[3];         ///< mesh units
+    double perMeshUnit;  ///< 2^-unitExponent: mesh units -> query units
     int unitExponent;
-    float rotation[9];         ///< R rounded
-    float partLeafToQuery;     ///< the trees' units -> query unit
+    float rotation[9];      ///< R rounded
+    float partLeafToQuery;  ///< the trees' units -> query unit
     float environmentLeafToQuery;
-    double offsetSlack;        ///< kOffsetSlack's term, query units
+    double offsetSlack;  ///< kOffsetSlack's term, query units
 
     double largestCoordinate;  ///< M: of both meshes' vertices, the moved part's and t; query units
 };
 
-/// Throws std::invalid_argument when the pose is no rotation, or the sizes of the two meshes or the way between them differ
-/// by more than 2^60.
+/// Throws std::invalid_argument when the pose is no rotation, or the sizes of the two meshes or the way
+/// between them differ by more than 2^60.
 PairQuery preparePairQuery(const FlatTree& part, const FlatTree& environment, const Pose& X_environmentPart);
 
 }  // namespace clearway

@@ -34,7 +34,8 @@ Carry makeCarry(const Matrix3& rotation, const Vector3& t, const FlatTree& carri
     }
     carry.ratio = static_cast<float>(std::ldexp(1.0, carriedExponent - targetExponent));
     const double reach = t.norm() * perUnit + double(carried.radius) * carry.ratio + target.radius;
-    carry.slack = static_cast<float>((kVolumeSlack * kUnitRoundoffFloat * reach + offsetError * perUnit) * (1 + 1e-6));
+    carry.slack =
+        static_cast<float>((kVolumeSlack * kUnitRoundoffFloat * reach + offsetError * perUnit) * (1 + 1e-6));
     carry.toQueryUnit = static_cast<float>(std::ldexp(1.0, targetExponent - queryExponent));
     return carry;
 }
@@ -42,8 +43,8 @@ Carry makeCarry(const Matrix3& rotation, const Vector3& t, const FlatTree& carri
 void requireRatio(int exponent, const char* what) {
     if (std::abs(exponent) <= kLargestRatioExponent) return;
     std::ostringstream message;
-    message << what << " are in a ratio of about 2^" << exponent << ", expected 2^-" << kLargestRatioExponent << " to 2^"
-            << kLargestRatioExponent;
+    message << what << " are in a ratio of about 2^" << exponent << ", expected 2^-" << kLargestRatioExponent
+            << " to 2^" << kLargestRatioExponent;
     throw std::invalid_argument(message.str());
 }
 
@@ -64,8 +65,9 @@ PairQuery preparePairQuery(const FlatTree& part, const FlatTree& environment, co
     query.unitExponent = std::max(partExponent, environmentExponent);
     query.perMeshUnit = std::ldexp(1.0, -query.unitExponent);
 
-    const double largest = std::max({largestCoordinateOf(part.box), largestCoordinateOf(environment.box),
-                                     t.cwiseAbs().maxCoeff(), largestMovedCoordinate(X_environmentPart, part.box)});
+    const double largest =
+        std::max({largestCoordinateOf(part.box), largestCoordinateOf(environment.box),
+                  t.cwiseAbs().maxCoeff(), largestMovedCoordinate(X_environmentPart, part.box)});
     query.largestCoordinate = largest * query.perMeshUnit;
     const double offsetError = kOffsetSlack * kUnitRoundoffDouble * largest;
     query.offsetSlack = offsetError * query.perMeshUnit;
@@ -74,12 +76,14 @@ PairQuery preparePairQuery(const FlatTree& part, const FlatTree& environment, co
     const double away = between.norm();
     if (away > 0) {
         const int smaller = std::min(partExponent, environmentExponent);
-        requireRatio(std::max(0, std::ilogb(away) - smaller), "the way between part and environment and their sizes");
+        requireRatio(std::max(0, std::ilogb(away) - smaller),
+                     "the way between part and environment and their sizes");
     }
-    query.partToEnvironment = makeCarry(R, between, part, partExponent, environment, environmentExponent, offsetError,
-                                        query.unitExponent);
-    query.environmentToPart = makeCarry(R.transpose(), -(R.transpose() * between), environment, environmentExponent, part,
-                                        partExponent, offsetError, query.unitExponent);
+    query.partToEnvironment = makeCarry(R, between, part, partExponent, environment, environmentExponent,
+                                        offsetError, query.unitExponent);
+    query.environmentToPart =
+        makeCarry(R.transpose(), -(R.transpose() * between), environment, environmentExponent, part,
+                  partExponent, offsetError, query.unitExponent);
     for (int row = 0; row < 3; ++row) {
         for (int column = 0; column < 3; ++column) {
             query.R[3 * row + column] = R(row, column);
@@ -88,7 +92,8 @@ PairQuery preparePairQuery(const FlatTree& part, const FlatTree& environment, co
         query.t[row] = t[row];
     }
     query.partLeafToQuery = static_cast<float>(std::ldexp(1.0, partExponent - query.unitExponent));
-    query.environmentLeafToQuery = static_cast<float>(std::ldexp(1.0, environmentExponent - query.unitExponent));
+    query.environmentLeafToQuery =
+        static_cast<float>(std::ldexp(1.0, environmentExponent - query.unitExponent));
     return query;
 }
 

@@ -15,13 +15,13 @@ HWY_BEFORE_NAMESPACE();
 namespace clearway {
 namespace HWY_NAMESPACE {
 
-void Closest2(const PairQuery& query, const ClosestRequest& request, const WarmStart* warmStart, Workspace::State& state,
-              ClosestAnswer& answer) {
+void Closest2(const PairQuery& query, const ClosestRequest& request, const WarmStart* warmStart,
+              Workspace::State& state, ClosestAnswer& answer) {
     ClosestWide<2>(query, request, warmStart, state, answer);
 }
 
-void Closest8(const PairQuery& query, const ClosestRequest& request, const WarmStart* warmStart, Workspace::State& state,
-              ClosestAnswer& answer) {
+void Closest8(const PairQuery& query, const ClosestRequest& request, const WarmStart* warmStart,
+              Workspace::State& state, ClosestAnswer& answer) {
     ClosestWide<8>(query, request, warmStart, state, answer);
 }
 
@@ -59,7 +59,8 @@ ClosestAnswer closestPair(const PairQuery& query, const ClosestRequest& request,
     return answer;
 }
 
-WithinAnswer anyPairWithin(const PairQuery& query, double distance, const WarmStart* warmStart, Workspace::State& state) {
+WithinAnswer anyPairWithin(const PairQuery& query, double distance, const WarmStart* warmStart,
+                           Workspace::State& state) {
     WithinAnswer answer;
     if (query.part->nodeWidth == 2) {
         HWY_DYNAMIC_DISPATCH(Within2)(query, distance, warmStart, state, answer);

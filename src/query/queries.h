@@ -18,7 +18,8 @@ struct ClosestRequest {
 };
 
 struct ClosestAnswer {
-    bool found = false;  ///< false: the distance is larger than the cap, pair.lower >= cap and nothing else counts
+    bool found =
+        false;  ///< false: the distance is larger than the cap, pair.lower >= cap and nothing else counts
     ResolvedPair pair;
     std::uint32_t partTriangle = 0;  ///< positions in the trees
     std::uint32_t environmentTriangle = 0;
@@ -35,7 +36,8 @@ ClosestAnswer closestPair(const PairQuery& query, const ClosestRequest& request,
                           Workspace::State& state);
 
 /// distance: query units, >= 0.
-WithinAnswer anyPairWithin(const PairQuery& query, double distance, const WarmStart* warmStart, Workspace::State& state);
+WithinAnswer anyPairWithin(const PairQuery& query, double distance, const WarmStart* warmStart,
+                           Workspace::State& state);
 
 /// Least lower bound first.
 void sortByLower(Pile<Candidate>& candidates);

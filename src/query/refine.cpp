@@ -1,7 +1,8 @@
-// The pair's distance and its proof in double. Upper bound: the closest of 9 edge pairs and 6 corners over faces, each a
-// feasible pair of points. Lower bound: the widest slab gap over directions that contain the best one for every kind of
-// closest feature; true for any direction, so only its width is at stake.
-// A pair that pierces has no direction with a positive gap: it is contact, and its witness is where an edge crosses a face.
+// The pair's distance and its proof in double. Upper bound: the closest of 9 edge pairs and 6 corners over
+// faces, each a feasible pair of points. Lower bound: the widest slab gap over directions that contain the
+// best one for every kind of closest feature; true for any direction, so only its width is at stake. A pair
+// that pierces has no direction with a positive gap: it is contact, and its witness is where an edge crosses
+// a face.
 #include "query/refine.h"
 
 #include <algorithm>
@@ -30,8 +31,12 @@ struct PointPair {
     }
 };
 
-double quotientOrZero(double a, double b) { return b > 0 ? a / b : 0; }
-double clampToUnit(double x) { return std::min(std::max(x, 0.0), 1.0); }
+double quotientOrZero(double a, double b) {
+    return b > 0 ? a / b : 0;
+}
+double clampToUnit(double x) {
+    return std::min(std::max(x, 0.0), 1.0);
+}
 
 void takeEdges(const Vector3& p, const Vector3& u, const Vector3& q, const Vector3& v, PointPair& best) {
     const Vector3 w = q - p, n = u.cross(v);
@@ -44,7 +49,8 @@ void takeEdges(const Vector3& p, const Vector3& u, const Vector3& q, const Vecto
 
 /// The point of the triangle below x; where it is not below the face, a point of the triangle all the same.
 Vector3 pointBelow(const Vector3& x, const Corners& triangle) {
-    const Vector3 u = triangle.edge(0), v = triangle.p[2] - triangle.p[0], n = u.cross(v), w = x - triangle.p[0];
+    const Vector3 u = triangle.edge(0), v = triangle.p[2] - triangle.p[0], n = u.cross(v),
+                  w = x - triangle.p[0];
     const double nn = n.squaredNorm();
     const double s = clampToUnit(quotientOrZero(w.cross(v).dot(n), nn));
     const double t = std::min(std::max(quotientOrZero(u.cross(w).dot(n), nn), 0.0), 1 - s);
@@ -88,15 +94,18 @@ double slabGap(const Vector3& v, const Corners& a, const Corners& b) {
     }
     const Vector3 alongA(v.dot(a.p[0]), v.dot(a.p[1]), v.dot(a.p[2]));
     const Vector3 alongB(v.dot(b.p[0]), v.dot(b.p[1]), v.dot(b.p[2]));
-    return std::max(alongB.minCoeff() - alongA.maxCoeff(), alongA.minCoeff() - alongB.maxCoeff()) / std::sqrt(squared);
+    return std::max(alongB.minCoeff() - alongA.maxCoeff(), alongA.minCoeff() - alongB.maxCoeff()) /
+           std::sqrt(squared);
 }
 
-/// Directions for the pairs that three do not prove tightly: cross products of edges, normals of edges within a face, and
-/// the difference made perpendicular to each edge, which takes the rounding of a short difference out of it.
+/// Directions for the pairs that three do not prove tightly: cross products of edges, normals of edges within
+/// a face, and the difference made perpendicular to each edge, which takes the rounding of a short difference
+/// out of it.
 double bestOfManyGaps(const Vector3& difference, const Corners& a, const Corners& b) {
     double gap = -std::numeric_limits<double>::infinity();
     const auto take = [&](const Vector3& v) {
-        const double largest = v.cwiseAbs().maxCoeff();  // keeps the square of a short direction from vanishing
+        const double largest =
+            v.cwiseAbs().maxCoeff();  // keeps the square of a short direction from vanishing
         if (largest > 0) gap = std::max(gap, slabGap(v / largest, a, b));
     };
     for (int i = 0; i < 3; ++i) {
@@ -136,7 +145,8 @@ Corners fixedCorners(const PairQuery& query, std::uint32_t triangle) {
 
 }  // namespace
 
-ResolvedPair resolvePair(const PairQuery& query, std::uint32_t partTriangle, std::uint32_t environmentTriangle) {
+ResolvedPair resolvePair(const PairQuery& query, std::uint32_t partTriangle,
+                         std::uint32_t environmentTriangle) {
     Corners a = movedCorners(query, partTriangle), b = fixedCorners(query, environmentTriangle);
     // Near the pair, so that what follows rounds in the pair's size; differences of near doubles are exact.
     const Vector3 base = b.p[0];
@@ -150,8 +160,9 @@ ResolvedPair resolvePair(const PairQuery& query, std::uint32_t partTriangle, std
 
     PointPair closest = closestPoints(a, b);
     const double M = query.largestCoordinate;
-    // First order, vectors, in u64: moved corners 1.8 M; differences from the base 1.8 + 1.8, products of a slab gap 5.2 + 5.2
-    // and their difference 3.5 times the size. The lengths of the direction and of the point pair cost 5 of the gap itself.
+    // First order, vectors, in u64: moved corners 1.8 M; differences from the base 1.8 + 1.8, products of a
+    // slab gap 5.2 + 5.2 and their difference 3.5 times the size. The lengths of the direction and of the
+    // point pair cost 5 of the gap itself.
     const double slack = kUnitRoundoffDouble * (2 * M + 18 * size);
     constexpr double kLengthRoundoffs = 5 * kUnitRoundoffDouble;
     const double distance = std::sqrt(closest.squared);

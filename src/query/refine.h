@@ -7,8 +7,8 @@
 
 namespace clearway {
 
-/// What double arithmetic can say of a pair; query units, environment frame. It depends on the pair's exact vertices and the
-/// pose alone, never on how the pair was found.
+/// What double arithmetic can say of a pair; query units, environment frame. It depends on the pair's exact
+/// vertices and the pose alone, never on how the pair was found.
 struct ResolvedPair {
     double lower = 0;  ///< <= true distance; 0 on contact
     double upper = 0;  ///< >= true distance; 0 on contact
@@ -17,10 +17,12 @@ struct ResolvedPair {
     double pointOnEnvironment[3];
 };
 
-/// Contact is what cannot be proved farther apart than kContactRoundoffs u64 M, so a pair that touches is never called free.
+/// Contact is what cannot be proved farther apart than kContactRoundoffs u64 M, so a pair that touches is
+/// never called free.
 constexpr double kContactRoundoffs = 32;
 
 /// partTriangle, environmentTriangle: positions in the trees.
-ResolvedPair resolvePair(const PairQuery& query, std::uint32_t partTriangle, std::uint32_t environmentTriangle);
+ResolvedPair resolvePair(const PairQuery& query, std::uint32_t partTriangle,
+                         std::uint32_t environmentTriangle);
 
 }  // namespace clearway

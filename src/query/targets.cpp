@@ -10,7 +10,8 @@ namespace {
 
 std::string nameOf(std::int64_t target) {
     std::string name = hwy::TargetName(target);
-    std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+    std::transform(name.begin(), name.end(), name.begin(),
+                   [](unsigned char c) { return char(std::tolower(c)); });
     return name;
 }
 

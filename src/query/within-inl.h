@@ -1,4 +1,5 @@
-// The visitor of `isWithin` and of `collides`, which is within 0: stops at the first pair that is near enough.
+// The visitor of `isWithin` and of `collides`, which is within 0: stops at the first pair that is near
+// enough.
 #include "hwy/highway.h"
 #include "kernels/tri_tri_distance-inl.h"
 #include "kernels/tri_tri_intersect-inl.h"
@@ -40,7 +41,8 @@ class Within {
         for (int first = 0; first < pairs.total() && !done(); first += kPairLanes) {
             const int count = pairs.fill(first, lanes);
             for (size_t lane = 0; lane < size_t(count); lane += hn::Lanes(d)) {
-                const auto a = LoadTriangles(d, lanes.part, lane), b = LoadTriangles(d, lanes.environment, lane);
+                const auto a = LoadTriangles(d, lanes.part, lane),
+                           b = LoadTriangles(d, lanes.environment, lane);
                 if (d_ > 0) {
                     const auto bounds = TriangleDistance(d, a, b);
                     hn::Store(bounds.lower, d, lower + lane);
@@ -52,7 +54,8 @@ class Within {
             }
             for (int lane = 0; lane < count && !done(); ++lane) {
                 if (drops(lower[lane] - error)) continue;
-                const std::uint32_t a = pairs.partTriangle(first + lane), b = pairs.environmentTriangle(first + lane);
+                const std::uint32_t a = pairs.partTriangle(first + lane),
+                                    b = pairs.environmentTriangle(first + lane);
                 if (double(upper[lane]) + double(error) <= d_) {
                     remember(a, b);
                 } else {
@@ -68,9 +71,7 @@ class Within {
         if (pair.contact || pair.lower <= d_) remember(partTriangle, environmentTriangle);
     }
 
-    void write(WithinAnswer& answer) const {
-        answer = {found_, partTriangle_, environmentTriangle_};
-    }
+    void write(WithinAnswer& answer) const { answer = {found_, partTriangle_, environmentTriangle_}; }
 
   private:
     void remember(std::uint32_t partTriangle, std::uint32_t environmentTriangle) {
@@ -89,8 +90,8 @@ class Within {
 };
 
 template <int kWidth>
-HWY_INLINE void WithinWide(const PairQuery& query, double distance, const WarmStart* warmStart, Workspace::State& state,
-                           WithinAnswer& answer) {
+HWY_INLINE void WithinWide(const PairQuery& query, double distance, const WarmStart* warmStart,
+                           Workspace::State& state, WithinAnswer& answer) {
     Within visitor(query, distance, state);
     if (warmStart != nullptr) visitor.resolve(warmStart->partTriangle, warmStart->environmentTriangle);
     Traverse<kWidth>(query, state, visitor);

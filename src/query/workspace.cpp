@@ -8,8 +8,12 @@ Workspace::~Workspace() = default;
 Workspace::Workspace(Workspace&&) noexcept = default;
 Workspace& Workspace::operator=(Workspace&&) noexcept = default;
 
-void Workspace::forgetWarmStart() { state_->warmStart = {}; }
+void Workspace::forgetWarmStart() {
+    state_->warmStart = {};
+}
 
-const QueryCounters& Workspace::counters() const { return state_->counters; }
+const QueryCounters& Workspace::counters() const {
+    return state_->counters;
+}
 
 }  // namespace clearway
