@@ -21,9 +21,11 @@ struct PartState {
 };
 
 /// The pose X_environmentPart of a state. The quaternion is normalised first, so that the rotation's defect is rounding.
+/// Throws std::invalid_argument when the quaternion has length 0 or is not finite.
 Pose poseOf(const PartState& state);
 
-/// A planner by OMPL's class name in any case ("RRTConnect", "rrtconnect"), and its parameters as OMPL's ParamSet takes them.
+/// A planner by OMPL's class name in any case ("RRTConnect", "rrtconnect"), and its parameters as OMPL's ParamSet takes
+/// them; the parameter "name" is no parameter of OMPL's but how OMPL.app labels the planner.
 struct PlannerChoice {
     std::string name;
     std::vector<std::pair<std::string, std::string>> parameters;
@@ -32,7 +34,7 @@ struct PlannerChoice {
 struct Problem {
     std::string file;  ///< the .cfg; empty when made in memory
     std::string name;
-    std::string robot;  ///< mesh file of the part, resolved against the .cfg's folder
+    std::string robot;  ///< mesh file of the part, found in the .cfg's folder or, failing that, the current one
     std::string world;  ///< mesh file of the environment, likewise
     Space space = Space::kSe3;
     PartState start;
@@ -57,12 +59,16 @@ struct Problem {
     std::vector<std::string> warnings;
 };
 
-/// Reads a .cfg. Throws std::runtime_error when it cannot be read, std::invalid_argument when robot, world, start or goal
-/// is missing or a value is wrong; both name the file, the key, the value and what was expected.
+/// Reads a .cfg. SE(3) when z and the axis keys are there for start and goal, SE(2) when none is.
+/// Throws std::runtime_error when it cannot be read, std::invalid_argument when robot, world, start or goal is missing, a
+/// value is wrong, a key stands twice or [clearway] holds an unknown one; both name the file, the key, the value and what
+/// was expected. Planner names and parameters are passed on unjudged, in lower case.
 Problem readProblem(const std::string& file);
 
-/// Writes what readProblem reads back to the same values (numbers with 17 digits); mesh files by their names relative to
-/// the .cfg's folder. To a temporary name, then renamed. Throws std::runtime_error when it cannot.
+/// Writes what readProblem reads back to the same values (numbers with 17 digits, rotations as axis and angle: to
+/// rounding); mesh files by their names relative to the .cfg's folder. Warnings and what they were about are left out. To a
+/// temporary name, then renamed. Throws std::runtime_error when it cannot, std::invalid_argument when a text cannot be
+/// told from .cfg syntax (# in it, say) or a number is not finite.
 void writeProblem(const Problem& problem, const std::string& file);
 
 /// The part's and the environment's mesh, read the way the problem says (loadMesh with the fitting MeshReading).
@@ -70,23 +76,25 @@ Mesh loadPart(const Problem& problem);
 Mesh loadEnvironment(const Problem& problem);
 
 /// problem.volume, else OMPL.app's rule: the environment's box grown to hold start and goal. Throws std::invalid_argument
-/// when the bounds leave the start or the goal out.
+/// when the bounds leave the start or the goal out, or have no extent along an axis. In SE(2) z is 0 to 0.
 Box boundsOf(const Problem& problem, const Box& environmentBox);
 
 /// One state a line: x y z qx qy qz qw, or x y yaw in SE(2); 17 digits. Written to a temporary name, then renamed.
 void writePath(const std::vector<PartState>& path, Space space, const std::string& file);
 
-/// Reads such a file (quaternions are normalised: 6-digit files are off by 3e-7). Throws std::runtime_error or
-/// std::invalid_argument that name the file and the line.
+/// Reads such a file (quaternions are normalised: 6-digit files are off by 3e-7). Blank lines and lines that begin with #
+/// are left out. Throws std::runtime_error when it cannot be read, std::invalid_argument naming the file and the line when
+/// one is wrong, and naming the file when it holds no state.
 std::vector<PartState> readPath(const std::string& file, Space space);
 
 /// Poses X_environmentPart, one a line: 12 numbers (rotation row-major, then translation) or 7 (x y z qx qy qz qw).
 /// Blank lines and lines that begin with # are left out. A 12-number rotation off by up to 1e-5 is projected to the
-/// nearest one, and counted.
+/// nearest one, and counted; the quaternion of a 7-number line is normalised.
 struct PoseFile {
     std::vector<Pose> poses;
     std::size_t projected = 0;
 };
+/// Throws as readPath does.
 PoseFile readPoses(const std::string& file);
 
 }  // namespace clearway

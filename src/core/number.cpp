@@ -24,6 +24,13 @@ std::optional<Number> parseWhole(std::string_view text) {
     return value;
 }
 
+template <typename... Format>
+std::string formatWith(double value, Format... format) {
+    if (std::isnan(value)) return "nan";  // to_chars may write its sign
+    char text[32];
+    return std::string(text, std::to_chars(text, text + sizeof text, value, format...).ptr);
+}
+
 }  // namespace
 
 std::optional<double> parseNumber(std::string_view text) {
@@ -36,11 +43,11 @@ std::optional<std::int64_t> parseInteger(std::string_view text) {
 }
 
 std::string formatNumber(double value) {
-    if (std::isnan(value)) return "nan";
-    if (std::isinf(value)) return value > 0 ? "inf" : "-inf";
-    char text[32];
-    const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::general, 17).ptr;
-    return std::string(text, end);
+    return formatWith(value, std::chars_format::general, 17);
+}
+
+std::string shortNumber(double value) {
+    return formatWith(value);
 }
 
 }  // namespace clearway

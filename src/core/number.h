@@ -19,4 +19,7 @@ std::optional<std::int64_t> parseInteger(std::string_view text);
 /// not finite.
 std::string formatNumber(double value);
 
+/// The fewest digits that parseNumber reads back to the same double: for messages and for what people read.
+std::string shortNumber(double value);
+
 }  // namespace clearway

@@ -1,0 +1,1 @@
+namespace clearway { int placeholderA; }

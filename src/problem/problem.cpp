@@ -1,0 +1,68 @@
+// What a problem's values stand for: poses and bounds.
+#include "clearway/problem.h"
+
+#include <stdexcept>
+
+#include "core/number.h"
+#include "problem/rotation.h"
+
+namespace clearway {
+
+namespace {
+
+constexpr const char* kAxisNames[] = {"x", "y", "z"};
+
+std::string named(const Problem& problem) {
+    return problem.file.empty() ? "" : problem.file + ": ";
+}
+
+void requireInside(const Problem& problem, const Box& bounds, const char* name, const PartState& state) {
+    const int dimensions = problem.space == Space::kSe3 ? 3 : 2;
+    for (int i = 0; i < dimensions; ++i) {
+        const double value = state.position[i];
+        if (value >= bounds.min()[i] && value <= bounds.max()[i]) continue;
+        throw std::invalid_argument(named(problem) + name + "." + kAxisNames[i] + " is " +
+                                    shortNumber(value) + ", outside the bounds, expected from " +
+                                    shortNumber(bounds.min()[i]) + " to " + shortNumber(bounds.max()[i]));
+    }
+}
+
+void requireExtent(const Problem& problem, const Box& bounds) {
+    const int dimensions = problem.space == Space::kSe3 ? 3 : 2;
+    for (int i = 0; i < dimensions; ++i) {
+        if (bounds.min()[i] < bounds.max()[i]) continue;
+        const std::string axis = kAxisNames[i];
+        throw std::invalid_argument(named(problem) + "the bounds along " + axis + " are " +
+                                    shortNumber(bounds.min()[i]) + " to " + shortNumber(bounds.max()[i]) +
+                                    ", expected an extent above 0: state volume.min." + axis +
+                                    " and volume.max." + axis);
+    }
+}
+
+}  // namespace
+
+Pose poseOf(const PartState& state) {
+    const std::optional<Matrix3> rotation = matrixOf(state.rotation);
+    if (!rotation) {
+        throw std::invalid_argument(
+            "the state's quaternion has length 0 or is not finite, expected one of length 1");
+    }
+    return {*rotation, state.position};
+}
+
+Box boundsOf(const Problem& problem, const Box& environmentBox) {
+    Box bounds;
+    if (problem.volume) {
+        bounds = *problem.volume;
+    } else {
+        bounds = environmentBox;
+        bounds.extend(problem.start.position).extend(problem.goal.position);
+    }
+    if (problem.space == Space::kSe2) bounds.min().z() = bounds.max().z() = 0;
+    requireExtent(problem, bounds);
+    requireInside(problem, bounds, "start", problem.start);
+    requireInside(problem, bounds, "goal", problem.goal);
+    return bounds;
+}
+
+}  // namespace clearway

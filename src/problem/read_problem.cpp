@@ -1,0 +1,179 @@
+// Reads OMPL.app's .cfg: [problem], [benchmark] and [planner] as its benchmark program does, and [clearway],
+// ours.
+#include <boost/algorithm/string/case_conv.hpp>
+#include <filesystem>
+#include <set>
+#include <stdexcept>
+
+#include "clearway/problem.h"
+#include "core/lines.h"
+#include "core/number.h"
+#include "problem/config_values.h"
+#include "problem/planner_choices.h"
+#include "problem/rotation.h"
+
+namespace clearway {
+
+namespace {
+
+constexpr const char* kAxisNames[] = {"x", "y", "z"};
+constexpr const char* kClearwayKeys = "margin, reading, step";
+
+/// The .cfg's folder first. OMPL.app looks in the current folder as well (and before); so that one problem is
+/// not two things in two places, that is the second choice here, and said.
+std::string meshFile(const std::string& name, const std::string& config, std::vector<std::string>& warnings) {
+    namespace fs = std::filesystem;
+    const fs::path beside = fs::path(config).parent_path() / name;  // name itself when it is absolute
+    std::error_code ignored;
+    if (!fs::exists(beside, ignored) && fs::exists(name, ignored)) {
+        warnings.push_back(config + ": " + quote(name) +
+                           " is not in the problem's folder, read from the current folder");
+        return name;
+    }
+    return beside.string();
+}
+
+/// SE(3) when all z and axis keys are there, SE(2) when none is; between, the first missing key will be
+/// named.
+Space spaceOf(const ConfigValues& values) {
+    for (const char* state : {"problem.start.", "problem.goal."}) {
+        for (const char* key : {"z", "axis.x", "axis.y", "axis.z"}) {
+            if (values.has(std::string(state) + key)) return Space::kSe3;
+        }
+    }
+    return Space::kSe2;
+}
+
+PartState readState(ConfigValues& values, const std::string& prefix, Space space) {
+    const std::string expected =
+        space == Space::kSe3
+            ? "x, y, z, axis.x, axis.y, axis.z and theta of start and goal (SE(2): x, y and theta alone)"
+            : "x, y and theta of start and goal (SE(3): z, axis.x, axis.y and axis.z too)";
+    const auto number = [&](const std::string& key) { return values.requiredNumber(prefix + key, expected); };
+    PartState state;
+    AxisAngle rotation{Vector3::UnitZ(), 0};
+    const int dimensions = space == Space::kSe3 ? 3 : 2;
+    for (int i = 0; i < dimensions; ++i) state.position[i] = number(kAxisNames[i]);
+    if (space == Space::kSe3) {
+        for (int i = 0; i < 3; ++i) rotation.axis[i] = number(std::string("axis.") + kAxisNames[i]);
+    }
+    rotation.angle = number("theta");
+    const std::optional<Rotation> quaternion = fromAxisAngle(rotation);
+    if (!quaternion) values.refuse(prefix + "axis.x", "an axis (x, y, z) of length above 0");
+    state.rotation = *quaternion;
+    return state;
+}
+
+/// Nothing when no key is there; all keys of the space or an error.
+std::optional<Box> readVolume(ConfigValues& values, Space space) {
+    const int dimensions = space == Space::kSe3 ? 3 : 2;
+    bool any = false;
+    for (int i = 0; i < dimensions; ++i) {
+        any = any || values.has(std::string("problem.volume.min.") + kAxisNames[i]) ||
+              values.has(std::string("problem.volume.max.") + kAxisNames[i]);
+    }
+    if (!any) return std::nullopt;
+    Box volume(Vector3::Zero(), Vector3::Zero());
+    for (int i = 0; i < dimensions; ++i) {
+        const std::string expected = std::string("all of volume.min and volume.max ") +
+                                     (dimensions == 3 ? "x, y, z" : "x, y") + " or none";
+        const std::string low = std::string("problem.volume.min.") + kAxisNames[i];
+        const std::string high = std::string("problem.volume.max.") + kAxisNames[i];
+        volume.min()[i] = values.requiredNumber(low, expected);
+        volume.max()[i] = values.requiredNumber(high, expected);
+        if (!(volume.min()[i] < volume.max()[i])) {
+            values.refuse(low, "less than " + keyOf(high) + " = " + shortNumber(volume.max()[i]));
+        }
+    }
+    return volume;
+}
+
+std::optional<double> readPositive(ConfigValues& values, const std::string& name) {
+    const std::optional<double> value = values.number(name);
+    if (value && !(*value > 0)) values.refuse(name, "a number above 0");
+    return value;
+}
+
+void readBenchmark(ConfigValues& values, Problem& problem) {
+    problem.timeLimit = readPositive(values, "benchmark.time_limit");
+    problem.memoryLimit = readPositive(values, "benchmark.mem_limit");
+    const std::string name = "benchmark.run_count";
+    const std::optional<std::string> text = values.text(name);
+    if (!text) return;
+    constexpr std::int64_t kMostRuns = 1000000;
+    const std::optional<std::int64_t> count = parseInteger(*text);
+    if (!count || *count < 1 || *count > kMostRuns) values.refuse(name, "an integer from 1 to 1000000");
+    problem.runCount = static_cast<int>(*count);
+}
+
+void readClearway(ConfigValues& values, Problem& problem) {
+    const std::string margin = "clearway.margin";
+    problem.margin = values.number(margin).value_or(0);
+    if (!(problem.margin >= 0)) values.refuse(margin, "a number of at least 0");
+    problem.step = readPositive(values, "clearway.step");
+    const std::string reading = "clearway.reading";
+    const std::string how = values.text(reading).value_or("omplapp");
+    if (how != "omplapp" && how != "stored") values.refuse(reading, "omplapp or stored");
+    problem.asOmplApp = how == "omplapp";
+}
+
+/// Keys of OMPL.app and others that nothing here reads. In [clearway] an unknown key is an error: it may be
+/// one that decides what is valid.
+void judgeUnread(const std::string& file, const ConfigValues& values, Problem& problem) {
+    for (const ConfigEntry& entry : values.unread()) {
+        const std::string what = place(file, entry.line) + shown(entry.name) + " = " + quote(entry.value);
+        if (sectionOf(entry.name) == "clearway") {
+            throw std::invalid_argument(what + " is an unknown key, expected one of " + kClearwayKeys);
+        }
+        const bool changesTheMotion = entry.name == "problem.control" || entry.name == "problem.statespace";
+        problem.warnings.push_back(what + (changesTheMotion
+                                               ? " is not supported: planned as a free rigid body"
+                                               : " has no effect here"));
+    }
+}
+
+void judgeSections(const std::string& file, const std::vector<ConfigEntry>& entries, Problem& problem) {
+    const std::set<std::string> known = {"problem", "benchmark", "planner", "clearway"};
+    std::set<std::string> seen;
+    for (const ConfigEntry& entry : entries) {
+        const std::string section = sectionOf(entry.name);
+        if (known.count(section) || !seen.insert(section).second) continue;
+        const std::string lower = boost::to_lower_copy(section);
+        if (known.count(lower)) {
+            throw std::invalid_argument(place(file, entry.line) + "the section is [" + section +
+                                        "], expected [" + lower + "]");
+        }
+        problem.warnings.push_back(place(file, entry.line) +
+                                   (section.empty() ? "a key before the first section has no effect here"
+                                                    : "the section [" + section + "] has no effect here"));
+    }
+}
+
+}  // namespace
+
+Problem readProblem(const std::string& file) {
+    const std::vector<ConfigEntry> entries = readConfigFile(file);
+    ConfigValues values(file, entries, {"problem", "benchmark", "clearway"});
+    Problem problem;
+    problem.file = file;
+    judgeSections(file, entries, problem);
+    problem.name = values.text("problem.name").value_or("");
+    problem.robot =
+        meshFile(values.requiredText("problem.robot", "the part's mesh file"), file, problem.warnings);
+    problem.world =
+        meshFile(values.requiredText("problem.world", "the environment's mesh file"), file, problem.warnings);
+    problem.space = spaceOf(values);
+    problem.start = readState(values, "problem.start.", problem.space);
+    problem.goal = readState(values, "problem.goal.", problem.space);
+    problem.volume = readVolume(values, problem.space);
+    problem.objective = values.text("problem.objective").value_or(problem.objective);
+    problem.objectiveThreshold = values.number("problem.objective.threshold");
+    problem.sampler = values.text("problem.sampler").value_or("");
+    readBenchmark(values, problem);
+    readClearway(values, problem);
+    problem.planners = plannerChoices(file, entries, problem.warnings);
+    judgeUnread(file, values, problem);
+    return problem;
+}
+
+}  // namespace clearway

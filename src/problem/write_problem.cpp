@@ -1,0 +1,116 @@
+// Writes a problem so that readProblem gives back the same values.
+#include <cmath>
+#include <filesystem>
+#include <ostream>
+#include <sstream>
+#include <stdexcept>
+
+#include "clearway/problem.h"
+#include "core/lines.h"
+#include "core/number.h"
+#include "core/replace_file.h"
+#include "problem/rotation.h"
+
+namespace clearway {
+
+namespace {
+
+constexpr const char* kAxisNames[] = {"x", "y", "z"};
+
+/// key = value lines that can be read back, or an exception that says which cannot.
+class ConfigText {
+  public:
+    void section(const std::string& name) { text_ << (text_.tellp() > 0 ? "\n[" : "[") << name << "]\n"; }
+
+    void line(const std::string& key, const std::string& value) {
+        if (trimmed(value) != value || value.find_first_of("#\n\r") != std::string::npos) {
+            throw std::invalid_argument(key + " is " + quote(value) +
+                                        ", expected text without #, line ends or white space at its ends");
+        }
+        text_ << key << (value.empty() ? " =" : " = ") << value << "\n";
+    }
+
+    void line(const std::string& key, double value) {
+        if (!std::isfinite(value)) {
+            throw std::invalid_argument(key + " is " + formatNumber(value) + ", expected a finite number");
+        }
+        line(key, formatNumber(value));
+    }
+
+    void vector(const std::string& key, const Vector3& value, int dimensions) {
+        for (int i = 0; i < dimensions; ++i) line(key + "." + kAxisNames[i], value[i]);
+    }
+
+    std::string str() const { return text_.str(); }
+
+  private:
+    std::ostringstream text_;
+};
+
+void writeState(ConfigText& text, const std::string& name, const PartState& state, Space space) {
+    text.vector(name, state.position, space == Space::kSe3 ? 3 : 2);
+    if (space == Space::kSe2) return text.line(name + ".theta", yawOf(state.rotation));
+    const AxisAngle rotation = toAxisAngle(state.rotation);
+    text.vector(name + ".axis", rotation.axis, 3);
+    text.line(name + ".theta", rotation.angle);
+}
+
+std::string relativeTo(const std::string& folder, const std::string& mesh) {
+    namespace fs = std::filesystem;
+    return fs::proximate(mesh, folder.empty() ? fs::path(".") : fs::path(folder)).generic_string();
+}
+
+void writeProblemSection(ConfigText& text, const Problem& problem, const std::string& folder) {
+    const int dimensions = problem.space == Space::kSe3 ? 3 : 2;
+    text.section("problem");
+    if (!problem.name.empty()) text.line("name", problem.name);
+    text.line("robot", relativeTo(folder, problem.robot));
+    text.line("world", relativeTo(folder, problem.world));
+    writeState(text, "start", problem.start, problem.space);
+    writeState(text, "goal", problem.goal, problem.space);
+    if (problem.volume) {
+        text.vector("volume.min", problem.volume->min(), dimensions);
+        text.vector("volume.max", problem.volume->max(), dimensions);
+    }
+    text.line("objective", problem.objective);
+    if (problem.objectiveThreshold) text.line("objective.threshold", *problem.objectiveThreshold);
+    if (!problem.sampler.empty()) text.line("sampler", problem.sampler);
+}
+
+void writeBenchmarkSection(ConfigText& text, const Problem& problem) {
+    if (!problem.timeLimit && !problem.memoryLimit && !problem.runCount) return;
+    text.section("benchmark");
+    if (problem.timeLimit) text.line("time_limit", *problem.timeLimit);
+    if (problem.memoryLimit) text.line("mem_limit", *problem.memoryLimit);
+    if (problem.runCount) text.line("run_count", std::to_string(*problem.runCount));
+}
+
+void writePlannerSection(ConfigText& text, const Problem& problem) {
+    if (problem.planners.empty()) return;
+    text.section("planner");
+    for (const PlannerChoice& planner : problem.planners) {
+        text.line(planner.name, std::string());
+        for (const auto& [parameter, value] : planner.parameters)
+            text.line(planner.name + "." + parameter, value);
+    }
+}
+
+void writeClearwaySection(ConfigText& text, const Problem& problem) {
+    text.section("clearway");
+    text.line("margin", problem.margin);
+    if (problem.step) text.line("step", *problem.step);
+    text.line("reading", std::string(problem.asOmplApp ? "omplapp" : "stored"));
+}
+
+}  // namespace
+
+void writeProblem(const Problem& problem, const std::string& file) {
+    ConfigText text;
+    writeProblemSection(text, problem, std::filesystem::path(file).parent_path().string());
+    writeBenchmarkSection(text, problem);
+    writePlannerSection(text, problem);
+    writeClearwaySection(text, problem);
+    replaceFile(file, [&](std::ostream& stream) { stream << text.str(); });
+}
+
+}  // namespace clearway

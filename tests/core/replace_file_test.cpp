@@ -1,0 +1,76 @@
+#define BOOST_TEST_MODULE replace_file
+#include "core/replace_file.h"
+
+#include <sys/stat.h>
+
+#include <boost/test/unit_test.hpp>
+#include <ostream>
+#include <stdexcept>
+
+#include "support/temporary_folder.h"
+
+namespace clearway {
+
+using testing::readText;
+using testing::TemporaryFolder;
+
+namespace {
+
+std::string messageOf(const std::string& file) {
+    try {
+        replaceFile(file, [](std::ostream& stream) { stream << "new"; });
+    } catch (const std::runtime_error& error) {
+        return error.what();
+    }
+    return "";
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_file_is_made_or_replaced_and_nothing_else_is_left) {
+    const TemporaryFolder folder;
+    const std::string file = folder.file("a.csv");
+    for (const char* text : {"first", "second"}) {
+        replaceFile(file, [&](std::ostream& stream) { stream << text; });
+        BOOST_TEST(readText(file) == text);
+        BOOST_TEST(folder.names() == std::vector<std::string>{"a.csv"}, boost::test_tools::per_element());
+    }
+}
+
+BOOST_AUTO_TEST_CASE(an_exception_half_way_leaves_the_old_file_alone) {
+    const TemporaryFolder folder;
+    const std::string file = folder.write("a.csv", "old");
+    const auto failing = [](std::ostream& stream) {
+        stream << "half";
+        throw std::domain_error("stop");
+    };
+    BOOST_CHECK_THROW(replaceFile(file, failing), std::domain_error);
+    BOOST_TEST(readText(file) == "old");
+    BOOST_TEST(folder.names() == std::vector<std::string>{"a.csv"}, boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(a_stream_that_fails_leaves_the_old_file_alone) {
+    const TemporaryFolder folder;
+    const std::string file = folder.write("a.csv", "old");
+    const auto failing = [](std::ostream& stream) { stream.setstate(std::ios::badbit); };
+    BOOST_CHECK_THROW(replaceFile(file, failing), std::runtime_error);
+    BOOST_TEST(readText(file) == "old");
+    BOOST_TEST(folder.names() == std::vector<std::string>{"a.csv"}, boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(what_cannot_be_written_is_named) {
+    const TemporaryFolder folder;
+    const std::string inNoFolder = folder.file("none/a.csv");
+    BOOST_TEST(messageOf(inNoFolder) ==
+               "cannot write '" + inNoFolder +
+                   "': No such file or directory, expected a folder that exists and may be written");
+    BOOST_TEST(messageOf(folder.path()) ==
+               "cannot write '" + folder.path() + "': it is a folder, expected the name of a file");
+    const std::string pipe = folder.file("pipe");
+    BOOST_TEST_REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
+    BOOST_TEST(messageOf(pipe) ==
+               "cannot write '" + pipe + "': it is no regular file, expected one or a new name");
+    BOOST_TEST(folder.names() == std::vector<std::string>{"pipe"}, boost::test_tools::per_element());
+}
+
+}  // namespace clearway

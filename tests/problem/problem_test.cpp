@@ -1,0 +1,97 @@
+#define BOOST_TEST_MODULE problem
+#include "clearway/problem.h"
+
+#include <boost/test/unit_test.hpp>
+#include <limits>
+#include <random>
+#include <stdexcept>
+
+namespace clearway {
+
+namespace {
+
+std::string refusalOf(const Problem& problem, const Box& environment) {
+    try {
+        boundsOf(problem, environment);
+    } catch (const std::invalid_argument& error) {
+        return error.what();
+    }
+    return "accepted";
+}
+
+const Box kUnitBox(Vector3(0, 0, 0), Vector3(1, 1, 1));
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(poses_have_a_defect_of_rounding_whatever_the_quaternions_length) {
+    constexpr unsigned kSeed = 5;
+    BOOST_TEST_MESSAGE("seed " << kSeed);
+    std::mt19937_64 random(kSeed);
+    std::normal_distribution<double> normal;
+    for (int i = 0; i < 20000; ++i) {
+        PartState state;
+        state.rotation.coeffs() << normal(random), normal(random), normal(random), normal(random);
+        if (i % 3 == 0) state.rotation.coeffs() *= 1e-6;
+        BOOST_TEST_REQUIRE(rotationDefect(poseOf(state)) <= 1e-15, state.rotation.coeffs().transpose());
+    }
+}
+
+BOOST_AUTO_TEST_CASE(a_pose_turns_by_the_quaternion_and_then_moves) {
+    const double half = std::sqrt(0.5);
+    const Pose pose = poseOf({Vector3(1, 2, 3), {half, 0, 0, half}});
+    BOOST_TEST((pose * Vector3(1, 0, 5) - Vector3(1, 3, 8)).norm() <= 1e-15);
+    const Pose planar = poseOf({Vector3(1, 2, 0), {0.8, 0, 0, 0.6}});
+    BOOST_TEST(planar.rotation.row(2) == Eigen::RowVector3d(0, 0, 1));
+    BOOST_TEST(planar.rotation.col(2) == Vector3(0, 0, 1));
+}
+
+BOOST_AUTO_TEST_CASE(a_quaternion_that_is_none_has_no_pose) {
+    PartState state;
+    state.rotation.coeffs().setZero();
+    BOOST_CHECK_THROW(poseOf(state), std::invalid_argument);
+    state.rotation.w() = std::numeric_limits<double>::quiet_NaN();
+    BOOST_CHECK_THROW(poseOf(state), std::invalid_argument);
+    state.rotation.w() = std::numeric_limits<double>::infinity();
+    BOOST_CHECK_THROW(poseOf(state), std::invalid_argument);
+}
+
+BOOST_AUTO_TEST_CASE(without_a_volume_the_environments_box_grows_to_hold_start_and_goal) {
+    Problem problem;
+    problem.start.position = Vector3(-2, 0.5, 0.5);
+    problem.goal.position = Vector3(0.5, 3, 0.5);
+    const Box bounds = boundsOf(problem, kUnitBox);
+    BOOST_TEST(bounds.min() == Vector3(-2, 0, 0));
+    BOOST_TEST(bounds.max() == Vector3(1, 3, 1));
+}
+
+BOOST_AUTO_TEST_CASE(a_volume_is_the_bounds_and_must_hold_start_and_goal) {
+    Problem problem;
+    problem.file = "a.cfg";
+    problem.volume = Box(Vector3(0, 0, 0), Vector3(2, 2, 2));
+    problem.goal.position = Vector3(2, 1, 1);  // on the border is inside
+    BOOST_TEST(boundsOf(problem, kUnitBox).max() == Vector3(2, 2, 2));
+    problem.start.position = Vector3(1, -0.5, 1);
+    BOOST_TEST(refusalOf(problem, kUnitBox) ==
+               "a.cfg: start.y is -0.5, outside the bounds, expected from 0 to 2");
+    problem.start.position = Vector3(1, 1, 1);
+    problem.goal.position.z() = 2.5;
+    BOOST_TEST(refusalOf(problem, kUnitBox) ==
+               "a.cfg: goal.z is 2.5, outside the bounds, expected from 0 to 2");
+}
+
+BOOST_AUTO_TEST_CASE(in_the_plane_z_is_zero_and_bounds_nothing) {
+    Problem problem;
+    problem.space = Space::kSe2;
+    const Box bounds = boundsOf(problem, Box(Vector3(-1, -1, 4), Vector3(1, 1, 5)));
+    BOOST_TEST(bounds.min() == Vector3(-1, -1, 0));
+    BOOST_TEST(bounds.max() == Vector3(1, 1, 0));
+}
+
+BOOST_AUTO_TEST_CASE(bounds_without_extent_are_refused) {
+    const Problem problem;
+    BOOST_TEST(
+        refusalOf(problem, Box(Vector3(-1, -1, 0), Vector3(1, 1, 0))) ==
+        "the bounds along z are 0 to 0, expected an extent above 0: state volume.min.z and volume.max.z");
+}
+
+}  // namespace clearway

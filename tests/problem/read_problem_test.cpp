@@ -1,0 +1,306 @@
+#define BOOST_TEST_MODULE read_problem
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <stdexcept>
+
+#include "clearway/problem.h"
+#include "support/temporary_folder.h"
+
+namespace clearway {
+
+using testing::TemporaryFolder;
+
+namespace {
+
+const std::string kSpatial = R"([problem]
+name = drawer   # a comment
+robot = part.stl
+world=world.stl
+start.x = 1
+start.y = -2.5
+start.z = 3e1
+start.axis.x = 0
+start.axis.y = 0
+start.axis.z = 2
+start.theta = 1.5707963267948966
+goal.x = 4
+goal.y = 5
+goal.z = 6
+goal.axis.x = 1
+goal.axis.y = 0
+goal.axis.z = 0
+goal.theta = 0
+)";
+
+const std::string kPlanar = R"([problem]
+robot = part.stl
+world = world.stl
+start.x = 1
+start.y = 2
+start.theta = 0.5
+goal.x = 3
+goal.y = 4
+goal.theta = -3.141592653589793
+)";
+
+/// The text with the first line that begins with the key replaced (or removed).
+std::string with(std::string text, const std::string& key, const std::string& line) {
+    const std::size_t begin = text.find("\n" + key) + 1;
+    BOOST_TEST_REQUIRE(begin != 0, key << " is not in the text");
+    const std::size_t end = text.find('\n', begin) + 1;
+    return text.replace(begin, end - begin, line.empty() ? "" : line + "\n");
+}
+
+Problem read(const std::string& text) {
+    const TemporaryFolder folder;
+    return readProblem(folder.write("a.cfg", text));
+}
+
+/// What readProblem says, after the file's name and folder.
+std::string refusalOf(const std::string& text) {
+    const TemporaryFolder folder;
+    const std::string file = folder.write("a.cfg", text);
+    try {
+        readProblem(file);
+    } catch (const std::invalid_argument& error) {
+        const std::string message = error.what();
+        BOOST_TEST(message.compare(0, file.size(), file) == 0, message << " does not name " << file);
+        return message.substr(file.size());
+    }
+    return "accepted";
+}
+
+std::vector<std::string> warningsOf(const std::string& text) {
+    const TemporaryFolder folder;
+    const std::string file = folder.write("a.cfg", text);
+    std::vector<std::string> warnings = readProblem(file).warnings;
+    for (std::string& warning : warnings) warning.erase(0, file.size());
+    return warnings;
+}
+
+constexpr const char* kSpatialKeys =
+    "x, y, z, axis.x, axis.y, axis.z and theta of start and goal (SE(2): x, y and theta alone)";
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(states_in_space_are_position_axis_and_angle) {
+    const Problem problem = read(kSpatial);
+    BOOST_TEST((problem.space == Space::kSe3));
+    BOOST_TEST(problem.name == "drawer");
+    BOOST_TEST(problem.start.position == Vector3(1, -2.5, 30));
+    const double half = std::sqrt(0.5);
+    BOOST_TEST((problem.start.rotation.vec() - Vector3(0, 0, half)).norm() <= 2e-16);
+    BOOST_TEST(std::abs(problem.start.rotation.w() - half) <= 2e-16);
+    BOOST_TEST(problem.goal.position == Vector3(4, 5, 6));
+    BOOST_TEST(problem.goal.rotation.w() == 1);
+    BOOST_TEST(!problem.volume);
+    BOOST_TEST(problem.objective == "length");
+    BOOST_TEST(problem.margin == 0);
+    BOOST_TEST(!problem.step);
+    BOOST_TEST(problem.asOmplApp);
+    BOOST_TEST(problem.warnings.empty());
+}
+
+BOOST_AUTO_TEST_CASE(states_in_the_plane_turn_about_z) {
+    const Problem problem = read(kPlanar);
+    BOOST_TEST((problem.space == Space::kSe2));
+    BOOST_TEST(problem.start.position == Vector3(1, 2, 0));
+    BOOST_TEST(problem.start.rotation.w() == std::cos(0.25));
+    BOOST_TEST(problem.start.rotation.z() == std::sin(0.25));
+    BOOST_TEST(std::abs(problem.goal.rotation.z() + 1) < 1e-15);
+}
+
+BOOST_AUTO_TEST_CASE(every_section_is_read) {
+    const Problem problem = read(kSpatial + R"(volume.min.x = -10
+volume.min.y = -11
+volume.min.z = -12
+volume.max.x = 10
+volume.max.y = 11
+volume.max.z = 42
+objective = max_min_clearance
+objective.threshold = 0.25
+sampler = obstacle_based
+[benchmark]
+time_limit=20.0
+mem_limit = 1000
+run_count = 50
+[clearway]
+margin = 1.5
+step = 0.5
+reading = stored
+)");
+    BOOST_TEST_REQUIRE(problem.volume.has_value());
+    BOOST_TEST(problem.volume->min() == Vector3(-10, -11, -12));
+    BOOST_TEST(problem.volume->max() == Vector3(10, 11, 42));
+    BOOST_TEST(problem.objective == "max_min_clearance");
+    BOOST_TEST(problem.objectiveThreshold.value() == 0.25);
+    BOOST_TEST(problem.sampler == "obstacle_based");
+    BOOST_TEST(problem.timeLimit.value() == 20);
+    BOOST_TEST(problem.memoryLimit.value() == 1000);
+    BOOST_TEST(problem.runCount.value() == 50);
+    BOOST_TEST(problem.margin == 1.5);
+    BOOST_TEST(problem.step.value() == 0.5);
+    BOOST_TEST(!problem.asOmplApp);
+    BOOST_TEST(problem.warnings.empty());
+}
+
+BOOST_AUTO_TEST_CASE(missing_keys_are_named) {
+    BOOST_TEST(refusalOf(with(kSpatial, "robot", "")) ==
+               ": [problem] robot is missing, expected the part's mesh file");
+    BOOST_TEST(refusalOf(with(kSpatial, "world", "")) ==
+               ": [problem] world is missing, expected the environment's mesh file");
+    for (const char* state : {"start.", "goal."}) {
+        for (const char* key : {"x", "y", "z", "axis.x", "axis.y", "axis.z", "theta"}) {
+            const std::string name = std::string(state) + key;
+            BOOST_TEST(refusalOf(with(kSpatial, name, "")) ==
+                       ": [problem] " + name + " is missing, expected " + kSpatialKeys);
+        }
+        for (const char* key : {"x", "y", "theta"}) {
+            const std::string name = std::string(state) + key;
+            BOOST_TEST(refusalOf(with(kPlanar, name, "")) ==
+                       ": [problem] " + name +
+                           " is missing, expected x, y and theta of start and goal (SE(3): z, axis.x, axis.y "
+                           "and axis.z too)");
+        }
+    }
+    BOOST_TEST(refusalOf("") == ": [problem] robot is missing, expected the part's mesh file");
+}
+
+BOOST_AUTO_TEST_CASE(one_key_of_space_in_a_planar_problem_asks_for_the_others) {
+    BOOST_TEST(refusalOf(kPlanar + "goal.z = 1\n") ==
+               std::string(": [problem] start.z is missing, expected ") + kSpatialKeys);
+}
+
+BOOST_AUTO_TEST_CASE(values_that_are_no_finite_numbers_are_refused) {
+    for (const char* value : {"abc", "inf", "nan", "1,5", "1 2", "1e999"}) {
+        BOOST_TEST(refusalOf(with(kSpatial, "start.x", std::string("start.x = ") + value)) ==
+                   std::string(":5: [problem] start.x is '") + value + "', expected a finite number");
+    }
+    BOOST_TEST(refusalOf(with(kSpatial, "start.x", "start.x =")) ==
+               ":5: [problem] start.x is '', expected a value");
+    BOOST_TEST(refusalOf(with(kSpatial, "robot", "robot =")) ==
+               ":3: [problem] robot is '', expected a value");
+}
+
+BOOST_AUTO_TEST_CASE(values_out_of_their_range_are_refused) {
+    const auto refusal = [](const std::string& tail) { return refusalOf(kSpatial + tail); };
+    BOOST_TEST(refusal("[clearway]\nmargin = -1") ==
+               ":20: [clearway] margin is '-1', expected a number of at least 0");
+    BOOST_TEST(refusal("[clearway]\nstep = 0") == ":20: [clearway] step is '0', expected a number above 0");
+    BOOST_TEST(refusal("[clearway]\nreading = raw") ==
+               ":20: [clearway] reading is 'raw', expected omplapp or stored");
+    BOOST_TEST(refusal("[benchmark]\ntime_limit = 0") ==
+               ":20: [benchmark] time_limit is '0', expected a number above 0");
+    BOOST_TEST(refusal("[benchmark]\nrun_count = 2.5") ==
+               ":20: [benchmark] run_count is '2.5', expected an integer from 1 to 1000000");
+    BOOST_TEST(refusalOf(with(kSpatial, "goal.axis.x", "goal.axis.x = 0")) ==
+               ":15: [problem] goal.axis.x is '0', expected an axis (x, y, z) of length above 0");
+}
+
+BOOST_AUTO_TEST_CASE(a_volume_is_whole_and_has_an_inside) {
+    const std::string volume = "volume.min.x = 0\nvolume.min.y = 0\nvolume.max.x = 9\nvolume.max.y = 9\n";
+    BOOST_TEST(read(kPlanar + volume).volume->max() == Vector3(9, 9, 0));
+    BOOST_TEST(refusalOf(with(kPlanar + volume, "volume.max.y", "")) ==
+               ": [problem] volume.max.y is missing, expected all of volume.min and volume.max x, y or none");
+    BOOST_TEST(
+        refusalOf(kSpatial + volume) ==
+        ": [problem] volume.min.z is missing, expected all of volume.min and volume.max x, y, z or none");
+    BOOST_TEST(refusalOf(with(kPlanar + volume, "volume.min.y", "volume.min.y = 9")) ==
+               ":11: [problem] volume.min.y is '9', expected less than volume.max.y = 9");
+}
+
+BOOST_AUTO_TEST_CASE(a_key_that_stands_twice_is_refused) {
+    BOOST_TEST(refusalOf(kSpatial + "start.x = 7\n") ==
+               ":19: [problem] start.x is given again as '7', after '1' in line 5, expected once");
+    BOOST_TEST(refusalOf(kSpatial + "[clearway]\nmargin = 1\nmargin = 2\n") ==
+               ":21: [clearway] margin is given again as '2', after '1' in line 20, expected once");
+}
+
+BOOST_AUTO_TEST_CASE(lines_that_are_neither_section_nor_key_are_refused) {
+    BOOST_TEST(refusalOf(kSpatial + "sampler\n") ==
+               ":19: the line is 'sampler', expected [section] or key = value");
+    BOOST_TEST(refusalOf(kSpatial + "= 5\n") == ":19: the line is '= 5', expected [section] or key = value");
+    BOOST_TEST(refusalOf("[problem\n") == ":1: the line is '[problem', expected [section] or key = value");
+}
+
+BOOST_AUTO_TEST_CASE(an_unknown_clearway_key_is_an_error_for_it_may_decide_what_is_valid) {
+    BOOST_TEST(refusalOf(kSpatial + "[clearway]\nsolid = wall\n") ==
+               ":20: [clearway] solid = 'wall' is an unknown key, expected one of margin, reading, step");
+    BOOST_TEST(refusalOf(kSpatial + "[Clearway]\nmargin = 2\n") ==
+               ":20: the section is [Clearway], expected [clearway]");
+}
+
+BOOST_AUTO_TEST_CASE(other_unknown_keys_and_sections_are_warned_of_once_each) {
+    const std::vector<std::string> expected = {
+        ":22: the section [notes] has no effect here",
+        ":25: [planner] problem.range has no effect here",
+        ":26: [planner] prm is '5', which has no effect: parameters are set as NAME.PARAMETER = VALUE",
+        ":19: [problem] threshold = '1e-15' has no effect here",
+        ":20: [problem] control = 'dynamic_car' is not supported: planned as a free rigid body",
+    };
+    BOOST_TEST(
+        warningsOf(kSpatial + "threshold = 1e-15\ncontrol = dynamic_car\n[notes]\nby = me\non = monday\n"
+                              "[planner]\nproblem.range = 1\nprm = 5\n") == expected,
+        boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(planners_come_in_order_with_the_parameters_set_after_them) {
+    const Problem problem = read(kSpatial + R"([planner]
+rrtconnect.Range = 50
+RRTConnect=
+rrtconnect.range=100
+rrtconnect.range=200
+prm=
+rrtconnect=
+rrtconnect.name=Second RRT*
+kpiece=
+)");
+    using Parameters = std::vector<std::pair<std::string, std::string>>;
+    BOOST_TEST_REQUIRE(problem.planners.size() == 5);
+    BOOST_TEST((problem.planners[0].name == "rrtconnect" &&
+                problem.planners[0].parameters == Parameters{{"range", "50"}}));
+    BOOST_TEST((problem.planners[1].name == "rrtconnect" &&
+                problem.planners[1].parameters == Parameters{{"range", "200"}}));
+    BOOST_TEST((problem.planners[2].name == "prm" && problem.planners[2].parameters.empty()));
+    BOOST_TEST((problem.planners[3].name == "rrtconnect" &&
+                problem.planners[3].parameters == Parameters{{"name", "Second RRT*"}}));
+    BOOST_TEST((problem.planners[4].name == "kpiece" && problem.planners[4].parameters.empty()));
+    BOOST_TEST(problem.warnings.empty());
+    BOOST_TEST(refusalOf(kSpatial + "[planner]\nrrt. = 5\n") ==
+               ":20: [planner] key is 'rrt.', expected NAME = or NAME.PARAMETER = VALUE");
+}
+
+BOOST_AUTO_TEST_CASE(meshes_are_found_beside_the_problem_whatever_the_current_folder) {
+    const TemporaryFolder folder;
+    const Problem problem =
+        readProblem(folder.write("a.cfg", with(kSpatial, "world", "world = /meshes/world.stl")));
+    BOOST_TEST(problem.robot == folder.file("part.stl"));
+    BOOST_TEST(problem.world == "/meshes/world.stl");
+    BOOST_TEST(problem.file == folder.file("a.cfg"));
+}
+
+BOOST_AUTO_TEST_CASE(a_mesh_found_in_the_current_folder_alone_is_taken_and_said) {
+    const TemporaryFolder folder;
+    const TemporaryFolder current;
+    current.write("part.stl", "");
+    const std::filesystem::path before = std::filesystem::current_path();
+    std::filesystem::current_path(current.path());
+    const Problem problem = readProblem(folder.write("a.cfg", kSpatial));
+    std::filesystem::current_path(before);
+    BOOST_TEST(problem.robot == "part.stl");
+    BOOST_TEST(problem.world == folder.file("world.stl"));
+    BOOST_TEST_REQUIRE(problem.warnings.size() == 1);
+    BOOST_TEST(problem.warnings[0] ==
+               problem.file + ": 'part.stl' is not in the problem's folder, read from the current folder");
+}
+
+BOOST_AUTO_TEST_CASE(a_file_that_cannot_be_read_is_named) {
+    const TemporaryFolder folder;
+    const std::string missing = folder.file("none.cfg");
+    BOOST_CHECK_EXCEPTION(readProblem(missing), std::runtime_error, [&](const std::runtime_error& error) {
+        return error.what() ==
+               "cannot read '" + missing + "': No such file or directory, expected a problem file (.cfg)";
+    });
+}
+
+}  // namespace clearway

@@ -1,0 +1,159 @@
+#define BOOST_TEST_MODULE write_problem
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <stdexcept>
+
+#include "clearway/problem.h"
+#include "support/temporary_folder.h"
+
+namespace clearway {
+
+using testing::readText;
+using testing::TemporaryFolder;
+
+namespace {
+
+using Quaternion = Eigen::Quaternion<double, Eigen::DontAlign>;
+
+/// A pose that was written as axis and angle is off by a few roundings of numbers up to 2 pi.
+constexpr double kRotationRounding = 8 * std::numeric_limits<double>::epsilon();
+
+Problem basicProblem(const TemporaryFolder& folder) {
+    Problem problem;
+    problem.robot = folder.file("part.stl");
+    problem.world = folder.file("world.stl");
+    return problem;
+}
+
+void requireSamePose(const PartState& a, const PartState& b) {
+    BOOST_TEST_REQUIRE(a.position == b.position);
+    const double difference = (poseOf(a).rotation - poseOf(b).rotation).cwiseAbs().maxCoeff();
+    BOOST_TEST_REQUIRE(difference <= kRotationRounding,
+                       "rotations differ by " << difference << " at " << a.rotation.coeffs().transpose());
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(everything_written_reads_back_to_the_same_values) {
+    const TemporaryFolder folder;
+    Problem problem = basicProblem(folder);
+    problem.name = "a drawer";
+    problem.volume = Box(Vector3(-1.1, -2.2, -3.3), Vector3(1.1, 2.2, 1.0 / 3));
+    problem.objective = "clearance";
+    problem.objectiveThreshold = 0.1;
+    problem.sampler = "gaussian";
+    problem.planners = {
+        {"rrtconnect", {{"range", "0.7"}, {"name", "RRT 1"}}}, {"prm", {}}, {"rrtconnect", {}}};
+    problem.timeLimit = 0.3;
+    problem.memoryLimit = 1e3;
+    problem.runCount = 7;
+    problem.margin = 0.1;
+    problem.step = 0.7;
+    problem.asOmplApp = false;
+
+    writeProblem(problem, folder.file("a.cfg"));
+    const Problem back = readProblem(folder.file("a.cfg"));
+    BOOST_TEST(back.warnings.empty());
+    BOOST_TEST(back.name == problem.name);
+    BOOST_TEST(back.robot == problem.robot);
+    BOOST_TEST(back.world == problem.world);
+    BOOST_TEST(back.volume->min() == problem.volume->min());
+    BOOST_TEST(back.volume->max() == problem.volume->max());
+    BOOST_TEST(back.objective == problem.objective);
+    BOOST_TEST(back.objectiveThreshold.value() == 0.1);
+    BOOST_TEST(back.sampler == problem.sampler);
+    BOOST_TEST_REQUIRE(back.planners.size() == 3);
+    for (int i = 0; i < 3; ++i) {
+        BOOST_TEST(back.planners[i].name == problem.planners[i].name);
+        BOOST_TEST((back.planners[i].parameters == problem.planners[i].parameters));
+    }
+    BOOST_TEST(back.timeLimit.value() == 0.3);
+    BOOST_TEST(back.memoryLimit.value() == 1e3);
+    BOOST_TEST(back.runCount.value() == 7);
+    BOOST_TEST(back.margin == 0.1);
+    BOOST_TEST(back.step.value() == 0.7);
+    BOOST_TEST(!back.asOmplApp);
+}
+
+BOOST_AUTO_TEST_CASE(states_read_back_to_the_same_pose) {
+    constexpr unsigned kSeed = 11;
+    BOOST_TEST_MESSAGE("seed " << kSeed);
+    std::mt19937_64 random(kSeed);
+    std::normal_distribution<double> normal;
+    const TemporaryFolder folder;
+    Problem problem = basicProblem(folder);
+    const double small = 1e-200;
+    std::vector<Quaternion> rotations = {{1, 0, 0, 0},          {-1, 0, 0, 0},         {0, 1, 0, 0},
+                                         {0, 0, -1, 0},         {0, 0, 0, 1},  // identity and half turns
+                                         {1, small, 0, 0},      {-1, 0, small, 0},     {small, 0, 0, 1},
+                                         {-small, 0.6, 0, 0.8}, {1, 1e-9, -1e-9, 1e-9}};
+    for (int i = 0; i < 400; ++i) {
+        Quaternion q(normal(random), normal(random), normal(random), normal(random));
+        if (i % 4 == 0) q.w() *= 1e-9;
+        if (i % 4 == 1) q.vec() *= 1e-9;
+        rotations.push_back(q.normalized());
+    }
+    for (const Quaternion& rotation : rotations) {
+        problem.start = {Vector3(normal(random), 1e3 * normal(random), 1e-9 * normal(random)), rotation};
+        problem.goal = {Vector3::Zero(), rotation.conjugate()};
+        writeProblem(problem, folder.file("a.cfg"));
+        const Problem back = readProblem(folder.file("a.cfg"));
+        requireSamePose(back.start, problem.start);
+        requireSamePose(back.goal, problem.goal);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(planar_states_read_back_to_the_same_pose) {
+    const TemporaryFolder folder;
+    Problem problem = basicProblem(folder);
+    problem.space = Space::kSe2;
+    for (int i = -24; i <= 24; ++i) {
+        const double half =
+            i * std::acos(-1.0) / 24;  // half angles from -pi to pi: both signs of every quaternion
+        problem.start = {Vector3(i / 3.0, -i, 0), Quaternion(std::cos(half), 0, 0, std::sin(half))};
+        writeProblem(problem, folder.file("a.cfg"));
+        const Problem back = readProblem(folder.file("a.cfg"));
+        BOOST_TEST_REQUIRE((back.space == Space::kSe2));
+        requireSamePose(back.start, problem.start);
+    }
+    BOOST_TEST(readText(folder.file("a.cfg")).find("start.z") == std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(meshes_are_written_relative_to_the_problem_so_that_the_folder_can_move) {
+    const TemporaryFolder folder;
+    std::filesystem::create_directory(folder.file("meshes"));
+    Problem problem = basicProblem(folder);
+    problem.world = folder.file("meshes/world.stl");
+    writeProblem(problem, folder.file("a.cfg"));
+    const std::string text = readText(folder.file("a.cfg"));
+    BOOST_TEST(text.find("robot = part.stl\nworld = meshes/world.stl\n") != std::string::npos, text);
+    BOOST_TEST(readProblem(folder.file("a.cfg")).world == folder.file("meshes/world.stl"));
+}
+
+BOOST_AUTO_TEST_CASE(what_could_not_be_read_back_is_refused_and_leaves_nothing) {
+    const TemporaryFolder folder;
+    const auto refusal = [&](auto change) -> std::string {
+        Problem problem = basicProblem(folder);
+        change(problem);
+        try {
+            writeProblem(problem, folder.file("a.cfg"));
+        } catch (const std::invalid_argument& error) {
+            BOOST_TEST(folder.names().empty());
+            return error.what();
+        }
+        return "written";
+    };
+    BOOST_TEST(refusal([](Problem& p) { p.name = "no #1"; }) ==
+               "name is 'no #1', expected text without #, line ends or white space at its ends");
+    BOOST_TEST(refusal([](Problem& p) { p.sampler = " x"; }) ==
+               "sampler is ' x', expected text without #, line ends or white space at its ends");
+    BOOST_TEST(refusal([](Problem& p) { p.start.position.y() = std::nan(""); }) ==
+               "start.y is nan, expected a finite number");
+    Problem problem = basicProblem(folder);
+    BOOST_CHECK_THROW(writeProblem(problem, folder.file("none/a.cfg")), std::runtime_error);
+    BOOST_TEST(folder.names().empty());
+}
+
+}  // namespace clearway
