@@ -60,29 +60,27 @@ Rectangle coverSides(const std::vector<Vector3>& points, const Projection& proje
     return rectangle;
 }
 
-/// Signed length by which a coordinate lies outside [low, high].
-double beyond(double coordinate, double low, double high) {
-    return coordinate > high ? coordinate - high : std::min(coordinate - low, 0.0);
-}
-
 /// A point beyond both sides of a corner may still be out of the corner sphere's reach: the corner is pushed
-/// outward along its diagonal until it is not.
+/// outward along its diagonal until it is not. Each corner is pushed from where it was at first, so the
+/// points' order does not matter.
 void coverCorners(const std::vector<Vector3>& points, const Projection& project, double radius,
                   Rectangle& rectangle) {
+    double pushes[2][2] = {};  // [is on the high side 0][is on the high side 1], along either side
     for (const Vector3& point : points) {
         const Vector3 q = project(point);
-        const double beyond0 = beyond(q.x(), rectangle.low[0], rectangle.high[0]);
-        const double beyond1 = beyond(q.y(), rectangle.low[1], rectangle.high[1]);
-        if (beyond0 == 0 || beyond1 == 0) continue;
-        const double dx = std::abs(beyond0);
-        const double dy = std::abs(beyond1);
+        const bool isHigh[2] = {q[0] > rectangle.high[0], q[1] > rectangle.high[1]};
+        const double dx = isHigh[0] ? q[0] - rectangle.high[0] : rectangle.low[0] - q[0];
+        const double dy = isHigh[1] ? q[1] - rectangle.high[1] : rectangle.low[1] - q[1];
+        if (dx <= 0 || dy <= 0) continue;
         const double alongDiagonal = (dx + dy) * kSqrtHalf;
         const double fromDiagonal = std::hypot((dx - dy) * kSqrtHalf, q.z());
-        const double push = (alongDiagonal - reach(radius, fromDiagonal)) * kSqrtHalf;
-        if (push <= 0) continue;
-        (beyond0 > 0 ? rectangle.high[0] : rectangle.low[0]) += beyond0 > 0 ? push : -push;
-        (beyond1 > 0 ? rectangle.high[1] : rectangle.low[1]) += beyond1 > 0 ? push : -push;
+        double& push = pushes[isHigh[0]][isHigh[1]];
+        push = std::max(push, (alongDiagonal - reach(radius, fromDiagonal)) * kSqrtHalf);
     }
+    rectangle.low[0] -= std::max(pushes[0][0], pushes[0][1]);
+    rectangle.high[0] += std::max(pushes[1][0], pushes[1][1]);
+    rectangle.low[1] -= std::max(pushes[0][0], pushes[1][0]);
+    rectangle.high[1] += std::max(pushes[0][1], pushes[1][1]);
 }
 
 }  // namespace

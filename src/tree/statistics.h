@@ -6,6 +6,7 @@
 
 namespace clearway {
 
+/// Node 0, which holds nothing but the root's own volume, counts like any other.
 TreeStatistics statistics(const FlatTree& tree);
 
 }  // namespace clearway

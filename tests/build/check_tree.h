@@ -9,34 +9,29 @@
 #include <utility>
 #include <vector>
 
+#include "bounds/stored_volume.h"
 #include "mesh/clean.h"
 #include "tree/flat_tree.h"
 
 namespace clearway::testing {
-
-using LongVector = Eigen::Matrix<long double, 3, 1>;
 
 inline LongVector inTreeUnits(const FlatTree& tree, const Vector3& point) {
     const LongVector offset = point.cast<long double>() - tree.origin.cast<long double>();
     return offset * std::ldexp(1.0L, -tree.unitExponent);
 }
 
-/// Distance of a point, tree units, from the rectangle as stored: that of one of its points, so not below the
-/// true one.
 template <int kWidth>
-long double distanceFromRectangle(const WideNode<kWidth>& node, int lane, const LongVector& point) {
-    const auto column = [lane](const float(&rows)[3][kWidth]) {
-        return LongVector(rows[0][lane], rows[1][lane], rows[2][lane]);
-    };
-    const auto clamped = [](long double value, long double limit) {
-        return std::max(-limit, std::min(value, limit));
-    };
-    const LongVector offset = point - column(node.centre);
-    const LongVector axis0 = column(node.axis0);
-    const LongVector axis1 = column(node.axis1);
-    const long double s = clamped(offset.dot(axis0), node.halfLength0[lane]);
-    const long double t = clamped(offset.dot(axis1), node.halfLength1[lane]);
-    return (offset - s * axis0 - t * axis1).norm();
+FloatRss volumeOf(const WideNode<kWidth>& node, int lane) {
+    FloatRss volume;
+    for (int i = 0; i < 3; ++i) {
+        volume.centre[i] = node.centre[i][lane];
+        volume.axis0[i] = node.axis0[i][lane];
+        volume.axis1[i] = node.axis1[i][lane];
+    }
+    volume.halfLength0 = node.halfLength0[lane];
+    volume.halfLength1 = node.halfLength1[lane];
+    volume.radius = node.radius[lane];
+    return volume;
 }
 
 /// Walks a tree and checks it against the mesh it was built from. Counts failures rather than reporting each
@@ -83,11 +78,16 @@ class TreeChecker {
                 continue;
             }
             if (pastTheLast) ++wrongLanes_;  // used lanes come first
+            const long double length =
+                2 * std::hypot((long double)node.halfLength0[lane], node.halfLength1[lane]) +
+                2 * (long double)node.radius[lane];
+            if (!(std::abs(node.length[lane] - length) <= 1e-6L * length)) ++wrongLanes_;
             if (child >= 0) ++nodeSeen_.at(child);
             const std::set<std::uint32_t> vertices = child >= 0 ? below(child) : inLeaf(~child);
+            const FloatRss volume = volumeOf(node, lane);
             for (const std::uint32_t vertex : vertices) {
                 const LongVector point = inTreeUnits(tree_, tree_.vertices[vertex]);
-                if (!(distanceFromRectangle(node, lane, point) <= node.radius[lane])) ++verticesOutside_;
+                if (!(distanceFromRectangle(volume, point) <= volume.radius)) ++verticesOutside_;
             }
             all.insert(vertices.begin(), vertices.end());
         }

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
-#include <random>
 #include <string>
 #include <vector>
 
 #include "mesh/clean.h"
+#include "support/random_meshes.h"
 
 namespace clearway::testing {
 
@@ -34,21 +34,23 @@ inline CleanMesh cleanMeshOf(const std::vector<Corners>& triangles) {
     return mesh;
 }
 
-inline Vector3 randomPoint(std::mt19937& random, double size = 1) {
-    std::uniform_real_distribution<double> coordinate(-size, size);
-    const double x = coordinate(random);
-    const double y = coordinate(random);
-    return {x, y, coordinate(random)};
+/// The same of a mesh with vertices that may repeat.
+inline CleanMesh weldedMesh(const Mesh& mesh) {
+    std::vector<Corners> triangles;
+    for (const auto& [a, b, c] : mesh.triangles)
+        triangles.push_back({mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]});
+    return cleanMeshOf(triangles);
 }
 
 /// Small triangles anywhere in a cube, none touching another.
-inline std::vector<Corners> soup(int count, unsigned seed) {
-    std::mt19937 random(seed);
+inline std::vector<Corners> soup(int count, std::uint64_t seed) {
+    Random random(seed);
     std::vector<Corners> triangles;
     for (int i = 0; i < count; ++i) {
-        const Vector3 at = randomPoint(random);
-        triangles.push_back(
-            {at + randomPoint(random, 0.1), at + randomPoint(random, 0.1), at + randomPoint(random, 0.1)});
+        const Vector3 at = random.inBox(1);
+        const Vector3 a = at + random.inBox(0.1);
+        const Vector3 b = at + random.inBox(0.1);
+        triangles.push_back({a, b, at + random.inBox(0.1)});
     }
     return triangles;
 }

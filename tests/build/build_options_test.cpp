@@ -1,0 +1,45 @@
+#define BOOST_TEST_MODULE build_options
+#include "clearway/build_options.h"
+
+#include <boost/test/unit_test.hpp>
+#include <stdexcept>
+
+namespace clearway::testing {
+namespace {
+
+std::string refusal(const BuildOptions& options) {
+    try {
+        requireBuildOptions(options);
+    } catch (const std::invalid_argument& error) {
+        return error.what();
+    }
+    return "accepted";
+}
+
+BOOST_AUTO_TEST_CASE(every_known_name_size_and_width_is_accepted) {
+    for (const std::string& general : generalSplitNames()) {
+        for (const std::string& leaf : leafSplitNames()) {
+            for (const int width : nodeWidths()) {
+                for (int leafSize = 1; leafSize <= 16; ++leafSize) {
+                    BOOST_TEST(refusal({general, leaf, leafSize, width}) == "accepted");
+                }
+            }
+        }
+    }
+    BOOST_TEST(refusal(BuildOptions{}) == "accepted");
+}
+
+BOOST_AUTO_TEST_CASE(what_is_unknown_is_refused_by_name_with_what_is_known) {
+    BOOST_TEST(refusal({"sideways", "none", 4, 8}) ==
+               "generalSplit is \"sideways\", expected one of: mean, axis");
+    BOOST_TEST(refusal({"", "none", 4, 8}) == "generalSplit is \"\", expected one of: mean, axis");
+    BOOST_TEST(refusal({"axis", "None", 4, 8}) ==
+               "leafSplit is \"None\", expected one of: none, chain, edge, all");
+    BOOST_TEST(refusal({"axis", "none", 0, 8}) == "leafSize is 0, expected 1 to 16");
+    BOOST_TEST(refusal({"axis", "none", 17, 8}) == "leafSize is 17, expected 1 to 16");
+    BOOST_TEST(refusal({"axis", "none", -3, 8}) == "leafSize is -3, expected 1 to 16");
+    BOOST_TEST(refusal({"axis", "none", 4, 3}) == "nodeWidth is 3, expected one of: 8, 2");
+}
+
+}  // namespace
+}  // namespace clearway::testing

@@ -1,0 +1,17 @@
+#define BOOST_TEST_MODULE none
+#include "build/leaf/none.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include "build/leaf/groups.h"
+
+namespace clearway::testing {
+namespace {
+
+BOOST_AUTO_TEST_CASE(the_group_stays_one_leaf_whatever_its_triangles_share) {
+    const CleanMesh mesh = meshOf({{0, 1, 2}, {3, 4, 5}, {1, 2, 6}});
+    BOOST_TEST((leavesOf(splitGroup(keepTogether, mesh)) == Leaves{{0, 1, 2}}));
+}
+
+}  // namespace
+}  // namespace clearway::testing
