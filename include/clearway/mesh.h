@@ -19,16 +19,20 @@ struct Component {
     std::uint32_t triangleCount = 0;
 };
 
-/// What the loader did between the file and the stored coordinates: stored = scale * (file coordinates) + shift.
+/// What the loader did between the file and the stored coordinates: stored = scale * (file coordinates) +
+/// shift, where the file's coordinates are those after its node transforms, in file units.
 struct MeshOrigin {
-    std::string file;                 ///< empty for a mesh made in memory
+    std::string file;  ///< empty for a mesh made in memory
     double scale = 1.0;
     Vector3 shift = Vector3::Zero();  ///< applied after the scale
     std::size_t ignoredFaces = 0;     ///< points, lines and what could not be triangulated
+    /// One line each about what else was applied or left out: units, up axis, conversions of assimp's own,
+    /// re-centring.
+    std::vector<std::string> notes;
 };
 
-/// Triangles over shared vertices, in doubles. These stored doubles are the truth that every query answers for.
-/// A triangle's id is its position in `triangles`.
+/// Triangles over shared vertices, in doubles. These stored doubles are the truth that every query answers
+/// for. A triangle's id is its position in `triangles`.
 struct Mesh {
     std::vector<Vector3> vertices;
     std::vector<TriangleIndices> triangles;
@@ -39,10 +43,10 @@ struct Mesh {
 
 /// How the file is read.
 enum class MeshReading {
-    kAsStored,             ///< coordinates as the file holds them
-    kOmplAppEnvironment,   ///< as OMPL.app reads its world: not shifted
-    kOmplAppRobot,         ///< as OMPL.app reads an SE(3) robot: shifted by minus the float mean of its vertices
-    kOmplAppPlanarRobot,   ///< as OMPL.app reads an SE(2) robot: the same, but z keeps its place
+    kAsStored,            ///< coordinates as the file holds them
+    kOmplAppEnvironment,  ///< as OMPL.app reads its world: not shifted
+    kOmplAppRobot,  ///< as OMPL.app reads an SE(3) robot: shifted by minus the float mean of its vertices
+    kOmplAppPlanarRobot,  ///< as OMPL.app reads an SE(2) robot: the same, but z keeps its place
 };
 
 struct LoadOptions {
@@ -50,16 +54,31 @@ struct LoadOptions {
     double scale = 1.0;  ///< > 0; stored = scale * file coordinates
 };
 
-/// Reads any format assimp reads: node transforms applied, polygons triangulated, points and lines left out and
-/// counted, node and mesh names kept as components. Debian's assimp holds coordinates in float: the mesh returned is
-/// exactly what assimp returned (times the scale, plus the shift, in double), its equal vertices not yet welded.
-/// Throws std::runtime_error when the file is missing, cannot be read or holds no triangle, and std::invalid_argument
-/// when the scale is not a finite number above 0.
+/// Reads any format assimp reads: node transforms applied, polygons triangulated, points and lines left out
+/// and counted; equal vertices are not yet welded. Debian's assimp holds coordinates and transforms in float.
+///
+/// kAsStored applies the transforms in double; without transforms the coordinates are exactly assimp's
+/// floats, times the scale. A COLLADA file's unit and up axis, which assimp would fold into its root, are
+/// left out. The other readings do all arithmetic in float and by assimp's defaults, as OMPL.app does (unit
+/// and up axis applied, vertices that agree in all their attributes to 1e-5 may be joined), and scale last.
+/// Whatever was applied or left out is in origin.notes.
+///
+/// Each mesh of each node is a component, in the order of the file's nodes, named by node and mesh
+/// ("node/mesh", or the one name when they agree or one has none). Repeated names get #2, #3, ...; without a
+/// name it is the file's stem.
+///
+/// Throws std::runtime_error when the file is missing, cannot be read, holds no triangle or has a triangle
+/// with a vertex that is not finite (naming the first such triangle), and std::invalid_argument when the
+/// scale is not a finite number above 0.
 Mesh loadMesh(const std::string& file, const LoadOptions& options = {});
 
-/// Writes the mesh in the format of the file's ending (.obj, .ply, .stl, .glb, ...), components as named nodes.
-/// Coordinates are rounded to float, as the formats hold them. Written to a temporary name, then renamed.
-/// Throws std::runtime_error when it cannot be written and std::invalid_argument for an unknown ending.
+/// Writes the mesh in the format of the file's ending: .glb, .obj, .ply, .stl or .dae. Coordinates are
+/// rounded to float, as the formats hold them. Written to a temporary name, then renamed. .glb brings back
+/// the same floats, triangles in the same order and distinct component names. .obj and .dae bring back order
+/// and names (.obj: without spaces), but are text: assimp reads values below 1e-5 or beyond 1e9 a few units
+/// in the last place off. .ply and .stl (both binary) keep floats and order, and forget the components.
+/// Throws std::invalid_argument for an unknown ending, for a mesh that has no triangle or that clean() would
+/// refuse, and std::runtime_error when the file cannot be written.
 void saveMesh(const Mesh& mesh, const std::string& file);
 
 /// The smallest box that holds every vertex a triangle uses; empty for a mesh without triangles.

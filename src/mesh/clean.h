@@ -1,4 +1,5 @@
-// Makes a mesh fit for a tree: checks it, welds equal vertices, drops exact duplicates. Keeps degenerate triangles.
+// Makes a mesh fit for a tree: checked, equal vertices welded, exact duplicates dropped, degenerate ones
+// kept.
 #pragma once
 
 #include <cstdint>
@@ -10,13 +11,13 @@
 namespace clearway {
 
 struct CleanMesh {
-    std::vector<Vector3> vertices;            ///< each used, no two equal; -0.0 counts as 0.0
+    std::vector<Vector3> vertices;  ///< each used, no two equal; -0.0 counts as 0.0
     std::vector<TriangleIndices> triangles;
-    std::vector<std::uint32_t> triangleIds;   ///< position in the mesh given, of each triangle kept (a duplicate's first)
+    std::vector<std::uint32_t> triangleIds;  ///< of each its position in the mesh given; a duplicate's first
     CleanReport report;
 };
 
-/// A zero-area triangle is a segment or a point in exact arithmetic of its doubles.
+/// A zero-area triangle is a segment or a point in exact arithmetic of its doubles; those kept are counted.
 /// Throws std::invalid_argument as Model::build says.
 CleanMesh clean(const Mesh& mesh);
 

@@ -1,0 +1,130 @@
+// Welding and the search for duplicates share one hash table: open addressing, linear probing, first come
+// first kept.
+#include "mesh/clean.h"
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+
+#include "mesh/check.h"
+#include "mesh/degenerate.h"
+
+namespace clearway {
+
+namespace {
+
+constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+std::uint64_t mixed(std::uint64_t hash, std::uint64_t word) {
+    hash = (hash ^ word) * 0x9e3779b97f4a7c15u;
+    return hash ^ (hash >> 29);
+}
+
+/// Finds the first of equal items. The items stay with the caller, who numbers them 0, 1, 2, ...
+class FirstOfEqual {
+  public:
+    explicit FirstOfEqual(std::size_t items) {
+        std::size_t capacity = 16;
+        while (capacity < 2 * items) capacity *= 2;
+        slots_.assign(capacity, kNone);
+    }
+
+    /// The number of the item that equals the new one, or newNumber, which it then has.
+    template <typename IsEqual>
+    std::uint32_t findOrInsert(std::uint64_t hash, std::uint32_t newNumber, IsEqual isEqual) {
+        const std::size_t mask = slots_.size() - 1;
+        for (std::size_t slot = (hash >> 17) & mask;; slot = (slot + 1) & mask) {
+            if (slots_[slot] == kNone) return slots_[slot] = newNumber;
+            if (isEqual(slots_[slot])) return slots_[slot];
+        }
+    }
+
+  private:
+    std::vector<std::uint32_t> slots_;
+};
+
+std::uint64_t hashOf(const Vector3& vertex) {
+    std::uint64_t hash = 0;
+    for (int i = 0; i < 3; ++i) {
+        std::uint64_t word;
+        std::memcpy(&word, vertex.data() + i, sizeof word);
+        hash = mixed(hash, word);
+    }
+    return hash;
+}
+
+std::vector<bool> usedVertices(const Mesh& mesh) {
+    std::vector<bool> used(mesh.vertices.size(), false);
+    for (const TriangleIndices& triangle : mesh.triangles) {
+        for (const std::uint32_t vertex : triangle) used[vertex] = true;
+    }
+    return used;
+}
+
+/// Fills clean.vertices and returns, for each vertex given, its number there; kNone for the unused.
+std::vector<std::uint32_t> weld(const Mesh& mesh, CleanMesh& clean) {
+    const std::vector<bool> used = usedVertices(mesh);
+    std::vector<std::uint32_t> numbers(mesh.vertices.size(), kNone);
+    FirstOfEqual table(mesh.vertices.size());
+    for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+        if (!used[i]) {
+            ++clean.report.unusedVertices;
+            continue;
+        }
+        const Vector3 vertex = mesh.vertices[i] + Vector3::Zero();  // makes -0.0 a 0.0
+        const auto newNumber = static_cast<std::uint32_t>(clean.vertices.size());
+        numbers[i] = table.findOrInsert(hashOf(vertex), newNumber, [&](std::uint32_t number) {
+            return clean.vertices[number] == vertex;
+        });
+        if (numbers[i] == newNumber) {
+            clean.vertices.push_back(vertex);
+        } else {
+            ++clean.report.weldedVertices;
+        }
+    }
+    return numbers;
+}
+
+/// The same for any order of the three.
+TriangleIndices sorted(TriangleIndices triangle) {
+    std::sort(triangle.begin(), triangle.end());
+    return triangle;
+}
+
+void keepFirstTriangles(const Mesh& mesh, const std::vector<std::uint32_t>& numbers, CleanMesh& clean) {
+    clean.triangles.reserve(mesh.triangles.size());
+    clean.triangleIds.reserve(mesh.triangles.size());
+    FirstOfEqual table(mesh.triangles.size());
+    for (std::size_t id = 0; id < mesh.triangles.size(); ++id) {
+        TriangleIndices triangle;
+        for (int i = 0; i < 3; ++i) triangle[i] = numbers[mesh.triangles[id][i]];
+        const TriangleIndices key = sorted(triangle);
+        const auto newNumber = static_cast<std::uint32_t>(clean.triangles.size());
+        const std::uint64_t hash = mixed(mixed(mixed(0, key[0]), key[1]), key[2]);
+        const std::uint32_t number = table.findOrInsert(
+            hash, newNumber, [&](std::uint32_t kept) { return sorted(clean.triangles[kept]) == key; });
+        if (number != newNumber) {
+            ++clean.report.duplicateTriangles;
+            continue;
+        }
+        clean.triangles.push_back(triangle);
+        clean.triangleIds.push_back(static_cast<std::uint32_t>(id));
+    }
+}
+
+}  // namespace
+
+CleanMesh clean(const Mesh& mesh) {
+    requireSoundMesh(mesh);
+    CleanMesh clean;
+    keepFirstTriangles(mesh, weld(mesh, clean), clean);
+    for (const TriangleIndices& triangle : clean.triangles) {
+        if (isDegenerate(clean.vertices[triangle[0]], clean.vertices[triangle[1]],
+                         clean.vertices[triangle[2]])) {
+            ++clean.report.degenerateTriangles;
+        }
+    }
+    return clean;
+}
+
+}  // namespace clearway

@@ -1,0 +1,187 @@
+// What must not change an answer: who is called the part, the order of triangles, the scale, the place, the
+// workspace's past.
+#define BOOST_TEST_MODULE query_invariance
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+
+#include "support/each_target.h"
+#include "support/query_cases.h"
+
+using namespace clearway;
+using namespace clearway::testing;
+
+namespace {
+
+BuildOptions ofWidth(int width) {
+    BuildOptions options;
+    options.nodeWidth = width;
+    return options;
+}
+
+void checkAll(const QueryCase& queryCase, int width) {
+    const ModelPair models = buildPair(queryCase, ofWidth(width));
+    Workspace workspace;
+    for (std::size_t i = 0; i < queryCase.poses.size(); ++i) {
+        const Pose& pose = queryCase.poses[i];
+        BOOST_TEST_CONTEXT(queryCase.name << ", pose " << i) {
+            const DistanceResult result = distance(models.part, models.environment, pose, {}, workspace);
+            checkDistance(result, queryCase, pose, queryCase.answers[i]);
+            BOOST_TEST(collides(models.part, models.environment, pose, workspace) == result.collides());
+        }
+    }
+}
+
+std::vector<Pose> firstPoses(const QueryCase& queryCase, std::size_t n) {
+    return {queryCase.poses.begin(), queryCase.poses.begin() + static_cast<std::ptrdiff_t>(n)};
+}
+
+// The whole scene, meshes and gaps, times the factor.
+QueryCase scaledCase(const QueryCase& queryCase, double factor) {
+    std::vector<Pose> poses = queryCase.poses;
+    for (Pose& pose : poses) pose.translation *= factor;
+    return makeCase(queryCase.name + " times " + std::to_string(std::ilogb(factor)),
+                    scaledBy(queryCase.part, factor), scaledBy(queryCase.environment, factor), poses);
+}
+
+}  // namespace
+
+BOOST_DATA_TEST_CASE(part_and_environment_may_be_exchanged, eachWidth(), width) {
+    for (const QueryCase& queryCase : queryCases()) {
+        std::vector<Pose> inverted;
+        for (const Pose& pose : queryCase.poses) inverted.push_back(inverse(pose));
+        const QueryCase exchanged =
+            makeCase(queryCase.name + " exchanged", queryCase.environment, queryCase.part, inverted);
+        for (std::size_t i = 0; i < inverted.size(); ++i) {
+            BOOST_TEST(std::abs(exchanged.answers[i].distance - queryCase.answers[i].distance) <=
+                       1e-14 * queryCase.oracle->sceneSize());
+        }
+        checkAll(exchanged, width);
+    }
+}
+
+BOOST_DATA_TEST_CASE(triangle_order_does_not_matter, eachWidth(), width) {
+    Random random(3);
+    for (const QueryCase& queryCase : queryCases()) {
+        checkAll(makeCase(queryCase.name + " shuffled with seed 3", shuffled(random, queryCase.part),
+                          shuffled(random, queryCase.environment), queryCase.poses),
+                 width);
+    }
+}
+
+BOOST_DATA_TEST_CASE(scaling_by_powers_of_two_scales_the_answer_exactly, eachTarget() * eachWidth(), target,
+                     width) {
+    const UsingTarget using_(target);
+    for (const int exponent : {-60, -20, 20, 60}) {
+        const double factor = std::ldexp(1.0, exponent);
+        for (const std::size_t which : {std::size_t{1}, std::size_t{2}}) {
+            const QueryCase& original = queryCases()[which];
+            const QueryCase scaled = scaledCase(original, factor);
+            checkAll(scaled, width);
+            const ModelPair models = buildPair(original, ofWidth(width));
+            const ModelPair scaledModels = buildPair(scaled, ofWidth(width));
+            Workspace workspace;
+            for (std::size_t i = 0; i < original.poses.size(); ++i) {
+                const auto before =
+                    distance(models.part, models.environment, original.poses[i], {}, workspace);
+                const auto after =
+                    distance(scaledModels.part, scaledModels.environment, scaled.poses[i], {}, workspace);
+                BOOST_TEST_CONTEXT(scaled.name << ", pose " << i) {
+                    BOOST_TEST(after.distance == before.distance * factor);
+                    BOOST_TEST(after.lower == before.lower * factor);
+                    BOOST_TEST(after.upper == before.upper * factor);
+                    BOOST_TEST(after.partTriangle == before.partTriangle);
+                }
+            }
+        }
+    }
+}
+
+BOOST_DATA_TEST_CASE(sizes_may_differ_a_millionfold, eachTarget() * eachWidth(), target, width) {
+    const UsingTarget using_(target);
+    Random random(17);
+    const Mesh small = scaledBy(torus(4, 1, 6), 0x1p-20);
+    const Mesh large = randomTerrain(random, 12, 4, 0.3);
+    std::vector<Pose> poses;
+    for (int i = 0; i < 6; ++i) poses.push_back(random.pose(1));
+    checkAll(makeCase("small part", small, large, poses), width);
+    checkAll(makeCase("large part", large, small, poses), width);
+}
+
+BOOST_DATA_TEST_CASE(meshes_may_lie_far_from_their_origin, eachTarget() * eachWidth(), target, width) {
+    const UsingTarget using_(target);
+    const Pose offset{Matrix3::Identity(), {1e6, -2e6, 3e5}};
+    for (const QueryCase& queryCase : queryCases()) {
+        // Both meshes in coordinates shared far out; the pose moves the part as before, about the far place.
+        std::vector<Pose> poses;
+        for (const Pose& pose : firstPoses(queryCase, 4)) poses.push_back(offset * pose * inverse(offset));
+        checkAll(makeCase(queryCase.name + " far out", transformed(queryCase.part, offset),
+                          transformed(queryCase.environment, offset), poses),
+                 width);
+    }
+}
+
+BOOST_DATA_TEST_CASE(the_past_of_a_workspace_changes_no_answer, eachTarget() * eachWidth(), target, width) {
+    const UsingTarget using_(target);
+    Workspace warm;
+    for (int round = 0; round < 2; ++round) {
+        for (const QueryCase& queryCase : queryCases()) {
+            const ModelPair models = buildPair(queryCase, ofWidth(width));
+            for (std::size_t i = 0; i < queryCase.poses.size(); ++i) {
+                const Pose& pose = queryCase.poses[i];
+                Workspace cold;
+                const double rounding = 16 * kUnitRoundoff * largestCoordinate(queryCase, pose);
+                const DistanceResult first = distance(models.part, models.environment, pose, {}, cold);
+                const DistanceResult later = distance(models.part, models.environment, pose, {}, warm);
+                BOOST_TEST_CONTEXT(queryCase.name << ", pose " << i) {
+                    BOOST_TEST(std::abs(first.distance - later.distance) <= rounding);
+                    BOOST_TEST(first.collides() == later.collides());
+                    checkDistance(later, queryCase, pose, queryCase.answers[i]);
+                }
+                for (const double d : {0.0, 0.5 * first.distance, first.upper, 2 * first.distance}) {
+                    cold.forgetWarmStart();
+                    BOOST_TEST(isWithin(models.part, models.environment, pose, d, cold) ==
+                               isWithin(models.part, models.environment, pose, d, warm));
+                }
+                cold.forgetWarmStart();
+                BOOST_TEST(collides(models.part, models.environment, pose, cold) ==
+                           collides(models.part, models.environment, pose, warm));
+            }
+        }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(more_triangles_never_increase_the_distance) {
+    Random random(29);
+    for (const QueryCase& queryCase : queryCases()) {
+        const Mesh more =
+            joined(queryCase.environment, randomSoup(random, 40, 0.2 * queryCase.oracle->sceneSize(), 5));
+        const ModelPair models = buildPair(queryCase);
+        const Model larger = Model::build(more);
+        Workspace workspace;
+        for (const Pose& pose : queryCase.poses) {
+            const DistanceResult few = distance(models.part, models.environment, pose, {}, workspace);
+            BOOST_TEST(distance(models.part, larger, pose, {}, workspace).lower <= few.upper);
+        }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(distance_changes_by_no_more_than_the_part_moves) {
+    Random random(31);
+    for (const QueryCase& queryCase : queryCases()) {
+        const ModelPair models = buildPair(queryCase);
+        Workspace workspace;
+        for (const Pose& pose : queryCase.poses) {
+            const Pose step{Eigen::AngleAxisd(random.uniform(0, 0.1), random.direction()).toRotationMatrix(),
+                            random.direction() * random.uniform(0, 3)};
+            const Pose next = pose * step;
+            double moved = 0;
+            for (const Vector3& vertex : queryCase.part.vertices) {
+                moved = std::max(moved, (next * vertex - pose * vertex).norm());
+            }
+            const DistanceResult before = distance(models.part, models.environment, pose, {}, workspace);
+            const DistanceResult after = distance(models.part, models.environment, next, {}, workspace);
+            BOOST_TEST(after.lower <= before.upper + moved * (1 + 1e-12));
+            BOOST_TEST(before.lower <= after.upper + moved * (1 + 1e-12));
+        }
+    }
+}

@@ -1,0 +1,208 @@
+// Caps, tolerances, and what is refused.
+#define BOOST_TEST_MODULE query_options
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "support/each_target.h"
+#include "support/query_cases.h"
+
+using namespace clearway;
+using namespace clearway::testing;
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+BuildOptions ofWidth(int width) {
+    BuildOptions options;
+    options.nodeWidth = width;
+    return options;
+}
+
+// Whether the call throws std::invalid_argument with every one of the words.
+template <class Call>
+void checkRefused(const Call& call, const std::vector<std::string>& words) {
+    try {
+        call();
+        BOOST_ERROR("accepted, expected a refusal that says " << words.front());
+    } catch (const std::invalid_argument& error) {
+        for (const std::string& word : words) {
+            BOOST_TEST(std::string(error.what()).find(word) != std::string::npos,
+                       "'" << error.what() << "' does not say '" << word << "'");
+        }
+    }
+}
+
+}  // namespace
+
+BOOST_DATA_TEST_CASE(beyond_the_cap_only_the_cap_is_known, eachTarget() * eachWidth(), target, width) {
+    const UsingTarget using_(target);
+    for (const QueryCase& queryCase : queryCases()) {
+        const ModelPair models = buildPair(queryCase, ofWidth(width));
+        Workspace workspace;
+        for (std::size_t i = 0; i < queryCase.poses.size(); ++i) {
+            const Pose& pose = queryCase.poses[i];
+            const double truth = queryCase.answers[i].distance;
+            DistanceOptions options;
+            BOOST_TEST_CONTEXT(queryCase.name << ", pose " << i) {
+                for (const double share : {0.0, 0.1, 0.5, 0.999}) {
+                    options.cap = share * truth;
+                    if (truth < 1e-6 * queryCase.oracle->sceneSize()) break;
+                    const DistanceResult result =
+                        distance(models.part, models.environment, pose, options, workspace);
+                    BOOST_TEST(result.lower >= options.cap);
+                    BOOST_TEST(result.lower <= truth);
+                    BOOST_TEST(result.upper == kInfinity);
+                    BOOST_TEST(result.distance == kInfinity);
+                    BOOST_TEST(!result.collides());
+                    BOOST_TEST(result.partTriangle == -1);
+                    BOOST_TEST(result.environmentTriangle == -1);
+                    BOOST_TEST(result.partComponent == -1);
+                    BOOST_TEST(result.environmentComponent == -1);
+                    BOOST_TEST(result.pointOnPart.array().isNaN().all());
+                    BOOST_TEST(result.pointOnEnvironment.array().isNaN().all());
+                }
+                for (const double cap : {truth * 1.001 + 1e-9, truth * 2 + 1, 1e300}) {
+                    options.cap = cap;
+                    const DistanceResult result =
+                        distance(models.part, models.environment, pose, options, workspace);
+                    checkDistance(result, queryCase, pose, queryCase.answers[i]);
+                }
+            }
+        }
+    }
+}
+
+BOOST_DATA_TEST_CASE(tolerances_widen_the_interval_no_further_than_asked, eachTarget() * eachWidth(), target,
+                     width) {
+    const UsingTarget using_(target);
+    for (const QueryCase& queryCase : queryCases()) {
+        const ModelPair models = buildPair(queryCase, ofWidth(width));
+        const double size = queryCase.oracle->sceneSize();
+        Workspace workspace;
+        for (std::size_t i = 0; i < queryCase.poses.size(); ++i) {
+            for (const double relative : {0.0, 1e-3, 0.05, 1.0}) {
+                for (const double absolute : {0.0, 1e-4, 0.02}) {
+                    DistanceOptions options;
+                    options.relativeError = relative;
+                    options.absoluteError = absolute * size;
+                    workspace.forgetWarmStart();
+                    const DistanceResult result =
+                        distance(models.part, models.environment, queryCase.poses[i], options, workspace);
+                    const double width_ =
+                        std::max({kAccuracy * size, absolute * size, relative * result.lower});
+                    BOOST_TEST_CONTEXT(queryCase.name << ", pose " << i << ", " << relative << ", "
+                                                      << absolute) {
+                        checkDistance(result, queryCase, queryCase.poses[i], queryCase.answers[i], width_);
+                        BOOST_TEST(result.collides() ==
+                                   collides(models.part, models.environment, queryCase.poses[i], workspace));
+                    }
+                }
+            }
+        }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(a_wider_tolerance_saves_work) {
+    std::uint64_t tight = 0, loose = 0;
+    for (const QueryCase& queryCase : queryCases()) {
+        const ModelPair models = buildPair(queryCase);
+        for (const Pose& pose : queryCase.poses) {
+            Workspace workspace;
+            DistanceOptions options;
+            tight += distance(models.part, models.environment, pose, options, workspace).counters.volumeTests;
+            workspace.forgetWarmStart();
+            options.relativeError = 0.5;
+            loose += distance(models.part, models.environment, pose, options, workspace).counters.volumeTests;
+        }
+    }
+    BOOST_TEST(loose < tight);
+}
+
+BOOST_AUTO_TEST_CASE(wrong_options_are_refused_by_name) {
+    const QueryCase& queryCase = queryCases()[3];
+    const ModelPair models = buildPair(queryCase);
+    Workspace workspace;
+    const auto ask = [&](double relative, double absolute, double cap) {
+        DistanceOptions options;
+        options.relativeError = relative;
+        options.absoluteError = absolute;
+        options.cap = cap;
+        return [&, options] {
+            distance(models.part, models.environment, queryCase.poses[0], options, workspace);
+        };
+    };
+    checkRefused(ask(-0.25, 0, 1), {"relativeError", "-0.25"});
+    checkRefused(ask(kNaN, 0, 1), {"relativeError", "nan"});
+    checkRefused(ask(0, -0.25, 1), {"absoluteError", "-0.25"});
+    checkRefused(ask(0, kNaN, 1), {"absoluteError", "nan"});
+    checkRefused(ask(0, 0, -0.25), {"cap", "-0.25"});
+    checkRefused(ask(0, 0, kNaN), {"cap", "nan"});
+    for (const double d : {-0.25, -kInfinity, kNaN}) {
+        checkRefused([&] { isWithin(models.part, models.environment, queryCase.poses[0], d, workspace); },
+                     {std::isnan(d) ? "nan"
+                      : d < -1      ? "-inf"
+                                    : "-0.25",
+                      "expected"});
+    }
+}
+
+BOOST_AUTO_TEST_CASE(what_is_no_rotation_is_refused_by_every_query) {
+    const ModelPair models = buildPair(queryCases()[3]);
+    Workspace workspace;
+    Pose larger, mirrored, notANumber, farAway;
+    larger.rotation *= 1 + 1e-9;
+    mirrored.rotation(2, 2) = -1;
+    notANumber.rotation(0, 1) = kNaN;
+    farAway.translation.x() = kInfinity;
+    for (const Pose& pose : {larger, mirrored, notANumber, farAway}) {
+        const std::vector<std::string> words = {"rotation", "expected"};
+        checkRefused([&] { distance(models.part, models.environment, pose, {}, workspace); }, words);
+        checkRefused([&] { collides(models.part, models.environment, pose, workspace); }, words);
+        checkRefused([&] { isWithin(models.part, models.environment, pose, 1, workspace); }, words);
+    }
+}
+
+BOOST_DATA_TEST_CASE(a_pose_with_an_accepted_defect_counts_as_the_affine_map_it_is,
+                     eachTarget() * eachWidth(), target, width) {
+    const UsingTarget using_(target);
+    for (const QueryCase& queryCase : queryCases()) {
+        std::vector<Pose> poses = queryCase.poses;
+        for (Pose& pose : poses) pose.rotation *= 1 + 4e-13;
+        const QueryCase defective =
+            makeCase(queryCase.name + " with a defect", queryCase.part, queryCase.environment, poses);
+        const ModelPair models = buildPair(defective, ofWidth(width));
+        Workspace workspace;
+        for (std::size_t i = 0; i < poses.size(); ++i) {
+            BOOST_TEST_CONTEXT(defective.name << ", pose " << i) {
+                checkDistance(distance(models.part, models.environment, poses[i], {}, workspace), defective,
+                              poses[i], defective.answers[i]);
+            }
+        }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(models_of_different_node_widths_are_refused) {
+    const QueryCase& queryCase = queryCases()[3];
+    const Model part = Model::build(queryCase.part, ofWidth(2));
+    const Model environment = Model::build(queryCase.environment, ofWidth(8));
+    Workspace workspace;
+    const Pose& pose = queryCase.poses[0];
+    checkRefused([&] { distance(part, environment, pose, {}, workspace); }, {"width", "2", "8"});
+    checkRefused([&] { collides(part, environment, pose, workspace); }, {"width", "2", "8"});
+    checkRefused([&] { isWithin(part, environment, pose, 1, workspace); }, {"width", "2", "8"});
+}
+
+BOOST_AUTO_TEST_CASE(a_workspace_serves_again_after_a_refusal) {
+    const QueryCase& queryCase = queryCases()[3];
+    const ModelPair models = buildPair(queryCase);
+    Workspace workspace;
+    distance(models.part, models.environment, queryCase.poses[0], {}, workspace);
+    BOOST_CHECK_THROW(isWithin(models.part, models.environment, queryCase.poses[0], -1, workspace),
+                      std::invalid_argument);
+    checkDistance(distance(models.part, models.environment, queryCase.poses[1], {}, workspace), queryCase,
+                  queryCase.poses[1], queryCase.answers[1]);
+}

@@ -1,0 +1,54 @@
+// What the query tests share: pairs of meshes with poses far, near, touching and colliding, the oracle's
+// answers to them, and the check that a result keeps every promise of clearway/query.h.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "clearway/build_options.h"
+#include "clearway/model.h"
+#include "clearway/query.h"
+#include "support/oracle.h"
+#include "support/random_meshes.h"
+
+namespace clearway::testing {
+
+constexpr double kUnitRoundoff = 0x1p-53;
+
+/// Of the scene size: how far an answer may be from the oracle, and how wide its interval.
+constexpr double kAccuracy = 1e-9;
+
+struct QueryCase {
+    std::string name;  ///< with the seed
+    Mesh part;
+    Mesh environment;
+    std::shared_ptr<const MeshOracle> oracle;
+    std::vector<Pose> poses;
+    std::vector<OracleAnswer> answers;  ///< one a pose
+};
+
+/// Made once in a process.
+const std::vector<QueryCase>& queryCases();
+
+/// The meshes with their oracle and its answers at the poses.
+QueryCase makeCase(const std::string& name, const Mesh& part, const Mesh& environment,
+                   const std::vector<Pose>& poses);
+
+struct ModelPair {
+    Model part;
+    Model environment;
+};
+
+ModelPair buildPair(const QueryCase& queryCase, const BuildOptions& options = {});
+
+/// Largest absolute coordinate among environment, part, moved part and the pose's translation: M of the
+/// contracts.
+double largestCoordinate(const QueryCase& queryCase, const Pose& pose);
+
+/// Checks, by BOOST_TEST, interval, accuracy, ids and witnesses of a result without cap. `width` is the
+/// interval's widest, a length; by default kAccuracy of the scene.
+void checkDistance(const DistanceResult& result, const QueryCase& queryCase, const Pose& pose,
+                   const OracleAnswer& truth, double width = -1);
+
+}  // namespace clearway::testing
