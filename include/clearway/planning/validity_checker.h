@@ -1,0 +1,78 @@
+// Tells OMPL whether the part is free at a state, and by how much.
+#pragma once
+
+#include <ompl/base/SpaceInformation.h>
+#include <ompl/base/StateValidityChecker.h>
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+
+#include "clearway/planning/state_to_pose.h"
+#include "clearway/query.h"
+#include "clearway/scene.h"
+
+namespace clearway::planning {
+
+/// What a checker has been asked since it was made.
+struct CheckCounters {
+    std::uint64_t checks = 0;       ///< states asked about
+    std::uint64_t invalid = 0;      ///< answered invalid, for whatever reason
+    std::uint64_t outOfBounds = 0;  ///< of these, outside the space's bounds
+    std::uint64_t unusable = 0;     ///< of these, states without a pose, or whose callback threw
+};
+
+/// A state is valid when it satisfies the space's bounds and the distance between part and environment is larger than the
+/// scene's margin; with margin 0, when the two share no point.
+///
+/// Any number of threads may use one checker: each has its own scratch and takes no lock. Nothing is thrown out of OMPL's
+/// callbacks: a state without a pose is invalid, counted, and logged once through OMPL's console.
+class ValidityChecker : public ompl::base::StateValidityChecker {
+  public:
+    /// For OMPL's SE(3) and SE(2). Throws std::invalid_argument when si has another space (see stateToPose), the margin is
+    /// negative or not finite, or the two models cannot be queried together.
+    ValidityChecker(const ompl::base::SpaceInformationPtr& si, Scene scene);
+
+    /// For any space.
+    ValidityChecker(const ompl::base::SpaceInformationPtr& si, Scene scene, StateToPose stateToPose);
+
+    bool isValid(const ompl::base::State* state) const override;
+
+    /// One query for both answers. clearance: as clearance() gives it.
+    bool isValid(const ompl::base::State* state, double& clearance) const override;
+
+    /// The same; no state in a valid direction is ever offered.
+    bool isValid(const ompl::base::State* state, double& clearance, ompl::base::State* validState,
+                 bool& validStateAvailable) const override;
+
+    /// A lower bound of distance - margin, in environment units. Above 0 exactly when the state is valid: it is raised to
+    /// the least positive double for a valid state and lowered to at most 0 for another one. It is no penetration depth.
+    double clearance(const ompl::base::State* state) const override;
+    using ompl::base::StateValidityChecker::clearance;
+
+    /// Distance, witness points and triangles at a state, whatever the bounds and the margin say. Throws
+    /// std::invalid_argument when the state has no pose.
+    DistanceResult distance(const ompl::base::State* state) const;
+
+    /// X_environmentPart at a state, by the checker's own callback.
+    Pose pose(const ompl::base::State* state) const { return stateToPose_(state); }
+
+    const Scene& scene() const { return scene_; }
+    CheckCounters counters() const;
+
+  private:
+    enum class Usable { kYes, kOutOfBounds, kNoPose };
+    Usable findPose(const ompl::base::State* state, Pose& X_environmentPart) const;
+    double signedClearance(const Pose& X_environmentPart) const;
+    bool isFree(const Pose& X_environmentPart) const;
+    bool count(bool valid, Usable usable) const;
+    void reportUnusable(const char* reason) const;
+
+    Scene scene_;
+    StateToPose stateToPose_;
+    std::shared_ptr<const std::uint64_t> id_;  ///< names this checker's scratch in each thread; tells when it is gone
+    mutable std::atomic<std::uint64_t> checks_{0}, invalid_{0}, outOfBounds_{0}, unusable_{0};
+    mutable std::atomic<bool> reportedUnusable_{false};
+};
+
+}  // namespace clearway::planning

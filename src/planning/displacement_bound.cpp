@@ -1,0 +1,65 @@
+#include "clearway/planning/displacement_bound.h"
+
+#include <ompl/base/spaces/SE2StateSpace.h>
+#include <ompl/base/spaces/SE3StateSpace.h>
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <typeinfo>
+
+#include "planning/part_state.h"
+
+namespace clearway::planning {
+namespace {
+
+namespace ob = ompl::base;
+
+// OMPL's slerp takes its own acos of quaternions that have unit length only to 1e-9; this also covers our rounding.
+constexpr double kUp = 1 + 1e-7;
+
+// sine of half the angle; below it the axis is not known well enough to split the translation along it.
+constexpr double kLeastAxisSine = 1e-6;
+
+double se3Bound(const ob::State* from, const ob::State* to, double radius) {
+    const PartState a = partStateOfSe3(from), b = partStateOfSe3(to);
+    const Eigen::Vector4d qa = a.rotation.coeffs().normalized();
+    Eigen::Vector4d qb = b.rotation.coeffs().normalized();
+    if (qa.dot(qb) < 0) qb = -qb;
+    const double angle = 4 * std::atan2((qa - qb).norm(), (qa + qb).norm());
+    const Vector3 d = b.position - a.position;
+
+    // Axis of the rotation qb * conjugate(qa), in the environment's frame.
+    const Vector3 axis = qa.w() * qb.head<3>() - qb.w() * qa.head<3>() - qb.head<3>().cross(qa.head<3>());
+    const double sine = axis.norm();
+    if (!(sine > kLeastAxisSine)) return (d.norm() + angle * radius) * kUp;
+    const double along = d.dot(axis) / sine;
+    const double across = (d - along / sine * axis).norm();
+    return std::hypot(along, across + angle * radius) * kUp;
+}
+
+double se2Bound(const ob::State* from, const ob::State* to, double radius) {
+    const auto* a = from->as<ob::SE2StateSpace::StateType>();
+    const auto* b = to->as<ob::SE2StateSpace::StateType>();
+    const double difference = std::abs(b->getYaw() - a->getYaw());  // OMPL turns the shorter way
+    const double turn = difference <= M_PI ? difference : std::abs(2 * M_PI - difference);
+    return (std::hypot(b->getX() - a->getX(), b->getY() - a->getY()) + turn * radius) * kUp;
+}
+
+}  // namespace
+
+DisplacementBound displacementBound(const ob::StateSpace& space, double partRadius) {
+    if (!(partRadius >= 0) || !std::isfinite(partRadius)) {
+        throw std::invalid_argument("partRadius is " + std::to_string(partRadius) + ", expected a finite number >= 0");
+    }
+    if (typeid(space) == typeid(ob::SE3StateSpace)) {
+        return [partRadius](const ob::State* a, const ob::State* b) { return se3Bound(a, b, partRadius); };
+    }
+    if (typeid(space) == typeid(ob::SE2StateSpace)) {
+        return [partRadius](const ob::State* a, const ob::State* b) { return se2Bound(a, b, partRadius); };
+    }
+    throw std::invalid_argument("state space '" + space.getName() +
+                                "' is neither OMPL's SE(3) nor its SE(2): a displacement bound of its own is needed");
+}
+
+}  // namespace clearway::planning
