@@ -40,7 +40,8 @@ double fraction(std::uint64_t i, std::uint64_t n) {
 
 }  // namespace
 
-DiscreteMotionValidator::DiscreteMotionValidator(const ob::SpaceInformationPtr& si, const Model& part, double step)
+DiscreteMotionValidator::DiscreteMotionValidator(const ob::SpaceInformationPtr& si, const Model& part,
+                                                 double step)
     : DiscreteMotionValidator(si, displacementBound(*si->getStateSpace(), part.radiusAboutOrigin()), step) {}
 
 DiscreteMotionValidator::DiscreteMotionValidator(const ob::SpaceInformationPtr& si, DisplacementBound bound,

@@ -15,7 +15,8 @@ namespace {
 
 namespace ob = ompl::base;
 
-// OMPL's slerp takes its own acos of quaternions that have unit length only to 1e-9; this also covers our rounding.
+// OMPL's slerp takes its own acos of quaternions that have unit length only to 1e-9; this also covers our
+// rounding.
 constexpr double kUp = 1 + 1e-7;
 
 // sine of half the angle; below it the axis is not known well enough to split the translation along it.
@@ -50,7 +51,8 @@ double se2Bound(const ob::State* from, const ob::State* to, double radius) {
 
 DisplacementBound displacementBound(const ob::StateSpace& space, double partRadius) {
     if (!(partRadius >= 0) || !std::isfinite(partRadius)) {
-        throw std::invalid_argument("partRadius is " + std::to_string(partRadius) + ", expected a finite number >= 0");
+        throw std::invalid_argument("partRadius is " + std::to_string(partRadius) +
+                                    ", expected a finite number >= 0");
     }
     if (typeid(space) == typeid(ob::SE3StateSpace)) {
         return [partRadius](const ob::State* a, const ob::State* b) { return se3Bound(a, b, partRadius); };
@@ -58,8 +60,9 @@ DisplacementBound displacementBound(const ob::StateSpace& space, double partRadi
     if (typeid(space) == typeid(ob::SE2StateSpace)) {
         return [partRadius](const ob::State* a, const ob::State* b) { return se2Bound(a, b, partRadius); };
     }
-    throw std::invalid_argument("state space '" + space.getName() +
-                                "' is neither OMPL's SE(3) nor its SE(2): a displacement bound of its own is needed");
+    throw std::invalid_argument(
+        "state space '" + space.getName() +
+        "' is neither OMPL's SE(3) nor its SE(2): a displacement bound of its own is needed");
 }
 
 }  // namespace clearway::planning

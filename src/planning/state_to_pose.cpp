@@ -48,8 +48,9 @@ StateToPose stateToPose(const ob::StateSpace& space) {
             return inner(state->as<ob::WrapperStateSpace::StateType>()->getState());
         };
     }
-    throw std::invalid_argument("state space '" + space.getName() +
-                                "' is neither SE(3) nor SE(2): a callback from its states to poses is needed");
+    throw std::invalid_argument(
+        "state space '" + space.getName() +
+        "' is neither SE(3) nor SE(2): a callback from its states to poses is needed");
 }
 
 }  // namespace clearway::planning

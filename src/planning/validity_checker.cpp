@@ -30,7 +30,8 @@ ValidityChecker::ValidityChecker(const ob::SpaceInformationPtr& si, Scene scene,
     }
     specs_.clearanceComputationType = ob::StateValidityCheckerSpecs::BOUNDED_APPROXIMATE;
     specs_.hasValidDirectionComputation = false;
-    // Models that cannot be queried together are the caller's mistake: better told here than inside a planner.
+    // Models that cannot be queried together are the caller's mistake: better told here than inside a
+    // planner.
     collides(scene_.part, scene_.environment, Pose(), threadWorkspace(id_));
 }
 
@@ -103,10 +104,12 @@ bool ValidityChecker::isFree(const Pose& X_environmentPart) const {
     return !isWithin(scene_.part, scene_.environment, X_environmentPart, scene_.margin, workspace);
 }
 
-// lower > margin and upper <= margin decide at once; only an interval that holds the margin asks a second time.
+// lower > margin and upper <= margin decide at once; only an interval that holds the margin asks a second
+// time.
 double ValidityChecker::signedClearance(const Pose& X_environmentPart) const {
     Workspace& workspace = threadWorkspace(id_);
-    const DistanceResult d = clearway::distance(scene_.part, scene_.environment, X_environmentPart, {}, workspace);
+    const DistanceResult d =
+        clearway::distance(scene_.part, scene_.environment, X_environmentPart, {}, workspace);
     const double above = d.lower - scene_.margin;
     const bool isSure = scene_.margin == 0 || d.lower > scene_.margin || d.upper <= scene_.margin;
     const bool valid = isSure ? d.upper > scene_.margin : isFree(X_environmentPart);

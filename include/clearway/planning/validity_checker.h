@@ -22,15 +22,16 @@ struct CheckCounters {
     std::uint64_t unusable = 0;     ///< of these, states without a pose, or whose callback threw
 };
 
-/// A state is valid when it satisfies the space's bounds and the distance between part and environment is larger than the
-/// scene's margin; with margin 0, when the two share no point.
+/// A state is valid when it satisfies the space's bounds and the distance between part and environment is
+/// larger than the scene's margin; with margin 0, when the two share no point.
 ///
-/// Any number of threads may use one checker: each has its own scratch and takes no lock. Nothing is thrown out of OMPL's
-/// callbacks: a state without a pose is invalid, counted, and logged once through OMPL's console.
+/// Any number of threads may use one checker: each has its own scratch and takes no lock. Nothing is thrown
+/// out of OMPL's callbacks: a state without a pose is invalid, counted, and logged once through OMPL's
+/// console.
 class ValidityChecker : public ompl::base::StateValidityChecker {
   public:
-    /// For OMPL's SE(3) and SE(2). Throws std::invalid_argument when si has another space (see stateToPose), the margin is
-    /// negative or not finite, or the two models cannot be queried together.
+    /// For OMPL's SE(3) and SE(2). Throws std::invalid_argument when si has another space (see stateToPose),
+    /// the margin is negative or not finite, or the two models cannot be queried together.
     ValidityChecker(const ompl::base::SpaceInformationPtr& si, Scene scene);
 
     /// For any space.
@@ -45,8 +46,9 @@ class ValidityChecker : public ompl::base::StateValidityChecker {
     bool isValid(const ompl::base::State* state, double& clearance, ompl::base::State* validState,
                  bool& validStateAvailable) const override;
 
-    /// A lower bound of distance - margin, in environment units. Above 0 exactly when the state is valid: it is raised to
-    /// the least positive double for a valid state and lowered to at most 0 for another one. It is no penetration depth.
+    /// A lower bound of distance - margin, in environment units. Above 0 exactly when the state is valid: it
+    /// is raised to the least positive double for a valid state and lowered to at most 0 for another one. It
+    /// is no penetration depth.
     double clearance(const ompl::base::State* state) const override;
     using ompl::base::StateValidityChecker::clearance;
 
@@ -70,7 +72,8 @@ class ValidityChecker : public ompl::base::StateValidityChecker {
 
     Scene scene_;
     StateToPose stateToPose_;
-    std::shared_ptr<const std::uint64_t> id_;  ///< names this checker's scratch in each thread; tells when it is gone
+    std::shared_ptr<const std::uint64_t>
+        id_;  ///< names this checker's scratch in each thread; tells when it is gone
     mutable std::atomic<std::uint64_t> checks_{0}, invalid_{0}, outOfBounds_{0}, unusable_{0};
     mutable std::atomic<bool> reportedUnusable_{false};
 };
