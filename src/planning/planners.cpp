@@ -61,8 +61,8 @@ struct NamedPlanner {
     bool isRepeatable;
 };
 
-// Not repeatable: several threads (AnytimePathShortening, CForest, pRRT, pSBL; PRM, PRMstar, SPARS and SPARStwo look for the
-// solution in a thread of their own, and take turns by the clock).
+// Not repeatable: several threads (AnytimePathShortening, CForest, pRRT, pSBL; PRM, PRMstar, SPARS and
+// SPARStwo look for the solution in a thread of their own, and take turns by the clock).
 constexpr NamedPlanner kPlanners[] = {
     {"ABITstar", make<og::ABITstar>, true},
     {"AITstar", make<og::AITstar>, true},
@@ -108,8 +108,8 @@ struct ShortName {
 };
 
 constexpr ShortName kShortNames[] = {
-    {"kpiece", "KPIECE1"},    {"bkpiece", "BKPIECE1"},          {"lbkpiece", "LBKPIECE1"},
-    {"spars2", "SPARStwo"},   {"aps", "AnytimePathShortening"},
+    {"kpiece", "KPIECE1"},  {"bkpiece", "BKPIECE1"},          {"lbkpiece", "LBKPIECE1"},
+    {"spars2", "SPARStwo"}, {"aps", "AnytimePathShortening"},
 };
 
 std::string listed(const std::vector<std::string>& names) {
@@ -136,10 +136,12 @@ bool holds(const ob::GenericParam& parameter) {
 
 bool isWhole(const ob::GenericParam& parameter) {
     return holds<int>(parameter) || holds<unsigned int>(parameter) || holds<long>(parameter) ||
-           holds<unsigned long>(parameter) || holds<long long>(parameter) || holds<unsigned long long>(parameter);
+           holds<unsigned long>(parameter) || holds<long long>(parameter) ||
+           holds<unsigned long long>(parameter);
 }
 
-/// What is wrong with the value: what was expected instead, or nothing. OMPL's own conversion reads "1x" as 1.
+/// What is wrong with the value: what was expected instead, or nothing. OMPL's own conversion reads "1x"
+/// as 1.
 std::string expectedInstead(const ob::GenericParam& parameter, const std::string& value) {
     if (holds<std::string>(parameter) || holds<char>(parameter)) return "";
     if (holds<bool>(parameter)) return value == "0" || value == "1" ? "" : "0 or 1";
@@ -192,7 +194,8 @@ void setParameter(ob::Planner& planner, const std::string& parameter, const std:
         throw std::invalid_argument("planner " + planner.getName() + " has no parameter '" + parameter +
                                     "', expected one of " + listed(names));
     }
-    const std::string problem = "parameter " + parameter + " of planner " + planner.getName() + " is '" + value + "'";
+    const std::string problem =
+        "parameter " + parameter + " of planner " + planner.getName() + " is '" + value + "'";
     const std::string expected = expectedInstead(*found->second, value);
     if (!expected.empty()) throw std::invalid_argument(problem + ", expected " + expected);
     bool isSet = false;
@@ -202,7 +205,8 @@ void setParameter(ob::Planner& planner, const std::string& parameter, const std:
     }
     if (!isSet) {
         const std::string& range = found->second->getRangeSuggestion();
-        throw std::invalid_argument(problem + ", which OMPL refuses" + (range.empty() ? "" : "; it suggests " + range));
+        throw std::invalid_argument(problem + ", which OMPL refuses" +
+                                    (range.empty() ? "" : "; it suggests " + range));
     }
 }
 

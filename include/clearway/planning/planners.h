@@ -14,12 +14,12 @@ namespace clearway::planning {
 /// OMPL's class names ("RRTConnect", "BITstar", ...), in alphabetical order.
 std::vector<std::string> plannerNames();
 
-/// OMPL's class name for a planner written in any case, or for one of OMPL.app's short names ("kpiece", "bkpiece",
-/// "lbkpiece", "spars2", "aps"). Throws std::invalid_argument that lists the known planners.
+/// OMPL's class name for a planner written in any case, or for one of OMPL.app's short names ("kpiece",
+/// "bkpiece", "lbkpiece", "spars2", "aps"). Throws std::invalid_argument that lists the known planners.
 std::string plannerClassName(const std::string& name);
 
-/// False for planners that use several threads or their own clock: the same seed and number of iterations may give
-/// another path. name: as plannerClassName takes it.
+/// False for planners that use several threads or their own clock: the same seed and number of iterations may
+/// give another path. name: as plannerClassName takes it.
 bool isRepeatable(const std::string& name);
 
 /// Throws like plannerClassName.
@@ -28,8 +28,8 @@ ompl::base::PlannerPtr makePlanner(const ompl::base::SpaceInformationPtr& si, co
 /// True when the planner declares such a parameter.
 bool hasParameter(const ompl::base::Planner& planner, const std::string& parameter);
 
-/// Sets one of the parameters that the planner declares. Throws std::invalid_argument when there is none of that name
-/// (lists them), or the value is not of its type or below the least one that OMPL suggests.
+/// Sets one of the parameters that the planner declares. Throws std::invalid_argument when there is none of
+/// that name (lists them), or the value is not of its type or below the least one that OMPL suggests.
 void setParameter(ompl::base::Planner& planner, const std::string& parameter, const std::string& value);
 
 }  // namespace clearway::planning

@@ -1,0 +1,84 @@
+// From a problem to a path: one call around OMPL, from the start state's check to the simplified, re-checked
+// path.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "clearway/problem.h"
+#include "clearway/query.h"
+#include "clearway/scene.h"
+
+namespace clearway::planning {
+
+constexpr double kDefaultSeconds = 30;
+
+struct PlanOptions {
+    /// OMPL's class name in any case. Empty: the problem's planner when it names exactly one, else
+    /// RRTConnect.
+    std::string planner;
+    /// On top of the problem's for this planner. An unknown one is refused; the problem's unknown ones are
+    /// warned of.
+    std::vector<std::pair<std::string, std::string>> parameters;
+
+    /// The planner ends after so many seconds, or when it has asked so many times whether to end, which is
+    /// the repeatable one: once an iteration for most planners. At most one of them; without either,
+    /// kDefaultSeconds.
+    std::optional<double> seconds;
+    std::optional<std::uint64_t> iterations;
+
+    std::uint32_t seed = 1;       ///< > 0; set before any OMPL object is made
+    std::optional<double> step;   ///< in place of the problem's; environment units
+    bool optimiseLength = false;  ///< asks planners that can to shorten the path for all the time they have
+    bool omplWeights = false;     ///< rotation as OMPL weights it, instead of by the part's radius
+
+    std::function<bool()>
+        isStopped;  ///< asked often, also from other threads; true ends the planning without a path
+};
+
+/// The state on the path where the part is closest to the environment, of all states looked at.
+struct LeastClearance {
+    PartState state;
+    double lower = 0;  ///< distance there is at least this, environment units
+    std::uint64_t statesChecked = 0;
+    std::string partMesh;  ///< names of the two closest meshes
+    std::string environmentMesh;
+};
+
+struct PlanReport {
+    enum class Outcome { kFound, kNotFound, kStopped };
+    Outcome outcome = Outcome::kNotFound;
+    std::string planner;
+    bool isRepeatable = false;  ///< with the same seed and number of iterations
+    double step = 0;
+    bool isStepDefault = false;  ///< nobody gave one: 1/500 of the part's diagonal
+    double guard =
+        0;  ///< extra distance kept at checked states, so that all states between them are valid too
+
+    std::vector<PartState> path;   ///< empty unless found
+    double length = 0;             ///< travelled by the origin of the part's coordinates
+    double turned = 0;             ///< radians, summed over the path
+    std::size_t statesBefore = 0;  ///< in the path as the planner found it
+    LeastClearance least;
+
+    double planningSeconds = 0;
+    double finishingSeconds = 0;  ///< simplifying and re-checking
+    std::uint64_t checks = 0;     ///< states asked about, in all
+    std::vector<std::string> warnings;
+};
+
+/// Plans for the scene (its margin counts; the problem's own margin and mesh files do not). The path begins
+/// at the problem's start, ends at its goal, and every state of it that was looked at is valid. Throws
+/// std::invalid_argument when an option is wrong, the problem names an unknown planner, the bounds leave out
+/// the start or the goal, or one of the two is not valid: then the message names the two closest meshes and
+/// triangles.
+PlanReport plan(const Problem& problem, const Scene& scene, const PlanOptions& options);
+
+/// The problem's meshes as a scene. buildOptions: for both trees.
+Scene loadScene(const Problem& problem, const BuildOptions& buildOptions = {});
+
+}  // namespace clearway::planning
