@@ -103,8 +103,8 @@ void setParameters(ob::Planner& planner, const Problem& problem, const PlanOptio
             if (hasParameter(planner, name)) {
                 setParameter(planner, name, value);
             } else {
-                warnings.push_back(problem.file + ": planner " + planner.getName() + " has no parameter '" +
-                                   name + "'; it is left out");
+                report.warnings.push_back(problem.file + ": planner " + report.planner +
+                                          " has no parameter '" + name + "'; it is left out");
             }
         }
         break;  // a planner named several times is several runs of a benchmark: the first one counts
@@ -181,11 +181,10 @@ Setup prepare(const Problem& problem, const Scene& scene, const PlanOptions& opt
 
 void describe(const Setup& setup, const Problem& problem, const og::PathGeometric& path, const Walk& walk,
               PlanReport& report) {
-    for (const ob::State* state : path.getStates()) {
-        report.path.push_back(fromOmpl(problem.space, state));
-        const std::size_t n = report.path.size();
-        if (n < 2) continue;
-        const PartState &a = report.path[n - 2], &b = report.path[n - 1];
+    for (unsigned int i = 0; i < path.getStateCount(); ++i) {
+        report.path.push_back(fromOmpl(problem.space, path.getState(i)));
+        if (i == 0) continue;
+        const PartState &a = report.path[i - 1], &b = report.path[i];
         report.length += (b.position - a.position).norm();
         report.turned += a.rotation.angularDistance(b.rotation);
     }

@@ -1,7 +1,5 @@
 #include "planning/walk.h"
 
-#include <ompl/base/ScopedState.h>
-
 #include <limits>
 
 namespace clearway::planning {

@@ -1,6 +1,7 @@
 // Goes along a path, state by state, and finds where the part is closest to its surroundings.
 #pragma once
 
+#include <ompl/base/ScopedState.h>
 #include <ompl/geometric/PathGeometric.h>
 
 #include <cstdint>
