@@ -61,7 +61,7 @@ po::typed_value<std::string>* optionValue(const char* shownAs) {
 }
 
 std::string Options::text(const std::string& name) const {
-    if (!has(name)) throw std::invalid_argument("--" + name + " is missing");
+    if (!has(name)) throw std::invalid_argument("--" + name + " is missing, expected: " + usage_);
     const std::string value = values_[name].as<std::string>();
     if (value.empty()) throw std::invalid_argument("--" + name + " is '', expected a value");
     return value;
@@ -107,7 +107,7 @@ std::optional<Options> parse(const CommandLine& commandLine, const Arguments& ar
         return std::nullopt;
     }
     try {
-        return Options(parseStrictly(commandLine, arguments));
+        return Options(parseStrictly(commandLine, arguments), commandLine.usage);
     } catch (const po::error& error) {
         throw std::invalid_argument(std::string(error.what()) + ", expected: " + commandLine.usage);
     }

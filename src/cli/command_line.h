@@ -19,7 +19,7 @@ struct CommandLine {
     std::string usage;                    ///< "clearway info MESH [options]"
     std::string purpose;                  ///< printed under the usage by --help
     std::vector<std::string> positional;  ///< names of the positional arguments, all of them required
-    boost::program_options::options_description options{"Options"};
+    boost::program_options::options_description options{"Options", 110};
 };
 
 /// A string value that --help shows under the given name: ("seed", optionValue("N"), "...").
@@ -29,7 +29,8 @@ boost::program_options::typed_value<std::string>* optionValue(const char* shownA
 /// was expected, when the value is wrong, and naming the option when it was not given.
 class Options {
   public:
-    explicit Options(boost::program_options::variables_map values) : values_(std::move(values)) {}
+    Options(boost::program_options::variables_map values, std::string usage)
+        : values_(std::move(values)), usage_(std::move(usage)) {}
 
     bool has(const std::string& name) const { return values_.count(name) > 0; }
     /// A positional argument or the value of an option. Never empty.
@@ -42,6 +43,7 @@ class Options {
     double number(const std::string& name, const char* expected) const;
     [[noreturn]] void refuse(const std::string& name, const char* expected) const;
     boost::program_options::variables_map values_;
+    std::string usage_;
 };
 
 /// The options given, or nothing when --help was among them and the help has been printed.

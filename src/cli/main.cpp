@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/print.h"
 #include "cli/subcommands.h"
 
 namespace clearway {
@@ -14,7 +15,10 @@ namespace clearway {
 namespace {
 
 /// In the order of --help.
-const std::vector<Subcommand> kSubcommands = {};
+constexpr Subcommand kSubcommands[] = {
+    {"info", "shows what a mesh or a problem holds and what its trees look like", info},
+    {"query", "asks for the distance or for contact at every pose of a file, and how fast", query},
+};
 
 std::string names() {
     std::string all;
@@ -66,7 +70,7 @@ int main(int argc, char** argv) {
     const clearway::Arguments words(argv + 1, argv + argc);
     try {
         const int code = clearway::run(words);
-        if (!std::cout.flush()) throw std::runtime_error("cannot write to standard output");
+        clearway::requirePrinted();
         return code;
     } catch (const std::exception& error) {
         std::cout.flush();

@@ -20,4 +20,7 @@ struct Subcommand {
     int (*run)(const Arguments& arguments);
 };
 
+int info(const Arguments& arguments);
+int query(const Arguments& arguments);
+
 }  // namespace clearway

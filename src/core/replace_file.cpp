@@ -28,11 +28,9 @@ struct TemporaryFile {
     ~TemporaryFile() { std::remove(name.c_str()); }
 };
 
-}  // namespace
-
-void replaceFile(const std::string& file, const std::function<void(std::ostream&)>& write) {
-    // Renaming over a device or a pipe would replace it, and renaming over a folder fails only after all the
-    // work.
+/// Renaming over a device or a pipe would replace it, and renaming over a folder fails only after all the
+/// work.
+void requireFileOrNothing(const std::string& file) {
     std::error_code ignored;
     const auto kind = std::filesystem::status(file, ignored).type();
     if (kind == std::filesystem::file_type::directory) {
@@ -42,15 +40,32 @@ void replaceFile(const std::string& file, const std::function<void(std::ostream&
         throw std::runtime_error("cannot write '" + file +
                                  "': it is no regular file, expected one or a new name");
     }
-    const TemporaryFile temporary{temporaryName(file)};
+}
+
+std::ofstream open(const TemporaryFile& temporary, const std::string& file) {
     errno = 0;
     std::ofstream stream(temporary.name, std::ios::binary | std::ios::trunc);
     if (!stream) refuse(file, "a folder that exists and may be written");
+    return stream;
+}
+
+}  // namespace
+
+void replaceFile(const std::string& file, const std::function<void(std::ostream&)>& write) {
+    requireFileOrNothing(file);
+    const TemporaryFile temporary{temporaryName(file)};
+    std::ofstream stream = open(temporary, file);
     write(stream);
     stream.close();
     if (!stream) refuse(file, "room for the whole file");
     errno = 0;
     if (std::rename(temporary.name.c_str(), file.c_str()) != 0) refuse(file, "a name that may be replaced");
+}
+
+void requireReplaceable(const std::string& file) {
+    requireFileOrNothing(file);
+    const TemporaryFile temporary{temporaryName(file)};
+    open(temporary, file);
 }
 
 }  // namespace clearway

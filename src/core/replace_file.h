@@ -12,4 +12,8 @@ namespace clearway {
 /// throws, the temporary file is removed and what was there before is untouched.
 void replaceFile(const std::string& file, const std::function<void(std::ostream&)>& write);
 
+/// Throws what replaceFile would throw before calling write: for saying so before long work rather than
+/// after.
+void requireReplaceable(const std::string& file);
+
 }  // namespace clearway

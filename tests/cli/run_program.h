@@ -1,0 +1,71 @@
+// Runs the clearway program in a folder and catches what it prints.
+#pragma once
+
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <boost/test/unit_test.hpp>
+#include <cstdlib>
+#include <map>
+#include <string>
+
+#include "support/temporary_folder.h"
+
+namespace clearway::testing {
+
+struct Outcome {
+    int code = -1;  ///< exit code; -1 when the program did not end by itself
+    std::string out;
+    std::string err;
+};
+
+/// arguments as a shell takes them; may redirect standard output.
+inline Outcome runIn(const TemporaryFolder& folder, const std::string& arguments) {
+    const TemporaryFolder caught;
+    const std::string command = "cd '" + folder.path() + "' && " CLEARWAY_PROGRAM " 2> '" +
+                                caught.file("err") + "' > '" + caught.file("out") + "' " + arguments;
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, readText(caught.file("out")),
+            readText(caught.file("err"))};
+}
+
+/// The value of a "label:  value" row; the first one when there are several.
+inline std::string row(const Outcome& outcome, const std::string& label) {
+    const std::string text = "\n" + outcome.out;
+    const std::size_t begin = text.find("\n" + label + ":");
+    BOOST_TEST_REQUIRE(begin != std::string::npos, "no row '" << label << "' in:" << text);
+    const std::size_t value = text.find_first_not_of(' ', begin + label.size() + 2);
+    return text.substr(value, text.find('\n', value) - value);
+}
+
+/// Bad input or usage: exit code 2, exactly one line on stderr that holds all the words, and no file come or
+/// gone.
+inline void requireRefused(const TemporaryFolder& folder, const std::string& arguments,
+                           const std::vector<std::string>& words) {
+    const std::vector<std::string> before = folder.names();
+    const Outcome outcome = runIn(folder, arguments);
+    BOOST_TEST(outcome.code == 2, "exit code " << outcome.code << " of: " << arguments);
+    BOOST_TEST(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1,
+               arguments << " said: " << outcome.err);
+    BOOST_TEST(outcome.err.compare(0, 10, "clearway: ") == 0, arguments << " said: " << outcome.err);
+    for (const std::string& word : words) {
+        BOOST_TEST(outcome.err.find(word) != std::string::npos,
+                   "no \"" << word << "\" in what " << arguments << " said: " << outcome.err);
+    }
+    BOOST_TEST(folder.names() == before, boost::test_tools::per_element());
+}
+
+/// A closed box with its corners at low and high, as the text of an .obj file.
+inline std::string boxObj(double low, double high, const std::string& name = "box") {
+    std::string text = "o " + name + "\n";
+    for (int corner = 0; corner < 8; ++corner) {
+        text += "v";
+        for (int axis = 0; axis < 3; ++axis) text += " " + std::to_string(corner >> axis & 1 ? high : low);
+        text += "\n";
+    }
+    return text +
+           "f 1 3 4\nf 1 4 2\nf 5 6 8\nf 5 8 7\nf 1 2 6\nf 1 6 5\nf 3 7 8\nf 3 8 4\nf 1 5 7\nf 1 7 3\nf 2 4 "
+           "8\nf 2 8 6\n";
+}
+
+}  // namespace clearway::testing
