@@ -28,7 +28,7 @@ set(layers_below_model core mesh bounds tree kernels build exact query solid)
 
 # Which files may see a library, by its include folder; every other file may not.
 set(hwy_users "^src/(kernels|query)/")
-set(assimp_users "^src/mesh/(load|save|export)_assimp[.]cpp$")
+set(assimp_users "^src/mesh/(load_assimp|save)[.]cpp$")
 set(embree3_users "^src/(build|render)/")
 set(embree4_users "^src/(build|render)/")
 set(ompl_users "^(src/(planning|cli)|include/clearway/planning|demos)/")
