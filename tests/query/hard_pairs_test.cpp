@@ -34,6 +34,7 @@ const std::vector<PairCase>& pairCases() {
         std::vector<PairCase> result;
         Random random(kSeed);
         for (const TriangleFamily& family : hardTriangleFamilies()) {
+            if (family.name == "denormals") continue;  // of sizes too far apart; see below
             for (int i = 0; i < 24; ++i) {
                 const Pose pose = i % 3 == 2 ? random.pose(300) : Pose{};
                 const std::string name =
@@ -49,7 +50,7 @@ const std::vector<PairCase>& pairCases() {
 // Beside the accuracy promised relative to the scene there is rounding of the coordinates themselves.
 double accuracyOf(const QueryCase& queryCase) {
     return std::max(kAccuracy * queryCase.oracle->sceneSize(),
-                    32 * kUnitRoundoff * largestCoordinate(queryCase, queryCase.poses[0]));
+                    64 * kUnitRoundoff * largestCoordinate(queryCase, queryCase.poses[0]));
 }
 
 }  // namespace
@@ -118,4 +119,30 @@ BOOST_DATA_TEST_CASE(verdicts_on_hard_pairs_agree_and_miss_no_contact, eachTarge
         }
     }
     BOOST_TEST(contacts > 80);
+}
+
+BOOST_DATA_TEST_CASE(sizes_too_far_apart_are_refused_by_name, eachTarget() * eachWidth(), target, width) {
+    const UsingTarget using_(target);
+    Random random(kSeed);
+    const Mesh mesh = randomSoup(random, 5, 1, 1);
+    for (const int exponent : {-1020, -80, -40, 40, 80, 900}) {
+        const QueryCase queryCase =
+            makeCase("sizes", scaledBy(mesh, std::ldexp(1.0, exponent)), mesh, {Pose{}});
+        BuildOptions options;
+        options.nodeWidth = width;
+        const ModelPair models = buildPair(queryCase, options);
+        Workspace workspace;
+        BOOST_TEST_CONTEXT("part 2^" << exponent << " times as large") {
+            if (std::abs(exponent) < 60) {
+                checkDistance(distance(models.part, models.environment, Pose{}, {}, workspace), queryCase,
+                              Pose{}, queryCase.answers[0]);
+                continue;
+            }
+            BOOST_CHECK_EXCEPTION(collides(models.part, models.environment, Pose{}, workspace),
+                                  std::invalid_argument, [](const std::invalid_argument& error) {
+                                      return std::string(error.what()).find("expected 2^-60 to 2^60") !=
+                                             std::string::npos;
+                                  });
+        }
+    }
 }
