@@ -20,15 +20,23 @@ struct Corners {
     Vector3 normal() const { return edge(0).cross(p[2] - p[0]); }
 };
 
+/// A point of a triangle, and where it lies on it: corner + s (next corner - corner) + t (last corner -
+/// corner).
+struct OnTriangle {
+    Vector3 x = Vector3::Zero();
+    int corner = 0;
+    double s = 0, t = 0;
+};
+
 struct PointPair {
-    Vector3 onPart = Vector3::Zero();
-    Vector3 onEnvironment = Vector3::Zero();
+    OnTriangle onPart, onEnvironment;
     double squared = std::numeric_limits<double>::infinity();
 
-    void take(const Vector3& a, const Vector3& b) {
-        const double candidate = (b - a).squaredNorm();
+    void take(const OnTriangle& a, const OnTriangle& b) {
+        const double candidate = (b.x - a.x).squaredNorm();
         if (candidate < squared) *this = {a, b, candidate};
     }
+    Vector3 difference() const { return onEnvironment.x - onPart.x; }
 };
 
 double quotientOrZero(double a, double b) {
@@ -38,33 +46,37 @@ double clampToUnit(double x) {
     return std::min(std::max(x, 0.0), 1.0);
 }
 
-void takeEdges(const Vector3& p, const Vector3& u, const Vector3& q, const Vector3& v, PointPair& best) {
-    const Vector3 w = q - p, n = u.cross(v);
+OnTriangle onEdge(const Corners& triangle, int k, double s) {
+    return {triangle.p[k] + s * triangle.edge(k), k, s, 0};
+}
+
+void takeEdges(const Corners& a, int i, const Corners& b, int j, PointPair& best) {
+    const Vector3 u = a.edge(i), v = b.edge(j), w = b.p[j] - a.p[i], n = u.cross(v);
     const double uv = u.dot(v);
     double s = clampToUnit(quotientOrZero(w.cross(v).dot(n), n.squaredNorm()));
     const double t = clampToUnit(quotientOrZero(s * uv - w.dot(v), v.squaredNorm()));
     s = clampToUnit(quotientOrZero(t * uv + w.dot(u), u.squaredNorm()));
-    best.take(p + s * u, q + t * v);
+    best.take(onEdge(a, i, s), onEdge(b, j, t));
 }
 
 /// The point of the triangle below x; where it is not below the face, a point of the triangle all the same.
-Vector3 pointBelow(const Vector3& x, const Corners& triangle) {
+OnTriangle pointBelow(const Vector3& x, const Corners& triangle) {
     const Vector3 u = triangle.edge(0), v = triangle.p[2] - triangle.p[0], n = u.cross(v),
                   w = x - triangle.p[0];
     const double nn = n.squaredNorm();
     const double s = clampToUnit(quotientOrZero(w.cross(v).dot(n), nn));
     const double t = std::min(std::max(quotientOrZero(u.cross(w).dot(n), nn), 0.0), 1 - s);
-    return triangle.p[0] + s * u + t * v;
+    return {triangle.p[0] + s * u + t * v, 0, s, t};
 }
 
 PointPair closestPoints(const Corners& a, const Corners& b) {
     PointPair best;
     for (int i = 0; i < 3; ++i) {
-        for (int j = 0; j < 3; ++j) takeEdges(a.p[i], a.edge(i), b.p[j], b.edge(j), best);
+        for (int j = 0; j < 3; ++j) takeEdges(a, i, b, j, best);
     }
     for (int k = 0; k < 3; ++k) {
-        best.take(a.p[k], pointBelow(a.p[k], b));
-        best.take(pointBelow(b.p[k], a), b.p[k]);
+        best.take(onEdge(a, k, 0), pointBelow(a.p[k], b));
+        best.take(pointBelow(b.p[k], a), onEdge(b, k, 0));
     }
     return best;
 }
@@ -73,11 +85,10 @@ PointPair closestPoints(const Corners& a, const Corners& b) {
 void takeCrossings(const Corners& edges, const Corners& face, bool edgesAreParts, PointPair& best) {
     const Vector3 n = face.normal();
     for (int k = 0; k < 3; ++k) {
-        const Vector3 start = edges.p[k], along = edges.edge(k);
-        const double from = n.dot(start - face.p[0]), to = n.dot(start + along - face.p[0]);
+        const double from = n.dot(edges.p[k] - face.p[0]), to = n.dot(edges.p[k] + edges.edge(k) - face.p[0]);
         if (!(from * to <= 0) || from == to) continue;
-        const Vector3 crossing = start + along * clampToUnit(from / (from - to));
-        const Vector3 below = pointBelow(crossing, face);
+        const OnTriangle crossing = onEdge(edges, k, clampToUnit(from / (from - to)));
+        const OnTriangle below = pointBelow(crossing.x, face);
         if (edgesAreParts) {
             best.take(crossing, below);
         } else {
@@ -124,6 +135,14 @@ double bestOfManyGaps(const Vector3& difference, const Corners& a, const Corners
     return gap;
 }
 
+/// The lower bound, tried harder while it is not within slack of the distance.
+double widestGap(const PointPair& closest, const Corners& a, const Corners& b, double slack) {
+    const double gap =
+        std::max({slabGap(closest.difference(), a, b), slabGap(a.normal(), a, b), slabGap(b.normal(), a, b)});
+    if (std::sqrt(closest.squared) - gap <= slack) return gap;
+    return std::max(gap, bestOfManyGaps(closest.difference(), a, b));
+}
+
 Corners movedCorners(const PairQuery& query, std::uint32_t triangle) {
     const FlatTree& tree = *query.part;
     Corners corners;
@@ -143,11 +162,39 @@ Corners fixedCorners(const PairQuery& query, std::uint32_t triangle) {
     return corners;
 }
 
+/// The point again, with twice the digits and rounded once: off the triangle of these corners by at most
+/// 1.8 u64 of its largest coordinate, and by as much again where fl(1 - s) made s + t exceed 1.
+Vector3 placed(const OnTriangle& point, const Corners& triangle) {
+    const Vector3 &first = triangle.p[point.corner], &next = triangle.p[(point.corner + 1) % 3],
+                  &last = triangle.p[(point.corner + 2) % 3];
+    Vector3 x;
+    for (int k = 0; k < 3; ++k) {
+        const DoubleDouble u = twoSum(next[k], -first[k]), v = twoSum(last[k], -first[k]);
+        const DoubleDouble su = twoProduct(point.s, u.high), tv = twoProduct(point.t, v.high);
+        const DoubleDouble way = twoSum(su.high, tv.high), sum = twoSum(first[k], way.high);
+        x[k] = sum.high + (sum.low + way.low + su.low + tv.low + point.s * u.low + point.t * v.low);
+    }
+    return x;
+}
+
+/// |p - q|, off by at most 1.5 u64 of itself.
+double lengthBetween(const Vector3& p, const Vector3& q) {
+    DoubleDouble squared{0, 0};
+    for (int k = 0; k < 3; ++k) {
+        const DoubleDouble difference = twoSum(p[k], -q[k]);
+        const DoubleDouble square = twoProduct(difference.high, difference.high);
+        const DoubleDouble sum = twoSum(squared.high, square.high);
+        squared = {sum.high, squared.low + sum.low + square.low + 2 * difference.high * difference.low};
+    }
+    return std::sqrt(squared.high + squared.low);
+}
+
 }  // namespace
 
 ResolvedPair resolvePair(const PairQuery& query, std::uint32_t partTriangle,
                          std::uint32_t environmentTriangle) {
-    Corners a = movedCorners(query, partTriangle), b = fixedCorners(query, environmentTriangle);
+    const Corners moved = movedCorners(query, partTriangle), fixed = fixedCorners(query, environmentTriangle);
+    Corners a = moved, b = fixed;
     // Near the pair, so that what follows rounds in the pair's size; differences of near doubles are exact.
     const Vector3 base = b.p[0];
     double size = 0;
@@ -161,31 +208,31 @@ ResolvedPair resolvePair(const PairQuery& query, std::uint32_t partTriangle,
     PointPair closest = closestPoints(a, b);
     const double M = query.largestCoordinate;
     // First order, vectors, in u64: moved corners 1.8 M; differences from the base 1.8 + 1.8, products of a
-    // slab gap 5.2 + 5.2 and their difference 3.5 times the size. The lengths of the direction and of the
-    // point pair cost 5 of the gap itself.
+    // slab gap 5.2 + 5.2 and their difference 3.5 times the size. The length of the direction costs 5 of the
+    // gap itself.
     const double slack = kUnitRoundoffDouble * (2 * M + 18 * size);
     constexpr double kLengthRoundoffs = 5 * kUnitRoundoffDouble;
-    const double distance = std::sqrt(closest.squared);
-
-    double gap = std::max({slabGap(closest.onEnvironment - closest.onPart, a, b), slabGap(a.normal(), a, b),
-                           slabGap(b.normal(), a, b)});
-    if (!(distance - gap <= slack)) {
-        gap = std::max(gap, bestOfManyGaps(closest.onEnvironment - closest.onPart, a, b));
-    }
-
+    const double gap = widestGap(closest, a, b, slack);
     ResolvedPair resolved;
     resolved.contact = !(gap > std::max(kContactRoundoffs * kUnitRoundoffDouble * M, slack));
     if (resolved.contact) {
         takeCrossings(a, b, true, closest);
         takeCrossings(b, a, false, closest);
-        closest.onPart = closest.onEnvironment = 0.5 * (closest.onPart + closest.onEnvironment);
+    }
+    Vector3 onPart = placed(closest.onPart, moved), onEnvironment = placed(closest.onEnvironment, fixed);
+    if (resolved.contact) {
+        onPart = onEnvironment = 0.5 * (onPart + onEnvironment);
     } else {
+        // Each point is one of its triangle's but for u64 M: the part's rounded corners 1.8; a point within
+        // an edge 1.8, two of them at most; a corner 0 and its point on a face 3.6.
+        constexpr double kPointRoundoffs = 6;
         resolved.lower = std::max(0.0, gap * (1 - kLengthRoundoffs) - slack);
-        resolved.upper = distance * (1 + kLengthRoundoffs) + slack;
+        resolved.upper = lengthBetween(onPart, onEnvironment) * (1 + 2 * kUnitRoundoffDouble) +
+                         kPointRoundoffs * kUnitRoundoffDouble * M;
     }
     for (int k = 0; k < 3; ++k) {
-        resolved.pointOnPart[k] = closest.onPart[k] + base[k];
-        resolved.pointOnEnvironment[k] = closest.onEnvironment[k] + base[k];
+        resolved.pointOnPart[k] = onPart[k];
+        resolved.pointOnEnvironment[k] = onEnvironment[k];
     }
     return resolved;
 }
