@@ -191,9 +191,9 @@ BOOST_AUTO_TEST_CASE(models_of_different_node_widths_are_refused) {
     const Model environment = Model::build(queryCase.environment, ofWidth(8));
     Workspace workspace;
     const Pose& pose = queryCase.poses[0];
-    checkRefused([&] { distance(part, environment, pose, {}, workspace); }, {"width", "2", "8"});
-    checkRefused([&] { collides(part, environment, pose, workspace); }, {"width", "2", "8"});
-    checkRefused([&] { isWithin(part, environment, pose, 1, workspace); }, {"width", "2", "8"});
+    checkRefused([&] { distance(part, environment, pose, {}, workspace); }, {"nodeWidth", "2", "8"});
+    checkRefused([&] { collides(part, environment, pose, workspace); }, {"nodeWidth", "2", "8"});
+    checkRefused([&] { isWithin(part, environment, pose, 1, workspace); }, {"nodeWidth", "2", "8"});
 }
 
 BOOST_AUTO_TEST_CASE(a_workspace_serves_again_after_a_refusal) {

@@ -122,7 +122,7 @@ BOOST_DATA_TEST_CASE(interlocked_rings_and_pegs_are_apart_until_they_touch, each
     const Mesh ring = torus(20, 4, 12);
     const QueryCase rings = makeCase(
         "interlocked rings", ring, ring,
-        {{upright, {20, 0, 0}}, {upright, {14, 0, 0}}, {upright, {12, 0.5, 0.5}}, {upright, {9, 0, 0}}});
+        {{upright, {20, 0, 0}}, {upright, {14, 0, 0}}, {upright, {12, 0.5, 0.5}}, {upright, {5, 0, 0}}});
     BOOST_TEST(rings.answers[0].distance > 8.0);
     BOOST_TEST(rings.answers[3].distance == 0.0);
     checkBothWidths(rings);

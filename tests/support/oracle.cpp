@@ -152,7 +152,12 @@ double MeshOracle::pairDistance(const Pose& X_environmentPart, std::size_t partT
                                 std::size_t environmentTriangle) const {
     const std::array<Vector3, 3> a = cornersOf(data_->part, partTriangle);
     const std::array<Vector3, 3> b = cornersOf(data_->environment, environmentTriangle);
-    return static_cast<double>(exactDistance(X_environmentPart, a, b));
+    const LongTriangle movedPart = moved(X_environmentPart, a), fixed = toLong(b);
+    const long double largest = std::max(largestCoordinate({movedPart.begin(), movedPart.end()}),
+                                         largestCoordinate({fixed.begin(), fixed.end()}));
+    const long double distance = triangleDistance(movedPart, fixed).distance;
+    return static_cast<double>(distance > kDoubtful * largest ? distance
+                                                              : exactDistance(X_environmentPart, a, b));
 }
 
 OracleAnswer bruteForceDistance(const Mesh& part, const Mesh& environment, const Pose& X_environmentPart) {
