@@ -35,10 +35,13 @@ struct FloatRss {
     float radius;
 };
 
-/// The tightest RSS around the points whose rectangle lies along the frame's first two columns (orthonormal).
+/// Larsen's fit around the points, whose rectangle lies along the frame's first two columns (orthonormal; the
+/// longer side may be either). Holds every point up to rounding in double. At least one point; scaling all by
+/// a power of two scales the result exactly, and the order of the points does not matter.
 Rss fitRss(const std::vector<Vector3>& points, const Matrix3& axes);
 
-/// The RSS of the points in the frame of their covariance, smallest spread as the normal.
+/// The RSS of the points in the frame of their covariance: a0 along the greatest spread, the normal along the
+/// smallest. A point that comes twice weighs twice.
 Rss fitRss(const std::vector<Vector3>& points);
 
 /// Rounds the rectangle to floats ((x - origin) / unit), then takes as radius the largest distance, in

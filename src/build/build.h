@@ -8,7 +8,8 @@
 
 namespace clearway {
 
-/// Any general split with any leaf split. options: as requireBuildOptions accepts.
+/// Any general split with any leaf split; each node's volume fitted to the corners of the triangles below it.
+/// options: as requireBuildOptions accepts.
 BinaryTree buildBinaryTree(const CleanMesh& mesh, const BuildOptions& options);
 
 /// Wide nodes made by opening, again and again, the inner child of largest area; width 2 keeps the binary

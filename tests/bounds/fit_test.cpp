@@ -66,6 +66,23 @@ BOOST_AUTO_TEST_CASE(corners_are_pushed_out_no_farther_than_needed) {
     BOOST_TEST(pushed.halfLength1 == 2 + push, boost::test_tools::tolerance(1e-14));
 }
 
+BOOST_AUTO_TEST_CASE(the_order_of_the_points_does_not_matter) {
+    constexpr std::uint64_t kSeed = 8;
+    BOOST_TEST_CONTEXT("seed " << kSeed) {
+        Random random(kSeed);
+        for (int round = 0; round < 300; ++round) {
+            const std::vector<Vector3> points = randomCloud(random);
+            const Matrix3 axes = random.rotation();
+            const Rss forwards = fitRss(points, axes);
+            const Rss backwards = fitRss({points.rbegin(), points.rend()}, axes);
+            BOOST_REQUIRE(forwards.centre == backwards.centre);
+            BOOST_REQUIRE(forwards.halfLength0 == backwards.halfLength0);
+            BOOST_REQUIRE(forwards.halfLength1 == backwards.halfLength1);
+            BOOST_REQUIRE(forwards.radius == backwards.radius);
+        }
+    }
+}
+
 BOOST_AUTO_TEST_CASE(swept_shapes_are_fitted_by_themselves) {
     std::vector<Vector3> ball;
     std::vector<Vector3> capsule;
