@@ -53,11 +53,12 @@ int run(const Arguments& words) {
                                 ", or --help");
 }
 
-/// A message is one line, whatever text of a file or of a library it quotes.
+/// A message is one line of plain characters, whatever it quotes of a file or of a library.
 std::string oneLine(std::string message) {
     while (!message.empty() && message.back() == '\n') message.pop_back();
-    std::replace_if(
-        message.begin(), message.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+    for (char& c : message) {
+        if (static_cast<unsigned char>(c) < ' ' || c == '\x7F') c = ' ';
+    }
     return message;
 }
 
