@@ -57,9 +57,41 @@ HWY_INLINE Lanes3<V> FaceDifference(D d, const Lanes3<V>& w, const Lanes3<V>& u,
     return AddScaled(AddScaled(Lanes3<V>{hn::Neg(w.x), hn::Neg(w.y), hn::Neg(w.z)}, s, u), t, v);
 }
 
+/// A pair of triangles with what both the first cull and the distance need.
 /// a, b: corners relative to a point near both, so that their rounding is that of small numbers.
+template <class V>
+struct TrianglePair {
+    Triangles<V> a, b;
+    Lanes3<V> edgeA[3], edgeB[3];
+    Lanes3<V> spanA, spanB;  ///< corner 0 to corner 2
+    Lanes3<V> normalA, normalB;
+
+    HWY_INLINE TrianglePair(const Triangles<V>& first, const Triangles<V>& second) : a(first), b(second) {
+        for (int k = 0; k < 3; ++k) {
+            edgeA[k] = a.corner[(k + 1) % 3] - a.corner[k];
+            edgeB[k] = b.corner[(k + 1) % 3] - b.corner[k];
+        }
+        spanA = a.corner[2] - a.corner[0];
+        spanB = b.corner[2] - b.corner[0];
+        normalA = Cross(edgeA[0], spanA);
+        normalB = Cross(edgeB[0], spanB);
+    }
+};
+
+/// A lower bound, but for rounding, that costs little: slabs across the difference of the centroids and both
+/// normals.
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE TriangleBounds<V> TriangleDistance(D d, const Triangles<V>& a, const Triangles<V>& b) {
+HWY_INLINE V CheapSeparation(D d, const TrianglePair<V>& pair) {
+    const auto sum = [](const Triangles<V>& t) HWY_ATTR { return t.corner[0] + t.corner[1] + t.corner[2]; };
+    const V across = SlabGap(d, sum(pair.b) - sum(pair.a), pair.a, pair.b);
+    return hn::Max(
+        across, hn::Max(SlabGap(d, pair.normalA, pair.a, pair.b), SlabGap(d, pair.normalB, pair.a, pair.b)));
+}
+
+/// cheap: CheapSeparation of the pair.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE TriangleBounds<V> TriangleDistance(D d, const TrianglePair<V>& pair, V cheap) {
+    const Triangles<V>&a = pair.a, &b = pair.b;
     Lanes3<V> best = b.corner[0] - a.corner[0];
     V bestSquared = Dot(best, best);
     const auto take = [&](const Lanes3<V>& v) HWY_ATTR {
@@ -69,26 +101,20 @@ HWY_INLINE TriangleBounds<V> TriangleDistance(D d, const Triangles<V>& a, const 
         bestSquared = hn::IfThenElse(nearer, squared, bestSquared);
     };
 
-    Lanes3<V> edgeA[3], edgeB[3];
-    for (int k = 0; k < 3; ++k) {
-        edgeA[k] = a.corner[(k + 1) % 3] - a.corner[k];
-        edgeB[k] = b.corner[(k + 1) % 3] - b.corner[k];
-    }
     for (int i = 0; i < 3; ++i) {
-        for (int j = 0; j < 3; ++j) take(EdgeDifference(d, b.corner[j] - a.corner[i], edgeA[i], edgeB[j]));
+        for (int j = 0; j < 3; ++j) {
+            take(EdgeDifference(d, b.corner[j] - a.corner[i], pair.edgeA[i], pair.edgeB[j]));
+        }
     }
-
-    const Lanes3<V> spanA = a.corner[2] - a.corner[0], spanB = b.corner[2] - b.corner[0];
-    const Lanes3<V> normalA = Cross(edgeA[0], spanA), normalB = Cross(edgeB[0], spanB);
-    const V normalASquared = Dot(normalA, normalA), normalBSquared = Dot(normalB, normalB);
+    const V normalASquared = Dot(pair.normalA, pair.normalA),
+            normalBSquared = Dot(pair.normalB, pair.normalB);
     for (int i = 0; i < 3; ++i) {
-        take(FaceDifference(d, a.corner[i] - b.corner[0], edgeB[0], spanB, normalB, normalBSquared));
-        take(FaceDifference(d, b.corner[i] - a.corner[0], edgeA[0], spanA, normalA, normalASquared));
+        take(FaceDifference(d, a.corner[i] - b.corner[0], pair.edgeB[0], pair.spanB, pair.normalB,
+                            normalBSquared));
+        take(FaceDifference(d, b.corner[i] - a.corner[0], pair.edgeA[0], pair.spanA, pair.normalA,
+                            normalASquared));
     }
-
-    const V lower =
-        hn::Max(SlabGap(d, best, a, b), hn::Max(SlabGap(d, normalA, a, b), SlabGap(d, normalB, a, b)));
-    return {lower, hn::Sqrt(bestSquared)};
+    return {hn::Max(SlabGap(d, best, a, b), cheap), hn::Sqrt(bestSquared)};
 }
 
 }  // namespace HWY_NAMESPACE

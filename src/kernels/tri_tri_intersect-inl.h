@@ -3,7 +3,7 @@
 // products of edges. Gottschalk's separating axes; the gap, not a sign, is what comes back, so that rounding
 // can be taken from it. Coplanar pairs are left to the resolution in double: their gap is not above 0.
 #include "hwy/highway.h"
-#include "kernels/certificate-inl.h"
+#include "kernels/tri_tri_distance-inl.h"
 #include "kernels/vector3-inl.h"
 
 #if defined(CLEARWAY_KERNELS_TRI_TRI_INTERSECT_INL_H_) == defined(HWY_TARGET_TOGGLE)
@@ -18,18 +18,16 @@ namespace clearway {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// A lower bound of the distance but for rounding; above 0 exactly when a direction separates the two.
+/// Widest slab gap across the 9 cross products of edges: a lower bound of the distance but for rounding. Its
+/// larger with CheapSeparation, which has the normals, is above 0 exactly when one of the directions
+/// separates the two.
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE V TriangleSeparation(D d, const Triangles<V>& a, const Triangles<V>& b) {
-    Lanes3<V> edgeA[3], edgeB[3];
-    for (int k = 0; k < 3; ++k) {
-        edgeA[k] = a.corner[(k + 1) % 3] - a.corner[k];
-        edgeB[k] = b.corner[(k + 1) % 3] - b.corner[k];
-    }
-    V gap = SlabGap(d, Cross(edgeA[0], edgeA[1]), a, b);
-    gap = hn::Max(gap, SlabGap(d, Cross(edgeB[0], edgeB[1]), a, b));
+HWY_INLINE V EdgeSeparation(D d, const TrianglePair<V>& pair) {
+    V gap = hn::Set(d, -hwy::HighestValue<float>());
     for (int i = 0; i < 3; ++i) {
-        for (int j = 0; j < 3; ++j) gap = hn::Max(gap, SlabGap(d, Cross(edgeA[i], edgeB[j]), a, b));
+        for (int j = 0; j < 3; ++j) {
+            gap = hn::Max(gap, SlabGap(d, Cross(pair.edgeA[i], pair.edgeB[j]), pair.a, pair.b));
+        }
     }
     return gap;
 }

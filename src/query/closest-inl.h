@@ -32,33 +32,29 @@ class Closest {
     HWY_INLINE void leaves(float bound, const Leaf& part, const Leaf& environment) {
         const LeafPairs pairs(query_, part, environment);
         state_.counters.triangleTests += std::uint64_t(pairs.total());
-        const float error = pairs.roundingError();
         const hn::CappedTag<float, kPairLanes> d;
+        const auto error = hn::Set(d, pairs.roundingError());
         PairLanes lanes;
-        alignas(64) float lower[kPairLanes], upper[kPairLanes];
+        alignas(64) float proved[kPairLanes], upper[kPairLanes];
 
-        for (int first = 0; first < pairs.total() && !done(); first += kPairLanes) {
-            const int count = pairs.fill(first, lanes);
-            for (size_t lane = 0; lane < size_t(count); lane += hn::Lanes(d)) {
-                const auto bounds = TriangleDistance(d, LoadTriangles(d, lanes.part, lane),
-                                                     LoadTriangles(d, lanes.environment, lane));
-                hn::Store(bounds.lower, d, lower + lane);
-                hn::Store(bounds.upper, d, upper + lane);
-            }
-            for (int lane = 0; lane < count && !done(); ++lane) {
-                const std::uint32_t a = pairs.partTriangle(first + lane),
-                                    b = pairs.environmentTriangle(first + lane);
-                const float proved = lower[lane] - error;
-                if (!(proved > kAlwaysResolved)) {
-                    resolve(a, b);  // may touch, pierce or be ill-conditioned: float says nothing about it
-                } else if (!drops(proved)) {
-                    // The volumes may have proved more than the triangles' slabs.
-                    state_.candidates.push({proved > bound ? proved : bound, a, b});
-                    const double least = double(upper[lane]) + double(error);
-                    if (least < leastUpper_) {
-                        nearest_ = state_.candidates[state_.candidates.size() - 1];
-                        shrink(least);
-                    }
+        const int n = pairs.partCount(), step = pairs.partTrianglesAtOnce();
+        for (int first = 0; first < n && !done(); first += step) {
+            const int count = pairs.fill(first, first + step < n ? first + step : n, lanes);
+            for (size_t lane = 0; lane < size_t(count) && !done(); lane += hn::Lanes(d)) {
+                const TrianglePair<hn::Vec<decltype(d)>> pair(LoadTriangles(d, lanes.part, lane),
+                                                              LoadTriangles(d, lanes.environment, lane));
+                const auto cheap = CheapSeparation(d, pair);
+                const auto dropFrom = hn::Set(d, dropFrom_);
+                if (hn::AllTrue(d, hn::Ge(hn::Sub(cheap, error), dropFrom))) continue;
+                const auto bounds = TriangleDistance(d, pair, cheap);
+                hn::Store(hn::Sub(bounds.lower, error), d, proved);
+                hn::Store(hn::Add(bounds.upper, error), d, upper);
+                const int used =
+                    int(hn::Lanes(d)) < count - int(lane) ? int(hn::Lanes(d)) : count - int(lane);
+                for (int k = 0; k < used && !done(); ++k) {
+                    const int at = int(lane) + k;
+                    take({proved[k], pairs.partTriangle(first, at), pairs.environmentTriangle(at)}, bound,
+                         upper[k]);
                 }
             }
         }
@@ -106,6 +102,20 @@ class Closest {
     }
 
   private:
+    /// A pair with its proved lower bound, its volumes' bound and a true upper bound, all of float's work.
+    HWY_INLINE void take(Candidate pair, float volumesBound, float upper) {
+        if (!(pair.lower > kAlwaysResolved)) {
+            resolve(pair.partTriangle, pair.environmentTriangle);  // may touch, pierce or be ill-conditioned
+        } else if (!drops(pair.lower)) {
+            if (volumesBound > pair.lower) pair.lower = volumesBound;
+            state_.candidates.push(pair);
+            if (double(upper) < leastUpper_) {
+                nearest_ = pair;
+                shrink(upper);
+            }
+        }
+    }
+
     /// Takes a smaller true upper bound of the distance. Dropping at bound b leaves an interval [b, upper],
     /// which may be as wide as the request says.
     void shrink(double upper) {

@@ -25,8 +25,8 @@ constexpr double kVolumeSlack = 96;
 
 /// Rounding of one gap or distance between triangles, in u32 (leaf radius + leaf radius + |offset|), first
 /// order:
-///   corners of the part: stored 1, rotation 1.8, 6 operations per coordinate 10.4, offset 1;  of the
-///   environment: stored 1 slab gap: products 3 + 3, difference 1, length and division 4.
+///   corners of the part: stored 1, rotation 1.8, 6 operations per coordinate (3 where they are fused) 10.4,
+///   offset 1;  of the environment: stored 1 slab gap: products 3 + 3, difference 1, length and division 4.
 constexpr double kTriangleSlack = 24;
 
 /// Composing R c + t - c' in double from coordinates of at most M, in u64 M: 3 products, 3 sums, 3

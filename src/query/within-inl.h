@@ -33,33 +33,37 @@ class Within {
     HWY_INLINE void leaves(float /*bound*/, const Leaf& part, const Leaf& environment) {
         const LeafPairs pairs(query_, part, environment);
         state_.counters.triangleTests += std::uint64_t(pairs.total());
-        const float error = pairs.roundingError();
         const hn::CappedTag<float, kPairLanes> d;
+        const auto error = hn::Set(d, pairs.roundingError());
+        const auto dropFrom = hn::Set(d, dropFrom_);
         PairLanes lanes;
-        alignas(64) float lower[kPairLanes], upper[kPairLanes];
+        alignas(64) float proved[kPairLanes], upper[kPairLanes];
 
-        for (int first = 0; first < pairs.total() && !done(); first += kPairLanes) {
-            const int count = pairs.fill(first, lanes);
-            for (size_t lane = 0; lane < size_t(count); lane += hn::Lanes(d)) {
-                const auto a = LoadTriangles(d, lanes.part, lane),
-                           b = LoadTriangles(d, lanes.environment, lane);
+        const int n = pairs.partCount(), step = pairs.partTrianglesAtOnce();
+        for (int first = 0; first < n && !done(); first += step) {
+            const int count = pairs.fill(first, first + step < n ? first + step : n, lanes);
+            for (size_t lane = 0; lane < size_t(count) && !done(); lane += hn::Lanes(d)) {
+                const TrianglePair<hn::Vec<decltype(d)>> pair(LoadTriangles(d, lanes.part, lane),
+                                                              LoadTriangles(d, lanes.environment, lane));
+                auto lower = CheapSeparation(d, pair);
+                if (hn::AllTrue(d, hn::Ge(hn::Sub(lower, error), dropFrom))) continue;
+                auto most = hn::Set(d, hwy::HighestValue<float>());
                 if (d_ > 0) {
-                    const auto bounds = TriangleDistance(d, a, b);
-                    hn::Store(bounds.lower, d, lower + lane);
-                    hn::Store(bounds.upper, d, upper + lane);
+                    const auto bounds = TriangleDistance(d, pair, lower);
+                    lower = bounds.lower;
+                    most = hn::Add(bounds.upper, error);
                 } else {
-                    hn::Store(TriangleSeparation(d, a, b), d, lower + lane);
-                    hn::Store(hn::Set(d, hwy::HighestValue<float>()), d, upper + lane);
+                    lower = hn::Max(lower, EdgeSeparation(d, pair));
                 }
-            }
-            for (int lane = 0; lane < count && !done(); ++lane) {
-                if (drops(lower[lane] - error)) continue;
-                const std::uint32_t a = pairs.partTriangle(first + lane),
-                                    b = pairs.environmentTriangle(first + lane);
-                if (double(upper[lane]) + double(error) <= d_) {
-                    remember(a, b);
-                } else {
-                    resolve(a, b);
+                hn::Store(hn::Sub(lower, error), d, proved);
+                hn::Store(most, d, upper);
+                const int used =
+                    int(hn::Lanes(d)) < count - int(lane) ? int(hn::Lanes(d)) : count - int(lane);
+                for (int k = 0; k < used && !done(); ++k) {
+                    const int at = int(lane) + k;
+                    if (drops(proved[k])) continue;
+                    take(pairs.partTriangle(first, at), pairs.environmentTriangle(at),
+                         double(upper[k]) <= d_);
                 }
             }
         }
@@ -74,6 +78,14 @@ class Within {
     void write(WithinAnswer& answer) const { answer = {found_, partTriangle_, environmentTriangle_}; }
 
   private:
+    HWY_INLINE void take(std::uint32_t partTriangle, std::uint32_t environmentTriangle, bool surelyWithin) {
+        if (surelyWithin) {
+            remember(partTriangle, environmentTriangle);
+        } else {
+            resolve(partTriangle, environmentTriangle);
+        }
+    }
+
     void remember(std::uint32_t partTriangle, std::uint32_t environmentTriangle) {
         found_ = true;
         partTriangle_ = partTriangle;
