@@ -31,6 +31,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr const char* kDefaultPlanner = "RRTConnect";
 constexpr double kDefaultStepPerDiagonal = 1.0 / 500;
+constexpr double kMostRefinement = 8;  ///< times the step is divided for a tight start or goal
 constexpr double kRangePerDiagonal =
     0.25;  ///< longest edge of a planner's tree; see tests/bench/plan_success.cpp
 
@@ -87,6 +88,13 @@ void requireOptions(const Problem& problem, const PlanOptions& options) {
     }
 }
 
+/// A second call in a process makes OMPL complain: objects made before it would go on with their old seeds.
+/// Ours are made after it.
+void setSeed(std::uint32_t seed) {
+    const OmplMessages unheard;
+    ompl::RNG::setSeed(seed);
+}
+
 std::string choosePlanner(const Problem& problem, const PlanOptions& options) {
     if (!options.planner.empty()) return plannerClassName(options.planner);
     return plannerClassName(problem.planners.size() == 1 ? problem.planners[0].name : kDefaultPlanner);
@@ -132,16 +140,21 @@ std::shared_ptr<ValidityChecker> makeChecker(const ob::SpaceInformationPtr& si, 
 
 /// Between two checked states no point is farther than half a step from where it is at one of them. So when
 /// the checked states keep half a step more than the margin, every state between them keeps the margin. Start
-/// and goal must have as much to spare; when they do not, the checked states alone are valid.
+/// and goal must have as much to spare: the step is shortened for them, within reason; beyond it the checked
+/// states alone are known to be valid.
 void setGuard(PlanReport& report, double spare) {
-    const double guard = 0.5 * report.step * (1 + 1e-6);
-    if (spare > guard) {
-        report.guard = guard;
-        return;
-    }
+    const double asked = report.step;
     std::ostringstream warning;
-    warning << "start or goal have only " << spare << " to spare, half a step is " << 0.5 * report.step
-            << ": only the states checked are known to be valid, not those between them";
+    warning << "start or goal have only " << spare << " to spare: ";
+    report.guard = std::min(0.5 * asked, 0.9 * spare);
+    if (report.guard == 0.5 * asked) return;
+    if (report.guard < 0.5 * asked / kMostRefinement) {
+        report.guard = 0;
+        warning << "the states checked are known to be valid, not those between them";
+    } else {
+        report.step = 2 * report.guard;
+        warning << "motions are checked every " << report.step << " instead of every " << asked;
+    }
     report.warnings.push_back(warning.str());
 }
 
@@ -157,7 +170,7 @@ Setup prepare(const Problem& problem, const Scene& scene, const PlanOptions& opt
     setup.truth = makeChecker(setup.si, scene, 0);
     const double startSpare = requireValid(*setup.truth, start.get(), "start");
     setGuard(report, std::min(startSpare, requireValid(*setup.truth, goal.get(), "goal")));
-    setup.checker = makeChecker(setup.si, scene, report.guard);
+    setup.checker = makeChecker(setup.si, scene, report.guard * (1 + 1e-6));
     setup.validator = std::make_shared<DiscreteMotionValidator>(setup.si, scene.part, report.step);
     setup.si->setStateValidityChecker(setup.checker);
     setup.si->setMotionValidator(setup.validator);
@@ -234,8 +247,8 @@ PlanReport plan(const Problem& problem, const Scene& scene, const PlanOptions& o
                                   "' is not known; paths are judged by length");
     }
 
+    setSeed(options.seed);
     const OmplMessages messages;
-    ompl::RNG::setSeed(options.seed);
     Setup setup = prepare(problem, scene, options, report);
 
     const Clock::time_point begin = Clock::now();

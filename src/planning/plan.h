@@ -54,7 +54,7 @@ struct PlanReport {
     Outcome outcome = Outcome::kNotFound;
     std::string planner;
     bool isRepeatable = false;  ///< with the same seed and number of iterations
-    double step = 0;
+    double step = 0;  ///< as used: shorter than asked for when start or goal are tighter than half of it
     bool isStepDefault = false;  ///< nobody gave one: 1/500 of the part's diagonal
     double guard =
         0;  ///< extra distance kept at checked states, so that all states between them are valid too

@@ -41,6 +41,7 @@
 #include <boost/algorithm/string/predicate.hpp>
 #include <memory>
 #include <stdexcept>
+#include <type_traits>
 
 #include "core/number.h"
 
@@ -55,6 +56,13 @@ ob::PlannerPtr make(const ob::SpaceInformationPtr& si) {
     return std::make_shared<PlannerClass>(si);
 }
 
+/// OMPL renames these, with a warning, unless they are given the name of the variant that they are.
+template <class PlannerClass>
+ob::PlannerPtr makeNearest(const ob::SpaceInformationPtr& si) {
+    return std::make_shared<PlannerClass>(
+        si, std::is_same_v<PlannerClass, og::BITstar> ? "kBITstar" : "kABITstar");
+}
+
 struct NamedPlanner {
     const char* name;
     ob::PlannerPtr (*make)(const ob::SpaceInformationPtr&);
@@ -64,11 +72,11 @@ struct NamedPlanner {
 // Not repeatable: several threads (AnytimePathShortening, CForest, pRRT, pSBL; PRM, PRMstar, SPARS and
 // SPARStwo look for the solution in a thread of their own, and take turns by the clock).
 constexpr NamedPlanner kPlanners[] = {
-    {"ABITstar", make<og::ABITstar>, true},
+    {"ABITstar", makeNearest<og::ABITstar>, true},
     {"AITstar", make<og::AITstar>, true},
     {"AnytimePathShortening", make<og::AnytimePathShortening>, false},
     {"BFMT", make<og::BFMT>, true},
-    {"BITstar", make<og::BITstar>, true},
+    {"BITstar", makeNearest<og::BITstar>, true},
     {"BKPIECE1", make<og::BKPIECE1>, true},
     {"BiEST", make<og::BiEST>, true},
     {"BiTRRT", make<og::BiTRRT>, true},

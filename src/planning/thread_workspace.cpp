@@ -17,6 +17,11 @@ struct ThreadWorkspaces {
     Workspace* last = nullptr;    // elements of an unordered_map stay where they are
 };
 
+ThreadWorkspaces& workspacesOfThisThread() {
+    thread_local ThreadWorkspaces mine;
+    return mine;
+}
+
 Workspace& findOrMake(ThreadWorkspaces& mine, const std::shared_ptr<const std::uint64_t>& owner) {
     const auto found = mine.byOwner.find(*owner);
     if (found != mine.byOwner.end()) return found->second.workspace;
@@ -34,12 +39,16 @@ std::shared_ptr<const std::uint64_t> newWorkspaceOwner() {
 }
 
 Workspace& threadWorkspace(const std::shared_ptr<const std::uint64_t>& owner) {
-    thread_local ThreadWorkspaces mine;
+    ThreadWorkspaces& mine = workspacesOfThisThread();
     if (mine.lastOwner != *owner) {
         mine.last = &findOrMake(mine, owner);
         mine.lastOwner = *owner;
     }
     return *mine.last;
+}
+
+std::size_t threadWorkspaceCount() {
+    return workspacesOfThisThread().byOwner.size();
 }
 
 }  // namespace clearway::planning

@@ -1,0 +1,267 @@
+#define BOOST_TEST_MODULE plan
+#include "planning/plan.h"
+
+#include <ompl/base/ScopedState.h>
+
+#include <boost/test/unit_test.hpp>
+#include <functional>
+#include <stdexcept>
+
+#include "clearway/planning/planners.h"
+#include "planning/planning_space.h"
+#include "support/oracle.h"
+#include "support/path_check.h"
+#include "support/window_scene.h"
+
+namespace clearway::planning {
+namespace {
+
+using testing::windowScene;
+using Outcome = PlanReport::Outcome;
+
+bool same(const std::vector<PartState>& a, const std::vector<PartState>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const PartState& x, const PartState& y) {
+        return x.position == y.position && x.rotation.coeffs() == y.rotation.coeffs();
+    });
+}
+
+std::string refusal(const std::function<void()>& call) {
+    try {
+        call();
+    } catch (const std::invalid_argument& error) {
+        return error.what();
+    }
+    return "nothing";
+}
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+PlanOptions withIterations(std::uint64_t iterations, std::uint32_t seed = 1) {
+    PlanOptions options;
+    options.iterations = iterations;
+    options.seed = seed;
+    return options;
+}
+
+BOOST_AUTO_TEST_CASE(the_path_keeps_the_margin_at_1000_interpolated_states_by_the_oracle) {
+    for (const double margin : {0.0, 2.0}) {
+        for (const std::uint32_t seed : {1u, 2u, 3u}) {
+            auto window = windowScene();
+            window.scene.margin = margin;
+            const PlanReport report = plan(window.problem, window.scene, withIterations(200000, seed));
+            BOOST_TEST_CONTEXT("margin " << margin << ", seed " << seed) {
+                BOOST_REQUIRE((report.outcome == Outcome::kFound));
+                BOOST_TEST(report.guard == 0.5);
+                BOOST_TEST(report.path.front().position == window.problem.start.position);
+                BOOST_TEST(report.path.back().position == window.problem.goal.position);
+                const testing::MeshOracle oracle(window.partMesh, window.wallMesh);
+                const double least = testing::leastDistance(oracle, report.path, window.problem, 1000);
+                BOOST_TEST(least > margin);
+                BOOST_TEST(report.least.lower > margin);
+                BOOST_TEST(report.least.statesChecked > 100u);
+                BOOST_TEST(report.least.partMesh == "plate");
+                BOOST_TEST(report.length >= 120);
+                BOOST_TEST(report.warnings.empty());
+            }
+        }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(repeatable_planners_give_the_same_path_bit_by_bit_and_it_is_free) {
+    const auto window = windowScene();
+    const testing::MeshOracle oracle(window.partMesh, window.wallMesh);
+    int found = 0;
+    for (const std::string& name : plannerNames()) {
+        if (!isRepeatable(name)) continue;
+        PlanOptions options = withIterations(1000, 5);
+        options.planner = name;
+        const PlanReport first = plan(window.problem, window.scene, options);
+        const std::vector<char> elsewhere(1 << 20);  // so that the second run's memory lies elsewhere
+        const PlanReport second = plan(window.problem, window.scene, options);
+        BOOST_TEST_CONTEXT(name << ", " << elsewhere.size()) {
+            BOOST_TEST(first.planner == name);
+            BOOST_TEST(first.isRepeatable);
+            BOOST_TEST((first.outcome == second.outcome));
+            BOOST_TEST(first.checks == second.checks);
+            BOOST_TEST(same(first.path, second.path));
+            if (first.outcome != Outcome::kFound) continue;
+            BOOST_TEST(testing::leastDistance(oracle, first.path, window.problem, 200) > 0);
+            ++found;
+        }
+    }
+    BOOST_TEST(found > 5);
+}
+
+BOOST_AUTO_TEST_CASE(planners_with_threads_end_in_time_and_what_they_find_is_free) {
+    const auto window = windowScene();
+    const testing::MeshOracle oracle(window.partMesh, window.wallMesh);
+    for (const std::string& name : plannerNames()) {
+        if (isRepeatable(name)) continue;
+        PlanOptions options;
+        options.planner = name;
+        options.seconds = 0.25;
+        const PlanReport report = plan(window.problem, window.scene, options);
+        BOOST_TEST_CONTEXT(name) {
+            BOOST_TEST(!report.isRepeatable);
+            BOOST_TEST(report.planningSeconds < 10);
+            if (report.outcome != Outcome::kFound) continue;
+            BOOST_TEST(testing::leastDistance(oracle, report.path, window.problem, 200) > 0);
+        }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(another_seed_gives_another_path) {
+    const auto window = windowScene();
+    const PlanReport first = plan(window.problem, window.scene, withIterations(200000, 1));
+    const PlanReport second = plan(window.problem, window.scene, withIterations(200000, 2));
+    BOOST_TEST(!first.path.empty());
+    BOOST_TEST(!second.path.empty());
+    BOOST_TEST(!same(first.path, second.path));
+}
+
+BOOST_AUTO_TEST_CASE(no_path_is_no_path) {
+    auto window = windowScene();
+    window.scene.margin = 12;  // the window leaves 12 at the plate's sides, 11 above and below
+    PlanOptions options;
+    options.seconds = 0.5;
+    const PlanReport report = plan(window.problem, window.scene, options);
+    BOOST_TEST((report.outcome == Outcome::kNotFound));
+    BOOST_TEST(report.path.empty());
+    BOOST_TEST(report.planningSeconds < 3);
+}
+
+BOOST_AUTO_TEST_CASE(a_stop_ends_the_planning_without_a_path) {
+    auto window = windowScene();
+    window.scene.margin = 12;
+    int asked = 0;
+    PlanOptions options;
+    options.isStopped = [&] { return ++asked > 100; };
+    const PlanReport report = plan(window.problem, window.scene, options);
+    BOOST_TEST((report.outcome == Outcome::kStopped));
+    BOOST_TEST(report.path.empty());
+}
+
+BOOST_AUTO_TEST_CASE(a_start_in_collision_is_refused_with_the_meshes_and_triangles) {
+    auto window = windowScene();
+    window.problem.start.position.x() = 0;
+    const auto planIt = [&] { plan(window.problem, window.scene, withIterations(10)); };
+    const std::string touching = refusal(planIt);
+    BOOST_TEST(contains(touching, "start is in collision: triangle "));
+    BOOST_TEST(contains(touching, "'plate'"));
+    BOOST_TEST((contains(touching, "'above'") || contains(touching, "'below'")));
+    BOOST_TEST(contains(touching, "touching"));
+
+    window = windowScene();
+    window.problem.goal.position.x() = 36;  // 4 from the wall
+    window.scene.margin = 5;
+    const std::string close = refusal(planIt);
+    BOOST_TEST(contains(close, "goal is in collision: triangle "));
+    BOOST_TEST(contains(close, "4 apart, expected more than the margin 5"));
+}
+
+BOOST_AUTO_TEST_CASE(bounds_that_leave_out_the_start_are_refused) {
+    auto window = windowScene();
+    window.problem.volume = Box(Vector3(-50, -40, -40), Vector3(80, 40, 40));
+    BOOST_TEST(contains(refusal([&] { plan(window.problem, window.scene, withIterations(10)); }), "start"));
+}
+
+BOOST_AUTO_TEST_CASE(a_start_closer_than_half_a_step_shortens_the_step) {
+    auto window = windowScene();
+    window.problem.start.position.x() = -32.25;  // a quarter from the wall, half a step is a half
+    const PlanReport report = plan(window.problem, window.scene, withIterations(200000));
+    BOOST_REQUIRE((report.outcome == Outcome::kFound));
+    BOOST_TEST(report.guard > 0.2);
+    BOOST_TEST(report.step < 0.5);
+    BOOST_REQUIRE(report.warnings.size() == 1u);
+    BOOST_TEST(
+        contains(report.warnings[0], "start or goal have only 0.25 to spare: motions are checked every"));
+    const testing::MeshOracle oracle(window.partMesh, window.wallMesh);
+    BOOST_TEST(testing::leastDistance(oracle, report.path, window.problem, 1000) > 0);
+}
+
+BOOST_AUTO_TEST_CASE(a_start_that_all_but_touches_is_planned_from_and_warned_of) {
+    auto window = windowScene();
+    window.problem.start.position.x() = -32 - 1e-6;
+    const PlanReport report = plan(window.problem, window.scene, withIterations(200000));
+    BOOST_REQUIRE((report.outcome == Outcome::kFound));
+    BOOST_TEST(report.guard == 0);
+    BOOST_TEST(report.step == 1);
+    BOOST_TEST(contains(report.warnings.at(0), "known to be valid, not those between them"));
+    BOOST_TEST(report.least.lower > 0);
+}
+
+BOOST_AUTO_TEST_CASE(without_a_step_it_is_a_500th_of_the_parts_diagonal_and_warned_of) {
+    auto window = windowScene();
+    window.problem.step.reset();
+    const PlanReport report = plan(window.problem, window.scene, withIterations(10));
+    BOOST_TEST(report.isStepDefault);
+    BOOST_TEST(report.step == Vector3(60, 40, 10).norm() / 500, boost::test_tools::tolerance(1e-12));
+    BOOST_REQUIRE(!report.warnings.empty());
+    BOOST_TEST(contains(report.warnings[0], "thinner"));
+}
+
+BOOST_AUTO_TEST_CASE(wrong_planners_and_parameters_are_refused_on_demand_and_warned_of_in_a_file) {
+    auto window = windowScene();
+    window.problem.file = "window.cfg";
+    PlanOptions options = withIterations(10);
+    const auto planIt = [&] { plan(window.problem, window.scene, options); };
+    options.planner = "RRTConect";
+    BOOST_TEST(contains(refusal(planIt), "unknown planner 'RRTConect'"));
+    options.planner = "RRTConnect";
+    options.parameters = {{"rnage", "3"}};
+    BOOST_TEST(contains(refusal(planIt), "no parameter 'rnage'"));
+    options.parameters = {{"range", "far"}};
+    BOOST_TEST(contains(refusal(planIt), "'far'"));
+
+    options.parameters.clear();
+    window.problem.planners = {{"rrtconnect", {{"name", "mine"}, {"max_failures", "3"}, {"range", "7"}}}};
+    const PlanReport report = plan(window.problem, window.scene, options);
+    BOOST_REQUIRE(report.warnings.size() == 1u);
+    BOOST_TEST(
+        contains(report.warnings[0], "window.cfg: planner RRTConnect has no parameter 'max_failures'"));
+
+    window.problem.planners = {{"nonesuch", {}}};
+    BOOST_TEST(contains(refusal(planIt), "window.cfg: unknown planner 'nonesuch'"));
+}
+
+BOOST_AUTO_TEST_CASE(the_problems_only_planner_is_used_unless_another_is_asked_for) {
+    auto window = windowScene();
+    window.problem.planners = {{"kpiece", {}}};
+    BOOST_TEST(plan(window.problem, window.scene, withIterations(5)).planner == "KPIECE1");
+    window.problem.planners.push_back({"est", {}});
+    BOOST_TEST(plan(window.problem, window.scene, withIterations(5)).planner == "RRTConnect");
+    PlanOptions options = withIterations(5);
+    options.planner = "stride";
+    BOOST_TEST(plan(window.problem, window.scene, options).planner == "STRIDE");
+}
+
+BOOST_AUTO_TEST_CASE(a_planar_problem_is_planned_in_se2) {
+    auto window = windowScene();
+    window.problem.space = Space::kSe2;
+    window.scene.margin = 3;
+    window.problem.start.rotation =
+        Eigen::AngleAxisd(M_PI / 2, Vector3::UnitZ());  // must turn: 60 across 64 leaves 2
+    window.problem.goal.rotation = window.problem.start.rotation;
+    window.problem.volume = Box(Vector3(-80, -80, 0), Vector3(80, 80, 0));
+    const PlanReport report = plan(window.problem, window.scene, withIterations(200000));
+    BOOST_REQUIRE((report.outcome == Outcome::kFound));
+    BOOST_TEST(report.turned > 1);
+    const testing::MeshOracle oracle(window.partMesh, window.wallMesh);
+    BOOST_TEST(testing::leastDistance(oracle, report.path, window.problem, 1000) > 3);
+    for (const PartState& state : report.path) BOOST_TEST(state.position.z() == 0);
+}
+
+BOOST_AUTO_TEST_CASE(options_that_contradict_are_refused) {
+    const auto window = windowScene();
+    PlanOptions options = withIterations(10);
+    options.seconds = 1;
+    BOOST_TEST(
+        contains(refusal([&] { plan(window.problem, window.scene, options); }), "expected one of them"));
+    BOOST_TEST(
+        contains(refusal([&] { plan(window.problem, window.scene, withIterations(10, 0)); }), "seed is 0"));
+}
+
+}  // namespace
+}  // namespace clearway::planning
