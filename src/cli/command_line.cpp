@@ -60,11 +60,19 @@ po::typed_value<std::string>* optionValue(const char* shownAs) {
     return po::value<std::string>()->value_name(shownAs);
 }
 
+po::typed_value<std::vector<std::string>>* optionValues(const char* shownAs) {
+    return po::value<std::vector<std::string>>()->value_name(shownAs)->composing();
+}
+
 std::string Options::text(const std::string& name) const {
     if (!has(name)) throw std::invalid_argument("--" + name + " is missing, expected: " + usage_);
     const std::string value = values_[name].as<std::string>();
     if (value.empty()) throw std::invalid_argument("--" + name + " is '', expected a value");
     return value;
+}
+
+std::vector<std::string> Options::texts(const std::string& name) const {
+    return has(name) ? values_[name].as<std::vector<std::string>>() : std::vector<std::string>();
 }
 
 std::int64_t Options::integer(const std::string& name, std::int64_t least, std::int64_t most) const {

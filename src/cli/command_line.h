@@ -25,6 +25,9 @@ struct CommandLine {
 /// A string value that --help shows under the given name: ("seed", optionValue("N"), "...").
 boost::program_options::typed_value<std::string>* optionValue(const char* shownAs);
 
+/// The same for an option that may be given several times, to be read by Options::texts.
+boost::program_options::typed_value<std::vector<std::string>>* optionValues(const char* shownAs);
+
 /// The arguments as given. Every getter throws std::invalid_argument, naming the option, its value and what
 /// was expected, when the value is wrong, and naming the option when it was not given.
 class Options {
@@ -35,6 +38,8 @@ class Options {
     bool has(const std::string& name) const { return values_.count(name) > 0; }
     /// A positional argument or the value of an option. Never empty.
     std::string text(const std::string& name) const;
+    /// All values of an option declared with optionValues, in order; empty when it was not given.
+    std::vector<std::string> texts(const std::string& name) const;
     std::int64_t integer(const std::string& name, std::int64_t least, std::int64_t most) const;
     double positive(const std::string& name) const;     ///< finite, > 0
     double nonNegative(const std::string& name) const;  ///< finite, >= 0

@@ -22,5 +22,6 @@ struct Subcommand {
 
 int info(const Arguments& arguments);
 int query(const Arguments& arguments);
+int plan(const Arguments& arguments);
 
 }  // namespace clearway

@@ -1,0 +1,177 @@
+// clearway plan: from a problem file to a path file.
+#include "planning/plan.h"
+
+#include <csignal>
+#include <iostream>
+#include <stdexcept>
+
+#include "clearway/planning/planners.h"
+#include "clearway/targets.h"
+#include "cli/command_line.h"
+#include "cli/elapsed_line.h"
+#include "cli/print.h"
+#include "cli/tree_options.h"
+#include "core/replace_file.h"
+
+namespace clearway {
+
+namespace {
+
+using planning::PlanOptions;
+using planning::PlanReport;
+
+volatile std::sig_atomic_t isInterrupted = 0;
+
+void interrupt(int) {
+    isInterrupted = 1;
+}
+
+/// The first interrupt ends the planning; the second one has its usual effect.
+void heedInterrupts() {
+    struct sigaction action = {};
+    action.sa_handler = interrupt;
+    action.sa_flags = static_cast<int>(SA_RESETHAND);
+    sigaction(SIGINT, &action, nullptr);
+    sigaction(SIGTERM, &action, nullptr);
+}
+
+CommandLine planCommandLine() {
+    CommandLine commandLine;
+    commandLine.usage = "clearway plan PROBLEM.cfg --path OUT.path [options]";
+    commandLine.purpose =
+        "Finds a path from the problem's start to its goal, shortens it, looks at every state of it again "
+        "and "
+        "writes it.\n"
+        "Exit code 1 when none was found.";
+    commandLine.positional = {"PROBLEM.cfg"};
+    commandLine.options.add_options()                                                                    //
+        ("path", optionValue("FILE"), "where the path is written, one state a line")                     //
+        ("planner", optionValue("NAME"), "OMPL's class name, in any case (RRTConnect)")                  //
+        ("planner-param", optionValues("K=V"), "sets one of the planner's parameters; may be repeated")  //
+        ("objective", optionValue("NAME"),
+         "length: planners that can go on shortening until the time is up")                               //
+        ("time", optionValue("S"), "seconds for planning and shortening (30)")                            //
+        ("iterations", optionValue("N"), "in place of --time: repeatable, with the same seed")            //
+        ("seed", optionValue("N"), "of OMPL's random numbers (1)")                                        //
+        ("margin", optionValue("M"), "distance to keep from the environment, in place of the problem's")  //
+        ("step", optionValue("S"), "most that any point of the part moves between two checks, likewise")  //
+        ("ompl-weights", "rotation weighted as OMPL does, not by the part's radius")                      //
+        ("target", optionValue("NAME"), "instruction set, of those this machine runs (best)");
+    addTreeOptions(commandLine);
+    return commandLine;
+}
+
+std::pair<std::string, std::string> parameterOf(const std::string& text) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos || equals == 0) {
+        throw std::invalid_argument("--planner-param is '" + text + "', expected NAME=VALUE");
+    }
+    return {text.substr(0, equals), text.substr(equals + 1)};
+}
+
+PlanOptions planOptions(const Options& options) {
+    PlanOptions result;
+    if (options.has("planner")) result.planner = planning::plannerClassName(options.text("planner"));
+    for (const std::string& text : options.texts("planner-param"))
+        result.parameters.push_back(parameterOf(text));
+    if (options.has("objective")) {
+        if (options.text("objective") != "length") {
+            throw std::invalid_argument("--objective is '" + options.text("objective") +
+                                        "', expected length");
+        }
+        result.optimiseLength = true;
+    }
+    if (options.has("time") && options.has("iterations")) {
+        throw std::invalid_argument("--time and --iterations are both given, expected one of them");
+    }
+    if (options.has("time")) result.seconds = options.positive("time");
+    if (options.has("iterations")) {
+        result.iterations = static_cast<std::uint64_t>(options.integer("iterations", 1, INT64_MAX));
+    }
+    if (options.has("seed")) result.seed = static_cast<std::uint32_t>(options.integer("seed", 1, UINT32_MAX));
+    if (options.has("step")) result.step = options.positive("step");
+    result.omplWeights = options.has("ompl-weights");
+    result.isStopped = [] { return isInterrupted != 0; };
+    return result;
+}
+
+void printMesh(const std::string& label, const Model& model) {
+    printRow(label, model.origin().file + ", " + counted(model.report().triangles, "triangle"));
+}
+
+void printSettings(const Scene& scene, const PlanOptions& options, const PlanReport& report) {
+    printRow("planner", report.planner + ", seed " + std::to_string(options.seed));
+    if (options.iterations) {
+        printRow("repeatable",
+                 report.isRepeatable ? "yes" : "no: this planner uses several threads or the clock");
+    }
+    printRow("margin", readable(scene.margin));
+    printRow("step", readable(report.step) + (report.isStepDefault ? ", by default" : ""));
+    if (report.guard > 0)
+        printRow("kept on top", readable(report.guard) + ", so that states between checks are valid too");
+    printRow("planning time", readable(report.planningSeconds) + " s");
+    printRow("states checked", std::to_string(report.checks));
+}
+
+void printPath(const PlanReport& report) {
+    printRow("finishing time", readable(report.finishingSeconds) + " s");
+    printRow("states", std::to_string(report.path.size()) + ", " + std::to_string(report.statesBefore) +
+                           " before simplifying");
+    printRow("length", readable(report.length));
+    printRow("turned", readable(report.turned * 180 / M_PI) + " degrees");
+    printRow("least clearance", readable(report.least.lower) + ", between '" + report.least.partMesh +
+                                    "' and '" + report.least.environmentMesh + "', at " +
+                                    readable(report.least.state.position) + ", of " +
+                                    counted(report.least.statesChecked, "state"));
+}
+
+void printWarnings(const std::vector<std::string>& warnings) {
+    for (const std::string& warning : warnings) std::cerr << "clearway: warning: " << warning << "\n";
+}
+
+/// The exit code.
+int printOutcome(const PlanReport& report, const Problem& problem, const std::string& file) {
+    if (report.outcome == PlanReport::Outcome::kFound) {
+        printPath(report);
+        writePath(report.path, problem.space, file);
+        printRow("path", file);
+    } else {
+        printRow("path",
+                 report.outcome == PlanReport::Outcome::kStopped ? "none, interrupted" : "none found");
+    }
+    requirePrinted();
+    return report.outcome == PlanReport::Outcome::kFound ? kDone : kAnswerIsNo;
+}
+
+}  // namespace
+
+int plan(const Arguments& arguments) {
+    const std::optional<Options> given = parse(planCommandLine(), arguments);
+    if (!given) return kDone;
+    const Options& options = *given;
+    const std::string file = options.text("path");
+    const PlanOptions planOptionsGiven = planOptions(options);
+    const BuildOptions tree = treeOptions(options);
+    const std::optional<double> margin =
+        options.has("margin") ? std::optional<double>(options.nonNegative("margin")) : std::nullopt;
+    if (options.has("target")) useTarget(options.text("target"));
+    requireReplaceable(file);
+    heedInterrupts();
+
+    const Problem problem = readProblem(options.text("PROBLEM.cfg"));
+    Scene scene = planning::loadScene(problem, tree);
+    if (margin) scene.margin = *margin;
+    PlanReport report;
+    {
+        const ElapsedLine elapsed("planning");
+        report = planning::plan(problem, scene, planOptionsGiven);
+    }
+    printWarnings(problem.warnings);
+    printWarnings(report.warnings);
+    printMesh("part", scene.part);
+    printMesh("environment", scene.environment);
+    printSettings(scene, planOptionsGiven, report);
+    return printOutcome(report, problem, file);
+}
+
+}  // namespace clearway
