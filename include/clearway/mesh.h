@@ -63,9 +63,9 @@ struct LoadOptions {
 /// and up axis applied, vertices that agree in all their attributes to 1e-5 may be joined), and scale last.
 /// Whatever was applied or left out is in origin.notes.
 ///
-/// Each mesh of each node is a component, in the order of the file's nodes, named by node and mesh
-/// ("node/mesh", or the one name when they agree or one has none). Repeated names get #2, #3, ...; without a
-/// name it is the file's stem.
+/// Each mesh of each node is a component, in the order of the file's nodes (of the nodes that OMPL.app's
+/// steps leave, in the other readings), named by node and mesh: "node/mesh", or the one name when they agree
+/// or one has none. Repeated names get #2, #3, ...; without a name it is the file's stem.
 ///
 /// Throws std::runtime_error when the file is missing, cannot be read, holds no triangle or has a triangle
 /// with a vertex that is not finite (naming the first such triangle), and std::invalid_argument when the
@@ -73,12 +73,15 @@ struct LoadOptions {
 Mesh loadMesh(const std::string& file, const LoadOptions& options = {});
 
 /// Writes the mesh in the format of the file's ending: .glb, .obj, .ply, .stl or .dae. Coordinates are
-/// rounded to float, as the formats hold them. Written to a temporary name, then renamed. .glb brings back
-/// the same floats, triangles in the same order and distinct component names. .obj and .dae bring back order
-/// and names (.obj: without spaces), but are text: assimp reads values below 1e-5 or beyond 1e9 a few units
-/// in the last place off. .ply and .stl (both binary) keep floats and order, and forget the components.
-/// Throws std::invalid_argument for an unknown ending, for a mesh that has no triangle or that clean() would
-/// refuse, and std::runtime_error when the file cannot be written.
+/// rounded to float, as the formats hold them. Written to a temporary name, then renamed.
+///
+/// .glb reads back to the same floats, triangles in the same order and the same component names (when
+/// distinct and not empty). .obj and .dae keep order and names; being text, assimp reads a coordinate below
+/// 1e-4 or of 1e9 and more back one or two units in the last place off. .ply and .stl (both binary) keep
+/// floats and order, and forget the components. Components without triangles are left out.
+///
+/// Throws std::invalid_argument for an unknown ending, a mesh that Model::build would refuse and a coordinate
+/// beyond float's range, and std::runtime_error when the file cannot be written.
 void saveMesh(const Mesh& mesh, const std::string& file);
 
 /// The smallest box that holds every vertex a triangle uses; empty for a mesh without triangles.

@@ -65,14 +65,17 @@ void nameMeshesByNode(const aiScene& scene, const aiNode& node, const std::vecto
     for (unsigned i = 0; i < node.mNumChildren; ++i) nameMeshesByNode(scene, *node.mChildren[i], instances);
 }
 
-/// assimp's importers hand on indices as they stand in the file, and its later steps trust them.
-void requireIndicesInRange(const aiMesh& mesh, const std::string& file) {
+/// assimp's importers hand on what stands in a damaged file, and its later steps trust it or abort.
+void requireSoundFaces(const aiMesh& mesh, const std::string& file) {
     for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
+        const auto face = [&] {
+            return "face " + std::to_string(f) + " of mesh '" + mesh.mName.C_Str() + "'";
+        };
+        if (mesh.mFaces[f].mNumIndices == 0) refuseMeshFile(file, face() + " has no corner");
         for (unsigned i = 0; i < mesh.mFaces[f].mNumIndices; ++i) {
             const unsigned index = mesh.mFaces[f].mIndices[i];
             if (index < mesh.mNumVertices) continue;
-            refuseMeshFile(file, "face " + std::to_string(f) + " of mesh '" + mesh.mName.C_Str() +
-                                     "' refers to vertex " + std::to_string(index) + " of " +
+            refuseMeshFile(file, face() + " refers to vertex " + std::to_string(index) + " of " +
                                      std::to_string(mesh.mNumVertices));
         }
     }
@@ -82,7 +85,7 @@ void requireSoundScene(const aiScene& scene, const std::string& file) {
     const std::vector<std::size_t> instances = instancesOf(scene);
     std::size_t vertices = 0;
     for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
-        requireIndicesInRange(*scene.mMeshes[m], file);
+        requireSoundFaces(*scene.mMeshes[m], file);
         vertices += instances[m] * scene.mMeshes[m]->mNumVertices;
     }
     if (vertices > std::numeric_limits<std::uint32_t>::max()) {
@@ -194,8 +197,10 @@ struct Collector {
     void addMesh(const aiMesh& shown, const std::string& name, const Matrix& X_rootNode) {
         const std::size_t firstVertex = mesh.vertices.size();
         const std::size_t firstTriangle = mesh.triangles.size();
+        const bool isPlaced = X_rootNode == Matrix();  // multiplied, one NaN would spread to all coordinates
         for (unsigned v = 0; v < shown.mNumVertices; ++v) {
-            const Vector vertex = X_rootNode * Vector(shown.mVertices[v]);
+            const Vector vertex =
+                isPlaced ? Vector(shown.mVertices[v]) : X_rootNode * Vector(shown.mVertices[v]);
             mesh.vertices.emplace_back(vertex.x, vertex.y, vertex.z);
             sum += vertex;
         }
@@ -310,6 +315,7 @@ Mesh loadMesh(const std::string& file, const LoadOptions& options) {
     noteDeclaredUnits(stored, notes);
     nameMeshesByNode(stored, *stored.mRootNode, instancesOf(stored));
     const std::size_t faces = countFaces(stored);
+    if (faces == 0) refuseMeshFile(file, "it holds no triangle");
 
     const aiScene& scene = runSteps(importer, file, options.reading);
     Mesh mesh = readsAsOmplApp(options.reading) ? collect<float>(scene, file, options)

@@ -1,0 +1,142 @@
+#define BOOST_TEST_MODULE bad_files
+#include <boost/test/unit_test.hpp>
+#include <filesystem>
+#include <stdexcept>
+
+#include "clearway/mesh.h"
+#include "mesh/mesh_files.h"
+#include "support/temporary_folder.h"
+
+namespace clearway {
+
+using namespace testing;
+
+namespace {
+
+constexpr MeshReading kReadings[] = {MeshReading::kAsStored, MeshReading::kOmplAppEnvironment,
+                                     MeshReading::kOmplAppRobot, MeshReading::kOmplAppPlanarRobot};
+
+std::string refusalOf(const std::string& file, MeshReading reading = MeshReading::kAsStored) {
+    LoadOptions options;
+    options.reading = reading;
+    try {
+        loadMesh(file, options);
+    } catch (const std::runtime_error& error) {
+        const std::string message = error.what();
+        BOOST_TEST(message.find("cannot read mesh '" + file + "': ") == 0u, message);
+        BOOST_TEST(message.find(", expected ") != std::string::npos, message);
+        BOOST_TEST(message.find('\n') == std::string::npos, message);
+        BOOST_TEST_MESSAGE(message);
+        return message;
+    }
+    return "accepted";
+}
+
+bool holds(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    const std::size_t at = text.find(from);
+    BOOST_REQUIRE(at != std::string::npos);
+    return text.replace(at, from.size(), to);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_missing_file_a_folder_and_an_empty_file_are_refused) {
+    const TemporaryFolder folder;
+    BOOST_TEST(holds(refusalOf(folder.file("none.stl")), "there is no such file"));
+    BOOST_TEST(holds(refusalOf(""), "there is no such file"));
+    std::filesystem::create_directory(folder.file("folder.stl"));
+    BOOST_TEST(holds(refusalOf(folder.file("folder.stl")), "it is a folder"));
+    for (const char* const ending : {"stl", "obj", "ply", "off", "dae", "gltf", "glb", "txt"}) {
+        BOOST_TEST(holds(refusalOf(folder.write(std::string("empty.") + ending, "")), "it is empty"), ending);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(text_under_the_name_of_a_mesh_is_refused) {
+    const TemporaryFolder folder;
+    for (const char* const ending : {"stl", "obj", "ply", "off", "dae", "gltf", "glb", "txt", "3ds", "fbx"}) {
+        BOOST_TEST_CONTEXT(ending) {
+            for (const char* const text :
+                 {"These are minutes\nof a meeting.\n", "solid advice, but no mesh\n"}) {
+                const std::string file = folder.write(std::string("minutes.") + ending, text);
+                for (const MeshReading reading : kReadings) {
+                    BOOST_TEST(holds(refusalOf(file, reading), "expected a mesh file that assimp reads"));
+                }
+            }
+        }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(a_truncated_file_is_refused) {
+    const TemporaryFolder folder;
+    const std::string stl = binaryStl(tetrahedron());
+    BOOST_TEST(refusalOf(folder.write("cut.stl", stl.substr(0, stl.size() - 30))) != "accepted");
+    const std::string ply = plyText(tetrahedron());
+    BOOST_TEST(refusalOf(folder.write("cut.off", "OFF\n4 4 0\n0 0 0\n1 0 0\n")) != "accepted");
+    BOOST_TEST(refusalOf(folder.write("cut.gltf", gltfText(tetrahedron(), "{\"mesh\":0}").substr(0, 400))) !=
+               "accepted");
+    const std::string dae = daeText(tetrahedron(), "<node/>");
+    BOOST_TEST(refusalOf(folder.write("cut.dae", dae.substr(0, dae.size() / 2))) != "accepted");
+}
+
+BOOST_AUTO_TEST_CASE(a_file_without_triangles_is_refused) {
+    const TemporaryFolder folder;
+    const std::string none = "it holds no triangle";
+    for (const MeshReading reading : kReadings) {
+        BOOST_TEST(
+            holds(refusalOf(folder.write("lines.obj", "v 0 0 0\nv 1 0 0\nl 1 2\np 1\n"), reading), none));
+        BOOST_TEST(holds(refusalOf(folder.write("points.obj", "v 0 0 0\nv 1 0 0\n"), reading), none));
+        BOOST_TEST(
+            holds(refusalOf(folder.write("empty.dae", daeText(tetrahedron(), "<node name=\"a\"/>")), reading),
+                  none));
+        BOOST_TEST(
+            holds(refusalOf(folder.write("empty.gltf", gltfText(tetrahedron(), "{\"name\":\"a\"}")), reading),
+                  none));
+    }
+}
+
+BOOST_AUTO_TEST_CASE(an_index_out_of_range_is_refused) {
+    const TemporaryFolder folder;
+    const std::string file = folder.write("a.ply", replaced(plyText(tetrahedron()), "3 2 3 0", "3 2 9 0"));
+    for (const MeshReading reading : kReadings) {
+        BOOST_TEST(holds(refusalOf(file, reading), "face 3 of mesh '' refers to vertex 9 of 4"));
+    }
+}
+
+BOOST_AUTO_TEST_CASE(a_vertex_that_is_not_finite_is_refused_naming_the_first_such_triangle) {
+    const TemporaryFolder folder;
+    for (const char* const value : {"nan", "inf", "-inf", "1e39"}) {
+        const std::string text = replaced(objText(tetrahedron(), "bracket"), "3.062500", value);
+        for (const MeshReading reading : kReadings) {
+            const std::string message = refusalOf(folder.write("bad.obj", text), reading);
+            BOOST_TEST(holds(message, "triangle 1 of component 'bracket' has a vertex at (6, "), message);
+            BOOST_TEST(holds(message, "expected finite coordinates"), message);
+        }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(an_unused_vertex_that_is_not_finite_does_no_harm) {
+    const TemporaryFolder folder;
+    const std::string text = replaced(plyText(tetrahedron()), "element vertex 4", "element vertex 5");
+    const std::string file = folder.write("a.ply", replaced(text, "3 0 1 2\n", "nan 0 0\n3 0 1 2\n"));
+    for (const MeshReading reading : kReadings) {
+        LoadOptions options;
+        options.reading = reading;
+        const Mesh mesh = loadMesh(file, options);
+        BOOST_TEST(mesh.triangles.size() == 4u);
+        BOOST_TEST(boundingBox(mesh).sizes().allFinite());
+    }
+}
+
+BOOST_AUTO_TEST_CASE(coordinates_that_the_scale_makes_infinite_are_refused) {
+    const TemporaryFolder folder;
+    const std::string file = folder.write("a.obj", objText(tetrahedron(), "bracket"));
+    LoadOptions options;
+    options.scale = 1e308;
+    BOOST_CHECK_THROW(loadMesh(file, options), std::runtime_error);
+}
+
+}  // namespace clearway

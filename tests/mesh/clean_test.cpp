@@ -1,0 +1,303 @@
+#define BOOST_TEST_MODULE clean
+#include "mesh/clean.h"
+
+#include <algorithm>
+#include <boost/test/data/test_case.hpp>
+#include <boost/test/unit_test.hpp>
+#include <chrono>
+#include <limits>
+#include <map>
+#include <set>
+#include <stdexcept>
+#include <tuple>
+
+#include "support/random_meshes.h"
+
+namespace clearway {
+
+using testing::Random;
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+Mesh oneTriangle() {
+    Mesh mesh;
+    mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    mesh.triangles = {{0, 1, 2}};
+    return mesh;
+}
+
+Mesh withCorners(const Vector3& a, const Vector3& b, const Vector3& c) {
+    Mesh mesh = oneTriangle();
+    mesh.vertices = {a, b, c};
+    return mesh;
+}
+
+std::size_t degenerateIn(const Vector3& a, const Vector3& b, const Vector3& c) {
+    return clean(withCorners(a, b, c)).report.degenerateTriangles;
+}
+
+std::string refusalOf(const Mesh& mesh) {
+    try {
+        clean(mesh);
+    } catch (const std::invalid_argument& error) {
+        return error.what();
+    }
+    return "accepted";
+}
+
+using Coordinates = std::tuple<double, double, double>;
+Coordinates coordinates(const Vector3& vertex) {
+    return {vertex.x() + 0.0, vertex.y() + 0.0, vertex.z() + 0.0};
+}
+
+/// A triangle whatever its order.
+using Corners = std::multiset<Coordinates>;
+Corners cornersOf(const std::vector<Vector3>& vertices, const TriangleIndices& triangle) {
+    return {coordinates(vertices[triangle[0]]), coordinates(vertices[triangle[1]]),
+            coordinates(vertices[triangle[2]])};
+}
+
+/// Triangles on a coarse grid, so that equal vertices, repeated and degenerate triangles abound; vertices are
+/// not shared, some zeros are negative and some vertices unused.
+Mesh gridSoup(Random& random, int triangles) {
+    Mesh mesh;
+    for (int i = 0; i < 3 * triangles + 10; ++i) {
+        const auto coordinate = [&] { return random.below(2) ? 1.0 : (random.below(2) ? 0.0 : -0.0); };
+        const double x = coordinate(), y = coordinate(), z = random.below(3);
+        mesh.vertices.emplace_back(x, y, z);
+    }
+    for (int i = 0; i < triangles; ++i) {
+        const auto first = static_cast<std::uint32_t>(3 * i);
+        mesh.triangles.push_back({first, first + 1, first + 2});
+    }
+    return mesh;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_sound_mesh_comes_through_unchanged) {
+    const CleanMesh cleaned = clean(oneTriangle());
+    BOOST_TEST((cleaned.vertices == oneTriangle().vertices));
+    BOOST_TEST((cleaned.triangles == oneTriangle().triangles));
+    BOOST_TEST((cleaned.triangleIds == std::vector<std::uint32_t>{0}));
+    const CleanReport& report = cleaned.report;
+    BOOST_TEST(report.weldedVertices + report.unusedVertices + report.degenerateTriangles +
+                   report.duplicateTriangles ==
+               0u);
+}
+
+BOOST_AUTO_TEST_CASE(what_is_kept_agrees_with_a_plain_search) {
+    for (const std::uint64_t seed : {1, 2, 3}) {
+        BOOST_TEST_CONTEXT("seed " << seed) {
+            Random random(seed);
+            const Mesh mesh = gridSoup(random, 500);
+            const CleanMesh cleaned = clean(mesh);
+
+            std::map<Corners, std::uint32_t> firstIds;
+            std::set<Coordinates> distinct;
+            for (std::uint32_t id = 0; id < mesh.triangles.size(); ++id) {
+                firstIds.try_emplace(cornersOf(mesh.vertices, mesh.triangles[id]), id);
+                for (const std::uint32_t v : mesh.triangles[id])
+                    distinct.insert(coordinates(mesh.vertices[v]));
+            }
+            BOOST_TEST(cleaned.vertices.size() == distinct.size());
+            BOOST_TEST(cleaned.report.unusedVertices == 10u);
+            BOOST_TEST(cleaned.report.weldedVertices == mesh.vertices.size() - 10 - distinct.size());
+            BOOST_TEST(cleaned.report.duplicateTriangles == mesh.triangles.size() - firstIds.size());
+            BOOST_REQUIRE(cleaned.triangles.size() == firstIds.size());
+            BOOST_TEST(std::is_sorted(cleaned.triangleIds.begin(), cleaned.triangleIds.end()));
+            for (std::size_t i = 0; i < cleaned.triangles.size(); ++i) {
+                const Corners corners = cornersOf(cleaned.vertices, cleaned.triangles[i]);
+                BOOST_REQUIRE(firstIds.at(corners) == cleaned.triangleIds[i]);
+                for (int k = 0; k < 3; ++k) {  // the order of the corners is kept too
+                    const std::uint32_t given = mesh.triangles[cleaned.triangleIds[i]][k];
+                    BOOST_REQUIRE((cleaned.vertices[cleaned.triangles[i][k]] == mesh.vertices[given]));
+                }
+            }
+        }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(signed_zeros_are_one_vertex_and_come_out_positive) {
+    Mesh mesh = oneTriangle();
+    mesh.vertices.insert(mesh.vertices.end(), {{-0.0, 0, -0.0}, {1, -0.0, 0}, {0, 1, 1}});
+    mesh.triangles.push_back({3, 4, 5});
+    const CleanMesh cleaned = clean(mesh);
+    BOOST_TEST(cleaned.report.weldedVertices == 2u);
+    BOOST_TEST(cleaned.vertices.size() == 4u);
+    for (const Vector3& vertex : cleaned.vertices) {
+        for (int i = 0; i < 3; ++i) BOOST_TEST(!std::signbit(vertex[i]));
+    }
+}
+
+BOOST_AUTO_TEST_CASE(vertices_that_differ_in_the_last_bit_stay_apart) {
+    Mesh mesh = oneTriangle();
+    mesh.vertices.insert(mesh.vertices.end(), {{std::nextafter(1, 2), 0, 0}, {0, 1e-300, 0}, {0, 1, 0}});
+    mesh.triangles.push_back({3, 4, 5});
+    const CleanMesh cleaned = clean(mesh);
+    BOOST_TEST(cleaned.vertices.size() == 5u);
+    BOOST_TEST(cleaned.report.weldedVertices == 1u);
+}
+
+BOOST_AUTO_TEST_CASE(a_duplicate_in_any_order_is_dropped_and_the_first_id_kept) {
+    Mesh mesh = oneTriangle();
+    mesh.vertices.emplace_back(0, 0, 1);
+    mesh.vertices.emplace_back(0, 1, 0);  // equals vertex 2
+    mesh.triangles = {{0, 1, 3}, {0, 1, 2}, {2, 1, 0}, {1, 4, 0}, {0, 2, 3}};
+    const CleanMesh cleaned = clean(mesh);
+    BOOST_TEST((cleaned.triangleIds == std::vector<std::uint32_t>{0, 1, 4}));
+    BOOST_TEST((cleaned.triangles[1] == TriangleIndices{0, 1, 2}));
+    BOOST_TEST(cleaned.report.duplicateTriangles == 2u);
+}
+
+BOOST_AUTO_TEST_CASE(a_segment_and_a_point_are_kept_and_counted) {
+    const Vector3 a(0.1, 0.2, 0.3);
+    const Vector3 b(5, -7, 11);
+    Mesh mesh;
+    mesh.vertices = {a, b, {1, 0, 0}};
+    mesh.triangles = {{0, 0, 0}, {0, 1, 0}, {0, 1, 1}, {0, 1, 2}};
+    const CleanMesh cleaned = clean(mesh);
+    BOOST_TEST(cleaned.triangles.size() == 4u);
+    BOOST_TEST(cleaned.report.degenerateTriangles == 3u);
+    BOOST_TEST(cleaned.report.duplicateTriangles == 0u);
+}
+
+BOOST_AUTO_TEST_CASE(three_points_on_a_line_are_degenerate_whatever_the_scale) {
+    const Vector3 direction(3, -5, 7);
+    for (const int exponent : {-1070, -540, -300, -20, 0, 30, 500, 1015}) {
+        BOOST_TEST_CONTEXT("scale 2^" << exponent) {
+            const double scale = std::ldexp(1.0, exponent);
+            const Vector3 start = scale * Vector3(1, 2, -4);
+            BOOST_TEST(degenerateIn(start, start + scale * direction, start + 3 * scale * direction) == 1u);
+            BOOST_TEST(degenerateIn(start, start + scale * direction,
+                                    start + 3 * scale * direction + scale * Vector3::UnitY()) == 0u);
+        }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(a_needle_that_rounding_would_flatten_has_an_area) {
+    // The first two products of the cross product round to the same double, yet differ.
+    const double tiny = std::ldexp(1.0, -52);
+    BOOST_TEST(degenerateIn({0, 0, 0}, {1, 1 + tiny, 0}, {1 - tiny, 1, 0}) == 0u);
+    // 0.1, 0.2 and 0.3 are no multiples of one another in binary.
+    BOOST_TEST(degenerateIn({0, 0, 0}, {0.1, 0.1, 0.1}, {0.3, 0.3, 0.3}) == 1u);
+    BOOST_TEST(degenerateIn({0, 0, 0}, {0.1, 0.2, 0.3}, {0.3, 0.6, 0.9}) == 0u);
+    // One unit in the last place off a line that runs far from the origin.
+    BOOST_TEST(degenerateIn({1e9, 1e9, 0}, {1e9 + 1, 1e9 + 1, 0}, {1e9 + 2, 1e9 + 2, 0}) == 1u);
+    BOOST_TEST(
+        degenerateIn({1e9, 1e9, 0}, {1e9 + 1, 1e9 + 1, 0}, {1e9 + 2, std::nextafter(1e9 + 2, 2e9), 0}) == 0u);
+    // Differences that no double holds.
+    BOOST_TEST(degenerateIn({1, 1, 0}, {0, 0, 0}, {1e-300, 1e-300, 0}) == 1u);
+    BOOST_TEST(degenerateIn({1, 1, 0}, {0, 0, 0}, {1e-300, 2e-300, 0}) == 0u);
+    // Products that underflow.
+    BOOST_TEST(degenerateIn({0, 0, 0}, {1e-200, 0, 0}, {0, 1e-200, 0}) == 0u);
+    BOOST_TEST(degenerateIn({0, 0, 0}, {5e-324, 0, 0}, {0, 0, 5e-324}) == 0u);
+    // And such that overflow.
+    BOOST_TEST(degenerateIn({-1e308, 0, 0}, {1e308, 1e308, 0}, {1e308, 0, 0}) == 0u);
+    BOOST_TEST(degenerateIn({-1e308, -1e308, 0}, {1e308, 1e308, 0}, {0, 0, 0}) == 1u);
+}
+
+BOOST_AUTO_TEST_CASE(a_vertex_that_is_not_finite_is_refused_naming_the_first_such_triangle) {
+    Mesh mesh = testing::box({1, 1, 1}, 2);
+    mesh.components = {{"lid", 0, 10}, {"floor", 10, std::uint32_t(mesh.triangles.size() - 10)}};
+    mesh.origin.file = "box.stl";
+    const auto bad = static_cast<std::uint32_t>(mesh.vertices.size());
+    for (const double value : {kNan, kInfinity, -kInfinity}) {
+        for (int i = 0; i < 3; ++i) {
+            Mesh broken = mesh;
+            broken.vertices.emplace_back(1, 2, 3);
+            broken.vertices[bad][i] = value;
+            BOOST_TEST(refusalOf(broken) == "accepted");  // no triangle uses it
+            broken.triangles[20][1] = bad;
+            broken.triangles[13][2] = bad;
+            const std::string message = refusalOf(broken);
+            BOOST_TEST(message.find("triangle 13 of component 'floor' in 'box.stl' has a vertex at (") == 0u,
+                       message);
+            BOOST_TEST(message.find("expected finite coordinates") != std::string::npos, message);
+        }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(an_index_out_of_range_is_refused) {
+    Mesh mesh = oneTriangle();
+    mesh.triangles.push_back({0, 3, 1});
+    BOOST_TEST(refusalOf(mesh) == "triangle 1 refers to vertex 3, expected one below 3");
+}
+
+BOOST_AUTO_TEST_CASE(a_mesh_without_triangles_is_refused) {
+    BOOST_TEST(refusalOf(Mesh{}) == "the mesh holds 0 triangles, expected at least 1");
+    Mesh mesh = oneTriangle();
+    mesh.triangles.clear();
+    mesh.origin.file = "cloud.ply";
+    BOOST_TEST(refusalOf(mesh) == "the mesh in 'cloud.ply' holds 0 triangles, expected at least 1");
+}
+
+BOOST_AUTO_TEST_CASE(components_that_do_not_cover_the_triangles_in_order_are_refused) {
+    Mesh mesh = oneTriangle();
+    mesh.triangles.resize(5, {0, 1, 2});
+    const auto refusal = [&](std::vector<Component> components) {
+        mesh.components = std::move(components);
+        return refusalOf(mesh);
+    };
+    BOOST_TEST(refusal({{"a", 0, 2}, {"b", 2, 3}}) == "accepted");
+    BOOST_TEST(refusal({{"a", 0, 2}, {"none", 2, 0}, {"b", 2, 3}}) == "accepted");
+    BOOST_TEST(refusal({{"a", 0, 2}, {"b", 2, 2}}) ==
+               "the components hold 4 triangles, expected 5, all of the mesh");
+    BOOST_TEST(refusal({{"a", 0, 2}, {"b", 2, 4}}) ==
+               "the components hold 6 triangles, expected 5, all of the mesh");
+    BOOST_TEST(refusal({{"a", 0, 2}, {"b", 3, 2}}) ==
+               "component 1 ('b') begins at triangle 3, expected 2, the end of the one before");
+    BOOST_TEST(refusal({{"b", 2, 3}, {"a", 0, 2}}) ==
+               "component 0 ('b') begins at triangle 2, expected 0, the end of the one before");
+    const std::uint32_t wrapping = std::numeric_limits<std::uint32_t>::max();
+    BOOST_TEST(refusal({{"a", 0, wrapping}, {"b", wrapping, 6}}) ==
+               "the components hold 4294967301 triangles, expected 5, all of the mesh");
+}
+
+BOOST_AUTO_TEST_CASE(the_triangle_of_each_component_is_found) {
+    Mesh mesh = oneTriangle();
+    mesh.triangles.resize(6, {0, 1, 2});
+    BOOST_TEST(componentOf(mesh, 5) == 0u);
+    mesh.components = {{"a", 0, 2}, {"none", 2, 0}, {"b", 2, 1}, {"c", 3, 3}, {"nothing", 6, 0}};
+    const std::size_t expected[] = {0, 0, 2, 3, 3, 3};
+    for (std::size_t id = 0; id < 6; ++id) BOOST_TEST(componentOf(mesh, id) == expected[id]);
+}
+
+BOOST_AUTO_TEST_CASE(the_box_holds_the_used_vertices_only) {
+    Mesh mesh = oneTriangle();
+    mesh.vertices.emplace_back(100, 100, 100);
+    const Box box = boundingBox(mesh);
+    BOOST_TEST((box.min() == Vector3(0, 0, 0)));
+    BOOST_TEST((box.max() == Vector3(1, 1, 0)));
+    BOOST_TEST(boundingBox(Mesh{}).isEmpty());
+}
+
+BOOST_AUTO_TEST_CASE(unshared_vertices_of_a_large_mesh_are_welded_without_quadratic_work) {
+    // As an STL file gives them, on a lattice whose coordinates share most of their bits: hard on a weak
+    // hash.
+    Mesh mesh;
+    constexpr int kSide = 400;
+    for (int i = 0; i < kSide; ++i) {
+        for (int j = 0; j < kSide; ++j) {
+            const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+            const Vector3 corner(i, j, 0);
+            for (const Vector3& step : {Vector3(0, 0, 0), Vector3(1, 0, 0), Vector3(1, 1, 0),
+                                        Vector3(0, 0, 0), Vector3(1, 1, 0), Vector3(0, 1, 0)}) {
+                mesh.vertices.push_back(corner + step);
+            }
+            mesh.triangles.push_back({first, first + 1, first + 2});
+            mesh.triangles.push_back({first + 3, first + 4, first + 5});
+        }
+    }
+    const auto start = std::chrono::steady_clock::now();
+    const CleanMesh cleaned = clean(mesh);
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    BOOST_TEST(cleaned.vertices.size() == std::size_t((kSide + 1) * (kSide + 1)));
+    BOOST_TEST(cleaned.triangles.size() == mesh.triangles.size());
+    BOOST_TEST(seconds.count() < 10);  // 0.03 s when nothing else runs; minutes with one long chain
+}
+
+}  // namespace clearway

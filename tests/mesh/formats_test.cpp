@@ -1,0 +1,136 @@
+#define BOOST_TEST_MODULE formats
+#include <assimp/scene.h>
+
+#include <assimp/Exporter.hpp>
+#include <boost/test/data/test_case.hpp>
+#include <boost/test/unit_test.hpp>
+#include <memory>
+
+#include "clearway/mesh.h"
+#include "mesh/mesh_files.h"
+#include "support/temporary_folder.h"
+
+namespace clearway {
+
+using namespace testing;
+
+namespace {
+
+/// A file's ending and what is in it; the last one says which component names it brings.
+struct Written {
+    const char* ending;
+    std::string content;
+    std::string name;
+};
+
+std::vector<Written> writtenByHand() {
+    const Mesh mesh = tetrahedron();
+    const std::string node = "<node name=\"bracket\"><instance_geometry url=\"#shape\"/></node>";
+    return {{".stl", asciiStl(mesh, "bracket"), "bracket"},
+            {".STL", binaryStl(mesh), "part"},
+            {".obj", objText(mesh, "bracket"), "bracket"},
+            {".ply", plyText(mesh), "part"},
+            {".off", offText(mesh), "part"},
+            {".dae", daeText(mesh, node), "bracket/shape"},
+            {".gltf", gltfText(mesh, "{\"name\":\"bracket\",\"mesh\":0}"), "bracket/shape"}};
+}
+
+/// Ending and the id of assimp's exporter.
+struct Exported {
+    const char* ending;
+    const char* id;
+};
+constexpr Exported kExported[] = {{".stl", "stl"},    {".stl", "stlb"}, {".obj", "obj"},
+                                  {".ply", "ply"},    {".ply", "plyb"}, {".dae", "collada"},
+                                  {".gltf", "gltf2"}, {".glb", "glb2"}, {".glb", "glb"},
+                                  {".fbx", "fbxa"},   {".3mf", "3mf"},  {".assbin", "assbin"}};
+
+/// Shows the mesh once, in a node below the root.
+std::unique_ptr<aiScene> sceneOf(const Mesh& mesh) {
+    auto scene = std::make_unique<aiScene>();
+    scene->mNumMaterials = 1;
+    scene->mMaterials = new aiMaterial* [1] { new aiMaterial };
+    auto* shown = new aiMesh;
+    shown->mPrimitiveTypes = aiPrimitiveType_TRIANGLE;
+    shown->mName.Set("shape");
+    shown->mNumVertices = static_cast<unsigned>(mesh.vertices.size());
+    shown->mVertices = new aiVector3D[mesh.vertices.size()];
+    for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+        const Eigen::Vector3f vertex = mesh.vertices[v].cast<float>();
+        shown->mVertices[v] = aiVector3D(vertex.x(), vertex.y(), vertex.z());
+    }
+    shown->mNumFaces = static_cast<unsigned>(mesh.triangles.size());
+    shown->mFaces = new aiFace[mesh.triangles.size()];
+    for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
+        shown->mFaces[f].mNumIndices = 3;
+        shown->mFaces[f].mIndices =
+            new unsigned[3]{mesh.triangles[f][0], mesh.triangles[f][1], mesh.triangles[f][2]};
+    }
+    scene->mNumMeshes = 1;
+    scene->mMeshes = new aiMesh* [1] { shown };
+    scene->mRootNode = new aiNode("root");
+    auto* node = new aiNode("bracket");
+    node->mNumMeshes = 1;
+    node->mMeshes = new unsigned[1]{0};
+    scene->mRootNode->addChildren(1, &node);
+    return scene;
+}
+
+void requireSameTriangles(const Mesh& loaded, const Mesh& expected) {
+    BOOST_REQUIRE(loaded.triangles.size() == expected.triangles.size());
+    for (std::size_t id = 0; id < expected.triangles.size(); ++id) {
+        for (int i = 0; i < 3; ++i) {
+            const Vector3& corner = loaded.vertices[loaded.triangles[id][i]];
+            BOOST_TEST((corner == expected.vertices[expected.triangles[id][i]]),
+                       "corner " << i << " of triangle " << id << " is " << corner.transpose());
+        }
+    }
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(every_format_written_by_hand_brings_the_same_triangles_in_order) {
+    const TemporaryFolder folder;
+    for (const Written& written : writtenByHand()) {
+        BOOST_TEST_CONTEXT(written.ending) {
+            const std::string file = folder.write(std::string("part") + written.ending, written.content);
+            const Mesh mesh = loadMesh(file);
+            requireSameTriangles(mesh, tetrahedron());
+            BOOST_REQUIRE(mesh.components.size() == 1u);
+            BOOST_TEST(mesh.components[0].name == written.name);
+            BOOST_TEST(mesh.components[0].firstTriangle == 0u);
+            BOOST_TEST(mesh.components[0].triangleCount == 4u);
+            BOOST_TEST(mesh.origin.file == file);
+            BOOST_TEST(mesh.origin.scale == 1);
+            BOOST_TEST((mesh.origin.shift == Vector3::Zero()));
+            BOOST_TEST(mesh.origin.ignoredFaces == 0u);
+            BOOST_TEST(mesh.origin.notes.empty());
+        }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(every_format_that_assimp_exports_brings_the_same_triangles_in_order) {
+    const TemporaryFolder folder;
+    const auto scene = sceneOf(tetrahedron());
+    for (const Exported& format : kExported) {
+        BOOST_TEST_CONTEXT(format.id) {
+            const std::string file = folder.file(std::string(format.id) + "_part" + format.ending);
+            Assimp::Exporter exporter;
+            BOOST_REQUIRE(exporter.Export(scene.get(), format.id, file) == aiReturn_SUCCESS);
+            requireSameTriangles(loadMesh(file), tetrahedron());
+        }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(the_unit_and_up_axis_that_an_fbx_file_declares_are_said) {
+    const TemporaryFolder folder;
+    const std::string file = folder.file("part.fbx");
+    Assimp::Exporter exporter;
+    BOOST_REQUIRE(exporter.Export(sceneOf(tetrahedron()).get(), "fbxa", file) == aiReturn_SUCCESS);
+    const Mesh mesh = loadMesh(file);
+    BOOST_REQUIRE(mesh.origin.notes.size() == 1u);
+    BOOST_TEST(mesh.origin.notes[0] ==
+               "unit and up axis that the file declares not applied: unit 1 cm, axis 1 up");
+}
+
+}  // namespace clearway
