@@ -75,6 +75,9 @@ BOOST_AUTO_TEST_CASE(a_truncated_file_is_refused) {
     const std::string stl = binaryStl(tetrahedron());
     BOOST_TEST(refusalOf(folder.write("cut.stl", stl.substr(0, stl.size() - 30))) != "accepted");
     const std::string ply = plyText(tetrahedron());
+    for (std::size_t size = 1; size < ply.find("end_header") + 10; ++size) {
+        BOOST_TEST(refusalOf(folder.write("cut.ply", ply.substr(0, size))) != "accepted");
+    }
     BOOST_TEST(refusalOf(folder.write("cut.off", "OFF\n4 4 0\n0 0 0\n1 0 0\n")) != "accepted");
     BOOST_TEST(refusalOf(folder.write("cut.gltf", gltfText(tetrahedron(), "{\"mesh\":0}").substr(0, 400))) !=
                "accepted");
