@@ -1,4 +1,5 @@
 // Reads mesh files through assimp, as they are or with the arithmetic of OMPL.app (float, assimp's defaults).
+#include <assimp/BaseImporter.h>
 #include <assimp/config.h>
 #include <assimp/importerdesc.h>
 #include <assimp/postprocess.h>
@@ -9,6 +10,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <limits>
+#include <memory>
 #include <sstream>
 #include <stdexcept>
 #include <vector>
@@ -282,7 +284,19 @@ const aiScene& requireScene(const Assimp::Importer& importer, const std::string&
     return *scene;
 }
 
+/// assimp 5.2 takes wrong indices from sound files of glTF 1.0 and aborts. Without that reader they are
+/// refused; glTF 2.0 has its own.
+void leaveOutGltf1(Assimp::Importer& importer) {
+    for (std::size_t i = 0; i < importer.GetImporterCount(); ++i) {
+        if (std::string(importer.GetImporterInfo(i)->mName) != "glTF Importer") continue;
+        const std::unique_ptr<Assimp::BaseImporter> reader(importer.GetImporter(i));
+        importer.UnregisterLoader(reader.get());
+        return;
+    }
+}
+
 const aiScene& readStored(Assimp::Importer& importer, const std::string& file) {
+    leaveOutGltf1(importer);
     // A file with only a skeleton would otherwise be given made-up triangles.
     importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
     importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, true);

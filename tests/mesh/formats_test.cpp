@@ -5,6 +5,7 @@
 #include <boost/test/data/test_case.hpp>
 #include <boost/test/unit_test.hpp>
 #include <memory>
+#include <stdexcept>
 
 #include "clearway/mesh.h"
 #include "mesh/mesh_files.h"
@@ -40,10 +41,10 @@ struct Exported {
     const char* ending;
     const char* id;
 };
-constexpr Exported kExported[] = {{".stl", "stl"},    {".stl", "stlb"}, {".obj", "obj"},
-                                  {".ply", "ply"},    {".ply", "plyb"}, {".dae", "collada"},
-                                  {".gltf", "gltf2"}, {".glb", "glb2"}, {".glb", "glb"},
-                                  {".fbx", "fbxa"},   {".3mf", "3mf"},  {".assbin", "assbin"}};
+constexpr Exported kExported[] = {{".stl", "stl"},    {".stl", "stlb"},     {".obj", "obj"},
+                                  {".ply", "ply"},    {".ply", "plyb"},     {".dae", "collada"},
+                                  {".gltf", "gltf2"}, {".glb", "glb2"},     {".fbx", "fbxa"},
+                                  {".3mf", "3mf"},    {".assbin", "assbin"}};
 
 /// Shows the mesh once, in a node below the root.
 std::unique_ptr<aiScene> sceneOf(const Mesh& mesh) {
@@ -131,6 +132,16 @@ BOOST_AUTO_TEST_CASE(the_unit_and_up_axis_that_an_fbx_file_declares_are_said) {
     BOOST_REQUIRE(mesh.origin.notes.size() == 1u);
     BOOST_TEST(mesh.origin.notes[0] ==
                "unit and up axis that the file declares not applied: unit 1 cm, axis 1 up");
+}
+
+BOOST_AUTO_TEST_CASE(gltf_1_is_refused) {
+    const TemporaryFolder folder;
+    for (const Exported& format : {Exported{".gltf", "gltf"}, Exported{".glb", "glb"}}) {
+        const std::string file = folder.file(std::string("old") + format.ending);
+        Assimp::Exporter exporter;
+        BOOST_REQUIRE(exporter.Export(sceneOf(tetrahedron()).get(), format.id, file) == aiReturn_SUCCESS);
+        BOOST_CHECK_THROW(loadMesh(file), std::runtime_error);
+    }
 }
 
 }  // namespace clearway
