@@ -1,0 +1,165 @@
+#define BOOST_TEST_MODULE plan
+#include "clearway/problem.h"
+#include "cli/run_program.h"
+#include "support/oracle.h"
+#include "support/path_check.h"
+#include "support/window_scene.h"
+
+namespace clearway::testing {
+
+namespace {
+
+/// The wall with a window as files, and what they hold as it is read back.
+struct WindowFolder : TemporaryFolder {
+    WindowFolder() {
+        saveMesh(window.partMesh, file("plate.obj"));
+        saveMesh(window.wallMesh, file("wall.obj"));
+        window.problem.robot = file("plate.obj");
+        window.problem.world = file("wall.obj");
+        window.problem.asOmplApp = false;
+        write(window.problem);
+    }
+
+    using TemporaryFolder::write;
+    void write(const Problem& problem, const std::string& name = "window.cfg") const {
+        writeProblem(problem, file(name));
+    }
+
+    WindowScene window = windowScene();
+};
+
+constexpr const char* kPlan = "plan window.cfg --path out.path --iterations 200000";
+
+std::string added(const std::string& more) {
+    return std::string(kPlan) + " " + more;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_path_is_found_written_and_free_by_the_oracle) {
+    const WindowFolder folder;
+    const Outcome outcome = runIn(folder, kPlan);
+    BOOST_TEST(outcome.code == 0, outcome.err);
+    BOOST_TEST(outcome.err == "");  // no progress either: this is no terminal
+    BOOST_TEST(row(outcome, "planner") == "RRTConnect, seed 1");
+    BOOST_TEST(row(outcome, "repeatable") == "yes");
+    BOOST_TEST(row(outcome, "step") == "1");
+    BOOST_TEST(std::stod(row(outcome, "planning time")) > 0);
+    BOOST_TEST(std::stod(row(outcome, "length")) >= 120);
+    BOOST_TEST(std::stod(row(outcome, "least clearance")) > 0);
+    BOOST_TEST(row(outcome, "least clearance").find("between 'plate") != std::string::npos);
+    BOOST_TEST(row(outcome, "path") == "out.path");
+
+    const auto path = readPath(folder.file("out.path"), Space::kSe3);
+    BOOST_TEST(std::to_string(path.size()) ==
+               row(outcome, "states").substr(0, std::to_string(path.size()).size()));
+    BOOST_TEST(path.front().position == folder.window.problem.start.position);
+    BOOST_TEST(path.back().position == folder.window.problem.goal.position);
+    const Problem problem = readProblem(folder.file("window.cfg"));
+    const MeshOracle oracle(loadPart(problem), loadEnvironment(problem));
+    BOOST_TEST(leastDistance(oracle, path, problem, 1000) > 0);
+    BOOST_TEST(readText(folder.file("out.path")).find('.') != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(the_same_seed_and_iterations_write_the_same_bytes) {
+    const WindowFolder folder;
+    BOOST_TEST(runIn(folder, added("--seed 7")).code == 0);
+    const std::string first = readText(folder.file("out.path"));
+    BOOST_TEST(runIn(folder, added("--seed 7")).code == 0);
+    BOOST_TEST(readText(folder.file("out.path")) == first);
+    BOOST_TEST(runIn(folder, added("--seed 8")).code == 0);
+    BOOST_TEST(readText(folder.file("out.path")) != first);
+}
+
+BOOST_AUTO_TEST_CASE(options_reach_the_planner) {
+    const WindowFolder folder;
+    const Outcome outcome = runIn(
+        folder,
+        "plan window.cfg --path out.path --time 20 --planner rrt --planner-param range=15 --planner-param "
+        "goal_bias=0.1 --margin 1 --step 0.5 --objective length --general-split mean --leaf-split chain "
+        "--leaf-size 3 --target scalar");
+    BOOST_TEST(outcome.code == 0, outcome.err);
+    BOOST_TEST(row(outcome, "planner") == "RRT, seed 1");
+    BOOST_TEST(row(outcome, "margin") == "1");
+    BOOST_TEST(row(outcome, "step") == "0.5");
+    BOOST_TEST(std::stod(row(outcome, "least clearance")) > 1);
+    BOOST_TEST(runIn(folder, added("--ompl-weights")).code == 0);
+}
+
+BOOST_AUTO_TEST_CASE(no_path_is_exit_code_1_and_no_file) {
+    const WindowFolder folder;
+    const auto before = folder.names();
+    const Outcome outcome = runIn(folder, "plan window.cfg --path out.path --time 0.3 --margin 12");
+    BOOST_TEST(outcome.code == 1);
+    BOOST_TEST(outcome.err == "");
+    BOOST_TEST(row(outcome, "path") == "none found");
+    BOOST_TEST(folder.names() == before, boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(an_interrupt_ends_the_planning_with_exit_code_1_and_no_file) {
+    const WindowFolder folder;
+    const auto before = folder.names();
+    const std::string command = "cd '" + folder.path() +
+                                "' && timeout --preserve-status -s INT 2 " CLEARWAY_PROGRAM
+                                " plan window.cfg --path out.path --time 300 --margin 12 > /dev/null 2>&1";
+    const int status = std::system(command.c_str());
+    BOOST_TEST(WIFEXITED(status));
+    BOOST_TEST(WEXITSTATUS(status) == 1);
+    BOOST_TEST(folder.names() == before, boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(wrong_usage_is_refused_in_one_line) {
+    const WindowFolder folder;
+    requireRefused(folder, "plan window.cfg", {"--path is missing"});
+    requireRefused(folder, "plan nowhere.cfg --path out.path", {"nowhere.cfg"});
+    requireRefused(folder, "plan window.cfg --path nowhere/out.path", {"nowhere/out.path"});
+    requireRefused(folder, added("--planner RTRConnect"),
+                   {"unknown planner 'RTRConnect'", "RRTConnect", "PRMstar"});
+    requireRefused(folder, added("--planner-param rnage=1"), {"no parameter 'rnage'", "range"});
+    requireRefused(folder, added("--planner-param range=far"), {"'far'", "expected a number"});
+    requireRefused(folder, added("--planner-param range"), {"--planner-param is 'range'", "NAME=VALUE"});
+    requireRefused(folder, added("--time 3"), {"--time and --iterations"});
+    requireRefused(folder, "plan window.cfg --path out.path --time soon", {"--time is 'soon'"});
+    requireRefused(folder, "plan window.cfg --path out.path --iterations 1.5", {"--iterations is '1.5'"});
+    requireRefused(folder, added("--seed 0"), {"--seed is '0'"});
+    requireRefused(folder, added("--margin -1"), {"--margin is '-1'"});
+    requireRefused(folder, added("--step 0"), {"--step is '0'"});
+    requireRefused(folder, added("--objective clearance"), {"--objective is 'clearance'", "expected length"});
+    requireRefused(folder, added("--general-split best"), {"best", "axis"});
+    requireRefused(folder, added("--target abacus"), {"abacus", "scalar"});
+}
+
+BOOST_AUTO_TEST_CASE(a_start_or_goal_that_cannot_be_is_refused_in_one_line) {
+    const WindowFolder folder;
+    Problem problem = folder.window.problem;
+    problem.start.position.x() = 0;
+    folder.write(problem);
+    requireRefused(folder, kPlan, {"start is in collision", "plate", "triangle", "touching"});
+    problem.start.position.x() = -34;
+    folder.write(problem);
+    requireRefused(folder, added("--margin 2.5"), {"start is in collision", "2 apart", "margin 2.5"});
+    problem.start.position.x() = -60;
+    problem.goal.position.x() = 81;
+    folder.write(problem);
+    requireRefused(folder, kPlan, {"goal", "81"});
+}
+
+BOOST_AUTO_TEST_CASE(what_a_problem_file_says_in_vain_is_warned_of_once) {
+    const WindowFolder folder;
+    Problem problem = folder.window.problem;
+    problem.step.reset();
+    problem.planners = {{"rrtconnect", {{"max_depth", "3"}}}};
+    folder.write(problem);
+    const Outcome outcome = runIn(folder, kPlan);
+    BOOST_TEST(outcome.code == 0, outcome.err);
+    BOOST_TEST(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 2, outcome.err);
+    BOOST_TEST(outcome.err.find("no parameter 'max_depth'") != std::string::npos);
+    BOOST_TEST(outcome.err.find("walls thinner than that may be jumped") != std::string::npos);
+    BOOST_TEST(row(outcome, "step").find("by default") != std::string::npos);
+
+    problem.planners = {{"nonesuch", {}}};
+    folder.write(problem);
+    requireRefused(folder, kPlan, {"window.cfg", "unknown planner 'nonesuch'"});
+}
+
+}  // namespace clearway::testing
