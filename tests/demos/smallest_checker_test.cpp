@@ -1,0 +1,43 @@
+#define BOOST_TEST_MODULE smallest_checker
+#include <boost/test/unit_test.hpp>
+#include <cstdlib>
+#include <sstream>
+#include <string>
+
+#include "clearway/problem.h"
+#include "support/oracle.h"
+#include "support/path_check.h"
+#include "support/temporary_folder.h"
+
+namespace clearway::testing {
+
+BOOST_AUTO_TEST_CASE(the_readme_example_runs_and_its_path_keeps_clear) {
+    const std::string part = CLEARWAY_DATA_DIR "/window/plate.obj",
+                      wall = CLEARWAY_DATA_DIR "/window/wall.obj";
+    const TemporaryFolder folder;
+    const std::string command = CLEARWAY_DEMO " '" + part + "' '" + wall + "' > '" + folder.file("out") +
+                                "' 2> '" + folder.file("err") + "'";
+    BOOST_TEST(std::system(command.c_str()) == 0);
+
+    // OMPL prints one state a line among its messages.
+    std::vector<PartState> path;
+    std::istringstream lines(readText(folder.file("out")));
+    for (std::string line; std::getline(lines, line);) {
+        std::istringstream numbers(line);
+        PartState s;
+        auto& q = s.rotation;
+        if (numbers >> s.position.x() >> s.position.y() >> s.position.z() >> q.x() >> q.y() >> q.z() >>
+            q.w()) {
+            q.normalize();
+            path.push_back(s);
+        }
+    }
+    BOOST_TEST_REQUIRE(path.size() >= 2u);
+    BOOST_TEST(path.front().position.x() == -60);
+    BOOST_TEST(path.back().position.x() == 60);
+    const MeshOracle oracle(loadMesh(part), loadMesh(wall));
+    BOOST_TEST(leastDistance(oracle, path, Problem(), 1000) >
+               0.7);  // margin 1, less half a step and printed digits
+}
+
+}  // namespace clearway::testing
