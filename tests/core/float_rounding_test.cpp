@@ -1,0 +1,46 @@
+// The compiler must keep the rounding of a double to float when the float becomes a double again: g++ 12
+// drops it for neighbouring values unless it is told not to make vectors of them (see CMakeLists.txt).
+#define BOOST_TEST_MODULE float_rounding
+#include <boost/test/unit_test.hpp>
+
+namespace {
+
+// Not known to the compiler, so that it cannot work the answers out itself.
+volatile double unknown[4] = {0.1, 0.3, 3, 7};
+
+__attribute__((noinline)) void roundDifferences(double* x, const double* m) {
+    const double first = static_cast<float>(x[0] - m[0]), second = static_cast<float>(x[1] - m[1]);
+    x[0] = first;
+    x[1] = second;
+}
+
+__attribute__((noinline)) void storeAndWiden(const double* x, float* stored, double* widened) {
+    stored[0] = static_cast<float>(x[0]);
+    stored[1] = static_cast<float>(x[1]);
+    widened[0] = stored[0];
+    widened[1] = stored[1];
+}
+
+bool isFloat(double value) {
+    const volatile float rounded = static_cast<float>(value);
+    return value == static_cast<double>(rounded);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(neighbouring_doubles_are_rounded_to_float) {
+    double x[2] = {unknown[0], unknown[1]};
+    const double m[2] = {unknown[2], unknown[3]};
+    roundDifferences(x, m);
+    BOOST_TEST(isFloat(x[0]));
+    BOOST_TEST(isFloat(x[1]));
+}
+
+BOOST_AUTO_TEST_CASE(neighbouring_stored_floats_are_what_is_read_back) {
+    const double x[2] = {unknown[0], unknown[1]};
+    float stored[2];
+    double widened[2];
+    storeAndWiden(x, stored, widened);
+    BOOST_TEST(isFloat(widened[0]));
+    BOOST_TEST(isFloat(widened[1]));
+}
