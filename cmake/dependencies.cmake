@@ -2,7 +2,10 @@
 
 find_package(Eigen3 3.3 REQUIRED NO_MODULE)
 find_package(hwy 1.0 REQUIRED CONFIG)
-find_package(Boost 1.71 REQUIRED COMPONENTS program_options unit_test_framework)
+find_package(Boost 1.71 REQUIRED COMPONENTS program_options)
+if(CLEARWAY_TESTS)
+  find_package(Boost 1.71 REQUIRED COMPONENTS unit_test_framework)
+endif()
 find_package(Threads REQUIRED)
 
 # assimp and OMPL 1.5 export variables or targets by version; both end up behind one name each here. Their headers are
