@@ -209,6 +209,10 @@ BOOST_AUTO_TEST_CASE(the_unit_and_up_axis_of_a_collada_file_are_left_out_or_appl
     BOOST_REQUIRE(asOmplApp.origin.notes.size() == 1u);
     BOOST_TEST(asOmplApp.origin.notes[0] ==
                "unit and up axis that the file declares applied: x' = 0.25 x, y' = 0.25 z, z' = -0.25 y");
+    const Mesh nearly = loadText("a.dae", daeText(tetrahedron(), "<node name=\"a\">" + kShow + "</node>",
+                                                  "<unit meter=\"1.0009765625\"/>"));
+    requireTetrahedron(nearly, 0, unchanged);
+    BOOST_TEST(nearly.origin.notes.size() == 1u);
     const Mesh plain = loadText("a.dae", daeText(tetrahedron(), "<node name=\"a\">" + kShow + "</node>"));
     BOOST_TEST(plain.origin.notes.empty());
 }
