@@ -34,18 +34,18 @@ class Closest {
         state_.counters.triangleTests += std::uint64_t(pairs.total());
         const hn::CappedTag<float, kPairLanes> d;
         const auto error = hn::Set(d, pairs.roundingError());
-        PairLanes lanes;
         alignas(64) float proved[kPairLanes], upper[kPairLanes];
 
         const int n = pairs.partCount(), step = pairs.partTrianglesAtOnce();
         for (int first = 0; first < n && !done(); first += step) {
-            const int count = pairs.fill(first, first + step < n ? first + step : n, lanes);
+            const int count = pairs.fill(first, first + step < n ? first + step : n, lanes_);
             for (size_t lane = 0; lane < size_t(count) && !done(); lane += hn::Lanes(d)) {
-                const TrianglePair<hn::Vec<decltype(d)>> pair(LoadTriangles(d, lanes.part, lane),
-                                                              LoadTriangles(d, lanes.environment, lane));
+                const TrianglePair<hn::Vec<decltype(d)>> pair(LoadTriangles(d, lanes_.part, lane),
+                                                              LoadTriangles(d, lanes_.environment, lane));
                 const auto cheap = CheapSeparation(d, pair);
                 const auto dropFrom = hn::Set(d, dropFrom_);
-                if (hn::AllTrue(d, hn::Ge(hn::Sub(cheap, error), dropFrom))) continue;
+                const auto unused = hn::Not(hn::FirstN(d, size_t(count) - lane));
+                if (hn::AllTrue(d, hn::Or(unused, hn::Ge(hn::Sub(cheap, error), dropFrom)))) continue;
                 const auto bounds = TriangleDistance(d, pair, cheap);
                 hn::Store(hn::Sub(bounds.lower, error), d, proved);
                 hn::Store(hn::Add(bounds.upper, error), d, upper);
@@ -138,6 +138,7 @@ class Closest {
     }
 
     const PairQuery& query_;
+    PairLanes lanes_;
     const ClosestRequest& request_;
     Workspace::State& state_;
     float dropFrom_ = hwy::HighestValue<float>();

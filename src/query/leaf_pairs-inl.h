@@ -66,7 +66,7 @@ class LeafPairs {
     int partTrianglesAtOnce() const { return kPairLanes / environmentCount_; }
 
     /// Fills the lanes with the pairs of part triangles first, first + 1, ..., last - 1 and every environment
-    /// triangle, in that order; lanes past the last pair repeat the first. Returns the number of pairs.
+    /// triangle, in that order. Returns the number of pairs; what lanes past the last one hold means nothing.
     HWY_INLINE int fill(int first, int last, PairLanes& lanes) const {
         const hn::CappedTag<float, kPairLanes> d;
         const int m = environmentCount_;
@@ -83,10 +83,6 @@ class LeafPairs {
                     const auto corners = hn::LoadU(d, environmentCorners_ + row * m + lane);
                     hn::StoreU(hn::Mul(corners, scale), d, lanes.environment[row] + to);
                 }
-            }
-            for (int lane = count; lane % int(hn::Lanes(d)) != 0; ++lane) {
-                lanes.part[row][lane] = lanes.part[row][0];
-                lanes.environment[row][lane] = lanes.environment[row][0];
             }
         }
         return count;

@@ -36,17 +36,17 @@ class Within {
         const hn::CappedTag<float, kPairLanes> d;
         const auto error = hn::Set(d, pairs.roundingError());
         const auto dropFrom = hn::Set(d, dropFrom_);
-        PairLanes lanes;
         alignas(64) float proved[kPairLanes], upper[kPairLanes];
 
         const int n = pairs.partCount(), step = pairs.partTrianglesAtOnce();
         for (int first = 0; first < n && !done(); first += step) {
-            const int count = pairs.fill(first, first + step < n ? first + step : n, lanes);
+            const int count = pairs.fill(first, first + step < n ? first + step : n, lanes_);
             for (size_t lane = 0; lane < size_t(count) && !done(); lane += hn::Lanes(d)) {
-                const TrianglePair<hn::Vec<decltype(d)>> pair(LoadTriangles(d, lanes.part, lane),
-                                                              LoadTriangles(d, lanes.environment, lane));
+                const TrianglePair<hn::Vec<decltype(d)>> pair(LoadTriangles(d, lanes_.part, lane),
+                                                              LoadTriangles(d, lanes_.environment, lane));
                 auto lower = CheapSeparation(d, pair);
-                if (hn::AllTrue(d, hn::Ge(hn::Sub(lower, error), dropFrom))) continue;
+                const auto unused = hn::Not(hn::FirstN(d, size_t(count) - lane));
+                if (hn::AllTrue(d, hn::Or(unused, hn::Ge(hn::Sub(lower, error), dropFrom)))) continue;
                 auto most = hn::Set(d, hwy::HighestValue<float>());
                 if (d_ > 0) {
                     const auto bounds = TriangleDistance(d, pair, lower);
@@ -93,6 +93,7 @@ class Within {
     }
 
     const PairQuery& query_;
+    PairLanes lanes_;
     double d_;
     Workspace::State& state_;
     float dropFrom_;
