@@ -1,0 +1,49 @@
+#include "scenes/piece.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace clearway {
+
+Piece placed(Piece piece, const Placement& placement) {
+    for (Vector3& vertex : piece.vertices) vertex = placement(vertex);
+    return piece;
+}
+
+Placement standingAt(const Vector3& origin, const Vector3& axis, double turn) {
+    Matrix3 upright;
+    upright.col(2) = axis.normalized();
+    upright.col(0) = upright.col(2).unitOrthogonal();
+    upright.col(1) = upright.col(2).cross(upright.col(0));
+    const Matrix3 rotation = upright * Eigen::AngleAxisd(turn, Vector3::UnitZ()).toRotationMatrix();
+    return [rotation, origin](const Vector3& p) -> Vector3 { return rotation * p + origin; };
+}
+
+void Assembly::add(const std::string& name, const Piece& piece) {
+    const auto firstVertex = static_cast<std::uint32_t>(mesh_.vertices.size());
+    const auto firstTriangle = static_cast<std::uint32_t>(mesh_.triangles.size());
+    mesh_.vertices.insert(mesh_.vertices.end(), piece.vertices.begin(), piece.vertices.end());
+    for (const TriangleIndices& triangle : piece.triangles) {
+        mesh_.triangles.push_back(
+            {triangle[0] + firstVertex, triangle[1] + firstVertex, triangle[2] + firstVertex});
+    }
+    mesh_.components.push_back({name, firstTriangle, static_cast<std::uint32_t>(piece.triangles.size())});
+}
+
+std::string Assembly::nextName(const std::string& stem) {
+    auto found = std::find_if(counts_.begin(), counts_.end(), [&](const auto& c) { return c.first == stem; });
+    if (found == counts_.end()) found = counts_.insert(counts_.end(), {stem, 0});
+    const int number = ++found->second;
+    return stem + (number < 10 ? "_0" : "_") + std::to_string(number);
+}
+
+Mesh Assembly::mesh(const Vector3& shift) const {
+    Mesh rounded = mesh_;
+    for (Vector3& vertex : rounded.vertices) {
+        // Adding zero turns -0 into 0, which text formats would not keep apart alike.
+        vertex = (vertex + shift).cast<float>().cast<double>() + Vector3::Zero();
+    }
+    return rounded;
+}
+
+}  // namespace clearway

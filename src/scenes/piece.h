@@ -1,0 +1,48 @@
+// The stuff scenes are made of: closed solids, placed in space and collected under names.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "clearway/mesh.h"
+
+namespace clearway {
+
+/// One closed solid, its triangles counter-clockwise seen from outside.
+struct Piece {
+    std::vector<Vector3> vertices;
+    std::vector<TriangleIndices> triangles;
+};
+
+/// Where a point of a piece goes. It must keep right-handed axes right-handed, or the piece turns inside out.
+using Placement = std::function<Vector3(const Vector3&)>;
+
+Piece placed(Piece piece, const Placement& placement);
+
+/// The placement that puts a piece's origin at `origin` and its z axis along `axis`, turned by `turn` radians
+/// about it.
+Placement standingAt(const Vector3& origin, const Vector3& axis, double turn = 0);
+
+/// Pieces as the named components of one mesh, in the order they were added.
+class Assembly {
+  public:
+    void add(const std::string& name, const Piece& piece);
+
+    /// The number of components whose name is `stem` or begins with `stem` and an underscore, plus one, in
+    /// two digits: "rib" gives "rib_01", "rib_02", ...
+    std::string nextName(const std::string& stem);
+
+    void addNumbered(const std::string& stem, const Piece& piece) { add(nextName(stem), piece); }
+
+    std::size_t triangleCount() const { return mesh_.triangles.size(); }
+
+    /// The mesh moved by `shift`, its coordinates rounded to float: mesh files hold no more.
+    Mesh mesh(const Vector3& shift = Vector3::Zero()) const;
+
+  private:
+    Mesh mesh_;
+    std::vector<std::pair<std::string, int>> counts_;
+};
+
+}  // namespace clearway

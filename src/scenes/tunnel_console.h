@@ -1,0 +1,31 @@
+// The demo scene tunnel-console, version 1: a centre console that must be threaded out of the bent tunnel it
+// just fits. A version never changes what an option set makes; a better scene is a new version beside it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "scenes/generated_scene.h"
+
+namespace clearway {
+
+struct TunnelConsoleOptions {
+    std::uint64_t seed = 1;                   ///< bends, walls and details vary with it
+    std::size_t partTriangles = 2000;         ///< reached within 5 %
+    std::size_t environmentTriangles = 8000;  ///< reached within 5 %
+    double clearance = 10;                    ///< mm, least distance along the constructed path, 1 to 25
+};
+
+/// The part and the environment in millimetres, all coordinates representable in float, every component a
+/// closed solid.
+///
+/// Part and tunnel are swept along one screw (see Screw), so that the part can be turned out of the tunnel
+/// with a gap that stays as it is: at least `clearance`, and less than half as much again as long as the part
+/// is in one of the ribs. The path is that motion, in chords, then one more motion through the free room to
+/// the goal. The part's box has a diagonal of about 900 mm. problem.step is half the thinnest sheet.
+///
+/// Throws std::invalid_argument, naming the option, its value and what was expected, when the clearance is
+/// out of range or a number of triangles is less than the shape needs at this clearance, or above 4 million.
+GeneratedScene makeTunnelConsole(const TunnelConsoleOptions& options);
+
+}  // namespace clearway

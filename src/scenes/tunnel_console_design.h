@@ -1,0 +1,73 @@
+// The measures of the scene tunnel-console, shared by its part and its environment. Straight coordinates (s
+// along, u across, v up from the underside of the part's flanges; see Screw), millimetres.
+#pragma once
+
+#include "scenes/piece.h"
+#include "scenes/random.h"
+#include "scenes/screw.h"
+#include "scenes/tunnel_console.h"
+
+namespace clearway {
+
+struct TunnelConsoleDesign {
+    Screw screw;
+    double clearance = 10;
+    double gap = 12;          ///< between sections, so that `clearance` is left in space
+    double longestStep = 60;  ///< of a sweep's stations, so that its chords keep to their share of the gap
+
+    // The console: a hat section, open below, with flanges.
+    double length = 860;
+    double height = 150;
+    double flangeHalfWidth = 118;
+    double footHalfWidth = 92;
+    double topHalfWidth = 84;
+    double shellThickness = 3;
+    double topRadius = 20;  ///< of the fillets, at the middle of the sheet
+    double footRadius = 6;
+    double innerDepth = 66;  ///< how far cups and webs hang down from the top
+    double thinPlate = 2.5;
+
+    // The tunnel. It begins at s = 0.
+    double startAt = 60;  ///< s of the part's rear end in the assembled pose
+    double tunnelLength = 940;
+    double wallHalfWidth = 145;
+    double roofHeight = 185;
+    double skinThickness = 1.6;  ///< the thinnest sheet of the scene
+    double floorThickness = 2;
+    double ribThickness = 2.5;
+
+    double exitAngle = 1.16;  ///< of the screw motion, radians
+
+    double floorTop() const { return -gap; }
+    double halfWidthAt(double v) const {
+        return footHalfWidth + (topHalfWidth - footHalfWidth) * (v / height);
+    }
+    double thinnestSheet() const { return skinThickness; }
+};
+
+/// How finely roundings are cut and how many details there are.
+struct TunnelConsoleDetail {
+    int segmentsPerQuarter = 2;
+    int segmentsPerTurn = 16;  ///< a multiple of 4
+    double step = 60;          ///< mm between a sweep's stations
+    double richness = 1;       ///< numbers of details are multiplied by it
+};
+
+/// The measures for the options; throws std::invalid_argument for a clearance that cannot be.
+TunnelConsoleDesign designTunnelConsole(const TunnelConsoleOptions& options);
+
+/// The console, bent, its middle at s = 0. `studs` small domes are added inside it, each of
+/// studTriangles(detail).
+Assembly buildConsole(const TunnelConsoleDesign& design, const TunnelConsoleDetail& detail, Random random,
+                      int studs);
+
+/// Everything around it, in the world.
+Assembly buildTunnel(const TunnelConsoleDesign& design, const TunnelConsoleDetail& detail, Random random,
+                     int studs);
+
+std::size_t studTriangles(const TunnelConsoleDetail& detail);
+
+/// A placement that carries a rigid piece to a straight point: its x, y, z along s, u, v there.
+Placement rigidAt(const Screw& screw, const Vector3& straight);
+
+}  // namespace clearway

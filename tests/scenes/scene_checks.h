@@ -1,0 +1,82 @@
+// What the tests of the scenes ask of a scene: closed components, clearance along a path.
+#pragma once
+
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "clearway/model.h"
+#include "clearway/problem.h"
+#include "clearway/query.h"
+#include "scenes/generated_scene.h"
+
+namespace clearway::testing {
+
+/// OMPL's SE(3) interpolation: straight translation, shortest slerp.
+inline PartState between(const PartState& from, const PartState& to, double t) {
+    PartState state;
+    state.position = (1 - t) * from.position + t * to.position;
+    state.rotation = from.rotation.slerp(t, to.rotation);
+    return state;
+}
+
+/// No point within `radius` of the part's origin moves further than this between the two states, nor than its
+/// share of it between two states on the way.
+inline double longestMotion(const PartState& from, const PartState& to, double radius) {
+    return (to.position - from.position).norm() + radius * from.rotation.angularDistance(to.rotation);
+}
+
+/// Every edge of the component is used once in each direction.
+inline bool isClosed(const Mesh& mesh, const Component& component) {
+    std::map<std::pair<std::uint32_t, std::uint32_t>, int> uses;
+    for (std::uint32_t i = component.firstTriangle; i < component.firstTriangle + component.triangleCount;
+         ++i) {
+        const TriangleIndices& t = mesh.triangles[i];
+        for (int k = 0; k < 3; ++k) ++uses[{t[k], t[(k + 1) % 3]}];
+    }
+    for (const auto& [edge, count] : uses) {
+        if (count != 1 || uses.count({edge.second, edge.first}) == 0) return false;
+    }
+    return true;
+}
+
+struct PathClearance {
+    double least = std::numeric_limits<double>::infinity();  ///< of those sampled
+    double length = 0;                                       ///< sum of longestMotion
+    double tightLength = 0;                                  ///< where the clearance is <= tight
+    bool proven = true;  ///< everywhere on the way, not only at the samples, the distance is > `never`
+    std::size_t samples = 0;
+};
+
+/// Walks along the path in steps no longer than the clearance above `never` at their beginning allows any
+/// point of the part to move, nor than `longestStep`: the distance cannot fall to `never` in between.
+inline PathClearance walkPath(const GeneratedScene& scene, double never, double tight, double longestStep) {
+    const Model part = Model::build(scene.part), environment = Model::build(scene.environment);
+    Workspace workspace;
+    PathClearance result;
+    const auto lowerAt = [&](const PartState& state) {
+        const double lower = distance(part, environment, poseOf(state), {}, workspace).lower;
+        result.least = std::min(result.least, lower);
+        ++result.samples;
+        return lower;
+    };
+    for (std::size_t i = 0; i + 1 < scene.path.size(); ++i) {
+        const PartState &from = scene.path[i], &to = scene.path[i + 1];
+        const double motion = longestMotion(from, to, part.radiusAboutOrigin());
+        for (double done = 0; done < motion;) {
+            const double lower = lowerAt(between(from, to, done / motion));
+            if (lower <= never) {
+                result.proven = false;
+                return result;
+            }
+            const double step = std::min({lower - never, longestStep, motion - done});
+            if (lower <= tight) result.tightLength += step;
+            done = motion - done <= step ? motion : done + step;
+            result.length += step;
+        }
+    }
+    result.proven = lowerAt(scene.path.back()) > never;
+    return result;
+}
+
+}  // namespace clearway::testing

@@ -1,0 +1,87 @@
+#define BOOST_TEST_MODULE tunnel_console_path
+#include <boost/test/data/monomorphic.hpp>
+#include <boost/test/data/test_case.hpp>
+#include <boost/test/unit_test.hpp>
+#include <cstdlib>
+#include <set>
+#include <vector>
+
+#include "scenes/scene_checks.h"
+#include "scenes/tunnel_console.h"
+#include "support/oracle.h"
+
+using namespace clearway;
+using namespace clearway::testing;
+
+namespace {
+
+struct Case {
+    TunnelConsoleOptions options;
+};
+
+std::ostream& operator<<(std::ostream& out, const Case& c) {
+    return out << "seed " << c.options.seed << ", " << c.options.partTriangles << " / "
+               << c.options.environmentTriangles << ", clearance " << c.options.clearance;
+}
+
+// seed, part, environment, clearance
+/// More of them with CLEARWAY_FULL=1.
+std::vector<Case> cases() {
+    std::vector<Case> all{
+        {{1, 2000, 8000, 10}}, {{2, 2000, 8000, 10}}, {{5, 3000, 13000, 4}}, {{7, 2000, 8000, 25}}};
+    const char* full = std::getenv("CLEARWAY_FULL");
+    if (full == nullptr || std::string(full) != "1") return all;
+    for (std::uint64_t seed = 3; seed <= 20; ++seed) all.push_back({{seed, 2000, 8000, 10}});
+    all.push_back({{4, 9000, 30000, 10}});
+    all.push_back({{5, 3000, 14000, 3}});
+    all.push_back({{6, 5000, 20000, 1.5}});
+    all.push_back({{7, 73000, 300000, 10}});
+    return all;
+}
+
+}  // namespace
+
+/// Proven along the whole way, in between the samples too.
+BOOST_DATA_TEST_CASE(the_constructed_path_keeps_the_clearance_and_is_tight_for_three_tenths, cases(),
+                     scenario) {
+    const double clearance = scenario.options.clearance;
+    const GeneratedScene scene = makeTunnelConsole(scenario.options);
+    const PathClearance walk = walkPath(scene, clearance, 1.5 * clearance, 5);
+    BOOST_TEST_MESSAGE(scenario << ": least " << walk.least << " mm, " << 100 * walk.tightLength / walk.length
+                                << " % tight, " << walk.samples << " samples");
+    BOOST_TEST(walk.proven);
+    BOOST_TEST(walk.tightLength >= 0.3 * walk.length);
+}
+
+BOOST_AUTO_TEST_CASE(the_oracle_finds_no_less_clearance_on_the_path) {
+    const GeneratedScene scene = makeTunnelConsole({});
+    const MeshOracle oracle(scene.part, scene.environment);
+    for (std::size_t i = 0; i + 1 < scene.path.size(); ++i) {
+        for (const double t : {0.0, 0.5}) {
+            const PartState state = between(scene.path[i], scene.path[i + 1], t);
+            BOOST_TEST(oracle.distance(poseOf(state)).distance >= 10);
+        }
+    }
+    BOOST_TEST(oracle.distance(poseOf(scene.path.back())).distance >= 10);
+}
+
+BOOST_DATA_TEST_CASE(the_straight_motion_collides_over_half_its_length_with_three_components, cases(),
+                     scenario) {
+    const GeneratedScene scene = makeTunnelConsole(scenario.options);
+    const Model part = Model::build(scene.part);
+    Workspace workspace;
+    const Model environment = Model::build(scene.environment);
+    constexpr int kSamples = 200;
+    int collisions = 0;
+    std::set<std::string> components;
+    for (int i = 0; i < kSamples; ++i) {
+        const PartState state = between(scene.path.front(), scene.path.back(), (i + 0.5) / kSamples);
+        const DistanceResult result = distance(part, environment, poseOf(state), {}, workspace);
+        if (!result.collides()) continue;
+        ++collisions;
+        components.insert(environment.components()[result.environmentComponent].name);
+    }
+    BOOST_TEST_MESSAGE(scenario << ": " << 100.0 * collisions / kSamples << " % with " << components.size());
+    BOOST_TEST(collisions >= kSamples / 2);
+    BOOST_TEST(components.size() >= 3);
+}
