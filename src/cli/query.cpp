@@ -89,6 +89,11 @@ Question questionOf(const Options& options) {
     return question;
 }
 
+void printMesh(const char* label, const Model& model) {
+    printRow(label, counted(model.report().triangles, "triangle"));
+    for (const std::string& note : model.origin().notes) printRow("  note", note);
+}
+
 }  // namespace
 
 int query(const Arguments& arguments) {
@@ -109,8 +114,8 @@ int query(const Arguments& arguments) {
     const Model environment = Model::build(loadMesh(options.text("environment"), load), tree);
     const QueryRun run = ask(question, part, environment, poses.poses);
 
-    printRow("part", counted(part.report().triangles, "triangle"));
-    printRow("environment", counted(environment.report().triangles, "triangle"));
+    printMesh("part", part);
+    printMesh("environment", environment);
     printRow("trees", description(tree));
     printRow("instruction set", currentTarget());
     printRow("poses", std::to_string(poses.poses.size()) + ", " + std::to_string(poses.projected) +

@@ -195,6 +195,31 @@ BOOST_AUTO_TEST_CASE(meshes_are_not_moved_to_their_centre) {
     BOOST_TEST(std::abs(std::stod(answers(folder, "distance", kDistanceHeader)[0][1]) - 8) <= 1e-12);
 }
 
+BOOST_AUTO_TEST_CASE(what_a_file_declares_and_is_not_applied_is_said) {
+    const BoxesFolder folder;
+    folder.write("poses.txt", kPoses);
+    folder.write("part.dae", R"(<?xml version="1.0"?>
+<COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
+<asset><unit name="centimetre" meter="0.01"/><up_axis>Z_UP</up_axis></asset>
+<library_geometries><geometry id="g"><mesh>
+<source id="p"><float_array id="a" count="9">-1 0 0 1 0 0 0 1 0</float_array>
+<technique_common><accessor source="#a" count="3" stride="3">
+<param name="X" type="float"/><param name="Y" type="float"/><param name="Z" type="float"/>
+</accessor></technique_common></source>
+<vertices id="v"><input semantic="POSITION" source="#p"/></vertices>
+<triangles count="1"><input semantic="VERTEX" source="#v" offset="0"/><p>0 1 2</p></triangles>
+</mesh></geometry></library_geometries>
+<library_visual_scenes><visual_scene id="s"><node id="n"><instance_geometry url="#g"/></node></visual_scene>
+</library_visual_scenes><scene><instance_visual_scene url="#s"/></scene></COLLADA>
+)");
+    const std::string tail = "--environment environment.obj --poses poses.txt --query distance";
+    const Outcome outcome = runIn(folder, "query --part part.dae " + tail);
+    BOOST_TEST_REQUIRE(outcome.code == 0, outcome.err);
+    BOOST_TEST(row(outcome, "  note").find("not applied") != std::string::npos);
+    BOOST_TEST(row(outcome, "most distance") == "8 at pose 3");  // 10 less 2: neither scaled nor turned
+    BOOST_TEST(runIn(folder, "query --part part.obj " + tail).out.find("note") == std::string::npos);
+}
+
 BOOST_AUTO_TEST_CASE(projected_rotations_are_counted_in_words) {
     const BoxesFolder folder;
     folder.write("poses.txt", "0.866025 -0.5 0 0.5 0.866025 0 0 0 1 9 0 0\n1 0 0 0 1 0 0 0 1 9 0 0\n");
