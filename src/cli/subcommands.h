@@ -22,6 +22,7 @@ struct Subcommand {
 
 int info(const Arguments& arguments);
 int query(const Arguments& arguments);
+int scene(const Arguments& arguments);
 int plan(const Arguments& arguments);
 
 }  // namespace clearway

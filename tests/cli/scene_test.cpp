@@ -1,0 +1,121 @@
+#define BOOST_TEST_MODULE scene
+#include <set>
+
+#include "clearway/problem.h"
+#include "cli/run_program.h"
+
+namespace clearway::testing {
+
+namespace {
+
+constexpr const char* kScene =
+    "scene tunnel-console --seed 3 --part-triangles 2000 --environment-triangles 8000 --clearance 10 ";
+
+/// The file's name, which a row names first.
+std::string fileOf(const Outcome& outcome, const std::string& label) {
+    const std::string value = row(outcome, label);
+    return value.substr(0, value.find(','));
+}
+
+std::vector<std::string> namesIn(const std::string& folder) {
+    std::vector<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
+        names.push_back(entry.path().filename().string());
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+int triangles(const Outcome& outcome, const std::string& label) {
+    const std::string value = row(outcome, label);
+    return std::stoi(value.substr(value.find(',') + 2));
+}
+
+void requireSameState(const PartState& a, const PartState& b) {
+    BOOST_TEST((a.position - b.position).norm() <= 1e-9);
+    BOOST_TEST((poseOf(a).rotation - poseOf(b).rotation).norm() <= 1e-12);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_scene_is_written_with_a_path_from_its_start_to_its_goal_that_keeps_the_clearance) {
+    const TemporaryFolder folder;
+    const Outcome made = runIn(folder, kScene + std::string("--out made"));
+    BOOST_TEST_REQUIRE(made.code == 0, made.err);
+    BOOST_TEST(made.err == "");
+    std::set<std::string> written;
+    for (const char* label : {"part", "environment", "problem", "path"}) {
+        written.insert(std::filesystem::path(fileOf(made, label)).filename().string());
+    }
+    const std::vector<std::string> expected(written.begin(), written.end());
+    BOOST_TEST(expected.size() == 4);
+    BOOST_TEST(namesIn(folder.file("made")) == expected, boost::test_tools::per_element());
+    BOOST_TEST(std::abs(triangles(made, "part") - 2000) <= 100);
+    BOOST_TEST(std::abs(triangles(made, "environment") - 8000) <= 400);
+
+    const Problem problem = readProblem(folder.file(fileOf(made, "problem")));
+    BOOST_TEST(problem.warnings.empty());
+    BOOST_TEST(problem.step.has_value());
+    const std::vector<PartState> path = readPath(folder.file(fileOf(made, "path")), problem.space);
+    requireSameState(path.front(), problem.start);
+    requireSameState(path.back(), problem.goal);
+
+    const Outcome asked = runIn(folder, "query --part " + fileOf(made, "part") + " --environment " +
+                                            fileOf(made, "environment") + " --poses " + fileOf(made, "path") +
+                                            " --query distance");
+    BOOST_TEST_REQUIRE(asked.code == 0, asked.err);
+    BOOST_TEST(std::stod(row(asked, "least distance")) >= 10 - 1e-3);
+    BOOST_TEST(std::stod(row(asked, "least distance")) <= 15);
+    BOOST_TEST(runIn(folder, "info " + fileOf(made, "problem")).code == 0);
+}
+
+BOOST_AUTO_TEST_CASE(the_same_options_make_the_same_files_and_another_seed_others) {
+    const TemporaryFolder folder;
+    const std::string sizes = "scene tunnel-console --seed ";
+    BOOST_TEST_REQUIRE(runIn(folder, sizes + "5 --out a").code == 0);
+    BOOST_TEST_REQUIRE(runIn(folder, sizes + "5 --out b").code == 0);
+    BOOST_TEST_REQUIRE(runIn(folder, sizes + "6 --out c").code == 0);
+    int different = 0;
+    for (const std::string& name : namesIn(folder.file("a"))) {
+        BOOST_TEST(readText(folder.file("a/" + name)) == readText(folder.file("b/" + name)), name);
+        if (readText(folder.file("a/" + name)) != readText(folder.file("c/" + name))) ++different;
+    }
+    BOOST_TEST(different >= 3);  // both meshes and the path at least
+}
+
+BOOST_AUTO_TEST_CASE(what_else_is_in_the_folder_stays_as_it_is) {
+    const TemporaryFolder folder;
+    folder.write("notes.txt", "mine");
+    const Outcome made = runIn(folder, kScene + std::string("--out ."));
+    BOOST_TEST_REQUIRE(made.code == 0, made.err);
+    BOOST_TEST(readText(folder.file("notes.txt")) == "mine");
+    BOOST_TEST(folder.names().size() == 5);
+    BOOST_TEST_REQUIRE(runIn(folder, kScene + std::string("--out .")).code == 0);  // over its own files
+    BOOST_TEST(folder.names().size() == 5);
+}
+
+BOOST_AUTO_TEST_CASE(wrong_usage_is_refused_and_makes_nothing) {
+    const TemporaryFolder folder;
+    folder.write("file", "x");
+    requireRefused(folder, "scene", {"NAME is missing", "clearway scene"});
+    requireRefused(folder, "scene tunnel --out made", {"'tunnel'", "tunnel-console"});
+    requireRefused(folder, "scene tunnel-console", {"--out is missing"});
+    requireRefused(folder, "scene tunnel-console more --out made", {"'more'"});
+    requireRefused(folder, "scene tunnel-console --out file", {"--out is 'file'", "expected a folder"});
+    requireRefused(folder, "scene tunnel-console --out file/made", {"file/made"});
+    requireRefused(folder, "scene tunnel-console --out made --seed x",
+                   {"--seed is 'x', expected an integer from 0"});
+    requireRefused(folder, "scene tunnel-console --out made --seed -1",
+                   {"--seed is '-1', expected an integer from 0"});
+    requireRefused(folder, "scene tunnel-console --out made --part-triangles 1e3",
+                   {"--part-triangles is '1e3', expected an integer"});
+    requireRefused(folder, "scene tunnel-console --out made --part-triangles 10", {"10", "expected"});
+    requireRefused(folder, "scene tunnel-console --out made --environment-triangles 10", {"10", "expected"});
+    requireRefused(folder, "scene tunnel-console --out made --clearance 0",
+                   {"--clearance is '0', expected a number above 0"});
+    requireRefused(folder, "scene tunnel-console --out made --clearance nan",
+                   {"--clearance is 'nan', expected a number"});
+    requireRefused(folder, "scene tunnel-console --out made --clearance 1000", {"1000", "expected"});
+    requireRefused(folder, "scene tunnel-console --out made --colour red", {"--colour"});
+}
+
+}  // namespace clearway::testing
