@@ -3,6 +3,7 @@
 #include <boost/test/data/test_case.hpp>
 #include <boost/test/unit_test.hpp>
 #include <cstdlib>
+#include <map>
 #include <set>
 #include <vector>
 
@@ -25,6 +26,14 @@ std::ostream& operator<<(std::ostream& out, const Case& c) {
 }
 
 // seed, part, environment, clearance
+Mesh only(const Mesh& mesh, const Component& component) {
+    Mesh alone;
+    alone.vertices = mesh.vertices;
+    const auto first = mesh.triangles.begin() + component.firstTriangle;
+    alone.triangles.assign(first, first + component.triangleCount);
+    return alone;
+}
+
 /// More of them with CLEARWAY_FULL=1.
 std::vector<Case> cases() {
     std::vector<Case> all{
@@ -68,20 +77,24 @@ BOOST_AUTO_TEST_CASE(the_oracle_finds_no_less_clearance_on_the_path) {
 BOOST_DATA_TEST_CASE(the_straight_motion_collides_over_half_its_length_with_three_components, cases(),
                      scenario) {
     const GeneratedScene scene = makeTunnelConsole(scenario.options);
-    const Model part = Model::build(scene.part);
+    const Model part = Model::build(scene.part), environment = Model::build(scene.environment);
+    std::map<std::string, Model> components;  // on their own, so that none hides behind another
+    for (const Component& component : scene.environment.components) {
+        components.emplace(component.name, Model::build(only(scene.environment, component)));
+    }
     Workspace workspace;
-    const Model environment = Model::build(scene.environment);
     constexpr int kSamples = 200;
     int collisions = 0;
-    std::set<std::string> components;
+    std::set<std::string> hit;
     for (int i = 0; i < kSamples; ++i) {
-        const PartState state = between(scene.path.front(), scene.path.back(), (i + 0.5) / kSamples);
-        const DistanceResult result = distance(part, environment, poseOf(state), {}, workspace);
-        if (!result.collides()) continue;
+        const Pose pose = poseOf(between(scene.path.front(), scene.path.back(), (i + 0.5) / kSamples));
+        if (!collides(part, environment, pose, workspace)) continue;
         ++collisions;
-        components.insert(environment.components()[result.environmentComponent].name);
+        for (const auto& [name, model] : components) {
+            if (hit.count(name) == 0 && collides(part, model, pose, workspace)) hit.insert(name);
+        }
     }
-    BOOST_TEST_MESSAGE(scenario << ": " << 100.0 * collisions / kSamples << " % with " << components.size());
+    BOOST_TEST_MESSAGE(scenario << ": " << 100.0 * collisions / kSamples << " % with " << hit.size());
     BOOST_TEST(collisions >= kSamples / 2);
-    BOOST_TEST(components.size() >= 3);
+    BOOST_TEST(hit.size() >= 3);
 }
