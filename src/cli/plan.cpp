@@ -49,9 +49,11 @@ CommandLine planCommandLine() {
         ("planner", optionValue("NAME"), "OMPL's class name, in any case (RRTConnect)")                  //
         ("planner-param", optionValues("K=V"), "sets one of the planner's parameters; may be repeated")  //
         ("objective", optionValue("NAME"),
-         "length: planners that can go on shortening until the time is up")                               //
-        ("time", optionValue("S"), "seconds for planning and shortening (30)")                            //
-        ("iterations", optionValue("N"), "in place of --time: repeatable, with the same seed")            //
+         "length: planners that can go on shortening until the time is up")                     //
+        ("time", optionValue("S"), "seconds for planning and shortening (30)")                  //
+        ("iterations", optionValue("N"), "in place of --time: repeatable, with the same seed")  //
+        ("threads", optionValue("N"),
+         "planners side by side, the first path ends them (one a core, at most 4)")                       //
         ("seed", optionValue("N"), "of OMPL's random numbers (1)")                                        //
         ("margin", optionValue("M"), "distance to keep from the environment, in place of the problem's")  //
         ("step", optionValue("S"), "most that any point of the part moves between two checks, likewise")  //
@@ -88,6 +90,7 @@ PlanOptions planOptions(const Options& options) {
     if (options.has("iterations")) {
         result.iterations = static_cast<std::uint64_t>(options.integer("iterations", 1, INT64_MAX));
     }
+    if (options.has("threads")) result.threads = static_cast<int>(options.integer("threads", 1, 256));
     if (options.has("seed")) result.seed = static_cast<std::uint32_t>(options.integer("seed", 1, UINT32_MAX));
     if (options.has("step")) result.step = options.positive("step");
     result.omplWeights = options.has("ompl-weights");
@@ -100,7 +103,9 @@ void printMesh(const std::string& label, const Model& model) {
 }
 
 void printSettings(const Scene& scene, const PlanOptions& options, const PlanReport& report) {
-    printRow("planner", report.planner + ", seed " + std::to_string(options.seed));
+    printRow("planner",
+             report.planner + ", seed " + std::to_string(options.seed) +
+                 (report.threads > 1 ? ", " + std::to_string(report.threads) + " side by side" : ""));
     if (options.iterations) {
         printRow("repeatable",
                  report.isRepeatable ? "yes" : "no: this planner uses several threads or the clock");

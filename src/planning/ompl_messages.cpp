@@ -4,12 +4,12 @@
 
 namespace clearway::planning {
 
-OmplMessages::OmplMessages() {
+OmplMessages::OmplMessages() : previous_(ompl::msg::getOutputHandler()) {
     ompl::msg::useOutputHandler(this);
 }
 
 OmplMessages::~OmplMessages() {
-    ompl::msg::restorePreviousOutputHandler();
+    ompl::msg::useOutputHandler(previous_);  // OMPL's own way back is good for one level only
 }
 
 void OmplMessages::log(const std::string& text, ompl::msg::LogLevel level, const char* /*file*/,

@@ -9,7 +9,8 @@
 
 namespace clearway::planning {
 
-/// While it lives, what OMPL says goes here instead of to the terminal. One at a time in a process.
+/// While it lives, what OMPL says goes here instead of to the terminal. Two of them end in the reverse order
+/// of their making.
 class OmplMessages : public ompl::msg::OutputHandler {
   public:
     OmplMessages();
@@ -23,6 +24,7 @@ class OmplMessages : public ompl::msg::OutputHandler {
     std::vector<std::string> warnings() const;
 
   private:
+    ompl::msg::OutputHandler* previous_;
     mutable std::mutex mutex_;
     std::vector<std::string> warnings_;
 };

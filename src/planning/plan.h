@@ -31,13 +31,17 @@ struct PlanOptions {
     std::optional<double> seconds;
     std::optional<std::uint64_t> iterations;
 
+    /// Planners of the same kind that run side by side until the first one has a path; one that uses threads
+    /// of its own runs alone. 0: one for each core, at most 4. With iterations it is always 1.
+    int threads = 0;
+
     std::uint32_t seed = 1;       ///< > 0; set before any OMPL object is made
     std::optional<double> step;   ///< in place of the problem's; environment units
     bool optimiseLength = false;  ///< asks planners that can to shorten the path for all the time they have
     bool omplWeights = false;     ///< rotation as OMPL weights it, instead of by the part's radius
 
-    std::function<bool()>
-        isStopped;  ///< asked often, also from other threads; true ends the planning without a path
+    /// Asked often, also from other threads; true ends the planning without a path.
+    std::function<bool()> isStopped;
 };
 
 /// The state on the path where the part is closest to the environment, of all states looked at.
@@ -53,11 +57,12 @@ struct PlanReport {
     enum class Outcome { kFound, kNotFound, kStopped };
     Outcome outcome = Outcome::kNotFound;
     std::string planner;
+    int threads = 1;            ///< planners side by side
     bool isRepeatable = false;  ///< with the same seed and number of iterations
     double step = 0;  ///< as used: shorter than asked for when start or goal are tighter than half of it
     bool isStepDefault = false;  ///< nobody gave one: 1/500 of the part's diagonal
-    double guard =
-        0;  ///< extra distance kept at checked states, so that all states between them are valid too
+    /// Kept at checked states on top of the margin, so that all states between them are valid too.
+    double guard = 0;
 
     std::vector<PartState> path;   ///< empty unless found
     double length = 0;             ///< travelled by the origin of the part's coordinates

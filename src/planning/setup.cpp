@@ -1,0 +1,199 @@
+#include "planning/setup.h"
+
+#include <ompl/base/objectives/PathLengthOptimizationObjective.h>
+#include <ompl/util/RandomNumbers.h>
+
+#include <algorithm>
+#include <sstream>
+#include <stdexcept>
+#include <thread>
+
+#include "clearway/planning/planners.h"
+#include "core/number.h"
+#include "planning/end_states.h"
+#include "planning/ompl_messages.h"
+#include "planning/planning_space.h"
+
+namespace clearway::planning {
+namespace {
+
+namespace ob = ompl::base;
+
+constexpr const char* kDefaultPlanner = "RRTConnect";
+constexpr double kDefaultStepPerDiagonal = 1.0 / 500;
+constexpr int kMostThreads = 4;        ///< unless more are asked for
+constexpr double kMostRefinement = 8;  ///< times the step is divided for a tight start or goal
+/// Longest edge of a planner's tree; measured by tests/bench/plan_success.cpp.
+constexpr double kRangePerDiagonal = 1.0 / 60;
+
+void requireOptions(const Problem& problem, const PlanOptions& options) {
+    if (options.seed == 0) throw std::invalid_argument("seed is 0, expected a whole number above 0");
+    if (options.seconds && options.iterations) {
+        throw std::invalid_argument("both a time and a number of iterations are given, expected one of them");
+    }
+    if (options.seconds && !(*options.seconds > 0)) {
+        throw std::invalid_argument("time is " + std::to_string(*options.seconds) +
+                                    ", expected seconds above 0");
+    }
+    if (options.threads < 0 || (options.iterations && options.threads > 1)) {
+        throw std::invalid_argument("threads is " + std::to_string(options.threads) +
+                                    (options.iterations ? ", expected 1 with a number of iterations"
+                                                        : ", expected a whole number of at least 0"));
+    }
+    for (const PlannerChoice& choice : problem.planners) {
+        try {
+            plannerClassName(choice.name);
+        } catch (const std::invalid_argument& error) {
+            throw std::invalid_argument(problem.file + ": " + error.what());
+        }
+    }
+}
+
+/// A second call in a process makes OMPL complain: objects made before it would go on with their old seeds.
+/// Ours are made after it.
+void setSeed(std::uint32_t seed) {
+    const OmplMessages unheard;
+    ompl::RNG::setSeed(seed);
+}
+
+std::string choosePlanner(const Problem& problem, const PlanOptions& options) {
+    if (!options.planner.empty()) return plannerClassName(options.planner);
+    return plannerClassName(problem.planners.size() == 1 ? problem.planners[0].name : kDefaultPlanner);
+}
+
+int chooseThreads(const std::string& planner, const PlanOptions& options) {
+    if (options.iterations || !isRepeatable(planner)) return 1;
+    if (options.threads > 0) return options.threads;
+    return std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, kMostThreads);
+}
+
+void addOnce(std::vector<std::string>& warnings, const std::string& warning) {
+    if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end()) warnings.push_back(warning);
+}
+
+/// The .cfg's parameters (unknown ones are warned of), then the options' own.
+void setParameters(ob::Planner& planner, const Problem& problem, const PlanOptions& options,
+                   PlanReport& report) {
+    for (const PlannerChoice& choice : problem.planners) {
+        if (plannerClassName(choice.name) != report.planner) continue;
+        for (const auto& [name, value] : choice.parameters) {
+            if (name == "name") continue;  // a label for benchmark logs
+            if (hasParameter(planner, name)) {
+                setParameter(planner, name, value);
+            } else {
+                addOnce(report.warnings, problem.file + ": planner " + report.planner +
+                                             " has no parameter '" + name + "'; it is left out");
+            }
+        }
+        break;  // a planner named several times is several runs of a benchmark: the first one counts
+    }
+    for (const auto& [name, value] : options.parameters) setParameter(planner, name, value);
+}
+
+void setStep(PlanReport& report, const Problem& problem, const Scene& scene, const PlanOptions& options) {
+    const std::optional<double> given = options.step ? options.step : problem.step;
+    report.isStepDefault = !given;
+    report.step = given ? *given : kDefaultStepPerDiagonal * scene.part.box().diagonal().norm();
+    if (!report.isStepDefault) return;
+    std::ostringstream warning;
+    warning << "no step is given: motions are checked every " << report.step
+            << ", 1/500 of the part's diagonal; walls thinner than that may be jumped";
+    report.warnings.push_back(warning.str());
+}
+
+std::shared_ptr<ValidityChecker> makeChecker(const ob::SpaceInformationPtr& si, const Scene& scene,
+                                             double guard) {
+    Scene guarded = scene;
+    guarded.margin += guard;
+    return std::make_shared<ValidityChecker>(si, guarded);
+}
+
+/// Between two checked states no point is farther than half a step from where it is at one of them. So when
+/// the checked states keep half a step more than the margin, every state between them keeps the margin. Start
+/// and goal must have as much to spare: the step is shortened for them, within reason; beyond it the checked
+/// states alone are known to be valid.
+void setGuard(PlanReport& report, double spare) {
+    const double asked = report.step;
+    std::ostringstream warning;
+    warning << "start or goal have only " << spare << " to spare: ";
+    report.guard = std::min(0.5 * asked, 0.9 * spare);
+    if (report.guard == 0.5 * asked) return;
+    if (report.guard < 0.5 * asked / kMostRefinement) {
+        report.guard = 0;
+        warning << "the states checked are known to be valid, not those between them";
+    } else {
+        report.step = 2 * report.guard;
+        warning << "motions are checked every " << report.step << " instead of every " << asked;
+    }
+    report.warnings.push_back(warning.str());
+}
+
+void setChoices(PlanReport& report, const Problem& problem, const PlanOptions& options) {
+    report.planner = choosePlanner(problem, options);
+    report.threads = chooseThreads(report.planner, options);
+    report.isRepeatable = isRepeatable(report.planner) && options.iterations;
+    if (problem.objective != "length") {
+        report.warnings.push_back("objective '" + problem.objective +
+                                  "' is not known; paths are judged by length");
+    }
+}
+
+ob::ProblemDefinitionPtr defineProblem(const Setup& setup, const Problem& problem,
+                                       const PlanOptions& options) {
+    const ob::StateSpacePtr& space = setup.si->getStateSpace();
+    const auto definition = std::make_shared<ob::ProblemDefinition>(setup.si);
+    definition->setStartAndGoalStates(toOmpl(space, problem.space, problem.start),
+                                      toOmpl(space, problem.space, problem.goal));
+    if (options.optimiseLength || problem.objectiveThreshold) {
+        const auto objective = std::make_shared<ob::PathLengthOptimizationObjective>(setup.si);
+        if (problem.objectiveThreshold) objective->setCostThreshold(ob::Cost(*problem.objectiveThreshold));
+        definition->setOptimizationObjective(objective);
+    }
+    return definition;
+}
+
+ob::PlannerPtr preparePlanner(const Setup& setup, const Problem& problem, const PlanOptions& options,
+                              PlanReport& report) {
+    const double range = kRangePerDiagonal * setup.truth->scene().part.box().diagonal().norm();
+    const ob::PlannerPtr planner = makePlanner(setup.si, report.planner);
+    if (hasParameter(*planner, "range")) setParameter(*planner, "range", formatNumber(range));
+    setParameters(*planner, problem, options, report);
+    planner->setProblemDefinition(setup.definition);
+    planner->setup();
+    return planner;
+}
+
+}  // namespace
+
+Setup prepare(const Problem& problem, const Scene& scene, const PlanOptions& options, PlanReport& report) {
+    requireOptions(problem, options);
+    setChoices(report, problem, options);
+    setStep(report, problem, scene, options);
+    setSeed(options.seed);
+
+    Setup setup;
+    const double turnWeight = options.omplWeights ? 1.0 : scene.part.radiusAboutOrigin();
+    const Box bounds = boundsOf(problem, scene.environment.box());
+    setup.si = std::make_shared<ob::SpaceInformation>(makeSpace(problem.space, bounds, turnWeight));
+    setup.truth = makeChecker(setup.si, scene, 0);
+    const auto spare = [&](const PartState& state, const char* what) {
+        const auto omplState = toOmpl(setup.si->getStateSpace(), problem.space, state);
+        return requireValid(*setup.truth, omplState.get(), what);
+    };
+    const double startSpare = spare(problem.start, "start");  // in this order: the start is refused first
+    setGuard(report, std::min(startSpare, spare(problem.goal, "goal")));
+    setup.checker = makeChecker(setup.si, scene, report.guard * (1 + 1e-6));
+    setup.validator = std::make_shared<DiscreteMotionValidator>(setup.si, scene.part, report.step);
+    setup.si->setStateValidityChecker(setup.checker);
+    setup.si->setMotionValidator(setup.validator);
+    setSampler(*setup.si, problem.sampler);
+    setup.si->setup();
+
+    setup.definition = defineProblem(setup, problem, options);
+    for (int i = 0; i < report.threads; ++i) {
+        setup.planners.push_back(preparePlanner(setup, problem, options, report));
+    }
+    return setup;
+}
+
+}  // namespace clearway::planning
