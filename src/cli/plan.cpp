@@ -44,9 +44,10 @@ CommandLine planCommandLine() {
         "writes it.\n"
         "Exit code 1 when none was found.";
     commandLine.positional = {"PROBLEM.cfg"};
-    commandLine.options.add_options()                                                                    //
-        ("path", optionValue("FILE"), "where the path is written, one state a line")                     //
-        ("planner", optionValue("NAME"), "OMPL's class name, in any case (RRTConnect)")                  //
+    commandLine.options.add_options()                                                 //
+        ("path", optionValue("FILE"), "where the path is written, one state a line")  //
+        ("planner", optionValue("NAME"),
+         "OMPL's class name, in any case (RRTConnect and RRT side by side)")                             //
         ("planner-param", optionValues("K=V"), "sets one of the planner's parameters; may be repeated")  //
         ("objective", optionValue("NAME"),
          "length: planners that can go on shortening until the time is up")                     //
@@ -103,9 +104,9 @@ void printMesh(const std::string& label, const Model& model) {
 }
 
 void printSettings(const Scene& scene, const PlanOptions& options, const PlanReport& report) {
-    printRow("planner",
-             report.planner + ", seed " + std::to_string(options.seed) +
-                 (report.threads > 1 ? ", " + std::to_string(report.threads) + " side by side" : ""));
+    std::string planners;
+    for (const std::string& name : report.planners) planners += (planners.empty() ? "" : ", ") + name;
+    printRow("planner", planners + ", seed " + std::to_string(options.seed));
     if (options.iterations) {
         printRow("repeatable",
                  report.isRepeatable ? "yes" : "no: this planner uses several threads or the clock");
@@ -119,6 +120,7 @@ void printSettings(const Scene& scene, const PlanOptions& options, const PlanRep
 }
 
 void printPath(const PlanReport& report) {
+    printRow("found by", report.foundBy);
     printRow("finishing time", readable(report.finishingSeconds) + " s");
     printRow("states", std::to_string(report.path.size()) + ", " + std::to_string(report.statesBefore) +
                            " before simplifying");

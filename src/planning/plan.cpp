@@ -80,6 +80,9 @@ void describe(const Setup& setup, const Problem& problem, const og::PathGeometri
 
 /// Simplifies, then looks at every state again; the planner's own path when the simplified one does not pass.
 void finish(const Setup& setup, const Problem& problem, const Budget& budget, PlanReport& report) {
+    ob::PlannerSolution solution(nullptr);
+    setup.definition->getSolution(solution);
+    report.foundBy = solution.plannerName_;
     auto& raw = *setup.definition->getSolutionPath()->as<og::PathGeometric>();
     report.statesBefore = raw.getStateCount();
     const auto isStopped = [&] { return budget.isStopped(); };

@@ -19,7 +19,7 @@ constexpr double kDefaultSeconds = 30;
 
 struct PlanOptions {
     /// OMPL's class name in any case. Empty: the problem's planner when it names exactly one, else
-    /// RRTConnect.
+    /// RRTConnect and RRT side by side.
     std::string planner;
     /// On top of the problem's for this planner. An unknown one is refused; the problem's unknown ones are
     /// warned of.
@@ -31,8 +31,8 @@ struct PlanOptions {
     std::optional<double> seconds;
     std::optional<std::uint64_t> iterations;
 
-    /// Planners of the same kind that run side by side until the first one has a path; one that uses threads
-    /// of its own runs alone. 0: one for each core, at most 4. With iterations it is always 1.
+    /// Planners that run side by side until the first one has a path; one that uses threads of its own runs
+    /// alone. 0: one for each core, at most 4. With iterations it is always 1, by default an RRTConnect.
     int threads = 0;
 
     std::uint32_t seed = 1;       ///< > 0; set before any OMPL object is made
@@ -56,10 +56,11 @@ struct LeastClearance {
 struct PlanReport {
     enum class Outcome { kFound, kNotFound, kStopped };
     Outcome outcome = Outcome::kNotFound;
-    std::string planner;
-    int threads = 1;            ///< planners side by side
-    bool isRepeatable = false;  ///< with the same seed and number of iterations
-    double step = 0;  ///< as used: shorter than asked for when start or goal are tighter than half of it
+    std::vector<std::string> planners;  ///< those run side by side
+    std::string foundBy;                ///< OMPL's name of the one whose path it is
+    bool isRepeatable = false;          ///< with the same seed and number of iterations
+    double step = 0;   ///< as used: shorter than asked for when start or goal are tighter than half of it
+    double range = 0;  ///< longest edge of a planner's tree unless its parameters say otherwise
     bool isStepDefault = false;  ///< nobody gave one: 1/500 of the part's diagonal
     /// Kept at checked states on top of the margin, so that all states between them are valid too.
     double guard = 0;

@@ -19,12 +19,15 @@ namespace {
 
 namespace ob = ompl::base;
 
-constexpr const char* kDefaultPlanner = "RRTConnect";
+/// Side by side, for each is quick where the other is not: RRTConnect when both ends are free to move, RRT
+/// when the part is shut in at its start only (bench/plan_success). Alone, the first.
+constexpr const char* kDefaultPlanners[] = {"RRTConnect", "RRT"};
 constexpr double kDefaultStepPerDiagonal = 1.0 / 500;
-constexpr int kMostThreads = 4;        ///< unless more are asked for
-constexpr double kMostRefinement = 8;  ///< times the step is divided for a tight start or goal
-/// Longest edge of a planner's tree; measured by tests/bench/plan_success.cpp.
-constexpr double kRangePerDiagonal = 1.0 / 60;
+constexpr std::size_t kMostThreads = 4;  ///< unless more are asked for
+constexpr double kMostRefinement = 8;    ///< times the step is divided for a tight start or goal
+/// Longest edge of a planner's tree, in steps: the step says how fine the scene is, and an edge that fails
+/// costs a few checks while one that holds costs them all. Measured by tests/bench/plan_success.cpp.
+constexpr double kRangeInSteps = 20;
 
 void requireOptions(const Problem& problem, const PlanOptions& options) {
     if (options.seed == 0) throw std::invalid_argument("seed is 0, expected a whole number above 0");
@@ -56,44 +59,52 @@ void setSeed(std::uint32_t seed) {
     ompl::RNG::setSeed(seed);
 }
 
-std::string choosePlanner(const Problem& problem, const PlanOptions& options) {
-    if (!options.planner.empty()) return plannerClassName(options.planner);
-    return plannerClassName(problem.planners.size() == 1 ? problem.planners[0].name : kDefaultPlanner);
-}
-
-int chooseThreads(const std::string& planner, const PlanOptions& options) {
-    if (options.iterations || !isRepeatable(planner)) return 1;
-    if (options.threads > 0) return options.threads;
-    return std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, kMostThreads);
+/// The planners to run side by side.
+std::vector<std::string> choosePlanners(const Problem& problem, const PlanOptions& options) {
+    std::vector<std::string> kinds;
+    if (!options.planner.empty()) {
+        kinds = {plannerClassName(options.planner)};
+    } else if (problem.planners.size() == 1) {
+        kinds = {plannerClassName(problem.planners[0].name)};
+    } else {
+        kinds.assign(std::begin(kDefaultPlanners), std::end(kDefaultPlanners));
+    }
+    const auto cores = static_cast<std::size_t>(std::thread::hardware_concurrency());
+    std::size_t count = std::clamp(cores, kinds.size(), std::max(kinds.size(), kMostThreads));
+    if (options.threads > 0) count = static_cast<std::size_t>(options.threads);
+    if (options.iterations || !isRepeatable(kinds[0])) count = 1;
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < count; ++i) names.push_back(kinds[i % kinds.size()]);
+    return names;
 }
 
 void addOnce(std::vector<std::string>& warnings, const std::string& warning) {
     if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end()) warnings.push_back(warning);
 }
 
-/// The .cfg's parameters (unknown ones are warned of), then the options' own.
-void setParameters(ob::Planner& planner, const Problem& problem, const PlanOptions& options,
-                   PlanReport& report) {
+/// Unknown ones are warned of: old files carry dead ones.
+void setFileParameters(ob::Planner& planner, const std::string& plannerName, const Problem& problem,
+                       std::vector<std::string>& warnings) {
     for (const PlannerChoice& choice : problem.planners) {
-        if (plannerClassName(choice.name) != report.planner) continue;
+        if (plannerClassName(choice.name) != plannerName) continue;
         for (const auto& [name, value] : choice.parameters) {
             if (name == "name") continue;  // a label for benchmark logs
             if (hasParameter(planner, name)) {
                 setParameter(planner, name, value);
             } else {
-                addOnce(report.warnings, problem.file + ": planner " + report.planner +
-                                             " has no parameter '" + name + "'; it is left out");
+                addOnce(warnings, problem.file + ": planner " + plannerName + " has no parameter '" + name +
+                                      "'; it is left out");
             }
         }
-        break;  // a planner named several times is several runs of a benchmark: the first one counts
+        return;  // a planner named several times is several runs of a benchmark: the first one counts
     }
-    for (const auto& [name, value] : options.parameters) setParameter(planner, name, value);
 }
 
 void setStep(PlanReport& report, const Problem& problem, const Scene& scene, const PlanOptions& options) {
     const std::optional<double> given = options.step ? options.step : problem.step;
     report.isStepDefault = !given;
     report.step = given ? *given : kDefaultStepPerDiagonal * scene.part.box().diagonal().norm();
+    report.range = kRangeInSteps * report.step;
     if (!report.isStepDefault) return;
     std::ostringstream warning;
     warning << "no step is given: motions are checked every " << report.step
@@ -128,16 +139,6 @@ void setGuard(PlanReport& report, double spare) {
     report.warnings.push_back(warning.str());
 }
 
-void setChoices(PlanReport& report, const Problem& problem, const PlanOptions& options) {
-    report.planner = choosePlanner(problem, options);
-    report.threads = chooseThreads(report.planner, options);
-    report.isRepeatable = isRepeatable(report.planner) && options.iterations;
-    if (problem.objective != "length") {
-        report.warnings.push_back("objective '" + problem.objective +
-                                  "' is not known; paths are judged by length");
-    }
-}
-
 ob::ProblemDefinitionPtr defineProblem(const Setup& setup, const Problem& problem,
                                        const PlanOptions& options) {
     const ob::StateSpacePtr& space = setup.si->getStateSpace();
@@ -152,12 +153,12 @@ ob::ProblemDefinitionPtr defineProblem(const Setup& setup, const Problem& proble
     return definition;
 }
 
-ob::PlannerPtr preparePlanner(const Setup& setup, const Problem& problem, const PlanOptions& options,
-                              PlanReport& report) {
-    const double range = kRangePerDiagonal * setup.truth->scene().part.box().diagonal().norm();
-    const ob::PlannerPtr planner = makePlanner(setup.si, report.planner);
-    if (hasParameter(*planner, "range")) setParameter(*planner, "range", formatNumber(range));
-    setParameters(*planner, problem, options, report);
+ob::PlannerPtr preparePlanner(const Setup& setup, const std::string& name, const Problem& problem,
+                              const PlanOptions& options, PlanReport& report) {
+    const ob::PlannerPtr planner = makePlanner(setup.si, name);
+    if (hasParameter(*planner, "range")) setParameter(*planner, "range", formatNumber(report.range));
+    setFileParameters(*planner, name, problem, report.warnings);
+    for (const auto& [parameter, value] : options.parameters) setParameter(*planner, parameter, value);
     planner->setProblemDefinition(setup.definition);
     planner->setup();
     return planner;
@@ -167,7 +168,12 @@ ob::PlannerPtr preparePlanner(const Setup& setup, const Problem& problem, const 
 
 Setup prepare(const Problem& problem, const Scene& scene, const PlanOptions& options, PlanReport& report) {
     requireOptions(problem, options);
-    setChoices(report, problem, options);
+    report.planners = choosePlanners(problem, options);
+    report.isRepeatable = options.iterations && isRepeatable(report.planners[0]);
+    if (problem.objective != "length") {
+        report.warnings.push_back("objective '" + problem.objective +
+                                  "' is not known; paths are judged by length");
+    }
     setStep(report, problem, scene, options);
     setSeed(options.seed);
 
@@ -190,8 +196,8 @@ Setup prepare(const Problem& problem, const Scene& scene, const PlanOptions& opt
     setup.si->setup();
 
     setup.definition = defineProblem(setup, problem, options);
-    for (int i = 0; i < report.threads; ++i) {
-        setup.planners.push_back(preparePlanner(setup, problem, options, report));
+    for (const std::string& name : report.planners) {
+        setup.planners.push_back(preparePlanner(setup, name, problem, options, report));
     }
     return setup;
 }

@@ -20,7 +20,7 @@ struct Setup {
     std::shared_ptr<ValidityChecker> truth;    ///< the margin itself
     std::shared_ptr<DiscreteMotionValidator> validator;
     ompl::base::ProblemDefinitionPtr definition;
-    std::vector<ompl::base::PlannerPtr> planners;  ///< report.threads of the same kind
+    std::vector<ompl::base::PlannerPtr> planners;  ///< as report.planners names them
 };
 
 /// Fills the report's settings and warnings as it goes. Throws std::invalid_argument as plan() does.
