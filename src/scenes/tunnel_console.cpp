@@ -117,8 +117,6 @@ GeneratedScene makeTunnelConsole(const TunnelConsoleOptions& options) {
     problem.goal = scene.path.back();
     problem.volume = roomFor(scene.path);
     problem.step = design.thinnestSheet() / 2;
-    // Longer motions than about the clearance hardly ever stay in the tunnel.
-    problem.planners = {{"RRTConnect", {{"range", std::to_string(std::lround(1.5 * design.clearance))}}}};
     return scene;
 }
 
