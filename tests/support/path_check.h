@@ -8,9 +8,16 @@
 
 namespace clearway::testing {
 
-/// The least distance by the oracle at `states` states, evenly spread over the path's motions by their length
-/// (translation plus the part's reach times the angle), ends included.
+/// `states` poses, evenly spread over the path's motions by their length (translation plus a tenth of the
+/// scene's size times OMPL's rotation distance), ends included.
+std::vector<Pose> posesAlong(const std::vector<PartState>& path, Space space, double sceneSize, int states);
+
+/// The least distance by the oracle at so many poses along the path.
 double leastDistance(const MeshOracle& oracle, const std::vector<PartState>& path, const Problem& problem,
                      int states);
+
+/// How many of so many poses along the path collide by the oracle: exact, and quicker.
+int collisionsAlong(const MeshOracle& oracle, const std::vector<PartState>& path, const Problem& problem,
+                    int states);
 
 }  // namespace clearway::testing
