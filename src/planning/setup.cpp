@@ -25,9 +25,11 @@ constexpr const char* kDefaultPlanners[] = {"RRTConnect", "RRT"};
 constexpr double kDefaultStepPerDiagonal = 1.0 / 500;
 constexpr std::size_t kMostThreads = 4;  ///< unless more are asked for
 constexpr double kMostRefinement = 8;    ///< times the step is divided for a tight start or goal
-/// Longest edge of a planner's tree, in steps: the step says how fine the scene is, and an edge that fails
-/// costs a few checks while one that holds costs them all. Measured by tests/bench/plan_success.cpp.
+/// Longest edge of a planner's tree: of a scene whose step is given, and so how fine it is, in steps; else by
+/// the part's diagonal. Measured on the tunnel-console (tests/bench/plan_success.cpp) and on OMPL.app's
+/// problems.
 constexpr double kRangeInSteps = 20;
+constexpr double kRangePerDiagonal = 0.25;
 
 void requireOptions(const Problem& problem, const PlanOptions& options) {
     if (options.seed == 0) throw std::invalid_argument("seed is 0, expected a whole number above 0");
@@ -103,8 +105,9 @@ void setFileParameters(ob::Planner& planner, const std::string& plannerName, con
 void setStep(PlanReport& report, const Problem& problem, const Scene& scene, const PlanOptions& options) {
     const std::optional<double> given = options.step ? options.step : problem.step;
     report.isStepDefault = !given;
-    report.step = given ? *given : kDefaultStepPerDiagonal * scene.part.box().diagonal().norm();
-    report.range = kRangeInSteps * report.step;
+    const double diagonal = scene.part.box().diagonal().norm();
+    report.step = given ? *given : kDefaultStepPerDiagonal * diagonal;
+    report.range = given ? kRangeInSteps * *given : kRangePerDiagonal * diagonal;
     if (!report.isStepDefault) return;
     std::ostringstream warning;
     warning << "no step is given: motions are checked every " << report.step

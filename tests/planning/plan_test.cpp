@@ -200,6 +200,9 @@ BOOST_AUTO_TEST_CASE(without_a_step_it_is_a_500th_of_the_parts_diagonal_and_warn
     BOOST_TEST(report.step == Vector3(60, 40, 10).norm() / 500, boost::test_tools::tolerance(1e-12));
     BOOST_REQUIRE(!report.warnings.empty());
     BOOST_TEST(contains(report.warnings[0], "thinner"));
+    BOOST_TEST(report.range == Vector3(60, 40, 10).norm() / 4, boost::test_tools::tolerance(1e-12));
+    window.problem.step = 0.75;
+    BOOST_TEST(plan(window.problem, window.scene, withIterations(10)).range == 15);  // 20 steps
 }
 
 BOOST_AUTO_TEST_CASE(wrong_planners_and_parameters_are_refused_on_demand_and_warned_of_in_a_file) {
