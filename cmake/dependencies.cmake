@@ -6,6 +6,7 @@ find_package(Boost 1.71 REQUIRED COMPONENTS program_options)
 if(CLEARWAY_TESTS)
   find_package(Boost 1.71 REQUIRED COMPONENTS unit_test_framework)
 endif()
+find_package(TBB 2021 REQUIRED CONFIG COMPONENTS tbb)
 find_package(Threads REQUIRED)
 
 # assimp and OMPL 1.5 export variables or targets by version; both end up behind one name each here. Their headers are
@@ -19,6 +20,14 @@ target_link_libraries(clearway_boost INTERFACE Boost::headers)
 
 add_library(clearway_program_options INTERFACE)
 target_link_libraries(clearway_program_options INTERFACE Boost::program_options)
+
+find_package(embree 4 CONFIG QUIET)
+if(NOT embree_FOUND)
+  find_package(embree 3 REQUIRED CONFIG)
+endif()
+add_library(clearway_embree INTERFACE)
+target_link_libraries(clearway_embree INTERFACE embree)
+target_compile_definitions(clearway_embree INTERFACE CLEARWAY_EMBREE_MAJOR=${EMBREE_VERSION_MAJOR})
 
 find_package(ompl 1.5 REQUIRED CONFIG)
 add_library(clearway_ompl INTERFACE)

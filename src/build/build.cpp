@@ -2,14 +2,16 @@
 // volumes for all.
 #include "build/build.h"
 
+#include <tbb/task_arena.h>
+
 #include <algorithm>
 #include <cassert>
 #include <numeric>
 #include <utility>
 
+#include "build/fit_volumes.h"
 #include "build/general_splits.h"
 #include "build/leaf_splits.h"
-#include "build/triangle_run.h"
 
 namespace clearway {
 
@@ -45,12 +47,24 @@ void splitLeaves(BinaryTree& tree, const CleanMesh& mesh, LeafSplit leafSplit, G
     }
 }
 
-void fitVolumes(BinaryTree& tree, const CleanMesh& mesh) {
-    std::vector<Vector3> corners;
-    for (BinaryNode& node : tree.nodes) {
-        gatherCorners(mesh, tree.order.data() + node.firstTriangle, node.triangleCount, corners);
-        node.volume = fitRss(corners);
-    }
+/// What work does, on at most so many threads; 0: on as many as the caller's arena has.
+template <class Work>
+auto onThreads(int threads, const Work& work) {
+    if (threads == 0) return work();
+    tbb::task_arena arena(threads);
+    return arena.execute(work);
+}
+
+BinaryTree buildInThisArena(const CleanMesh& mesh, const BuildOptions& options) {
+    const NamedGeneralSplit& generalSplit = generalSplitNamed(options.generalSplit);
+    const NamedLeafSplit& leafSplit = leafSplitNamed(options.leafSplit);
+    std::vector<std::uint32_t> triangles(mesh.triangles.size());
+    std::iota(triangles.begin(), triangles.end(), 0u);
+    BinaryTree tree =
+        generalSplit.build(mesh, std::move(triangles), static_cast<std::size_t>(options.leafSize));
+    splitLeaves(tree, mesh, leafSplit.build, generalSplit.build);
+    fitVolumes(tree, LeafOrder(mesh, tree.order), fitNamed(options.fit).fit);
+    return tree;
 }
 
 }  // namespace
@@ -58,16 +72,7 @@ void fitVolumes(BinaryTree& tree, const CleanMesh& mesh) {
 BinaryTree buildBinaryTree(const CleanMesh& mesh, const BuildOptions& options) {
     requireBuildOptions(options);
     assert(!mesh.triangles.empty());
-    const NamedGeneralSplit& generalSplit = generalSplitNamed(options.generalSplit);
-    const NamedLeafSplit& leafSplit = leafSplitNamed(options.leafSplit);
-
-    std::vector<std::uint32_t> triangles(mesh.triangles.size());
-    std::iota(triangles.begin(), triangles.end(), 0u);
-    BinaryTree tree =
-        generalSplit.build(mesh, std::move(triangles), static_cast<std::size_t>(options.leafSize));
-    splitLeaves(tree, mesh, leafSplit.build, generalSplit.build);
-    fitVolumes(tree, mesh);
-    return tree;
+    return onThreads(options.threads, [&] { return buildInThisArena(mesh, options); });
 }
 
 }  // namespace clearway

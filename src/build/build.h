@@ -12,8 +12,7 @@ namespace clearway {
 /// options: as requireBuildOptions accepts.
 BinaryTree buildBinaryTree(const CleanMesh& mesh, const BuildOptions& options);
 
-/// Wide nodes made by opening, again and again, the inner child of largest area; width 2 keeps the binary
-/// tree.
+/// Wide nodes as Collapse cuts them; width 2 keeps the binary tree.
 FlatTree flatten(const BinaryTree& tree, const CleanMesh& mesh, int nodeWidth);
 
 }  // namespace clearway

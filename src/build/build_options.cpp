@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "build/fits.h"
 #include "build/general_splits.h"
 #include "build/leaf_splits.h"
 
@@ -12,6 +13,24 @@ namespace clearway {
 namespace {
 
 constexpr int kLargestLeaf = 16;
+
+constexpr int kMostThreads = 1024;
+
+struct NamedPreset {
+    const char* name;
+    BuildOptions (*options)();
+};
+
+BuildOptions fastBuild() {
+    BuildOptions options;
+    options.fit = "covariance";
+    return options;
+}
+
+constexpr NamedPreset kPresets[] = {
+    {"best", [] { return BuildOptions(); }},
+    {"fast", fastBuild},
+};
 
 std::string joined(const std::vector<std::string>& names) {
     std::string list;
@@ -36,12 +55,20 @@ const Row& rowNamed(const Row (&table)[kRows], const std::string& option, const 
 
 }  // namespace
 
+std::vector<std::string> buildPresetNames() {
+    return namesOf(kPresets);
+}
+
 std::vector<std::string> generalSplitNames() {
     return namesOf(kGeneralSplits);
 }
 
 std::vector<std::string> leafSplitNames() {
     return namesOf(kLeafSplits);
+}
+
+std::vector<std::string> fitNames() {
+    return namesOf(kFits);
 }
 
 std::vector<int> nodeWidths() {
@@ -56,12 +83,25 @@ const NamedLeafSplit& leafSplitNamed(const std::string& name) {
     return rowNamed(kLeafSplits, "leafSplit", name);
 }
 
+const NamedFit& fitNamed(const std::string& name) {
+    return rowNamed(kFits, "fit", name);
+}
+
+BuildOptions buildPreset(const std::string& name) {
+    return rowNamed(kPresets, "preset", name).options();
+}
+
 void requireBuildOptions(const BuildOptions& options) {
     generalSplitNamed(options.generalSplit);
     leafSplitNamed(options.leafSplit);
+    fitNamed(options.fit);
     if (options.leafSize < 1 || options.leafSize > kLargestLeaf) {
         throw std::invalid_argument("leafSize is " + std::to_string(options.leafSize) + ", expected 1 to " +
                                     std::to_string(kLargestLeaf));
+    }
+    if (options.threads < 0 || options.threads > kMostThreads) {
+        throw std::invalid_argument("threads is " + std::to_string(options.threads) + ", expected 0 to " +
+                                    std::to_string(kMostThreads));
     }
     const std::vector<int> widths = nodeWidths();
     if (std::find(widths.begin(), widths.end(), options.nodeWidth) == widths.end()) {

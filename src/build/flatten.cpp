@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "build/build.h"
+#include "build/collapse.h"
+#include "build/leaf_order.h"
 #include "build/triangle_run.h"
 #include "core/round.h"
 
@@ -54,6 +56,8 @@ class Flattening {
           mesh_(mesh),
           flat_(flat),
           nodes_(nodes),
+          leafOrder_(mesh, binary.order),
+          collapse_(binary, kWidth),
           unit_(std::ldexp(1.0, flat.unitExponent)),
           vertexIndices_(mesh.vertices.size(), kNotYetUsed) {}
 
@@ -64,7 +68,7 @@ class Flattening {
         while (!pending.empty()) {
             const auto [node, binaryNode] = pending.back();
             pending.pop_back();
-            const std::vector<std::int32_t> children = openedChildren(binaryNode);
+            const std::vector<std::int32_t> children = collapse_.lanesOf(binaryNode);
             const std::size_t firstOpened = pending.size();
             for (std::size_t lane = 0; lane < children.size(); ++lane) {
                 setLane(node, static_cast<int>(lane), children[lane], pending);
@@ -81,32 +85,10 @@ class Flattening {
         std::int32_t binaryNode;
     };
 
-    /// The descendants that become a node's lanes: the two children, the inner one of largest area replaced
-    /// by its own two as long as lanes are left.
-    std::vector<std::int32_t> openedChildren(std::int32_t binaryNode) const {
-        std::vector<std::int32_t> children{binary_.nodes[binaryNode].left, binary_.nodes[binaryNode].right};
-        while (children.size() < kWidth) {
-            auto largest = children.end();
-            double largestArea = -1;
-            for (auto child = children.begin(); child != children.end(); ++child) {
-                const BinaryNode& node = binary_.nodes[*child];
-                if (!node.isLeaf() && node.volume.area() > largestArea) {
-                    largest = child;
-                    largestArea = node.volume.area();
-                }
-            }
-            if (largest == children.end()) break;
-            const BinaryNode& opened = binary_.nodes[*largest];
-            *largest = opened.left;
-            children.insert(largest + 1, opened.right);
-        }
-        return children;
-    }
-
     void setLane(std::int32_t node, int lane, std::int32_t binaryNode, std::vector<Pending>& pending) {
         const BinaryNode& source = binary_.nodes[binaryNode];
-        gatherCorners(mesh_, binary_.order.data() + source.firstTriangle, source.triangleCount, corners_);
-        setVolume(nodes_[node], lane, roundOutward(source.volume, corners_, flat_.origin, unit_));
+        leafOrder_.gatherVertices(source.firstTriangle, source.triangleCount, gathered_);
+        setVolume(nodes_[node], lane, roundOutward(source.volume, gathered_.points, flat_.origin, unit_));
         if (source.isLeaf()) {
             nodes_[node].child[lane] = ~addLeaf(source);
         } else {
@@ -129,8 +111,8 @@ class Flattening {
         node.length[lane] = 2 * std::hypot(volume.halfLength0, volume.halfLength1) + 2 * volume.radius;
     }
 
-    /// corners_ holds the leaf's.
     std::int32_t addLeaf(const BinaryNode& source) {
+        gatherCorners(mesh_, binary_.order.data() + source.firstTriangle, source.triangleCount, corners_);
         Box box;
         for (const Vector3& corner : corners_) box.extend(corner);
         const Vector3 centre = 0.5 * box.min() + 0.5 * box.max();
@@ -171,10 +153,13 @@ class Flattening {
     const CleanMesh& mesh_;
     FlatTree& flat_;
     std::vector<WideNode<kWidth>>& nodes_;
+    const LeafOrder leafOrder_;
+    const Collapse collapse_;
     const double unit_;
     std::vector<std::uint32_t>
         vertexIndices_;  ///< new index of each of the mesh's vertices: in order of first use
     std::vector<Vector3> corners_;
+    LeafOrder::Gathered gathered_;
 };
 
 }  // namespace

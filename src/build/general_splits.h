@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "build/split/axis.h"
+#include "build/split/embree.h"
 #include "build/split/mean.h"
+#include "build/split/sah.h"
 #include "mesh/clean.h"
 #include "tree/binary_tree.h"
 
@@ -26,8 +28,10 @@ struct NamedGeneralSplit {
 };
 
 constexpr NamedGeneralSplit kGeneralSplits[] = {
-    {"mean", buildByMeanSplit},
+    {"sah", buildBySah},
+    {"embree", buildByEmbree},
     {"axis", buildByAxisSplit},
+    {"mean", buildByMeanSplit},
 };
 
 /// Throws std::invalid_argument that lists the known names.

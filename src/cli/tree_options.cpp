@@ -34,11 +34,15 @@ std::string oneOf(const Options& options, const std::string& name, const std::ve
 void addTreeOptions(CommandLine& commandLine) {
     const BuildOptions defaults;
     commandLine.options.add_options()  //
+        ("preset", optionValue("NAME"),
+         ("the options to start from: " + joined(buildPresetNames()) + " (best)").c_str())  //
         ("general-split", optionValue("NAME"),
          ("how nodes are split: " + joined(generalSplitNames()) + " (" + defaults.generalSplit + ")")
              .c_str())  //
         ("leaf-split", optionValue("NAME"),
          ("how leaves are split: " + joined(leafSplitNames()) + " (" + defaults.leafSplit + ")").c_str())  //
+        ("fit", optionValue("NAME"),
+         ("how volumes are fitted: " + joined(fitNames()) + " (" + defaults.fit + ")").c_str())  //
         ("leaf-size", optionValue("N"),
          ("most triangles in a leaf, 1 to 16 (" + std::to_string(defaults.leafSize) + ")").c_str())  //
         ("node-width", optionValue("N"),
@@ -48,9 +52,11 @@ void addTreeOptions(CommandLine& commandLine) {
 
 BuildOptions treeOptions(const Options& options) {
     BuildOptions chosen;
+    if (options.has("preset")) chosen = buildPreset(oneOf(options, "preset", buildPresetNames()));
     if (options.has("general-split"))
         chosen.generalSplit = oneOf(options, "general-split", generalSplitNames());
     if (options.has("leaf-split")) chosen.leafSplit = oneOf(options, "leaf-split", leafSplitNames());
+    if (options.has("fit")) chosen.fit = oneOf(options, "fit", fitNames());
     if (options.has("leaf-size"))
         chosen.leafSize = static_cast<int>(options.integer("leaf-size", 1, kLargestLeaf));
     if (options.has("node-width")) chosen.nodeWidth = std::stoi(oneOf(options, "node-width", widthNames()));
@@ -58,8 +64,9 @@ BuildOptions treeOptions(const Options& options) {
 }
 
 std::string description(const BuildOptions& options) {
-    return options.generalSplit + ", leaves of up to " + std::to_string(options.leafSize) + " split by " +
-           options.leafSplit + ", " + std::to_string(options.nodeWidth) + " wide";
+    return options.generalSplit + ", fitted by " + options.fit + ", leaves of up to " +
+           std::to_string(options.leafSize) + " split by " + options.leafSplit + ", " +
+           std::to_string(options.nodeWidth) + " wide";
 }
 
 }  // namespace clearway

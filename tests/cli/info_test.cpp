@@ -91,8 +91,22 @@ BOOST_AUTO_TEST_CASE(strategies_are_chosen_by_name) {
     const Outcome outcome =
         runIn(folder, "info a.obj --general-split mean --leaf-split all --leaf-size 2 --node-width 2");
     BOOST_TEST(outcome.code == 0);
-    BOOST_TEST(row(outcome, "tree") == "mean, leaves of up to 2 split by all, 2 wide");
+    BOOST_TEST(row(outcome, "tree") == "mean, fitted by frames, leaves of up to 2 split by all, 2 wide");
     BOOST_TEST(row(outcome, "  leaves") == "12: 12 of 1");
+}
+
+BOOST_AUTO_TEST_CASE(a_preset_is_what_single_choices_start_from) {
+    const TemporaryFolder folder;
+    folder.write("a.obj", boxObj(0, 1));
+    const auto tree = [&](const std::string& choices) {
+        return row(runIn(folder, "info a.obj " + choices), "tree");
+    };
+    const std::string rest = ", leaves of up to 4 split by none, 8 wide";
+    BOOST_TEST(tree("") == "sah, fitted by frames" + rest);
+    BOOST_TEST(tree("--preset best") == "sah, fitted by frames" + rest);
+    BOOST_TEST(tree("--preset fast") == "sah, fitted by covariance" + rest);
+    BOOST_TEST(tree("--preset fast --fit frames --general-split embree") ==
+               "embree, fitted by frames" + rest);
 }
 
 BOOST_AUTO_TEST_CASE(a_problem_is_described_with_both_meshes_as_omplapp_reads_them) {
@@ -187,7 +201,10 @@ BOOST_AUTO_TEST_CASE(wrong_usage_is_refused) {
     const ProblemFolder folder(kProblem);
     requireRefused(folder, "info", {"MESH|PROBLEM.cfg is missing"});
     requireRefused(folder, "info part.obj environment.obj", {"'environment.obj'", "clearway info"});
-    requireRefused(folder, "info part.obj --general-split foo", {"--general-split", "'foo'", "mean, axis"});
+    requireRefused(folder, "info part.obj --general-split foo",
+                   {"--general-split", "'foo'", "sah, embree, axis, mean"});
+    requireRefused(folder, "info part.obj --preset foo", {"--preset", "'foo'", "best, fast"});
+    requireRefused(folder, "info part.obj --fit foo", {"--fit", "'foo'", "frames, covariance"});
     requireRefused(folder, "info part.obj --leaf-split foo",
                    {"--leaf-split", "'foo'", "none, chain, edge, all"});
     requireRefused(folder, "info part.obj --leaf-size x",

@@ -280,7 +280,8 @@ BOOST_AUTO_TEST_CASE(wrong_usage_is_refused) {
                         {"--absolute-error is 'x', expected a number of at least 0"});
     requireQueryRefused("within=2 --absolute-error 1", {"--absolute-error is '1'", "distance"});
     requireQueryRefused("distance --leaf-size x", {"--leaf-size is 'x', expected an integer from 1 to 16"});
-    requireQueryRefused("distance --general-split foo", {"--general-split is 'foo'", "mean, axis"});
+    requireQueryRefused("distance --general-split foo",
+                        {"--general-split is 'foo'", "sah, embree, axis, mean"});
     requireQueryRefused("distance --leaf-split foo", {"--leaf-split is 'foo'", "none, chain, edge, all"});
     requireQueryRefused("distance --node-width 4", {"--node-width is '4'", "8, 2"});
     requireQueryRefused("distance --target foo", {"target is 'foo'", "scalar"});

@@ -49,9 +49,11 @@ std::size_t splitAtBestAxis(const CleanMesh& mesh, TriangleRun run, Scratch& scr
 
 BinaryTree buildByAxisSplit(const CleanMesh& mesh, std::vector<std::uint32_t> triangles,
                             std::size_t largestGroup) {
-    Scratch scratch;
-    return buildTopDown(mesh, std::move(triangles), largestGroup,
-                        [&](TriangleRun run) { return splitAtBestAxis(mesh, run, scratch); });
+    return buildTopDown(mesh, std::move(triangles), largestGroup, [&mesh] {
+        return [&mesh, scratch = Scratch()](TriangleRun run) mutable {
+            return splitAtBestAxis(mesh, run, scratch);
+        };
+    });
 }
 
 }  // namespace clearway

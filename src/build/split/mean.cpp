@@ -10,11 +10,12 @@ namespace clearway {
 
 BinaryTree buildByMeanSplit(const CleanMesh& mesh, std::vector<std::uint32_t> triangles,
                             std::size_t largestGroup) {
-    std::vector<Vector3> corners;
-    return buildTopDown(mesh, std::move(triangles), largestGroup, [&](TriangleRun run) {
-        gatherCorners(mesh, run.first, run.size(), corners);
-        const PrincipalFrame frame = principalFrame(corners);
-        return partitionByPlane(mesh, run, {frame.mean, frame.axes.col(0)});
+    return buildTopDown(mesh, std::move(triangles), largestGroup, [&mesh] {
+        return [&mesh, corners = std::vector<Vector3>()](TriangleRun run) mutable {
+            gatherCorners(mesh, run.first, run.size(), corners);
+            const PrincipalFrame frame = principalFrame(corners);
+            return partitionByPlane(mesh, run, {frame.mean, frame.axes.col(0)});
+        };
     });
 }
 

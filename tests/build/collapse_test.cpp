@@ -1,0 +1,136 @@
+#define BOOST_TEST_MODULE collapse
+#include "build/collapse.h"
+
+#include <boost/test/unit_test.hpp>
+#include <set>
+
+#include "build/build.h"
+#include "build/sample_meshes.h"
+
+namespace clearway::testing {
+namespace {
+
+/// A binary tree of random shape over single triangles, with random areas that shrink from parent to child.
+BinaryTree randomTree(Random& random, int leaves) {
+    BinaryTree tree;
+    tree.nodes.emplace_back();
+    tree.nodes[0].triangleCount = static_cast<std::uint32_t>(leaves);
+    tree.nodes[0].volume.radius = 1;
+    for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
+        const BinaryNode node = tree.nodes[i];
+        if (node.triangleCount == 1) continue;
+        BinaryNode left, right;
+        left.firstTriangle = node.firstTriangle;
+        left.triangleCount =
+            1 + static_cast<std::uint32_t>(random.below(static_cast<int>(node.triangleCount) - 1));
+        right.firstTriangle = left.firstTriangle + left.triangleCount;
+        right.triangleCount = node.triangleCount - left.triangleCount;
+        left.volume.radius = node.volume.radius * random.uniform(0.3, 1);
+        right.volume.radius = node.volume.radius * random.uniform(0.3, 1);
+        tree.nodes[i].left = static_cast<std::int32_t>(tree.nodes.size());
+        tree.nodes[i].right = tree.nodes[i].left + 1;
+        tree.nodes.push_back(left);
+        tree.nodes.push_back(right);
+    }
+    for (int i = 0; i < leaves; ++i) tree.order.push_back(static_cast<std::uint32_t>(i));
+    return tree;
+}
+
+/// Of one wide node.
+double costOf(const BinaryTree& tree, std::int32_t node) {
+    return tree.nodes[node].volume.area() / tree.nodes[0].volume.area() + 1.0 / double(tree.order.size());
+}
+
+/// Tries every way to cut the tree below a wide node. forest: what is in its lanes so far, with nodes from
+/// `next` on still to be left closed or opened.
+double leastCost(const BinaryTree& tree, int lanes, std::int32_t node);
+double leastOverForests(const BinaryTree& tree, int lanes, std::vector<std::int32_t> forest,
+                        std::size_t next) {
+    if (next == forest.size()) {
+        double cost = 0;
+        for (const std::int32_t lane : forest) cost += leastCost(tree, lanes, lane);
+        return cost;
+    }
+    double least = leastOverForests(tree, lanes, forest, next + 1);
+    const BinaryNode& node = tree.nodes[forest[next]];
+    if (!node.isLeaf() && forest.size() < std::size_t(lanes)) {
+        forest[next] = node.left;
+        forest.insert(forest.begin() + next + 1, node.right);
+        least = std::min(least, leastOverForests(tree, lanes, forest, next));
+    }
+    return least;
+}
+double leastCost(const BinaryTree& tree, int lanes, std::int32_t index) {
+    const BinaryNode& node = tree.nodes[index];
+    if (node.isLeaf()) return 0;
+    return costOf(tree, index) + leastOverForests(tree, lanes, {node.left, node.right}, 0);
+}
+
+/// The cost of the wide nodes that lanesOf leads to; checks that they hold every leaf once.
+double collapsedCost(const BinaryTree& tree, int lanes, const Collapse& collapse) {
+    double cost = 0;
+    std::multiset<std::uint32_t> leaves;
+    std::vector<std::int32_t> pending{0};
+    while (!pending.empty()) {
+        const std::int32_t wide = pending.back();
+        pending.pop_back();
+        cost += costOf(tree, wide);
+        const std::vector<std::int32_t> children = collapse.lanesOf(wide);
+        BOOST_TEST((children.size() >= 2 && children.size() <= std::size_t(lanes)));
+        for (const std::int32_t child : children) {
+            if (tree.nodes[child].isLeaf()) {
+                leaves.insert(tree.nodes[child].firstTriangle);
+            } else {
+                pending.push_back(child);
+            }
+        }
+    }
+    BOOST_TEST((leaves == std::multiset<std::uint32_t>(tree.order.begin(), tree.order.end())));
+    return cost;
+}
+
+BOOST_AUTO_TEST_CASE(no_other_cut_costs_less) {
+    constexpr std::uint64_t kSeed = 91;
+    BOOST_TEST_CONTEXT("seed " << kSeed) {
+        Random random(kSeed);
+        for (int round = 0; round < 150; ++round) {
+            const BinaryTree tree = randomTree(random, 2 + random.below(9));
+            for (const int lanes : {2, 3, 4, 8}) {
+                const Collapse collapse(tree, lanes);
+                const double least = leastCost(tree, lanes, 0);
+                BOOST_TEST(collapsedCost(tree, lanes, collapse) == least, boost::test_tools::tolerance(1e-5));
+                BOOST_TEST(collapse.cost() == least, boost::test_tools::tolerance(1e-5));
+            }
+        }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(eight_leaves_fill_one_node) {
+    Random random(92);
+    const BinaryTree tree = randomTree(random, 8);
+    BOOST_TEST(Collapse(tree, 8).lanesOf(0).size() == 8u);
+}
+
+BOOST_AUTO_TEST_CASE(trees_without_extent_and_of_any_scale_collapse) {
+    Random random(93);
+    for (const double scale : {0.0, 0x1p900, 0x1p-900}) {
+        BinaryTree tree = randomTree(random, 100);
+        const std::vector<std::int32_t> unscaled = Collapse(tree, 8).lanesOf(0);
+        for (BinaryNode& node : tree.nodes) node.volume.radius *= scale;
+        const Collapse collapse(tree, 8);
+        if (scale > 0) BOOST_TEST((collapse.lanesOf(0) == unscaled));
+        std::size_t leaves = 0;
+        std::vector<std::int32_t> pending{0};
+        while (!pending.empty()) {
+            const std::int32_t wide = pending.back();
+            pending.pop_back();
+            for (const std::int32_t child : collapse.lanesOf(wide)) {
+                tree.nodes[child].isLeaf() ? void(++leaves) : pending.push_back(child);
+            }
+        }
+        BOOST_TEST(leaves == 100u);
+    }
+}
+
+}  // namespace
+}  // namespace clearway::testing
