@@ -1,0 +1,50 @@
+#include "clearway/batch.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+
+#include "clearway/model.h"
+
+namespace clearway {
+namespace {
+
+/// Calls answer(i, workspace) for every i below count, block by block.
+template <class Answer>
+void forEachInBlocks(std::size_t count, const Answer& answer) {
+    tbb::enumerable_thread_specific<Workspace> workspaces;
+    const std::size_t blocks = (count + kBatchBlock - 1) / kBatchBlock;
+    tbb::parallel_for(std::size_t(0), blocks, [&](std::size_t block) {
+        Workspace& workspace = workspaces.local();
+        workspace.forgetWarmStart();
+        const std::size_t end = std::min(count, (block + 1) * kBatchBlock);
+        for (std::size_t i = block * kBatchBlock; i < end; ++i) answer(i, workspace);
+    });
+}
+
+}  // namespace
+
+std::vector<DistanceResult> distanceBatch(const Model& part, const Model& environment,
+                                          const std::vector<Pose>& X_environmentPart,
+                                          const DistanceOptions& options) {
+    for (const Pose& pose : X_environmentPart) requirePose(pose);
+    std::vector<DistanceResult> results(X_environmentPart.size());
+    forEachInBlocks(results.size(), [&](std::size_t i, Workspace& workspace) {
+        results[i] = distance(part, environment, X_environmentPart[i], options, workspace);
+    });
+    return results;
+}
+
+std::vector<std::uint8_t> isWithinBatch(const Model& part, const Model& environment,
+                                        const std::vector<Pose>& X_environmentPart, double d) {
+    for (const Pose& pose : X_environmentPart) requirePose(pose);
+    std::vector<std::uint8_t> results(X_environmentPart.size());
+    forEachInBlocks(results.size(), [&](std::size_t i, Workspace& workspace) {
+        results[i] = isWithin(part, environment, X_environmentPart[i], d, workspace) ? 1 : 0;
+    });
+    return results;
+}
+
+}  // namespace clearway
