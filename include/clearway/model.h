@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "clearway/build_options.h"
@@ -16,20 +17,34 @@ struct FlatTree;
 /// Copying is cheap: copies share one immutable tree, which any number of threads may query at once.
 class Model {
   public:
-    /// Throws std::invalid_argument when a vertex of a triangle is not finite (naming the first such triangle), an index
-    /// is out of range, the components do not cover the triangles, the mesh has no triangle, or an option is unknown.
+    /// Throws std::invalid_argument when a vertex of a triangle is not finite (naming the first such
+    /// triangle), an index is out of range, the components do not cover the triangles, the mesh has no
+    /// triangle, or an option is unknown.
     static Model build(const Mesh& mesh, const BuildOptions& options = {});
+
+    /// Reads what save wrote. Throws std::runtime_error, naming the file and what is wrong with it, when it
+    /// cannot be read, is no saved model, is damaged, or was saved by another version or on a machine of
+    /// another byte order.
+    static Model load(const std::string& file);
+
+    /// Writes the model with its report and names. To a temporary name, then renamed. Throws
+    /// std::runtime_error when it cannot be written.
+    void save(const std::string& file) const;
 
     const BuildReport& report() const;
     const Box& box() const;                            ///< of the triangles, mesh coordinates
     const std::vector<Component>& components() const;  ///< at least one
     const MeshOrigin& origin() const;
 
-    /// Largest distance of a vertex from the origin of mesh coordinates: how far a rotation about it can reach.
+    /// Largest distance of a vertex from the origin of mesh coordinates: how far a rotation about it can
+    /// reach.
     double radiusAboutOrigin() const;
 
     /// Different for every built model of the process, equal for copies.
     std::uint64_t id() const;
+
+    /// modelKey of the mesh and options it was built from, also when it was loaded.
+    std::uint64_t key() const;
 
     /// For the query layer only.
     const FlatTree& tree() const;
@@ -37,7 +52,22 @@ class Model {
   private:
     struct Data;
     explicit Model(std::shared_ptr<const Data> data);
+    static std::uint64_t newId();
     std::shared_ptr<const Data> data_;
 };
+
+/// A hash of all that a model is made of: the mesh with its names, the options that shape the tree, and the
+/// version of the build. Not cryptographic.
+std::uint64_t modelKey(const Mesh& mesh, const BuildOptions& options);
+
+struct CachedModel {
+    Model model;
+    bool isLoaded = false;  ///< false: built, and saved for the next time
+    std::string warning;  ///< why a file that was there could not be used; empty when there is nothing to say
+};
+
+/// The model of the mesh from the folder's file of that key, else built and saved there. The folder is made
+/// if need be. A damaged file is replaced. Throws what build and save throw.
+CachedModel buildCached(const Mesh& mesh, const BuildOptions& options, const std::string& folder);
 
 }  // namespace clearway

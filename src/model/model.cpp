@@ -6,28 +6,26 @@
 
 #include "build/build.h"
 #include "mesh/clean.h"
+#include "model/model_data.h"
 #include "tree/statistics.h"
 
 namespace clearway {
 
-struct Model::Data {
-    std::uint64_t id;
-    FlatTree tree;
-    BuildReport report;
-    std::vector<Component> components;
-    MeshOrigin origin;
-};
-
 Model::Model(std::shared_ptr<const Data> data) : data_(std::move(data)) {}
 
+std::uint64_t Model::newId() {
+    static std::atomic<std::uint64_t> next{1};
+    return next++;
+}
+
 Model Model::build(const Mesh& mesh, const BuildOptions& options) {
-    static std::atomic<std::uint64_t> nextId{1};
     const auto start = std::chrono::steady_clock::now();
     requireBuildOptions(options);
     const CleanMesh cleaned = clean(mesh);
 
     auto data = std::make_shared<Data>();
-    data->id = nextId++;
+    data->id = newId();
+    data->key = modelKey(mesh, options);
     data->tree = flatten(buildBinaryTree(cleaned, options), cleaned, options.nodeWidth);
     data->components = mesh.components;
     if (data->components.empty()) data->components.push_back({"", 0, std::uint32_t(mesh.triangles.size())});
@@ -54,6 +52,9 @@ const MeshOrigin& Model::origin() const {
 }
 double Model::radiusAboutOrigin() const {
     return data_->tree.radiusAboutMeshOrigin;
+}
+std::uint64_t Model::key() const {
+    return data_->key;
 }
 std::uint64_t Model::id() const {
     return data_->id;

@@ -1,0 +1,118 @@
+// Plain values to bytes and back, with every length checked before it is believed.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+namespace clearway {
+
+/// Not cryptographic: tells damaged and foreign data, not forged ones. A change of one bit changes it.
+class Hash {
+  public:
+    void add(const void* data, std::size_t bytes) {
+        const char* from = static_cast<const char*>(data);
+        for (; bytes >= 8; bytes -= 8, from += 8) mix(word(from, 8));
+        mix(word(from, bytes) ^ (std::uint64_t(bytes) << 56) ^ 0x9e3779b97f4a7c15u);
+    }
+    template <class T>
+    void add(const T& value) {
+        static_assert(std::is_arithmetic_v<T>);
+        add(&value, sizeof value);
+    }
+    void add(const std::string& text) {
+        add(std::uint64_t(text.size()));
+        add(text.data(), text.size());
+    }
+    std::uint64_t value() const { return state_; }
+
+  private:
+    static std::uint64_t word(const char* from, std::size_t bytes) {
+        std::uint64_t value = 0;
+        std::memcpy(&value, from, bytes);
+        return value;
+    }
+    /// The finaliser of splitmix64 (Steele, Lea, Flood 2014), a bijection of the state for every word.
+    void mix(std::uint64_t input) {
+        std::uint64_t z = state_ + 0x9e3779b97f4a7c15u + input;
+        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+        z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+        state_ = z ^ (z >> 31);
+    }
+    std::uint64_t state_ = 0;
+};
+
+class ArchiveWriter {
+  public:
+    /// For arrays of numbers without padding between them.
+    void addBytes(const void* data, std::size_t bytes) {
+        bytes_.append(static_cast<const char*>(data), bytes);
+    }
+    template <class T>
+    void add(const T& value) {
+        static_assert(std::is_arithmetic_v<T>);
+        addBytes(&value, sizeof value);
+    }
+    void add(const std::string& text) {
+        add(std::uint64_t(text.size()));
+        addBytes(text.data(), text.size());
+    }
+    template <class T>
+    void addArray(const std::vector<T>& values) {
+        add(std::uint64_t(values.size()));
+        addBytes(values.data(), values.size() * sizeof(T));
+    }
+    const std::string& bytes() const { return bytes_; }
+
+  private:
+    std::string bytes_;
+};
+
+/// Throws std::runtime_error("ends too early") where the bytes are fewer than what is asked of them.
+class ArchiveReader {
+  public:
+    explicit ArchiveReader(std::string_view bytes) : rest_(bytes) {}
+
+    void readBytes(void* to, std::size_t bytes) {
+        require(bytes);
+        if (bytes > 0) std::memcpy(to, rest_.data(), bytes);
+        rest_.remove_prefix(bytes);
+    }
+    template <class T>
+    T read() {
+        static_assert(std::is_arithmetic_v<T>);
+        T value;
+        readBytes(&value, sizeof value);
+        return value;
+    }
+    std::string readText() {
+        std::string text(readCount(1), '\0');
+        readBytes(text.data(), text.size());
+        return text;
+    }
+    template <class T>
+    void readArray(std::vector<T>& values) {
+        values.resize(readCount(sizeof(T)));
+        readBytes(values.data(), values.size() * sizeof(T));
+    }
+    /// A number of things of at least so many bytes each, which the rest is long enough to hold.
+    std::size_t readCount(std::size_t bytesEach) {
+        const auto count = read<std::uint64_t>();
+        if (count > rest_.size() / bytesEach) throw std::runtime_error("ends too early");
+        return std::size_t(count);
+    }
+    bool isAtEnd() const { return rest_.empty(); }
+
+  private:
+    void require(std::size_t bytes) const {
+        if (bytes > rest_.size()) throw std::runtime_error("ends too early");
+    }
+    std::string_view rest_;
+};
+
+}  // namespace clearway

@@ -1,0 +1,257 @@
+// Models as files. Layout: a header of fixed size, then the payload it counts and hashes:
+//   "clearway" (8 bytes), version, byte order mark, key, payload bytes, payload hash (8 bytes each), payload.
+// Numbers are written as they are in memory: the mark tells a machine of another byte order. Whoever changes
+// what is written, or what a build makes of the same mesh and options, raises the version.
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <stdexcept>
+
+#include "clearway/model.h"
+#include "core/archive.h"
+#include "core/replace_file.h"
+#include "model/model_data.h"
+#include "tree/soundness.h"
+#include "tree/statistics.h"
+
+namespace clearway {
+namespace {
+
+constexpr char kMagic[8] = {'c', 'l', 'e', 'a', 'r', 'w', 'a', 'y'};
+constexpr std::uint64_t kVersion = 1;
+constexpr std::uint64_t kByteOrderMark = 0x0102030405060708u;
+
+[[noreturn]] void refuse(const std::string& file, const std::string& reason) {
+    throw std::runtime_error(file + ": " + reason +
+                             ", expected a model saved by this version of clearway");
+}
+
+std::uint64_t hashOf(std::string_view bytes) {
+    Hash hash;
+    hash.add(bytes.data(), bytes.size());
+    return hash.value();
+}
+
+void addVector(ArchiveWriter& out, const Vector3& v) {
+    for (int k = 0; k < 3; ++k) out.add(v[k]);
+}
+
+Vector3 readVector(ArchiveReader& in) {
+    Vector3 v;
+    for (int k = 0; k < 3; ++k) v[k] = in.read<double>();
+    return v;
+}
+
+void addOptions(ArchiveWriter& out, const BuildOptions& options) {
+    out.add(options.generalSplit);
+    out.add(options.leafSplit);
+    out.add(options.fit);
+    out.add(std::int32_t(options.leafSize));
+    out.add(std::int32_t(options.nodeWidth));
+}
+
+BuildOptions readOptions(ArchiveReader& in) {
+    BuildOptions options;
+    options.generalSplit = in.readText();
+    options.leafSplit = in.readText();
+    options.fit = in.readText();
+    options.leafSize = in.read<std::int32_t>();
+    options.nodeWidth = in.read<std::int32_t>();
+    return options;
+}
+
+void addTree(ArchiveWriter& out, const FlatTree& tree) {
+    out.add(std::int32_t(tree.nodeWidth));
+    addVector(out, tree.origin);
+    out.add(std::int32_t(tree.unitExponent));
+    out.add(tree.radius);
+    out.addArray(tree.nodes2);
+    out.addArray(tree.nodes8);
+    out.add(std::uint64_t(tree.leaves.size()));
+    for (const Leaf& leaf : tree.leaves) {  // field by field: what pads the structure is left out
+        for (const double x : leaf.centre) out.add(x);
+        out.add(leaf.firstTriangle);
+        out.add(leaf.triangleCount);
+        out.add(leaf.radius);
+    }
+    out.addArray(tree.leafVertices);
+    out.addArray(tree.vertices);
+    out.addArray(tree.triangles);
+    out.addArray(tree.triangleIds);
+    addVector(out, tree.box.min());
+    addVector(out, tree.box.max());
+    out.add(tree.radiusAboutMeshOrigin);
+}
+
+FlatTree readTree(ArchiveReader& in) {
+    FlatTree tree;
+    tree.nodeWidth = in.read<std::int32_t>();
+    tree.origin = readVector(in);
+    tree.unitExponent = in.read<std::int32_t>();
+    tree.radius = in.read<float>();
+    in.readArray(tree.nodes2);
+    in.readArray(tree.nodes8);
+    tree.leaves.resize(in.readCount(3 * sizeof(double) + 12));
+    for (Leaf& leaf : tree.leaves) {
+        for (double& x : leaf.centre) x = in.read<double>();
+        leaf.firstTriangle = in.read<std::uint32_t>();
+        leaf.triangleCount = in.read<std::uint32_t>();
+        leaf.radius = in.read<float>();
+    }
+    in.readArray(tree.leafVertices);
+    in.readArray(tree.vertices);
+    in.readArray(tree.triangles);
+    in.readArray(tree.triangleIds);
+    const Vector3 low = readVector(in), high = readVector(in);
+    tree.box = Box(low, high);
+    tree.radiusAboutMeshOrigin = in.read<double>();
+    return tree;
+}
+
+void addRest(ArchiveWriter& out, const BuildReport& report, const std::vector<Component>& components,
+             const MeshOrigin& origin) {
+    for (const std::size_t count : {report.clean.weldedVertices, report.clean.unusedVertices,
+                                    report.clean.degenerateTriangles, report.clean.duplicateTriangles}) {
+        out.add(std::uint64_t(count));
+    }
+    out.add(report.seconds);
+    out.add(std::uint64_t(components.size()));
+    for (const Component& component : components) {
+        out.add(component.name);
+        out.add(component.firstTriangle);
+        out.add(component.triangleCount);
+    }
+    out.add(origin.file);
+    out.add(origin.scale);
+    addVector(out, origin.shift);
+    out.add(std::uint64_t(origin.ignoredFaces));
+    out.add(std::uint64_t(origin.notes.size()));
+    for (const std::string& note : origin.notes) out.add(note);
+}
+
+void readRest(ArchiveReader& in, BuildReport& report, std::vector<Component>& components,
+              MeshOrigin& origin) {
+    for (std::size_t* count : {&report.clean.weldedVertices, &report.clean.unusedVertices,
+                               &report.clean.degenerateTriangles, &report.clean.duplicateTriangles}) {
+        *count = in.read<std::uint64_t>();
+    }
+    report.seconds = in.read<double>();
+    components.resize(in.readCount(16));
+    for (Component& component : components) {
+        component.name = in.readText();
+        component.firstTriangle = in.read<std::uint32_t>();
+        component.triangleCount = in.read<std::uint32_t>();
+    }
+    origin.file = in.readText();
+    origin.scale = in.read<double>();
+    origin.shift = readVector(in);
+    origin.ignoredFaces = in.read<std::uint64_t>();
+    origin.notes.resize(in.readCount(8));
+    for (std::string& note : origin.notes) note = in.readText();
+}
+
+/// The triangles of consecutive components, or -1 when they are not consecutive.
+std::int64_t trianglesOf(const std::vector<Component>& components) {
+    std::int64_t next = 0;
+    for (const Component& component : components) {
+        if (component.firstTriangle != next) return -1;
+        next += component.triangleCount;
+    }
+    return components.empty() ? -1 : next;
+}
+
+std::string readWhole(const std::string& file) {
+    std::ifstream in(file, std::ios::binary);
+    if (!in || std::filesystem::is_directory(file)) {
+        throw std::runtime_error(file + ": cannot be read, expected a saved model");
+    }
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+}  // namespace
+
+std::uint64_t modelKey(const Mesh& mesh, const BuildOptions& options) {
+    ArchiveWriter out;
+    out.add(kVersion);
+    addOptions(out, options);
+    out.addArray(mesh.vertices);
+    out.addArray(mesh.triangles);
+    for (const Component& component : mesh.components) {
+        out.add(component.name);
+        out.add(component.triangleCount);
+    }
+    out.add(mesh.origin.file);
+    return hashOf(out.bytes());
+}
+
+void Model::save(const std::string& file) const {
+    ArchiveWriter payload;
+    addOptions(payload, data_->report.options);
+    addTree(payload, data_->tree);
+    addRest(payload, data_->report, data_->components, data_->origin);
+    ArchiveWriter header;
+    header.addBytes(kMagic, sizeof kMagic);
+    for (const std::uint64_t field : {kVersion, kByteOrderMark, data_->key,
+                                      std::uint64_t(payload.bytes().size()), hashOf(payload.bytes())}) {
+        header.add(field);
+    }
+    replaceFile(file, [&](std::ostream& out) { out << header.bytes() << payload.bytes(); });
+}
+
+Model Model::load(const std::string& file) {
+    const std::string bytes = readWhole(file);
+    auto data = std::make_shared<Data>();
+    try {
+        ArchiveReader in(bytes);
+        char magic[sizeof kMagic];
+        in.readBytes(magic, sizeof magic);
+        if (std::memcmp(magic, kMagic, sizeof magic) != 0) throw std::runtime_error("is no saved model");
+        if (const auto version = in.read<std::uint64_t>(); version != kVersion) {
+            throw std::runtime_error("has format version " + std::to_string(version));
+        }
+        if (in.read<std::uint64_t>() != kByteOrderMark) throw std::runtime_error("is of another byte order");
+        data->key = in.read<std::uint64_t>();
+        const auto size = in.read<std::uint64_t>(), hash = in.read<std::uint64_t>();
+        const std::string_view payload =
+            std::string_view(bytes).substr(sizeof kMagic + 5 * sizeof(std::uint64_t));
+        if (size != payload.size() || hash != hashOf(payload)) throw std::runtime_error("is damaged");
+
+        data->report.options = readOptions(in);
+        data->tree = readTree(in);
+        readRest(in, data->report, data->components, data->origin);
+        const std::int64_t triangles = trianglesOf(data->components);
+        if (!in.isAtEnd() || triangles < 0) throw std::runtime_error("does not fit together");
+        if (const char* fault = faultOf(data->tree, std::size_t(triangles))) throw std::runtime_error(fault);
+    } catch (const std::runtime_error& error) {
+        refuse(file, error.what());
+    }
+    data->report.triangles = data->tree.triangles.size();
+    data->report.tree = statistics(data->tree);
+    data->id = newId();
+    return Model(std::move(data));
+}
+
+CachedModel buildCached(const Mesh& mesh, const BuildOptions& options, const std::string& folder) {
+    requireBuildOptions(options);
+    const std::uint64_t key = modelKey(mesh, options);
+    std::ostringstream name;
+    name << std::hex << key << ".clearway";
+    const std::filesystem::path file = std::filesystem::path(folder) / name.str();
+    std::string warning;
+    if (std::filesystem::exists(file)) {
+        try {
+            Model model = Model::load(file.string());
+            if (model.key() == key) return {model, true, ""};
+            warning = file.string() + ": was built from another mesh or other options; built anew";
+        } catch (const std::runtime_error& error) {
+            warning = std::string(error.what()) + "; built anew";
+        }
+    }
+    const Model model = Model::build(mesh, options);
+    std::filesystem::create_directories(folder);
+    model.save(file.string());
+    return {model, false, warning};
+}
+
+}  // namespace clearway

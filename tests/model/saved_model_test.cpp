@@ -1,0 +1,129 @@
+#define BOOST_TEST_MODULE saved_model
+#include <boost/test/unit_test.hpp>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "clearway/model.h"
+#include "clearway/query.h"
+#include "support/random_meshes.h"
+#include "support/temporary_folder.h"
+#include "tree/flat_tree.h"
+
+namespace clearway {
+namespace {
+
+using testing::Random;
+
+std::string contentOf(const std::string& file) {
+    std::ifstream in(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+void write(const std::string& file, const std::string& content) {
+    std::ofstream(file, std::ios::binary) << content;
+}
+
+struct Fixture {
+    Random random{3};
+    testing::TemporaryFolder folder;
+    Mesh part = testing::torus(3, 1, 8);
+    Mesh environment = testing::randomTerrain(random, 10, 20, 1);
+    std::string file = folder.file("model.clearway");
+};
+
+BOOST_FIXTURE_TEST_CASE(a_loaded_model_answers_as_the_saved_one, Fixture) {
+    environment.components = {{"left", 0, 50},
+                              {"right", 50, std::uint32_t(environment.triangles.size()) - 50}};
+    environment.origin.notes = {"turned"};
+    for (const int width : nodeWidths()) {
+        BuildOptions options;
+        options.nodeWidth = width;
+        const Model moving = Model::build(part, options), built = Model::build(environment, options);
+        built.save(file);
+        const Model loaded = Model::load(file);
+        BOOST_TEST(loaded.key() == built.key());
+        BOOST_TEST(loaded.id() != built.id());
+        BOOST_TEST(loaded.report().tree.bytes == built.report().tree.bytes);
+        BOOST_TEST(loaded.report().tree.leavesBySize == built.report().tree.leavesBySize);
+        BOOST_TEST(loaded.report().triangles == built.report().triangles);
+        BOOST_TEST(loaded.components()[1].name == "right");
+        BOOST_TEST(loaded.origin().notes == environment.origin.notes);
+        Workspace a, b;
+        for (int i = 0; i < 50; ++i) {
+            const Pose X = random.pose(6);
+            const DistanceResult first = distance(moving, built, X, {}, a),
+                                 second = distance(moving, loaded, X, {}, b);
+            BOOST_TEST(first.lower == second.lower);
+            BOOST_TEST(first.upper == second.upper);
+            BOOST_TEST(first.environmentTriangle == second.environmentTriangle);
+            BOOST_TEST(first.counters.volumeTests == second.counters.volumeTests);
+        }
+    }
+}
+
+BOOST_FIXTURE_TEST_CASE(saving_twice_gives_the_same_bytes, Fixture) {
+    const Model model = Model::build(part);
+    model.save(file);
+    const std::string first = contentOf(file);
+    Model::load(file).save(file);
+    BOOST_TEST((contentOf(file) == first));
+}
+
+BOOST_FIXTURE_TEST_CASE(a_cut_damaged_or_foreign_file_is_refused_by_name, Fixture) {
+    Model::build(testing::box({1, 1, 1})).save(file);
+    const std::string whole = contentOf(file);
+    const auto requireRefused = [&](const std::string& content) {
+        write(file, content);
+        BOOST_CHECK_EXCEPTION(Model::load(file), std::runtime_error, [&](const std::runtime_error& error) {
+            return std::string(error.what()).find(file) == 0;
+        });
+    };
+    for (std::size_t length = 0; length < whole.size(); length += 7) requireRefused(whole.substr(0, length));
+    for (std::size_t at = 0; at < whole.size(); at += 3) {
+        if (at >= 24 && at < 32) continue;  // the key: any value is one
+        std::string damaged = whole;
+        damaged[at] = char(damaged[at] ^ (1 << (at % 8)));
+        requireRefused(damaged);
+    }
+    requireRefused(whole + "x");
+    requireRefused("solid ascii stl\nendsolid\n");
+    BOOST_CHECK_THROW(Model::load(folder.file("missing.clearway")), std::runtime_error);
+    BOOST_CHECK_THROW(Model::load(folder.path()), std::runtime_error);
+}
+
+BOOST_FIXTURE_TEST_CASE(the_key_tells_meshes_and_options_apart, Fixture) {
+    const std::uint64_t key = modelKey(part, {});
+    BOOST_TEST(key == modelKey(part, {}));
+    BuildOptions options;
+    options.leafSplit = "chain";
+    BOOST_TEST(key != modelKey(part, options));
+    options = {};
+    options.threads = 1;  // makes the same tree
+    BOOST_TEST(key == modelKey(part, options));
+    Mesh moved = part;
+    moved.vertices.back().z() += 1e-9;
+    BOOST_TEST(key != modelKey(moved, {}));
+    std::swap(moved = part, part);
+    std::swap(moved.triangles[0], moved.triangles[1]);
+    BOOST_TEST(key != modelKey(moved, {}));
+}
+
+BOOST_FIXTURE_TEST_CASE(the_cache_builds_once_and_replaces_what_is_damaged, Fixture) {
+    const std::string cache = folder.file("cache");
+    BOOST_TEST(!buildCached(part, {}, cache).isLoaded);
+    const CachedModel second = buildCached(part, {}, cache);
+    BOOST_TEST(second.isLoaded);
+    BOOST_TEST(second.warning == "");
+    BOOST_TEST(!buildCached(environment, {}, cache).isLoaded);
+
+    for (const auto& entry : std::filesystem::directory_iterator(cache))
+        write(entry.path().string(), "clearway");
+    const CachedModel anew = buildCached(part, {}, cache);
+    BOOST_TEST(!anew.isLoaded);
+    BOOST_TEST(anew.warning.find("built anew") != std::string::npos);
+    BOOST_TEST(buildCached(part, {}, cache).isLoaded);
+}
+
+}  // namespace
+}  // namespace clearway
