@@ -61,6 +61,7 @@ CommandLine planCommandLine() {
         ("ompl-weights", "rotation weighted as OMPL does, not by the part's radius")                      //
         ("target", optionValue("NAME"), "instruction set, of those this machine runs (best)");
     addTreeOptions(commandLine);
+    addCacheOption(commandLine);
     return commandLine;
 }
 
@@ -159,15 +160,16 @@ int plan(const Arguments& arguments) {
     const std::string file = options.text("path");
     const PlanOptions planOptionsGiven = planOptions(options);
     const BuildOptions tree = treeOptions(options);
-    const std::optional<double> margin =
-        options.has("margin") ? std::optional<double>(options.nonNegative("margin")) : std::nullopt;
+    if (options.has("margin")) options.nonNegative("margin");  // all wrong usage first
     if (options.has("target")) useTarget(options.text("target"));
     requireReplaceable(file);
+    const std::string cache = cacheFolder(options);
     heedInterrupts();
 
     const Problem problem = readProblem(options.text("PROBLEM.cfg"));
-    Scene scene = planning::loadScene(problem, tree);
-    if (margin) scene.margin = *margin;
+    const Scene scene{buildModel(loadPart(problem), tree, cache),
+                      buildModel(loadEnvironment(problem), tree, cache),
+                      options.has("margin") ? options.nonNegative("margin") : problem.margin};
     PlanReport report;
     {
         const ElapsedLine elapsed("planning");

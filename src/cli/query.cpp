@@ -41,6 +41,7 @@ CommandLine queryCommandLine() {
         ("cold", "forgets the last closest pair before every query")                                //
         ("shuffle", optionValue("SEED"), "asks in a random order; the answers' order is the file's");
     addTreeOptions(commandLine);
+    addCacheOption(commandLine);
     return commandLine;
 }
 
@@ -108,10 +109,11 @@ int query(const Arguments& arguments) {
     if (options.has("scale")) load.scale = options.positive("scale");
     if (options.has("target")) useTarget(options.text("target"));
     if (options.has("csv")) requireReplaceable(options.text("csv"));
+    const std::string cache = cacheFolder(options);
 
     const PoseFile poses = readPoses(options.text("poses"));
-    const Model part = Model::build(loadMesh(options.text("part"), load), tree);
-    const Model environment = Model::build(loadMesh(options.text("environment"), load), tree);
+    const Model part = buildModel(loadMesh(options.text("part"), load), tree, cache);
+    const Model environment = buildModel(loadMesh(options.text("environment"), load), tree, cache);
     const QueryRun run = ask(question, part, environment, poses.poses);
 
     printMesh("part", part);

@@ -1,6 +1,8 @@
 #include "cli/tree_options.h"
 
 #include <algorithm>
+#include <filesystem>
+#include <iostream>
 #include <stdexcept>
 
 namespace clearway {
@@ -61,6 +63,30 @@ BuildOptions treeOptions(const Options& options) {
         chosen.leafSize = static_cast<int>(options.integer("leaf-size", 1, kLargestLeaf));
     if (options.has("node-width")) chosen.nodeWidth = std::stoi(oneOf(options, "node-width", widthNames()));
     return chosen;
+}
+
+void addCacheOption(CommandLine& commandLine) {
+    commandLine.options.add_options()  //
+        ("cache", optionValue("DIR"),
+         "keeps built trees in this folder and takes them from there the next time");
+}
+
+std::string cacheFolder(const Options& options) {
+    if (!options.has("cache")) return "";
+    const std::string folder = options.text("cache");
+    std::error_code failure;
+    std::filesystem::create_directories(folder, failure);
+    if (!std::filesystem::is_directory(folder)) {
+        throw std::runtime_error("--cache is '" + folder + "', expected a folder that exists or can be made");
+    }
+    return folder;
+}
+
+Model buildModel(const Mesh& mesh, const BuildOptions& options, const std::string& cacheFolder) {
+    if (cacheFolder.empty()) return Model::build(mesh, options);
+    const CachedModel cached = buildCached(mesh, options, cacheFolder);
+    if (!cached.warning.empty()) std::cerr << "clearway: warning: " << cached.warning << "\n";
+    return cached.model;
 }
 
 std::string description(const BuildOptions& options) {

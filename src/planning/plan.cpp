@@ -131,9 +131,4 @@ PlanReport plan(const Problem& problem, const Scene& scene, const PlanOptions& o
     return report;
 }
 
-Scene loadScene(const Problem& problem, const BuildOptions& buildOptions) {
-    return {Model::build(loadPart(problem), buildOptions),
-            Model::build(loadEnvironment(problem), buildOptions), problem.margin};
-}
-
 }  // namespace clearway::planning

@@ -84,7 +84,4 @@ struct PlanReport {
 /// triangles.
 PlanReport plan(const Problem& problem, const Scene& scene, const PlanOptions& options);
 
-/// The problem's meshes as a scene. buildOptions: for both trees.
-Scene loadScene(const Problem& problem, const BuildOptions& buildOptions = {});
-
 }  // namespace clearway::planning

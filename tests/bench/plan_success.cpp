@@ -58,7 +58,8 @@ int run(int count, char** words) {
     const auto seeds = static_cast<std::uint32_t>(parseInteger(words[2]).value());
     PlanOptions options = optionsFrom(count, words);
     const MeshOracle oracle(loadPart(problem), loadEnvironment(problem));
-    const Scene scene = planning::loadScene(problem);
+    const Scene scene{Model::build(loadPart(problem)), Model::build(loadEnvironment(problem)),
+                      problem.margin};
 
     std::string table =
         "seed,planners,range,found,found_by,planning_seconds,finishing_seconds,checks,states_before,states,"

@@ -1,5 +1,6 @@
 #define BOOST_TEST_MODULE query
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <sstream>
 
@@ -312,6 +313,30 @@ BOOST_AUTO_TEST_CASE(a_table_or_output_that_cannot_be_written_leaves_nothing) {
     folder.write("poses.txt", "1 2 3\n");
     requireRefused(folder, kQuery + std::string("distance --csv a.csv"), {"poses.txt:1"});
     BOOST_TEST(readText(folder.file("a.csv")) == "old");
+}
+
+BOOST_FIXTURE_TEST_CASE(a_cache_holds_the_trees_and_changes_no_answer, BoxesFolder) {
+    write("poses.txt", kPoses);
+    const Table plain = answers(*this, "distance", kDistanceHeader);
+    for (int run = 0; run < 2; ++run) {
+        const Table cached = answers(*this, "distance --cache trees", kDistanceHeader);
+        for (std::size_t row = 0; row < plain.size(); ++row) {
+            for (std::size_t column = 0; column < 6; ++column)
+                BOOST_TEST(cached[row][column] == plain[row][column]);
+        }
+    }
+    std::size_t files = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(file("trees"))) {
+        BOOST_TEST(entry.path().extension() == ".clearway");
+        write("trees/" + entry.path().filename().string(), "damaged");
+        ++files;
+    }
+    BOOST_TEST(files == 2);
+    const Outcome outcome = runIn(*this, kQuery + std::string("distance --cache trees"));
+    BOOST_TEST(outcome.code == 0);
+    BOOST_TEST(outcome.err.find("built anew") != std::string::npos);
+    requireRefused(*this, kQuery + std::string("distance --cache part.obj"),
+                   {"--cache", "part.obj", "folder"});
 }
 
 }  // namespace clearway::testing

@@ -19,7 +19,8 @@ constexpr double kSeconds = 30;
 BOOST_AUTO_TEST_CASE(the_small_tunnel_console_is_solved_in_30_seconds_and_the_path_is_free_by_the_oracle) {
     const Problem problem = readProblem(CLEARWAY_DATA_DIR "/tunnel-console-small/tunnel-console.cfg");
     const MeshOracle oracle(loadPart(problem), loadEnvironment(problem));
-    const Scene scene = planning::loadScene(problem);
+    const Scene scene{Model::build(loadPart(problem)), Model::build(loadEnvironment(problem)),
+                      problem.margin};
     planning::PlanOptions options;
     options.seconds = kSeconds;
     const PlanReport report = plan(problem, scene, options);
