@@ -23,7 +23,7 @@ struct NamedPreset {
 
 BuildOptions fastBuild() {
     BuildOptions options;
-    options.fit = "covariance";
+    options.generalSplit = "embree";
     return options;
 }
 

@@ -104,7 +104,7 @@ BOOST_AUTO_TEST_CASE(a_preset_is_what_single_choices_start_from) {
     const std::string rest = ", leaves of up to 4 split by none, 8 wide";
     BOOST_TEST(tree("") == "sah, fitted by frames" + rest);
     BOOST_TEST(tree("--preset best") == "sah, fitted by frames" + rest);
-    BOOST_TEST(tree("--preset fast") == "sah, fitted by covariance" + rest);
+    BOOST_TEST(tree("--preset fast") == "embree, fitted by frames" + rest);
     BOOST_TEST(tree("--preset fast --fit frames --general-split embree") ==
                "embree, fitted by frames" + rest);
 }
