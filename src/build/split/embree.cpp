@@ -6,6 +6,8 @@
 #include <embree3/rtcore.h>
 #endif
 
+#include <tbb/task_arena.h>
+
 #include <memory>
 #include <new>
 #include <stdexcept>
@@ -39,9 +41,10 @@ using Bvh = std::unique_ptr<RTCBVHTy, ReleaseBvh>;
                              std::to_string(static_cast<int>(rtcGetDeviceError(device))));
 }
 
-/// One for the process: making one takes longer than building a small tree.
+/// One for the process: making one takes longer than building a small tree. It is not told to keep to one
+/// thread: it would hold all of oneTBB to one, the rest of the build and the caller's own work included.
 RTCDevice device() {
-    static const Device shared(rtcNewDevice("threads=1,set_affinity=0"));
+    static const Device shared(rtcNewDevice("set_affinity=0"));
     if (shared == nullptr) fail("Embree cannot be started", nullptr);
     return shared.get();
 }
@@ -106,7 +109,8 @@ const Node* build(RTCBVH bvh, std::vector<RTCBuildPrimitive>& boxes, std::size_t
     arguments.setNodeBounds = ignoreBounds;
     arguments.createLeaf = createLeaf;
     arguments.userPtr = boxes.data();
-    const void* root = rtcBuildBVH(&arguments);
+    tbb::task_arena alone(1);
+    const void* root = alone.execute([&] { return rtcBuildBVH(&arguments); });
     if (root == nullptr)
         fail("Embree cannot build a tree of " + std::to_string(boxes.size()) + " boxes", device());
     return static_cast<const Node*>(root);
