@@ -69,8 +69,8 @@ struct DistanceResult {
 };
 
 /// Distance between the part's triangles, moved by X_environmentPart, and the environment's. 0 when they share a point.
-/// Throws std::invalid_argument when the pose is no rotation (see requirePose), an option is negative or NaN, or the two
-/// models have different node widths.
+/// Throws std::invalid_argument when the pose is no rotation (see requirePose), an option is negative or NaN, the two
+/// models have different node widths, or their sizes, or the way between them and a size, differ by more than 2^60.
 DistanceResult distance(const Model& part, const Model& environment, const Pose& X_environmentPart,
                         const DistanceOptions& options, Workspace& workspace);
 

@@ -91,7 +91,9 @@ DistanceResult distance(const Model& part, const Model& environment, const Pose&
         result.pointOnPart[k] = answer.pair.pointOnPart[k] * toMeshUnits;
         result.pointOnEnvironment[k] = answer.pair.pointOnEnvironment[k] * toMeshUnits;
     }
-    result.distance = answer.pair.contact ? 0.0 : (result.pointOnPart - result.pointOnEnvironment).norm();
+    // In query units: the square of a length in mesh units may overflow or vanish.
+    const Vector3 between = (result.pointOnPart - result.pointOnEnvironment) * query.perMeshUnit;
+    result.distance = answer.pair.contact ? 0.0 : between.norm() * toMeshUnits;
     result.partTriangle = part.tree().triangleIds[answer.partTriangle];
     result.environmentTriangle = environment.tree().triangleIds[answer.environmentTriangle];
     result.partComponent = componentOfTriangle(part.components(), result.partTriangle);

@@ -33,7 +33,7 @@ Carry makeCarry(const Matrix3& rotation, const Vector3& t, const FlatTree& carri
         carry.translation[row] = static_cast<float>(t[row] * perUnit);
     }
     carry.ratio = static_cast<float>(std::ldexp(1.0, carriedExponent - targetExponent));
-    const double reach = t.norm() * perUnit + double(carried.radius) * carry.ratio + target.radius;
+    const double reach = (t * perUnit).norm() + double(carried.radius) * carry.ratio + target.radius;
     carry.slack =
         static_cast<float>((kVolumeSlack * kUnitRoundoffFloat * reach + offsetError * perUnit) * (1 + 1e-6));
     carry.toQueryUnit = static_cast<float>(std::ldexp(1.0, targetExponent - queryExponent));
@@ -73,7 +73,11 @@ PairQuery preparePairQuery(const FlatTree& part, const FlatTree& environment, co
     query.offsetSlack = offsetError * query.perMeshUnit;
 
     const Vector3 between = X_environmentPart * part.origin - environment.origin;
-    const double away = between.norm();
+    if (!between.allFinite()) {
+        throw std::invalid_argument(
+            "the way between part and environment overflows, expected coordinates below 1e308");
+    }
+    const double away = between.cwiseAbs().maxCoeff();  // the norm's square may overflow or vanish
     if (away > 0) {
         const int smaller = std::min(partExponent, environmentExponent);
         requireRatio(std::max(0, std::ilogb(away) - smaller),

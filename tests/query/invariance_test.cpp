@@ -96,6 +96,29 @@ BOOST_DATA_TEST_CASE(scaling_by_powers_of_two_scales_the_answer_exactly, eachTar
     }
 }
 
+BOOST_DATA_TEST_CASE(scales_whose_squares_leave_the_range_of_double_scale_the_answer_too, eachWidth(),
+                     width) {
+    const QueryCase& original = queryCases()[1];
+    const ModelPair models = buildPair(original, ofWidth(width));
+    for (const int exponent : {-900, -600, 600, 900}) {
+        const double factor = std::ldexp(1.0, exponent);
+        const Model part = Model::build(scaledBy(original.part, factor), ofWidth(width));
+        const Model environment = Model::build(scaledBy(original.environment, factor), ofWidth(width));
+        Workspace workspace;
+        for (const Pose& pose : original.poses) {
+            const Pose scaledPose{pose.rotation, pose.translation * factor};
+            const auto before = distance(models.part, models.environment, pose, {}, workspace);
+            const auto after = distance(part, environment, scaledPose, {}, workspace);
+            BOOST_TEST_CONTEXT(original.name << " times 2^" << exponent) {
+                BOOST_TEST(after.distance == before.distance * factor);
+                BOOST_TEST(after.lower == before.lower * factor);
+                BOOST_TEST(after.upper == before.upper * factor);
+                BOOST_TEST(collides(part, environment, scaledPose, workspace) == before.collides());
+            }
+        }
+    }
+}
+
 BOOST_DATA_TEST_CASE(sizes_may_differ_a_millionfold, eachTarget() * eachWidth(), target, width) {
     const UsingTarget using_(target);
     Random random(17);

@@ -166,6 +166,20 @@ BOOST_AUTO_TEST_CASE(what_is_no_rotation_is_refused_by_every_query) {
     }
 }
 
+BOOST_AUTO_TEST_CASE(a_way_too_long_for_the_sizes_is_refused_by_every_query) {
+    const QueryCase& queryCase = queryCases()[3];
+    const Model part = Model::build(scaledBy(queryCase.part, 0x1p-20));
+    const Model environment = Model::build(scaledBy(queryCase.environment, 0x1p-20));
+    Workspace workspace;
+    for (const double away : {1e20, 1e160, 1e300, -1.7e308}) {
+        const Pose pose{Matrix3::Identity(), {0, away, away}};
+        const std::vector<std::string> words = {"the way between part and environment", "expected"};
+        checkRefused([&] { distance(part, environment, pose, {}, workspace); }, words);
+        checkRefused([&] { collides(part, environment, pose, workspace); }, words);
+        checkRefused([&] { isWithin(part, environment, pose, 1, workspace); }, words);
+    }
+}
+
 BOOST_DATA_TEST_CASE(a_pose_with_an_accepted_defect_counts_as_the_affine_map_it_is,
                      eachTarget() * eachWidth(), target, width) {
     const UsingTarget using_(target);
