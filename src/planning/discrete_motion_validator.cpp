@@ -73,10 +73,12 @@ bool DiscreteMotionValidator::checkMotion(const ob::State* s1, const ob::State* 
 }
 
 std::uint64_t DiscreteMotionValidator::partsOf(const ob::State* s1, const ob::State* s2) const {
+    const double whole = bound_(s1, s2);
+    if (!std::isfinite(whole)) return 0;  // before OMPL interpolates: Debian's asserts unit quaternions
     const ScratchState end(*si_);
     si_->getStateSpace()->interpolate(s1, s2, 1, end.get());
     const double jump = bound_(end.get(), s2);  // comes on top of the last part's own displacement
-    const double parts = std::ceil(bound_(s1, s2) / (step_ - jump));
+    const double parts = std::ceil(whole / (step_ - jump));
     if (!(jump < step_) || !(parts <= kMostParts)) return 0;
     return parts < 1 ? 1 : static_cast<std::uint64_t>(parts);
 }

@@ -4,6 +4,7 @@
 #include <ompl/base/spaces/SE3StateSpace.h>
 
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <typeinfo>
@@ -22,8 +23,17 @@ constexpr double kUp = 1 + 1e-7;
 // sine of half the angle; below it the axis is not known well enough to split the translation along it.
 constexpr double kLeastAxisSine = 1e-6;
 
+// How far OMPL lets a quaternion's norm be off 1: it satisfies no bounds beyond, and asserts so when
+// interpolating.
+constexpr double kOmplNormError = 1e-9;
+
+bool canBeInterpolated(const PartState& state) {
+    return std::abs(state.rotation.norm() - 1) < kOmplNormError;
+}
+
 double se3Bound(const ob::State* from, const ob::State* to, double radius) {
     const PartState a = partStateOfSe3(from), b = partStateOfSe3(to);
+    if (!canBeInterpolated(a) || !canBeInterpolated(b)) return std::numeric_limits<double>::quiet_NaN();
     const Eigen::Vector4d qa = a.rotation.coeffs().normalized();
     Eigen::Vector4d qb = b.rotation.coeffs().normalized();
     if (qa.dot(qb) < 0) qb = -qb;

@@ -244,6 +244,23 @@ BOOST_AUTO_TEST_CASE(a_motion_to_a_state_that_is_not_finite_is_invalid) {
     BOOST_TEST(!f.validator->checkMotion(s1.get(), s2.get()));
 }
 
+BOOST_AUTO_TEST_CASE(a_motion_from_or_to_a_quaternion_that_is_no_rotation_is_invalid) {
+    Fixture f(1);
+    const auto good = f.state({0, 0, 0});
+    for (const double w : {0.0, 2.0, 1 + 1e-8, 1e200, std::nan(""), HUGE_VAL}) {
+        auto bad = f.state({10, 0, 0});
+        bad->rotation().w = w;
+        const ob::State *one = good.get(), *other = bad.get();
+        for (int turn = 0; turn < 2; ++turn, std::swap(one, other)) {
+            std::pair<ob::State*, double> lastValid(nullptr, -1);
+            BOOST_TEST(f.validator->partsOf(one, other) == 0u);
+            BOOST_TEST(!f.validator->checkMotion(one, other));
+            BOOST_TEST(!f.validator->checkMotion(one, other, lastValid));
+            BOOST_TEST(lastValid.second == 0);
+        }
+    }
+}
+
 BOOST_AUTO_TEST_CASE(motions_are_counted_from_any_thread) {
     Fixture f(10, [](const Pose& pose) { return pose.translation.x() < 50; });
     const auto s1 = f.state({0, 0, 0}), near = f.state({40, 0, 0}), far = f.state({90, 0, 0});

@@ -14,9 +14,10 @@ namespace clearway::planning {
 using DisplacementBound = std::function<double(const ompl::base::State* from, const ompl::base::State* to)>;
 
 /// For OMPL's SE(3) (straight translation, slerp about a fixed axis) and SE(2), with any subspace weights.
-/// partRadius: largest distance of a vertex of the part from the origin of its own coordinates
-/// (Model::radiusAboutOrigin). Throws std::invalid_argument that names the space when it is another one, even
-/// one derived from these: it may interpolate in its own way, so its bound must come from a callback.
+/// NaN when a quaternion is not of unit length to 1e-9, which OMPL does not interpolate. partRadius: largest
+/// distance of a vertex of the part from the origin of its own coordinates (Model::radiusAboutOrigin). Throws
+/// std::invalid_argument that names the space when it is another one, even one derived from these: it may
+/// interpolate in its own way, so its bound must come from a callback.
 DisplacementBound displacementBound(const ompl::base::StateSpace& space, double partRadius);
 
 }  // namespace clearway::planning
