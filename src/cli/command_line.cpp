@@ -4,6 +4,7 @@
 #include <boost/program_options/errors.hpp>
 #include <boost/program_options/parsers.hpp>
 #include <boost/program_options/positional_options.hpp>
+#include <filesystem>
 #include <iostream>
 #include <stdexcept>
 
@@ -73,6 +74,16 @@ std::string Options::text(const std::string& name) const {
 
 std::vector<std::string> Options::texts(const std::string& name) const {
     return has(name) ? values_[name].as<std::vector<std::string>>() : std::vector<std::string>();
+}
+
+void Options::requireOtherFile(const std::string& name, const std::vector<std::string>& inputs) const {
+    const std::string file = text(name);
+    for (const std::string& input : inputs) {
+        std::error_code ignored;  // files that do not exist are no input to lose
+        if (!std::filesystem::equivalent(file, input, ignored)) continue;
+        throw std::invalid_argument("--" + name + " is '" + file + "', the input file '" + input +
+                                    "', expected another file to write");
+    }
 }
 
 std::int64_t Options::integer(const std::string& name, std::int64_t least, std::int64_t most) const {

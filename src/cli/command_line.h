@@ -40,6 +40,8 @@ class Options {
     std::string text(const std::string& name) const;
     /// All values of an option declared with optionValues, in order; empty when it was not given.
     std::vector<std::string> texts(const std::string& name) const;
+    /// Throws when the file the option wants written is one of those to be read, by whatever path.
+    void requireOtherFile(const std::string& name, const std::vector<std::string>& inputs) const;
     std::int64_t integer(const std::string& name, std::int64_t least, std::int64_t most) const;
     double positive(const std::string& name) const;     ///< finite, > 0
     double nonNegative(const std::string& name) const;  ///< finite, >= 0

@@ -100,6 +100,13 @@ PlanOptions planOptions(const Options& options) {
     return result;
 }
 
+/// Refuses a path that would replace what is read.
+Problem readProblemFor(const Options& options) {
+    Problem problem = readProblem(options.text("PROBLEM.cfg"));
+    options.requireOtherFile("path", {problem.file, problem.robot, problem.world});
+    return problem;
+}
+
 void printMesh(const std::string& label, const Model& model) {
     printRow(label, model.origin().file + ", " + counted(model.report().triangles, "triangle"));
 }
@@ -166,7 +173,7 @@ int plan(const Arguments& arguments) {
     const std::string cache = cacheFolder(options);
     heedInterrupts();
 
-    const Problem problem = readProblem(options.text("PROBLEM.cfg"));
+    const Problem problem = readProblemFor(options);
     const Scene scene{buildModel(loadPart(problem), tree, cache),
                       buildModel(loadEnvironment(problem), tree, cache),
                       options.has("margin") ? options.nonNegative("margin") : problem.margin};

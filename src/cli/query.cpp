@@ -108,7 +108,11 @@ int query(const Arguments& arguments) {
     LoadOptions load;
     if (options.has("scale")) load.scale = options.positive("scale");
     if (options.has("target")) useTarget(options.text("target"));
-    if (options.has("csv")) requireReplaceable(options.text("csv"));
+    if (options.has("csv")) {
+        requireReplaceable(options.text("csv"));
+        options.requireOtherFile("csv",
+                                 {options.text("part"), options.text("environment"), options.text("poses")});
+    }
     const std::string cache = cacheFolder(options);
 
     const PoseFile poses = readPoses(options.text("poses"));

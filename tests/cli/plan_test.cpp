@@ -129,6 +129,16 @@ BOOST_AUTO_TEST_CASE(wrong_usage_is_refused_in_one_line) {
     requireRefused(folder, added("--target abacus"), {"abacus", "scalar"});
 }
 
+BOOST_AUTO_TEST_CASE(a_path_never_replaces_a_file_that_is_read) {
+    const WindowFolder folder;
+    for (const std::string& input : folder.names()) {
+        const std::string before = readText(folder.file(input));
+        requireRefused(folder, "plan window.cfg --time 1 --path ./" + input,
+                       {"--path is './" + input + "'", "input file", "expected another"});
+        BOOST_TEST(readText(folder.file(input)) == before);
+    }
+}
+
 BOOST_AUTO_TEST_CASE(a_start_or_goal_that_cannot_be_is_refused_in_one_line) {
     const WindowFolder folder;
     Problem problem = folder.window.problem;

@@ -301,6 +301,17 @@ BOOST_AUTO_TEST_CASE(wrong_usage_is_refused) {
                    {"--part is missing"});
 }
 
+BOOST_AUTO_TEST_CASE(a_table_never_replaces_a_file_that_is_read) {
+    const BoxesFolder folder;
+    folder.write("poses.txt", kPoses);
+    for (const char* input : {"part.obj", "environment.obj", "poses.txt"}) {
+        const std::string before = readText(folder.file(input));
+        requireRefused(folder, kQuery + std::string("distance --csv ./") + input,
+                       {"--csv is './" + std::string(input) + "'", "input file", "expected another"});
+        BOOST_TEST(readText(folder.file(input)) == before);
+    }
+}
+
 BOOST_AUTO_TEST_CASE(a_table_or_output_that_cannot_be_written_leaves_nothing) {
     const BoxesFolder folder;
     folder.write("poses.txt", kPoses);
