@@ -5,6 +5,8 @@
 #include <numeric>
 #include <ostream>
 #include <random>
+#include <stdexcept>
+#include <string>
 
 #include "cli/print.h"
 #include "core/number.h"
@@ -42,6 +44,16 @@ Answer askOnce(const Question& question, const Model& part, const Model& environ
     const auto end = std::chrono::steady_clock::now();
     answer.nanoseconds = std::chrono::duration_cast<std::chrono::nanoseconds>(end - begin).count();
     return answer;
+}
+
+/// A refusal says which pose it is about, counted as in the table.
+Answer askAbout(std::size_t pose, const Question& question, const Model& part, const Model& environment,
+                const Pose& X_environmentPart, Workspace& workspace) {
+    try {
+        return askOnce(question, part, environment, X_environmentPart, workspace);
+    } catch (const std::invalid_argument& refusal) {
+        throw std::invalid_argument("pose " + std::to_string(pose) + ": " + refusal.what());
+    }
 }
 
 void add(const QueryCounters& one, QueryCounters& sum) {
@@ -99,7 +111,7 @@ QueryRun ask(const Question& question, const Model& part, const Model& environme
     Workspace workspace;
     for (const std::size_t pose : orderOf(poses.size(), question.shuffleSeed)) {
         if (question.isCold) workspace.forgetWarmStart();
-        run.answers[pose] = askOnce(question, part, environment, poses[pose], workspace);
+        run.answers[pose] = askAbout(pose, question, part, environment, poses[pose], workspace);
         add(workspace.counters(), run.counters);
     }
     return run;

@@ -247,6 +247,15 @@ BOOST_AUTO_TEST_CASE(pose_files_that_are_wrong_are_refused_with_the_line) {
     requireRefused(folder, kQuery + std::string("distance"), {"'poses.txt'", "expected a pose file"});
 }
 
+BOOST_AUTO_TEST_CASE(a_pose_too_far_away_is_refused_with_its_number) {
+    const BoxesFolder folder;
+    folder.write("poses.txt", "0 0 9 0 0 0 1\n0 0 1e30 0 0 0 1\n");
+    for (const char* query : {"distance", "collide", "within=1"}) {
+        requireRefused(folder, kQuery + std::string(query) + " --csv a.csv",
+                       {"pose 1: the way between part and environment", "expected"});
+    }
+}
+
 BOOST_AUTO_TEST_CASE(meshes_that_are_none_are_refused) {
     const BoxesFolder folder;
     folder.write("poses.txt", kPoses);
