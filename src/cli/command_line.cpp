@@ -50,6 +50,9 @@ po::variables_map parseStrictly(const CommandLine& commandLine, const Arguments&
     const Arguments given = values.count("positional") ? values["positional"].as<Arguments>() : Arguments{};
     requirePositional(commandLine, given);
     for (std::size_t i = 0; i < given.size(); ++i) {
+        if (given[i].empty()) {
+            throw std::invalid_argument(commandLine.positional[i] + " is '', expected: " + commandLine.usage);
+        }
         values.insert({commandLine.positional[i], po::variable_value(given[i], false)});
     }
     return values;

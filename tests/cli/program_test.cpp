@@ -41,6 +41,14 @@ BOOST_AUTO_TEST_CASE(wrong_subcommands_are_refused_with_the_known_ones) {
     requireRefused(folder, "--verbose", {"'--verbose'", "info, query"});
 }
 
+BOOST_AUTO_TEST_CASE(an_empty_argument_is_refused_by_its_name_in_the_usage) {
+    const TemporaryFolder folder;
+    requireRefused(folder, "info ''", {"clearway: MESH|PROBLEM.cfg is '', expected: clearway info"});
+    requireRefused(folder, "plan '' --path out.path",
+                   {"clearway: PROBLEM.cfg is '', expected: clearway plan"});
+    requireRefused(folder, "scene '' --out out", {"clearway: NAME is '', expected: clearway scene"});
+}
+
 BOOST_AUTO_TEST_CASE(output_that_cannot_be_written_is_an_error) {
     const TemporaryFolder folder;
     requireRefused(folder, "--help > /dev/full", {"standard output"});
