@@ -47,6 +47,7 @@ DiscreteMotionValidator::DiscreteMotionValidator(const ob::SpaceInformationPtr& 
 DiscreteMotionValidator::DiscreteMotionValidator(const ob::SpaceInformationPtr& si, DisplacementBound bound,
                                                  double step)
     : MotionValidator(si), bound_(std::move(bound)), step_(step) {
+    if (!bound_) throw std::invalid_argument("the displacement bound is empty, expected a function");
     if (!(step > 0) || !std::isfinite(step)) {
         std::ostringstream message;
         message << "step is " << step << ", expected a finite length above 0";

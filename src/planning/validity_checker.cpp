@@ -23,6 +23,7 @@ ValidityChecker::ValidityChecker(const ob::SpaceInformationPtr& si, Scene scene,
       scene_(std::move(scene)),
       stateToPose_(std::move(stateToPose)),
       id_(newWorkspaceOwner()) {
+    if (!stateToPose_) throw std::invalid_argument("stateToPose is empty, expected a function");
     if (!(scene_.margin >= 0) || !std::isfinite(scene_.margin)) {
         std::ostringstream message;
         message << "margin is " << scene_.margin << ", expected a finite number >= 0";

@@ -304,5 +304,10 @@ BOOST_AUTO_TEST_CASE(a_step_that_is_no_length_is_refused) {
     }
 }
 
+BOOST_AUTO_TEST_CASE(an_empty_bound_is_refused) {
+    Fixture f(1);
+    BOOST_CHECK_THROW(DiscreteMotionValidator(f.si, DisplacementBound(), 1), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace clearway::planning

@@ -273,5 +273,10 @@ BOOST_AUTO_TEST_CASE(a_wrong_margin_or_models_of_different_widths_are_refused) {
     BOOST_CHECK_THROW(ValidityChecker(f.si, mixed), std::invalid_argument);
 }
 
+BOOST_AUTO_TEST_CASE(an_empty_callback_is_refused) {
+    const Fixture f;
+    BOOST_CHECK_THROW(ValidityChecker(f.si, f.window.scene, StateToPose()), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace clearway::planning

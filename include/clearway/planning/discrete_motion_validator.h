@@ -24,7 +24,7 @@ class DiscreteMotionValidator : public ompl::base::MotionValidator {
     /// space (see displacementBound) or the step is not a finite number above 0.
     DiscreteMotionValidator(const ompl::base::SpaceInformationPtr& si, const Model& part, double step);
 
-    /// For any space.
+    /// For any space. Throws likewise, and when the bound is empty.
     DiscreteMotionValidator(const ompl::base::SpaceInformationPtr& si, DisplacementBound bound, double step);
 
     /// Invalid as well: a motion whose interpolation ends farther from s2 than the step (OMPL leaves out

@@ -34,7 +34,7 @@ class ValidityChecker : public ompl::base::StateValidityChecker {
     /// the margin is negative or not finite, or the two models cannot be queried together.
     ValidityChecker(const ompl::base::SpaceInformationPtr& si, Scene scene);
 
-    /// For any space.
+    /// For any space. Throws likewise, and when the callback is empty.
     ValidityChecker(const ompl::base::SpaceInformationPtr& si, Scene scene, StateToPose stateToPose);
 
     bool isValid(const ompl::base::State* state) const override;
