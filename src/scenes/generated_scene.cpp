@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "core/replace_file.h"
+
 namespace clearway {
 
 namespace {
@@ -58,6 +60,9 @@ SceneFiles writeScene(const GeneratedScene& scene, const std::string& folder) {
     };
     const SceneFiles files{inFolder("_part.obj"), inFolder("_environment.obj"), inFolder(".cfg"),
                            inFolder(".path")};
+    // All four or none: what stands in the way of the last is found before the first is written.
+    for (const std::string& file : {files.part, files.environment, files.problem, files.path})
+        requireReplaceable(file);
 
     const Vector3 moved = writeCentred(scene.part, files.part);
     saveMesh(scene.environment, files.environment);

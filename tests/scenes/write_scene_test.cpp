@@ -99,6 +99,14 @@ BOOST_AUTO_TEST_CASE(the_small_scene_in_data_keeps_its_promises) {
     BOOST_TEST(bytes < 2000000);
 }
 
+BOOST_AUTO_TEST_CASE(nothing_is_written_when_one_of_the_files_cannot_be) {
+    const TemporaryFolder folder;
+    const GeneratedScene scene = makeTunnelConsole({});
+    std::filesystem::create_directory(folder.file(scene.name + ".path"));
+    BOOST_CHECK_THROW(writeScene(scene, folder.path()), std::runtime_error);
+    BOOST_TEST(folder.names() == std::vector<std::string>{scene.name + ".path"});
+}
+
 BOOST_AUTO_TEST_CASE(a_folder_that_cannot_be_made_is_named) {
     const TemporaryFolder folder;
     const std::string blocked = folder.write("file", "") + "/below";
