@@ -19,9 +19,9 @@ struct QueryCounters {
     std::uint64_t refinedPairs = 0;   ///< pairs of triangles resolved in double
 };
 
-/// The scratch of one thread and its warm start: the closest pair of the last query, with which the next query of the
-/// same two models begins. Verdicts and intervals do not depend on what it holds, but for last digits; which of several
-/// equally close pairs is named may. Not to be shared by threads.
+/// The scratch of one thread and its warm start: the closest pair of the last query, with which the next
+/// query of the same two models begins. Verdicts and intervals do not depend on what it holds, but for last
+/// digits; which of several equally close pairs is named may. Not to be shared by threads.
 class Workspace {
   public:
     Workspace();
@@ -43,12 +43,12 @@ class Workspace {
 };
 
 struct DistanceOptions {
-    /// The answer may be as wide as the larger of absoluteError and relativeError * lower; 0 and 0 ask for the default
-    /// width. Both >= 0.
+    /// The answer may be as wide as the larger of absoluteError and relativeError * lower; 0 and 0 ask for
+    /// the default width. Both >= 0.
     double relativeError = 0;
     double absoluteError = 0;
-    /// No interest beyond: when the distance is larger, lower >= cap, upper and distance are infinite, ids are -1 and
-    /// the witness points NaN. >= 0.
+    /// No interest beyond: when the distance is larger, lower >= cap, upper and distance are infinite, ids
+    /// are -1 and the witness points NaN. >= 0.
     double cap = std::numeric_limits<double>::infinity();
 };
 
@@ -56,29 +56,33 @@ struct DistanceOptions {
 struct DistanceResult {
     double lower = 0;
     double upper = 0;
-    double distance = 0;        ///< between the two witness points; 0 exactly when the two collide
+    double distance = 0;  ///< between the two witness points; 0 exactly when the two collide
     Vector3 pointOnPart = Vector3::Zero();
     Vector3 pointOnEnvironment = Vector3::Zero();
-    std::int64_t partTriangle = -1;          ///< position as loaded, before cleaning
+    std::int64_t partTriangle = -1;  ///< position as loaded, before cleaning
     std::int64_t environmentTriangle = -1;
-    std::int64_t partComponent = -1;         ///< index into Model::components()
+    std::int64_t partComponent = -1;  ///< index into Model::components()
     std::int64_t environmentComponent = -1;
     QueryCounters counters;
 
     bool collides() const { return upper == 0; }
 };
 
-/// Distance between the part's triangles, moved by X_environmentPart, and the environment's. 0 when they share a point.
-/// Throws std::invalid_argument when the pose is no rotation (see requirePose), an option is negative or NaN, the two
-/// models have different node widths, or their sizes, or the way between them and a size, differ by more than 2^60.
+/// Distance between the part's triangles, moved by X_environmentPart, and the environment's. 0 when they
+/// share a point. Throws std::invalid_argument when the pose is no rotation (see requirePose), an option is
+/// negative or NaN, the two models have different node widths, or their sizes, or the way between them and a
+/// size, differ by more than 2^60.
 DistanceResult distance(const Model& part, const Model& environment, const Pose& X_environmentPart,
                         const DistanceOptions& options, Workspace& workspace);
 
-/// True when the two share a point. Contact is also reported for what double arithmetic cannot prove to be farther apart
-/// than 32 * 2^-53 * (largest coordinate): never a false "free". Agrees with distance() and isWithin(0). Throws likewise.
-bool collides(const Model& part, const Model& environment, const Pose& X_environmentPart, Workspace& workspace);
+/// True when the two share a point. Contact is also reported for what double arithmetic cannot prove to be
+/// farther apart than 32 * 2^-53 * (largest coordinate), 38 for triangles of that length: never a false
+/// "free". Agrees with distance() and isWithin(0). Throws likewise.
+bool collides(const Model& part, const Model& environment, const Pose& X_environmentPart,
+              Workspace& workspace);
 
-/// True when the distance is <= d, in environment units. d >= 0. Throws likewise.
+/// True when the distance is <= d, in environment units, and for what double arithmetic cannot prove to be
+/// farther: the pair's proved lower bound decides. d >= 0. Throws likewise.
 bool isWithin(const Model& part, const Model& environment, const Pose& X_environmentPart, double d,
               Workspace& workspace);
 

@@ -18,7 +18,8 @@ struct ResolvedPair {
 };
 
 /// Contact is what cannot be proved farther apart than kContactRoundoffs u64 M, so a pair that touches is
-/// never called free.
+/// never called free. For triangles as long as the coordinates are large the proof itself rounds by up to 38
+/// u64 M, and that counts instead.
 constexpr double kContactRoundoffs = 32;
 
 /// partTriangle, environmentTriangle: positions in the trees.
