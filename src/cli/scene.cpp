@@ -5,7 +5,7 @@
 #include "cli/command_line.h"
 #include "cli/print.h"
 #include "scenes/generated_scene.h"
-#include "scenes/tunnel_console.h"
+#include "scenes/scenes.h"
 
 namespace clearway {
 
@@ -13,39 +13,28 @@ namespace {
 
 constexpr std::int64_t kMostTriangles = 4000000;
 
-GeneratedScene makeTunnelConsoleScene(const Options& options) {
-    const auto triangles = [&](const char* name, std::size_t byDefault) {
-        return options.has(name) ? static_cast<std::size_t>(options.integer(name, 1, kMostTriangles))
-                                 : byDefault;
+SceneOptions sceneOptions(const Options& options, SceneOptions scene) {
+    const auto triangles = [&](const char* name, std::size_t& count) {
+        if (options.has(name)) count = static_cast<std::size_t>(options.integer(name, 1, kMostTriangles));
     };
-    TunnelConsoleOptions scene;
     if (options.has("seed")) scene.seed = static_cast<std::uint64_t>(options.integer("seed", 0, INT64_MAX));
-    scene.partTriangles = triangles("part-triangles", scene.partTriangles);
-    scene.environmentTriangles = triangles("environment-triangles", scene.environmentTriangles);
+    triangles("part-triangles", scene.partTriangles);
+    triangles("environment-triangles", scene.environmentTriangles);
     if (options.has("clearance")) scene.clearance = options.positive("clearance");
-    return makeTunnelConsole(scene);
+    return scene;
 }
 
-struct NamedScene {
-    const char* name;
-    GeneratedScene (*make)(const Options& options);
-};
-
-constexpr NamedScene kScenes[] = {
-    {"tunnel-console", makeTunnelConsoleScene},
-};
-
-std::string sceneNames() {
+/// One line a scene: its name, what it is, what it has unless told otherwise.
+std::string sceneList() {
     std::string all;
-    for (const NamedScene& scene : kScenes) all += (all.empty() ? "" : ", ") + std::string(scene.name);
-    return all;
-}
-
-const NamedScene& sceneNamed(const std::string& name) {
-    for (const NamedScene& scene : kScenes) {
-        if (name == scene.name) return scene;
+    for (const NamedScene& scene : namedScenes()) {
+        const SceneOptions& defaults = scene.defaults;
+        all += "  " + std::string(scene.name) + ": " + scene.about + " (seed " +
+               std::to_string(defaults.seed) + ", " + std::to_string(defaults.partTriangles) + " / " +
+               std::to_string(defaults.environmentTriangles) + " triangles, clearance " +
+               readable(defaults.clearance) + ")\n";
     }
-    throw std::invalid_argument("the scene is '" + name + "', expected one of " + sceneNames());
+    return all;
 }
 
 /// Said before the scene is made rather than after.
@@ -57,25 +46,21 @@ void requireFolderOrNothing(const std::string& folder) {
 }
 
 CommandLine sceneCommandLine() {
-    const TunnelConsoleOptions defaults;
     CommandLine commandLine;
     commandLine.usage = "clearway scene NAME --out DIR [options]";
     commandLine.purpose =
         "Makes a demo scene and writes its two meshes, the problem (.cfg) and a path that solves it (.path) "
-        "into DIR.\n"
-        "Scenes: " +
-        sceneNames() + ". The same options make the same files. Lengths are millimetres.";
+        "into DIR.\nScenes, and what they are made with unless options say otherwise:\n" +
+        sceneList() +
+        "A name without its version means the newest. The same options make the same files. Lengths are "
+        "millimetres.";
     commandLine.positional = {"NAME"};
-    commandLine.options.add_options()                                                                       //
-        ("out", optionValue("DIR"), "folder for the files, made if need be")                                //
-        ("seed", optionValue("N"), ("varies the details (" + std::to_string(defaults.seed) + ")").c_str())  //
-        ("part-triangles", optionValue("N"),
-         ("triangles of the part, to 5 % (" + std::to_string(defaults.partTriangles) + ")").c_str())  //
-        ("environment-triangles", optionValue("N"),
-         ("triangles of the environment, to 5 % (" + std::to_string(defaults.environmentTriangles) + ")")
-             .c_str())  //
-        ("clearance", optionValue("D"),
-         ("least distance along the path that is written (" + readable(defaults.clearance) + ")").c_str());
+    commandLine.options.add_options()                                                        //
+        ("out", optionValue("DIR"), "folder for the files, made if need be")                 //
+        ("seed", optionValue("N"), "varies the details")                                     //
+        ("part-triangles", optionValue("N"), "triangles of the part, to 5 %")                //
+        ("environment-triangles", optionValue("N"), "triangles of the environment, to 5 %")  //
+        ("clearance", optionValue("D"), "least distance along the path that is written");
     return commandLine;
 }
 
@@ -87,7 +72,7 @@ int scene(const Arguments& arguments) {
     const NamedScene& named = sceneNamed(options->text("NAME"));
     const std::string folder = options->text("out");
     requireFolderOrNothing(folder);
-    const GeneratedScene made = named.make(*options);
+    const GeneratedScene made = named.make(sceneOptions(*options, named.defaults));
     const SceneFiles files = writeScene(made, folder);
 
     printRow("part", files.part + ", " + counted(made.part.triangles.size(), "triangle"));

@@ -89,7 +89,7 @@ Box roomFor(const std::vector<PartState>& path) {
 
 }  // namespace
 
-GeneratedScene makeTunnelConsole(const TunnelConsoleOptions& options) {
+GeneratedScene makeTunnelConsole(const SceneOptions& options) {
     const TunnelConsoleDesign design = designTunnelConsole(options);
     const Random partRandom(options.seed ^ 0xC0501Eu), tunnelRandom(options.seed ^ 0x7A22E1u);
     GeneratedScene scene;

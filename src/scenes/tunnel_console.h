@@ -2,19 +2,13 @@
 // just fits. A version never changes what an option set makes; a better scene is a new version beside it.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-
 #include "scenes/generated_scene.h"
+#include "scenes/scene_options.h"
 
 namespace clearway {
 
-struct TunnelConsoleOptions {
-    std::uint64_t seed = 1;                   ///< bends, walls and details vary with it
-    std::size_t partTriangles = 2000;         ///< reached within 5 %
-    std::size_t environmentTriangles = 8000;  ///< reached within 5 %
-    double clearance = 10;                    ///< mm, least distance along the constructed path, 1 to 25
-};
+/// A size that planners solve in seconds. The clearance can be 1 to 25 mm.
+constexpr SceneOptions kTunnelConsole{1, 2000, 8000, 10};
 
 /// The part and the environment in millimetres, all coordinates representable in float, every component a
 /// closed solid.
@@ -26,6 +20,6 @@ struct TunnelConsoleOptions {
 ///
 /// Throws std::invalid_argument, naming the option, its value and what was expected, when the clearance is
 /// out of range or a number of triangles is less than the shape needs at this clearance, or above 4 million.
-GeneratedScene makeTunnelConsole(const TunnelConsoleOptions& options);
+GeneratedScene makeTunnelConsole(const SceneOptions& options);
 
 }  // namespace clearway

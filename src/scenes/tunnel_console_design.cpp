@@ -38,7 +38,7 @@ double lengthFor(const TunnelConsoleDesign& design) {
 
 }  // namespace
 
-TunnelConsoleDesign designTunnelConsole(const TunnelConsoleOptions& options) {
+TunnelConsoleDesign designTunnelConsole(const SceneOptions& options) {
     const double clearance = options.clearance;
     if (!(clearance >= kLeastClearance && clearance <= kMostClearance)) {
         std::ostringstream message;

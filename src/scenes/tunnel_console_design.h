@@ -54,7 +54,7 @@ struct TunnelConsoleDetail {
 };
 
 /// The measures for the options; throws std::invalid_argument for a clearance that cannot be.
-TunnelConsoleDesign designTunnelConsole(const TunnelConsoleOptions& options);
+TunnelConsoleDesign designTunnelConsole(const SceneOptions& options);
 
 /// The console, bent, its middle at s = 0. `studs` small domes are added inside it, each of
 /// studTriangles(detail).

@@ -77,7 +77,7 @@ Task taskOf(const options::variables_map& given) {
         return {loadMesh(given["part"].as<std::string>()), loadMesh(given["environment"].as<std::string>()),
                 readPoses(given["poses"].as<std::string>()).poses};
     }
-    TunnelConsoleOptions scene;
+    SceneOptions scene = kTunnelConsole;
     scene.partTriangles = given["part-triangles"].as<std::size_t>();
     scene.environmentTriangles = given["environment-triangles"].as<std::size_t>();
     GeneratedScene made = makeTunnelConsole(scene);

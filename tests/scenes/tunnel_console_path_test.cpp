@@ -17,7 +17,7 @@ using namespace clearway::testing;
 namespace {
 
 struct Case {
-    TunnelConsoleOptions options;
+    SceneOptions options;
 };
 
 std::ostream& operator<<(std::ostream& out, const Case& c) {
@@ -63,7 +63,7 @@ BOOST_DATA_TEST_CASE(the_constructed_path_keeps_the_clearance_and_is_tight_for_t
 }
 
 BOOST_AUTO_TEST_CASE(the_oracle_finds_no_less_clearance_on_the_path) {
-    const GeneratedScene scene = makeTunnelConsole({});
+    const GeneratedScene scene = makeTunnelConsole(kTunnelConsole);
     const MeshOracle oracle(scene.part, scene.environment);
     for (std::size_t i = 0; i + 1 < scene.path.size(); ++i) {
         for (const double t : {0.0, 0.5}) {

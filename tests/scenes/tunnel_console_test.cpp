@@ -21,7 +21,7 @@ bool sameMesh(const Mesh& a, const Mesh& b) {
            a.components.size() == b.components.size();
 }
 
-std::string refusal(const TunnelConsoleOptions& options) {
+std::string refusal(const SceneOptions& options) {
     try {
         makeTunnelConsole(options);
     } catch (const std::invalid_argument& error) {
@@ -34,9 +34,9 @@ bool mentions(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
 }
 
-TunnelConsoleOptions sized(std::size_t part, std::size_t environment, double clearance = 10,
+SceneOptions sized(std::size_t part, std::size_t environment, double clearance = 10,
                            std::uint64_t seed = 1) {
-    TunnelConsoleOptions options;
+    SceneOptions options;
     options.seed = seed;
     options.partTriangles = part;
     options.environmentTriangles = environment;
@@ -100,14 +100,14 @@ BOOST_DATA_TEST_CASE(every_component_is_a_named_closed_solid, boost::unit_test::
 }
 
 BOOST_AUTO_TEST_CASE(coordinates_are_floats) {
-    const GeneratedScene scene = makeTunnelConsole({});
+    const GeneratedScene scene = makeTunnelConsole(kTunnelConsole);
     for (const Mesh* mesh : {&scene.part, &scene.environment}) {
         for (const Vector3& v : mesh->vertices) BOOST_REQUIRE((v == v.cast<float>().cast<double>()));
     }
 }
 
 BOOST_AUTO_TEST_CASE(slivers_lie_beside_fine_roundings) {
-    const GeneratedScene scene = makeTunnelConsole({});
+    const GeneratedScene scene = makeTunnelConsole(kTunnelConsole);
     for (const Mesh* mesh : {&scene.part, &scene.environment}) {
         double leastEdge = 1e9, thinnest = 1e9;
         for (std::size_t i = 0; i < mesh->triangles.size(); ++i) {
@@ -123,12 +123,12 @@ BOOST_AUTO_TEST_CASE(slivers_lie_beside_fine_roundings) {
 }
 
 BOOST_AUTO_TEST_CASE(the_parts_convex_hull_has_at_least_twice_its_volume) {
-    const GeneratedScene scene = makeTunnelConsole({});
+    const GeneratedScene scene = makeTunnelConsole(kTunnelConsole);
     BOOST_TEST(signedVolume(convexHull(scene.part.vertices)) >= 2 * signedVolume(scene.part));
 }
 
 BOOST_AUTO_TEST_CASE(the_problem_starts_inside_and_ends_outside) {
-    const GeneratedScene scene = makeTunnelConsole({});
+    const GeneratedScene scene = makeTunnelConsole(kTunnelConsole);
     const Problem& problem = scene.problem;
     BOOST_REQUIRE(problem.volume.has_value());
     for (const PartState& state : scene.path) BOOST_TEST(problem.volume->contains(state.position));

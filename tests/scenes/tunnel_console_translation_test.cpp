@@ -25,7 +25,7 @@ namespace {
 
 /// The part at its start rotation.
 struct Translation {
-    GeneratedScene scene = makeTunnelConsole({});
+    GeneratedScene scene = makeTunnelConsole(kTunnelConsole);
     Model part = Model::build(scene.part);
     Model environment = Model::build(scene.environment);
     Workspace workspace{};

@@ -1,0 +1,43 @@
+#include "scenes/scenes.h"
+
+#include <stdexcept>
+
+#include "scenes/tunnel_console.h"
+
+namespace clearway {
+
+namespace {
+
+/// "tunnel-console-1" without its "-1".
+std::string withoutVersion(const std::string& name) {
+    return name.substr(0, name.rfind('-'));
+}
+
+std::string allNames() {
+    std::string all;
+    for (const NamedScene& scene : namedScenes()) all += (all.empty() ? "" : ", ") + std::string(scene.name);
+    return all;
+}
+
+}  // namespace
+
+/// Of one scene's versions the newest comes last.
+const std::vector<NamedScene>& namedScenes() {
+    static const std::vector<NamedScene> kScenes = {
+        {"tunnel-console-1", "a centre console to be threaded out of a bent tunnel", kTunnelConsole,
+         makeTunnelConsole},
+    };
+    return kScenes;
+}
+
+const NamedScene& sceneNamed(const std::string& name) {
+    const NamedScene* newest = nullptr;
+    for (const NamedScene& scene : namedScenes()) {
+        if (name == scene.name) return scene;
+        if (name == withoutVersion(scene.name)) newest = &scene;
+    }
+    if (newest != nullptr) return *newest;
+    throw std::invalid_argument("the scene is '" + name + "', expected one of " + allNames());
+}
+
+}  // namespace clearway
