@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "scenes/puzzle.h"
 #include "scenes/tunnel_console.h"
 
 namespace clearway {
@@ -26,6 +27,8 @@ const std::vector<NamedScene>& namedScenes() {
     static const std::vector<NamedScene> kScenes = {
         {"tunnel-console-1", "a centre console to be threaded out of a bent tunnel", kTunnelConsole,
          makeTunnelConsole},
+        {"puzzle-1", "two interlocked bent bars, one to be slid through the eye of the other", kPuzzle,
+         makePuzzle},
     };
     return kScenes;
 }
