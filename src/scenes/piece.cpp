@@ -19,6 +19,18 @@ Placement standingAt(const Vector3& origin, const Vector3& axis, double turn) {
     return [rotation, origin](const Vector3& p) -> Vector3 { return rotation * p + origin; };
 }
 
+Placement facing(const Vector3& origin, const Vector3& along, const Vector3& up) {
+    Matrix3 rotation;
+    rotation.col(2) = up.normalized();
+    rotation.col(1) = up.cross(along).normalized();
+    rotation.col(0) = rotation.col(1).cross(rotation.col(2));
+    return [rotation, origin](const Vector3& p) -> Vector3 { return rotation * p + origin; };
+}
+
+Vector3 upright(const Vector3& p) {
+    return {p.y(), p.z(), p.x()};
+}
+
 void Assembly::add(const std::string& name, const Piece& piece) {
     const auto firstVertex = static_cast<std::uint32_t>(mesh_.vertices.size());
     const auto firstTriangle = static_cast<std::uint32_t>(mesh_.triangles.size());

@@ -4,8 +4,6 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "scenes/sweep.h"
-
 namespace clearway {
 
 namespace {
@@ -78,10 +76,6 @@ Placement rigidAt(const Screw& screw, const Vector3& straight) {
     const Pose X_worldAtStart = poseOf(screw.motion(screw.angleAt(straight.x())));
     const Vector3 at(0, straight.y(), straight.z());
     return [X_worldAtStart, at](const Vector3& p) -> Vector3 { return X_worldAtStart * (p + at); };
-}
-
-std::size_t studTriangles(const TunnelConsoleDetail& detail) {
-    return turned(domeOutline(1, 1, detail.segmentsPerQuarter), detail.segmentsPerTurn).triangles.size();
 }
 
 }  // namespace clearway

@@ -2,6 +2,7 @@
 // along, u across, v up from the underside of the part's flanges; see Screw), millimetres.
 #pragma once
 
+#include "scenes/detail.h"
 #include "scenes/piece.h"
 #include "scenes/random.h"
 #include "scenes/screw.h"
@@ -45,27 +46,14 @@ struct TunnelConsoleDesign {
     double thinnestSheet() const { return skinThickness; }
 };
 
-/// How finely roundings are cut and how many details there are.
-struct TunnelConsoleDetail {
-    int segmentsPerQuarter = 2;
-    int segmentsPerTurn = 16;  ///< a multiple of 4
-    double step = 60;          ///< mm between a sweep's stations
-    double richness = 1;       ///< numbers of details are multiplied by it
-};
-
 /// The measures for the options; throws std::invalid_argument for a clearance that cannot be.
 TunnelConsoleDesign designTunnelConsole(const SceneOptions& options);
 
-/// The console, bent, its middle at s = 0. `studs` small domes are added inside it, each of
-/// studTriangles(detail).
-Assembly buildConsole(const TunnelConsoleDesign& design, const TunnelConsoleDetail& detail, Random random,
-                      int studs);
+/// The console, bent, its middle at s = 0. `studs` small domes are added inside it.
+Assembly buildConsole(const TunnelConsoleDesign& design, const Detail& detail, Random random, int studs);
 
 /// Everything around it, in the world.
-Assembly buildTunnel(const TunnelConsoleDesign& design, const TunnelConsoleDetail& detail, Random random,
-                     int studs);
-
-std::size_t studTriangles(const TunnelConsoleDetail& detail);
+Assembly buildTunnel(const TunnelConsoleDesign& design, const Detail& detail, Random random, int studs);
 
 /// A placement that carries a rigid piece to a straight point: its x, y, z along s, u, v there.
 Placement rigidAt(const Screw& screw, const Vector3& straight);

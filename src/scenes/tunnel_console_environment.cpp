@@ -17,7 +17,7 @@ constexpr double kRailInside = 60;  // mm between the part's flanges and the sea
 
 struct Builder {
     const TunnelConsoleDesign& design;
-    const TunnelConsoleDetail& detail;
+    const Detail& detail;
     Random random;
     Assembly assembly{};
 
@@ -284,8 +284,7 @@ void Builder::addStuds(int studs) {
 
 }  // namespace
 
-Assembly buildTunnel(const TunnelConsoleDesign& design, const TunnelConsoleDetail& detail, Random random,
-                     int studs) {
+Assembly buildTunnel(const TunnelConsoleDesign& design, const Detail& detail, Random random, int studs) {
     Builder builder{design, detail, random};
     builder.addFloor();
     builder.addSkins();

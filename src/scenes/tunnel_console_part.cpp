@@ -17,7 +17,7 @@ constexpr double kCupRadius = 38;
 
 struct Builder {
     const TunnelConsoleDesign& design;
-    const TunnelConsoleDetail& detail;
+    const Detail& detail;
     Random random;
     Assembly assembly{};
 
@@ -149,8 +149,7 @@ void Builder::addStuds(int studs) {
 
 }  // namespace
 
-Assembly buildConsole(const TunnelConsoleDesign& design, const TunnelConsoleDetail& detail, Random random,
-                      int studs) {
+Assembly buildConsole(const TunnelConsoleDesign& design, const Detail& detail, Random random, int studs) {
     Builder builder{design, detail, random};
     builder.addShell();
     for (int i = 0; i < kCups; ++i) builder.addCup((i - (kCups - 1) / 2.0) * builder.trayLength());

@@ -32,8 +32,7 @@ BOOST_AUTO_TEST_CASE(a_name_without_version_means_the_newest) {
 }
 
 BOOST_AUTO_TEST_CASE(an_unknown_name_is_refused_with_the_list_of_names) {
-    for (const std::string name :
-         {"", "tunnel", "tunnel-console-0", "tunnel-console-", "Tunnel-console-1"}) {
+    for (const std::string name : {"", "tunnel", "tunnel-console-0", "tunnel-console-", "Tunnel-console-1"}) {
         BOOST_CHECK_EXCEPTION(sceneNamed(name), std::invalid_argument,
                               [&](const std::invalid_argument& error) {
                                   const std::string text = error.what();

@@ -34,8 +34,7 @@ bool mentions(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
 }
 
-SceneOptions sized(std::size_t part, std::size_t environment, double clearance = 10,
-                           std::uint64_t seed = 1) {
+SceneOptions sized(std::size_t part, std::size_t environment, double clearance = 10, std::uint64_t seed = 1) {
     SceneOptions options;
     options.seed = seed;
     options.partTriangles = part;

@@ -1,0 +1,51 @@
+#include "scenes/detail.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace clearway {
+
+namespace {
+
+constexpr std::size_t kMostTriangles = 4000000;
+constexpr double kFineness = 40;  // the greatest, see detailFor
+
+/// One number says how fine everything is: 1 is the coarsest.
+Detail detailFor(double fineness, double longestStep) {
+    Detail detail;
+    detail.segmentsPerQuarter = std::max(2, static_cast<int>(std::pow(fineness, 0.75)));
+    detail.segmentsPerTurn = 4 * static_cast<int>(std::ceil(1.5 * std::pow(fineness, 0.75) + 0.5));
+    detail.step = longestStep / fineness;
+    detail.richness = std::pow(fineness, 0.7);
+    return detail;
+}
+
+}  // namespace
+
+int Detail::count(double atRichnessOne) const {
+    return std::max(1, static_cast<int>(std::lround(atRichnessOne * richness)));
+}
+
+Mesh buildTo(std::size_t triangles, const std::string& option, double longestStep,
+             const BuildAssembly& build) {
+    const auto countAt = [&](double fineness) {
+        return build(detailFor(fineness, longestStep), 0).triangleCount();
+    };
+    double low = 1, high = kFineness;
+    const std::size_t least = countAt(low);
+    if (triangles < least || triangles > kMostTriangles) {
+        throw std::invalid_argument(option + " is " + std::to_string(triangles) + ", expected " +
+                                    std::to_string(least) + " to " + std::to_string(kMostTriangles) +
+                                    " at this clearance and seed");
+    }
+    for (int i = 0; i < 24; ++i) {
+        const double middle = (low + high) / 2;
+        (countAt(middle) <= triangles ? low : high) = middle;
+    }
+    const Detail detail = detailFor(low, longestStep);
+    const std::size_t without = countAt(low), studTriangles = build(detail, 1).triangleCount() - without;
+    return build(detail, static_cast<int>((triangles - without) / studTriangles)).mesh();
+}
+
+}  // namespace clearway

@@ -1,0 +1,31 @@
+// How fine a scene's pieces are cut and how many of them there are, and the search for what gives the number
+// of triangles asked for.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+
+#include "scenes/piece.h"
+
+namespace clearway {
+
+struct Detail {
+    int segmentsPerQuarter = 2;
+    int segmentsPerTurn = 16;  ///< a multiple of 4
+    double step = 60;          ///< mm between a sweep's stations
+    double richness = 1;       ///< numbers of details are multiplied by it
+
+    int count(double atRichnessOne) const;  ///< at least 1
+};
+
+/// A mesh's pieces at that detail and so many studs beside them, all studs of the same number of triangles.
+using BuildAssembly = std::function<Assembly(const Detail& detail, int studs)>;
+
+/// The finest build that has no more triangles than asked for, filled up with studs. option: what the number
+/// is called when it is refused. longestStep: mm between a sweep's stations where they are fewest. Throws
+/// std::invalid_argument when the coarsest build has more triangles, or above 4 million are asked for.
+Mesh buildTo(std::size_t triangles, const std::string& option, double longestStep,
+             const BuildAssembly& build);
+
+}  // namespace clearway
