@@ -4,7 +4,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "scenes/sweep.h"
+#include "scenes/spine.h"
 
 namespace clearway {
 
@@ -42,25 +42,6 @@ std::vector<Frame> framesAlong(const Line& line, const Vector3& first) {
     return frames;
 }
 
-void appendArc(Line& line, const Vector3& before, const Vector3& corner, const Vector3& after, double radius,
-               int segmentsPerQuarter) {
-    const Vector3 in = (corner - before).normalized(), out = (after - corner).normalized();
-    const double turn = std::atan2(in.cross(out).norm(), in.dot(out)), tangent = std::tan(turn / 2);
-    if (radius <= 0 || tangent < 1e-9) {
-        line.push_back(corner);
-        return;
-    }
-    const double room = 0.49 * std::min((corner - before).norm(), (after - corner).norm());
-    const double r = std::min(radius, room / tangent);
-    const Vector3 toCentre = (out - in * in.dot(out)).normalized() * r;
-    const Vector3 centre = corner - in * (r * tangent) + toCentre;
-    const int segments = std::max(1, static_cast<int>(std::ceil(turn / M_PI_2 * segmentsPerQuarter - 1e-9)));
-    for (int i = 0; i <= segments; ++i) {
-        const double angle = turn * i / segments;
-        line.push_back(centre - toCentre * std::cos(angle) + in * (r * std::sin(angle)));
-    }
-}
-
 /// Between b and c. Source: Barry, Goldman, A Recursive Evaluation Algorithm for a Class of Catmull-Rom
 /// Splines, SIGGRAPH 1988.
 Vector3 spline(const Vector3 (&p)[4], double share) {
@@ -78,11 +59,11 @@ Vector3 spline(const Vector3 (&p)[4], double share) {
 }  // namespace
 
 Line bent(const Line& line, double radius, int segmentsPerQuarter) {
-    Line result{line.front()};
-    for (std::size_t i = 1; i + 1 < line.size(); ++i) {
-        appendArc(result, line[i - 1], line[i], line[i + 1], radius, segmentsPerQuarter);
+    const Spine spine = Spine::through(line, radius);
+    Line result;
+    for (const double at : spine.stations(spine.length(), M_PI_2 / segmentsPerQuarter)) {
+        result.push_back(spine.frameAt(at).translation);
     }
-    result.push_back(line.back());
     return result;
 }
 

@@ -1,4 +1,4 @@
-// Lines through space, and what is pulled along them: hoses, pipes, cables.
+// Lines through space as points, and what is pulled along them: hoses, pipes, cables.
 #pragma once
 
 #include <functional>
@@ -11,8 +11,8 @@ namespace clearway {
 
 using Line = std::vector<Vector3>;
 
-/// The line with each inner corner replaced by an arc of that radius, as pipes are bent; cut into
-/// `segmentsPerQuarter` chords for 90 degrees. Where the radius does not fit, it is lessened until it does.
+/// Spine::through as a line of points, as pipes are bent, a quarter turn cut into `segmentsPerQuarter`
+/// chords.
 Line bent(const Line& line, double radius, int segmentsPerQuarter);
 
 /// A smooth curve through all the points (a centripetal Catmull-Rom spline), as hoses and cables hang, in

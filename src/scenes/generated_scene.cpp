@@ -53,24 +53,6 @@ Vector3 writeCentred(Mesh part, const std::string& file) {
 
 }  // namespace
 
-void centrePart(GeneratedScene& scene) {
-    Vector3 mean = Vector3::Zero();
-    for (const Vector3& vertex : scene.part.vertices) mean += vertex;
-    mean = (mean / static_cast<double>(scene.part.vertices.size())).array().round();
-    move(scene.part, -mean);
-    for (PartState& state : scene.path) state = afterMove(state, -mean);
-}
-
-void setProblem(GeneratedScene& scene, double room) {
-    Box volume;
-    for (const PartState& state : scene.path) volume.extend(state.position);
-    const Vector3 margin = Vector3::Constant(room);
-    scene.problem.volume =
-        Box((volume.min() - margin).array().floor(), (volume.max() + margin).array().ceil());
-    scene.problem.start = scene.path.front();
-    scene.problem.goal = scene.path.back();
-}
-
 SceneFiles writeScene(const GeneratedScene& scene, const std::string& folder) {
     makeFolder(folder);
     const auto inFolder = [&](const std::string& ending) {

@@ -17,13 +17,6 @@ struct GeneratedScene {
     std::vector<PartState> path;
 };
 
-/// Moves the part so that the mean of its vertices, to whole units, becomes its origin, about which planners
-/// turn it, and changes the path with it: the part stays where it was.
-void centrePart(GeneratedScene& scene);
-
-/// The problem from the path's first state to its last; its volume leaves `room` about the path's positions.
-void setProblem(GeneratedScene& scene, double room);
-
 /// The files writeScene wrote.
 struct SceneFiles {
     std::string part;

@@ -6,8 +6,14 @@
 namespace clearway {
 
 /// Moves the part so that the mean of its vertices, to a whole unit, becomes its origin, about which planners
-/// turn it, and changes the path's states so that its surface stays where it is. The problem then starts at
-/// the path's first state and ends at its last; its volume holds all states with `room` around them.
+/// turn it, and changes the path's states so that its surface stays where it is.
+void centrePart(GeneratedScene& scene);
+
+/// The problem starts at the path's first state and ends at its last; its volume holds all states with `room`
+/// around them.
+void setProblem(GeneratedScene& scene, double room);
+
+/// Both.
 void statePathAsProblem(GeneratedScene& scene, double room);
 
 }  // namespace clearway

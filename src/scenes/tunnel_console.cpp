@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scenes/path_to_problem.h"
 #include "scenes/tunnel_console_design.h"
 
 namespace clearway {
