@@ -10,28 +10,29 @@ namespace clearway {
 
 /// What cleaning found. Nothing that has an extent is thrown away.
 struct CleanReport {
-    std::size_t weldedVertices = 0;      ///< vertices that were exactly equal to an earlier one
-    std::size_t unusedVertices = 0;      ///< vertices no triangle refers to
-    std::size_t degenerateTriangles = 0; ///< zero area; kept as the segment or point they are
+    std::size_t weldedVertices = 0;       ///< vertices that were exactly equal to an earlier one
+    std::size_t unusedVertices = 0;       ///< vertices no triangle refers to
+    std::size_t degenerateTriangles = 0;  ///< zero area; kept as the segment or point they are
     std::size_t duplicateTriangles = 0;  ///< same three vertices as an earlier triangle in any order; dropped
 };
 
 /// The shape of a tree.
 struct TreeStatistics {
-    std::size_t nodes = 0;                    ///< wide nodes
+    std::size_t nodes = 0;  ///< wide nodes
     std::size_t leaves = 0;
-    std::vector<std::size_t> leavesBySize;    ///< [k] = leaves that hold k triangles; [0] unused
-    int depth = 0;                            ///< wide nodes on the longest way from the root to a leaf
-    double meanChildren = 0;                  ///< used lanes per node
-    std::size_t bytes = 0;                    ///< everything kept, exact vertices and ids included
+    std::vector<std::size_t> leavesBySize;  ///< [k] = leaves that hold k triangles; [0] unused
+    int depth = 0;                          ///< wide nodes on the longest way from the root to a leaf
+    double meanChildren = 0;                ///< used lanes per node
+    std::size_t bytes = 0;                  ///< everything kept, exact vertices and ids included
 };
 
 struct BuildReport {
     BuildOptions options;
     CleanReport clean;
     TreeStatistics tree;
-    std::size_t triangles = 0;  ///< in the tree, duplicates left out
-    double seconds = 0;         ///< cleaning, fitting, splitting and flattening
+    std::size_t triangles = 0;             ///< in the tree, duplicates and unreachable ones left out
+    std::size_t unreachableTriangles = 0;  ///< left out because no pose within the reach comes near them
+    double seconds = 0;                    ///< cleaning, fitting, splitting and flattening
 };
 
 }  // namespace clearway

@@ -3,12 +3,14 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "clearway/build_options.h"
 #include "clearway/build_report.h"
 #include "clearway/mesh.h"
+#include "clearway/reach.h"
 
 namespace clearway {
 
@@ -19,8 +21,12 @@ class Model {
   public:
     /// Throws std::invalid_argument when a vertex of a triangle is not finite (naming the first such
     /// triangle), an index is out of range, the components do not cover the triangles, the mesh has no
-    /// triangle, or an option is unknown.
-    static Model build(const Mesh& mesh, const BuildOptions& options = {});
+    /// triangle, an option is unknown or the reach is no box with two lengths.
+    ///
+    /// With a reach, for an environment: triangles that no pose within it can bring within its cap are left
+    /// out and counted in the report; when it would be all, one stays. See reach().
+    static Model build(const Mesh& mesh, const BuildOptions& options = {},
+                       const std::optional<Reach>& reach = std::nullopt);
 
     /// Reads what save wrote. Throws std::runtime_error, naming the file and what is wrong with it, when it
     /// cannot be read, is no saved model, is damaged, or was saved by another version or on a machine of
@@ -32,18 +38,23 @@ class Model {
     void save(const std::string& file) const;
 
     const BuildReport& report() const;
-    const Box& box() const;                            ///< of the triangles, mesh coordinates
+    const Box& box() const;  ///< of the triangles, left-out ones included; mesh coordinates
     const std::vector<Component>& components() const;  ///< at least one
     const MeshOrigin& origin() const;
 
-    /// Largest distance of a vertex from the origin of mesh coordinates: how far a rotation about it can
-    /// reach.
+    /// Largest distance of a vertex in the tree from the origin of mesh coordinates: how far a rotation about
+    /// it can reach.
     double radiusAboutOrigin() const;
+
+    /// What the model is good for when triangles were left out for it, and only then: it is queried as the
+    /// environment, at poses and with a part within the reach, and answers up to the cap as the whole mesh
+    /// would. Queries that it cannot answer are refused.
+    const std::optional<Reach>& reach() const;
 
     /// Different for every built model of the process, equal for copies.
     std::uint64_t id() const;
 
-    /// modelKey of the mesh and options it was built from, also when it was loaded.
+    /// modelKey of the mesh, options and reach it was built from, also when it was loaded.
     std::uint64_t key() const;
 
     /// For the query layer only.
@@ -56,9 +67,10 @@ class Model {
     std::shared_ptr<const Data> data_;
 };
 
-/// A hash of all that a model is made of: the mesh with its names, the options that shape the tree, and the
-/// version of the build. Not cryptographic.
-std::uint64_t modelKey(const Mesh& mesh, const BuildOptions& options);
+/// A hash of all that a model is made of: the mesh with its names, the options that shape the tree, the
+/// reach, and the version of the build. Not cryptographic.
+std::uint64_t modelKey(const Mesh& mesh, const BuildOptions& options,
+                       const std::optional<Reach>& reach = std::nullopt);
 
 struct CachedModel {
     Model model;
@@ -68,6 +80,7 @@ struct CachedModel {
 
 /// The model of the mesh from the folder's file of that key, else built and saved there. The folder is made
 /// if need be. A damaged file is replaced. Throws what build and save throw.
-CachedModel buildCached(const Mesh& mesh, const BuildOptions& options, const std::string& folder);
+CachedModel buildCached(const Mesh& mesh, const BuildOptions& options, const std::string& folder,
+                        const std::optional<Reach>& reach = std::nullopt);
 
 }  // namespace clearway

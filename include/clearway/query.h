@@ -48,7 +48,7 @@ struct DistanceOptions {
     double relativeError = 0;
     double absoluteError = 0;
     /// No interest beyond: when the distance is larger, lower >= cap, upper and distance are infinite, ids
-    /// are -1 and the witness points NaN. >= 0.
+    /// are -1 and the witness points NaN. >= 0. An environment with a reach lowers it to its own cap.
     double cap = std::numeric_limits<double>::infinity();
 };
 
@@ -71,7 +71,8 @@ struct DistanceResult {
 /// Distance between the part's triangles, moved by X_environmentPart, and the environment's. 0 when they
 /// share a point. Throws std::invalid_argument when the pose is no rotation (see requirePose), an option is
 /// negative or NaN, the two models have different node widths, or their sizes, or the way between them and a
-/// size, differ by more than 2^60.
+/// size, differ by more than 2^60; also when the part has a reach, or the environment has one that does not
+/// hold the pose's translation or the part's radius (see Model::reach).
 DistanceResult distance(const Model& part, const Model& environment, const Pose& X_environmentPart,
                         const DistanceOptions& options, Workspace& workspace);
 
@@ -82,7 +83,8 @@ bool collides(const Model& part, const Model& environment, const Pose& X_environ
               Workspace& workspace);
 
 /// True when the distance is <= d, in environment units, and for what double arithmetic cannot prove to be
-/// farther: the pair's proved lower bound decides. d >= 0. Throws likewise.
+/// farther: the pair's proved lower bound decides. d >= 0. Throws likewise, and when d is larger than the cap
+/// of the environment's reach.
 bool isWithin(const Model& part, const Model& environment, const Pose& X_environmentPart, double d,
               Workspace& workspace);
 

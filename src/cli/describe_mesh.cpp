@@ -1,6 +1,5 @@
 #include "cli/describe_mesh.h"
 
-#include "clearway/model.h"
 #include "cli/print.h"
 #include "cli/tree_options.h"
 #include "mesh/clean.h"
@@ -53,6 +52,11 @@ void describeTriangles(const Mesh& mesh, const CleanMesh& cleaned) {
                              counted(report.duplicateTriangles, "duplicate") + " dropped");
 }
 
+void describeReach(const Reach& reach, const BuildReport& report) {
+    printRow("out of reach", counted(report.unreachableTriangles, "triangle") + ", never within " +
+                                 readable(reach.cap) + " of the part; planning leaves them out");
+}
+
 void describeTree(const BuildReport& report) {
     const TreeStatistics& tree = report.tree;
     std::string leaves = std::to_string(tree.leaves);
@@ -74,10 +78,14 @@ void describeTree(const BuildReport& report) {
 
 }  // namespace
 
-void describeMesh(const Mesh& mesh, const std::string& reading, const BuildOptions& options) {
+Model describeMesh(const Mesh& mesh, const std::string& reading, const BuildOptions& options,
+                   const std::optional<Reach>& reach) {
     describeReading(mesh, reading);
     describeTriangles(mesh, clean(mesh));
-    describeTree(Model::build(mesh, options).report());
+    const Model model = Model::build(mesh, options, reach);
+    if (reach) describeReach(*reach, model.report());
+    describeTree(model.report());
+    return model;
 }
 
 }  // namespace clearway

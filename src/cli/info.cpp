@@ -8,6 +8,7 @@
 #include "cli/describe_mesh.h"
 #include "cli/describe_problem.h"
 #include "cli/tree_options.h"
+#include "planning/planning_reach.h"
 
 namespace clearway {
 
@@ -29,9 +30,11 @@ void describeProblemFile(const std::string& file, const Options& options, const 
     const Mesh environment = loadEnvironment(problem);
     describeProblem(problem, boundingBox(environment));
     std::cout << "\nPart\n";
-    describeMesh(part, problem.asOmplApp ? "as OMPL.app reads a robot" : "as stored", tree);
+    const Model partModel =
+        describeMesh(part, problem.asOmplApp ? "as OMPL.app reads a robot" : "as stored", tree);
     std::cout << "\nEnvironment\n";
-    describeMesh(environment, problem.asOmplApp ? "as OMPL.app reads its world" : "as stored", tree);
+    describeMesh(environment, problem.asOmplApp ? "as OMPL.app reads its world" : "as stored", tree,
+                 planning::planningReach(problem, {}, partModel, boundingBox(environment)));
 }
 
 }  // namespace

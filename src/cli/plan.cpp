@@ -12,6 +12,7 @@
 #include "cli/print.h"
 #include "cli/tree_options.h"
 #include "core/replace_file.h"
+#include "planning/planning_reach.h"
 
 namespace clearway {
 
@@ -100,15 +101,18 @@ PlanOptions planOptions(const Options& options) {
     return result;
 }
 
-/// Refuses a path that would replace what is read.
+/// With the margin asked for. Refuses a path that would replace what is read.
 Problem readProblemFor(const Options& options) {
     Problem problem = readProblem(options.text("PROBLEM.cfg"));
+    if (options.has("margin")) problem.margin = options.nonNegative("margin");
     options.requireOtherFile("path", {problem.file, problem.robot, problem.world});
     return problem;
 }
 
 void printMesh(const std::string& label, const Model& model) {
-    printRow(label, model.origin().file + ", " + counted(model.report().triangles, "triangle"));
+    const std::size_t leftOut = model.report().unreachableTriangles;
+    printRow(label, model.origin().file + ", " + counted(model.report().triangles, "triangle") +
+                        (leftOut > 0 ? ", " + std::to_string(leftOut) + " out of reach left out" : ""));
 }
 
 void printSettings(const Scene& scene, const PlanOptions& options, const PlanReport& report) {
@@ -134,14 +138,26 @@ void printPath(const PlanReport& report) {
                            " before simplifying");
     printRow("length", readable(report.length));
     printRow("turned", readable(report.turned * 180 / M_PI) + " degrees");
-    printRow("least clearance", readable(report.least.lower) + ", between '" + report.least.partMesh +
-                                    "' and '" + report.least.environmentMesh + "', at " +
-                                    readable(report.least.state.position) + ", of " +
-                                    counted(report.least.statesChecked, "state"));
+    const planning::LeastClearance& least = report.least;
+    const std::string between = least.partMesh.empty()
+                                    ? "or more"
+                                    : "between '" + least.partMesh + "' and '" + least.environmentMesh +
+                                          "', at " + readable(least.state.position);
+    printRow("least clearance",
+             readable(least.lower) + ", " + between + ", of " + counted(least.statesChecked, "state"));
 }
 
 void printWarnings(const std::vector<std::string>& warnings) {
     for (const std::string& warning : warnings) std::cerr << "clearway: warning: " << warning << "\n";
+}
+
+/// The problem's two models, as far as planning can need them.
+Scene buildScene(const Problem& problem, const PlanOptions& options, const BuildOptions& tree,
+                 const std::string& cache) {
+    const Model part = buildModel(loadPart(problem), tree, cache);
+    const Mesh environment = loadEnvironment(problem);
+    const auto reach = planning::planningReach(problem, options, part, boundingBox(environment));
+    return {part, buildModel(environment, tree, cache, reach), problem.margin};
 }
 
 /// The exit code.
@@ -174,9 +190,7 @@ int plan(const Arguments& arguments) {
     heedInterrupts();
 
     const Problem problem = readProblemFor(options);
-    const Scene scene{buildModel(loadPart(problem), tree, cache),
-                      buildModel(loadEnvironment(problem), tree, cache),
-                      options.has("margin") ? options.nonNegative("margin") : problem.margin};
+    const Scene scene = buildScene(problem, planOptionsGiven, tree, cache);
     PlanReport report;
     {
         const ElapsedLine elapsed("planning");

@@ -82,9 +82,10 @@ std::string cacheFolder(const Options& options) {
     return folder;
 }
 
-Model buildModel(const Mesh& mesh, const BuildOptions& options, const std::string& cacheFolder) {
-    if (cacheFolder.empty()) return Model::build(mesh, options);
-    const CachedModel cached = buildCached(mesh, options, cacheFolder);
+Model buildModel(const Mesh& mesh, const BuildOptions& options, const std::string& cacheFolder,
+                 const std::optional<Reach>& reach) {
+    if (cacheFolder.empty()) return Model::build(mesh, options, reach);
+    const CachedModel cached = buildCached(mesh, options, cacheFolder, reach);
     if (!cached.warning.empty()) std::cerr << "clearway: warning: " << cached.warning << "\n";
     return cached.model;
 }

@@ -1,6 +1,7 @@
 // The options that say how trees are built.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "clearway/model.h"
@@ -24,7 +25,8 @@ std::string cacheFolder(const Options& options);
 
 /// The mesh's model, from the cache folder when one is given. A file there that cannot be used is replaced,
 /// with a warning on stderr.
-Model buildModel(const Mesh& mesh, const BuildOptions& options, const std::string& cacheFolder);
+Model buildModel(const Mesh& mesh, const BuildOptions& options, const std::string& cacheFolder,
+                 const std::optional<Reach>& reach = std::nullopt);
 
 /// "sah, fitted by frames, leaves of up to 4 split by none, 8 wide".
 std::string description(const BuildOptions& options);

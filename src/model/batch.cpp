@@ -6,9 +6,18 @@
 #include <algorithm>
 
 #include "clearway/model.h"
+#include "model/within_reach.h"
 
 namespace clearway {
 namespace {
+
+/// Before any thread begins, so that the first of the list is told.
+void requirePoses(const Model& part, const Model& environment, const std::vector<Pose>& poses) {
+    for (const Pose& X_environmentPart : poses) {
+        requirePose(X_environmentPart);
+        requireWithinReach(part, environment, X_environmentPart);
+    }
+}
 
 /// Calls answer(i, workspace) for every i below count, block by block.
 template <class Answer>
@@ -28,7 +37,7 @@ void forEachInBlocks(std::size_t count, const Answer& answer) {
 std::vector<DistanceResult> distanceBatch(const Model& part, const Model& environment,
                                           const std::vector<Pose>& X_environmentPart,
                                           const DistanceOptions& options) {
-    for (const Pose& pose : X_environmentPart) requirePose(pose);
+    requirePoses(part, environment, X_environmentPart);
     std::vector<DistanceResult> results(X_environmentPart.size());
     forEachInBlocks(results.size(), [&](std::size_t i, Workspace& workspace) {
         results[i] = distance(part, environment, X_environmentPart[i], options, workspace);
@@ -38,7 +47,7 @@ std::vector<DistanceResult> distanceBatch(const Model& part, const Model& enviro
 
 std::vector<std::uint8_t> isWithinBatch(const Model& part, const Model& environment,
                                         const std::vector<Pose>& X_environmentPart, double d) {
-    for (const Pose& pose : X_environmentPart) requirePose(pose);
+    requirePoses(part, environment, X_environmentPart);
     std::vector<std::uint8_t> results(X_environmentPart.size());
     forEachInBlocks(results.size(), [&](std::size_t i, Workspace& workspace) {
         results[i] = isWithin(part, environment, X_environmentPart[i], d, workspace) ? 1 : 0;

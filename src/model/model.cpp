@@ -7,6 +7,7 @@
 #include "build/build.h"
 #include "mesh/clean.h"
 #include "model/model_data.h"
+#include "model/unreachable.h"
 #include "tree/statistics.h"
 
 namespace clearway {
@@ -18,15 +19,20 @@ std::uint64_t Model::newId() {
     return next++;
 }
 
-Model Model::build(const Mesh& mesh, const BuildOptions& options) {
+Model Model::build(const Mesh& mesh, const BuildOptions& options, const std::optional<Reach>& reach) {
     const auto start = std::chrono::steady_clock::now();
     requireBuildOptions(options);
-    const CleanMesh cleaned = clean(mesh);
+    if (reach) requireReach(*reach);
+    CleanMesh cleaned = clean(mesh);
 
     auto data = std::make_shared<Data>();
     data->id = newId();
-    data->key = modelKey(mesh, options);
+    data->key = modelKey(mesh, options, reach);
+    if (reach) data->report.unreachableTriangles = leaveOutUnreachable(cleaned, *reach);
+    if (data->report.unreachableTriangles > 0) data->reach = reach;
     data->tree = flatten(buildBinaryTree(cleaned, options), cleaned, options.nodeWidth);
+    // What counts as contact depends on the whole mesh's coordinates, and is to stay the same.
+    if (data->reach) data->tree.box = boundingBox(mesh);
     data->components = mesh.components;
     if (data->components.empty()) data->components.push_back({"", 0, std::uint32_t(mesh.triangles.size())});
     data->origin = mesh.origin;
@@ -49,6 +55,9 @@ const std::vector<Component>& Model::components() const {
 }
 const MeshOrigin& Model::origin() const {
     return data_->origin;
+}
+const std::optional<Reach>& Model::reach() const {
+    return data_->reach;
 }
 double Model::radiusAboutOrigin() const {
     return data_->tree.radiusAboutMeshOrigin;

@@ -13,6 +13,7 @@ struct Model::Data {
     BuildReport report;
     std::vector<Component> components;
     MeshOrigin origin;
+    std::optional<Reach> reach;  ///< set when triangles were left out
 };
 
 }  // namespace clearway

@@ -7,6 +7,7 @@
 
 #include "clearway/model.h"
 #include "clearway/query.h"
+#include "model/within_reach.h"
 #include "query/queries.h"
 
 namespace clearway {
@@ -31,6 +32,7 @@ void requireSameWidth(const Model& part, const Model& environment) {
 PairQuery beginQuery(const Model& part, const Model& environment, const Pose& X_environmentPart,
                      Workspace::State& state) {
     requireSameWidth(part, environment);
+    requireWithinReach(part, environment, X_environmentPart);
     state.counters = {};
     return preparePairQuery(part.tree(), environment.tree(), X_environmentPart);
 }
@@ -50,6 +52,7 @@ std::int64_t componentOfTriangle(const std::vector<Component>& components, std::
 
 bool answerWithin(const Model& part, const Model& environment, const Pose& X_environmentPart, double d,
                   Workspace& workspace) {
+    requireWithinCap(environment, d);
     Workspace::State& state = workspace.state();
     const PairQuery query = beginQuery(part, environment, X_environmentPart, state);
     const WithinAnswer answer =
@@ -67,10 +70,11 @@ DistanceResult distance(const Model& part, const Model& environment, const Pose&
     requireNotNegative(options.relativeError, "relativeError");
     requireNotNegative(options.absoluteError, "absoluteError");
     requireNotNegative(options.cap, "cap");
+    const double cap = cappedByReach(environment, options.cap);
     Workspace::State& state = workspace.state();
     const PairQuery query = beginQuery(part, environment, X_environmentPart, state);
     const ClosestRequest request{options.relativeError, options.absoluteError * query.perMeshUnit,
-                                 options.cap * query.perMeshUnit};
+                                 cap * query.perMeshUnit};
     const ClosestAnswer answer = closestPair(query, request, warmStartFor(part, environment, state), state);
 
     DistanceResult result;
@@ -78,7 +82,8 @@ DistanceResult distance(const Model& part, const Model& environment, const Pose&
     const double toMeshUnits = std::ldexp(1.0, query.unitExponent);
     if (!answer.found) {
         constexpr double kInfinity = std::numeric_limits<double>::infinity();
-        result.lower = std::max(options.cap, answer.pair.lower * toMeshUnits);
+        // What was left out may be nearer than the tree's own bound, but not than the reach's cap.
+        result.lower = cappedByReach(environment, std::max(cap, answer.pair.lower * toMeshUnits));
         result.upper = result.distance = kInfinity;
         result.pointOnPart.setConstant(std::numeric_limits<double>::quiet_NaN());
         result.pointOnEnvironment = result.pointOnPart;

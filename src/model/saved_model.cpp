@@ -12,6 +12,7 @@
 #include "core/archive.h"
 #include "core/replace_file.h"
 #include "model/model_data.h"
+#include "model/unreachable.h"
 #include "tree/soundness.h"
 #include "tree/statistics.h"
 
@@ -19,12 +20,11 @@ namespace clearway {
 namespace {
 
 constexpr char kMagic[8] = {'c', 'l', 'e', 'a', 'r', 'w', 'a', 'y'};
-constexpr std::uint64_t kVersion = 1;
+constexpr std::uint64_t kVersion = 2;
 constexpr std::uint64_t kByteOrderMark = 0x0102030405060708u;
 
 [[noreturn]] void refuse(const std::string& file, const std::string& reason) {
-    throw std::runtime_error(file + ": " + reason +
-                             ", expected a model saved by this version of clearway");
+    throw std::runtime_error(file + ": " + reason + ", expected a model saved by this version of clearway");
 }
 
 std::uint64_t hashOf(std::string_view bytes) {
@@ -59,6 +59,25 @@ BuildOptions readOptions(ArchiveReader& in) {
     options.leafSize = in.read<std::int32_t>();
     options.nodeWidth = in.read<std::int32_t>();
     return options;
+}
+
+void addReach(ArchiveWriter& out, const std::optional<Reach>& reach) {
+    out.add(std::uint64_t(reach.has_value()));
+    if (!reach) return;
+    addVector(out, reach->positions.min());
+    addVector(out, reach->positions.max());
+    out.add(reach->partRadius);
+    out.add(reach->cap);
+}
+
+std::optional<Reach> readReach(ArchiveReader& in) {
+    if (in.read<std::uint64_t>() == 0) return std::nullopt;
+    Reach reach;
+    const Vector3 low = readVector(in), high = readVector(in);
+    reach.positions = Box(low, high);
+    reach.partRadius = in.read<double>();
+    reach.cap = in.read<double>();
+    return reach;
 }
 
 void addTree(ArchiveWriter& out, const FlatTree& tree) {
@@ -115,6 +134,7 @@ void addRest(ArchiveWriter& out, const BuildReport& report, const std::vector<Co
                                     report.clean.degenerateTriangles, report.clean.duplicateTriangles}) {
         out.add(std::uint64_t(count));
     }
+    out.add(std::uint64_t(report.unreachableTriangles));
     out.add(report.seconds);
     out.add(std::uint64_t(components.size()));
     for (const Component& component : components) {
@@ -136,6 +156,7 @@ void readRest(ArchiveReader& in, BuildReport& report, std::vector<Component>& co
                                &report.clean.degenerateTriangles, &report.clean.duplicateTriangles}) {
         *count = in.read<std::uint64_t>();
     }
+    report.unreachableTriangles = in.read<std::uint64_t>();
     report.seconds = in.read<double>();
     components.resize(in.readCount(16));
     for (Component& component : components) {
@@ -171,10 +192,11 @@ std::string readWhole(const std::string& file) {
 
 }  // namespace
 
-std::uint64_t modelKey(const Mesh& mesh, const BuildOptions& options) {
+std::uint64_t modelKey(const Mesh& mesh, const BuildOptions& options, const std::optional<Reach>& reach) {
     ArchiveWriter out;
     out.add(kVersion);
     addOptions(out, options);
+    addReach(out, reach);
     out.addArray(mesh.vertices);
     out.addArray(mesh.triangles);
     for (const Component& component : mesh.components) {
@@ -188,6 +210,7 @@ std::uint64_t modelKey(const Mesh& mesh, const BuildOptions& options) {
 void Model::save(const std::string& file) const {
     ArchiveWriter payload;
     addOptions(payload, data_->report.options);
+    addReach(payload, data_->reach);
     addTree(payload, data_->tree);
     addRest(payload, data_->report, data_->components, data_->origin);
     ArchiveWriter header;
@@ -218,6 +241,7 @@ Model Model::load(const std::string& file) {
         if (size != payload.size() || hash != hashOf(payload)) throw std::runtime_error("is damaged");
 
         data->report.options = readOptions(in);
+        data->reach = readReach(in);
         data->tree = readTree(in);
         readRest(in, data->report, data->components, data->origin);
         const std::int64_t triangles = trianglesOf(data->components);
@@ -232,9 +256,11 @@ Model Model::load(const std::string& file) {
     return Model(std::move(data));
 }
 
-CachedModel buildCached(const Mesh& mesh, const BuildOptions& options, const std::string& folder) {
+CachedModel buildCached(const Mesh& mesh, const BuildOptions& options, const std::string& folder,
+                        const std::optional<Reach>& reach) {
     requireBuildOptions(options);
-    const std::uint64_t key = modelKey(mesh, options);
+    if (reach) requireReach(*reach);
+    const std::uint64_t key = modelKey(mesh, options, reach);
     std::ostringstream name;
     name << std::hex << key << ".clearway";
     const std::filesystem::path file = std::filesystem::path(folder) / name.str();
@@ -243,12 +269,13 @@ CachedModel buildCached(const Mesh& mesh, const BuildOptions& options, const std
         try {
             Model model = Model::load(file.string());
             if (model.key() == key) return {model, true, ""};
-            warning = file.string() + ": was built from another mesh or other options; built anew";
+            warning =
+                file.string() + ": was built from another mesh, other options or another reach; built anew";
         } catch (const std::runtime_error& error) {
             warning = std::string(error.what()) + "; built anew";
         }
     }
-    const Model model = Model::build(mesh, options);
+    const Model model = Model::build(mesh, options, reach);
     std::filesystem::create_directories(folder);
     model.save(file.string());
     return {model, false, warning};

@@ -74,6 +74,7 @@ void describe(const Setup& setup, const Problem& problem, const og::PathGeometri
     report.least.state = fromOmpl(problem.space, walk.where->get());
     report.least.lower = walk.least.lower;
     report.least.statesChecked = walk.states;
+    if (walk.least.partTriangle < 0) return;  // farther than the environment's reach tells
     report.least.partMesh = meshName(scene.part, walk.least.partComponent);
     report.least.environmentMesh = meshName(scene.environment, walk.least.environmentComponent);
 }

@@ -49,7 +49,9 @@ struct LeastClearance {
     PartState state;
     double lower = 0;  ///< distance there is at least this, environment units
     std::uint64_t statesChecked = 0;
-    std::string partMesh;  ///< names of the two closest meshes
+    /// Names of the two closest meshes; empty when the part never came as near as the cap of the
+    /// environment's reach, which `lower` then is.
+    std::string partMesh;
     std::string environmentMesh;
 };
 
@@ -80,8 +82,8 @@ struct PlanReport {
 /// Plans for the scene (its margin counts; the problem's own margin and mesh files do not). The path begins
 /// at the problem's start, ends at its goal, and every state of it that was looked at is valid. Throws
 /// std::invalid_argument when an option is wrong, the problem names an unknown planner, the bounds leave out
-/// the start or the goal, or one of the two is not valid: then the message names the two closest meshes and
-/// triangles.
+/// the start or the goal, the environment was built with too small a reach (see planningReach), or one of the
+/// two is not valid: then the message names the two closest meshes and triangles.
 PlanReport plan(const Problem& problem, const Scene& scene, const PlanOptions& options);
 
 }  // namespace clearway::planning

@@ -12,6 +12,7 @@
 #include "core/number.h"
 #include "planning/end_states.h"
 #include "planning/ompl_messages.h"
+#include "planning/planning_reach.h"
 #include "planning/planning_space.h"
 
 namespace clearway::planning {
@@ -22,7 +23,6 @@ namespace ob = ompl::base;
 /// Side by side, for each is quick where the other is not: RRTConnect when both ends are free to move, RRT
 /// when the part is shut in at its start only (bench/plan_success). Alone, the first.
 constexpr const char* kDefaultPlanners[] = {"RRTConnect", "RRT"};
-constexpr double kDefaultStepPerDiagonal = 1.0 / 500;
 constexpr std::size_t kMostThreads = 4;  ///< unless more are asked for
 constexpr double kMostRefinement = 8;    ///< times the step is divided for a tight start or goal
 /// Longest edge of a planner's tree: of a scene whose step is given, and so how fine it is, in steps; else by
@@ -103,11 +103,10 @@ void setFileParameters(ob::Planner& planner, const std::string& plannerName, con
 }
 
 void setStep(PlanReport& report, const Problem& problem, const Scene& scene, const PlanOptions& options) {
-    const std::optional<double> given = options.step ? options.step : problem.step;
-    report.isStepDefault = !given;
-    const double diagonal = scene.part.box().diagonal().norm();
-    report.step = given ? *given : kDefaultStepPerDiagonal * diagonal;
-    report.range = given ? kRangeInSteps * *given : kRangePerDiagonal * diagonal;
+    report.isStepDefault = !options.step && !problem.step;
+    report.step = stepOf(problem, options, scene.part);
+    report.range = report.isStepDefault ? kRangePerDiagonal * scene.part.box().diagonal().norm()
+                                        : kRangeInSteps * report.step;
     if (!report.isStepDefault) return;
     std::ostringstream warning;
     warning << "no step is given: motions are checked every " << report.step
@@ -183,6 +182,7 @@ Setup prepare(const Problem& problem, const Scene& scene, const PlanOptions& opt
     Setup setup;
     const double turnWeight = options.omplWeights ? 1.0 : scene.part.radiusAboutOrigin();
     const Box bounds = boundsOf(problem, scene.environment.box());
+    requireReachOf(scene, bounds, report.step);
     setup.si = std::make_shared<ob::SpaceInformation>(makeSpace(problem.space, bounds, turnWeight));
     setup.truth = makeChecker(setup.si, scene, 0);
     const auto spare = [&](const PartState& state, const char* what) {

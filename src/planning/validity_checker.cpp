@@ -6,6 +6,7 @@
 #include <cmath>
 #include <exception>
 #include <limits>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 
@@ -14,6 +15,15 @@
 namespace clearway::planning {
 
 namespace ob = ompl::base;
+
+namespace {
+
+bool isOutOfReach(const Model& environment, const Pose& X_environmentPart) {
+    const std::optional<Reach>& reach = environment.reach();
+    return reach && !reach->positions.contains(X_environmentPart.translation);
+}
+
+}  // namespace
 
 ValidityChecker::ValidityChecker(const ob::SpaceInformationPtr& si, Scene scene)
     : ValidityChecker(si, std::move(scene), planning::stateToPose(*si->getStateSpace())) {}
@@ -33,7 +43,9 @@ ValidityChecker::ValidityChecker(const ob::SpaceInformationPtr& si, Scene scene,
     specs_.hasValidDirectionComputation = false;
     // Models that cannot be queried together are the caller's mistake: better told here than inside a
     // planner.
-    collides(scene_.part, scene_.environment, Pose(), threadWorkspace(id_));
+    Pose somewhere;
+    if (const auto& reach = scene_.environment.reach()) somewhere.translation = reach->positions.center();
+    isFree(somewhere);
 }
 
 bool ValidityChecker::isValid(const ob::State* state) const {
@@ -53,6 +65,10 @@ bool ValidityChecker::isValid(const ob::State* state, double& clearance) const {
     const Usable usable = findPose(state, X_environmentPart);
     clearance = 0;
     if (usable == Usable::kNoPose) return count(false, usable);
+    if (usable == Usable::kOutOfBounds && isOutOfReach(scene_.environment, X_environmentPart)) {
+        clearance = 0 - scene_.margin;  // of a distance that is at least 0
+        return count(false, usable);
+    }
     try {
         clearance = signedClearance(X_environmentPart);
     } catch (const std::exception& error) {

@@ -59,7 +59,7 @@ struct FlatTree {
     std::vector<Vector3> vertices;                          ///< exact, mesh coordinates
     std::vector<std::array<std::uint32_t, 3>> triangles;    ///< into vertices, in leaf order
     std::vector<std::uint32_t> triangleIds;                 ///< the loader's id of each, in leaf order
-    Box box;                                                ///< of the vertices
+    Box box;                                                ///< of the mesh, triangles left out of the tree included
     double radiusAboutMeshOrigin = 0;                       ///< largest |vertex|, rounded up
 
     template <int kWidth>

@@ -136,6 +136,7 @@ BOOST_AUTO_TEST_CASE(a_problem_is_described_with_both_meshes_as_omplapp_reads_th
     const Outcome environmentHalf{0, outcome.out.substr(environment), ""};
     BOOST_TEST(row(environmentHalf, "applied") == "scale 1, then shift (0, 0, 0)");
     BOOST_TEST(row(environmentHalf, "  wall") == "12 triangles");
+    BOOST_TEST(row(environmentHalf, "out of reach").find("0 triangles, never within ") == 0);
 }
 
 BOOST_AUTO_TEST_CASE(a_problems_meshes_are_not_moved_when_it_says_stored) {

@@ -3,6 +3,7 @@
 #include "cli/run_program.h"
 #include "support/oracle.h"
 #include "support/path_check.h"
+#include "support/random_meshes.h"
 #include "support/window_scene.h"
 
 namespace clearway::testing {
@@ -84,6 +85,25 @@ BOOST_AUTO_TEST_CASE(options_reach_the_planner) {
     BOOST_TEST(row(outcome, "step") == "0.5");
     BOOST_TEST(std::stod(row(outcome, "least clearance")) > 1);
     BOOST_TEST(runIn(folder, added("--ompl-weights")).code == 0);
+}
+
+BOOST_AUTO_TEST_CASE(what_no_position_within_the_bounds_can_come_near_is_left_out_and_counted) {
+    const WindowFolder folder;
+    BOOST_TEST(row(runIn(folder, kPlan), "environment") == "wall.obj, 432 triangles");
+    const std::string path = readText(folder.file("out.path"));
+    const Mesh far = transformed(folder.window.wallMesh, {Matrix3::Identity(), {1000, 0, 0}});
+    saveMesh(joined(folder.window.wallMesh, far), folder.file("wall.obj"));
+    const Outcome outcome = runIn(folder, added("--cache trees"));
+    BOOST_TEST(outcome.code == 0, outcome.err);
+    BOOST_TEST(row(outcome, "environment") == "wall.obj, 432 triangles, 432 out of reach left out");
+    BOOST_TEST(readText(folder.file("out.path")) == path);
+    BOOST_TEST(row(runIn(folder, added("--cache trees")), "environment") == row(outcome, "environment"));
+    const std::string reach = row(runIn(folder, "info window.cfg"), "out of reach");
+    BOOST_TEST(reach.find("432 triangles, never within ") == 0, reach);
+
+    saveMesh(far, folder.file("wall.obj"));
+    const std::string least = row(runIn(folder, kPlan), "least clearance");
+    BOOST_TEST(least.find(", or more, of ") != std::string::npos, least);
 }
 
 BOOST_AUTO_TEST_CASE(no_path_is_exit_code_1_and_no_file) {

@@ -31,7 +31,9 @@ struct CheckCounters {
 class ValidityChecker : public ompl::base::StateValidityChecker {
   public:
     /// For OMPL's SE(3) and SE(2). Throws std::invalid_argument when si has another space (see stateToPose),
-    /// the margin is negative or not finite, or the two models cannot be queried together.
+    /// the margin is negative or not finite, or the two models cannot be queried together. An environment
+    /// built with a reach (Model::reach) must hold all positions within the bounds: a state within the bounds
+    /// and out of the reach is answered invalid, as one without a pose.
     ValidityChecker(const ompl::base::SpaceInformationPtr& si, Scene scene);
 
     /// For any space. Throws likewise, and when the callback is empty.
@@ -48,12 +50,12 @@ class ValidityChecker : public ompl::base::StateValidityChecker {
 
     /// A lower bound of distance - margin, in environment units. Above 0 exactly when the state is valid: it
     /// is raised to the least positive double for a valid state and lowered to at most 0 for another one. It
-    /// is no penetration depth.
+    /// is no penetration depth. An environment's reach bounds it to its cap - margin.
     double clearance(const ompl::base::State* state) const override;
     using ompl::base::StateValidityChecker::clearance;
 
     /// Distance, witness points and triangles at a state, whatever the bounds and the margin say. Throws
-    /// std::invalid_argument when the state has no pose.
+    /// std::invalid_argument when the state has no pose or is out of the environment's reach.
     DistanceResult distance(const ompl::base::State* state) const;
 
     /// X_environmentPart at a state, by the checker's own callback.

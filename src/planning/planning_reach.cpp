@@ -1,0 +1,49 @@
+#include "planning/planning_reach.h"
+
+#include <stdexcept>
+#include <string>
+
+#include "core/number.h"
+
+namespace clearway::planning {
+namespace {
+
+constexpr double kDefaultStepPerDiagonal = 1.0 / 500;
+
+/// Of the bounds' diagonal: OMPL takes a state for one within the bounds when it is outside by rounding.
+constexpr double kBoundsSlack = 1e-9;
+
+}  // namespace
+
+double stepOf(const Problem& problem, const PlanOptions& options, const Model& part) {
+    if (options.step) return *options.step;
+    if (problem.step) return *problem.step;
+    return kDefaultStepPerDiagonal * part.box().diagonal().norm();
+}
+
+std::optional<Reach> planningReach(const Problem& problem, const PlanOptions& options, const Model& part,
+                                   const Box& environmentBox) {
+    if (problem.sampler == "max_clearance") return std::nullopt;
+    const Box bounds = boundsOf(problem, environmentBox);
+    const Vector3 slack = Vector3::Constant(kBoundsSlack * bounds.diagonal().norm());
+    const double radius = part.radiusAboutOrigin();
+    const double cap = problem.margin + stepOf(problem, options, part) + 2 * radius;
+    return Reach{Box(bounds.min() - slack, bounds.max() + slack), radius, cap};
+}
+
+void requireReachOf(const Scene& scene, const Box& bounds, double step) {
+    if (!scene.environment.reach()) return;
+    const Reach& reach = *scene.environment.reach();
+    if (!reach.positions.contains(bounds)) {
+        throw std::invalid_argument(
+            "the environment was built with a reach that leaves out positions within the bounds, expected "
+            "one that holds them all");
+    }
+    if (!(reach.cap >= scene.margin + step)) {
+        throw std::invalid_argument("the environment was built with a reach whose cap is " +
+                                    shortNumber(reach.cap) + ", expected at least the margin and a step, " +
+                                    shortNumber(scene.margin + step));
+    }
+}
+
+}  // namespace clearway::planning

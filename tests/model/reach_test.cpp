@@ -1,0 +1,299 @@
+// A model without its unreachable triangles answers as the whole one does, or says why it cannot.
+#define BOOST_TEST_MODULE model_reach
+#include "clearway/reach.h"
+
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <stdexcept>
+
+#include "clearway/batch.h"
+#include "clearway/model.h"
+#include "clearway/query.h"
+#include "support/each_target.h"
+#include "support/random_meshes.h"
+#include "support/temporary_folder.h"
+
+namespace clearway {
+namespace {
+
+using testing::Random;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// A part away from its origin in a wide environment, and poses within the reach: anywhere, and at its
+/// border.
+struct Case {
+    explicit Case(std::uint64_t seed, const BuildOptions& options = {})
+        : random(seed),
+          environmentMesh(testing::randomSoup(random, 1500, 15, 1)),
+          part(Model::build(testing::transformed(testing::randomSoup(random, 60, 0.7, 0.5),
+                                                 {random.rotation(), {0.5, 0, 0.3}}),
+                            options)),
+          whole(Model::build(environmentMesh, options)),
+          reach{Box(Vector3(-3, 1, -6), Vector3(2, 4, -6)), part.radiusAboutOrigin(), random.uniform(0.3, 1)},
+          reduced(Model::build(environmentMesh, options, reach)) {
+        const Vector3 low = reach.positions.min(), high = reach.positions.max();
+        for (int i = 0; i < 150; ++i) {
+            Pose pose = random.pose(0);
+            for (int axis = 0; axis < 3; ++axis) {
+                pose.translation[axis] = i % 3 != 0        ? random.uniform(low[axis], high[axis])
+                                         : random.below(2) ? low[axis]
+                                                           : high[axis];
+            }
+            poses.push_back(pose);
+        }
+    }
+
+    Random random;
+    Mesh environmentMesh;
+    Model part;
+    Model whole;
+    Reach reach;
+    Model reduced;
+    std::vector<Pose> poses;
+};
+
+/// Both are right about the same distance, which the reduced model may tell up to the cap.
+void checkAgreement(const DistanceResult& whole, const DistanceResult& reduced, double cap, bool isExact) {
+    constexpr double kRounding = 1e-13;  // coordinates are below 20
+    if (reduced.upper == kInfinity) {
+        BOOST_TEST(whole.upper > cap - kRounding);
+        BOOST_TEST(reduced.lower == cap);
+        BOOST_TEST(reduced.distance == kInfinity);
+        BOOST_TEST(reduced.environmentTriangle == -1);
+        BOOST_TEST(std::isnan(reduced.pointOnPart.x()));
+        return;
+    }
+    BOOST_TEST(reduced.lower <= whole.upper);
+    BOOST_TEST(whole.lower <= reduced.upper);
+    if (!isExact) return;
+    BOOST_TEST(whole.distance <= cap + kRounding);
+    BOOST_TEST(std::abs(whole.distance - reduced.distance) <= kRounding);
+    BOOST_TEST(whole.collides() == reduced.collides());
+    if (whole.collides()) return;  // any of the pairs that touch may be named
+    BOOST_TEST(whole.partTriangle == reduced.partTriangle);
+    BOOST_TEST(whole.environmentTriangle == reduced.environmentTriangle);
+    BOOST_TEST(whole.environmentComponent == reduced.environmentComponent);
+}
+
+std::string refusal(const std::function<void()>& call) {
+    try {
+        call();
+    } catch (const std::invalid_argument& error) {
+        return error.what();
+    }
+    return "not refused";
+}
+
+#define BOOST_TEST_SAYS(text, words) BOOST_TEST((text).find(words) != std::string::npos, text)
+
+BOOST_DATA_TEST_CASE(within_the_reach_all_queries_agree_with_the_whole_model, testing::eachWidth(), width) {
+    int beyond = 0, near = 0, colliding = 0;
+    for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+        BuildOptions options;
+        options.nodeWidth = width;
+        const Case c(seed, options);
+        BOOST_TEST(c.reduced.report().unreachableTriangles > 1000u);
+        BOOST_TEST(c.reduced.report().unreachableTriangles + c.reduced.report().triangles == 1500u);
+        Workspace a, b;
+        for (std::size_t i = 0; i < c.poses.size(); ++i) {
+            const Pose& X = c.poses[i];
+            BOOST_TEST_CONTEXT("seed " << seed << ", pose " << i) {
+                const DistanceResult truth = distance(c.part, c.whole, X, {}, a);
+                const DistanceResult found = distance(c.part, c.reduced, X, {}, b);
+                checkAgreement(truth, found, c.reach.cap, true);
+                ++(found.upper == kInfinity ? beyond : found.collides() ? colliding : near);
+                for (const double cap : {0.0, 0.5 * c.reach.cap, c.reach.cap, 4 * c.reach.cap}) {
+                    DistanceOptions capped;
+                    capped.cap = cap;
+                    const DistanceResult d = distance(c.part, c.reduced, X, capped, b);
+                    BOOST_TEST(d.lower <= truth.upper);
+                    BOOST_TEST((d.upper == kInfinity ? d.lower >= std::min(cap, c.reach.cap)
+                                                     : d.upper >= truth.lower));
+                }
+                DistanceOptions loose;
+                loose.relativeError = 0.3;
+                loose.absoluteError = 0.1;
+                const DistanceResult d = distance(c.part, c.reduced, X, loose, b);
+                if (d.upper < kInfinity || truth.distance > c.reach.cap) {
+                    checkAgreement(truth, d, c.reach.cap, false);
+                } else {
+                    BOOST_ERROR("nothing found, the distance is " << truth.distance);
+                }
+                BOOST_TEST(collides(c.part, c.whole, X, a) == collides(c.part, c.reduced, X, b));
+                for (const double d2 : {0.1 * c.reach.cap, 0.7 * c.reach.cap, c.reach.cap}) {
+                    BOOST_TEST(isWithin(c.part, c.whole, X, d2, a) == isWithin(c.part, c.reduced, X, d2, b));
+                }
+            }
+        }
+    }
+    BOOST_TEST(beyond > 50);
+    BOOST_TEST(near > 50);
+    BOOST_TEST(colliding > 50);
+}
+
+BOOST_AUTO_TEST_CASE(batches_agree_with_the_whole_model) {
+    const Case c(21);
+    const auto truth = distanceBatch(c.part, c.whole, c.poses),
+               found = distanceBatch(c.part, c.reduced, c.poses);
+    BOOST_TEST((isWithinBatch(c.part, c.whole, c.poses, c.reach.cap) ==
+                isWithinBatch(c.part, c.reduced, c.poses, c.reach.cap)));
+    for (std::size_t i = 0; i < c.poses.size(); ++i) {
+        BOOST_TEST_CONTEXT("pose " << i) {
+            checkAgreement(truth[i], found[i], c.reach.cap, true);
+        }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(a_part_turned_to_its_farthest_finds_what_is_at_the_cap) {
+    Mesh part;  // its second corner is 5 from its origin
+    part.vertices = {{0, 0, 0}, {3, 4, 0}, {0, 0, 1}};
+    part.triangles = {{0, 1, 2}};
+    Mesh wall;  // at x = 10; with the positions up to x = 3 that is 2 from the part at its farthest
+    wall.vertices = {{10, -9, -9}, {10, 9, -9}, {10, 0, 9}, {90, 0, 0}, {90, 1, 0}, {90, 0, 1}};
+    wall.triangles = {{3, 4, 5}, {0, 1, 2}};
+    const Model moving = Model::build(part);
+    const Reach reach{Box(Vector3(0, 0, 0), Vector3(3, 0, 0)), 5, 2};
+    BOOST_TEST(moving.radiusAboutOrigin() > 5 - 1e-12);
+    const Model model = Model::build(wall, {}, Reach{reach.positions, moving.radiusAboutOrigin(), reach.cap});
+    BOOST_TEST(model.report().unreachableTriangles == 1u);
+    Pose X;
+    X.rotation << 0.6, 0.8, 0, -0.8, 0.6, 0, 0, 0, 1;
+    X.translation = {3, 0, 0};
+    Workspace workspace;
+    BOOST_TEST(distance(moving, model, X, {}, workspace).lower == 2, boost::test_tools::tolerance(1e-13));
+    X.translation = {3 - 1e-9, 0, 0};
+    BOOST_TEST(!isWithin(moving, model, X, 2, workspace));
+    X.translation = {3, 0, 0};
+    BOOST_TEST(isWithin(moving, model, X, 2, workspace) ==
+               isWithin(moving, Model::build(wall), X, 2, workspace));
+}
+
+BOOST_AUTO_TEST_CASE(a_model_of_which_nothing_is_in_reach_answers_farther_than_the_cap) {
+    const Case c(4);
+    const Reach reach{Box(Vector3(50, 0, 0), Vector3(55, 5, 5)), c.part.radiusAboutOrigin(), 2};
+    const Model model = Model::build(c.environmentMesh, {}, reach);
+    BOOST_TEST(model.report().triangles == 1u);
+    BOOST_TEST(model.report().unreachableTriangles == 1499u);
+    Workspace workspace;
+    Pose X;
+    X.translation = {51, 1, 1};
+    const DistanceResult d = distance(c.part, model, X, {}, workspace);
+    BOOST_TEST(d.lower == 2);
+    BOOST_TEST(d.upper == kInfinity);
+    BOOST_TEST(!isWithin(c.part, model, X, 2, workspace));
+    BOOST_TEST(!collides(c.part, model, X, workspace));
+}
+
+BOOST_AUTO_TEST_CASE(a_model_that_lacks_nothing_has_no_reach_and_answers_everything) {
+    const Case c(4);
+    Reach wide = c.reach;
+    wide.cap = 100;
+    const Model model = Model::build(c.environmentMesh, {}, wide);
+    BOOST_TEST(!model.reach());
+    BOOST_TEST(model.report().unreachableTriangles == 0u);
+    Workspace a, b;
+    Pose X;
+    X.translation = {500, 0, 0};
+    BOOST_TEST(distance(c.part, model, X, {}, a).distance == distance(c.part, c.whole, X, {}, b).distance);
+    BOOST_TEST(isWithin(c.part, model, X, 1000, a));
+}
+
+BOOST_AUTO_TEST_CASE(what_cannot_be_answered_is_refused_by_name) {
+    const Case c(5);
+    const double cap = c.reach.cap;
+    Workspace workspace;
+    Pose X = c.poses[0];
+    BOOST_TEST_SAYS(refusal([&] { isWithin(c.part, c.reduced, X, std::nextafter(cap, 9), workspace); }),
+                    "d is ");
+    BOOST_TEST_SAYS(refusal([&] { isWithinBatch(c.part, c.reduced, {X}, kInfinity); }), "d is inf");
+    X.translation.y() = std::nextafter(4, 5);
+    const std::string outside = "the pose's translation along y is 4.00";
+    for (const std::string& said :
+         {refusal([&] { distance(c.part, c.reduced, X, {}, workspace); }),
+          refusal([&] { collides(c.part, c.reduced, X, workspace); }),
+          refusal([&] { isWithin(c.part, c.reduced, X, 0.1, workspace); }), refusal([&] {
+              distanceBatch(c.part, c.reduced, {c.poses[0], X});
+          }),
+          refusal([&] {
+              isWithinBatch(c.part, c.reduced, {c.poses[0], X}, 0.1);
+          })}) {
+        BOOST_TEST_SAYS(said, outside);
+        BOOST_TEST_SAYS(said, "expected 1 to 4");
+    }
+    X = c.poses[0];
+    const Model larger = Model::build(testing::box({5, 5, 5}));
+    BOOST_TEST_SAYS(refusal([&] { collides(larger, c.reduced, X, workspace); }),
+                    "the part's radius about its origin is 8.66");
+    BOOST_TEST_SAYS(refusal([&] { collides(c.reduced, larger, X, workspace); }),
+                    "the part was built with a reach");
+    Reach wrong = c.reach;
+    wrong.cap = -1;
+    BOOST_TEST_SAYS(refusal([&] { Model::build(c.environmentMesh, {}, wrong); }), "cap is -1");
+    const testing::TemporaryFolder folder;
+    BOOST_TEST_SAYS(refusal([&] { buildCached(c.environmentMesh, {}, folder.path(), wrong); }), "cap is -1");
+}
+
+BOOST_AUTO_TEST_CASE(the_box_and_the_ids_are_those_of_the_whole_mesh) {
+    Case c(6);
+    c.environmentMesh.components = {{"first", 0, 700}, {"second", 700, 800}};
+    const Model model = Model::build(c.environmentMesh, {}, c.reach);
+    BOOST_TEST((model.box().min() == c.whole.box().min()));
+    BOOST_TEST((model.box().max() == c.whole.box().max()));
+    int second = 0;
+    for (const DistanceResult& d : distanceBatch(c.part, model, c.poses)) {
+        if (d.environmentTriangle < 0) continue;
+        BOOST_TEST(d.environmentComponent == (d.environmentTriangle < 700 ? 0 : 1));
+        second += d.environmentTriangle >= 700;
+    }
+    BOOST_TEST(second > 10);
+}
+
+BOOST_AUTO_TEST_CASE(a_saved_model_keeps_its_reach_and_the_key_tells_it) {
+    const Case c(7);
+    const testing::TemporaryFolder folder;
+    c.reduced.save(folder.file("a"));
+    const Model loaded = Model::load(folder.file("a"));
+    BOOST_TEST_REQUIRE(loaded.reach().has_value());
+    BOOST_TEST((loaded.reach()->positions.min() == c.reach.positions.min()));
+    BOOST_TEST((loaded.reach()->positions.max() == c.reach.positions.max()));
+    BOOST_TEST(loaded.reach()->partRadius == c.reach.partRadius);
+    BOOST_TEST(loaded.reach()->cap == c.reach.cap);
+    BOOST_TEST(loaded.report().unreachableTriangles == c.reduced.report().unreachableTriangles);
+    BOOST_TEST(loaded.key() == modelKey(c.environmentMesh, {}, c.reach));
+    BOOST_TEST((loaded.box().max() == c.whole.box().max()));
+    Workspace a, b;
+    Pose X = c.poses[0];
+    BOOST_TEST(distance(c.part, loaded, X, {}, a).lower == distance(c.part, c.reduced, X, {}, b).lower);
+    X.translation.x() = 2.5;
+    BOOST_TEST_SAYS(refusal([&] { collides(c.part, loaded, X, a); }), "expected -3 to 2");
+
+    std::vector<std::uint64_t> keys = {modelKey(c.environmentMesh, {}),
+                                       modelKey(c.environmentMesh, {}, c.reach)};
+    for (int field = 0; field < 8; ++field) {
+        Reach other = c.reach;
+        (field < 3   ? other.positions.min()[field]
+         : field < 6 ? other.positions.max()[field - 3]
+         : field < 7 ? other.partRadius
+                     : other.cap) += 1e-9;
+        keys.push_back(modelKey(c.environmentMesh, {}, other));
+    }
+    std::sort(keys.begin(), keys.end());
+    BOOST_TEST((std::adjacent_find(keys.begin(), keys.end()) == keys.end()));
+}
+
+BOOST_AUTO_TEST_CASE(the_cache_keeps_models_of_different_reaches_apart) {
+    const Case c(8);
+    const testing::TemporaryFolder folder;
+    BOOST_TEST(!buildCached(c.environmentMesh, {}, folder.path(), c.reach).isLoaded);
+    BOOST_TEST(!buildCached(c.environmentMesh, {}, folder.path()).isLoaded);
+    const CachedModel again = buildCached(c.environmentMesh, {}, folder.path(), c.reach);
+    BOOST_TEST(again.isLoaded);
+    BOOST_TEST(again.model.reach().has_value());
+    BOOST_TEST(!buildCached(c.environmentMesh, {}, folder.path()).model.reach());
+}
+
+}  // namespace
+}  // namespace clearway

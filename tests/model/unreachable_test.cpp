@@ -1,0 +1,150 @@
+// Which triangles are left out: against the distance from the box of positions, triangle by triangle.
+#define BOOST_TEST_MODULE model_unreachable
+#include "model/unreachable.h"
+
+#include <boost/test/unit_test.hpp>
+#include <limits>
+#include <set>
+#include <stdexcept>
+
+#include "support/oracle.h"
+#include "support/random_meshes.h"
+#include "support/triangle_distance.h"
+
+namespace clearway {
+namespace {
+
+using testing::Random;
+
+/// The distance of a triangle from a solid box: from its 12 faces, or 0 with a corner inside.
+double distanceFromBox(const Mesh& mesh, std::size_t triangle, const Box& solid) {
+    const auto corners = testing::cornersOf(mesh, triangle);
+    for (const Vector3& corner : corners) {
+        if (solid.contains(corner)) return 0;
+    }
+    const Mesh faces =
+        testing::transformed(testing::box(solid.sizes() / 2), {Matrix3::Identity(), solid.center()});
+    long double least = std::numeric_limits<long double>::infinity();
+    for (std::size_t face = 0; face < faces.triangles.size(); ++face) {
+        least = std::min(least, testing::triangleDistance(testing::toLong(corners),
+                                                          testing::toLong(testing::cornersOf(faces, face)))
+                                    .distance);
+    }
+    return static_cast<double>(least);
+}
+
+std::set<std::uint32_t> keptOf(const Mesh& mesh, const Reach& reach, std::size_t& leftOut) {
+    CleanMesh cleaned = clean(mesh);
+    leftOut = leaveOutUnreachable(cleaned, reach);
+    for (const Vector3& vertex : cleaned.vertices) BOOST_TEST(vertex.allFinite());
+    for (std::size_t i = 0; i < cleaned.triangles.size(); ++i) {  // what is kept is what was there
+        const auto expected = testing::cornersOf(mesh, cleaned.triangleIds[i]);
+        for (int corner = 0; corner < 3; ++corner) {
+            BOOST_TEST(cleaned.vertices.at(cleaned.triangles[i][corner]) == expected[corner]);
+        }
+    }
+    return {cleaned.triangleIds.begin(), cleaned.triangleIds.end()};
+}
+
+Box randomBox(Random& random, double halfSide) {
+    Box box(random.inBox(halfSide));
+    box.extend(random.inBox(halfSide));
+    const int flat = random.below(6);  // now and then without an extent
+    if (flat < 3) box.max()[flat] = box.min()[flat];
+    return box;
+}
+
+BOOST_AUTO_TEST_CASE(exactly_the_triangles_farther_than_radius_and_cap_are_left_out) {
+    int kept = 0, gone = 0;
+    for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+        Random random(seed);
+        const double size = seed % 3 == 0 ? 20 : seed % 3 == 1 ? 3 : 0.2;
+        Mesh mesh = testing::randomSoup(random, 150, 12, size);
+        if (seed % 4 == 0) mesh = testing::joined(mesh, testing::randomTerrain(random, 6, 30, 2));
+        const Reach reach{randomBox(random, 6), random.uniform(0, 3), random.uniform(0, 3)};
+        std::size_t leftOut = 0;
+        const auto there = keptOf(mesh, reach, leftOut);
+        BOOST_TEST_CONTEXT("seed " << seed) {
+            BOOST_TEST(there.size() + leftOut == mesh.triangles.size());
+            for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+                const double distance = distanceFromBox(mesh, i, reach.positions);
+                const double limit = reach.partRadius + reach.cap;
+                const bool isThere = there.count(static_cast<std::uint32_t>(i)) > 0;
+                ++(isThere ? kept : gone);
+                if (distance <= limit) BOOST_TEST(isThere, "triangle " << i << " at " << distance);
+                if (distance > limit * (1 + 1e-9) + 1e-9 && there.size() > 1) {
+                    BOOST_TEST(!isThere, "triangle " << i << " at " << distance << ", limit " << limit);
+                }
+            }
+        }
+    }
+    BOOST_TEST(kept > 1000);
+    BOOST_TEST(gone > 1000);
+}
+
+BOOST_AUTO_TEST_CASE(a_triangle_at_the_very_limit_stays_at_any_scale) {
+    for (const double scale : {1e-200, 1e-6, 1.0, 1e6, 1e200}) {
+        const auto keepsAt = [&](double distance) {
+            Mesh mesh;
+            mesh.vertices = {{0, 0, 0},
+                             {1, 0, 0},
+                             {0, 1, 0},  // in the middle of the positions
+                             {-1, 7 + distance, -9},
+                             {-1, 7 + distance, 9},
+                             {3, 9 + distance, 0}};
+            mesh.triangles = {{0, 1, 2}, {3, 4, 5}};
+            std::size_t leftOut = 0;
+            const Reach reach{Box(Vector3(-5, -6, -7) * scale, Vector3(5, 7, 8) * scale), 2 * scale,
+                              0.5 * scale};
+            return keptOf(testing::scaledBy(mesh, scale), reach, leftOut).count(1) > 0;
+        };
+        BOOST_TEST_CONTEXT("scale " << scale) {
+            BOOST_TEST(keepsAt(2.5));
+            BOOST_TEST(!keepsAt(2.5 * (1 + 1e-9)));
+        }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(coordinates_near_the_largest_double_leave_nothing_out_by_overflow) {
+    Mesh mesh;
+    mesh.vertices = {{1.6e308, 1.6e308, 1.6e308}, {1.7e308, 1.6e308, 1.6e308}, {1.6e308, 1.7e308, 1.6e308},
+                     {1.6e308, 1.6e308, 1.5e308}, {1.7e308, 1.6e308, 1.5e308}, {1.6e308, 1.7e308, 1.5e308}};
+    mesh.triangles = {{0, 1, 2}, {3, 4, 5}};
+    std::size_t leftOut = 0;
+    const Box positions(Vector3::Constant(1.4e308), Vector3::Constant(1.5e308));
+    keptOf(mesh, {positions, 1e307, 3e307}, leftOut);
+    BOOST_TEST(leftOut == 0u);
+}
+
+BOOST_AUTO_TEST_CASE(when_it_would_be_all_one_triangle_stays) {
+    Random random(5);
+    const Mesh mesh = testing::randomSoup(random, 40, 3, 1);
+    std::size_t leftOut = 0;
+    const auto there = keptOf(mesh, {Box(Vector3(100, 0, 0), Vector3(101, 1, 1)), 2, 3}, leftOut);
+    BOOST_TEST(there.size() == 1u);
+    BOOST_TEST(leftOut == 39u);
+}
+
+BOOST_AUTO_TEST_CASE(a_reach_that_is_none_is_refused_by_name) {
+    const Box box(Vector3(-1, -1, -1), Vector3(1, 1, 1));
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const double infinity = std::numeric_limits<double>::infinity();
+    const auto requireRefused = [](const Reach& reach, const std::string& what) {
+        BOOST_CHECK_EXCEPTION(requireReach(reach), std::invalid_argument, [&](const std::exception& error) {
+            return std::string(error.what()).find(what) != std::string::npos;
+        });
+    };
+    BOOST_CHECK_NO_THROW(requireReach({box, 0, 0}));
+    BOOST_CHECK_NO_THROW(requireReach({Box(Vector3(1, 2, 3)), 1, 1}));
+    requireRefused({Box(), 1, 1}, "positions along x");
+    requireRefused({Box(Vector3(-1, 2, -1), Vector3(1, 1, 1)), 1, 1}, "positions along y are 2 to 1");
+    requireRefused({Box(Vector3(-1, -1, nan), Vector3(1, 1, 1)), 1, 1}, "positions along z");
+    requireRefused({Box(Vector3(-1, -1, -1), Vector3(1, infinity, 1)), 1, 1}, "positions along y");
+    for (const double wrong : {-1.0, nan, infinity}) {
+        requireRefused({box, wrong, 1}, "partRadius");
+        requireRefused({box, 1, wrong}, "cap");
+    }
+}
+
+}  // namespace
+}  // namespace clearway
