@@ -1,0 +1,228 @@
+#include "bench/bench_report.h"
+
+#include <algorithm>
+#include <iomanip>
+#include <ostream>
+#include <sstream>
+
+#include "core/number.h"
+
+namespace clearway::testing {
+namespace {
+
+/// Mean work of a query.
+struct Work {
+    double nodeVisits = 0, volumeTests = 0, triangleTests = 0, refinedPairs = 0;
+};
+
+Work workOf(const Series& series) {
+    Work work;
+    const auto n = static_cast<double>(series.answers.size());
+    for (const Answer& answer : series.answers) {
+        work.nodeVisits += static_cast<double>(answer.counters.nodeVisits) / n;
+        work.volumeTests += static_cast<double>(answer.counters.volumeTests) / n;
+        work.triangleTests += static_cast<double>(answer.counters.triangleTests) / n;
+        work.refinedPairs += static_cast<double>(answer.counters.refinedPairs) / n;
+    }
+    return work;
+}
+
+double least(const std::vector<double>& values) {
+    return *std::min_element(values.begin(), values.end());
+}
+
+double largest(const std::vector<double>& values) {
+    return *std::max_element(values.begin(), values.end());
+}
+
+/// "12.3", "1480", "0.0312".
+std::string rounded(double value) {
+    std::ostringstream text;
+    text << std::setprecision(3) << value;
+    if (value >= 1000 && value < 1e9) {
+        text.str("");
+        text << std::fixed << std::setprecision(0) << value;
+    }
+    return text.str();
+}
+
+/// A field of a CSV file.
+std::string quoted(const std::string& text) {
+    return text.find(',') == std::string::npos ? text : '"' + text + '"';
+}
+
+std::string microseconds(const Series& series) {
+    const std::vector<double> times = series.medians();
+    return rounded(mean(times) / 1000) + " us (median " + rounded(median(times) / 1000) + ")";
+}
+
+int wrongOf(const BenchReport& report, const Series& series) {
+    return report.judgement.wrong[static_cast<std::size_t>(&series - report.all.data())];
+}
+
+void printPoses(std::ostream& out, const BenchReport& report) {
+    const BenchTask& task = report.task;
+    std::vector<double> clearances;
+    for (const double distance : report.judgement.distances) {
+        if (distance > 0) clearances.push_back(100 * distance / task.partSize());
+    }
+    const std::vector<double> steps = stepsBetween(task.poses, boundingBox(task.part));
+    out << task.name << ": " << task.about << "; " << task.part.triangles.size() << " / "
+        << task.environment.triangles.size() << " triangles, " << task.poses.size() << " poses, "
+        << report.judgement.collidingPoses() << " colliding";
+    if (!clearances.empty()) {
+        out << ", the others at " << rounded(least(clearances)) << " to " << rounded(largest(clearances))
+            << " % of the part's size (median " << rounded(median(clearances)) << ")";
+    }
+    if (!steps.empty()) {
+        out << "; steps of " << rounded(100 * median(steps)) << " % (largest "
+            << rounded(100 * largest(steps)) << ")";
+    }
+    out << '\n';
+}
+
+void printSeries(std::ostream& out, const BenchReport& report) {
+    for (const Series& series : report.all) {
+        const Work work = workOf(series);
+        out << "  " << std::left << std::setw(20) << series.asked << std::setw(22) << series.engine
+            << std::setw(32) << microseconds(series) << "x" << series.nanoseconds.size() << "  wrong "
+            << wrongOf(report, series);
+        if (work.volumeTests > 0) {
+            out << "; nodes " << rounded(work.nodeVisits) << ", volumes " << rounded(work.volumeTests)
+                << ", triangle pairs " << rounded(work.triangleTests) << ", refined "
+                << rounded(work.refinedPairs);
+        }
+        out << '\n';
+    }
+}
+
+void printRatios(std::ostream& out, const BenchReport& report) {
+    for (const Comparison& row : comparisons(report.all)) {
+        const std::vector<double> values = ratios(*row.ours, *row.theirs);
+        out << "  " << std::left << std::setw(20) << row.ours->asked << std::setw(22) << row.ours->engine
+            << "over " << std::setw(22)
+            << (row.theirs->asked == row.ours->asked ? "" : row.theirs->asked + " by ") + row.theirs->engine
+            << "x " << rounded(median(values)) << " (" << rounded(least(values)) << " to "
+            << rounded(largest(values)) << ")\n";
+    }
+}
+
+void printBuilds(std::ostream& out, const BenchReport& report) {
+    for (const BuildRow& row : report.builds) {
+        out << "  build               " << std::left << std::setw(27) << row.name
+            << rounded(median(row.seconds)) << " s";
+        if (!row.ratios.empty()) {
+            out << ", " << rounded(median(row.ratios)) << " times FCL RSS's (" << rounded(least(row.ratios))
+                << " to " << rounded(largest(row.ratios)) << ")";
+        }
+        if (row.bytesPerTriangle > 0) out << ", " << rounded(row.bytesPerTriangle) << " bytes a triangle";
+        out << '\n';
+    }
+}
+
+/// For tables: six significant digits.
+std::string figure(double value) {
+    std::ostringstream text;
+    text << std::setprecision(6) << value;
+    return text.str();
+}
+
+/// Time and work of one side of a comparison.
+void writeSide(std::ostream& out, const BenchReport& report, const Series& series) {
+    const std::vector<double> times = series.medians();
+    const Work work = workOf(series);
+    for (const double value : {mean(times) / 1000, median(times) / 1000, work.nodeVisits, work.volumeTests,
+                               work.triangleTests, work.refinedPairs}) {
+        out << ',' << figure(value);
+    }
+    out << ',' << wrongOf(report, series);
+}
+
+/// Median, least and largest, or three empty fields.
+void writeRange(std::ostream& out, const std::vector<double>& values) {
+    if (values.empty()) {
+        out << ",,,";
+    } else {
+        out << ',' << figure(median(values)) << ',' << figure(least(values)) << ','
+            << figure(largest(values));
+    }
+}
+
+}  // namespace
+
+void printReport(std::ostream& out, const BenchReport& report) {
+    printPoses(out, report);
+    printBuilds(out, report);
+    printSeries(out, report);
+    printRatios(out, report);
+    out << "  the oracle was asked about " << report.judgement.askedPoses() << " poses\n";
+    for (const std::string& complaint : report.judgement.complaints) out << "  WRONG: " << complaint << '\n';
+    out << std::flush;
+}
+
+std::string summaryHeader() {
+    return "scene,poses,colliding,question,engine,over_question,over_engine,ratio,ratio_least,ratio_largest,"
+           "repetitions,us_mean,us_median,node_visits,volume_tests,triangle_tests,refined_pairs,wrong,"
+           "over_us_mean,over_us_median,over_node_visits,over_volume_tests,over_triangle_tests,"
+           "over_refined_pairs,over_wrong\n";
+}
+
+std::string summaryRows(const BenchReport& report) {
+    std::ostringstream out;
+    for (const Comparison& row : comparisons(report.all)) {
+        const std::vector<double> values = ratios(*row.ours, *row.theirs);
+        out << report.task.name << ',' << report.task.poses.size() << ',' << report.judgement.collidingPoses()
+            << ',' << quoted(row.ours->asked) << ',' << quoted(row.ours->engine) << ','
+            << quoted(row.theirs->asked) << ',' << quoted(row.theirs->engine);
+        writeRange(out, values);
+        out << ',' << values.size();
+        writeSide(out, report, *row.ours);
+        writeSide(out, report, *row.theirs);
+        out << '\n';
+    }
+    return out.str();
+}
+
+std::string buildsHeader() {
+    return "scene,part_triangles,environment_triangles,build,seconds,over_fcl_rss,over_fcl_rss_least,"
+           "over_fcl_rss_largest,rounds,bytes_per_triangle\n";
+}
+
+std::string buildsRows(const BenchReport& report) {
+    std::ostringstream out;
+    for (const BuildRow& row : report.builds) {
+        out << report.task.name << ',' << report.task.part.triangles.size() << ','
+            << report.task.environment.triangles.size() << ',' << quoted(row.name) << ','
+            << figure(median(row.seconds));
+        writeRange(out, row.ratios);
+        out << ',' << row.seconds.size() << ',' << figure(row.bytesPerTriangle) << '\n';
+    }
+    return out.str();
+}
+
+std::string posesTable(const BenchReport& report) {
+    std::ostringstream out;
+    out << "pose,distance,by_oracle,lower,upper";
+    std::vector<std::vector<double>> times;
+    for (const Series& series : report.all) {
+        const std::string name = series.asked + "; " + series.engine;
+        out << ',' << quoted(name) << ',' << quoted(name + "; ns");
+        if (series.isClearway) out << ',' << quoted(name + "; nodes");
+        times.push_back(series.medians());
+    }
+    out << '\n';
+    for (std::size_t i = 0; i < report.task.poses.size(); ++i) {
+        out << i << ',' << formatNumber(report.judgement.distances[i]) << ',' << report.judgement.byOracle[i]
+            << ',' << formatNumber(report.all.front().answers[i].lower) << ','
+            << formatNumber(report.all.front().answers[i].upper);
+        for (std::size_t k = 0; k < report.all.size(); ++k) {
+            const Answer& answer = report.all[k].answers[i];
+            out << ',' << formatNumber(answer.value) << ',' << figure(times[k][i]);
+            if (report.all[k].isClearway) out << ',' << answer.counters.nodeVisits;
+        }
+        out << '\n';
+    }
+    return out.str();
+}
+
+}  // namespace clearway::testing

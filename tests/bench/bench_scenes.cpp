@@ -1,0 +1,64 @@
+#include "bench/bench_scenes.h"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "core/number.h"
+#include "scenes/scenes.h"
+
+namespace clearway::testing {
+
+/// A's poses stay where the console is in the tunnel; B's go on into the free room.
+const std::vector<BenchScene>& benchScenes() {
+    static const std::vector<BenchScene> kScenes = {
+        {"A", "tunnel-console-1", {73000, 300000}, {2000, 8000}, 0.75, 0, 0, 0.75, true},
+        {"B", "tunnel-console-1", {73000, 300000}, {2000, 8000}, 0, 1e-3, 0.1, 1, true},
+    };
+    return kScenes;
+}
+
+const BenchScene& benchSceneNamed(const std::string& name) {
+    std::string all;
+    for (const BenchScene& scene : benchScenes()) {
+        if (name == scene.name) return scene;
+        all += (all.empty() ? "" : ", ") + std::string(scene.name);
+    }
+    throw std::invalid_argument("the scene is '" + name + "', expected one of " + all);
+}
+
+double BenchTask::partSize() const {
+    return boundingBox(part).diagonal().norm();
+}
+
+double BenchTask::sceneSize() const {
+    return partSize() + boundingBox(environment).diagonal().norm();
+}
+
+BenchTask makeTask(const BenchScene& scene, const BenchSize& size, int poses, std::uint64_t seed) {
+    const NamedScene& row = sceneNamed(scene.scene);
+    SceneOptions options = row.defaults;
+    options.partTriangles = size.partTriangles;
+    options.environmentTriangles = size.environmentTriangles;
+    GeneratedScene made = row.make(options);
+
+    BenchTask task;
+    task.name = scene.name;
+    const auto states =
+        static_cast<std::size_t>(std::ceil(scene.pathEnd * static_cast<double>(made.path.size())));
+    const PoseTask poseTask{Model::build(made.part),
+                            Model::build(made.environment),
+                            {made.path.begin(), made.path.begin() + static_cast<std::ptrdiff_t>(states)}};
+    if (scene.collidingShare > 0) {
+        task.poses = posesColliding(poseTask, scene.collidingShare, poses, seed, scene.turns);
+        task.about =
+            std::string(scene.scene) + ", " + shortNumber(100 * scene.collidingShare) + " % colliding";
+    } else {
+        task.poses = posesFree(poseTask, scene.leastFree, scene.mostFree, poses, seed);
+        task.about = std::string(scene.scene) + ", none colliding";
+    }
+    task.part = std::move(made.part);
+    task.environment = std::move(made.environment);
+    return task;
+}
+
+}  // namespace clearway::testing

@@ -1,0 +1,72 @@
+#include "bench/builds.h"
+
+#include <chrono>
+
+#include "clearway/model.h"
+
+namespace clearway::testing {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+std::size_t trianglesOf(const BenchTask& task) {
+    return task.part.triangles.size() + task.environment.triangles.size();
+}
+
+BuildRow rowOf(const std::string& preset, int threads) {
+    BuildRow row;
+    row.name =
+        "clearway " + preset + (threads == 1 ? ", 1 thread" : ", " + std::to_string(threads) + " threads");
+    return row;
+}
+
+void buildOnce(BuildRow& row, const BenchTask& task, const BuildOptions& options, double fclSeconds) {
+    const auto start = Clock::now();
+    const Model part = Model::build(task.part, options),
+                environment = Model::build(task.environment, options);
+    row.seconds.push_back(secondsSince(start));
+    row.ratios.push_back(row.seconds.back() / fclSeconds);
+    const auto bytes = static_cast<double>(part.report().tree.bytes + environment.report().tree.bytes);
+    row.bytesPerTriangle =
+        bytes / static_cast<double>(part.report().triangles + environment.report().triangles);
+}
+
+}  // namespace
+
+std::vector<BuildRow> measureBuilds(const BenchTask& task, const BuildSchedule& schedule) {
+    std::vector<BuildRow> rows;
+    for (const std::string& preset : buildPresetNames()) {
+        for (const int threads : {1, 2}) rows.push_back(rowOf(preset, threads));
+    }
+    const auto start = Clock::now();
+    for (int round = 0; round < schedule.rounds; ++round) {
+        if (round > 0 && secondsSince(start) * (round + 1) / round > schedule.seconds) break;
+        const double fclSeconds = makeFclRss(task.part, task.environment).buildSeconds;
+        auto row = rows.begin();
+        for (const std::string& preset : buildPresetNames()) {
+            for (const int threads : {1, 2}) {
+                BuildOptions options = buildPreset(preset);
+                options.threads = threads;
+                buildOnce(*row++, task, options, fclSeconds);
+            }
+        }
+    }
+    return rows;
+}
+
+std::vector<BuildRow> buildsOf(const std::vector<Peer>& peers, const BenchTask& task) {
+    std::vector<BuildRow> rows;
+    for (const Peer& peer : peers) {
+        rows.push_back({peer.name,
+                        {peer.buildSeconds},
+                        {},
+                        static_cast<double>(peer.bytes) / static_cast<double>(trianglesOf(task))});
+    }
+    return rows;
+}
+
+}  // namespace clearway::testing

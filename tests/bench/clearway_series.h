@@ -1,0 +1,42 @@
+// What is asked of clearway and of its peers, and which series are compared.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "bench/bench_scenes.h"
+#include "bench/series.h"
+#include "clearway/model.h"
+
+namespace clearway::testing {
+
+/// The two trees of one build.
+struct TreePair {
+    Model part;
+    Model environment;
+};
+
+TreePair buildTrees(const BenchTask& task, const BuildOptions& options);
+
+struct SeriesOptions {
+    std::vector<std::string> targets;  ///< instruction sets to time besides the best one
+    std::uint64_t seed = 1;            ///< of the shuffled order
+};
+
+/// Distances in path order (warm, cold, per instruction set, with the fast trees), shuffled and in batches;
+/// collisions; isWithin at 0.1 % and 1 % of the part's size. For each question, what the peers can be asked.
+std::vector<Series> allSeries(const BenchTask& task, const TreePair& trees, const TreePair& fastTrees,
+                              const std::vector<Peer>& peers, const SeriesOptions& options);
+
+/// A row of the figures: how many times less time `ours` takes.
+struct Comparison {
+    const Series* ours;
+    const Series* theirs;
+};
+
+/// Each series of clearway over each of the peers' with the same question; isWithin also over FCL's distance,
+/// and batches and the default trees over clearway's own plain queries and fast trees.
+std::vector<Comparison> comparisons(const std::vector<Series>& all);
+
+}  // namespace clearway::testing

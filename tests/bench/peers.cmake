@@ -1,0 +1,32 @@
+# The peers of the benchmark: FCL always, PQP and Coal when a checkout or an install of the user's own is given. Nothing of
+# theirs is in this repository, and nothing is fetched. See README.md in this folder.
+
+set(CLEARWAY_BENCH_PQP "" CACHE PATH "A checkout of PQP to measure against; empty for none")
+set(CLEARWAY_BENCH_PQP_FLAGS "-O3" CACHE STRING "What PQP is compiled with")
+set(CLEARWAY_BENCH_COAL "" CACHE PATH "The prefix Coal is installed under, to measure against; empty for none")
+
+find_package(fcl 0.7 REQUIRED CONFIG)
+target_sources(clearway_bench_support PRIVATE bench/peers.cpp bench/fcl_peer.cpp)
+target_link_libraries(clearway_bench_support PRIVATE fcl)
+
+if(CLEARWAY_BENCH_PQP)
+  set(pqp ${CLEARWAY_BENCH_PQP}/src)
+  if(NOT EXISTS ${pqp}/PQP.h)
+    message(FATAL_ERROR "CLEARWAY_BENCH_PQP is '${CLEARWAY_BENCH_PQP}', expected a folder with src/PQP.h")
+  endif()
+  add_library(bench_pqp STATIC ${pqp}/Build.cpp ${pqp}/BV.cpp ${pqp}/PQP.cpp ${pqp}/TriDist.cpp)
+  target_include_directories(bench_pqp SYSTEM PUBLIC ${pqp})
+  # In place of our own options, some of which would slow it down.
+  separate_arguments(pqp_flags UNIX_COMMAND "${CLEARWAY_BENCH_PQP_FLAGS}")
+  set_property(TARGET bench_pqp PROPERTY COMPILE_OPTIONS ${pqp_flags} -w)
+  target_sources(clearway_bench_support PRIVATE bench/pqp_peer.cpp)
+  target_compile_definitions(clearway_bench_support PRIVATE CLEARWAY_BENCH_WITH_PQP)
+  target_link_libraries(clearway_bench_support PRIVATE bench_pqp)
+endif()
+
+if(CLEARWAY_BENCH_COAL)
+  find_package(coal 3 REQUIRED CONFIG PATHS ${CLEARWAY_BENCH_COAL} NO_DEFAULT_PATH)
+  target_sources(clearway_bench_support PRIVATE bench/coal_peer.cpp)
+  target_compile_definitions(clearway_bench_support PRIVATE CLEARWAY_BENCH_WITH_COAL)
+  target_link_libraries(clearway_bench_support PRIVATE coal::coal)
+endif()

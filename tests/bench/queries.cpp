@@ -1,0 +1,120 @@
+// Every kind of query of clearway and of its peers, on the same meshes, poses, process and repetitions.
+//   bench_queries [--scenes A,B] [--out DIR] ...      see --help and README.md in this folder
+// Ends with 1 when an answer of clearway is wrong, with 2 when it cannot run.
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <set>
+
+#include "bench/bench_options.h"
+#include "bench/bench_report.h"
+#include "clearway/problem.h"
+#include "clearway/targets.h"
+#include "core/replace_file.h"
+#include "support/oracle.h"
+
+namespace clearway::testing {
+namespace {
+
+constexpr double kAgreement = 1e-9;  // of the scene size
+
+/// The files' text, as far as it has been measured.
+struct Tables {
+    std::string summary = summaryHeader();
+    std::string builds = buildsHeader();
+};
+
+BenchTask taskFromFiles(const BenchChoices& choices) {
+    BenchTask task;
+    task.name = "files";
+    task.about = choices.part + " in " + choices.environment;
+    task.part = loadMesh(choices.part);
+    task.environment = loadMesh(choices.environment);
+    task.poses = readPoses(choices.poses).poses;
+    return task;
+}
+
+BenchTask taskFromScene(const BenchChoices& choices, const std::string& name) {
+    const BenchScene& scene = benchSceneNamed(name);
+    BenchSize size = choices.small ? scene.small : scene.full;
+    if (choices.partTriangles) size.partTriangles = *choices.partTriangles;
+    if (choices.environmentTriangles) size.environmentTriangles = *choices.environmentTriangles;
+    return makeTask(scene, size, choices.poseCount, choices.seed);
+}
+
+/// The oracle is made when it is first asked: most runs need it little.
+Referee lazyOracle(const BenchTask& task) {
+    auto oracle = std::make_shared<std::unique_ptr<MeshOracle>>();
+    return [oracle, &task](std::size_t pose) {
+        if (!*oracle) *oracle = std::make_unique<MeshOracle>(task.part, task.environment);
+        return (*oracle)->distance(task.poses[pose]).distance;
+    };
+}
+
+void write(const std::string& folder, const std::string& name, const std::string& text) {
+    replaceFile((std::filesystem::path(folder) / name).string(), [&](std::ostream& out) { out << text; });
+}
+
+void writeTables(const BenchChoices& choices, const BenchReport& report, Tables& tables) {
+    tables.summary += summaryRows(report);
+    tables.builds += buildsRows(report);
+    if (choices.out.empty()) return;
+    write(choices.out, "poses_" + report.task.name + ".csv", posesTable(report));
+    write(choices.out, "summary.csv", tables.summary);
+    write(choices.out, "builds.csv", tables.builds);
+}
+
+/// Returns how many answers of clearway are wrong.
+std::size_t measure(const BenchTask& task, const BenchChoices& choices, bool withBuilds, Tables& tables) {
+    std::vector<BuildRow> builds;
+    if (withBuilds) builds = measureBuilds(task, choices.builds);
+    std::vector<Peer> peers;
+    if (choices.withPeers) peers = makePeers(task.part, task.environment);
+    if (withBuilds) {
+        for (const BuildRow& row : buildsOf(peers, task)) builds.push_back(row);
+    }
+    std::vector<Series> all =
+        allSeries(task, buildTrees(task, choices.trees), buildTrees(task, buildPreset("fast")), peers,
+                  {choices.targets, choices.seed});
+    runAll(all, task.poses, choices.schedule);
+    useTarget("best");
+    const Judgement judgement =
+        judge(all, task.poses.size(), kAgreement * task.sceneSize(), lazyOracle(task), choices.oraclePoses);
+    const BenchReport report{task, all, judgement, builds};
+    printReport(std::cout, report);
+    writeTables(choices, report, tables);
+    return judgement.complaints.size();
+}
+
+int run(const BenchChoices& choices) {
+    if (!choices.out.empty()) std::filesystem::create_directories(choices.out);
+    const BuildOptions& trees = choices.trees;
+    std::cout << "trees: " << trees.generalSplit << ", fitted by " << trees.fit << ", leaves of up to "
+              << trees.leafSize << " split by " << trees.leafSplit << ", " << trees.nodeWidth
+              << " wide; best target " << currentTarget() << '\n';
+    Tables tables;
+    std::size_t wrong = 0;
+    if (choices.scenes.empty()) {
+        wrong += measure(taskFromFiles(choices), choices, choices.builds.rounds > 0, tables);
+    }
+    std::set<std::string> built;  // two pose sets of one scene share its builds
+    for (const std::string& name : choices.scenes) {
+        const bool isNew = built.insert(benchSceneNamed(name).scene).second;
+        const BenchTask task = taskFromScene(choices, name);
+        wrong += measure(task, choices, isNew && choices.builds.rounds > 0, tables);
+    }
+    return wrong == 0 ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace clearway::testing
+
+int main(int count, char** words) {
+    try {
+        const auto choices = clearway::testing::readOptions(count, words, std::cout);
+        return choices ? clearway::testing::run(*choices) : 0;
+    } catch (const std::exception& error) {
+        std::cerr << "bench_queries: " << error.what() << '\n';
+        return 2;
+    }
+}
