@@ -87,6 +87,7 @@ void printSeries(std::ostream& out, const BenchReport& report) {
         out << "  " << std::left << std::setw(20) << series.asked << std::setw(22) << series.engine
             << std::setw(32) << microseconds(series) << "x" << series.nanoseconds.size() << "  wrong "
             << wrongOf(report, series);
+        if (series.askAll) out << "; " << rounded(1e9 / mean(series.medians())) << " queries/s";
         if (work.volumeTests > 0) {
             out << "; nodes " << rounded(work.nodeVisits) << ", volumes " << rounded(work.volumeTests)
                 << ", triangle pairs " << rounded(work.triangleTests) << ", refined "

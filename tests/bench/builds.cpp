@@ -1,6 +1,7 @@
 #include "bench/builds.h"
 
 #include <chrono>
+#include <tuple>
 
 #include "clearway/model.h"
 
@@ -17,11 +18,9 @@ std::size_t trianglesOf(const BenchTask& task) {
     return task.part.triangles.size() + task.environment.triangles.size();
 }
 
-BuildRow rowOf(const std::string& preset, int threads) {
-    BuildRow row;
-    row.name =
-        "clearway " + preset + (threads == 1 ? ", 1 thread" : ", " + std::to_string(threads) + " threads");
-    return row;
+bool makeTheSameTree(const BuildOptions& a, const BuildOptions& b) {
+    return std::tie(a.generalSplit, a.leafSplit, a.leafSize, a.nodeWidth, a.fit) ==
+           std::tie(b.generalSplit, b.leafSplit, b.leafSize, b.nodeWidth, b.fit);
 }
 
 void buildOnce(BuildRow& row, const BenchTask& task, const BuildOptions& options, double fclSeconds) {
@@ -37,21 +36,36 @@ void buildOnce(BuildRow& row, const BenchTask& task, const BuildOptions& options
 
 }  // namespace
 
-std::vector<BuildRow> measureBuilds(const BenchTask& task, const BuildSchedule& schedule) {
+std::vector<BuildChoice> buildChoices(const BuildOptions& chosen) {
+    std::vector<BuildChoice> choices;
+    bool isPreset = false;
+    for (const std::string& name : buildPresetNames()) {
+        choices.push_back({name, buildPreset(name)});
+        isPreset = isPreset || makeTheSameTree(choices.back().options, chosen);
+    }
+    if (!isPreset) choices.push_back({"chosen", chosen});
+    return choices;
+}
+
+std::vector<BuildRow> measureBuilds(const BenchTask& task, const std::vector<BuildChoice>& choices,
+                                    const BuildSchedule& schedule) {
     std::vector<BuildRow> rows;
-    for (const std::string& preset : buildPresetNames()) {
-        for (const int threads : {1, 2}) rows.push_back(rowOf(preset, threads));
+    for (const BuildChoice& choice : choices) {
+        for (const char* threads : {"1 thread", "2 threads"}) {
+            BuildRow row;
+            row.name = "clearway " + choice.name + ", " + threads;
+            rows.push_back(row);
+        }
     }
     const auto start = Clock::now();
     for (int round = 0; round < schedule.rounds; ++round) {
         if (round > 0 && secondsSince(start) * (round + 1) / round > schedule.seconds) break;
         const double fclSeconds = makeFclRss(task.part, task.environment).buildSeconds;
         auto row = rows.begin();
-        for (const std::string& preset : buildPresetNames()) {
+        for (BuildChoice choice : choices) {
             for (const int threads : {1, 2}) {
-                BuildOptions options = buildPreset(preset);
-                options.threads = threads;
-                buildOnce(*row++, task, options, fclSeconds);
+                choice.options.threads = threads;
+                buildOnce(*row++, task, choice.options, fclSeconds);
             }
         }
     }

@@ -21,8 +21,18 @@ struct BuildSchedule {
     double seconds = 60;  ///< no round begins that would end later, but one is always run
 };
 
-/// A round builds both models of the task with FCL and with every preset on one thread and on two.
-std::vector<BuildRow> measureBuilds(const BenchTask& task, const BuildSchedule& schedule);
+/// Named options to build with.
+struct BuildChoice {
+    std::string name;
+    BuildOptions options;
+};
+
+/// Every preset, and "chosen" when the options are none of them; thread counts apart.
+std::vector<BuildChoice> buildChoices(const BuildOptions& chosen);
+
+/// A round builds both models of the task with FCL and with each choice on one thread and on two.
+std::vector<BuildRow> measureBuilds(const BenchTask& task, const std::vector<BuildChoice>& choices,
+                                    const BuildSchedule& schedule);
 
 /// The peers' one build, without ratios.
 std::vector<BuildRow> buildsOf(const std::vector<Peer>& peers, const BenchTask& task);

@@ -1,43 +1,12 @@
-// Keeps the calling thread on one CPU while it lives. Where the system offers no such thing, does nothing.
+// Work that stays on one CPU.
 #pragma once
 
-#ifdef __linux__
-#include <sched.h>
-
-#include <stdexcept>
-#include <string>
-#endif
+#include <functional>
 
 namespace clearway::testing {
 
-class Pinned {
-  public:
-#ifdef __linux__
-    /// cpu: -1 for any. Throws std::invalid_argument when the thread may not run there.
-    explicit Pinned(int cpu) {
-        sched_getaffinity(0, sizeof before_, &before_);
-        if (cpu < 0) return;
-        cpu_set_t one;
-        CPU_ZERO(&one);
-        if (cpu < CPU_SETSIZE) CPU_SET(cpu, &one);
-        if (sched_setaffinity(0, sizeof one, &one) != 0) {
-            throw std::invalid_argument("cpu is " + std::to_string(cpu) +
-                                        ", expected one this process may use");
-        }
-    }
-    ~Pinned() {
-        sched_setaffinity(0, sizeof before_, &before_);
-    }
-
-  private:
-    cpu_set_t before_;
-
-  public:
-#else
-    explicit Pinned(int) {}
-#endif
-    Pinned(const Pinned&) = delete;
-    Pinned& operator=(const Pinned&) = delete;
-};
+/// Runs the work with the calling thread kept on this CPU, and lets it go again; -1, and systems that offer
+/// no such thing: on any. Throws std::invalid_argument when the thread may not run there.
+void runPinned(int cpu, const std::function<void()>& work);
 
 }  // namespace clearway::testing

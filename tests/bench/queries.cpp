@@ -67,7 +67,7 @@ void writeTables(const BenchChoices& choices, const BenchReport& report, Tables&
 /// Returns how many answers of clearway are wrong.
 std::size_t measure(const BenchTask& task, const BenchChoices& choices, bool withBuilds, Tables& tables) {
     std::vector<BuildRow> builds;
-    if (withBuilds) builds = measureBuilds(task, choices.builds);
+    if (withBuilds) builds = measureBuilds(task, buildChoices(choices.trees), choices.builds);
     std::vector<Peer> peers;
     if (choices.withPeers) peers = makePeers(task.part, task.environment);
     if (withBuilds) {

@@ -59,14 +59,17 @@ void passOneByOne(Series& series, const std::vector<Pose>& poses) {
 
 /// Returns the seconds it took, lead-in left out.
 double pass(Series& series, const std::vector<Pose>& poses, const Schedule& schedule) {
-    const Pinned pinned(series.askAll ? -1 : schedule.cpu);
+    double seconds = 0;
     series.answers.resize(poses.size());
-    if (series.beforePass) series.beforePass();
-    leadIn(series, poses, schedule.leadIn);
-    if (series.beforePass) series.beforePass();
-    const auto start = Clock::now();
-    series.askAll ? passOfAll(series, poses) : passOneByOne(series, poses);
-    return 1e-9 * nanosecondsSince(start);
+    runPinned(series.askAll ? -1 : schedule.cpu, [&] {
+        if (series.beforePass) series.beforePass();
+        leadIn(series, poses, schedule.leadIn);
+        if (series.beforePass) series.beforePass();
+        const auto start = Clock::now();
+        series.askAll ? passOfAll(series, poses) : passOneByOne(series, poses);
+        seconds = 1e-9 * nanosecondsSince(start);
+    });
+    return seconds;
 }
 
 }  // namespace
