@@ -171,6 +171,24 @@ BOOST_AUTO_TEST_CASE(a_part_turned_to_its_farthest_finds_what_is_at_the_cap) {
                isWithin(moving, Model::build(wall), X, 2, workspace));
 }
 
+BOOST_AUTO_TEST_CASE(a_rotation_off_by_what_is_accepted_lengthens_the_part_and_still_finds_its_wall) {
+    Mesh part;
+    part.vertices = {{0, 0, 0}, {5, 0, 0}, {0, 0, 1}};
+    part.triangles = {{0, 1, 2}};
+    const double x = 5 + 2 + 1.5e-12;
+    Mesh wall;
+    wall.vertices = {{x, -9, -9}, {x, 9, -9}, {x, 0, 9}, {90, 0, 0}, {90, 1, 0}, {90, 0, 1}};
+    wall.triangles = {{3, 4, 5}, {0, 1, 2}};
+    const Model moving = Model::build(part);
+    const Model model =
+        Model::build(wall, {}, Reach{Box(Vector3(0, 0, 0), Vector3(0, 0, 0)), moving.radiusAboutOrigin(), 2});
+    Pose X;
+    X.rotation *= 1 + 4e-13;  // the part ends at 5 + 2e-12
+    Workspace workspace;
+    BOOST_TEST(isWithin(moving, Model::build(wall), X, 2, workspace));
+    BOOST_TEST(isWithin(moving, model, X, 2, workspace));
+}
+
 BOOST_AUTO_TEST_CASE(a_model_of_which_nothing_is_in_reach_answers_farther_than_the_cap) {
     const Case c(4);
     const Reach reach{Box(Vector3(50, 0, 0), Vector3(55, 5, 5)), c.part.radiusAboutOrigin(), 2};

@@ -105,15 +105,40 @@ BOOST_AUTO_TEST_CASE(a_triangle_at_the_very_limit_stays_at_any_scale) {
     }
 }
 
-BOOST_AUTO_TEST_CASE(coordinates_near_the_largest_double_leave_nothing_out_by_overflow) {
+// What queries cannot prove farther than the cap counts as within it: 38 * 2^-53 of the largest coordinate.
+BOOST_AUTO_TEST_CASE(a_triangle_askew_stays_at_the_limit_and_as_far_beyond_as_a_query_may_say_within) {
+    Random random(9);
+    for (int i = 0; i < 3000; ++i) {
+        const Box positions(Vector3(20, 30, 40) - random.inBox(1).cwiseAbs(), Vector3(20, 30, 40));
+        const Matrix3 askew = random.rotation();
+        const Vector3 away = askew.col(2).cwiseAbs();  // the high corner is the nearest
+        const Vector3 u = away.unitOrthogonal(), v = away.cross(u);
+        const double limit = 3, beyond = random.uniform(0, 38 * 0x1p-53 * 50);
+        const Vector3 nearest = positions.max() + away * (limit + beyond);
+        Mesh mesh;
+        mesh.vertices = {{20, 30, 40},    {20, 30, 41},    {20, 31, 40},
+                         nearest + u * 5, nearest + v * 5, nearest - (u + v) * 5};
+        mesh.triangles = {{0, 1, 2}, {3, 4, 5}};
+        std::size_t leftOut = 0;
+        keptOf(mesh, {positions, 0, limit}, leftOut);
+        BOOST_TEST(leftOut == 0u, "triangle " << i);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(sums_beyond_the_largest_double_leave_nothing_out) {
+    // The triangle lies across the diagonal, 1.86e308 along (1, 1, 1), the positions end at 1.785e308: a gap
+    // of 4.4e306.
+    const double far = 1.3e308, near = 0.28e308;
     Mesh mesh;
-    mesh.vertices = {{1.6e308, 1.6e308, 1.6e308}, {1.7e308, 1.6e308, 1.6e308}, {1.6e308, 1.7e308, 1.6e308},
-                     {1.6e308, 1.6e308, 1.5e308}, {1.7e308, 1.6e308, 1.5e308}, {1.6e308, 1.7e308, 1.5e308}};
+    mesh.vertices = {{far, near, near},           {near, far, near},           {near, near, far},
+                     {0.5e308, 0.5e308, 0.5e308}, {0.4e308, 0.5e308, 0.5e308}, {0.5e308, 0.4e308, 0.5e308}};
     mesh.triangles = {{0, 1, 2}, {3, 4, 5}};
     std::size_t leftOut = 0;
-    const Box positions(Vector3::Constant(1.4e308), Vector3::Constant(1.5e308));
-    keptOf(mesh, {positions, 1e307, 3e307}, leftOut);
+    const Box positions(Vector3::Constant(0.5e308), Vector3::Constant(0.595e308));
+    keptOf(mesh, {positions, 0.4e307, 0.4e307}, leftOut);
     BOOST_TEST(leftOut == 0u);
+    keptOf(mesh, {positions, 1e306, 1e306}, leftOut);
+    BOOST_TEST(leftOut == 1u);
 }
 
 BOOST_AUTO_TEST_CASE(when_it_would_be_all_one_triangle_stays) {
