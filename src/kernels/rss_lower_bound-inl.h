@@ -160,16 +160,24 @@ HWY_INLINE Lanes3<V> ClosestDirection(D d, const RelativeRectangles<V>& r) {
     return best;
 }
 
+struct NearChildren {
+    std::uint32_t lanes;     ///< bit k is set when child k's bound is below dropFrom, or not a number
+    std::uint32_t children;  ///< number of lanes in use
+};
+
 /// Lower bounds from one RSS to the kWidth children of a node.
 /// one: in the node's frame and unit.  slack: taken from every bound; kVolumeSlack in query/pair_query.h
-/// covers the rounding of everything done here.  bounds: kWidth values in the node's unit, negative when the
-/// volumes overlap (kept negative: they order the descent), +infinity for unused lanes, none above the true
-/// distance.
+/// covers the rounding of everything done here.  toQueryUnit: an exact power of two, node unit -> query unit.
+/// dropFrom: query units.
+/// bounds: kWidth values in query units, negative when the volumes overlap (kept negative: they order the
+/// descent), +infinity for unused lanes, none above the true distance.
 template <int kWidth>
-HWY_INLINE void RssLowerBounds(const CarriedRss& one, const WideNode<kWidth>& node, float slack,
-                               float* bounds) {
+HWY_INLINE NearChildren RssLowerBounds(const CarriedRss& one, const WideNode<kWidth>& node, float slack,
+                                       float toQueryUnit, float dropFrom, float* bounds) {
     const hn::CappedTag<float, kWidth> d;
+    const hn::RebindToSigned<decltype(d)> di;
     using V = hn::Vec<decltype(d)>;
+    std::uint32_t near = 0, children = 0;
     for (size_t i = 0; i < kWidth; i += hn::Lanes(d)) {
         const auto load3 = [&](const float(&rows)[3][kWidth]) HWY_ATTR {
             return Lanes3<V>{hn::Load(d, rows[0] + i), hn::Load(d, rows[1] + i), hn::Load(d, rows[2] + i)};
@@ -192,12 +200,20 @@ HWY_INLINE void RssLowerBounds(const CarriedRss& one, const WideNode<kWidth>& no
         r.H0 = hn::Set(d, one.halfLength0);
         r.H1 = hn::Set(d, one.halfLength1);
 
-        const auto boxGap = BoxGap(d, r);
-        const auto direction = kWidth == 2 ? ClosestDirection(d, r) : AlternatingDirection(d, r);
-        const auto rectangles = hn::Max(boxGap, SupportGap(d, direction, r));
         const auto radii = hn::Add(hn::Load(d, node.radius + i), hn::Set(d, one.radius + slack));
-        hn::StoreU(hn::Sub(rectangles, radii), d, bounds + i);
+        const auto unit = hn::Set(d, toQueryUnit), limit = hn::Set(d, dropFrom);
+        const std::uint32_t used = MaskBits(di, hn::Ne(hn::Load(di, node.child + i), hn::Set(di, kNoChild)));
+        children += std::uint32_t(hwy::PopCount(used));
+        const auto boxGap = BoxGap(d, r);
+        auto bound = hn::Mul(hn::Sub(boxGap, radii), unit);
+        // In half of the visits that is all there is to it.
+        if ((used & ~MaskBits(d, hn::Ge(bound, limit))) == 0) continue;
+        const auto direction = kWidth == 2 ? ClosestDirection(d, r) : AlternatingDirection(d, r);
+        bound = hn::Mul(hn::Sub(hn::Max(boxGap, SupportGap(d, direction, r)), radii), unit);
+        hn::StoreU(bound, d, bounds + i);
+        near |= (used & ~MaskBits(d, hn::Ge(bound, limit))) << i;
     }
+    return {near, children};
 }
 
 }  // namespace HWY_NAMESPACE

@@ -57,7 +57,7 @@ HWY_INLINE Lanes3<V> FaceDifference(D d, const Lanes3<V>& w, const Lanes3<V>& u,
     return AddScaled(AddScaled(Lanes3<V>{hn::Neg(w.x), hn::Neg(w.y), hn::Neg(w.z)}, s, u), t, v);
 }
 
-/// A pair of triangles with what both the first cull and the distance need.
+/// A pair of triangles with what its separations and its distance need.
 /// a, b: corners relative to a point near both, so that their rounding is that of small numbers.
 template <class V>
 struct TrianglePair {
@@ -78,19 +78,15 @@ struct TrianglePair {
     }
 };
 
-/// A lower bound, but for rounding, that costs little: slabs across the difference of the centroids and both
-/// normals.
+/// A lower bound, but for rounding: the slabs across both normals, which is what parallel faces want.
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE V CheapSeparation(D d, const TrianglePair<V>& pair) {
-    const auto sum = [](const Triangles<V>& t) HWY_ATTR { return t.corner[0] + t.corner[1] + t.corner[2]; };
-    const V across = SlabGap(d, sum(pair.b) - sum(pair.a), pair.a, pair.b);
-    return hn::Max(
-        across, hn::Max(SlabGap(d, pair.normalA, pair.a, pair.b), SlabGap(d, pair.normalB, pair.a, pair.b)));
+HWY_INLINE V FaceSeparation(D d, const TrianglePair<V>& pair) {
+    return hn::Max(SlabGap(d, pair.normalA, pair.a, pair.b), SlabGap(d, pair.normalB, pair.a, pair.b));
 }
 
-/// cheap: CheapSeparation of the pair.
+/// known: a lower bound of the pair already found.
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE TriangleBounds<V> TriangleDistance(D d, const TrianglePair<V>& pair, V cheap) {
+HWY_INLINE TriangleBounds<V> TriangleDistance(D d, const TrianglePair<V>& pair, V known) {
     const Triangles<V>&a = pair.a, &b = pair.b;
     Lanes3<V> best = b.corner[0] - a.corner[0];
     V bestSquared = Dot(best, best);
@@ -114,7 +110,7 @@ HWY_INLINE TriangleBounds<V> TriangleDistance(D d, const TrianglePair<V>& pair, 
         take(FaceDifference(d, b.corner[i] - a.corner[0], pair.edgeA[0], pair.spanA, pair.normalA,
                             normalASquared));
     }
-    return {hn::Max(SlabGap(d, best, a, b), cheap), hn::Sqrt(bestSquared)};
+    return {hn::Max(SlabGap(d, best, a, b), known), hn::Sqrt(bestSquared)};
 }
 
 }  // namespace HWY_NAMESPACE

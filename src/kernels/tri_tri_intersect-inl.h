@@ -19,8 +19,7 @@ namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 /// Widest slab gap across the 9 cross products of edges: a lower bound of the distance but for rounding. Its
-/// larger with CheapSeparation, which has the normals, is above 0 exactly when one of the directions
-/// separates the two.
+/// larger with FaceSeparation is above 0 exactly when one of the directions separates the two.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V EdgeSeparation(D d, const TrianglePair<V>& pair) {
     V gap = hn::Set(d, -hwy::HighestValue<float>());

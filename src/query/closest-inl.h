@@ -1,8 +1,6 @@
 // The visitor of `distance`: shrinks an upper bound in float, keeps the pairs that may be the closest,
 // resolves them in double.
 #include "hwy/highway.h"
-#include "kernels/tri_tri_distance-inl.h"
-#include "query/leaf_pairs-inl.h"
 #include "query/refine.h"
 #include "query/traverse-inl.h"
 
@@ -26,36 +24,25 @@ class Closest {
         lowerDropFrom(request.cap);
     }
 
-    bool drops(float bound) const { return bound >= dropFrom_; }
+    float dropFrom() const { return dropFrom_; }
     bool done() const { return answer_.contact; }
 
-    HWY_INLINE void leaves(float bound, const Leaf& part, const Leaf& environment) {
-        const LeafPairs pairs(query_, part, environment);
-        state_.counters.triangleTests += std::uint64_t(pairs.total());
-        const hn::CappedTag<float, kPairLanes> d;
-        const auto error = hn::Set(d, pairs.roundingError());
-        alignas(64) float proved[kPairLanes], upper[kPairLanes];
+    template <class D, class V>
+    HWY_INLINE TriangleBounds<V> bounds(D d, const TrianglePair<V>& pair, V lower) const {
+        return TriangleDistance(d, pair, lower);
+    }
 
-        const int n = pairs.partCount(), step = pairs.partTrianglesAtOnce();
-        for (int first = 0; first < n && !done(); first += step) {
-            const int count = pairs.fill(first, first + step < n ? first + step : n, lanes_);
-            for (size_t lane = 0; lane < size_t(count) && !done(); lane += hn::Lanes(d)) {
-                const TrianglePair<hn::Vec<decltype(d)>> pair(LoadTriangles(d, lanes_.part, lane),
-                                                              LoadTriangles(d, lanes_.environment, lane));
-                const auto cheap = CheapSeparation(d, pair);
-                const auto dropFrom = hn::Set(d, dropFrom_);
-                const auto unused = hn::Not(hn::FirstN(d, size_t(count) - lane));
-                if (hn::AllTrue(d, hn::Or(unused, hn::Ge(hn::Sub(cheap, error), dropFrom)))) continue;
-                const auto bounds = TriangleDistance(d, pair, cheap);
-                hn::Store(hn::Sub(bounds.lower, error), d, proved);
-                hn::Store(hn::Add(bounds.upper, error), d, upper);
-                const int used =
-                    int(hn::Lanes(d)) < count - int(lane) ? int(hn::Lanes(d)) : count - int(lane);
-                for (int k = 0; k < used && !done(); ++k) {
-                    const int at = int(lane) + k;
-                    take({proved[k], pairs.partTriangle(first, at), pairs.environmentTriangle(at)}, bound,
-                         upper[k]);
-                }
+    /// A pair with a proved lower and a true upper bound, both of float's work.
+    HWY_INLINE void take(float lower, float upper, std::uint32_t partTriangle,
+                         std::uint32_t environmentTriangle) {
+        if (!(lower > kAlwaysResolved)) {
+            resolve(partTriangle, environmentTriangle);  // may touch, pierce or be ill-conditioned
+        } else if (!drops(lower)) {
+            const Candidate pair{lower, partTriangle, environmentTriangle};
+            state_.candidates.push(pair);
+            if (double(upper) < leastUpper_) {
+                nearest_ = pair;
+                shrink(upper);
             }
         }
     }
@@ -102,19 +89,7 @@ class Closest {
     }
 
   private:
-    /// A pair with its proved lower bound, its volumes' bound and a true upper bound, all of float's work.
-    HWY_INLINE void take(Candidate pair, float volumesBound, float upper) {
-        if (!(pair.lower > kAlwaysResolved)) {
-            resolve(pair.partTriangle, pair.environmentTriangle);  // may touch, pierce or be ill-conditioned
-        } else if (!drops(pair.lower)) {
-            if (volumesBound > pair.lower) pair.lower = volumesBound;
-            state_.candidates.push(pair);
-            if (double(upper) < leastUpper_) {
-                nearest_ = pair;
-                shrink(upper);
-            }
-        }
-    }
+    bool drops(float bound) const { return bound >= dropFrom_; }
 
     /// Takes a smaller true upper bound of the distance. Dropping at bound b leaves an interval [b, upper],
     /// which may be as wide as the request says.
@@ -138,7 +113,6 @@ class Closest {
     }
 
     const PairQuery& query_;
-    PairLanes lanes_;
     const ClosestRequest& request_;
     Workspace::State& state_;
     float dropFrom_ = hwy::HighestValue<float>();

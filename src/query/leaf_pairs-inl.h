@@ -1,6 +1,7 @@
-// All pairs of triangles of two leaves, laid out one pair per lane for the triangle kernels.
+// All pairs of triangles of two leaves, one pair per lane: what can be dropped cheaply is, the rest goes
+// through the visitor's triangle kernel.
 #include "hwy/highway.h"
-#include "kernels/certificate-inl.h"
+#include "kernels/tri_tri_distance-inl.h"
 #include "query/pair_query.h"
 
 #if defined(CLEARWAY_QUERY_LEAF_PAIRS_INL_H_) == defined(HWY_TARGET_TOGGLE)
@@ -15,130 +16,272 @@ namespace clearway {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-constexpr int kPairLanes = 16;    ///< pairs given to a kernel at once
-constexpr int kLargestLeaf = 16;  ///< triangles
+/// Leaves are taken in blocks of up to 4 triangles, two blocks as 16 pairs: pair p is that of the part block's
+/// triangle p / 4 and the environment block's triangle p % 4.
+constexpr int kBlock = 4;
+constexpr int kBlockPairs = kBlock * kBlock;
+constexpr int kMostBlocks = 4;  ///< of a leaf, which holds at most 16 triangles
+constexpr int kWalkSteps = 1;  ///< of the cheap bound; 2 drops a third of what is left and costs more
+using PairTag = hn::CappedTag<float, kBlockPairs>;
 
-/// Corners of up to kPairLanes pairs; row 3 corner + coordinate. Rows are longer than their lanes, so that
-/// whole registers may be stored at any lane.
-struct alignas(64) PairLanes {
-    static constexpr int kRow = 2 * kPairLanes;
-    float part[9][kRow];
-    float environment[9][kRow];
+/// The same coordinate of a block's 4 triangles; what lies past the block's last triangle means nothing.
+struct alignas(16) BlockRow {
+    float of[kBlock];
 };
+
+/// The row of an environment block, each triangle in the lanes of its pairs; first: pair in the first lane.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V SpreadEnvironment(D d, const float* row, [[maybe_unused]] size_t first) {
+#if HWY_TARGET == HWY_SCALAR
+    return hn::Set(d, row[first % kBlock]);
+#else
+    return hn::LoadDup128(d, row);
+#endif
+}
+
+/// The row of a part block, likewise.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V SpreadPart(D d, const BlockRow& row, size_t first) {
+#if HWY_TARGET != HWY_SCALAR
+    if constexpr (hn::MaxLanes(D()) > kBlock) {
+        alignas(64) static constexpr std::int32_t kTriangleOfPair[kBlockPairs] = {0, 0, 0, 0, 1, 1, 1, 1,
+                                                                                  2, 2, 2, 2, 3, 3, 3, 3};
+        return hn::TableLookupLanes(hn::LoadDup128(d, row.of),
+                                    hn::SetTableIndices(d, kTriangleOfPair + first));
+    }
+#endif
+    return hn::Set(d, row.of[first / kBlock]);
+}
 
 /// Two leaves in the environment's axes, relative to the environment leaf's centre, in query units: their
 /// corners are then numbers of the leaves' size, whatever the distance from the origin, and roundingError is
 /// small with them.
 class LeafPairs {
   public:
-    HWY_INLINE LeafPairs(const PairQuery& query, const Leaf& part, const Leaf& environment)
-        : partFirst_(part.firstTriangle),
-          environmentFirst_(environment.firstTriangle),
-          partCount_(int(part.triangleCount)),
-          environmentCount_(int(environment.triangleCount)) {
-        float offset[3];
-        double offsetSquared = 0;
+    /// volumesBound: a proved lower bound of all pairs. Finds the pairs that are near by a cheap bound.
+    HWY_INLINE void meet(const PairQuery& query, const Leaf& part, const Leaf& environment, float volumesBound,
+                         float dropFrom) {
+        query_ = &query;
+        part_ = &part;
+        environment_ = &environment;
+        volumesBound_ = volumesBound;
+        double away = 0;  // at least the length of the offset
         for (int row = 0; row < 3; ++row) {
             const double* R = query.R + 3 * row;
             const double between = (R[0] * part.centre[0] + R[1] * part.centre[1] + R[2] * part.centre[2] +
                                     query.t[row] - environment.centre[row]) *
                                    query.perMeshUnit;
-            offset[row] = static_cast<float>(between);
-            offsetSquared += between * between;
+            offset_[row] = static_cast<float>(between);
+            away += __builtin_fabs(between);
         }
         const double reach = double(part.radius) * query.partLeafToQuery +
-                             double(environment.radius) * query.environmentLeafToQuery +
-                             __builtin_sqrt(offsetSquared);
+                             double(environment.radius) * query.environmentLeafToQuery + away;
         roundingError_ = static_cast<float>(
             (kTriangleSlack * kUnitRoundoffFloat * reach + query.offsetSlack) * (1 + 1e-6));
-        movePart(query, part, offset);
-        environmentCorners_ = query.environment->leafVertices.data() + 9 * size_t(environment.firstTriangle);
-        environmentScale_ = query.environmentLeafToQuery;
-    }
-
-    int total() const { return partCount_ * environmentCount_; }
-    int partCount() const { return partCount_; }
-
-    /// e: a slab gap or distance computed from these corners is off by at most this.
-    float roundingError() const { return roundingError_; }
-
-    /// Part triangles whose pairs fit the lanes together.
-    int partTrianglesAtOnce() const { return kPairLanes / environmentCount_; }
-
-    /// Fills the lanes with the pairs of part triangles first, first + 1, ..., last - 1 and every environment
-    /// triangle, in that order. Returns the number of pairs; what lanes past the last one hold means nothing.
-    HWY_INLINE int fill(int first, int last, PairLanes& lanes) const {
-        const hn::CappedTag<float, kPairLanes> d;
-        const int m = environmentCount_;
-        const auto scale = hn::Set(d, environmentScale_);
-        const int count = (last - first) * m;
-        for (int row = 0; row < 9; ++row) {
-            // What a register holds past the last environment triangle is overwritten by the next part
-            // triangle.
-            for (int i = first; i < last; ++i) {
-                const auto corner = hn::Set(d, moved_[row][i]);
-                for (int lane = 0; lane < m; lane += int(hn::Lanes(d))) {
-                    const int to = (i - first) * m + lane;
-                    hn::StoreU(corner, d, lanes.part[row] + to);
-                    const auto corners = hn::LoadU(d, environmentCorners_ + row * m + lane);
-                    hn::StoreU(hn::Mul(corners, scale), d, lanes.environment[row] + to);
-                }
+        int block = 0;
+        for (std::uint32_t i = 0; i < part.triangleCount; i += kBlock) {
+            const BlockStart partStart = movePart(i);
+            for (std::uint32_t j = 0; j < environment.triangleCount; j += kBlock) {
+                near_[block++] = cull(i, j, partStart, dropFrom);
             }
         }
-        return count;
     }
 
-    /// Position in its tree of the lane's triangle, for lanes filled from part triangle `first` on.
-    std::uint32_t partTriangle(int first, int lane) const {
-        return partFirst_ + std::uint32_t(first + lane / environmentCount_);
-    }
-    std::uint32_t environmentTriangle(int lane) const {
-        return environmentFirst_ + std::uint32_t(lane % environmentCount_);
+    int total() const { return int(part_->triangleCount * environment_->triangleCount); }
+
+    /// Hands the visitor every pair whose distance may be below its dropFrom(), until it is done().
+    /// A visitor also has
+    ///   bounds(d, pair, lower)   TriangleBounds of a register of pairs that are known to be lower apart
+    ///   take(lower, upper, part triangle, environment triangle)   a pair, its proved bounds of its distance
+    template <class Visitor>
+    HWY_INLINE void visit(Visitor& visitor) const {
+        int block = 0;
+        for (std::uint32_t i = 0; i < part_->triangleCount; i += kBlock) {
+            for (std::uint32_t j = 0; j < environment_->triangleCount; j += kBlock) {
+                const std::uint32_t near = near_[block++];
+                if (near == 0) continue;
+                visitBlock(near, i, j, visitor);
+                if (visitor.done()) return;
+            }
+        }
     }
 
   private:
-    HWY_INLINE void movePart(const PairQuery& query, const Leaf& part, const float* offset) {
-        const hn::CappedTag<float, kLargestLeaf> d;
-        const int n = partCount_;
-        const float* stored = query.part->leafVertices.data() + 9 * size_t(part.firstTriangle);
-        const auto scale = hn::Set(d, query.partLeafToQuery);
-        for (int corner = 0; corner < 3; ++corner) {
-            for (int i = 0; i < n; i += int(hn::Lanes(d))) {
+    /// Of each of a block's triangles, the corner that is farthest towards the other leaf's centre and its
+    /// place along the way there.
+    struct BlockStart {
+        BlockRow corner[3];
+        BlockRow along;
+    };
+
+    template <class D, class V>
+    static HWY_INLINE void store(D d, const SupportCorner<V>& support, BlockStart& start, size_t i) {
+        hn::Store(support.corner.x, d, start.corner[0].of + i);
+        hn::Store(support.corner.y, d, start.corner[1].of + i);
+        hn::Store(support.corner.z, d, start.corner[2].of + i);
+        hn::Store(support.along, d, start.along.of + i);
+    }
+
+    /// From the part leaf's centre to the environment leaf's.
+    template <class D, class V = hn::Vec<D>>
+    HWY_INLINE Lanes3<V> across(D d) const {
+        return {hn::Set(d, -offset_[0]), hn::Set(d, -offset_[1]), hn::Set(d, -offset_[2])};
+    }
+
+    HWY_INLINE BlockStart movePart(std::uint32_t first) {
+        const hn::CappedTag<float, kBlock> d;
+        using V = hn::Vec<decltype(d)>;
+        const std::uint32_t n = part_->triangleCount;
+        const float* stored = query_->part->leafVertices.data() + 9 * size_t(part_->firstTriangle) + first;
+        const auto scale = hn::Set(d, query_->partLeafToQuery);
+        BlockStart start;
+        for (size_t i = 0; i < kBlock; i += hn::Lanes(d)) {
+            Triangles<V> moved;
+            for (int corner = 0; corner < 3; ++corner) {
                 const float* from = stored + 3 * corner * n + i;
                 const auto x = hn::Mul(hn::LoadU(d, from), scale);
                 const auto y = hn::Mul(hn::LoadU(d, from + n), scale);
                 const auto z = hn::Mul(hn::LoadU(d, from + 2 * n), scale);
-                for (int row = 0; row < 3; ++row) {
-                    const float* R = query.rotation + 3 * row;
-                    auto sum = hn::MulAdd(hn::Set(d, R[2]), z, hn::Set(d, offset[row]));
+                const auto coordinate = [&](int row) HWY_ATTR {
+                    const float* R = query_->rotation + 3 * row;
+                    auto sum = hn::MulAdd(hn::Set(d, R[2]), z, hn::Set(d, offset_[row]));
                     sum = hn::MulAdd(hn::Set(d, R[1]), y, sum);
                     sum = hn::MulAdd(hn::Set(d, R[0]), x, sum);
-                    hn::StoreU(sum, d, moved_[3 * corner + row] + i);
-                }
+                    hn::Store(sum, d, moved_[first / kBlock][3 * corner + row].of + i);
+                    return sum;
+                };
+                moved.corner[corner] = {coordinate(0), coordinate(1), coordinate(2)};
             }
+            store(d, Support<false>(across(d), moved), start, i);
+        }
+        return start;
+    }
+
+    HWY_INLINE BlockStart startOfEnvironment(std::uint32_t first) const {
+        const hn::CappedTag<float, kBlock> d;
+        using V = hn::Vec<decltype(d)>;
+        const std::uint32_t n = environment_->triangleCount;
+        const float* stored =
+            query_->environment->leafVertices.data() + 9 * size_t(environment_->firstTriangle) + first;
+        const auto scale = hn::Set(d, query_->environmentLeafToQuery);
+        BlockStart start;
+        for (size_t i = 0; i < kBlock; i += hn::Lanes(d)) {
+            Triangles<V> triangles;
+            for (int corner = 0; corner < 3; ++corner) {
+                const auto coordinate = [&](int row) HWY_ATTR {
+                    return hn::Mul(hn::LoadU(d, stored + (3 * corner + row) * n + i), scale);
+                };
+                triangles.corner[corner] = {coordinate(0), coordinate(1), coordinate(2)};
+            }
+            store(d, Support<true>(across(d), triangles), start, i);
+        }
+        return start;
+    }
+
+    /// The register of pairs of part block i and environment block j that begins with pair `first`.
+    template <class V = hn::Vec<PairTag>>
+    HWY_INLINE void load(std::uint32_t i, std::uint32_t j, size_t first, Triangles<V>& a,
+                         Triangles<V>& b) const {
+        const PairTag d;
+        const std::uint32_t n = environment_->triangleCount;
+        const float* stored =
+            query_->environment->leafVertices.data() + 9 * size_t(environment_->firstTriangle) + j;
+        const auto scale = hn::Set(d, query_->environmentLeafToQuery);
+        for (int corner = 0; corner < 3; ++corner) {
+            const auto part = [&](int row) HWY_ATTR {
+                return SpreadPart(d, moved_[i / kBlock][3 * corner + row], first);
+            };
+            const auto environment = [&](int row) HWY_ATTR {
+                return hn::Mul(SpreadEnvironment(d, stored + (3 * corner + row) * n, first), scale);
+            };
+            a.corner[corner] = {part(0), part(1), part(2)};
+            b.corner[corner] = {environment(0), environment(1), environment(2)};
         }
     }
 
-    std::uint32_t partFirst_;
-    std::uint32_t environmentFirst_;
-    int partCount_;
-    int environmentCount_;
-    float roundingError_;
-    float moved_[9][2 * kLargestLeaf];
-    const float* environmentCorners_;
-    float environmentScale_;
-};
-
-/// Loads a register's worth of one side's triangles.
-template <class D, class V = hn::Vec<D>>
-HWY_INLINE Triangles<V> LoadTriangles(D d, const float (&rows)[9][PairLanes::kRow], size_t lane) {
-    Triangles<V> t;
-    for (int corner = 0; corner < 3; ++corner) {
-        t.corner[corner] = {hn::Load(d, rows[3 * corner] + lane), hn::Load(d, rows[3 * corner + 1] + lane),
-                            hn::Load(d, rows[3 * corner + 2] + lane)};
+    /// Which of these pairs' proved bounds are below dropFrom, or not a number.
+    template <class V>
+    HWY_INLINE std::uint32_t nearLanes(V lower, float dropFrom) const {
+        const PairTag d;
+        const V proved = hn::Sub(lower, hn::Set(d, roundingError_));
+        return ~MaskBits(d, hn::Ge(proved, hn::Set(d, dropFrom))) & ((1u << hn::Lanes(d)) - 1);
     }
-    return t;
-}
+
+    /// The pairs of two blocks that a cheap bound does not prove to be dropFrom apart.
+    HWY_INLINE std::uint32_t cull(std::uint32_t i, std::uint32_t j, const BlockStart& partStart,
+                                  float dropFrom) const {
+        const PairTag d;
+        using V = hn::Vec<PairTag>;
+        const std::uint32_t present =
+            presentPairs(part_->triangleCount - i, environment_->triangleCount - j);
+        const BlockStart start = startOfEnvironment(j);
+        const Lanes3<V> leaves = across(d);
+        const V leavesSquared = Dot(leaves, leaves);
+        const V needSquared =
+            hn::Set(d, NeedSquared((dropFrom + roundingError_) * (1 + 2 * float(kUnitRoundoffFloat))));
+        std::uint32_t near = 0;
+        for (size_t first = 0; first < kBlockPairs; first += hn::Lanes(d)) {
+            const V width = hn::Sub(SpreadEnvironment(d, start.along.of, first),
+                                    SpreadPart(d, partStart.along, first));
+            const std::uint32_t lanes = (present >> first) & ((1u << hn::Lanes(d)) - 1);
+            if ((lanes & ~MaskBits(d, ProvesApart(d, width, leavesSquared, needSquared))) == 0) continue;
+            const auto difference = [&](int row) HWY_ATTR {
+                return hn::Sub(SpreadEnvironment(d, start.corner[row].of, first),
+                               SpreadPart(d, partStart.corner[row], first));
+            };
+            Triangles<V> a, b;
+            load(i, j, first, a, b);
+            const auto proved =
+                WalkProvesApart<kWalkSteps>(d, a, b, {difference(0), difference(1), difference(2)}, needSquared);
+            near |= (lanes & ~MaskBits(d, proved)) << first;
+        }
+        return near;
+    }
+
+    template <class Visitor>
+    HWY_INLINE void visitBlock(std::uint32_t near, std::uint32_t i, std::uint32_t j, Visitor& visitor) const {
+        const PairTag d;
+        using V = hn::Vec<PairTag>;
+        for (size_t first = 0; near >> first != 0; first += hn::Lanes(d)) {
+            std::uint32_t left = (near >> first) & ((1u << hn::Lanes(d)) - 1);
+            if (left == 0) continue;
+            Triangles<V> a, b;
+            load(i, j, first, a, b);
+            const TrianglePair<V> pair(a, b);
+            const V apart = FaceSeparation(d, pair);
+            left &= nearLanes(apart, visitor.dropFrom());
+            if (left == 0) continue;
+            const TriangleBounds<V> bounds = visitor.bounds(d, pair, apart);
+            left &= nearLanes(bounds.lower, visitor.dropFrom());
+            const auto error = hn::Set(d, roundingError_);
+            alignas(64) float lowers[kBlockPairs], uppers[kBlockPairs];
+            hn::Store(hn::Max(hn::Sub(bounds.lower, error), hn::Set(d, volumesBound_)), d, lowers);
+            hn::Store(hn::Add(bounds.upper, error), d, uppers);
+            for (; left != 0 && !visitor.done(); left &= left - 1) {
+                const std::uint32_t lane = LowestBit(left), pairIndex = std::uint32_t(first) + lane;
+                visitor.take(lowers[lane], uppers[lane], part_->firstTriangle + i + pairIndex / kBlock,
+                             environment_->firstTriangle + j + pairIndex % kBlock);
+            }
+            if (visitor.done()) return;
+        }
+    }
+
+    /// Bit p is set when the block has pair p.
+    static HWY_INLINE std::uint32_t presentPairs(std::uint32_t partLeft, std::uint32_t environmentLeft) {
+        const auto firstBits = [](std::uint32_t n) { return (1u << n) - 1; };
+        return (firstBits(environmentLeft < kBlock ? environmentLeft : kBlock) * 0x1111) &
+               firstBits(kBlock * (partLeft < kBlock ? partLeft : kBlock));
+    }
+
+    BlockRow moved_[kMostBlocks][9];
+    std::uint32_t near_[kMostBlocks * kMostBlocks];
+    const PairQuery* query_;
+    const Leaf* part_;
+    const Leaf* environment_;
+    float offset_[3];
+    float roundingError_;
+    float volumesBound_;
+};
 
 }  // namespace HWY_NAMESPACE
 }  // namespace clearway

@@ -2,10 +2,12 @@
 // bounds it can drop, takes the pairs of leaves, and says when it has its answer.
 //
 // A visitor has
-//   bool drops(float bound) const    a pair of volumes whose distance is at least bound (query units) is of
-//   no interest void leaves(float bound, const Leaf& part, const Leaf& environment) bool done() const
+//   float dropFrom() const   pairs of volumes whose distance is at least this (query units) are of no interest
+//   void leaves(float bound, const Leaf& part, const Leaf& environment)
+//   bool done() const
 #include "hwy/highway.h"
 #include "kernels/rss_lower_bound-inl.h"
+#include "query/leaf_pairs-inl.h"
 #include "query/pair_query.h"
 #include "query/workspace_state.h"
 
@@ -69,6 +71,61 @@ struct Volume {
     HWY_INLINE bool isLeaf() const { return child < 0; }
 };
 
+/// Pairs taken from the stack at once. Their bounds do not depend on each other, so that the processor works
+/// on all of them while it waits for none. Source: measured; see the note on the batch in Traverse.
+constexpr int kBatch = 1;
+
+/// A pair of volumes one of whose nodes is opened: the other volume against its children.
+template <int kWidth>
+struct Opening {
+    alignas(64) float bounds[kWidth];
+    NearChildren near;
+    StackEntry entry;
+    VolumeReference opened;
+    bool openPart;
+};
+
+template <int kWidth>
+HWY_INLINE bool OpensPart(const PairQuery& query, const Volume<kWidth>& a, const Volume<kWidth>& b) {
+    return b.isLeaf() ||
+           (!a.isLeaf() && a.node.length[a.lane] * query.partLeafToQuery >
+                               kOpenPartRatio * b.node.length[b.lane] * query.environmentLeafToQuery);
+}
+
+template <int kWidth>
+HWY_INLINE void Open(const PairQuery& query, const StackEntry& entry, float dropFrom,
+                     Opening<kWidth>& opening) {
+    const Volume<kWidth> a(*query.part, entry.part), b(*query.environment, entry.environment);
+    const bool openPart = OpensPart(query, a, b);
+    const Carry& carry = openPart ? query.environmentToPart : query.partToEnvironment;
+    const std::int32_t opened = openPart ? a.child : b.child;
+    const WideNode<kWidth>& node = (openPart ? *query.part : *query.environment).nodes<kWidth>()[opened];
+    const Volume<kWidth>& other = openPart ? b : a;
+    const CarriedRss one = CarryVolume(carry, other.node, other.lane);
+    opening.near = RssLowerBounds(one, node, carry.slack, carry.toQueryUnit, dropFrom, opening.bounds);
+    opening.entry = entry;
+    opening.opened = VolumeReference(opened) * kWidth;
+    opening.openPart = openPart;
+}
+
+/// Pushes the near children, the nearest last. Negative bounds stay as they are: they tell which overlap is
+/// deepest.
+template <int kWidth>
+HWY_INLINE void PushNear(const Opening<kWidth>& opening, Pile<StackEntry>& stack) {
+    const std::size_t base = stack.size();
+    for (std::uint32_t left = opening.near.lanes; left != 0; left &= left - 1) {
+        const std::uint32_t lane = LowestBit(left);
+        const VolumeReference child = opening.opened + lane;
+        const float bound = opening.bounds[lane];
+        const StackEntry added = opening.openPart ? StackEntry{bound, child, opening.entry.environment}
+                                                  : StackEntry{bound, opening.entry.part, child};
+        stack.push(added);
+        std::size_t place = stack.size() - 1;
+        for (; place > base && stack[place - 1].bound < bound; --place) stack[place] = stack[place - 1];
+        stack[place] = added;
+    }
+}
+
 template <int kWidth, class Visitor>
 HWY_INLINE void Traverse(const PairQuery& query, Workspace::State& state, Visitor& visitor) {
     const FlatTree& part = *query.part;
@@ -77,41 +134,32 @@ HWY_INLINE void Traverse(const PairQuery& query, Workspace::State& state, Visito
     stack.clear();
     stack.push({-hwy::HighestValue<float>(), 0, 0});
 
+    Opening<kWidth> openings[kBatch];
+    LeafPairs leaves[kBatch];
     while (!stack.empty() && !visitor.done()) {
-        const StackEntry entry = stack.pop();
-        if (visitor.drops(entry.bound)) continue;
-        const Volume<kWidth> a(part, entry.part), b(environment, entry.environment);
-        if (a.isLeaf() && b.isLeaf()) {
-            visitor.leaves(entry.bound, part.leaves[~a.child], environment.leaves[~b.child]);
-            continue;
+        int opened = 0, met = 0;
+        while (!stack.empty() && opened + met < kBatch) {
+            const StackEntry entry = stack.pop();
+            if (entry.bound >= visitor.dropFrom()) continue;
+            const std::int32_t a = part.nodes<kWidth>()[entry.part / kWidth].child[entry.part % kWidth];
+            const std::int32_t b =
+                environment.nodes<kWidth>()[entry.environment / kWidth].child[entry.environment % kWidth];
+            if (a < 0 && b < 0) {
+                leaves[met++].meet(query, part.leaves[~a], environment.leaves[~b], entry.bound,
+                                   visitor.dropFrom());
+            } else {
+                Open(query, entry, visitor.dropFrom(), openings[opened++]);
+            }
         }
-        const bool openPart = b.isLeaf() || (!a.isLeaf() && a.node.length[a.lane] * query.partLeafToQuery >
-                                                                kOpenPartRatio * b.node.length[b.lane] *
-                                                                    query.environmentLeafToQuery);
-        const Carry& carry = openPart ? query.environmentToPart : query.partToEnvironment;
-        const std::int32_t opened = openPart ? a.child : b.child;
-        const WideNode<kWidth>& node = (openPart ? part : environment).nodes<kWidth>()[opened];
-        const CarriedRss one =
-            openPart ? CarryVolume(carry, b.node, b.lane) : CarryVolume(carry, a.node, a.lane);
-
-        HWY_ALIGN float bounds[kWidth];
-        RssLowerBounds(one, node, carry.slack, bounds);
-        ++state.counters.nodeVisits;
-
-        // Negative bounds stay as they are: they tell which overlap is deepest. Insertion keeps the least on
-        // top.
-        const std::size_t base = stack.size();
-        for (int lane = 0; lane < kWidth && node.child[lane] != kNoChild; ++lane) {
-            ++state.counters.volumeTests;
-            const float bound = bounds[lane] * carry.toQueryUnit;
-            if (visitor.drops(bound)) continue;
-            const VolumeReference child = VolumeReference(opened) * kWidth + VolumeReference(lane);
-            stack.push(openPart ? StackEntry{bound, child, entry.environment}
-                                : StackEntry{bound, entry.part, child});
-            const StackEntry added = stack[stack.size() - 1];
-            std::size_t place = stack.size() - 1;
-            for (; place > base && stack[place - 1].bound < bound; --place) stack[place] = stack[place - 1];
-            stack[place] = added;
+        state.counters.nodeVisits += std::uint64_t(opened);
+        for (int i = opened; i-- > 0;) {
+            state.counters.volumeTests += openings[i].near.children;
+            PushNear(openings[i], stack);
+        }
+        for (int i = 0; i < met; ++i) {
+            state.counters.triangleTests += std::uint64_t(leaves[i].total());
+            leaves[i].visit(visitor);
+            if (visitor.done()) return;
         }
     }
 }

@@ -1,9 +1,7 @@
 // The visitor of `isWithin` and of `collides`, which is within 0: stops at the first pair that is near
 // enough.
 #include "hwy/highway.h"
-#include "kernels/tri_tri_distance-inl.h"
 #include "kernels/tri_tri_intersect-inl.h"
-#include "query/leaf_pairs-inl.h"
 #include "query/refine.h"
 #include "query/traverse-inl.h"
 
@@ -27,45 +25,22 @@ class Within {
         dropFrom_ = reach < hwy::HighestValue<float>() ? nextFloatAbove(reach) : hwy::HighestValue<float>();
     }
 
-    bool drops(float bound) const { return bound >= dropFrom_; }
+    float dropFrom() const { return dropFrom_; }
     bool done() const { return found_; }
 
-    HWY_INLINE void leaves(float /*bound*/, const Leaf& part, const Leaf& environment) {
-        const LeafPairs pairs(query_, part, environment);
-        state_.counters.triangleTests += std::uint64_t(pairs.total());
-        const hn::CappedTag<float, kPairLanes> d;
-        const auto error = hn::Set(d, pairs.roundingError());
-        const auto dropFrom = hn::Set(d, dropFrom_);
-        alignas(64) float proved[kPairLanes], upper[kPairLanes];
+    /// For contact only a separating direction matters, and no pair is surely touching in float.
+    template <class D, class V>
+    HWY_INLINE TriangleBounds<V> bounds(D d, const TrianglePair<V>& pair, V lower) const {
+        if (d_ > 0) return TriangleDistance(d, pair, lower);
+        return {hn::Max(lower, EdgeSeparation(d, pair)), hn::Set(d, hwy::HighestValue<float>())};
+    }
 
-        const int n = pairs.partCount(), step = pairs.partTrianglesAtOnce();
-        for (int first = 0; first < n && !done(); first += step) {
-            const int count = pairs.fill(first, first + step < n ? first + step : n, lanes_);
-            for (size_t lane = 0; lane < size_t(count) && !done(); lane += hn::Lanes(d)) {
-                const TrianglePair<hn::Vec<decltype(d)>> pair(LoadTriangles(d, lanes_.part, lane),
-                                                              LoadTriangles(d, lanes_.environment, lane));
-                auto lower = CheapSeparation(d, pair);
-                const auto unused = hn::Not(hn::FirstN(d, size_t(count) - lane));
-                if (hn::AllTrue(d, hn::Or(unused, hn::Ge(hn::Sub(lower, error), dropFrom)))) continue;
-                auto most = hn::Set(d, hwy::HighestValue<float>());
-                if (d_ > 0) {
-                    const auto bounds = TriangleDistance(d, pair, lower);
-                    lower = bounds.lower;
-                    most = hn::Add(bounds.upper, error);
-                } else {
-                    lower = hn::Max(lower, EdgeSeparation(d, pair));
-                }
-                hn::Store(hn::Sub(lower, error), d, proved);
-                hn::Store(most, d, upper);
-                const int used =
-                    int(hn::Lanes(d)) < count - int(lane) ? int(hn::Lanes(d)) : count - int(lane);
-                for (int k = 0; k < used && !done(); ++k) {
-                    const int at = int(lane) + k;
-                    if (drops(proved[k])) continue;
-                    take(pairs.partTriangle(first, at), pairs.environmentTriangle(at),
-                         double(upper[k]) <= d_);
-                }
-            }
+    HWY_INLINE void take(float /*lower*/, float upper, std::uint32_t partTriangle,
+                         std::uint32_t environmentTriangle) {
+        if (double(upper) <= d_) {
+            remember(partTriangle, environmentTriangle);
+        } else {
+            resolve(partTriangle, environmentTriangle);
         }
     }
 
@@ -78,14 +53,6 @@ class Within {
     void write(WithinAnswer& answer) const { answer = {found_, partTriangle_, environmentTriangle_}; }
 
   private:
-    HWY_INLINE void take(std::uint32_t partTriangle, std::uint32_t environmentTriangle, bool surelyWithin) {
-        if (surelyWithin) {
-            remember(partTriangle, environmentTriangle);
-        } else {
-            resolve(partTriangle, environmentTriangle);
-        }
-    }
-
     void remember(std::uint32_t partTriangle, std::uint32_t environmentTriangle) {
         found_ = true;
         partTriangle_ = partTriangle;
@@ -93,7 +60,6 @@ class Within {
     }
 
     const PairQuery& query_;
-    PairLanes lanes_;
     double d_;
     Workspace::State& state_;
     float dropFrom_;
