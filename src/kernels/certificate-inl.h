@@ -31,10 +31,10 @@ HWY_INLINE V SlabGap(D d, const Lanes3<V>& v, const Triangles<V>& a, const Trian
     const V bLow = hn::Min(b0, hn::Min(b1, b2)), bHigh = hn::Max(b0, hn::Max(b1, b2));
     const V lengthSquared = Dot(v, v);
     const V gap = hn::Div(hn::Max(hn::Sub(bLow, aHigh), hn::Sub(aLow, bHigh)), hn::Sqrt(lengthSquared));
-    const auto usable =
-        hn::And(hn::Gt(lengthSquared, hn::Set(d, 1e-30f)), hn::Lt(lengthSquared, hn::Set(d, 1e30f)));
+    const auto usable = hn::And(hn::Gt(lengthSquared, hn::Set(d, hn::TFromD<D>(1e-30))),
+                                hn::Lt(lengthSquared, hn::Set(d, hn::TFromD<D>(1e30))));
     // By select and not by maximum: what a maximum makes of NaN differs between instruction sets.
-    return hn::IfThenElse(usable, gap, hn::Set(d, -hwy::HighestValue<float>()));
+    return hn::IfThenElse(usable, gap, hn::Set(d, -hwy::HighestValue<hn::TFromD<D>>()));
 }
 
 /// A corner of each lane's triangle and its place along a direction.
@@ -57,9 +57,9 @@ HWY_INLINE SupportCorner<V> Support(const Lanes3<V>& v, const Triangles<V>& t) {
     return best;
 }
 
-/// Whether slabs `width` wide, measured across v in units of |v|, prove a distance of at least sqrt(needSquared):
-/// compared as squares, so that nothing is divided. Below |v|^2 = 1e-22 they might vanish; such v prove nothing,
-/// and neither does NaN.
+/// Whether slabs `width` wide, measured across v in units of |v|, prove a distance of at least
+/// sqrt(needSquared): compared as squares, so that nothing is divided. Below |v|^2 = 1e-22 they might vanish;
+/// such v prove nothing, and neither does NaN.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE hn::Mask<D> ProvesApart(D d, V width, V lengthSquared, V needSquared) {
     const V positive = hn::Max(width, hn::Zero(d));
@@ -74,10 +74,10 @@ inline float NeedSquared(float apart) {
 }
 
 /// Which pairs are proved to be at least sqrt(needSquared) apart, but for rounding, at a tenth of the cost of
-/// their distance: Gilbert's walk from x, a difference of two points of b and a, towards the difference nearest
-/// to 0, kSteps steps. The support gap across each point passed is a lower bound, whatever the point.
-/// Source: Gilbert, An Iterative Procedure for Computing the Minimum of a Quadratic Form on a Convex Set, SIAM
-/// J. Control 4, 1966.
+/// their distance: Gilbert's walk from x, a difference of two points of b and a, towards the difference
+/// nearest to 0, kSteps steps. The support gap across each point passed is a lower bound, whatever the point.
+/// Source: Gilbert, An Iterative Procedure for Computing the Minimum of a Quadratic Form on a Convex Set,
+/// SIAM J. Control 4, 1966.
 template <int kSteps, class D, class V = hn::Vec<D>>
 HWY_INLINE hn::Mask<D> WalkProvesApart(D d, const Triangles<V>& a, const Triangles<V>& b, Lanes3<V> x,
                                        V needSquared) {
@@ -91,8 +91,9 @@ HWY_INLINE hn::Mask<D> WalkProvesApart(D d, const Triangles<V>& a, const Triangl
         // On from x towards the support point, to where the segment between them is nearest to 0; any share
         // of the way would do, so an estimate of the quotient does. x.towards = width - x.x.
         const Lanes3<V> towards = onB.corner - onA.corner - x;
-        const V share = hn::Mul(hn::Sub(lengthSquared, width), hn::ApproximateReciprocal(Dot(towards, towards)));
-        x = AddScaled(x, hn::Clamp(share, hn::Zero(d), hn::Set(d, 1.0f)), towards);
+        const V share =
+            hn::Mul(hn::Sub(lengthSquared, width), hn::ApproximateReciprocal(Dot(towards, towards)));
+        x = AddScaled(x, hn::Clamp(share, hn::Zero(d), hn::Set(d, hn::TFromD<D>(1))), towards);
     }
     return proved;
 }

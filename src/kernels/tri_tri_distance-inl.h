@@ -37,7 +37,7 @@ HWY_INLINE V QuotientOrZero(D d, V a, V b) {
 /// Difference q - p of near points of the edges p0 + s u and q0 + t v, s and t in [0, 1]; w = q0 - p0.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE Lanes3<V> EdgeDifference(D d, const Lanes3<V>& w, const Lanes3<V>& u, const Lanes3<V>& v) {
-    const V zero = hn::Zero(d), one = hn::Set(d, 1.0f);
+    const V zero = hn::Zero(d), one = hn::Set(d, hn::TFromD<D>(1));
     const Lanes3<V> n = Cross(u, v);
     const V uu = Dot(u, u), vv = Dot(v, v), uv = Dot(u, v), wu = Dot(w, u), wv = Dot(w, v);
     V s = hn::Clamp(QuotientOrZero(d, Dot(Cross(w, v), n), Dot(n, n)), zero, one);
@@ -51,7 +51,7 @@ HWY_INLINE Lanes3<V> EdgeDifference(D d, const Lanes3<V>& w, const Lanes3<V>& u,
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE Lanes3<V> FaceDifference(D d, const Lanes3<V>& w, const Lanes3<V>& u, const Lanes3<V>& v,
                                     const Lanes3<V>& n, V nn) {
-    const V zero = hn::Zero(d), one = hn::Set(d, 1.0f);
+    const V zero = hn::Zero(d), one = hn::Set(d, hn::TFromD<D>(1));
     const V s = hn::Clamp(QuotientOrZero(d, Dot(Cross(w, v), n), nn), zero, one);
     const V t = hn::Clamp(QuotientOrZero(d, Dot(Cross(u, w), n), nn), zero, hn::Sub(one, s));
     return AddScaled(AddScaled(Lanes3<V>{hn::Neg(w.x), hn::Neg(w.y), hn::Neg(w.z)}, s, u), t, v);

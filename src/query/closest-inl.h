@@ -1,6 +1,7 @@
 // The visitor of `distance`: shrinks an upper bound in float, keeps the pairs that may be the closest,
 // resolves them in double.
 #include "hwy/highway.h"
+#include "query/bound_pairs-inl.h"
 #include "query/refine.h"
 #include "query/traverse-inl.h"
 
@@ -15,6 +16,10 @@ HWY_BEFORE_NAMESPACE();
 namespace clearway {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
+
+/// Pairs closer to each other than this, in u64 M, count as equally close: an answer's interval may be that
+/// wide.
+constexpr double kTieRoundoffs = 32;
 
 class Closest {
   public:
@@ -70,10 +75,7 @@ class Closest {
                 resolve(nearest_.partTriangle, nearest_.environmentTriangle);
             }
             sortByLower(candidates);
-            for (const Candidate& candidate : candidates) {
-                if (done() || drops(candidate.lower)) break;
-                resolve(candidate.partTriangle, candidate.environmentTriangle);
-            }
+            resolveCandidates(candidates);
         }
         out.pair = answer_;
         out.partTriangle = answerPart_;
@@ -89,6 +91,41 @@ class Closest {
     }
 
   private:
+    HWY_NOINLINE void resolveCandidates(Pile<Candidate>& candidates) {
+        Candidate together[kPairsTogether];
+        const Candidate *next = candidates.begin(), *end = candidates.end();
+        while (next != end && !drops(next->lower) && !done()) {
+            int count = 0;
+            for (; next != end && count < kPairsTogether && !drops(next->lower); ++next) {
+                if (!isAnswer(*next)) together[count++] = *next;
+            }
+            resolveTogether(together, count);
+        }
+    }
+
+    bool isAnswer(const Candidate& pair) const {
+        return found_ && pair.partTriangle == answerPart_ && pair.environmentTriangle == answerEnvironment_;
+    }
+
+    /// Pairs that are as close as the answer, but for rounding, only lower its lower bound; what may be
+    /// closer, or is not proved well, is resolved.
+    HWY_INLINE void resolveTogether(const Candidate* pairs, int count) {
+        alignas(64) double lower[kPairsTogether] = {};
+        if (count > 1) {
+            BoundPairs(query_, pairs, count, lower);
+            state_.counters.refinedPairs += std::uint64_t(count);
+        }
+        const double tie = kTieRoundoffs * kUnitRoundoffDouble * query_.largestCoordinate;
+        for (int k = 0; k < count && !done(); ++k) {
+            if (lower[k] >= double(dropFrom_)) continue;
+            if (found_ && lower[k] > 0 && lower[k] >= answer_.upper - tie) {
+                if (lower[k] < leastLower_) leastLower_ = lower[k];
+            } else {
+                resolve(pairs[k].partTriangle, pairs[k].environmentTriangle);
+            }
+        }
+    }
+
     bool drops(float bound) const { return bound >= dropFrom_; }
 
     /// Takes a smaller true upper bound of the distance. Dropping at bound b leaves an interval [b, upper],

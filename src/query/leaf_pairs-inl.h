@@ -16,12 +16,12 @@ namespace clearway {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Leaves are taken in blocks of up to 4 triangles, two blocks as 16 pairs: pair p is that of the part block's
-/// triangle p / 4 and the environment block's triangle p % 4.
+/// Leaves are taken in blocks of up to 4 triangles, two blocks as 16 pairs: pair p is that of the part
+/// block's triangle p / 4 and the environment block's triangle p % 4.
 constexpr int kBlock = 4;
 constexpr int kBlockPairs = kBlock * kBlock;
 constexpr int kMostBlocks = 4;  ///< of a leaf, which holds at most 16 triangles
-constexpr int kWalkSteps = 1;  ///< of the cheap bound; 2 drops a third of what is left and costs more
+constexpr int kWalkSteps = 1;   ///< of the cheap bound; 2 drops a third of what is left and costs more
 using PairTag = hn::CappedTag<float, kBlockPairs>;
 
 /// The same coordinate of a block's 4 triangles; what lies past the block's last triangle means nothing.
@@ -59,8 +59,8 @@ HWY_INLINE V SpreadPart(D d, const BlockRow& row, size_t first) {
 class LeafPairs {
   public:
     /// volumesBound: a proved lower bound of all pairs. Finds the pairs that are near by a cheap bound.
-    HWY_INLINE void meet(const PairQuery& query, const Leaf& part, const Leaf& environment, float volumesBound,
-                         float dropFrom) {
+    HWY_INLINE void meet(const PairQuery& query, const Leaf& part, const Leaf& environment,
+                         float volumesBound, float dropFrom) {
         query_ = &query;
         part_ = &part;
         environment_ = &environment;
@@ -212,8 +212,7 @@ class LeafPairs {
                                   float dropFrom) const {
         const PairTag d;
         using V = hn::Vec<PairTag>;
-        const std::uint32_t present =
-            presentPairs(part_->triangleCount - i, environment_->triangleCount - j);
+        const std::uint32_t present = presentPairs(part_->triangleCount - i, environment_->triangleCount - j);
         const BlockStart start = startOfEnvironment(j);
         const Lanes3<V> leaves = across(d);
         const V leavesSquared = Dot(leaves, leaves);
@@ -221,8 +220,8 @@ class LeafPairs {
             hn::Set(d, NeedSquared((dropFrom + roundingError_) * (1 + 2 * float(kUnitRoundoffFloat))));
         std::uint32_t near = 0;
         for (size_t first = 0; first < kBlockPairs; first += hn::Lanes(d)) {
-            const V width = hn::Sub(SpreadEnvironment(d, start.along.of, first),
-                                    SpreadPart(d, partStart.along, first));
+            const V width =
+                hn::Sub(SpreadEnvironment(d, start.along.of, first), SpreadPart(d, partStart.along, first));
             const std::uint32_t lanes = (present >> first) & ((1u << hn::Lanes(d)) - 1);
             if ((lanes & ~MaskBits(d, ProvesApart(d, width, leavesSquared, needSquared))) == 0) continue;
             const auto difference = [&](int row) HWY_ATTR {
@@ -231,8 +230,8 @@ class LeafPairs {
             };
             Triangles<V> a, b;
             load(i, j, first, a, b);
-            const auto proved =
-                WalkProvesApart<kWalkSteps>(d, a, b, {difference(0), difference(1), difference(2)}, needSquared);
+            const auto proved = WalkProvesApart<kWalkSteps>(
+                d, a, b, {difference(0), difference(1), difference(2)}, needSquared);
             near |= (lanes & ~MaskBits(d, proved)) << first;
         }
         return near;

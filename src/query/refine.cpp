@@ -191,6 +191,24 @@ double lengthBetween(const Vector3& p, const Vector3& q) {
 
 }  // namespace
 
+PairVertices pairVertices(const PairQuery& query, std::uint32_t partTriangle,
+                          std::uint32_t environmentTriangle) {
+    const FlatTree &part = *query.part, &environment = *query.environment;
+    const auto &p = part.triangles[partTriangle], &q = environment.triangles[environmentTriangle];
+    const Vector3 &p0 = part.vertices[p[0]], &q0 = environment.vertices[q[0]];
+    PairVertices pair;
+    for (int row = 0; row < 3; ++row) {
+        pair.firstCorner[row] = affineRow(query.R + 3 * row, p0.data(), query.t[row]) * query.perMeshUnit -
+                                q0[row] * query.perMeshUnit;
+        for (int edge = 0; edge < 2; ++edge) {
+            pair.partEdge[edge][row] = (part.vertices[p[edge + 1]][row] - p0[row]) * query.perMeshUnit;
+            pair.environmentEdge[edge][row] =
+                (environment.vertices[q[edge + 1]][row] - q0[row]) * query.perMeshUnit;
+        }
+    }
+    return pair;
+}
+
 ResolvedPair resolvePair(const PairQuery& query, std::uint32_t partTriangle,
                          std::uint32_t environmentTriangle) {
     const Corners moved = movedCorners(query, partTriangle), fixed = fixedCorners(query, environmentTriangle);

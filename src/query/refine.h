@@ -22,6 +22,17 @@ struct ResolvedPair {
 /// u64 M, and that counts instead.
 constexpr double kContactRoundoffs = 32;
 
+/// A pair in query units, relative to the environment triangle's first corner: the part's first corner,
+/// moved, and the edges from either triangle's first corner to its second and third; the part's are not
+/// rotated.
+struct PairVertices {
+    double firstCorner[3];
+    double partEdge[2][3];
+    double environmentEdge[2][3];
+};
+PairVertices pairVertices(const PairQuery& query, std::uint32_t partTriangle,
+                          std::uint32_t environmentTriangle);
+
 /// partTriangle, environmentTriangle: positions in the trees.
 ResolvedPair resolvePair(const PairQuery& query, std::uint32_t partTriangle,
                          std::uint32_t environmentTriangle);

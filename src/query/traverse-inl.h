@@ -1,10 +1,10 @@
 // The one traversal: depth first through pairs of volumes, the nearer child first. A visitor says which
-// bounds it can drop, takes the pairs of leaves, and says when it has its answer.
+// bounds it can drop, takes the near pairs of triangles, and says when it has its answer.
 //
 // A visitor has
-//   float dropFrom() const   pairs of volumes whose distance is at least this (query units) are of no interest
-//   void leaves(float bound, const Leaf& part, const Leaf& environment)
-//   bool done() const
+//   float dropFrom() const   pairs of volumes whose distance is at least this (query units) are of no
+//   interest bool done() const
+// and what LeafPairs::visit asks for.
 #include "hwy/highway.h"
 #include "kernels/rss_lower_bound-inl.h"
 #include "query/leaf_pairs-inl.h"
@@ -71,10 +71,6 @@ struct Volume {
     HWY_INLINE bool isLeaf() const { return child < 0; }
 };
 
-/// Pairs taken from the stack at once. Their bounds do not depend on each other, so that the processor works
-/// on all of them while it waits for none. Source: measured; see the note on the batch in Traverse.
-constexpr int kBatch = 1;
-
 /// A pair of volumes one of whose nodes is opened: the other volume against its children.
 template <int kWidth>
 struct Opening {
@@ -93,9 +89,8 @@ HWY_INLINE bool OpensPart(const PairQuery& query, const Volume<kWidth>& a, const
 }
 
 template <int kWidth>
-HWY_INLINE void Open(const PairQuery& query, const StackEntry& entry, float dropFrom,
-                     Opening<kWidth>& opening) {
-    const Volume<kWidth> a(*query.part, entry.part), b(*query.environment, entry.environment);
+HWY_INLINE void Open(const PairQuery& query, const StackEntry& entry, const Volume<kWidth>& a,
+                     const Volume<kWidth>& b, float dropFrom, Opening<kWidth>& opening) {
     const bool openPart = OpensPart(query, a, b);
     const Carry& carry = openPart ? query.environmentToPart : query.partToEnvironment;
     const std::int32_t opened = openPart ? a.child : b.child;
@@ -134,32 +129,24 @@ HWY_INLINE void Traverse(const PairQuery& query, Workspace::State& state, Visito
     stack.clear();
     stack.push({-hwy::HighestValue<float>(), 0, 0});
 
-    Opening<kWidth> openings[kBatch];
-    LeafPairs leaves[kBatch];
+    // Taking several pairs at once, so that the processor has their bounds to work on side by side, was tried
+    // with 2, 3 and 4, as was fetching pushed children ahead: no gain, arithmetic is the limit.
+    Opening<kWidth> opening;
+    LeafPairs leaves;
     while (!stack.empty() && !visitor.done()) {
-        int opened = 0, met = 0;
-        while (!stack.empty() && opened + met < kBatch) {
-            const StackEntry entry = stack.pop();
-            if (entry.bound >= visitor.dropFrom()) continue;
-            const std::int32_t a = part.nodes<kWidth>()[entry.part / kWidth].child[entry.part % kWidth];
-            const std::int32_t b =
-                environment.nodes<kWidth>()[entry.environment / kWidth].child[entry.environment % kWidth];
-            if (a < 0 && b < 0) {
-                leaves[met++].meet(query, part.leaves[~a], environment.leaves[~b], entry.bound,
-                                   visitor.dropFrom());
-            } else {
-                Open(query, entry, visitor.dropFrom(), openings[opened++]);
-            }
-        }
-        state.counters.nodeVisits += std::uint64_t(opened);
-        for (int i = opened; i-- > 0;) {
-            state.counters.volumeTests += openings[i].near.children;
-            PushNear(openings[i], stack);
-        }
-        for (int i = 0; i < met; ++i) {
-            state.counters.triangleTests += std::uint64_t(leaves[i].total());
-            leaves[i].visit(visitor);
-            if (visitor.done()) return;
+        const StackEntry entry = stack.pop();
+        if (entry.bound >= visitor.dropFrom()) continue;
+        const Volume<kWidth> a(part, entry.part), b(environment, entry.environment);
+        if (a.isLeaf() && b.isLeaf()) {
+            leaves.meet(query, part.leaves[~a.child], environment.leaves[~b.child], entry.bound,
+                        visitor.dropFrom());
+            state.counters.triangleTests += std::uint64_t(leaves.total());
+            leaves.visit(visitor);
+        } else {
+            Open(query, entry, a, b, visitor.dropFrom(), opening);
+            ++state.counters.nodeVisits;
+            state.counters.volumeTests += opening.near.children;
+            PushNear(opening, stack);
         }
     }
 }

@@ -32,10 +32,10 @@ void allBounds(const FlatTree& carried, const FlatTree& tree, const Carry& carry
     for (std::size_t volume = 0; volume < volumes; ++volume) {
         const Volume<kWidth> one(carried, static_cast<VolumeReference>(volume));
         for (std::size_t node = 0; node < nodes; ++node) {
-            HWY_ALIGN float found[kWidth];
+            alignas(64) float found[kWidth];
             RssLowerBounds(CarryVolume(carry, one.node, one.lane), tree.nodes<kWidth>()[node], carry.slack,
-                           found);
-            for (const float bound : found) bounds.push_back(bound * double(carry.toQueryUnit) * toMeshUnit);
+                           carry.toQueryUnit, hwy::HighestValue<float>(), found);
+            for (const float bound : found) bounds.push_back(bound * toMeshUnit);
         }
     }
 }
