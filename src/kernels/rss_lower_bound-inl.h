@@ -169,8 +169,8 @@ struct NearChildren {
 /// one: in the node's frame and unit.  slack: taken from every bound; kVolumeSlack in query/pair_query.h
 /// covers the rounding of everything done here.  toQueryUnit: an exact power of two, node unit -> query unit.
 /// dropFrom: query units.
-/// bounds: kWidth values in query units, negative when the volumes overlap (kept negative: they order the
-/// descent), +infinity for unused lanes, none above the true distance.
+/// bounds: those of the near lanes, in query units, negative when the volumes overlap (kept negative: they
+/// order the descent), none above the true distance. What the other lanes hold means nothing.
 template <int kWidth>
 HWY_INLINE NearChildren RssLowerBounds(const CarriedRss& one, const WideNode<kWidth>& node, float slack,
                                        float toQueryUnit, float dropFrom, float* bounds) {

@@ -33,6 +33,7 @@ void allBounds(const FlatTree& carried, const FlatTree& tree, const Carry& carry
         const Volume<kWidth> one(carried, static_cast<VolumeReference>(volume));
         for (std::size_t node = 0; node < nodes; ++node) {
             alignas(64) float found[kWidth];
+            std::fill(found, found + kWidth, std::numeric_limits<float>::infinity());
             RssLowerBounds(CarryVolume(carry, one.node, one.lane), tree.nodes<kWidth>()[node], carry.slack,
                            carry.toQueryUnit, hwy::HighestValue<float>(), found);
             for (const float bound : found) bounds.push_back(bound * toMeshUnit);
