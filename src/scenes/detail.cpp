@@ -11,12 +11,11 @@ namespace {
 constexpr std::size_t kMostTriangles = 4000000;
 constexpr double kFineness = 40;  // the greatest, see detailFor
 
-/// One number says how fine everything is: 1 is the coarsest.
-Detail detailFor(double fineness, double longestStep) {
+Detail detailFor(double fineness, double step) {
     Detail detail;
-    detail.segmentsPerQuarter = std::max(2, static_cast<int>(std::pow(fineness, 0.75)));
+    detail.segmentsPerQuarter = std::max(fineness < 1 ? 1 : 2, static_cast<int>(std::pow(fineness, 0.75)));
     detail.segmentsPerTurn = 4 * static_cast<int>(std::ceil(1.5 * std::pow(fineness, 0.75) + 0.5));
-    detail.step = longestStep / fineness;
+    detail.step = step / fineness;
     detail.richness = std::pow(fineness, 0.7);
     return detail;
 }
@@ -27,12 +26,12 @@ int Detail::count(double atRichnessOne) const {
     return std::max(1, static_cast<int>(std::lround(atRichnessOne * richness)));
 }
 
-Mesh buildTo(std::size_t triangles, const std::string& option, double longestStep,
+Mesh buildTo(std::size_t triangles, const std::string& option, const FinenessRange& range,
              const BuildAssembly& build) {
     const auto countAt = [&](double fineness) {
-        return build(detailFor(fineness, longestStep), 0).triangleCount();
+        return build(detailFor(fineness, range.step), 0).triangleCount();
     };
-    double low = 1, high = kFineness;
+    double low = range.coarsest, high = kFineness;
     const std::size_t least = countAt(low);
     if (triangles < least || triangles > kMostTriangles) {
         throw std::invalid_argument(option + " is " + std::to_string(triangles) + ", expected " +
@@ -43,7 +42,7 @@ Mesh buildTo(std::size_t triangles, const std::string& option, double longestSte
         const double middle = (low + high) / 2;
         (countAt(middle) <= triangles ? low : high) = middle;
     }
-    const Detail detail = detailFor(low, longestStep);
+    const Detail detail = detailFor(low, range.step);
     const std::size_t without = countAt(low), studTriangles = build(detail, 1).triangleCount() - without;
     return build(detail, static_cast<int>((triangles - without) / studTriangles)).mesh();
 }

@@ -22,10 +22,16 @@ struct Detail {
 /// A mesh's pieces at that detail and so many studs beside them, all studs of the same number of triangles.
 using BuildAssembly = std::function<Assembly(const Detail& detail, int studs)>;
 
+/// One number, the fineness, says how fine everything is.
+struct FinenessRange {
+    double step = 60;     ///< mm between a sweep's stations at fineness 1
+    double coarsest = 1;  ///< below 1 roundings are cut into single chords, and details grow few
+};
+
 /// The finest build that has no more triangles than asked for, filled up with studs. option: what the number
-/// is called when it is refused. longestStep: mm between a sweep's stations where they are fewest. Throws
-/// std::invalid_argument when the coarsest build has more triangles, or above 4 million are asked for.
-Mesh buildTo(std::size_t triangles, const std::string& option, double longestStep,
+/// is called when it is refused. Throws std::invalid_argument when the coarsest build has more triangles, or
+/// above 4 million are asked for.
+Mesh buildTo(std::size_t triangles, const std::string& option, const FinenessRange& range,
              const BuildAssembly& build);
 
 }  // namespace clearway

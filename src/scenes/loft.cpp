@@ -8,7 +8,9 @@ namespace clearway {
 
 namespace {
 
-/// `segments` points on a hexagon, the corners among them; segments is a multiple of 12.
+constexpr double kMostCorner = 0.45;  // of a box's shorter side; half of it would leave no side
+
+/// `segments` points on a hexagon, the corners among them; segments is a multiple of 6.
 Polyline hexagon(double halfWidth, int segments) {
     Polyline loop = circle(Vector2::Zero(), 1, segments);
     for (int i = 0; i < segments; ++i) {
@@ -16,6 +18,10 @@ Polyline hexagon(double halfWidth, int segments) {
         loop[i] *= halfWidth / std::cos(fromFlat);
     }
     return loop;
+}
+
+double fittingCorner(const Vector3& low, const Vector3& high, double corner) {
+    return std::min(corner, kMostCorner * std::min(high.x() - low.x(), high.y() - low.y()));
 }
 
 }  // namespace
@@ -57,6 +63,7 @@ Piece pressed(const Polyline& profile, const Vector2& low, const Vector2& high, 
 
 Piece roundedBox(const Vector3& low, const Vector3& high, double corner, double edge,
                  int segmentsPerQuarter) {
+    corner = fittingCorner(low, high, corner);
     const double in = 0.98 * corner;  // a profile ends just before the corner's centre
     const Polyline profile = filleted({{in, low.z()}, {0, low.z()}, {0, high.z()}, {in, high.z()}},
                                       {edge, edge}, segmentsPerQuarter);
@@ -64,6 +71,8 @@ Piece roundedBox(const Vector3& low, const Vector3& high, double corner, double 
 }
 
 Piece tray(const Vector3& low, const Vector3& high, double corner, double wall, int segmentsPerQuarter) {
+    corner = fittingCorner(low, high, corner);
+    assert(wall < corner);
     const double in = 0.98 * corner, floor = low.z() + wall;
     const double outside = std::min(0.45 * corner, 0.4 * (high.z() - low.z()));
     const Polyline profile =
@@ -93,7 +102,7 @@ Piece ring(const Polyline& loop, int segments) {
 }
 
 Piece bolt(const BoltShape& shape, int segments) {
-    const int n = 12 * std::max(1, segments / 12);
+    const int n = 6 * std::max(1, (segments + 6) / 12);
     const double flange = 1.35 * shape.head, rise = 0.22 * shape.height;
     const auto round = [n](double radius) { return circle(Vector2::Zero(), radius, n); };
     return stacked({{round(0.8 * shape.shank), -shape.length},

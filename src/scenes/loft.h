@@ -21,10 +21,12 @@ Piece stacked(const std::vector<StackedLoop>& loops);
 Piece pressed(const Polyline& profile, const Vector2& low, const Vector2& high, double cornerRadius,
               int segmentsPerQuarter);
 
-/// A box from z = 0 with rounded edges all around; edge < corner radius.
+/// A box, rounded by `corner` about z and by `edge` where it meets its top and bottom. Radii that do not fit
+/// are lessened.
 Piece roundedBox(const Vector3& low, const Vector3& high, double corner, double edge, int segmentsPerQuarter);
 
-/// An open tray: outer size, wall thickness, rounded outer bottom edge; edge and wall < corner radius.
+/// A tray open above, with rounded corners and bottom edges. The wall is thinner than the corner's radius,
+/// which is lessened where it does not fit.
 Piece tray(const Vector3& low, const Vector3& high, double corner, double wall, int segmentsPerQuarter);
 
 /// A closed loop (distance from the axis, height), counter-clockwise, all of it off the axis, turned about z.

@@ -27,10 +27,6 @@ Placement facing(const Vector3& origin, const Vector3& along, const Vector3& up)
     return [rotation, origin](const Vector3& p) -> Vector3 { return rotation * p + origin; };
 }
 
-Vector3 upright(const Vector3& p) {
-    return {p.y(), p.z(), p.x()};
-}
-
 void Assembly::add(const std::string& name, const Piece& piece) {
     const auto firstVertex = static_cast<std::uint32_t>(mesh_.vertices.size());
     const auto firstTriangle = static_cast<std::uint32_t>(mesh_.triangles.size());

@@ -28,10 +28,6 @@ Placement standingAt(const Vector3& origin, const Vector3& axis, double turn = 0
 /// that allows, along `along`.
 Placement facing(const Vector3& origin, const Vector3& along, const Vector3& up);
 
-/// The placement that swaps axes so that what sweep() pulled along x stands along z: the section's first
-/// coordinate becomes x, its second y.
-Vector3 upright(const Vector3& p);
-
 /// Pieces as the named components of one mesh, in the order they were added.
 class Assembly {
   public:

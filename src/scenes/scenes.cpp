@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "scenes/cembox.h"
 #include "scenes/puzzle.h"
 #include "scenes/tunnel_console.h"
 
@@ -27,6 +28,7 @@ const std::vector<NamedScene>& namedScenes() {
     static const std::vector<NamedScene> kScenes = {
         {"tunnel-console-1", "a centre console to be threaded out of a bent tunnel", kTunnelConsole,
          makeTunnelConsole},
+        {"cembox-1", "a control module to be drawn out of its rails in an engine bay", kCembox, makeCembox},
         {"puzzle-1", "two interlocked bent bars, one to be slid through the eye of the other", kPuzzle,
          makePuzzle},
     };

@@ -30,6 +30,16 @@ Piece sweep(const Section& section, const std::vector<double>& stations) {
     return piece;
 }
 
+Piece sweepAlongY(const Section& section, const std::vector<double>& stations) {
+    std::vector<double> backwards;  // pulled along -y: x, z and -y are right-handed
+    for (std::size_t i = stations.size(); i-- > 0;) backwards.push_back(-stations[i]);
+    return placed(sweep(section, backwards), [](const Vector3& p) { return Vector3(p.y(), -p.x(), p.z()); });
+}
+
+Piece sweepAlongZ(const Section& section, const std::vector<double>& stations) {
+    return placed(sweep(section, stations), [](const Vector3& p) { return Vector3(p.y(), p.z(), p.x()); });
+}
+
 std::vector<double> stationsBetween(double first, double last, double step) {
     assert(first < last && step > 0);
     const int spans = std::max(1, static_cast<int>(std::ceil((last - first) / step - 1e-9)));

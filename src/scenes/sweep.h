@@ -11,6 +11,10 @@ namespace clearway {
 /// tessellations.
 Piece sweep(const Section& section, const std::vector<double>& stations);
 
+/// The same for a section in (x, z), pulled along y, and for one in (x, y), pulled along z.
+Piece sweepAlongY(const Section& section, const std::vector<double>& stations);
+Piece sweepAlongZ(const Section& section, const std::vector<double>& stations);
+
 /// Evenly spaced from first to last, at most `step` apart.
 std::vector<double> stationsBetween(double first, double last, double step);
 

@@ -46,10 +46,10 @@ GeneratedScene makeTunnelConsole(const SceneOptions& options) {
     GeneratedScene scene;
     scene.name = "tunnel-console";
     scene.part = buildTo(
-        options.partTriangles, "part-triangles", design.longestStep,
+        options.partTriangles, "part-triangles", {design.longestStep},
         [&](const Detail& detail, int studs) { return buildConsole(design, detail, partRandom, studs); });
     scene.environment = buildTo(
-        options.environmentTriangles, "environment-triangles", design.longestStep,
+        options.environmentTriangles, "environment-triangles", {design.longestStep},
         [&](const Detail& detail, int studs) { return buildTunnel(design, detail, tunnelRandom, studs); });
 
     scene.path = constructedPath(design);

@@ -37,6 +37,16 @@ BOOST_AUTO_TEST_CASE(a_rounded_box_is_a_solid_of_its_size) {
     BOOST_TEST((boxOf(box).max() - high).norm() < 1e-9);
 }
 
+BOOST_AUTO_TEST_CASE(a_corner_that_does_not_fit_is_lessened) {
+    requireSolid(roundedBox({0, 0, 0}, {40, 5, 20}, 10, 1, 3), 40 * 5 * 20, 0.1);
+    requireSolid(roundedBox({0, 0, 0}, {40, 30, 1}, 10, 5, 3), 40 * 30 * 1, 0.12);
+    const Piece narrow = roundedBox({0, 0, 0}, {40, 5, 20}, 10, 1, 3);
+    for (const TriangleIndices& t : narrow.triangles) {  // convex, so that no side looks inwards
+        const Vector3 a = narrow.vertices[t[0]], b = narrow.vertices[t[1]], c = narrow.vertices[t[2]];
+        BOOST_TEST((b - a).cross(c - a).dot(a - Vector3(20, 2.5, 10)) > 0);
+    }
+}
+
 BOOST_AUTO_TEST_CASE(a_tray_is_a_closed_shell_open_above) {
     const Piece shell = tray({0, 0, 0}, {160, 140, 20}, 6, 2, 4);
     requireSolid(shell, 160 * 140 * 20 - 156 * 136 * 18, 0.05);
@@ -77,5 +87,10 @@ BOOST_AUTO_TEST_CASE(facing_turns_the_axes_where_it_says) {
     BOOST_TEST((placement(Vector3::UnitZ()) - Vector3(1, 1, 3)).norm() < 1e-12);
     BOOST_TEST((placement(Vector3::UnitX()) - Vector3(1, 2, 4)).norm() < 1e-12);
     requireSolid(placed(roundedBox({0, 0, 0}, {10, 20, 30}, 2, 0.5, 2), placement), 6000, 0.05);
-    requireSolid(placed(sweep(rectangleSection({0, 0}, {2, 3}), {0, 5}), upright), 30, 1e-6);
+    const Piece alongY = sweepAlongY(rectangleSection({0, 0}, {2, 3}), {1, 6});
+    requireSolid(alongY, 30, 1e-6);
+    BOOST_TEST((boxOf(alongY).max() - Vector3(2, 6, 3)).norm() < 1e-12);
+    const Piece alongZ = sweepAlongZ(rectangleSection({0, 0}, {2, 3}), {1, 6});
+    requireSolid(alongZ, 30, 1e-6);
+    BOOST_TEST((boxOf(alongZ).max() - Vector3(2, 3, 6)).norm() < 1e-12);
 }
