@@ -86,7 +86,8 @@ CemboxDesign designCembox(const SceneOptions& options) {
     design.railTop = design.halfHeight - 2;
     design.top = design.halfHeight + random.between(32, 36);
     design.lift = 2 * design.halfHeight + 2 + 2 * design.gap;
-    design.place += Vector3(random.between(-20, 20), 0, random.between(-6, 6));
+    design.place.x() += random.between(-20, 20);
+    design.place.z() += random.between(-6, 6);
     return design;
 }
 

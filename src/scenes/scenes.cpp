@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "scenes/boxes.h"
 #include "scenes/cembox.h"
 #include "scenes/puzzle.h"
 #include "scenes/tunnel_console.h"
@@ -29,6 +30,7 @@ const std::vector<NamedScene>& namedScenes() {
         {"tunnel-console-1", "a centre console to be threaded out of a bent tunnel", kTunnelConsole,
          makeTunnelConsole},
         {"cembox-1", "a control module to be drawn out of its rails in an engine bay", kCembox, makeCembox},
+        {"boxes-1", "a box that slides along two others, face to face", kBoxes, makeBoxes},
         {"puzzle-1", "two interlocked bent bars, one to be slid through the eye of the other", kPuzzle,
          makePuzzle},
     };
