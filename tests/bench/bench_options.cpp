@@ -47,7 +47,7 @@ options::options_description allOptions() {
     add("peer-budget", options::value<double>()->default_value(60),
         "seconds for each question to a peer; it repeats less often if need be");
     add("lead-in", options::value<double>()->default_value(0.02), "seconds at most, untimed, before a pass");
-    add("build-rounds", options::value<int>()->default_value(3), "of builds; 0: none");
+    add("build-rounds", options::value<int>()->default_value(5), "of builds; 0: none");
     add("build-budget", options::value<double>()->default_value(60), "seconds for a scene's builds");
     add("without-peers", "times clearway alone");
     add("targets", text("avx2"), "instruction sets timed besides the best one, or 'all'");

@@ -15,6 +15,7 @@ const std::vector<BenchScene>& benchScenes() {
         {"B", "tunnel-console-1", {73000, 300000}, {2000, 8000}, 0, 1e-3, 0.1, 1, true},
         {"C", "cembox-1", {30000, 500000}, {4000, 42000}, 0.1, 0, 0, 1, true},
         {"E", "puzzle-1", {2000, 2000}, {2000, 2000}, 0.1, 0, 0, 1, true},
+        {"F", "boxes-1", {100, 700}, {100, 700}, 0.1, 0, 0, 1, false},
     };
     return kScenes;
 }

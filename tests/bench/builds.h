@@ -17,7 +17,7 @@ struct BuildRow {
 };
 
 struct BuildSchedule {
-    int rounds = 3;
+    int rounds = 5;
     double seconds = 60;  ///< no round begins that would end later, but one is always run
 };
 
