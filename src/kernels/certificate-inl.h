@@ -59,11 +59,12 @@ HWY_INLINE SupportCorner<V> Support(const Lanes3<V>& v, const Triangles<V>& t) {
 
 /// Whether slabs `width` wide, measured across v in units of |v|, prove a distance of at least
 /// sqrt(needSquared): compared as squares, so that nothing is divided. Below |v|^2 = 1e-22 they might vanish;
-/// such v prove nothing, and neither does NaN.
+/// such v prove nothing, and neither does NaN. Above, and not at least: squares of lengths beyond 1e9 may
+/// both be infinite.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE hn::Mask<D> ProvesApart(D d, V width, V lengthSquared, V needSquared) {
     const V positive = hn::Max(width, hn::Zero(d));
-    return hn::And(hn::Ge(hn::Mul(positive, positive), hn::Mul(needSquared, lengthSquared)),
+    return hn::And(hn::Gt(hn::Mul(positive, positive), hn::Mul(needSquared, lengthSquared)),
                    hn::Gt(lengthSquared, hn::Set(d, 1e-22f)));
 }
 

@@ -143,6 +143,28 @@ BOOST_DATA_TEST_CASE(meshes_may_lie_far_from_their_origin, eachTarget() * eachWi
     }
 }
 
+BOOST_DATA_TEST_CASE(a_part_may_lie_far_beyond_the_size_of_both, eachTarget() * eachWidth(), target, width) {
+    // From 2^32 sizes on, squares of squares overflow float; queries go up to 2^60.
+    const UsingTarget using_(target);
+    Random random(23);
+    const Mesh part = randomSoup(random, 20, 0.7, 0.4), environment = randomSoup(random, 30, 0.7, 0.4);
+    const ModelPair models{Model::build(part, ofWidth(width)), Model::build(environment, ofWidth(width))};
+    const MeshOracle oracle(part, environment);
+    for (const int exponent : {20, 31, 32, 33, 34, 36, 40, 50, 58}) {
+        const Pose pose{random.rotation(), random.direction() * std::ldexp(1.0, exponent)};
+        const double truth = oracle.distance(pose).distance;
+        BOOST_TEST_CONTEXT("seed 23, 2^" << exponent << " away") {
+            Workspace workspace;
+            const DistanceResult result = distance(models.part, models.environment, pose, {}, workspace);
+            BOOST_TEST(result.lower <= truth);
+            BOOST_TEST(truth <= result.upper);
+            BOOST_TEST(result.upper - result.lower <= 64 * kUnitRoundoff * truth);
+            BOOST_TEST(isWithin(models.part, models.environment, pose, 1.001 * truth, workspace));
+            BOOST_TEST(!isWithin(models.part, models.environment, pose, 0.999 * truth, workspace));
+        }
+    }
+}
+
 BOOST_DATA_TEST_CASE(the_past_of_a_workspace_changes_no_answer, eachTarget() * eachWidth(), target, width) {
     const UsingTarget using_(target);
     Workspace warm;
