@@ -13,7 +13,7 @@ namespace {
 void addBattery(Bay& bay) {
     const Vector3 low(-618, 205, 262), high(-445, 455, 430);
     bay.add("battery_tray", tray(low - Vector3(9, 9, 5), Vector3(high.x() + 9, high.y() + 9, low.z() + 42),
-                                 16, 2.5, bay.detail.segmentsPerQuarter));
+                                 16, 2.5, bay.quarterFor(16)));
     bay.add("battery", bay.box(low, high, 7, 3));
     bay.add("battery_lid", bay.box({low.x() + 4, low.y() + 4, high.z() + Bay::kSlit},
                                    {high.x() - 4, high.y() - 4, high.z() + 14}, 9, 4));
@@ -141,7 +141,7 @@ void addFuseBox(Bay& bay) {
     const Vector3 low(-625, 470, 470), high(-500, 512, 535);
     const Vector3 far(high.x(), low.y() + 165, high.z());
     bay.add("fuse_box", tray({low.x(), low.y() - 70, low.z()}, {far.x(), far.y() - 130, far.z()}, 12, 3,
-                             bay.detail.segmentsPerQuarter));
+                             bay.quarterFor(12)));
     const int columns = std::clamp(bay.detail.count(4), 4, 14), rows = std::clamp(bay.detail.count(3), 3, 8);
     const double width = (far.x() - low.x() - 24) / columns, depth = 80.0 / rows;
     for (int i = 0; i < columns * rows; ++i) {

@@ -12,6 +12,11 @@ namespace {
 
 constexpr double kWithWashers = 0.6;  // richness, below which bolts have none
 
+/// Grows as the detail's numbers of segments do, without their steps.
+double cuts(const Detail& detail) {
+    return std::pow(detail.richness, 0.75 / 0.7);
+}
+
 }  // namespace
 
 void Bay::add(const std::string& name, const Piece& piece) {
@@ -23,12 +28,17 @@ void Bay::addNumbered(const std::string& stem, const Piece& piece) {
 }
 
 Piece Bay::box(const Vector3& low, const Vector3& high, double corner, double edge) const {
-    return roundedBox(low, high, corner, edge, detail.segmentsPerQuarter);
+    return roundedBox(low, high, corner, edge, quarterFor(corner));
 }
 
 int Bay::segmentsFor(double radius) const {
     const double relative = std::clamp(std::sqrt(radius / 15), 0.5, 3.0);
-    return 4 * std::max(2, static_cast<int>(std::lround(relative * detail.segmentsPerTurn / 4)));
+    return 4 * std::max(2, static_cast<int>(std::lround(relative * (1.5 * cuts(detail) + 1))));
+}
+
+int Bay::quarterFor(double radius) const {
+    const double relative = std::clamp(std::sqrt(radius / 8), 0.5, 2.0);
+    return std::max(1, static_cast<int>(std::lround(1.6 * relative * cuts(detail))));
 }
 
 Piece Bay::turnedRound(const Polyline& outline) const {
@@ -56,7 +66,7 @@ Piece Bay::wavyBar(const Line& line, double radius, const std::function<double(d
 }
 
 Polyline Bay::rounded(const Polyline& line, const std::vector<double>& radii) const {
-    return filleted(line, radii, detail.segmentsPerQuarter);
+    return filleted(line, radii, quarterFor(*std::max_element(radii.begin(), radii.end())));
 }
 
 std::vector<double> Bay::stations(double from, double to) const {
@@ -75,12 +85,12 @@ void Bay::addBolt(const Vector3& at, const Vector3& axis, double shank) {
     shape.head = 1.7 * shank;
     shape.height = 1.4 * shank;
     const Vector3 up = axis.normalized();
-    addNumbered("bolt", placed(bolt(shape, detail.segmentsPerTurn),
+    addNumbered("bolt", placed(bolt(shape, segmentsFor(2 * shank)),
                                standingAt(at + up * (washer + kSlit), axis, random.between(0, M_PI))));
     if (detail.richness < kWithWashers) return;
     const Polyline section{
         {1.15 * shank, 0}, {2.6 * shank, 0}, {2.6 * shank, washer}, {1.15 * shank, washer}};
-    addNumbered("washer", placed(ring(section, detail.segmentsPerTurn), standingAt(at, axis)));
+    addNumbered("washer", placed(turnedRing(section), standingAt(at, axis)));
 }
 
 void Bay::addBoltRow(const Vector3& from, const Vector3& to, const Vector3& axis, double shank,

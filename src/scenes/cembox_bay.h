@@ -26,8 +26,11 @@ struct Bay {
     void addNumbered(const std::string& stem, const Piece& piece);
 
     Piece box(const Vector3& low, const Vector3& high, double corner, double edge) const;
-    /// Of a circle of that radius (mm): chords grow with the root of it, as by a chord tolerance.
+    /// Of a circle of that radius (mm), a multiple of 4, and of a rounding: chords grow with the root of the
+    /// radius, as by a chord tolerance. As each radius gets its next segment at another detail, numbers of
+    /// triangles grow in small steps.
     int segmentsFor(double radius) const;
+    int quarterFor(double radius) const;
 
     Piece turnedRound(const Polyline& outline) const;
     Piece turnedRing(const Polyline& loop) const;

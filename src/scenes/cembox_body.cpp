@@ -26,12 +26,15 @@ Polyline beadedWall(const Vector2& from, const Vector2& to, int beads, double de
     return line;
 }
 
+/// The y of what lies at `y` in the middle of the bulkhead.
+double archedBack(double y, double x) {
+    return y + 22 * (x / 700) * (x / 700);
+}
+
 /// The bulkhead and the cowl's front edge above it, slightly arched to the rear.
 void addBulkhead(Bay& bay) {
     const double y = Bay::kBulkhead, half = Bay::kHalfWidth - 25;
-    const Placement arched = [](const Vector3& p) {
-        return Vector3(p.x(), p.y() + 22 * (p.x() / 700) * (p.x() / 700), p.z());
-    };
+    const Placement arched = [](const Vector3& p) { return Vector3(p.x(), archedBack(p.y(), p.x()), p.z()); };
     Polyline lower = beadedWall({y, 130}, {y, 380}, 3, -7);
     lower.insert(lower.begin(), {y + 70, 60});
     const std::vector<double> along = bay.stations(-half, half);
@@ -42,7 +45,7 @@ void addBulkhead(Bay& bay) {
     bay.add("bulkhead_upper", placed(sweep(bay.sheet(upper, 6, 1.2), along), arched));
     const Polyline cowl{{y + 30, 667}, {y - 22, 667}, {y - 27, 690}, {y - 12, 722}, {y + 40, 732}};
     bay.add("cowl_edge", placed(sweep(bay.sheet(cowl, 7, 1.2), along), arched));
-    const Polyline gasket = circle({y - 27, 728}, 5, bay.detail.segmentsPerTurn);
+    const Polyline gasket = circle({y - 27, 728}, 5, bay.segmentsFor(5));
     bay.add("cowl_seal", placed(sweep(fullSection(gasket), along), arched));
     bay.addBoltRow({-half + 20, y - 2, 630}, {half - 20, y - 2, 630}, -Vector3::UnitY(), 3, 5);
 }
@@ -95,7 +98,7 @@ void addStrutTower(Bay& bay, double side) {
 
 /// Hollow, with rounded edges.
 void addRail(Bay& bay, double side) {
-    const int n = bay.detail.segmentsPerQuarter;
+    const int n = bay.quarterFor(9);
     const double x = side * 430;
     const auto outline = [&](double in) {
         return roundedRectangle({x - 34 + in, 110 + in}, {x + 34 - in, 220 - in}, 9 - in, n);
@@ -129,7 +132,7 @@ void addCrossMember(Bay& bay, const std::string& name, const Vector2& middle, co
 
 void addHeadlight(Bay& bay, double side) {
     const double x = side * 500;
-    const Piece shell = tray({-85, -50, 0}, {85, 50, 95}, 24, 2.5, bay.detail.segmentsPerQuarter);
+    const Piece shell = tray({-85, -50, 0}, {85, 50, 95}, 24, 2.5, bay.quarterFor(24));
     const Placement forward = facing({x, 118, 555}, Vector3::UnitX(), -Vector3::UnitY());
     bay.add(side > 0 ? "headlight_left" : "headlight_right", placed(shell, forward));
     const Piece reflector = bay.turnedRound(
@@ -150,7 +153,7 @@ void addApron(Bay& bay, double side) {
     const auto hole = [room](std::size_t column, std::size_t row) {
         return (column + row) % 2 == 0 ? 0.62 * room : 0.0;
     };
-    Section plate = holedSection(xs, ys, hole, bay.detail.segmentsPerTurn);
+    Section plate = holedSection(xs, ys, hole, bay.segmentsFor(0.62 * room));
     Piece apron = sweepAlongZ(plate, {172, 173.6});
     if (side < 0) apron = placed(apron, [](const Vector3& p) { return Vector3(-p.x(), 580 - p.y(), p.z()); });
     bay.add(side > 0 ? "apron_left" : "apron_right", apron);
@@ -175,13 +178,14 @@ void addBody(Bay& bay) {
                                  standingAt({bay.random.between(-30, 30), 62, 657.5}, Vector3::UnitZ())));
 }
 
-/// Rows of domes on the bulkhead's flat strips, then on the inner wings' flanges.
+/// Rows of domes on the flat strip of the bulkhead above its beads, out of the module's way.
 void addWeldStuds(Bay& bay, int studs) {
-    const Piece dome = bay.turnedRound(domeOutline(3.5, 2.5, bay.detail.segmentsPerQuarter));
-    constexpr int kRow = 110;
+    constexpr double kRadius = 3, kPitch = 7.5, kRows[] = {602, 609, 616, 644};  // mm; bolts are between
+    constexpr int kColumns = 158;
+    const Piece dome = turned(domeOutline(kRadius, 2.5, bay.quarterFor(8) + 2), 2 * bay.segmentsFor(15));
     for (int i = 0; i < studs; ++i) {
-        const double x = 10.8 * (i % kRow - 0.5 * (kRow - 1)), z = 604 + 9 * (i / kRow % 5);
-        const double y = Bay::kBulkhead - 0.6 - Bay::kSlit + 22 * (x / 700) * (x / 700);
+        const double x = kPitch * (i % kColumns - 0.5 * (kColumns - 1)), z = kRows[i / kColumns % 4];
+        const double y = archedBack(Bay::kBulkhead, x) - 0.6 - Bay::kSlit;
         bay.assembly.addNumbered("weld_stud", placed(dome, standingAt({x, y, z}, -Vector3::UnitY())));
     }
 }

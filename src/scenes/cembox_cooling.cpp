@@ -22,7 +22,7 @@ void addCore(Bay& bay) {
     for (int i = 0; i <= tubes; ++i) {
         const double x = pitch * i - kHalf;
         const Polyline outline =
-            roundedRectangle({x - 1.5, kFront}, {x + 1.5, kRear}, 1.2, bay.detail.segmentsPerQuarter);
+            roundedRectangle({x - 1.5, kFront}, {x + 1.5, kRear}, 1.2, bay.quarterFor(1.2));
         bay.addNumbered("radiator_tube", sweepAlongZ(fullSection(outline), {kLow, kHigh}));
         if (i == tubes) break;
         Polyline fold;

@@ -33,7 +33,7 @@ void addBoss(Bay& bay, const Vector3& at, const Vector3& axis) {
     shape.radius = bay.random.between(8, 12);
     shape.height = bay.random.between(10, 18);
     shape.foot = 3;
-    bay.addNumbered("block_boss", placed(bay.turnedRound(bossOutline(shape, bay.detail.segmentsPerQuarter)),
+    bay.addNumbered("block_boss", placed(bay.turnedRound(bossOutline(shape, bay.quarterFor(shape.radius))),
                                          standingAt(at, axis)));
     bay.addBolt(at + axis * (shape.height + Bay::kSlit), axis, 4);
 }
@@ -229,7 +229,7 @@ void addBeltDrive(Bay& bay) {
                               {"idler", {300, 300}, 30, 0}};
     for (const Pulley& pulley : pulleys) addDriven(bay, pulley);
     // The belt's outline is that of all pulleys' hull: in each direction it touches the outermost.
-    const int n = 6 * bay.detail.segmentsPerTurn;
+    const int n = 3 * bay.segmentsFor(72);
     Polyline outer, inner;
     for (int i = 0; i < n; ++i) {
         const double angle = 2 * M_PI * i / n;

@@ -28,7 +28,7 @@ void addHose(Bay& bay, const std::string& name, const Line& points, double radiu
 
 /// A metal pipe with bends, a nut at either end.
 void addPipe(Bay& bay, const std::string& name, const Line& points, double radius, double bend) {
-    const Line line = bent(points, bend, bay.detail.segmentsPerQuarter);
+    const Line line = bent(points, bend, bay.quarterFor(bend));
     bay.add(name, bay.bar(line, radius));
     const Polyline nut = bay.rounded({{radius + Bay::kSlit, 0},
                                       {2 * radius, 0},

@@ -38,7 +38,7 @@ void addRailsAndBuffers(Bay& bay) {
             sweepAlongZ(railSection(bay, side), bay.stations(-design.halfHeight - 5, design.railTop));
         bay.assembly.add(side > 0 ? "guide_rail_left" : "guide_rail_right", placed(rail, inBay));
         const Vector3 below(0.7 * side * design.bodyHalf, 0, -design.halfHeight - design.gap - kBufferHeight);
-        const Piece buffer = bay.turnedRound(domeOutline(9, kBufferHeight, bay.detail.segmentsPerQuarter));
+        const Piece buffer = bay.turnedRound(domeOutline(9, kBufferHeight, bay.quarterFor(9)));
         bay.assembly.add(side > 0 ? "buffer_left" : "buffer_right",
                          placed(buffer, standingAt(design.place + below, Vector3::UnitZ())));
     }
@@ -55,7 +55,7 @@ void addCarrier(Bay& bay) {
     for (int i = 0; i <= 5; ++i) zs.push_back(floor + 0.85 * design.halfHeight * 2 * i / 5.0);
     const auto hole = [](std::size_t column, std::size_t row) { return (column + row) % 3 == 1 ? 9.0 : 0.0; };
     bay.add("carrier_plate",
-            sweepAlongY(holedSection(xs, zs, hole, bay.detail.segmentsPerTurn), {behind, behind + 2}));
+            sweepAlongY(holedSection(xs, zs, hole, bay.segmentsFor(9)), {behind, behind + 2}));
     bay.add("carrier_shelf", bay.box({place.x() - half, place.y() - 34, floor - 2.5},
                                      {place.x() + half, behind - Bay::kSlit, floor}, 6, 0.8));
     for (const double side : {1.0, -1.0}) {
@@ -83,7 +83,7 @@ void addGate(Bay& bay) {
                                          {-300, place.y() + 22, tubeZ},
                                          {560, place.y() + 22, tubeZ},
                                          {610, 835, tubeZ - 60}},
-                                        40, bay.detail.segmentsPerQuarter),
+                                        40, bay.quarterFor(40)),
                                    kTube, 2));
     // Before the front of the tilted module, seen from its middle after it was tilted.
     const Vector3 middle = place + Vector3(0, -25, design.lift + 15);
@@ -94,7 +94,7 @@ void addGate(Bay& bay) {
                                           {-Bay::kTowerX + 120, y, z},
                                           {Bay::kTowerX - 90, y, z},
                                           {Bay::kTowerX, Bay::kTowerY, Bay::kTowerTop + 16}},
-                                         50, bay.detail.segmentsPerQuarter),
+                                         50, bay.quarterFor(50)),
                                     kBrace, 2));
 }
 

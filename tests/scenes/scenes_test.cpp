@@ -3,10 +3,62 @@
 
 #include <boost/test/unit_test.hpp>
 #include <cctype>
+#include <cmath>
+#include <iomanip>
 #include <set>
 #include <stdexcept>
 
 using namespace clearway;
+
+namespace {
+
+/// What tells one scene from another without keeping it.
+struct Fingerprint {
+    std::size_t triangles, components;
+    double moment;  ///< mean of x + 2 y + 3 z over the vertices
+    double spread;  ///< root of the mean of the squared vertices
+};
+
+Fingerprint fingerprint(const Mesh& mesh) {
+    double moment = 0, squares = 0;
+    for (const Vector3& v : mesh.vertices) {
+        moment += v.dot(Vector3(1, 2, 3));
+        squares += v.squaredNorm();
+    }
+    const auto n = static_cast<double>(mesh.vertices.size());
+    return {mesh.triangles.size(), mesh.components.size(), moment / n, std::sqrt(squares / n)};
+}
+
+void requireSame(const Fingerprint& made, const Fingerprint& kept) {
+    BOOST_TEST(made.triangles == kept.triangles);
+    BOOST_TEST(made.components == kept.components);
+    BOOST_TEST(std::abs(made.moment - kept.moment) < 1e-3);  // mm; another machine's sine may round otherwise
+    BOOST_TEST(std::abs(made.spread - kept.spread) < 1e-3);
+}
+
+struct Kept {
+    const char* name;
+    SceneOptions options;
+    Fingerprint part, environment;
+};
+
+const Kept kKept[] = {
+    {"tunnel-console-1",
+     {2, 3000, 12000, 5},
+     {2992, 23, -0.7230453493, 214.4532118},
+     {11968, 46, 998.1911229, 532.8873527}},
+    {"cembox-1",
+     {2, 5000, 60000, 3},
+     {5000, 69, -1.877587294, 112.5541448},
+     {59960, 466, 2101.718247, 794.3447811}},
+    {"boxes-1", {2, 300, 1000, 1}, {300, 1, -0.4699247385, 30.06449794}, {1000, 2, 83.23049873, 119.973494}},
+    {"puzzle-1",
+     {2, 1800, 2200, 2},
+     {1790, 1, -0.8204334391, 74.59484754},
+     {2186, 1, -75.86817752, 64.36535082}},
+};
+
+}  // namespace
 
 BOOST_AUTO_TEST_CASE(every_name_is_different_and_ends_with_a_version) {
     std::set<std::string> names;
@@ -41,5 +93,20 @@ BOOST_AUTO_TEST_CASE(an_unknown_name_is_refused_with_the_list_of_names) {
                                       all = all && text.find(scene.name) != std::string::npos;
                                   return all;
                               });
+    }
+}
+
+BOOST_AUTO_TEST_CASE(what_a_version_makes_stays_what_it_was) {
+    for (const Kept& kept : kKept) {
+        const GeneratedScene made = sceneNamed(kept.name).make(kept.options);
+        for (const auto& [mesh, was] :
+             {std::pair(&made.part, &kept.part), {&made.environment, &kept.environment}}) {
+            const Fingerprint is = fingerprint(*mesh);
+            BOOST_TEST_CONTEXT(kept.name << (mesh == &made.part ? " part" : " environment") << ": {"
+                                         << is.triangles << ", " << is.components << ", "
+                                         << std::setprecision(10) << is.moment << ", " << is.spread << "}") {
+                requireSame(is, *was);
+            }
+        }
     }
 }
