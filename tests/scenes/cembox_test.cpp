@@ -40,7 +40,7 @@ constexpr SceneOptions kSmall{1, 3600, 46000, 4};
 
 /// Made once.
 const GeneratedScene& smallScene() {
-    static const GeneratedScene& scene = smallScene();
+    static const GeneratedScene scene = makeCembox(kSmall);
     return scene;
 }
 
