@@ -19,13 +19,14 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 constexpr int kPairsTogether = 8;
 
-/// Rounding of a bound of BoundPairs, first order, vectors, in u64: kPairPlaceRoundoffs of M for the first
-/// corner moved; of the pair's size, for its difference from the base 1.8, edges of the part 1.8 and their
-/// rotation 8.7 and place 1.8, edges of the environment 1.8, products of a slab gap 5.2 + 5.2 and their
-/// difference 3.5. The length of the direction costs kGapRoundoffs of the gap itself.
+/// Rounding of a bound of BoundPairs, first order, vectors, in u64. Of M: 1.8 for the first corner moved. Of
+/// the pair's size, its largest coordinate: difference from the base 1.8; edges of the part, up to 3.5
+/// long, 3.5, their rotation 17.4 and place 1.8; edges of the environment 1.8; products of a slab gap 5.2
+/// + 5.2, their difference 1.8. Of the gap itself: length of the direction 2.5, division 1, what is taken
+/// off 2.
 constexpr double kPairPlaceRoundoffs = 2;
-constexpr double kPairSizeRoundoffs = 32;
-constexpr double kGapRoundoffs = 5;
+constexpr double kPairSizeRoundoffs = 40;
+constexpr double kGapRoundoffs = 6;
 
 /// PairVertices, one pair per lane.
 struct alignas(64) PairRows {

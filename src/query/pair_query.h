@@ -24,9 +24,11 @@ constexpr double kUnitRoundoffDouble = 0x1p-53;
 constexpr double kVolumeSlack = 96;
 
 /// Rounding of one gap or distance between triangles, in u32 (leaf radius + leaf radius + |offset|), first
-/// order:
-///   corners of the part: stored 1, rotation 1.8, 6 operations per coordinate (3 where they are fused) 10.4,
-///   offset 1;  of the environment: stored 1 slab gap: products 3 + 3, difference 1, length and division 4.
+/// order, by what it costs the part's radius, which it costs most:
+///   a corner: stored 1, rotation 1.7, 6 operations per coordinate (3 where they are fused) 6.7         9.4
+///   a slab gap: products 3, their difference 1, length and division 3.5, this error taken off 1         8.5
+///   or the distance of two points: corners' difference and two sums 3, edges 2, multiples of them 2,
+///   shares that add up to more than 1 by a rounding 2, length 2.5, this error added 1                  12.5
 constexpr double kTriangleSlack = 24;
 
 /// Composing R c + t - c' in double from coordinates of at most M, in u64 M: 3 products, 3 sums, 3
