@@ -1,0 +1,233 @@
+// Of all pairs of two leaves, whatever their numbers of triangles, those that are near are taken, once each,
+// with bounds that hold their distance; on any instruction set.
+#define BOOST_TEST_MODULE query_leaf_pairs
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "query/pair_query.h"
+#include "support/each_target.h"
+#include "support/hard_triangles.h"
+#include "support/query_cases.h"
+
+#ifndef CLEARWAY_TESTS_TAKEN
+#define CLEARWAY_TESTS_TAKEN
+namespace clearway::testing {
+
+struct TakenPair {
+    float lower, upper;
+    std::uint32_t part, environment;
+};
+
+}  // namespace clearway::testing
+#endif
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "query/leaf_pairs_test.cpp"
+#include "hwy/foreach_target.h"  // must come before highway.h and the kernels
+
+#include "hwy/highway.h"
+#include "query/leaf_pairs-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace clearway {
+namespace HWY_NAMESPACE {
+
+/// Takes whatever it is given.
+class Recorder {
+  public:
+    Recorder(float dropFrom, std::vector<testing::TakenPair>& taken) : dropFrom_(dropFrom), taken_(taken) {}
+    float dropFrom() const { return dropFrom_; }
+    bool done() const { return false; }
+
+    template <class D, class V>
+    HWY_INLINE TriangleBounds<V> bounds(D d, const TrianglePair<V>& pair, V lower) const {
+        return TriangleDistance(d, pair, lower);
+    }
+    void take(float lower, float upper, std::uint32_t part, std::uint32_t environment) {
+        taken_.push_back({lower, upper, part, environment});
+    }
+
+  private:
+    float dropFrom_;
+    std::vector<testing::TakenPair>& taken_;
+};
+
+void visitLeaves(const PairQuery& query, const Leaf& part, const Leaf& environment, float dropFrom,
+                 std::vector<testing::TakenPair>& taken) {
+    LeafPairs pairs;
+    pairs.meet(query, part, environment, -hwy::HighestValue<float>(), dropFrom);
+    Recorder recorder(dropFrom, taken);
+    pairs.visit(recorder);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace clearway
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+namespace clearway {
+
+HWY_EXPORT(visitLeaves);
+
+namespace testing {
+namespace {
+
+constexpr std::uint64_t kSeed = 107;
+
+/// Two meshes of a leaf each, at a pose.
+struct LeafCase {
+    std::string name;
+    Model part, environment;
+    Pose pose;
+    std::vector<std::vector<long double>> distances;  ///< of the triangles in the trees' order, query units
+};
+
+Model oneLeaf(const Mesh& mesh) {
+    BuildOptions options;
+    options.leafSize = 16;
+    return Model::build(mesh, options);
+}
+
+LeafCase makeLeaves(const std::string& name, const Mesh& part, const Mesh& environment, const Pose& pose) {
+    LeafCase leaves{name, oneLeaf(part), oneLeaf(environment), pose, {}};
+    const FlatTree &a = leaves.part.tree(), &b = leaves.environment.tree();
+    const double perMeshUnit = preparePairQuery(a, b, pose).perMeshUnit;
+    const MeshOracle oracle(part, environment);
+    for (const std::uint32_t p : a.triangleIds) {
+        leaves.distances.emplace_back();
+        for (const std::uint32_t e : b.triangleIds) {
+            leaves.distances.back().push_back(oracle.pairDistance(pose, p, e) * perMeshUnit);
+        }
+    }
+    return leaves;
+}
+
+/// Leaves of `size`, near each other, apart by some of their size, or by many.
+LeafCase makeSoups(Random& random, int partTriangles, int environmentTriangles) {
+    const double away = std::pow(10.0, random.uniform(-1, 4)), size = std::pow(10.0, random.uniform(-2, 0));
+    const Mesh part =
+        scaledBy(randomSoup(random, partTriangles, 1, size), std::ldexp(1.0, random.below(20) - 10));
+    const Mesh environment = randomSoup(random, environmentTriangles, 1, size);
+    const std::string name = std::to_string(partTriangles) + " and " + std::to_string(environmentTriangles) +
+                             " triangles, away " + std::to_string(away);
+    return makeLeaves(name, part, environment, {random.rotation(), away * random.direction()});
+}
+
+LeafCase makeFamily(Random& random, const TriangleFamily& family, const Pose& pose) {
+    Mesh part, environment;
+    const int triangles = 1 + random.below(16);
+    for (int i = 0; i < triangles; ++i) {
+        const TrianglePair pair = family.make(random);
+        part = joined(part, meshOf(pair.a));
+        environment = joined(environment, meshOf(pair.b));
+    }
+    return makeLeaves(family.name, part, environment, pose);
+}
+
+const std::vector<LeafCase>& cases() {
+    static const std::vector<LeafCase> made = [] {
+        std::vector<LeafCase> result;
+        Random random(kSeed);
+        for (int n = 1; n <= 16; ++n) {
+            for (int m = 1; m <= 16; ++m) {
+                for (int i = 0; i < 2; ++i) result.push_back(makeSoups(random, n, m));
+            }
+        }
+        for (const TriangleFamily& family : hardTriangleFamilies()) {
+            if (family.name == "denormals") continue;  // of sizes too far apart
+            for (int i = 0; i < 6; ++i) {
+                result.push_back(makeFamily(random, family, i % 2 == 0 ? Pose{} : random.pose(100)));
+            }
+        }
+        return result;
+    }();
+    return made;
+}
+
+/// What is taken of all pairs of leaves; [part triangle][environment triangle].
+std::vector<std::vector<std::vector<TakenPair>>> takenOf(const LeafCase& leaves, const PairQuery& query,
+                                                         float dropFrom) {
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());  // this program's own dispatch
+    std::vector<TakenPair> taken;
+    for (const Leaf& a : leaves.part.tree().leaves) {
+        for (const Leaf& b : leaves.environment.tree().leaves) {
+            HWY_DYNAMIC_DISPATCH(visitLeaves)(query, a, b, dropFrom, taken);
+        }
+    }
+    std::vector<std::vector<std::vector<TakenPair>>> byPair(leaves.distances.size());
+    for (auto& row : byPair) row.resize(leaves.distances[0].size());
+    for (const TakenPair& pair : taken) byPair.at(pair.part).at(pair.environment).push_back(pair);
+    return byPair;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(the_cases_hold_leaves_of_1_to_16_triangles) {
+    std::vector<int> leaves(17);
+    for (const LeafCase& pair : cases()) {
+        for (const Leaf& leaf : pair.part.tree().leaves) ++leaves.at(leaf.triangleCount);
+    }
+    for (int n = 1; n <= 16; ++n) BOOST_TEST(leaves[std::size_t(n)] >= 32, n << " triangles");
+}
+
+BOOST_DATA_TEST_CASE(every_near_pair_is_taken_once_with_bounds_that_hold_its_distance, eachTarget(), target) {
+    const UsingTarget using_(target);
+    Random random(kSeed);
+    for (const LeafCase& leaves : cases()) {
+        const PairQuery query = preparePairQuery(leaves.part.tree(), leaves.environment.tree(), leaves.pose);
+        const std::size_t rows = leaves.distances.size(), columns = leaves.distances[0].size();
+        for (int draw = 0; draw < 6; ++draw) {
+            // Just beyond one of the distances, so that a rounding too many would drop its pair.
+            const long double distance =
+                leaves
+                    .distances[std::size_t(random.below(int(rows)))][std::size_t(random.below(int(columns)))];
+            const float dropFrom = draw == 0 ? std::numeric_limits<float>::max()
+                                             : std::max(nextFloatAbove(double(distance)), kAlwaysResolved);
+            const auto taken = takenOf(leaves, query, dropFrom);
+            BOOST_TEST_CONTEXT(leaves.name << ", seed " << kSeed << ", drops from " << dropFrom) {
+                for (std::size_t i = 0; i < rows; ++i) {
+                    for (std::size_t j = 0; j < columns; ++j) {
+                        BOOST_TEST(taken[i][j].size() <= 1u);
+                        if (leaves.distances[i][j] < dropFrom) BOOST_TEST(taken[i][j].size() == 1u);
+                        for (const TakenPair& pair : taken[i][j]) {
+                            BOOST_TEST(pair.lower <= leaves.distances[i][j]);
+                            BOOST_TEST(leaves.distances[i][j] <= pair.upper);
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+BOOST_DATA_TEST_CASE(most_pairs_that_are_not_near_are_left_out, eachTarget(), target) {
+    const UsingTarget using_(target);
+    long beyond = 0, leftOut = 0;
+    for (const LeafCase& leaves : cases()) {
+        const PairQuery query = preparePairQuery(leaves.part.tree(), leaves.environment.tree(), leaves.pose);
+        long double least = std::numeric_limits<long double>::max();
+        for (const auto& row : leaves.distances) {
+            for (const long double distance : row) least = std::min(least, distance);
+        }
+        const float dropFrom = std::max(nextFloatAbove(double(least)), kAlwaysResolved);
+        const auto taken = takenOf(leaves, query, dropFrom);
+        for (std::size_t i = 0; i < taken.size(); ++i) {
+            for (std::size_t j = 0; j < taken[i].size(); ++j) {
+                if (leaves.distances[i][j] < 1.1L * dropFrom) continue;
+                ++beyond;
+                leftOut += taken[i][j].empty();
+            }
+        }
+    }
+    BOOST_TEST(beyond > 10000);
+    BOOST_TEST(leftOut > 0.95 * double(beyond));
+}
+
+}  // namespace testing
+}  // namespace clearway
+
+#endif  // HWY_ONCE
