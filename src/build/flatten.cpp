@@ -108,7 +108,8 @@ class Flattening {
         node.halfLength0[lane] = volume.halfLength0;
         node.halfLength1[lane] = volume.halfLength1;
         node.radius[lane] = volume.radius;
-        node.length[lane] = 2 * std::hypot(volume.halfLength0, volume.halfLength1) + 2 * volume.radius;
+        node.size[lane] =
+            2 * std::sqrt((volume.halfLength0 + volume.radius) * (volume.halfLength1 + volume.radius));
     }
 
     std::int32_t addLeaf(const BinaryNode& source) {

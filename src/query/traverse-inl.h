@@ -22,9 +22,9 @@ HWY_BEFORE_NAMESPACE();
 namespace clearway {
 namespace HWY_NAMESPACE {
 
-/// The environment is opened first unless the part is longer by this factor. Source: measured, 1 to 2 is
-/// flat.
-constexpr float kOpenPartRatio = 1.5f;
+/// The environment is opened first unless the part's volume is larger by this factor. Source: measured; of the
+/// volumes' lengths, areas and products of both, this size visits fewest nodes, 10 to 20 % fewer than lengths.
+constexpr float kOpenPartRatio = 1.22f;
 
 /// R v.
 HWY_INLINE void Rotate(const float* R, const float* v, float* out) {
@@ -84,8 +84,8 @@ struct Opening {
 template <int kWidth>
 HWY_INLINE bool OpensPart(const PairQuery& query, const Volume<kWidth>& a, const Volume<kWidth>& b) {
     return b.isLeaf() ||
-           (!a.isLeaf() && a.node.length[a.lane] * query.partLeafToQuery >
-                               kOpenPartRatio * b.node.length[b.lane] * query.environmentLeafToQuery);
+           (!a.isLeaf() && a.node.size[a.lane] * query.partLeafToQuery >
+                               kOpenPartRatio * b.node.size[b.lane] * query.environmentLeafToQuery);
 }
 
 template <int kWidth>

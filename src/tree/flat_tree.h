@@ -26,7 +26,7 @@ struct alignas(kWidth * 4) WideNode {
     float halfLength0[kWidth];
     float halfLength1[kWidth];
     float radius[kWidth];
-    float length[kWidth];        ///< longest extent: diagonal of the rectangle + 2 radius; orders which side to open
+    float size[kWidth];          ///< side of a square as large as the rectangle grown by the radius; says which side to open
     std::int32_t child[kWidth];  ///< >= 0 a node, < 0 the leaf ~child; used lanes come first
 };
 static_assert(sizeof(WideNode<8>) == 8 * 56 && sizeof(WideNode<2>) == 2 * 56);
