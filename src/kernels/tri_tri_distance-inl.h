@@ -24,8 +24,9 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 template <class V>
 struct TriangleBounds {
-    V lower;  ///< slab gap: a true lower bound but for rounding, may be negative
-    V upper;  ///< distance of two points of the triangles: a true upper bound but for rounding
+    V lower;    ///< slab gap: a true lower bound but for rounding, may be negative
+    V upper;    ///< distance of two points of the triangles: a true upper bound but for rounding
+    V feature;  ///< where these two points are, as query/refine.h numbers it
 };
 
 /// a / b, or 0 where b is not above 0.
@@ -90,27 +91,31 @@ HWY_INLINE TriangleBounds<V> TriangleDistance(D d, const TrianglePair<V>& pair, 
     const Triangles<V>&a = pair.a, &b = pair.b;
     Lanes3<V> best = b.corner[0] - a.corner[0];
     V bestSquared = Dot(best, best);
-    const auto take = [&](const Lanes3<V>& v) HWY_ATTR {
+    V bestFeature = hn::Zero(d);
+    const auto take = [&](const Lanes3<V>& v, int feature) HWY_ATTR {
         const V squared = Dot(v, v);
         const auto nearer = hn::Lt(squared, bestSquared);
         best = Select(nearer, v, best);
+        bestFeature = hn::IfThenElse(nearer, hn::Set(d, hn::TFromD<D>(feature)), bestFeature);
         bestSquared = hn::IfThenElse(nearer, squared, bestSquared);
     };
 
     for (int i = 0; i < 3; ++i) {
         for (int j = 0; j < 3; ++j) {
-            take(EdgeDifference(d, b.corner[j] - a.corner[i], pair.edgeA[i], pair.edgeB[j]));
+            take(EdgeDifference(d, b.corner[j] - a.corner[i], pair.edgeA[i], pair.edgeB[j]), 3 * i + j);
         }
     }
     const V normalASquared = Dot(pair.normalA, pair.normalA),
             normalBSquared = Dot(pair.normalB, pair.normalB);
     for (int i = 0; i < 3; ++i) {
         take(FaceDifference(d, a.corner[i] - b.corner[0], pair.edgeB[0], pair.spanB, pair.normalB,
-                            normalBSquared));
+                            normalBSquared),
+             9 + 2 * i);
         take(FaceDifference(d, b.corner[i] - a.corner[0], pair.edgeA[0], pair.spanA, pair.normalA,
-                            normalASquared));
+                            normalASquared),
+             10 + 2 * i);
     }
-    return {hn::Max(SlabGap(d, best, a, b), known), hn::Sqrt(bestSquared)};
+    return {hn::Max(SlabGap(d, best, a, b), known), hn::Sqrt(bestSquared), bestFeature};
 }
 
 }  // namespace HWY_NAMESPACE

@@ -58,7 +58,7 @@ bool answerWithin(const Model& part, const Model& environment, const Pose& X_env
     const WithinAnswer answer =
         anyPairWithin(query, d * query.perMeshUnit, warmStartFor(part, environment, state), state);
     if (answer.within) {
-        state.warmStart = {part.id(), environment.id(), answer.partTriangle, answer.environmentTriangle};
+        state.warmStart = {part.id(), environment.id(), answer.triangles};
     }
     return answer.within;
 }
@@ -89,7 +89,7 @@ DistanceResult distance(const Model& part, const Model& environment, const Pose&
         result.pointOnEnvironment = result.pointOnPart;
         return result;
     }
-    state.warmStart = {part.id(), environment.id(), answer.partTriangle, answer.environmentTriangle};
+    state.warmStart = {part.id(), environment.id(), answer.triangles};
     result.lower = answer.pair.lower * toMeshUnits;
     result.upper = answer.pair.upper * toMeshUnits;
     for (int k = 0; k < 3; ++k) {
@@ -99,8 +99,8 @@ DistanceResult distance(const Model& part, const Model& environment, const Pose&
     // In query units: the square of a length in mesh units may overflow or vanish.
     const Vector3 between = (result.pointOnPart - result.pointOnEnvironment) * query.perMeshUnit;
     result.distance = answer.pair.contact ? 0.0 : between.norm() * toMeshUnits;
-    result.partTriangle = part.tree().triangleIds[answer.partTriangle];
-    result.environmentTriangle = environment.tree().triangleIds[answer.environmentTriangle];
+    result.partTriangle = part.tree().triangleIds[answer.triangles.part];
+    result.environmentTriangle = environment.tree().triangleIds[answer.triangles.environment];
     result.partComponent = componentOfTriangle(part.components(), result.partTriangle);
     result.environmentComponent = componentOfTriangle(environment.components(), result.environmentTriangle);
     return result;

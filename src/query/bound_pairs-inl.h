@@ -54,7 +54,7 @@ HWY_NOINLINE void BoundPairs(const PairQuery& query, const Candidate* pairs, int
     PairRows rows;
     for (int lane = 0; lane < kPairsTogether; ++lane) {
         const Candidate& pair = pairs[lane < count ? lane : 0];
-        FillPair(pairVertices(query, pair.partTriangle, pair.environmentTriangle), lane, rows);
+        FillPair(pairVertices(query, pair.triangles), lane, rows);
     }
     for (size_t i = 0; i < size_t(count); i += hn::Lanes(d)) {
         const auto load3 = [&](const double(&from)[3][kPairsTogether]) HWY_ATTR {

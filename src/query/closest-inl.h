@@ -38,12 +38,11 @@ class Closest {
     }
 
     /// A pair with a proved lower and a true upper bound, both of float's work.
-    HWY_INLINE void take(float lower, float upper, std::uint32_t partTriangle,
-                         std::uint32_t environmentTriangle) {
+    HWY_INLINE void take(float lower, float upper, const TrianglesAt& triangles) {
         if (!(lower > kAlwaysResolved)) {
-            resolve(partTriangle, environmentTriangle);  // may touch, pierce or be ill-conditioned
+            resolve(triangles);  // may touch, pierce or be ill-conditioned
         } else if (!drops(lower)) {
-            const Candidate pair{lower, partTriangle, environmentTriangle};
+            const Candidate pair{lower, triangles};
             state_.candidates.push(pair);
             if (double(upper) < leastUpper_) {
                 nearest_ = pair;
@@ -53,15 +52,14 @@ class Closest {
     }
 
     /// Resolves a pair in double and remembers it when it is the closest so far.
-    HWY_INLINE void resolve(std::uint32_t partTriangle, std::uint32_t environmentTriangle) {
-        const ResolvedPair pair = resolvePair(query_, partTriangle, environmentTriangle);
+    HWY_INLINE void resolve(const TrianglesAt& triangles) {
+        const ResolvedPair pair = resolvePair(query_, triangles);
         ++state_.counters.refinedPairs;
         if (pair.lower < leastLower_) leastLower_ = pair.lower;
         if (found_ && !(pair.upper < answer_.upper)) return;
         found_ = true;
         answer_ = pair;
-        answerPart_ = partTriangle;
-        answerEnvironment_ = environmentTriangle;
+        answerTriangles_ = {triangles.part, triangles.environment, pair.feature};
         if (pair.upper < leastUpper_) shrink(pair.upper);
     }
 
@@ -72,14 +70,13 @@ class Closest {
             // The pair that set the upper bound comes first: with a wide tolerance its own lower bound would
             // be dropped.
             if (!candidates.empty() && !(answer_.upper <= leastUpper_ && found_)) {
-                resolve(nearest_.partTriangle, nearest_.environmentTriangle);
+                resolve(nearest_.triangles);
             }
             sortByLower(candidates);
             resolveCandidates(candidates);
         }
         out.pair = answer_;
-        out.partTriangle = answerPart_;
-        out.environmentTriangle = answerEnvironment_;
+        out.triangles = answerTriangles_;
         if (answer_.contact) {
             out.found = true;
             return;
@@ -104,7 +101,8 @@ class Closest {
     }
 
     bool isAnswer(const Candidate& pair) const {
-        return found_ && pair.partTriangle == answerPart_ && pair.environmentTriangle == answerEnvironment_;
+        return found_ && pair.triangles.part == answerTriangles_.part &&
+               pair.triangles.environment == answerTriangles_.environment;
     }
 
     /// Pairs that are as close as the answer, but for rounding, only lower its lower bound; what may be
@@ -121,7 +119,7 @@ class Closest {
             if (found_ && lower[k] > 0 && lower[k] >= answer_.upper - tie) {
                 if (lower[k] < leastLower_) leastLower_ = lower[k];
             } else {
-                resolve(pairs[k].partTriangle, pairs[k].environmentTriangle);
+                resolve(pairs[k].triangles);
             }
         }
     }
@@ -158,15 +156,14 @@ class Closest {
     Candidate nearest_{};                              ///< set leastUpper_, unless a resolved pair did
     bool found_ = false;
     ResolvedPair answer_;
-    std::uint32_t answerPart_ = 0;
-    std::uint32_t answerEnvironment_ = 0;
+    TrianglesAt answerTriangles_{0, 0, kNoFeature};
 };
 
 template <int kWidth>
 HWY_INLINE void ClosestWide(const PairQuery& query, const ClosestRequest& request, const WarmStart* warmStart,
                             Workspace::State& state, ClosestAnswer& answer) {
     Closest visitor(query, request, state);
-    if (warmStart != nullptr) visitor.resolve(warmStart->partTriangle, warmStart->environmentTriangle);
+    if (warmStart != nullptr) visitor.resolve(warmStart->triangles);
     Traverse<kWidth>(query, state, visitor);
     visitor.finish(answer);
 }

@@ -92,7 +92,7 @@ class LeafPairs {
     /// Hands the visitor every pair whose distance may be below its dropFrom(), until it is done().
     /// A visitor also has
     ///   bounds(d, pair, lower)   TriangleBounds of a register of pairs that are known to be lower apart
-    ///   take(lower, upper, part triangle, environment triangle)   a pair, its proved bounds of its distance
+    ///   take(lower, upper, triangles)   a pair with proved bounds of its distance
     template <class Visitor>
     HWY_INLINE void visit(Visitor& visitor) const {
         int block = 0;
@@ -253,13 +253,16 @@ class LeafPairs {
             const TriangleBounds<V> bounds = visitor.bounds(d, pair, apart);
             left &= nearLanes(bounds.lower, visitor.dropFrom());
             const auto error = hn::Set(d, roundingError_);
-            alignas(64) float lowers[kBlockPairs], uppers[kBlockPairs];
+            alignas(64) float lowers[kBlockPairs], uppers[kBlockPairs], features[kBlockPairs];
+            hn::Store(bounds.feature, d, features);
             hn::Store(hn::Max(hn::Sub(bounds.lower, error), hn::Set(d, volumesBound_)), d, lowers);
             hn::Store(hn::Add(bounds.upper, error), d, uppers);
             for (; left != 0 && !visitor.done(); left &= left - 1) {
                 const std::uint32_t lane = LowestBit(left), pairIndex = std::uint32_t(first) + lane;
-                visitor.take(lowers[lane], uppers[lane], part_->firstTriangle + i + pairIndex / kBlock,
-                             environment_->firstTriangle + j + pairIndex % kBlock);
+                visitor.take(
+                    lowers[lane], uppers[lane],
+                    {part_->firstTriangle + i + pairIndex / kBlock,
+                     environment_->firstTriangle + j + pairIndex % kBlock, std::int32_t(features[lane])});
             }
             if (visitor.done()) return;
         }

@@ -21,14 +21,12 @@ struct ClosestAnswer {
     bool found =
         false;  ///< false: the distance is larger than the cap, pair.lower >= cap and nothing else counts
     ResolvedPair pair;
-    std::uint32_t partTriangle = 0;  ///< positions in the trees
-    std::uint32_t environmentTriangle = 0;
+    TrianglesAt triangles{0, 0, kNoFeature};
 };
 
 struct WithinAnswer {
     bool within = false;
-    std::uint32_t partTriangle = 0;  ///< of a pair that is, when within
-    std::uint32_t environmentTriangle = 0;
+    TrianglesAt triangles{0, 0, kNoFeature};  ///< of a pair that is, when within
 };
 
 /// warmStart: a pair of triangles to begin with, or null.

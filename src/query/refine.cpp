@@ -31,10 +31,11 @@ struct OnTriangle {
 struct PointPair {
     OnTriangle onPart, onEnvironment;
     double squared = std::numeric_limits<double>::infinity();
+    std::int32_t feature = kNoFeature;
 
-    void take(const OnTriangle& a, const OnTriangle& b) {
+    void take(const OnTriangle& a, const OnTriangle& b, std::int32_t takenFeature) {
         const double candidate = (b.x - a.x).squaredNorm();
-        if (candidate < squared) *this = {a, b, candidate};
+        if (candidate < squared) *this = {a, b, candidate, takenFeature};
     }
     Vector3 difference() const { return onEnvironment.x - onPart.x; }
 };
@@ -56,7 +57,7 @@ void takeEdges(const Corners& a, int i, const Corners& b, int j, PointPair& best
     double s = clampToUnit(quotientOrZero(w.cross(v).dot(n), n.squaredNorm()));
     const double t = clampToUnit(quotientOrZero(s * uv - w.dot(v), v.squaredNorm()));
     s = clampToUnit(quotientOrZero(t * uv + w.dot(u), u.squaredNorm()));
-    best.take(onEdge(a, i, s), onEdge(b, j, t));
+    best.take(onEdge(a, i, s), onEdge(b, j, t), 3 * i + j);
 }
 
 /// The point of the triangle below x; where it is not below the face, a point of the triangle all the same.
@@ -69,16 +70,44 @@ OnTriangle pointBelow(const Vector3& x, const Corners& triangle) {
     return {triangle.p[0] + s * u + t * v, 0, s, t};
 }
 
+void takeFeature(const Corners& a, const Corners& b, std::int32_t feature, PointPair& best) {
+    if (feature < 9) return takeEdges(a, feature / 3, b, feature % 3, best);
+    const int k = (feature - 9) / 2;
+    if (feature % 2 == 1) {
+        best.take(onEdge(a, k, 0), pointBelow(a.p[k], b), feature);
+    } else {
+        best.take(pointBelow(b.p[k], a), onEdge(b, k, 0), feature);
+    }
+}
+
 PointPair closestPoints(const Corners& a, const Corners& b) {
     PointPair best;
-    for (int i = 0; i < 3; ++i) {
-        for (int j = 0; j < 3; ++j) takeEdges(a, i, b, j, best);
-    }
-    for (int k = 0; k < 3; ++k) {
-        best.take(onEdge(a, k, 0), pointBelow(a.p[k], b));
-        best.take(pointBelow(b.p[k], a), onEdge(b, k, 0));
-    }
+    for (int feature = 0; feature < kFeatures; ++feature) takeFeature(a, b, feature, best);
     return best;
+}
+
+/// Six times the signed volume of a tetrahedron.
+double volumeOf(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& d) {
+    return (b - a).dot((c - a).cross(d - a));
+}
+
+/// Whether an edge of one triangle goes through the inside of the other by more than `least` shows in every
+/// volume that decides it: then they share a point, whatever the rounding. false says nothing.
+bool surelyPierces(const Corners& edges, const Corners& face, double least) {
+    for (int k = 0; k < 3; ++k) {
+        const Vector3 &from = edges.p[k], &to = edges.p[(k + 1) % 3];
+        const double below = volumeOf(from, face.p[0], face.p[1], face.p[2]),
+                     above = volumeOf(to, face.p[0], face.p[1], face.p[2]);
+        if (!(std::min(below, above) < -least && std::max(below, above) > least)) continue;
+        double low = std::numeric_limits<double>::infinity(), high = -low;
+        for (int side = 0; side < 3; ++side) {
+            const double volume = volumeOf(from, to, face.p[side], face.p[(side + 1) % 3]);
+            low = std::min(low, volume);
+            high = std::max(high, volume);
+        }
+        if (low > least || high < -least) return true;
+    }
+    return false;
 }
 
 /// Where an edge of one triangle crosses the other's plane, and the point of the other below it.
@@ -90,9 +119,9 @@ void takeCrossings(const Corners& edges, const Corners& face, bool edgesAreParts
         const OnTriangle crossing = onEdge(edges, k, clampToUnit(from / (from - to)));
         const OnTriangle below = pointBelow(crossing.x, face);
         if (edgesAreParts) {
-            best.take(crossing, below);
+            best.take(crossing, below, kNoFeature);
         } else {
-            best.take(below, crossing);
+            best.take(below, crossing, kNoFeature);
         }
     }
 }
@@ -143,6 +172,19 @@ double widestGap(const PointPair& closest, const Corners& a, const Corners& b, d
     return std::max(gap, bestOfManyGaps(closest.difference(), a, b));
 }
 
+/// The gap across the difference at the feature, when it is as wide as the points are apart but for slack,
+/// which proves them closest, and above leastGap; else -infinity. One feature and one direction instead of
+/// all.
+double provedByGuess(std::int32_t feature, const Corners& a, const Corners& b, double slack, double leastGap,
+                     PointPair& closest) {
+    if (feature != kNoFeature) {
+        takeFeature(a, b, feature, closest);
+        const double gap = slabGap(closest.difference(), a, b);
+        if (gap > leastGap && std::sqrt(closest.squared) - gap <= slack) return gap;
+    }
+    return -std::numeric_limits<double>::infinity();
+}
+
 Corners movedCorners(const PairQuery& query, std::uint32_t triangle) {
     const FlatTree& tree = *query.part;
     Corners corners;
@@ -191,10 +233,9 @@ double lengthBetween(const Vector3& p, const Vector3& q) {
 
 }  // namespace
 
-PairVertices pairVertices(const PairQuery& query, std::uint32_t partTriangle,
-                          std::uint32_t environmentTriangle) {
+PairVertices pairVertices(const PairQuery& query, const TrianglesAt& triangles) {
     const FlatTree &part = *query.part, &environment = *query.environment;
-    const auto &p = part.triangles[partTriangle], &q = environment.triangles[environmentTriangle];
+    const auto &p = part.triangles[triangles.part], &q = environment.triangles[triangles.environment];
     const Vector3 &p0 = part.vertices[p[0]], &q0 = environment.vertices[q[0]];
     PairVertices pair;
     for (int row = 0; row < 3; ++row) {
@@ -209,9 +250,9 @@ PairVertices pairVertices(const PairQuery& query, std::uint32_t partTriangle,
     return pair;
 }
 
-ResolvedPair resolvePair(const PairQuery& query, std::uint32_t partTriangle,
-                         std::uint32_t environmentTriangle) {
-    const Corners moved = movedCorners(query, partTriangle), fixed = fixedCorners(query, environmentTriangle);
+ResolvedPair resolvePair(const PairQuery& query, const TrianglesAt& triangles) {
+    const Corners moved = movedCorners(query, triangles.part),
+                  fixed = fixedCorners(query, triangles.environment);
     Corners a = moved, b = fixed;
     // Near the pair, so that what follows rounds in the pair's size; differences of near doubles are exact.
     const Vector3 base = b.p[0];
@@ -223,16 +264,26 @@ ResolvedPair resolvePair(const PairQuery& query, std::uint32_t partTriangle,
         }
     }
 
-    PointPair closest = closestPoints(a, b);
     const double M = query.largestCoordinate;
     // First order, vectors, in u64: moved corners 1.8 M; differences from the base 1.8 + 1.8, products of a
     // slab gap 5.2 + 5.2 and their difference 3.5 times the size. The length of the direction costs 5 of the
     // gap itself.
     const double slack = kUnitRoundoffDouble * (2 * M + 18 * size);
     constexpr double kLengthRoundoffs = 5 * kUnitRoundoffDouble;
-    const double gap = widestGap(closest, a, b, slack);
+    const double leastGap = std::max(kContactRoundoffs * kUnitRoundoffDouble * M, slack);
+    PointPair closest;
+    double gap = provedByGuess(triangles.feature, a, b, slack, leastGap, closest);
+    if (!(gap > leastGap)) {
+        closest = closestPoints(a, b);
+        // In first order a volume is off by at most 12 size^2 times a corner's 4 u64 (M + size), and 60 u64
+        // size^3.
+        const double leastVolume = 512 * kUnitRoundoffDouble * size * size * (size + M);
+        const bool pierces = surelyPierces(a, b, leastVolume) || surelyPierces(b, a, leastVolume);
+        gap = pierces ? 0 : widestGap(closest, a, b, slack);
+    }
     ResolvedPair resolved;
-    resolved.contact = !(gap > std::max(kContactRoundoffs * kUnitRoundoffDouble * M, slack));
+    resolved.contact = !(gap > leastGap);
+    resolved.feature = resolved.contact ? kNoFeature : closest.feature;
     if (resolved.contact) {
         takeCrossings(a, b, true, closest);
         takeCrossings(b, a, false, closest);

@@ -22,8 +22,9 @@ HWY_BEFORE_NAMESPACE();
 namespace clearway {
 namespace HWY_NAMESPACE {
 
-/// The environment is opened first unless the part's volume is larger by this factor. Source: measured; of the
-/// volumes' lengths, areas and products of both, this size visits fewest nodes, 10 to 20 % fewer than lengths.
+/// The environment is opened first unless the part's volume is larger by this factor. Source: measured; of
+/// the volumes' lengths, areas and products of both, this size visits fewest nodes, 10 to 20 % fewer than
+/// lengths.
 constexpr float kOpenPartRatio = 1.22f;
 
 /// R v.

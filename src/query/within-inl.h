@@ -32,31 +32,30 @@ class Within {
     template <class D, class V>
     HWY_INLINE TriangleBounds<V> bounds(D d, const TrianglePair<V>& pair, V lower) const {
         if (d_ > 0) return TriangleDistance(d, pair, lower);
-        return {hn::Max(lower, EdgeSeparation(d, pair)), hn::Set(d, hwy::HighestValue<float>())};
+        return {hn::Max(lower, EdgeSeparation(d, pair)), hn::Set(d, hwy::HighestValue<float>()),
+                hn::Set(d, float(kNoFeature))};
     }
 
-    HWY_INLINE void take(float /*lower*/, float upper, std::uint32_t partTriangle,
-                         std::uint32_t environmentTriangle) {
+    HWY_INLINE void take(float /*lower*/, float upper, const TrianglesAt& triangles) {
         if (double(upper) <= d_) {
-            remember(partTriangle, environmentTriangle);
+            remember(triangles);
         } else {
-            resolve(partTriangle, environmentTriangle);
+            resolve(triangles);
         }
     }
 
-    HWY_INLINE void resolve(std::uint32_t partTriangle, std::uint32_t environmentTriangle) {
-        const ResolvedPair pair = resolvePair(query_, partTriangle, environmentTriangle);
+    HWY_INLINE void resolve(const TrianglesAt& triangles) {
+        const ResolvedPair pair = resolvePair(query_, triangles);
         ++state_.counters.refinedPairs;
-        if (pair.contact || pair.lower <= d_) remember(partTriangle, environmentTriangle);
+        if (pair.contact || pair.lower <= d_) remember({triangles.part, triangles.environment, pair.feature});
     }
 
-    void write(WithinAnswer& answer) const { answer = {found_, partTriangle_, environmentTriangle_}; }
+    void write(WithinAnswer& answer) const { answer = {found_, triangles_}; }
 
   private:
-    void remember(std::uint32_t partTriangle, std::uint32_t environmentTriangle) {
+    void remember(const TrianglesAt& triangles) {
         found_ = true;
-        partTriangle_ = partTriangle;
-        environmentTriangle_ = environmentTriangle;
+        triangles_ = triangles;
     }
 
     const PairQuery& query_;
@@ -64,15 +63,14 @@ class Within {
     Workspace::State& state_;
     float dropFrom_;
     bool found_ = false;
-    std::uint32_t partTriangle_ = 0;
-    std::uint32_t environmentTriangle_ = 0;
+    TrianglesAt triangles_{0, 0, kNoFeature};
 };
 
 template <int kWidth>
 HWY_INLINE void WithinWide(const PairQuery& query, double distance, const WarmStart* warmStart,
                            Workspace::State& state, WithinAnswer& answer) {
     Within visitor(query, distance, state);
-    if (warmStart != nullptr) visitor.resolve(warmStart->partTriangle, warmStart->environmentTriangle);
+    if (warmStart != nullptr) visitor.resolve(warmStart->triangles);
     Traverse<kWidth>(query, state, visitor);
     visitor.write(answer);
 }

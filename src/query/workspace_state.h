@@ -5,6 +5,7 @@
 
 #include "clearway/query.h"
 #include "core/pile.h"
+#include "query/refine.h"
 #include "tree/flat_tree.h"
 
 namespace clearway {
@@ -19,16 +20,14 @@ struct StackEntry {
 /// A pair of triangles that may be the closest; lower: a true lower bound, query units.
 struct Candidate {
     float lower;
-    std::uint32_t partTriangle;  ///< positions in the trees
-    std::uint32_t environmentTriangle;
+    TrianglesAt triangles;
 };
 
 /// The pair that answered the last query, good for the two models it came from.
 struct WarmStart {
     std::uint64_t partId = 0;  ///< Model::id(), never 0; 0: no warm start
     std::uint64_t environmentId = 0;
-    std::uint32_t partTriangle = 0;
-    std::uint32_t environmentTriangle = 0;
+    TrianglesAt triangles{0, 0, kNoFeature};
 };
 
 struct Workspace::State {
