@@ -31,10 +31,9 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 /// One RSS carried into the frame and unit of the node it is tested against.
 struct CarriedRss {
-    float centre[3];
-    float axis0[3];
-    float axis1[3];
-    float axis2[3];
+    float centre[4];  ///< x, y, z and one that does not matter, like the axes
+    float axis0[4];
+    float axis1[4];
     float halfLength0;
     float halfLength1;
     float radius;
@@ -182,10 +181,10 @@ HWY_INLINE NearChildren RssLowerBounds(const CarriedRss& one, const WideNode<kWi
         const auto load3 = [&](const float(&rows)[3][kWidth]) HWY_ATTR {
             return Lanes3<V>{hn::Load(d, rows[0] + i), hn::Load(d, rows[1] + i), hn::Load(d, rows[2] + i)};
         };
-        const auto splat3 = [&](const float(&p)[3]) HWY_ATTR {
+        const auto splat3 = [&](const float(&p)[4]) HWY_ATTR {
             return Lanes3<V>{hn::Set(d, p[0]), hn::Set(d, p[1]), hn::Set(d, p[2])};
         };
-        const Lanes3<V> x = splat3(one.axis0), y = splat3(one.axis1), z = splat3(one.axis2);
+        const Lanes3<V> x = splat3(one.axis0), y = splat3(one.axis1), z = Cross(x, y);
         const auto toOne = [&](const Lanes3<V>& v) HWY_ATTR {
             return Lanes3<V>{Dot(x, v), Dot(y, v), Dot(z, v)};
         };

@@ -41,9 +41,9 @@ constexpr double kOffsetSlack = 20;
 constexpr float kAlwaysResolved = 0x1p-22f;
 
 /// How volumes of one tree come into the frame and unit of the other's nodes: x -> ratio * (R x) + t.
-struct Carry {
-    float rotation[9];  ///< row-major
-    float translation[3];
+struct alignas(16) Carry {
+    float columns[3][4];   ///< of R, and a 0 at the end of each
+    float translation[4];  ///< t and a 0
     float ratio;        ///< exact power of two
     float slack;        ///< kVolumeSlack's term, in the target tree's unit
     float toQueryUnit;  ///< target tree's unit -> query unit, exact power of two

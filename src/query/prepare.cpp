@@ -24,11 +24,11 @@ double largestMovedCoordinate(const Pose& pose, const Box& box) {
 /// t: origin of the carried tree in the target's frame, mesh units.
 Carry makeCarry(const Matrix3& rotation, const Vector3& t, const FlatTree& carried, int carriedExponent,
                 const FlatTree& target, int targetExponent, double offsetError, int queryExponent) {
-    Carry carry;
+    Carry carry{};
     const double perUnit = std::ldexp(1.0, -targetExponent);
     for (int row = 0; row < 3; ++row) {
         for (int column = 0; column < 3; ++column) {
-            carry.rotation[3 * row + column] = static_cast<float>(rotation(row, column));
+            carry.columns[column][row] = static_cast<float>(rotation(row, column));
         }
         carry.translation[row] = static_cast<float>(t[row] * perUnit);
     }

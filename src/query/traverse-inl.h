@@ -27,31 +27,22 @@ namespace HWY_NAMESPACE {
 /// lengths.
 constexpr float kOpenPartRatio = 1.22f;
 
-/// R v.
-HWY_INLINE void Rotate(const float* R, const float* v, float* out) {
-    for (int row = 0; row < 3; ++row)
-        out[row] = R[3 * row] * v[0] + R[3 * row + 1] * v[1] + R[3 * row + 2] * v[2];
-}
-
 template <int kWidth>
 HWY_INLINE CarriedRss CarryVolume(const Carry& carry, const WideNode<kWidth>& node, int lane) {
-    const auto gather = [&](const float(&rows)[3][kWidth], float* out) HWY_ATTR {
-        for (int k = 0; k < 3; ++k) out[k] = rows[k][lane];
-    };
-    float centre[3], axis0[3], axis1[3];
-    gather(node.centre, centre);
-    gather(node.axis0, axis0);
-    gather(node.axis1, axis1);
-
+    const hn::CappedTag<float, 4> d;
     CarriedRss carried;
-    Rotate(carry.rotation, centre, carried.centre);
-    Rotate(carry.rotation, axis0, carried.axis0);
-    Rotate(carry.rotation, axis1, carried.axis1);
-    const float* x = carried.axis0;
-    const float* y = carried.axis1;
-    for (int k = 0; k < 3; ++k) {
-        carried.centre[k] = carried.centre[k] * carry.ratio + carry.translation[k];
-        carried.axis2[k] = x[(k + 1) % 3] * y[(k + 2) % 3] - x[(k + 2) % 3] * y[(k + 1) % 3];
+    for (size_t i = 0; i < 4; i += hn::Lanes(d)) {
+        const auto column = [&](int k) HWY_ATTR { return hn::Load(d, carry.columns[k] + i); };
+        const auto rotated = [&](const float(&rows)[3][kWidth]) HWY_ATTR {
+            auto sum = hn::Mul(column(2), hn::Set(d, rows[2][lane]));
+            sum = hn::MulAdd(column(1), hn::Set(d, rows[1][lane]), sum);
+            return hn::MulAdd(column(0), hn::Set(d, rows[0][lane]), sum);
+        };
+        const auto centre =
+            hn::MulAdd(rotated(node.centre), hn::Set(d, carry.ratio), hn::Load(d, carry.translation + i));
+        hn::StoreU(centre, d, carried.centre + i);
+        hn::StoreU(rotated(node.axis0), d, carried.axis0 + i);
+        hn::StoreU(rotated(node.axis1), d, carried.axis1 + i);
     }
     carried.halfLength0 = node.halfLength0[lane] * carry.ratio;
     carried.halfLength1 = node.halfLength1[lane] * carry.ratio;
