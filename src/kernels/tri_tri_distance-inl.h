@@ -29,33 +29,70 @@ struct TriangleBounds {
     V feature;  ///< where these two points are, as query/refine.h numbers it
 };
 
-/// a / b, or 0 where b is not above 0.
+/// 1 / v, or 0 where v is not above 0. In float from the processor's estimate and a Newton step: a share of
+/// an edge made with it is a place on the edge all the same.
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE V QuotientOrZero(D d, V a, V b) {
-    return hn::IfThenElse(hn::Gt(b, hn::Zero(d)), hn::Div(a, b), hn::Zero(d));
+HWY_INLINE V ReciprocalOrZero(D d, V v) {
+#if HWY_TARGET != HWY_SCALAR
+    if constexpr (sizeof(hn::TFromD<D>) == sizeof(float)) {
+        constexpr int kNewtonSteps = HWY_ARCH_X86 ? 1 : 2;  // from 12 bits; elsewhere from 8
+        V estimate = hn::ApproximateReciprocal(v);
+        for (int step = 0; step < kNewtonSteps; ++step) {
+            estimate = hn::Mul(estimate, hn::NegMulAdd(v, estimate, hn::Set(d, 2.0f)));
+        }
+        return hn::IfThenElseZero(hn::Gt(v, hn::Zero(d)), estimate);
+    }
+#endif
+    return hn::IfThenElseZero(hn::Gt(v, hn::Zero(d)), hn::Div(hn::Set(d, hn::TFromD<D>(1)), v));
 }
+
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V ClampToUnit(D d, V v) {
+    return hn::Clamp(v, hn::Zero(d), hn::Set(d, hn::TFromD<D>(1)));
+}
+
+/// The edges u of a and v of b: products of theirs with each other and with w, the way between their starts.
+template <class V>
+struct EdgeProducts {
+    V uv, wu, wv;
+    V uuReciprocal, vvReciprocal;
+};
 
 /// Difference q - p of near points of the edges p0 + s u and q0 + t v, s and t in [0, 1]; w = q0 - p0.
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE Lanes3<V> EdgeDifference(D d, const Lanes3<V>& w, const Lanes3<V>& u, const Lanes3<V>& v) {
-    const V zero = hn::Zero(d), one = hn::Set(d, hn::TFromD<D>(1));
+HWY_INLINE Lanes3<V> EdgeDifference(D d, const Lanes3<V>& w, const Lanes3<V>& u, const Lanes3<V>& v,
+                                    const EdgeProducts<V>& of) {
     const Lanes3<V> n = Cross(u, v);
-    const V uu = Dot(u, u), vv = Dot(v, v), uv = Dot(u, v), wu = Dot(w, u), wv = Dot(w, v);
-    V s = hn::Clamp(QuotientOrZero(d, Dot(Cross(w, v), n), Dot(n, n)), zero, one);
-    const V t = hn::Clamp(QuotientOrZero(d, hn::MulSub(s, uv, wv), vv), zero, one);
-    s = hn::Clamp(QuotientOrZero(d, hn::MulAdd(t, uv, wu), uu), zero, one);
+    V s = ClampToUnit(d, hn::Mul(Dot(Cross(w, v), n), ReciprocalOrZero(d, Dot(n, n))));
+    const V t = ClampToUnit(d, hn::Mul(hn::MulSub(s, of.uv, of.wv), of.vvReciprocal));
+    s = ClampToUnit(d, hn::Mul(hn::MulAdd(t, of.uv, of.wu), of.uuReciprocal));
     return AddScaled(AddScaled(w, t, v), hn::Neg(s), u);
 }
 
-/// Difference q - p of the point p and the point of the triangle q0 + s u + t v below it, clamped to the
-/// triangle; w = p - q0, n = u x v.
+/// A triangle's plane: where a point above it is, as shares of u and v, is a product with these.
+template <class V>
+struct FaceShares {
+    Lanes3<V> ofU, ofV;
+};
+
+/// n = u x v.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE FaceShares<V> SharesOf(D d, const Lanes3<V>& u, const Lanes3<V>& v, const Lanes3<V>& n) {
+    const V reciprocal = ReciprocalOrZero(d, Dot(n, n));
+    const auto scaled = [&](const Lanes3<V>& a) HWY_ATTR {
+        return Lanes3<V>{hn::Mul(a.x, reciprocal), hn::Mul(a.y, reciprocal), hn::Mul(a.z, reciprocal)};
+    };
+    return {scaled(Cross(v, n)), scaled(Cross(n, u))};
+}
+
+/// Difference p - q of the point p and the point q of the triangle q0 + s u + t v below it, clamped to the
+/// triangle; w = p - q0.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE Lanes3<V> FaceDifference(D d, const Lanes3<V>& w, const Lanes3<V>& u, const Lanes3<V>& v,
-                                    const Lanes3<V>& n, V nn) {
-    const V zero = hn::Zero(d), one = hn::Set(d, hn::TFromD<D>(1));
-    const V s = hn::Clamp(QuotientOrZero(d, Dot(Cross(w, v), n), nn), zero, one);
-    const V t = hn::Clamp(QuotientOrZero(d, Dot(Cross(u, w), n), nn), zero, hn::Sub(one, s));
-    return AddScaled(AddScaled(Lanes3<V>{hn::Neg(w.x), hn::Neg(w.y), hn::Neg(w.z)}, s, u), t, v);
+                                    const FaceShares<V>& shares) {
+    const V s = ClampToUnit(d, Dot(w, shares.ofU));
+    const V t = hn::Clamp(Dot(w, shares.ofV), hn::Zero(d), hn::Sub(hn::Set(d, hn::TFromD<D>(1)), s));
+    return AddScaled(AddScaled(w, hn::Neg(s), u), hn::Neg(t), v);
 }
 
 /// A pair of triangles with what its separations and its distance need.
@@ -100,20 +137,36 @@ HWY_INLINE TriangleBounds<V> TriangleDistance(D d, const TrianglePair<V>& pair, 
         bestSquared = hn::IfThenElse(nearer, squared, bestSquared);
     };
 
+    // Edges add up to 0 and w changes by an edge from pair to pair, so most products follow from few. What
+    // that costs in digits moves the points along their edges; it does not take them off.
+    V uu[3], vv[3], uv[3][3], wu[3][3], wv[3][3];
+    for (int i = 0; i < 3; ++i) {
+        uu[i] = ReciprocalOrZero(d, Dot(pair.edgeA[i], pair.edgeA[i]));
+        vv[i] = ReciprocalOrZero(d, Dot(pair.edgeB[i], pair.edgeB[i]));
+        uv[i][0] = Dot(pair.edgeA[i], pair.edgeB[0]);
+        uv[i][1] = Dot(pair.edgeA[i], pair.edgeB[1]);
+        uv[i][2] = hn::Neg(hn::Add(uv[i][0], uv[i][1]));
+        wu[i][0] = Dot(b.corner[0] - a.corner[i], pair.edgeA[i]);
+        wu[i][1] = hn::Add(wu[i][0], uv[i][0]);
+        wu[i][2] = hn::Add(wu[i][1], uv[i][1]);
+    }
+    for (int j = 0; j < 3; ++j) {
+        wv[0][j] = Dot(b.corner[j] - a.corner[0], pair.edgeB[j]);
+        wv[1][j] = hn::Sub(wv[0][j], uv[0][j]);
+        wv[2][j] = hn::Sub(wv[1][j], uv[1][j]);
+    }
     for (int i = 0; i < 3; ++i) {
         for (int j = 0; j < 3; ++j) {
-            take(EdgeDifference(d, b.corner[j] - a.corner[i], pair.edgeA[i], pair.edgeB[j]), 3 * i + j);
+            take(EdgeDifference(d, b.corner[j] - a.corner[i], pair.edgeA[i], pair.edgeB[j],
+                                {uv[i][j], wu[i][j], wv[i][j], uu[i], vv[j]}),
+                 3 * i + j);
         }
     }
-    const V normalASquared = Dot(pair.normalA, pair.normalA),
-            normalBSquared = Dot(pair.normalB, pair.normalB);
-    for (int i = 0; i < 3; ++i) {
-        take(FaceDifference(d, a.corner[i] - b.corner[0], pair.edgeB[0], pair.spanB, pair.normalB,
-                            normalBSquared),
-             9 + 2 * i);
-        take(FaceDifference(d, b.corner[i] - a.corner[0], pair.edgeA[0], pair.spanA, pair.normalA,
-                            normalASquared),
-             10 + 2 * i);
+    const FaceShares<V> sharesA = SharesOf(d, pair.edgeA[0], pair.spanA, pair.normalA),
+                        sharesB = SharesOf(d, pair.edgeB[0], pair.spanB, pair.normalB);
+    for (int k = 0; k < 3; ++k) {
+        take(FaceDifference(d, a.corner[k] - b.corner[0], pair.edgeB[0], pair.spanB, sharesB), 9 + 2 * k);
+        take(FaceDifference(d, b.corner[k] - a.corner[0], pair.edgeA[0], pair.spanA, sharesA), 10 + 2 * k);
     }
     return {hn::Max(SlabGap(d, best, a, b), known), hn::Sqrt(bestSquared), bestFeature};
 }

@@ -44,9 +44,9 @@ constexpr float kAlwaysResolved = 0x1p-22f;
 struct alignas(16) Carry {
     float columns[3][4];   ///< of R, and a 0 at the end of each
     float translation[4];  ///< t and a 0
-    float ratio;        ///< exact power of two
-    float slack;        ///< kVolumeSlack's term, in the target tree's unit
-    float toQueryUnit;  ///< target tree's unit -> query unit, exact power of two
+    float ratio;           ///< exact power of two
+    float slack;           ///< kVolumeSlack's term, in the target tree's unit
+    float toQueryUnit;     ///< target tree's unit -> query unit, exact power of two
 };
 
 /// The least float above x. x: below the largest float.
