@@ -78,10 +78,10 @@ class TreeChecker {
                 continue;
             }
             if (pastTheLast) ++wrongLanes_;  // used lanes come first
-            const long double length =
-                2 * std::hypot((long double)node.halfLength0[lane], node.halfLength1[lane]) +
-                2 * (long double)node.radius[lane];
-            if (!(std::abs(node.length[lane] - length) <= 1e-6L * length)) ++wrongLanes_;
+            const long double radius = node.radius[lane];
+            const long double size =
+                2 * std::sqrt((node.halfLength0[lane] + radius) * (node.halfLength1[lane] + radius));
+            if (!(std::abs(node.size[lane] - size) <= 1e-6L * size)) ++wrongLanes_;
             if (child >= 0) ++nodeSeen_.at(child);
             const std::set<std::uint32_t> vertices = child >= 0 ? below(child) : inLeaf(~child);
             const FloatRss volume = volumeOf(node, lane);
@@ -95,7 +95,7 @@ class TreeChecker {
     }
 
     static bool isUnusedLane(const WideNode<kWidth>& node, int lane) {
-        bool allZero = node.halfLength0[lane] == 0 && node.halfLength1[lane] == 0 && node.length[lane] == 0;
+        bool allZero = node.halfLength0[lane] == 0 && node.halfLength1[lane] == 0 && node.size[lane] == 0;
         for (int i = 0; i < 3; ++i) {
             allZero =
                 allZero && node.centre[i][lane] == 0 && node.axis0[i][lane] == 0 && node.axis1[i][lane] == 0;
