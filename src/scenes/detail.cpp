@@ -26,13 +26,10 @@ int Detail::count(double atRichnessOne) const {
     return std::max(1, static_cast<int>(std::lround(atRichnessOne * richness)));
 }
 
-Mesh buildTo(std::size_t triangles, const std::string& option, const FinenessRange& range,
-             const BuildAssembly& build) {
-    const auto countAt = [&](double fineness) {
-        return build(detailFor(fineness, range.step), 0).triangleCount();
-    };
+Detail finestDetail(std::size_t triangles, const std::string& option, const FinenessRange& range,
+                    const std::function<std::size_t(const Detail&)>& countAt) {
     double low = range.coarsest, high = kFineness;
-    const std::size_t least = countAt(low);
+    const std::size_t least = countAt(detailFor(low, range.step));
     if (triangles < least || triangles > kMostTriangles) {
         throw std::invalid_argument(option + " is " + std::to_string(triangles) + ", expected " +
                                     std::to_string(least) + " to " + std::to_string(kMostTriangles) +
@@ -40,10 +37,17 @@ Mesh buildTo(std::size_t triangles, const std::string& option, const FinenessRan
     }
     for (int i = 0; i < 24; ++i) {
         const double middle = (low + high) / 2;
-        (countAt(middle) <= triangles ? low : high) = middle;
+        (countAt(detailFor(middle, range.step)) <= triangles ? low : high) = middle;
     }
-    const Detail detail = detailFor(low, range.step);
-    const std::size_t without = countAt(low), studTriangles = build(detail, 1).triangleCount() - without;
+    return detailFor(low, range.step);
+}
+
+Mesh buildTo(std::size_t triangles, const std::string& option, const FinenessRange& range,
+             const BuildAssembly& build) {
+    const Detail detail = finestDetail(triangles, option, range,
+                                       [&](const Detail& tried) { return build(tried, 0).triangleCount(); });
+    const std::size_t without = build(detail, 0).triangleCount(),
+                      studTriangles = build(detail, 1).triangleCount() - without;
     return build(detail, static_cast<int>((triangles - without) / studTriangles)).mesh();
 }
 

@@ -19,18 +19,22 @@ struct Detail {
     int count(double atRichnessOne) const;  ///< at least 1
 };
 
-/// A mesh's pieces at that detail and so many studs beside them, all studs of the same number of triangles.
-using BuildAssembly = std::function<Assembly(const Detail& detail, int studs)>;
-
 /// One number, the fineness, says how fine everything is.
 struct FinenessRange {
     double step = 60;     ///< mm between a sweep's stations at fineness 1
     double coarsest = 1;  ///< below 1 roundings are cut into single chords, and details grow few
 };
 
-/// The finest build that has no more triangles than asked for, filled up with studs. option: what the number
-/// is called when it is refused. Throws std::invalid_argument when the coarsest build has more triangles, or
-/// above 4 million are asked for.
+/// The finest detail at which countAt gives no more triangles than asked for. option: what the number is
+/// called when it is refused. Throws std::invalid_argument when the coarsest has more triangles, or above 4
+/// million are asked for.
+Detail finestDetail(std::size_t triangles, const std::string& option, const FinenessRange& range,
+                    const std::function<std::size_t(const Detail&)>& countAt);
+
+/// A mesh's pieces at that detail and so many studs beside them, all studs of the same number of triangles.
+using BuildAssembly = std::function<Assembly(const Detail& detail, int studs)>;
+
+/// The build at the finest detail, filled up with studs. Throws likewise.
 Mesh buildTo(std::size_t triangles, const std::string& option, const FinenessRange& range,
              const BuildAssembly& build);
 
