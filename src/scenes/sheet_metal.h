@@ -1,0 +1,69 @@
+// What bodies of sheet metal are collected in: panels, beams along spines and small parts, made or only
+// counted.
+#pragma once
+
+#include <string>
+
+#include "scenes/detail.h"
+#include "scenes/loft.h"
+#include "scenes/panel.h"
+#include "scenes/spine.h"
+
+namespace clearway {
+
+class SheetMetal {
+  public:
+    /// onlyCount: nothing large is made, triangleCount() is the same.
+    SheetMetal(const Detail& detail, bool onlyCount) : detail_(detail), onlyCount_(onlyCount) {}
+
+    const Detail& detail() const { return detail_; }
+
+    /// Names are used once.
+    void panel(const std::string& name, const PanelShape& shape);
+
+    /// A section along a spine, cut as finely as the detail says.
+    void beam(const std::string& name, const Spine& spine, const Section& section);
+
+    /// One of many, named by `stem` and a number.
+    void part(const std::string& stem, const Piece& piece);
+
+    /// An outline turned about z (see turned), its foot at `at`, its axis along `axis`.
+    void turnedPart(const std::string& stem, const Polyline& outline, const Vector3& at, const Vector3& axis);
+
+    /// Runs `build` twice: as it is, for the side of positive y, its names ending in _right, then mirrored at
+    /// y = 0, ending in _left.
+    template <class Build>
+    void onBothSides(const Build& build) {
+        for (const bool mirrored : {false, true}) {
+            mirrored_ = mirrored;
+            ending_ = mirrored ? "_left" : "_right";
+            build();
+        }
+        mirrored_ = false;
+        ending_.clear();
+    }
+
+    /// A line with each inner corner rounded by `radius`.
+    Polyline rounded(const Polyline& line, double radius) const;
+
+    std::size_t triangleCount() const { return triangles_; }
+    const Assembly& assembly() const { return assembly_; }
+
+  private:
+    void add(const std::string& name, Piece piece);
+
+    Detail detail_;
+    bool onlyCount_;
+    bool mirrored_ = false;
+    std::string ending_;
+    std::size_t triangles_ = 0;
+    Assembly assembly_;
+};
+
+/// A hat open below, `width` and `height` at the top, its flanges standing out by `flange` on the line z = 0.
+Polyline hatLine(double width, double height, double flange);
+
+/// Solids of a section that is given along (-x, z), pulled along y from one value to another.
+Spine across(double fromY, double toY);
+
+}  // namespace clearway
