@@ -4,6 +4,7 @@
 
 #include "scenes/boxes.h"
 #include "scenes/cembox.h"
+#include "scenes/large_environment.h"
 #include "scenes/puzzle.h"
 #include "scenes/tunnel_console.h"
 
@@ -31,6 +32,8 @@ const std::vector<NamedScene>& namedScenes() {
          makeTunnelConsole},
         {"cembox-1", "a control module to be drawn out of its rails in an engine bay", kCembox, makeCembox},
         {"boxes-1", "a box that slides along two others, face to face", kBoxes, makeBoxes},
+        {"large-environment-1", "an instrument carrier on its way into a car body of fine sheets in layers",
+         kLargeEnvironment, makeLargeEnvironment},
         {"puzzle-1", "two interlocked bent bars, one to be slid through the eye of the other", kPuzzle,
          makePuzzle},
     };
