@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "kernels/framed_pairs.h"
+#include "query/refine.h"
 #include "support/each_target.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -26,7 +27,7 @@ namespace clearway::testing {
 /// What the kernels say of each pair.
 template <class T>
 struct Measured {
-    std::vector<T> face, edge, lower, upper;
+    std::vector<T> face, edge, lower, upper, feature;
 };
 
 }  // namespace clearway::testing
@@ -41,7 +42,8 @@ template <class T>
 void measure(const testing::TriangleRows<T>& rows, testing::Measured<T>& out) {
     const hn::CappedTag<T, testing::kVectorPairs> d;
     using V = hn::Vec<decltype(d)>;
-    for (std::vector<T>* of : {&out.face, &out.edge, &out.lower, &out.upper}) of->resize(rows.pairs);
+    for (std::vector<T>* of : {&out.face, &out.edge, &out.lower, &out.upper, &out.feature})
+        of->resize(rows.pairs);
     for (std::size_t i = 0; i < rows.pairs; i += hn::Lanes(d)) {
         const TrianglePair<V> pair(LoadTriangles(d, rows.a, rows.pairs, i),
                                    LoadTriangles(d, rows.b, rows.pairs, i));
@@ -51,6 +53,7 @@ void measure(const testing::TriangleRows<T>& rows, testing::Measured<T>& out) {
         hn::StoreU(EdgeSeparation(d, pair), d, out.edge.data() + i);
         hn::StoreU(bounds.lower, d, out.lower.data() + i);
         hn::StoreU(bounds.upper, d, out.upper.data() + i);
+        hn::StoreU(bounds.feature, d, out.feature.data() + i);
     }
 }
 
@@ -105,6 +108,18 @@ const std::vector<FramedPair<T>>& pairsOf() {
     return pairs;
 }
 
+/// The least distance at a feature, as query/refine.h numbers it: between two edges, or a corner and a face.
+long double distanceAt(int feature, const LongTriangle& a, const LongTriangle& b) {
+    const auto corner = [](const LongTriangle& t, int k) { return LongTriangle{t[k], t[k], t[k]}; };
+    const auto edge = [](const LongTriangle& t, int k) {
+        return LongTriangle{t[k], t[(k + 1) % 3], t[(k + 1) % 3]};
+    };
+    if (feature < 9) return triangleDistance(edge(a, feature / 3), edge(b, feature % 3)).distance;
+    const int k = (feature - 9) / 2;
+    return (feature % 2 == 1 ? triangleDistance(corner(a, k), b) : triangleDistance(a, corner(b, k)))
+        .distance;
+}
+
 template <class T>
 void checkBounds() {
     const std::vector<FramedPair<T>>& pairs = pairsOf<T>();
@@ -119,6 +134,10 @@ void checkBounds() {
             BOOST_TEST(found.edge[i] - gapError <= distance);
             BOOST_TEST(found.lower[i] - gapError <= distance);
             BOOST_TEST(distance <= found.upper[i] + pointError);
+            BOOST_TEST(found.feature[i] >= 0);
+            BOOST_TEST(found.feature[i] < kFeatures);
+            const int feature = static_cast<int>(found.feature[i]);
+            BOOST_TEST(distanceAt(feature, pairs[i].a, pairs[i].b) <= found.upper[i] + pointError);
         }
     }
 }

@@ -98,7 +98,7 @@ PairsCase makePairs(const std::string& name, const Mesh& part, const Mesh& envir
                 size = std::max(size, (corner - longB[0]).cwiseAbs().maxCoeff());
         }
         const double distance = trueDistance(pose, a, b, query.largestCoordinate / query.perMeshUnit);
-        made.pairs.push_back({0, inPart->second, inEnvironment->second});
+        made.pairs.push_back({0, {inPart->second, inEnvironment->second, kNoFeature}});
         made.distances.push_back(distance);
         made.sizes.push_back(static_cast<double>(size));
         made.isPlain.push_back(distance > 0.5 * static_cast<double>(size) && shapeOf(longA) > 0.2L &&

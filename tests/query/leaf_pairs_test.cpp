@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "query/pair_query.h"
+#include "query/refine.h"
 #include "support/each_target.h"
 #include "support/hard_triangles.h"
 #include "support/query_cases.h"
@@ -18,7 +19,7 @@ namespace clearway::testing {
 
 struct TakenPair {
     float lower, upper;
-    std::uint32_t part, environment;
+    TrianglesAt triangles;
 };
 
 }  // namespace clearway::testing
@@ -46,8 +47,8 @@ class Recorder {
     HWY_INLINE TriangleBounds<V> bounds(D d, const TrianglePair<V>& pair, V lower) const {
         return TriangleDistance(d, pair, lower);
     }
-    void take(float lower, float upper, std::uint32_t part, std::uint32_t environment) {
-        taken_.push_back({lower, upper, part, environment});
+    void take(float lower, float upper, const TrianglesAt& triangles) {
+        taken_.push_back({lower, upper, triangles});
     }
 
   private:
@@ -160,7 +161,8 @@ std::vector<std::vector<std::vector<TakenPair>>> takenOf(const LeafCase& leaves,
     }
     std::vector<std::vector<std::vector<TakenPair>>> byPair(leaves.distances.size());
     for (auto& row : byPair) row.resize(leaves.distances[0].size());
-    for (const TakenPair& pair : taken) byPair.at(pair.part).at(pair.environment).push_back(pair);
+    for (const TakenPair& pair : taken)
+        byPair.at(pair.triangles.part).at(pair.triangles.environment).push_back(pair);
     return byPair;
 }
 
@@ -196,6 +198,8 @@ BOOST_DATA_TEST_CASE(every_near_pair_is_taken_once_with_bounds_that_hold_its_dis
                         for (const TakenPair& pair : taken[i][j]) {
                             BOOST_TEST(pair.lower <= leaves.distances[i][j]);
                             BOOST_TEST(leaves.distances[i][j] <= pair.upper);
+                            BOOST_TEST(pair.triangles.feature >= 0);
+                            BOOST_TEST(pair.triangles.feature < kFeatures);
                         }
                     }
                 }
