@@ -114,6 +114,12 @@ std::vector<double> ratios(const Series& ours, const Series& theirs) {
     return values;
 }
 
+double clockNanoseconds() {
+    std::vector<double> times;
+    for (int i = 0; i < 1000; ++i) times.push_back(nanosecondsSince(Clock::now()));
+    return median(times);
+}
+
 double median(std::vector<double> values) {
     std::sort(values.begin(), values.end());
     const std::size_t half = values.size() / 2;

@@ -54,6 +54,9 @@ void runAll(std::vector<Series>& all, const std::vector<Pose>& poses, const Sche
 /// Time of `theirs` over time of `ours`, one value a repetition that both have run.
 std::vector<double> ratios(const Series& ours, const Series& theirs);
 
+/// What the clock adds to every query's time, in nanoseconds.
+double clockNanoseconds();
+
 double median(std::vector<double> values);
 double mean(const std::vector<double>& values);
 
