@@ -44,10 +44,12 @@ class Within {
         }
     }
 
-    HWY_INLINE void resolve(const TrianglesAt& triangles) {
+    /// Returns where the pair is closest.
+    HWY_INLINE std::int32_t resolve(const TrianglesAt& triangles) {
         const ResolvedPair pair = resolvePair(query_, triangles);
         ++state_.counters.refinedPairs;
         if (pair.contact || pair.lower <= d_) remember({triangles.part, triangles.environment, pair.feature});
+        return pair.feature;
     }
 
     void write(WithinAnswer& answer) const { answer = {found_, triangles_}; }
@@ -70,7 +72,8 @@ template <int kWidth>
 HWY_INLINE void WithinWide(const PairQuery& query, double distance, const WarmStart* warmStart,
                            Workspace::State& state, WithinAnswer& answer) {
     Within visitor(query, distance, state);
-    if (warmStart != nullptr) visitor.resolve(warmStart->triangles);
+    // A warm start that is no answer stays for the next query, which then knows where to look at it.
+    if (warmStart != nullptr) state.warmStart.triangles.feature = visitor.resolve(warmStart->triangles);
     Traverse<kWidth>(query, state, visitor);
     visitor.write(answer);
 }
