@@ -29,7 +29,8 @@ std::string allNames() {
 const std::vector<NamedScene>& namedScenes() {
     static const std::vector<NamedScene> kScenes = {
         {"tunnel-console-1", "a centre console to be threaded out of a bent tunnel", kTunnelConsole,
-         makeTunnelConsole},
+         makeTunnelConsole1},
+        {"tunnel-console-2", "the same, near its tunnel in places only", kTunnelConsole, makeTunnelConsole2},
         {"cembox-1", "a control module to be drawn out of its rails in an engine bay", kCembox, makeCembox},
         {"boxes-1", "a box that slides along two others, face to face", kBoxes, makeBoxes},
         {"large-environment-1", "an instrument carrier on its way into a car body of fine sheets in layers",

@@ -38,10 +38,8 @@ PartState outside(const PartState& exit, double drift) {
     return goal;
 }
 
-}  // namespace
-
-GeneratedScene makeTunnelConsole(const SceneOptions& options) {
-    const TunnelConsoleDesign design = designTunnelConsole(options);
+GeneratedScene makeVersion(int version, const SceneOptions& options) {
+    const TunnelConsoleDesign design = designTunnelConsole(options, version >= 2);
     const Random partRandom(options.seed ^ 0xC0501Eu), tunnelRandom(options.seed ^ 0x7A22E1u);
     GeneratedScene scene;
     scene.name = "tunnel-console";
@@ -57,9 +55,19 @@ GeneratedScene makeTunnelConsole(const SceneOptions& options) {
     scene.path.push_back(outside(scene.path.back(), design.screw.drift));
 
     setProblem(scene, kRoom);
-    scene.problem.name = "tunnel-console v1";
+    scene.problem.name = "tunnel-console v" + std::to_string(version);
     scene.problem.step = design.thinnestSheet() / 2;
     return scene;
+}
+
+}  // namespace
+
+GeneratedScene makeTunnelConsole1(const SceneOptions& options) {
+    return makeVersion(1, options);
+}
+
+GeneratedScene makeTunnelConsole2(const SceneOptions& options) {
+    return makeVersion(2, options);
 }
 
 }  // namespace clearway

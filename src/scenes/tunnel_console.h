@@ -1,5 +1,5 @@
-// The demo scene tunnel-console, version 1: a centre console that must be threaded out of the bent tunnel it
-// just fits. A version never changes what an option set makes; a better scene is a new version beside it.
+// The demo scene tunnel-console: a centre console that must be threaded out of the bent tunnel it just fits.
+// A version never changes what an option set makes; a better scene is a new version beside it.
 #pragma once
 
 #include "scenes/generated_scene.h"
@@ -18,8 +18,14 @@ constexpr SceneOptions kTunnelConsole{1, 2000, 8000, 10};
 /// is in one of the ribs. The path is that motion, in chords, then one more motion through the free room to
 /// the goal. The part's box has a diagonal of about 900 mm. problem.step is half the thinnest sheet.
 ///
+/// Version 1 is near everywhere: the floor pan lies at the gap below the whole part, and every rib leaves it
+/// all around. In version 2, as in a car, floor, walls and roof keep farther off, at least twice the
+/// clearance (four times at 10 mm), and the gap is left in places: by mounts on the floor, guides on the
+/// walls and some ribs, each on one side. Others of these kinds keep farther off, by different lengths.
+///
 /// Throws std::invalid_argument, naming the option, its value and what was expected, when the clearance is
 /// out of range or a number of triangles is less than the shape needs at this clearance, or above 4 million.
-GeneratedScene makeTunnelConsole(const SceneOptions& options);
+GeneratedScene makeTunnelConsole1(const SceneOptions& options);
+GeneratedScene makeTunnelConsole2(const SceneOptions& options);
 
 }  // namespace clearway

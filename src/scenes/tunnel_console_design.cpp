@@ -1,5 +1,6 @@
 #include "scenes/tunnel_console_design.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
@@ -20,6 +21,9 @@ constexpr double kEase = 0.15;
 /// Each sweep's chords may eat this much of the clearance.
 constexpr double kChordShare = 0.08;
 
+/// The room beyond the gap, in gaps; in mm no more than there is beside the tunnel.
+constexpr double kRoom = 2.5, kMostRoom = 28;
+
 /// The length along s that gives the bent console's box the diagonal kDiagonal.
 double lengthFor(const TunnelConsoleDesign& design) {
     double low = 300, high = 1500;
@@ -36,7 +40,7 @@ double lengthFor(const TunnelConsoleDesign& design) {
 
 }  // namespace
 
-TunnelConsoleDesign designTunnelConsole(const SceneOptions& options) {
+TunnelConsoleDesign designTunnelConsole(const SceneOptions& options, bool roomy) {
     const double clearance = options.clearance;
     if (!(clearance >= kLeastClearance && clearance <= kMostClearance)) {
         std::ostringstream message;
@@ -64,10 +68,11 @@ TunnelConsoleDesign designTunnelConsole(const SceneOptions& options) {
     const double inSpace = clearance * (1 + kEase + (1 + 1.0 / 3) * kChordShare) + 0.01;
     design.gap = inSpace * design.screw.obliquity(radius - design.height - inSpace);
 
-    design.wallHalfWidth = design.flangeHalfWidth + design.gap + random.between(12, 20);
-    design.roofHeight = design.height + design.gap + random.between(20, 30);
+    if (roomy) design.room = std::min(kRoom * design.gap, kMostRoom);
+    design.wallHalfWidth = design.flangeHalfWidth + design.gap + design.room + random.between(12, 20);
+    design.roofHeight = design.height + design.gap + design.room + random.between(20, 30);
     design.startAt = 60;
-    design.tunnelLength = design.startAt + design.length + 2 * design.gap + 10;
+    design.tunnelLength = design.startAt + design.length + 2 * design.gap + design.room + 10;
     design.exitAngle = design.screw.angleAt(design.startAt + design.length + 50);
     return design;
 }

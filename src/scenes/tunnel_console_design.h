@@ -2,10 +2,13 @@
 // along, u across, v up from the underside of the part's flanges; see Screw), millimetres.
 #pragma once
 
+#include <array>
+
 #include "scenes/detail.h"
 #include "scenes/piece.h"
 #include "scenes/random.h"
 #include "scenes/screw.h"
+#include "scenes/section.h"
 #include "scenes/tunnel_console.h"
 
 namespace clearway {
@@ -14,6 +17,7 @@ struct TunnelConsoleDesign {
     Screw screw;
     double clearance = 10;
     double gap = 12;          ///< between sections, so that `clearance` is left in space
+    double room = 0;          ///< what floor, walls and roof leave beyond the gap; 0: all is at the gap
     double longestStep = 60;  ///< of a sweep's stations, so that its chords keep to their share of the gap
 
     // The console: a hat section, open below, with flanges.
@@ -39,15 +43,25 @@ struct TunnelConsoleDesign {
 
     double exitAngle = 1.16;  ///< of the screw motion, radians
 
-    double floorTop() const { return -gap; }
+    double floorTop() const { return -gap - room; }
     double halfWidthAt(double v) const {
         return footHalfWidth + (topHalfWidth - footHalfWidth) * (v / height);
     }
     double thinnestSheet() const { return skinThickness; }
 };
 
-/// The measures for the options; throws std::invalid_argument for a clearance that cannot be.
-TunnelConsoleDesign designTunnelConsole(const SceneOptions& options);
+/// The measures for the options; throws std::invalid_argument for a clearance that cannot be. roomy: the
+/// sheets keep farther off than the gap (version 2).
+TunnelConsoleDesign designTunnelConsole(const SceneOptions& options, bool roomy);
+
+/// What a rib leaves beside the console on the right, on the left and over it; each at least the gap.
+struct RibGaps {
+    std::array<double, 3> sides;
+};
+
+/// The inner edge of a rib, from the floor on the right to the floor on the left.
+Polyline ribOpening(const TunnelConsoleDesign& design, const RibGaps& gaps, double floor,
+                    int segmentsPerQuarter);
 
 /// The console, bent, its middle at s = 0. `studs` small domes are added inside it.
 Assembly buildConsole(const TunnelConsoleDesign& design, const Detail& detail, Random random, int studs);

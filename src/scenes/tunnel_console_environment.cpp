@@ -44,16 +44,21 @@ struct Builder {
     Piece boss(const BossShape& shape) const {
         return turned(bossOutline(shape, detail.segmentsPerQuarter), detail.segmentsPerTurn);
     }
+    /// Of several alike, one in four and never many lie at the gap, the first among them.
+    static bool isNear(int i, int several) { return i % std::max(4, several / 3) == 0; }
+    /// What others leave beyond the gap.
+    double farther() { return design.room > 0 ? design.room * random.between(0.25, 1) : 0; }
     double outerWall() const { return design.wallHalfWidth + design.skinThickness; }
 
     void addFloor();
     void addSkins();
-    void addRib(double s);
+    void addRib(double s, const RibGaps& gaps);
     void addRibs();
     void addDuct();
     void addLines();
     void addStraps();
     void addGuides();
+    void addMounts();
     void addFloorBosses();
     void addBrackets();
     void addCabin();
@@ -96,22 +101,10 @@ void Builder::addSkins() {
                  swept(sheetSection(rounded(top, {10, 10, 10, 10}), t), 0, design.tunnelLength));
 }
 
-/// A plate between the skins and an opening that follows the console's hat at the gap.
-void Builder::addRib(double s) {
-    const double gap = design.gap, floor = design.floorTop() + kSlit;
-    const double flange = design.flangeHalfWidth + gap, ledge = design.shellThickness + gap;
-    Polyline opening{{flange, floor},
-                     {flange, ledge},
-                     {design.footHalfWidth + gap, ledge},
-                     {design.topHalfWidth + gap, design.height + gap}};
-    // Three quarters of the part's own rounding grown by the gap, which the chords of the fillet bear too;
-    // the ledge's nose is rounded more than the part's foot fillet grown by the gap needs.
-    const double nose = std::max(design.footRadius - gap, 0.0) + 3;
-    const std::vector<double> radii{0.75 * gap, nose, 0.75 * (design.topRadius + gap)};
-    for (std::size_t i = opening.size(); i-- > 0;) opening.push_back({-opening[i].x(), opening[i].y()});
-    std::vector<double> all = radii;
-    all.insert(all.end(), radii.rbegin(), radii.rend());
-    const Polyline inner = rounded(opening, all);
+/// A plate between the skins and an opening that follows the console's hat.
+void Builder::addRib(double s, const RibGaps& gaps) {
+    const double floor = design.floorTop() + kSlit;
+    const Polyline inner = ribOpening(design, gaps, floor, detail.segmentsPerQuarter);
 
     // Each point is cast from the middle of the floor to the skins and the roof.
     const double wall = design.wallHalfWidth - kSlit,
@@ -126,19 +119,26 @@ void Builder::addRib(double s) {
     assembly.addNumbered("rib", swept(bandSection(inner, outer), s, s + design.ribThickness));
 }
 
+/// A near rib is near on one side: right, left and over the console in turn.
 void Builder::addRibs() {
-    const int ribs = std::clamp(count(7), 5, 40);
+    const int ribs = std::clamp(count(design.room > 0 ? 5 : 7), 5, 40);
     const double first = 6, last = design.tunnelLength - 80;
+    int near = 0;
     for (int i = 0; i < ribs; ++i) {
         const double jitter = i == 0 ? 0 : random.between(-0.2, 0.2);
-        addRib(first + (last - first) * std::min((i + jitter) / (ribs - 1), 1.0));
+        RibGaps gaps;
+        for (double& gap : gaps.sides) gap = design.gap + farther();
+        if (isNear(i, ribs)) gaps.sides[near++ % 3] = design.gap;
+        addRib(first + (last - first) * std::min((i + jitter) / (ribs - 1), 1.0), gaps);
     }
 }
 
 /// A heater duct that the console straddles.
 void Builder::addDuct() {
     const double low = design.floorTop() + 1, half = 55 - design.gap;
-    const double high = design.height - design.innerDepth - design.gap - random.between(8, 14), wall = 2;
+    const double under =
+        design.gap + random.between(8, 14) + design.room / 2;  // what lowest hangs in the part
+    const double high = design.height - design.innerDepth - under, wall = 2;
     const int n = detail.segmentsPerQuarter;
     const double from = random.between(90, 130);
     const Section tube =
@@ -157,7 +157,8 @@ void Builder::addDuct() {
 
 /// Pipes along the floor, outside the skins.
 void Builder::addLines() {
-    const double radius[] = {5, 4, 3}, across[] = {215, -212, -226};
+    const double radius[] = {5, 4, 3};
+    const double across[] = {215 + design.room, -212 - design.room, -226 - design.room};
     const char* const names[] = {"fuel_line", "brake_line_front", "brake_line_rear"};
     for (int i = 0; i < 3; ++i) {
         const Vector2 centre(across[i], design.floorTop() + radius[i] + 6);
@@ -180,7 +181,7 @@ void Builder::addStraps() {
     }
 }
 
-/// Round guides on the inside of the walls, over the flanges, up to the gap.
+/// Round guides on the inside of the walls, over the flanges, up to the gap or near it.
 void Builder::addGuides() {
     const int guides = count(3);
     const double wall = design.wallHalfWidth - 2;  // the wall is oblique, their pads are not
@@ -192,7 +193,32 @@ void Builder::addGuides() {
         shape.foot = 3;
         const double reach = shape.radius + 2.1 * shape.foot;
         shape.height = wall - design.halfWidthAt(v - reach) - design.gap - random.between(0, 4);
+        if (!isNear(i, guides)) shape.height -= farther();
         assembly.addNumbered("guide", rigid(boss(shape), {s, side * wall, v}, {0, -side, 0}));
+    }
+}
+
+/// Bosses and short rails under the flanges, on a floor that is farther off than the gap.
+void Builder::addMounts() {
+    if (design.room <= 0) return;
+    const int mounts = std::clamp(count(3), 3, 16);
+    const double floor = design.floorTop() + kSlit,
+                 across = (design.footHalfWidth + design.flangeHalfWidth) / 2;
+    for (int i = 0; i < mounts; ++i) {
+        const double u = (i % 2 == 0 ? 1 : -1) * across;
+        const double s = 40 + (design.tunnelLength - 180) * (i + random.between(0.2, 0.8)) / mounts;
+        const double height = design.room - kSlit - (isNear(i, mounts) ? 0 : 0.75 * farther());
+        if (i % 3 == 1) {
+            const Section rail = rectangleSection({u - 6, floor}, {u + 6, floor + height});
+            assembly.addNumbered("mount_rail", swept(rail, s, s + random.between(40, 70)));
+            continue;
+        }
+        BossShape shape;
+        shape.radius = random.between(6, 8);
+        shape.height = height;
+        shape.foot = shape.rounding = std::min(2.0, height / 4);
+        shape.pad = shape.foot / 2;
+        assembly.addNumbered("mount", rigid(boss(shape), {s, u, floor}, Vector3::UnitZ()));
     }
 }
 
@@ -262,7 +288,7 @@ void Builder::addCabin() {
 void Builder::addFrontWall() {
     const double squeeze =
         1 - design.height / design.screw.radius;  // millimetres of s are shorter at the part's top
-    const double s = design.startAt + design.length + 1.1 * design.gap / squeeze;
+    const double s = design.startAt + design.length + 1.1 * design.gap / squeeze + design.room;
     const double low = design.height - design.innerDepth,
                  high = design.roofHeight - 2 * kSlit - design.skinThickness;
     const double half = design.wallHalfWidth - kSlit;
@@ -293,6 +319,7 @@ Assembly buildTunnel(const TunnelConsoleDesign& design, const Detail& detail, Ra
     builder.addLines();
     builder.addStraps();
     builder.addGuides();
+    builder.addMounts();
     builder.addFloorBosses();
     builder.addBrackets();
     builder.addCabin();

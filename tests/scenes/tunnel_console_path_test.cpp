@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "scenes/scene_checks.h"
-#include "scenes/tunnel_console.h"
+#include "scenes/scenes.h"
 #include "support/oracle.h"
 
 using namespace clearway;
@@ -18,14 +18,16 @@ namespace {
 
 struct Case {
     SceneOptions options;
+    const char* scene = "tunnel-console-1";
+
+    GeneratedScene make() const { return sceneNamed(scene).make(options); }
 };
 
 std::ostream& operator<<(std::ostream& out, const Case& c) {
-    return out << "seed " << c.options.seed << ", " << c.options.partTriangles << " / "
+    return out << c.scene << ", seed " << c.options.seed << ", " << c.options.partTriangles << " / "
                << c.options.environmentTriangles << ", clearance " << c.options.clearance;
 }
 
-// seed, part, environment, clearance
 Mesh only(const Mesh& mesh, const Component& component) {
     Mesh alone;
     alone.vertices = mesh.vertices;
@@ -34,18 +36,28 @@ Mesh only(const Mesh& mesh, const Component& component) {
     return alone;
 }
 
+/// Each case for both versions.
+std::vector<Case> ofBoth(std::vector<Case> all) {
+    const std::size_t count = all.size();
+    for (std::size_t i = 0; i < count; ++i) all.push_back({all[i].options, "tunnel-console-2"});
+    return all;
+}
+
 /// More of them with CLEARWAY_FULL=1.
 std::vector<Case> cases() {
-    std::vector<Case> all{
-        {{1, 2000, 8000, 10}}, {{2, 2000, 8000, 10}}, {{5, 3000, 13000, 4}}, {{7, 2000, 8000, 25}}};
+    std::vector<Case> all{// seed, part, environment, clearance
+                          {{1, 2000, 8000, 10}},
+                          {{2, 2000, 8000, 10}},
+                          {{5, 3000, 13000, 4}},
+                          {{7, 2000, 8000, 25}}};
     const char* full = std::getenv("CLEARWAY_FULL");
-    if (full == nullptr || std::string(full) != "1") return all;
+    if (full == nullptr || std::string(full) != "1") return ofBoth(all);
     for (std::uint64_t seed = 3; seed <= 20; ++seed) all.push_back({{seed, 2000, 8000, 10}});
     all.push_back({{4, 9000, 30000, 10}});
     all.push_back({{5, 3000, 14000, 3}});
     all.push_back({{6, 5000, 20000, 1.5}});
     all.push_back({{7, 73000, 300000, 10}});
-    return all;
+    return ofBoth(all);
 }
 
 }  // namespace
@@ -54,7 +66,7 @@ std::vector<Case> cases() {
 BOOST_DATA_TEST_CASE(the_constructed_path_keeps_the_clearance_and_is_tight_for_three_tenths, cases(),
                      scenario) {
     const double clearance = scenario.options.clearance;
-    const GeneratedScene scene = makeTunnelConsole(scenario.options);
+    const GeneratedScene scene = scenario.make();
     const PathClearance walk = walkPath(scene, clearance, 1.5 * clearance, 5);
     BOOST_TEST_MESSAGE(scenario << ": least " << walk.least << " mm, " << 100 * walk.tightLength / walk.length
                                 << " % tight, " << walk.samples << " samples");
@@ -62,8 +74,9 @@ BOOST_DATA_TEST_CASE(the_constructed_path_keeps_the_clearance_and_is_tight_for_t
     BOOST_TEST(walk.tightLength >= 0.3 * walk.length);
 }
 
-BOOST_AUTO_TEST_CASE(the_oracle_finds_no_less_clearance_on_the_path) {
-    const GeneratedScene scene = makeTunnelConsole(kTunnelConsole);
+BOOST_DATA_TEST_CASE(the_oracle_finds_no_less_clearance_on_the_path, ofBoth({{{1, 2000, 8000, 10}}}),
+                     scenario) {
+    const GeneratedScene scene = scenario.make();
     const MeshOracle oracle(scene.part, scene.environment);
     for (std::size_t i = 0; i + 1 < scene.path.size(); ++i) {
         for (const double t : {0.0, 0.5}) {
@@ -74,9 +87,33 @@ BOOST_AUTO_TEST_CASE(the_oracle_finds_no_less_clearance_on_the_path) {
     BOOST_TEST(oracle.distance(poseOf(scene.path.back())).distance >= 10);
 }
 
+/// From the assembled pose to where the part has left: the path's last motion but one.
+BOOST_DATA_TEST_CASE(in_version_2_the_sheets_keep_farther_off_than_what_is_near, cases(), scenario) {
+    if (std::string(scenario.scene) != "tunnel-console-2") return;
+    const GeneratedScene scene = scenario.make();
+    Mesh sheets;
+    sheets.vertices = scene.environment.vertices;
+    for (const Component& component : scene.environment.components) {
+        if (component.name.rfind("floor_pan", 0) != 0 && component.name.rfind("tunnel_", 0) != 0) continue;
+        const Mesh sheet = only(scene.environment, component);
+        sheets.triangles.insert(sheets.triangles.end(), sheet.triangles.begin(), sheet.triangles.end());
+    }
+    const Model part = Model::build(scene.part), far = Model::build(sheets);
+    Workspace workspace;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i + 2 < scene.path.size(); ++i) {
+        for (const double t : {0.0, 0.5}) {
+            const Pose pose = poseOf(between(scene.path[i], scene.path[i + 1], t));
+            least = std::min(least, distance(part, far, pose, {}, workspace).lower);
+        }
+    }
+    BOOST_TEST_MESSAGE(scenario << ": sheets at least " << least << " mm off");
+    BOOST_TEST(least >= 2 * scenario.options.clearance);
+}
+
 BOOST_DATA_TEST_CASE(the_straight_motion_collides_over_half_its_length_with_three_components, cases(),
                      scenario) {
-    const GeneratedScene scene = makeTunnelConsole(scenario.options);
+    const GeneratedScene scene = scenario.make();
     const Model part = Model::build(scene.part), environment = Model::build(scene.environment);
     std::map<std::string, Model> components;  // on their own, so that none hides behind another
     for (const Component& component : scene.environment.components) {

@@ -34,7 +34,7 @@ const std::string kData = std::string(CLEARWAY_DATA_DIR) + "/tunnel-console-smal
 
 BOOST_AUTO_TEST_CASE(written_files_read_back_as_the_scene) {
     const TemporaryFolder folder;
-    const GeneratedScene made = makeTunnelConsole(kTunnelConsole);
+    const GeneratedScene made = makeTunnelConsole2(kTunnelConsole);
     const SceneFiles files = writeScene(made, folder.file("new/sub"));
     const GeneratedScene read = readScene(files.problem, files.path);
     BOOST_TEST(read.problem.warnings.empty());
@@ -66,7 +66,7 @@ BOOST_AUTO_TEST_CASE(the_small_scene_in_data_is_what_its_command_makes) {
     options.partTriangles = 2000;
     options.environmentTriangles = 8000;
     options.clearance = 10;
-    const SceneFiles files = writeScene(makeTunnelConsole(options), folder.path());
+    const SceneFiles files = writeScene(makeTunnelConsole1(options), folder.path());
     const GeneratedScene made = readScene(files.problem, files.path);
     const GeneratedScene kept = readScene(kData + "tunnel-console.cfg", kData + "tunnel-console.path");
     for (const auto& [a, b] : {std::pair(&made.part, &kept.part), {&made.environment, &kept.environment}}) {
@@ -101,7 +101,7 @@ BOOST_AUTO_TEST_CASE(the_small_scene_in_data_keeps_its_promises) {
 
 BOOST_AUTO_TEST_CASE(nothing_is_written_when_one_of_the_files_cannot_be) {
     const TemporaryFolder folder;
-    const GeneratedScene scene = makeTunnelConsole(kTunnelConsole);
+    const GeneratedScene scene = makeTunnelConsole2(kTunnelConsole);
     std::filesystem::create_directory(folder.file(scene.name + ".path"));
     BOOST_CHECK_THROW(writeScene(scene, folder.path()), std::runtime_error);
     BOOST_TEST(folder.names() == std::vector<std::string>{scene.name + ".path"});
@@ -110,7 +110,7 @@ BOOST_AUTO_TEST_CASE(nothing_is_written_when_one_of_the_files_cannot_be) {
 BOOST_AUTO_TEST_CASE(a_folder_that_cannot_be_made_is_named) {
     const TemporaryFolder folder;
     const std::string blocked = folder.write("file", "") + "/below";
-    const GeneratedScene scene = makeTunnelConsole(kTunnelConsole);
+    const GeneratedScene scene = makeTunnelConsole2(kTunnelConsole);
     BOOST_CHECK_EXCEPTION(writeScene(scene, blocked), std::runtime_error,
                           [&](const std::runtime_error& error) {
                               return std::string(error.what()).find(blocked) != std::string::npos;
