@@ -10,16 +10,19 @@ namespace clearway {
 namespace {
 
 constexpr double kThinnestSheet = 0.7;  // mm
-constexpr double kLongestStep = 120;    // mm between lines where they are fewest
 constexpr double kRoom = 200;           // mm about the path's positions that planners may use
 
+// Lines are 120 mm apart at fineness 1. The openings that the part passes keep their shape down to 0.4.
+constexpr FinenessRange kPartFineness{120, 0.3}, kBodyFineness{120, 0.4};
+
 template <class Build>
-Mesh meshOf(std::size_t triangles, const std::string& option, const Build& build) {
+Mesh meshOf(std::size_t triangles, const std::string& option, const FinenessRange& range,
+            const Build& build) {
     const auto countAt = [&](const Detail& detail, int studs) {
         return build(detail, studs, true).triangleCount();
     };
-    const Detail detail = finestDetail(triangles, option, {kLongestStep, 1},
-                                       [&](const Detail& tried) { return countAt(tried, 0); });
+    const Detail detail =
+        finestDetail(triangles, option, range, [&](const Detail& tried) { return countAt(tried, 0); });
     const std::size_t without = countAt(detail, 0), stud = countAt(detail, 1) - without;
     return build(detail, static_cast<int>((triangles - without) / stud), false).assembly().mesh();
 }
@@ -51,11 +54,11 @@ GeneratedScene makeLargeEnvironment(const SceneOptions& options) {
     const Random partRandom(options.seed ^ 0x1C0A12u), bodyRandom(options.seed ^ 0xB0D7u);
     GeneratedScene scene;
     scene.name = "large-environment";
-    scene.part =
-        meshOf(options.partTriangles, "part-triangles", [&](const Detail& detail, int studs, bool onlyCount) {
-            return buildInstrumentCarrier(body, detail, partRandom, studs, onlyCount);
-        });
-    scene.environment = meshOf(options.environmentTriangles, "environment-triangles",
+    scene.part = meshOf(options.partTriangles, "part-triangles", kPartFineness,
+                        [&](const Detail& detail, int studs, bool onlyCount) {
+                            return buildInstrumentCarrier(body, detail, partRandom, studs, onlyCount);
+                        });
+    scene.environment = meshOf(options.environmentTriangles, "environment-triangles", kBodyFineness,
                                [&](const Detail& detail, int studs, bool onlyCount) {
                                    return buildCarBody(body, detail, bodyRandom, studs, onlyCount);
                                });

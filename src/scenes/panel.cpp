@@ -8,7 +8,9 @@ namespace clearway {
 
 namespace {
 
-constexpr double kLeastGap = 0.12;  // of the step, between two lines
+constexpr double kLeastGap = 0.12;  // of the step, between two lines; but
+constexpr double kAtLarge = 5;      // mm, no more, at openings of
+constexpr double kLarge = 100;      // mm half width or more, which are never left out for coarseness
 constexpr double kMostMargin = 30;  // mm around an opening that are bent to its shape
 
 double marginOf(const Opening& opening) {
@@ -48,9 +50,10 @@ Panel::Panel(PanelShape shape, const PanelDetail& detail) : shape_(std::move(sha
         std::vector<double> lines{shape_.low[axis], shape_.high[axis]};
         for (const Opening& opening : shape_.openings) {
             const double middle = opening.centre[axis], half = opening.half[axis];
+            const double atEdges = opening.half.minCoeff() < kLarge ? leastGap : std::min(leastGap, kAtLarge);
             for (const double side : {-1.0, 1.0}) {
-                addLine(lines, middle + side * half, leastGap);
-                addLine(lines, middle + side * (half + marginOf(opening)), leastGap);
+                addLine(lines, middle + side * half, atEdges);
+                addLine(lines, middle + side * (half + marginOf(opening)), atEdges);
             }
             for (int k = 1; k < detail.holeSpans; ++k) {
                 addLine(lines, middle + half * (2.0 * k / detail.holeSpans - 1), leastGap);

@@ -35,8 +35,8 @@ struct PanelDetail {
 /// The grid of a panel. Lines crowd where openings and beads want them: flat, long triangles between.
 class Panel {
   public:
-    /// Openings that reach into each other, beyond the border, or between two lines are left out, the later
-    /// ones first.
+    /// Openings that reach into each other or beyond the border are left out, the later ones first; so are
+    /// those below 200 mm for which the lines are too far apart.
     Panel(PanelShape shape, const PanelDetail& detail);
 
     std::size_t triangleCount() const;

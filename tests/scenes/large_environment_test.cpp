@@ -18,7 +18,7 @@ namespace data = boost::unit_test::data;
 
 namespace {
 
-constexpr SceneOptions kSmall{1, 10000, 80000, 4};
+constexpr SceneOptions kSmall{1, 5000, 40000, 4};
 
 /// Made once.
 const GeneratedScene& smallScene() {
@@ -85,7 +85,8 @@ std::vector<std::string> touchingComponents(const Mesh& mesh) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(triangle_counts_are_reached_within_five_percent) {
-    for (const auto& [part, environment] : {std::pair<std::size_t, std::size_t>(10000, 80000),
+    for (const auto& [part, environment] : {std::pair<std::size_t, std::size_t>(4000, 32000),
+                                            {5000, 40000},
                                             {11111, 99999},
                                             {30000, 300000},
                                             {100000, 1700000},
@@ -109,14 +110,14 @@ BOOST_AUTO_TEST_CASE(the_car_and_the_carrier_have_their_sizes) {
 
 BOOST_AUTO_TEST_CASE(the_seed_alone_decides) {
     const GeneratedScene again = makeLargeEnvironment(kSmall),
-                         other = makeLargeEnvironment({2, 10000, 80000, 4});
+                         other = makeLargeEnvironment({2, 5000, 40000, 4});
     BOOST_TEST(same(smallScene().part, again.part));
     BOOST_TEST(same(smallScene().environment, again.environment));
     BOOST_TEST(!same(smallScene().part, other.part));
     BOOST_TEST(!same(smallScene().environment, other.environment));
 }
 
-BOOST_DATA_TEST_CASE(every_component_is_a_named_closed_solid, data::make({10000, 30000}), triangles) {
+BOOST_DATA_TEST_CASE(every_component_is_a_named_closed_solid, data::make({4000, 30000}), triangles) {
     const GeneratedScene scene =
         makeLargeEnvironment({3, static_cast<std::size_t>(triangles), 8u * triangles, 4});
     for (const Mesh* mesh : {&scene.part, &scene.environment}) {
@@ -187,8 +188,7 @@ BOOST_AUTO_TEST_CASE(slivers_lie_beside_fine_roundings) {
 
 /// Proven along the whole way, in between the samples too.
 BOOST_AUTO_TEST_CASE(the_constructed_path_keeps_the_clearance_and_ends_tight) {
-    std::vector<SceneOptions> cases{
-        kSmall, {2, 10000, 80000, 1}, {3, 12000, 80000, 12}, {4, 10000, 90000, 6}};
+    std::vector<SceneOptions> cases{kSmall, {2, 5000, 40000, 1}, {3, 4000, 32000, 12}, {4, 10000, 90000, 6}};
     if (isFull()) {
         for (std::uint64_t seed = 5; seed <= 12; ++seed) cases.push_back({seed, 10000, 80000, 1.0 * seed});
         cases.push_back(kLargeEnvironment);

@@ -70,6 +70,14 @@ BOOST_AUTO_TEST_CASE(openings_that_do_not_fit_are_left_out) {
     requireSolid(Panel(shape, {3, 16}), 2 * (200 * 160 - M_PI * 20 * 20), 2e-3);
 }
 
+BOOST_AUTO_TEST_CASE(large_openings_are_kept_however_coarse_the_panel) {
+    PanelShape shape = flat(900, 500, 2);
+    shape.openings = {{{250, 250}, {150, 150}, 40}, {{620, 250}, {150, 150}, 40}};  // 70 mm apart
+    for (const double step : {5.0, 40.0, 120.0, 400.0, 1000.0}) {
+        requireSolid(Panel(shape, {step, 2}), 2 * (900 * 500 - 2 * 300 * 300), 0.02);
+    }
+}
+
 BOOST_AUTO_TEST_CASE(curved_panels_in_layers_are_closed_and_keep_their_distance) {
     PanelShape shape = flat(300, 200, 1);
     shape.surface = [](double u, double v) {
