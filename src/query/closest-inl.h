@@ -39,7 +39,7 @@ class Closest {
 
     /// A pair with a proved lower and a true upper bound, both of float's work.
     HWY_INLINE void take(float lower, float upper, const TrianglesAt& triangles) {
-        if (!(lower > kAlwaysResolved)) {
+        if (!(lower > query_.alwaysResolved)) {
             resolve(triangles);  // may touch, pierce or be ill-conditioned
         } else if (!drops(lower)) {
             const Candidate pair{lower, triangles};
@@ -140,7 +140,7 @@ class Closest {
     }
 
     void lowerDropFrom(double from) {
-        if (from < kAlwaysResolved) from = kAlwaysResolved;
+        if (from < query_.alwaysResolved) from = query_.alwaysResolved;
         if (from < hwy::HighestValue<float>()) {
             const float limit = nextFloatAbove(from);
             if (limit < dropFrom_) dropFrom_ = limit;

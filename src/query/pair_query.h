@@ -40,6 +40,10 @@ constexpr double kOffsetSlack = 20;
 /// may judge so is left out and distance, collides and isWithin see the same contacts.
 constexpr float kAlwaysResolved = 0x1p-22f;
 
+/// The same far from the origin, in u64 M: 32 are contact, and the gap that says so rounds by 2 there and by
+/// little of the pair's size.
+constexpr double kAlwaysResolvedRoundoffs = 40;
+
 /// How volumes of one tree come into the frame and unit of the other's nodes: x -> ratio * (R x) + t.
 struct alignas(16) Carry {
     float columns[3][4];   ///< of R, and a 0 at the end of each
@@ -71,6 +75,7 @@ struct PairQuery {
     double offsetSlack;  ///< kOffsetSlack's term, query units
 
     double largestCoordinate;  ///< M: of both meshes' vertices, the moved part's and t; query units
+    float alwaysResolved;      ///< kAlwaysResolved, or more far from the origin
 };
 
 /// Throws std::invalid_argument when the pose is no rotation, or the sizes of the two meshes or the way

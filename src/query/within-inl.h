@@ -21,7 +21,7 @@ class Within {
   public:
     /// d: query units; infinity is within reach of everything.
     Within(const PairQuery& query, double d, Workspace::State& state) : query_(query), d_(d), state_(state) {
-        const double reach = d > kAlwaysResolved ? d : kAlwaysResolved;
+        const double reach = d > query.alwaysResolved ? d : query.alwaysResolved;
         dropFrom_ = reach < hwy::HighestValue<float>() ? nextFloatAbove(reach) : hwy::HighestValue<float>();
     }
 

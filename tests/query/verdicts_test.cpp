@@ -76,6 +76,34 @@ BOOST_DATA_TEST_CASE(within_agrees_with_oracle_and_interval, eachTarget() * each
     }
 }
 
+// There the contact that double arithmetic cannot rule out is wider than what float can tell apart.
+BOOST_DATA_TEST_CASE(far_from_the_origin_the_three_queries_agree_on_contact, eachTarget() * eachWidth(),
+                     target, width) {
+    const UsingTarget using_(target);
+    for (const double away : {1e8, 1e9, 3e10, 1e13}) {
+        const Vector3 place(away, -away, away);
+        const QueryCase boxes = makeCase("boxes", box({1, 2, 3}, 1),
+                                         transformed(box({4, 5, 6}, 1), {Matrix3::Identity(), place}), {});
+        const ModelPair models = buildPair(boxes, ofWidth(width));
+        Workspace warm;
+        int contacts = 0, free = 0;
+        for (int gap = 0; gap <= 80; ++gap) {  // in u64 away
+            const Pose pose{Matrix3::Identity(), place + Vector3(5 + gap * kUnitRoundoff * away, 0, 0)};
+            Workspace cold, other;
+            const bool touching = collides(models.part, models.environment, pose, cold);
+            BOOST_TEST_CONTEXT(away << " away, gap " << gap) {
+                BOOST_TEST(distance(models.part, models.environment, pose, {}, other).collides() == touching);
+                BOOST_TEST(collides(models.part, models.environment, pose, warm) == touching);
+                BOOST_TEST(distance(models.part, models.environment, pose, {}, warm).collides() == touching);
+                BOOST_TEST(isWithin(models.part, models.environment, pose, 0, warm) == touching);
+            }
+            ++(touching ? contacts : free);
+        }
+        BOOST_TEST(contacts > 0);
+        BOOST_TEST(free > 0);
+    }
+}
+
 BOOST_AUTO_TEST_CASE(boxes_a_hair_apart_are_free_and_touching_ones_are_not) {
     const Mesh part = box({1, 2, 3}, 2), environment = box({4, 5, 6}, 3);
     const auto at = [](double gap) { return Pose{Matrix3::Identity(), {5 + gap, 0.3, 0.2}}; };
