@@ -121,7 +121,8 @@ double collidingShare(const PoseTask& task, const std::vector<Pose>& poses, Work
 std::optional<std::vector<Pose>> bisected(const PoseTask& task, const Curve& curve, const Waves& waves,
                                           double share, int count) {
     Workspace workspace;
-    const double enough = std::max(kShareTolerance / 2, 0.5 / count);  // few poses have few shares
+    // Few poses have few shares; by a hair more than half a pose, which may be what the nearest is off by.
+    const double enough = std::max(kShareTolerance / 2, (0.5 + 1e-9) / count);
     double low = 0, high = 1e-4;
     while (collidingShare(task, deviated(curve, waves, high, count), workspace) < share) {
         low = high;
