@@ -68,4 +68,14 @@ void requireReplaceable(const std::string& file) {
     open(temporary, file);
 }
 
+void makeFolder(const std::string& folder) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    std::error_code ignored;
+    if (!error && std::filesystem::is_directory(folder, ignored)) return;
+    throw std::runtime_error("cannot make the folder '" + folder + "'" +
+                             (error ? ": " + error.message() : "") +
+                             ", expected a folder that is there or a name for one");
+}
+
 }  // namespace clearway

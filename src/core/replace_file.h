@@ -16,4 +16,8 @@ void replaceFile(const std::string& file, const std::function<void(std::ostream&
 /// after.
 void requireReplaceable(const std::string& file);
 
+/// Makes the folder, and those it is in, unless it is there. Throws std::runtime_error naming it when it
+/// cannot.
+void makeFolder(const std::string& folder);
+
 }  // namespace clearway

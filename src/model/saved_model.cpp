@@ -1,7 +1,8 @@
-// Models as files. Layout: a header of fixed size, then the payload it counts and hashes:
-//   "clearway" (8 bytes), version, byte order mark, key, payload bytes, payload hash (8 bytes each), payload.
-// Numbers are written as they are in memory: the mark tells a machine of another byte order. Whoever changes
-// what is written, or what a build makes of the same mesh and options, raises the version.
+// Models as files. Layout: a header of fixed size, then the payload it counts:
+//   "clearway" (8 bytes), version, byte order mark, key, payload bytes, hash (8 bytes each), payload.
+// The hash is of the key and the payload. Numbers are written as they are in memory: the mark tells a machine
+// of another byte order. Whoever changes what is written, or what a build makes of the same mesh and options,
+// raises the version.
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -20,7 +21,7 @@ namespace clearway {
 namespace {
 
 constexpr char kMagic[8] = {'c', 'l', 'e', 'a', 'r', 'w', 'a', 'y'};
-constexpr std::uint64_t kVersion = 3;
+constexpr std::uint64_t kVersion = 4;
 constexpr std::uint64_t kByteOrderMark = 0x0102030405060708u;
 
 [[noreturn]] void refuse(const std::string& file, const std::string& reason) {
@@ -30,6 +31,13 @@ constexpr std::uint64_t kByteOrderMark = 0x0102030405060708u;
 std::uint64_t hashOf(std::string_view bytes) {
     Hash hash;
     hash.add(bytes.data(), bytes.size());
+    return hash.value();
+}
+
+std::uint64_t hashOf(std::uint64_t key, std::string_view payload) {
+    Hash hash;
+    hash.add(key);
+    hash.add(payload.data(), payload.size());
     return hash.value();
 }
 
@@ -215,8 +223,9 @@ void Model::save(const std::string& file) const {
     addRest(payload, data_->report, data_->components, data_->origin);
     ArchiveWriter header;
     header.addBytes(kMagic, sizeof kMagic);
-    for (const std::uint64_t field : {kVersion, kByteOrderMark, data_->key,
-                                      std::uint64_t(payload.bytes().size()), hashOf(payload.bytes())}) {
+    for (const std::uint64_t field :
+         {kVersion, kByteOrderMark, data_->key, std::uint64_t(payload.bytes().size()),
+          hashOf(data_->key, payload.bytes())}) {
         header.add(field);
     }
     replaceFile(file, [&](std::ostream& out) { out << header.bytes() << payload.bytes(); });
@@ -238,7 +247,8 @@ Model Model::load(const std::string& file) {
         const auto size = in.read<std::uint64_t>(), hash = in.read<std::uint64_t>();
         const std::string_view payload =
             std::string_view(bytes).substr(sizeof kMagic + 5 * sizeof(std::uint64_t));
-        if (size != payload.size() || hash != hashOf(payload)) throw std::runtime_error("is damaged");
+        if (size != payload.size() || hash != hashOf(data->key, payload))
+            throw std::runtime_error("is damaged");
 
         data->report.options = readOptions(in);
         data->reach = readReach(in);
@@ -276,7 +286,7 @@ CachedModel buildCached(const Mesh& mesh, const BuildOptions& options, const std
         }
     }
     const Model model = Model::build(mesh, options, reach);
-    std::filesystem::create_directories(folder);
+    makeFolder(folder);
     model.save(file.string());
     return {model, false, warning};
 }

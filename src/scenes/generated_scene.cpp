@@ -16,15 +16,6 @@ constexpr int kMostMoves = 4;
 /// mm; the float sum of many vertices is no better.
 constexpr double kCentred = 1e-4;
 
-void makeFolder(const std::string& folder) {
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (error || !std::filesystem::is_directory(folder)) {
-        throw std::runtime_error("folder '" + folder + "' cannot be made" +
-                                 (error ? ": " + error.message() : ""));
-    }
-}
-
 void move(Mesh& mesh, const Vector3& shift) {
     for (Vector3& vertex : mesh.vertices) vertex = (vertex + shift).cast<float>().cast<double>();
 }

@@ -37,6 +37,20 @@ BOOST_AUTO_TEST_CASE(a_file_is_made_or_replaced_and_nothing_else_is_left) {
     }
 }
 
+BOOST_AUTO_TEST_CASE(a_folder_that_cannot_be_made_is_named_with_what_was_expected) {
+    const TemporaryFolder folder;
+    const std::string file = folder.write("a.csv", "old");
+    makeFolder(folder.file("new/deep"));
+    makeFolder(folder.file("new/deep"));
+    for (const std::string& wrong : {file, file + "/deep"}) {
+        BOOST_CHECK_EXCEPTION(makeFolder(wrong), std::runtime_error, [&](const std::runtime_error& error) {
+            const std::string message = error.what();
+            return message.find("'" + wrong + "'") != std::string::npos &&
+                   message.find("expected a folder") != std::string::npos;
+        });
+    }
+}
+
 BOOST_AUTO_TEST_CASE(an_exception_half_way_leaves_the_old_file_alone) {
     const TemporaryFolder folder;
     const std::string file = folder.write("a.csv", "old");

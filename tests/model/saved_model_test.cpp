@@ -81,7 +81,6 @@ BOOST_FIXTURE_TEST_CASE(a_cut_damaged_or_foreign_file_is_refused_by_name, Fixtur
     };
     for (std::size_t length = 0; length < whole.size(); length += 7) requireRefused(whole.substr(0, length));
     for (std::size_t at = 0; at < whole.size(); at += 3) {
-        if (at >= 24 && at < 32) continue;  // the key: any value is one
         std::string damaged = whole;
         damaged[at] = char(damaged[at] ^ (1 << (at % 8)));
         requireRefused(damaged);
