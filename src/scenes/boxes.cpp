@@ -1,7 +1,6 @@
 #include "scenes/boxes.h"
 
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
 
 #include "scenes/grid_box.h"
@@ -25,14 +24,6 @@ void requireTriangles(const char* option, std::size_t triangles, std::size_t lea
                                 std::to_string(least) + " to " + std::to_string(kMostTriangles));
 }
 
-void requireClearance(double clearance) {
-    if (clearance >= kLeastClearance && clearance <= kMostClearance) return;
-    std::ostringstream message;
-    message << "clearance is " << clearance << ", expected " << kLeastClearance << " to " << kMostClearance
-            << " (millimetres)";
-    throw std::invalid_argument(message.str());
-}
-
 /// In whole millimetres, which floats hold exactly.
 double wholeBetween(Random& random, double low, double high) {
     return std::floor(random.between(low, high + 1));
@@ -41,7 +32,7 @@ double wholeBetween(Random& random, double low, double high) {
 }  // namespace
 
 GeneratedScene makeBoxes(const SceneOptions& options) {
-    requireClearance(options.clearance);
+    requireClearance(options.clearance, kLeastClearance, kMostClearance);
     requireTriangles("part-triangles", options.partTriangles, 12);
     requireTriangles("environment-triangles", options.environmentTriangles, 24);
     Random random(options.seed);

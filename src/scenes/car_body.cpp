@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
-#include <stdexcept>
+
+#include "scenes/scene_options.h"
 
 namespace clearway {
 
@@ -22,12 +22,7 @@ double squared(double x) {
 }  // namespace
 
 CarBody designCarBody(std::uint64_t seed, double clearance) {
-    if (!(clearance >= kLeastClearance && clearance <= kMostClearance)) {
-        std::ostringstream message;
-        message << "clearance is " << clearance << ", expected " << kLeastClearance << " to "
-                << kMostClearance << " (millimetres)";
-        throw std::invalid_argument(message.str());
-    }
+    requireClearance(clearance, kLeastClearance, kMostClearance);
     Random random(seed);
     CarBody body;
     body.clearance = clearance;

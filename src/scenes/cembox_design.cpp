@@ -1,8 +1,6 @@
 #include "scenes/cembox_design.h"
 
 #include <cmath>
-#include <sstream>
-#include <stdexcept>
 
 namespace clearway {
 
@@ -69,12 +67,7 @@ KeptFree CemboxDesign::keptFree() const {
 
 CemboxDesign designCembox(const SceneOptions& options) {
     const double clearance = options.clearance;
-    if (!(clearance >= kLeastClearance && clearance <= kMostClearance)) {
-        std::ostringstream message;
-        message << "clearance is " << clearance << ", expected " << kLeastClearance << " to "
-                << kMostClearance << " (millimetres)";
-        throw std::invalid_argument(message.str());
-    }
+    requireClearance(clearance, kLeastClearance, kMostClearance);
     Random random(options.seed);
     CemboxDesign design;
     design.clearance = clearance;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
 
 #include "scenes/path_to_problem.h"
@@ -183,12 +182,7 @@ std::vector<PartState> constructedPath(const Spine& part, double from, double cl
 
 GeneratedScene makePuzzle(const SceneOptions& options) {
     const double clearance = options.clearance;
-    if (!(clearance >= kLeastClearance && clearance <= kMostClearance)) {
-        std::ostringstream message;
-        message << "clearance is " << clearance << ", expected " << kLeastClearance << " to "
-                << kMostClearance << " (millimetres)";
-        throw std::invalid_argument(message.str());
-    }
+    requireClearance(clearance, kLeastClearance, kMostClearance);
     const Measures measures{Random(options.seed)};
     const Spine part = partSpine(measures);
     const BarDetail partDetail = detailFor(part, options.partTriangles, "part-triangles");

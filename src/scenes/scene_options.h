@@ -15,4 +15,7 @@ struct SceneOptions {
     double clearance = 0;                  ///< least distance along the constructed path, environment units
 };
 
+/// Throws std::invalid_argument, naming the value and the range, when the clearance is out of it.
+void requireClearance(double clearance, double least, double most);
+
 }  // namespace clearway

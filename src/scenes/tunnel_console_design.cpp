@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
-#include <stdexcept>
 
 namespace clearway {
 
@@ -42,12 +40,7 @@ double lengthFor(const TunnelConsoleDesign& design) {
 
 TunnelConsoleDesign designTunnelConsole(const SceneOptions& options, bool roomy) {
     const double clearance = options.clearance;
-    if (!(clearance >= kLeastClearance && clearance <= kMostClearance)) {
-        std::ostringstream message;
-        message << "clearance is " << clearance << ", expected " << kLeastClearance << " to "
-                << kMostClearance << " (millimetres)";
-        throw std::invalid_argument(message.str());
-    }
+    requireClearance(clearance, kLeastClearance, kMostClearance);
     Random random(options.seed);
     TunnelConsoleDesign design;
     design.clearance = clearance;
