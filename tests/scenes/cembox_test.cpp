@@ -5,7 +5,6 @@
 #include <boost/test/data/test_case.hpp>
 #include <boost/test/unit_test.hpp>
 #include <cstdlib>
-#include <set>
 #include <stdexcept>
 
 #include "scenes/cembox_design.h"
@@ -81,19 +80,7 @@ BOOST_DATA_TEST_CASE(every_component_is_a_named_closed_solid, boost::unit_test::
     const GeneratedScene scene =
         makeCembox({3, kSmall.partTriangles * fineness, kSmall.environmentTriangles * fineness, 4});
     for (const Mesh* mesh : {&scene.part, &scene.environment}) {
-        std::set<std::string> names;
-        std::uint32_t covered = 0;
-        for (const Component& component : mesh->components) {
-            BOOST_TEST_INFO(component.name);
-            BOOST_TEST(isClosed(*mesh, component));
-            BOOST_TEST(signedVolume(*mesh, component) > 0);
-            BOOST_TEST(component.firstTriangle == covered);
-            covered += component.triangleCount;
-            names.insert(component.name);
-        }
-        BOOST_TEST(covered == mesh->triangles.size());
-        BOOST_TEST(names.size() == mesh->components.size());
-        BOOST_TEST(names.count("") == 0);
+        testNamedClosedSolids(*mesh);
     }
     BOOST_TEST(scene.part.components.size() > 60);
     BOOST_TEST(scene.environment.components.size() > 300);

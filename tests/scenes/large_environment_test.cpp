@@ -5,7 +5,6 @@
 #include <boost/test/data/test_case.hpp>
 #include <boost/test/unit_test.hpp>
 #include <cstdlib>
-#include <set>
 #include <stdexcept>
 
 #include "scenes/scene_checks.h"
@@ -121,20 +120,7 @@ BOOST_DATA_TEST_CASE(every_component_is_a_named_closed_solid, data::make({4000, 
     const GeneratedScene scene =
         makeLargeEnvironment({3, static_cast<std::size_t>(triangles), 8u * triangles, 4});
     for (const Mesh* mesh : {&scene.part, &scene.environment}) {
-        std::set<std::string> names;
-        std::uint32_t covered = 0;
-        for (const Component& component : mesh->components) {
-            BOOST_TEST_INFO(component.name);
-            BOOST_TEST(isClosed(*mesh, component));
-            BOOST_TEST_INFO(component.name);
-            BOOST_TEST(signedVolume(*mesh, component) > 0);
-            BOOST_TEST(component.firstTriangle == covered);
-            covered += component.triangleCount;
-            names.insert(component.name);
-        }
-        BOOST_TEST(covered == mesh->triangles.size());
-        BOOST_TEST(names.size() == mesh->components.size());
-        BOOST_TEST(names.count("") == 0);
+        testNamedClosedSolids(*mesh);
         for (const Vector3& v : mesh->vertices) BOOST_REQUIRE((v == v.cast<float>().cast<double>()));
     }
 }
@@ -173,16 +159,7 @@ BOOST_AUTO_TEST_CASE(sheets_follow_each_other_a_few_millimetres_apart) {
 
 BOOST_AUTO_TEST_CASE(slivers_lie_beside_fine_roundings) {
     for (const Mesh* mesh : {&smallScene().part, &smallScene().environment}) {
-        double leastEdge = 1e9, thinnest = 1e9;
-        for (std::size_t i = 0; i < mesh->triangles.size(); ++i) {
-            const auto [a, b, c] = cornersOf(*mesh, i);
-            const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
-            leastEdge = std::min({leastEdge, (b - a).norm(), (c - b).norm(), (a - c).norm()});
-            thinnest = std::min(thinnest, (b - a).cross(c - a).norm() / longest / longest);
-        }
-        BOOST_TEST(leastEdge < 3);        // mm
-        BOOST_TEST(thinnest < 1.0 / 25);  // height over longest edge
-        BOOST_TEST(thinnest > 0);
+        testSlivers(*mesh);
     }
 }
 

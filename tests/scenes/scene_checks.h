@@ -1,14 +1,20 @@
 // What the tests of the scenes ask of a scene: closed components, clearance along a path.
 #pragma once
 
+#include <algorithm>
+#include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <map>
+#include <set>
+#include <string>
 #include <utility>
 
 #include "clearway/model.h"
 #include "clearway/problem.h"
 #include "clearway/query.h"
 #include "scenes/generated_scene.h"
+#include "support/convex_hull.h"
+#include "support/oracle.h"
 
 namespace clearway::testing {
 
@@ -38,6 +44,38 @@ inline bool isClosed(const Mesh& mesh, const Component& component) {
         if (count != 1 || uses.count({edge.second, edge.first}) == 0) return false;
     }
     return true;
+}
+
+/// Every component is closed, turned outwards and has a name of its own; together they are the mesh.
+inline void testNamedClosedSolids(const Mesh& mesh) {
+    std::set<std::string> names;
+    std::uint32_t covered = 0;
+    for (const Component& component : mesh.components) {
+        BOOST_TEST_INFO(component.name);
+        BOOST_TEST(isClosed(mesh, component));
+        BOOST_TEST_INFO(component.name);
+        BOOST_TEST(signedVolume(mesh, component) > 0);
+        BOOST_TEST(component.firstTriangle == covered);
+        covered += component.triangleCount;
+        names.insert(component.name);
+    }
+    BOOST_TEST(covered == mesh.triangles.size());
+    BOOST_TEST(names.size() == mesh.components.size());
+    BOOST_TEST(names.count("") == 0);
+}
+
+/// Tessellated as CAD is: short edges and thin triangles, but none without area. Millimetres.
+inline void testSlivers(const Mesh& mesh) {
+    double leastEdge = 1e9, thinnest = 1e9;
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        const auto [a, b, c] = cornersOf(mesh, i);
+        const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
+        leastEdge = std::min({leastEdge, (b - a).norm(), (c - b).norm(), (a - c).norm()});
+        thinnest = std::min(thinnest, (b - a).cross(c - a).norm() / longest / longest);
+    }
+    BOOST_TEST(leastEdge < 3);
+    BOOST_TEST(thinnest < 1.0 / 25);  // height over longest edge
+    BOOST_TEST(thinnest > 0);
 }
 
 struct PathClearance {

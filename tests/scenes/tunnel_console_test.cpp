@@ -4,7 +4,6 @@
 #include <boost/test/data/monomorphic.hpp>
 #include <boost/test/data/test_case.hpp>
 #include <boost/test/unit_test.hpp>
-#include <set>
 #include <stdexcept>
 
 #include "scenes/scene_checks.h"
@@ -91,19 +90,7 @@ BOOST_DATA_TEST_CASE(every_component_is_a_named_closed_solid,
                      version, triangles, clearance) {
     const GeneratedScene scene = make(version, sized(triangles, 4 * triangles, clearance));
     for (const Mesh* mesh : {&scene.part, &scene.environment}) {
-        std::set<std::string> names;
-        std::uint32_t covered = 0;
-        for (const Component& component : mesh->components) {
-            BOOST_TEST_INFO(component.name);
-            BOOST_TEST(isClosed(*mesh, component));
-            BOOST_TEST(signedVolume(*mesh, component) > 0);
-            BOOST_TEST(component.firstTriangle == covered);
-            covered += component.triangleCount;
-            names.insert(component.name);
-        }
-        BOOST_TEST(covered == mesh->triangles.size());
-        BOOST_TEST(names.size() == mesh->components.size());
-        BOOST_TEST(names.count("") == 0);
+        testNamedClosedSolids(*mesh);
     }
 }
 
@@ -117,16 +104,7 @@ BOOST_DATA_TEST_CASE(coordinates_are_floats, kVersions, version) {
 BOOST_DATA_TEST_CASE(slivers_lie_beside_fine_roundings, kVersions, version) {
     const GeneratedScene scene = make(version);
     for (const Mesh* mesh : {&scene.part, &scene.environment}) {
-        double leastEdge = 1e9, thinnest = 1e9;
-        for (std::size_t i = 0; i < mesh->triangles.size(); ++i) {
-            const auto [a, b, c] = cornersOf(*mesh, i);
-            const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
-            leastEdge = std::min({leastEdge, (b - a).norm(), (c - b).norm(), (a - c).norm()});
-            thinnest = std::min(thinnest, (b - a).cross(c - a).norm() / longest / longest);
-        }
-        BOOST_TEST(leastEdge < 3);        // mm
-        BOOST_TEST(thinnest < 1.0 / 25);  // height over longest edge
-        BOOST_TEST(thinnest > 0);
+        testSlivers(*mesh);
     }
 }
 
