@@ -6,13 +6,13 @@
 #include <utility>
 
 #include "support/box_tree.h"
-#include "support/exact_triangle.h"
+#include "support/exact_distance.h"
 #include "support/triangle_distance.h"
 
 namespace clearway::testing {
 namespace {
 
-// Below this share of the largest coordinate the long double distance is not trusted: rational arithmetic
+// Below this share of the largest coordinate the long double distance is not trusted: integer arithmetic
 // decides. Far above its error (1e-17 for the worst needles), far below the gaps that tests are about.
 constexpr long double kDoubtful = 1e-14L;
 
@@ -26,12 +26,6 @@ long double largestCoordinate(const std::vector<LongVector>& points) {
     long double largest = 0;
     for (const LongVector& point : points) largest = std::max(largest, point.cwiseAbs().maxCoeff());
     return largest;
-}
-
-long double exactDistance(const Pose& X_environmentPart, const std::array<Vector3, 3>& partCorners,
-                          const std::array<Vector3, 3>& environmentCorners) {
-    return rootOf(
-        exactDistanceSquared(exactlyMoved(X_environmentPart, partCorners), toExact(environmentCorners)));
 }
 
 double diagonal(const Mesh& mesh) {
@@ -71,7 +65,7 @@ class Search {
                                    .distance;
         if (distance > best.distance) return;
         if (distance <= doubtful_)
-            distance = exactDistance(pose_, cornersOf(part_, p), cornersOf(environment_, e));
+            distance = exactDistance(pose_, cornersOf(part_, p), cornersOf(environment_, e)).rounded();
         if (distance < best.distance) best = {distance, p, e};
     }
 
@@ -156,8 +150,8 @@ double MeshOracle::pairDistance(const Pose& X_environmentPart, std::size_t partT
     const long double largest = std::max(largestCoordinate({movedPart.begin(), movedPart.end()}),
                                          largestCoordinate({fixed.begin(), fixed.end()}));
     const long double distance = triangleDistance(movedPart, fixed).distance;
-    return static_cast<double>(distance > kDoubtful * largest ? distance
-                                                              : exactDistance(X_environmentPart, a, b));
+    return static_cast<double>(
+        distance > kDoubtful * largest ? distance : exactDistance(X_environmentPart, a, b).rounded());
 }
 
 OracleAnswer bruteForceDistance(const Mesh& part, const Mesh& environment, const Pose& X_environmentPart) {

@@ -1,5 +1,5 @@
 // The slow truth that every query is tested against: an independent plain binary tree of axis-aligned boxes
-// in double, rounded outward, with long double at its leaves and rational arithmetic for what may touch.
+// in double, rounded outward, with long double at its leaves and integer arithmetic for what may touch.
 #pragma once
 
 #include <array>
