@@ -5,6 +5,8 @@ find_package(hwy 1.0 REQUIRED CONFIG)
 find_package(Boost 1.71 REQUIRED COMPONENTS program_options)
 if(CLEARWAY_TESTS)
   find_package(Boost 1.71 REQUIRED COMPONENTS unit_test_framework)
+  set(CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE TRUE)
+  find_package(CGAL 5.4 REQUIRED CONFIG)  # the oracle's oracle
 endif()
 find_package(TBB 2021 REQUIRED CONFIG COMPONENTS tbb)
 find_package(Threads REQUIRED)

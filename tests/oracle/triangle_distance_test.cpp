@@ -42,6 +42,23 @@ BOOST_AUTO_TEST_CASE(rationals_reproduce_known_distances) {
     }
 }
 
+BOOST_AUTO_TEST_CASE(rationals_reproduce_what_hard_cases_state) {
+    Random random(5);
+    for (const TriangleFamily& family : hardTriangleFamilies()) {
+        int stated = 0;
+        for (int trial = 0; trial < 40; ++trial) {
+            const TrianglePair pair = family.make(random);
+            if (std::isnan(pair.stated)) continue;
+            ++stated;
+            const long double distance = exactDistance(pair);
+            BOOST_TEST(
+                std::abs(distance - pair.stated) <= pair.statedWithin + 0x1p-52L * pair.stated,
+                family.name << ", seed 5, trial " << trial << ": " << distance << ", stated " << pair.stated);
+        }
+        BOOST_TEST((stated == 0 || stated == 40), family.name);
+    }
+}
+
 BOOST_AUTO_TEST_CASE(rationals_say_zero_exactly_when_a_point_is_shared) {
     const Triangle flat = {Vector3(0, 0, 0), Vector3(4, 0, 0), Vector3(0, 4, 0)};
     const auto shared = [&](const Triangle& other) { return sharePoint(toExact(flat), toExact(other)); };

@@ -1,9 +1,10 @@
 // Triangle pairs that published distance routines get wrong: known ones from bug reports, and families to
-// draw from.
+// draw from, numbered as the catalogue of hard cases numbers them.
 #pragma once
 
 #include <array>
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,10 @@ using Triangle = std::array<Vector3, 3>;
 struct TrianglePair {
     Triangle a;
     Triangle b;
+    /// The distance where it is known in closed form, NaN where only the oracle tells, and how far off it the
+    /// coordinates' own rounding can put it, beside a roundoff of itself.
+    double stated = std::numeric_limits<double>::quiet_NaN();
+    double statedWithin = 0;
 };
 
 struct KnownPair {
@@ -28,12 +33,13 @@ struct KnownPair {
 std::vector<KnownPair> knownTrianglePairs();
 
 struct TriangleFamily {
+    int number;  ///< of the case in tests/properties/hard_cases.md; 0 for none
     std::string name;
     std::function<TrianglePair(Random&)> make;
 };
 
 /// Parallel edges, plates at a gap, needles, caps, coplanar and touching pairs, zero-area triangles, offsets,
-/// scales, ...
+/// scales, ...: a row a case. Those of "denormals" differ too much in size for a query.
 std::vector<TriangleFamily> hardTriangleFamilies();
 
 /// The triangle as a mesh of its own.

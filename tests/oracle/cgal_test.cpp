@@ -1,0 +1,55 @@
+// The rational oracle against CGAL's exact one, wherever CGAL takes the pair: it asks for triangles with an
+// area.
+#define BOOST_TEST_MODULE oracle_cgal
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/squared_distance_3.h>
+
+#include <boost/test/unit_test.hpp>
+#include <sstream>
+
+#include "support/exact_triangle.h"
+#include "support/hard_triangles.h"
+
+using namespace clearway;
+using namespace clearway::testing;
+
+namespace {
+
+using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
+
+constexpr std::uint64_t kSeed = 127;
+
+Kernel::Triangle_3 toCgal(const Triangle& t) {
+    const auto point = [](const Vector3& p) { return Kernel::Point_3(p.x(), p.y(), p.z()); };
+    return {point(t[0]), point(t[1]), point(t[2])};
+}
+
+/// As text, so that the two libraries' numbers need not know each other.
+Rational toRational(const Kernel::FT& number) {
+    std::ostringstream text;
+    text << CGAL::exact(number);
+    return Rational(text.str());
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(rationals_equal_cgal_on_every_pair_that_it_takes) {
+    Random random(kSeed);
+    int compared = 0, touching = 0;
+    for (const TriangleFamily& family : hardTriangleFamilies()) {
+        for (int trial = 0; trial < 60; ++trial) {
+            const TrianglePair pair = family.make(random);
+            const Kernel::Triangle_3 a = toCgal(pair.a), b = toCgal(pair.b);
+            if (a.is_degenerate() || b.is_degenerate()) continue;
+            const Rational square = exactDistanceSquared(toExact(pair.a), toExact(pair.b));
+            BOOST_TEST((square == toRational(CGAL::squared_distance(a, b))),
+                       family.name << ", seed " << kSeed << ", trial " << trial);
+            BOOST_TEST((square == 0) == CGAL::do_intersect(a, b),
+                       family.name << ", seed " << kSeed << ", trial " << trial);
+            ++compared;
+            touching += square == 0;
+        }
+    }
+    BOOST_TEST(compared > 1500);
+    BOOST_TEST(touching > 300);
+}
