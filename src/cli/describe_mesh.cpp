@@ -39,7 +39,9 @@ void describeTriangles(const Mesh& mesh, const CleanMesh& cleaned) {
     }
     const EdgeReport edges = checkEdges(cleaned.triangles);
     std::string surface = "closed";
-    if (!edges.isClosed()) {
+    if (edges.closedEdges == 0 && edges.isClosed()) {
+        surface = "none: every triangle is a point or a line";
+    } else if (!edges.isClosed()) {
         surface = "open: " + counted(edges.openEdges, "edge") + " of one triangle, " +
                   std::to_string(edges.overfullEdges) + " of more than two, " +
                   std::to_string(edges.twistedEdges) + " where the two neighbours face different sides";

@@ -7,6 +7,7 @@
 #include "cli/command_line.h"
 #include "cli/describe_mesh.h"
 #include "cli/describe_problem.h"
+#include "cli/load_guard.h"
 #include "cli/tree_options.h"
 #include "planning/planning_reach.h"
 
@@ -17,7 +18,7 @@ namespace {
 void describeMeshFile(const std::string& file, const Options& options, const BuildOptions& tree) {
     LoadOptions load;
     if (options.has("scale")) load.scale = options.positive("scale");
-    describeMesh(loadMesh(file, load), "as stored", tree);
+    describeMesh(guardedLoadMesh(file, load), "as stored", tree);
 }
 
 void describeProblemFile(const std::string& file, const Options& options, const BuildOptions& tree) {
@@ -26,8 +27,8 @@ void describeProblemFile(const std::string& file, const Options& options, const 
                                     "', expected only with a mesh: a problem's meshes are read as it says");
     }
     const Problem problem = readProblem(file);
-    const Mesh part = loadPart(problem);
-    const Mesh environment = loadEnvironment(problem);
+    const Mesh part = guardedLoadPart(problem);
+    const Mesh environment = guardedLoadEnvironment(problem);
     describeProblem(problem, boundingBox(environment));
     std::cout << "\nPart\n";
     const Model partModel =

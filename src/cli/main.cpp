@@ -55,15 +55,6 @@ int run(const Arguments& words) {
                                 ", or --help");
 }
 
-/// A message is one line of plain characters, whatever it quotes of a file or of a library.
-std::string oneLine(std::string message) {
-    while (!message.empty() && message.back() == '\n') message.pop_back();
-    for (char& c : message) {
-        if (static_cast<unsigned char>(c) < ' ' || c == '\x7F') c = ' ';
-    }
-    return message;
-}
-
 }  // namespace
 
 }  // namespace clearway

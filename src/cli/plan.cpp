@@ -9,6 +9,7 @@
 #include "clearway/targets.h"
 #include "cli/command_line.h"
 #include "cli/elapsed_line.h"
+#include "cli/load_guard.h"
 #include "cli/print.h"
 #include "cli/tree_options.h"
 #include "core/replace_file.h"
@@ -154,8 +155,8 @@ void printWarnings(const std::vector<std::string>& warnings) {
 /// The problem's two models, as far as planning can need them.
 Scene buildScene(const Problem& problem, const PlanOptions& options, const BuildOptions& tree,
                  const std::string& cache) {
-    const Model part = buildModel(loadPart(problem), tree, cache);
-    const Mesh environment = loadEnvironment(problem);
+    const Model part = buildModel(guardedLoadPart(problem), tree, cache);
+    const Mesh environment = guardedLoadEnvironment(problem);
     const auto reach = planning::planningReach(problem, options, part, boundingBox(environment));
     return {part, buildModel(environment, tree, cache, reach), problem.margin};
 }

@@ -36,6 +36,14 @@ void printRow(const std::string& label, const std::string& value) {
     std::cout << label << ":" << std::string(padding, ' ') << value << "\n";
 }
 
+std::string oneLine(std::string message) {
+    while (!message.empty() && message.back() == '\n') message.pop_back();
+    for (char& c : message) {
+        if (static_cast<unsigned char>(c) < ' ' || c == '\x7F') c = ' ';
+    }
+    return message;
+}
+
 void requirePrinted() {
     if (!std::cout.flush()) throw std::runtime_error("cannot write to standard output");
 }

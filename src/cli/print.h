@@ -18,6 +18,9 @@ std::string counted(std::size_t count, const std::string& singular, const std::s
 /// The label, padded, then the value, to standard output.
 void printRow(const std::string& label, const std::string& value);
 
+/// A message is one line of plain characters, whatever it quotes of a file or of a library.
+std::string oneLine(std::string message);
+
 /// Flushes standard output. Throws std::runtime_error when what was printed could not be written.
 void requirePrinted();
 

@@ -8,6 +8,7 @@
 #include "clearway/problem.h"
 #include "clearway/targets.h"
 #include "cli/command_line.h"
+#include "cli/load_guard.h"
 #include "cli/print.h"
 #include "cli/query_run.h"
 #include "cli/tree_options.h"
@@ -116,8 +117,8 @@ int query(const Arguments& arguments) {
     const std::string cache = cacheFolder(options);
 
     const PoseFile poses = readPoses(options.text("poses"));
-    const Model part = buildModel(loadMesh(options.text("part"), load), tree, cache);
-    const Model environment = buildModel(loadMesh(options.text("environment"), load), tree, cache);
+    const Model part = buildModel(guardedLoadMesh(options.text("part"), load), tree, cache);
+    const Model environment = buildModel(guardedLoadMesh(options.text("environment"), load), tree, cache);
     const QueryRun run = ask(question, part, environment, poses.poses);
 
     printMesh("part", part);

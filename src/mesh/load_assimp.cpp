@@ -67,7 +67,23 @@ void nameMeshesByNode(const aiScene& scene, const aiNode& node, const std::vecto
     for (unsigned i = 0; i < node.mNumChildren; ++i) nameMeshesByNode(scene, *node.mChildren[i], instances);
 }
 
-/// assimp's importers hand on what stands in a damaged file, and its later steps trust it or abort.
+/// assimp's importers hand on what stands in a damaged file, and its later steps trust it or abort. Its
+/// reader of raw files leaves children out of sound ones.
+void requireSoundNodes(const aiNode& node, const aiScene& scene, const std::string& file) {
+    for (unsigned i = 0; i < node.mNumMeshes; ++i) {
+        if (node.mMeshes[i] < scene.mNumMeshes) continue;
+        refuseMeshFile(file, "the reader's node '" + std::string(node.mName.C_Str()) + "' refers to mesh " +
+                                 std::to_string(node.mMeshes[i]) + " of " + std::to_string(scene.mNumMeshes));
+    }
+    for (unsigned i = 0; i < node.mNumChildren; ++i) {
+        if (!node.mChildren[i]) {
+            refuseMeshFile(file, "the reader left out child " + std::to_string(i) + " of node '" +
+                                     node.mName.C_Str() + "'");
+        }
+        requireSoundNodes(*node.mChildren[i], scene, file);
+    }
+}
+
 void requireSoundFaces(const aiMesh& mesh, const std::string& file) {
     for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
         const auto face = [&] {
@@ -84,6 +100,7 @@ void requireSoundFaces(const aiMesh& mesh, const std::string& file) {
 }
 
 void requireSoundScene(const aiScene& scene, const std::string& file) {
+    requireSoundNodes(*scene.mRootNode, scene, file);
     const std::vector<std::size_t> instances = instancesOf(scene);
     std::size_t vertices = 0;
     for (unsigned m = 0; m < scene.mNumMeshes; ++m) {

@@ -74,6 +74,12 @@ BOOST_AUTO_TEST_CASE(the_scale_is_applied_and_said_beside_the_file_units) {
     BOOST_TEST(row(outcome, "size as applied") == "(1.5, 1.5, 1.5)");
 }
 
+BOOST_AUTO_TEST_CASE(a_mesh_of_points_and_lines_has_no_surface) {
+    const TemporaryFolder folder;
+    folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 0 0\nf 1 2 3\nf 1 1 1\n");
+    BOOST_TEST(row(runIn(folder, "info a.obj"), "surface") == "none: every triangle is a point or a line");
+}
+
 BOOST_AUTO_TEST_CASE(open_borders_degenerate_and_duplicate_triangles_are_counted) {
     const TemporaryFolder folder;
     folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 2 0 0\nf 1 2 3\nf 2 3 1\nf 1 2 4\n");

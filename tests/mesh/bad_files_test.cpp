@@ -85,6 +85,36 @@ BOOST_AUTO_TEST_CASE(a_truncated_file_is_refused) {
     BOOST_TEST(refusalOf(folder.write("cut.dae", dae.substr(0, dae.size() / 2))) != "accepted");
 }
 
+BOOST_AUTO_TEST_CASE(headers_that_the_reader_would_never_end_on_are_refused) {
+    const TemporaryFolder folder;
+    const std::string ply = plyText(tetrahedron());
+    for (const char* const end : {"end_header9\n", "end_header\x10", "end_headers\n"}) {
+        const std::string file = folder.write("a.ply", replaced(ply, "end_header\n", end));
+        BOOST_TEST(holds(refusalOf(file), "no end_header"));
+    }
+    const std::string points = "\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+    BOOST_TEST(loadMesh(folder.write("a.off", "OFF\n# 9\n3 1 0" + points)).triangles.size() == 1u);
+    for (const char* const start : {"OFF\n", "COFF\r\n", "OFF # a comment, 4 1\n# 4 1\n"}) {
+        for (const char* const counts : {"353535235358 1 0", "3 99999999999999999999 0", "3 1000 0"}) {
+            BOOST_TEST(
+                holds(refusalOf(folder.write("a.off", start + (counts + points))), "its header states "),
+                start << counts);
+        }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(a_node_that_the_reader_leaves_out_is_refused_or_read) {
+    // A sound file, but assimp 5.2 gives its root as many children as groups and makes only one of them.
+    const TemporaryFolder folder;
+    const std::string group = "0.5 0.5 0.5 0 0 0 0 1 0 1 0 0\n0.1 0 0 0 0 3 0 1 3 1 0 3\n";
+    const std::string file = folder.write("a.raw", "one\n" + group + "\n\ntwo\n" + group);
+    try {
+        BOOST_TEST(loadMesh(file).triangles.size() == 4u);
+    } catch (const std::runtime_error& error) {
+        BOOST_TEST(holds(error.what(), "the reader left out child 1 of node"), error.what());
+    }
+}
+
 BOOST_AUTO_TEST_CASE(a_file_without_triangles_is_refused) {
     const TemporaryFolder folder;
     const std::string none = "it holds no triangle";
