@@ -13,10 +13,12 @@ class Model;
 
 /// Exact counts of the work one query did.
 struct QueryCounters {
-    std::uint64_t nodeVisits = 0;     ///< wide nodes whose children were tested against a volume
-    std::uint64_t volumeTests = 0;    ///< pairs of volumes among those (used lanes)
-    std::uint64_t triangleTests = 0;  ///< pairs of triangles given to a kernel
-    std::uint64_t refinedPairs = 0;   ///< pairs of triangles resolved in double
+    std::uint64_t nodeVisits = 0;         ///< wide nodes whose children were tested against a volume
+    std::uint64_t volumeTests = 0;        ///< pairs of volumes among those (used lanes)
+    std::uint64_t triangleTests = 0;      ///< pairs of triangles given to a kernel
+    std::uint64_t refinedPairs = 0;       ///< pairs of triangles resolved in double
+    std::uint64_t doubleDoublePairs = 0;  ///< of these, pairs that double left too wide or open
+    std::uint64_t exactPairs = 0;         ///< of these, pairs that twice the digits left too wide or open
 };
 
 /// The scratch of one thread and its warm start: the closest pair of the last query, with which the next

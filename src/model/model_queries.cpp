@@ -56,7 +56,7 @@ bool answerWithin(const Model& part, const Model& environment, const Pose& X_env
     Workspace::State& state = workspace.state();
     const PairQuery query = beginQuery(part, environment, X_environmentPart, state);
     const WithinAnswer answer =
-        anyPairWithin(query, d * query.perMeshUnit, warmStartFor(part, environment, state), state);
+        anyPairWithin(query, d, warmStartFor(part, environment, state), state);
     if (answer.within) {
         state.warmStart = {part.id(), environment.id(), answer.triangles};
     }
@@ -98,7 +98,7 @@ DistanceResult distance(const Model& part, const Model& environment, const Pose&
     }
     // In query units: the square of a length in mesh units may overflow or vanish.
     const Vector3 between = (result.pointOnPart - result.pointOnEnvironment) * query.perMeshUnit;
-    result.distance = answer.pair.contact ? 0.0 : between.norm() * toMeshUnits;
+    result.distance = answer.pair.contact == Verdict::yes ? 0.0 : between.norm() * toMeshUnits;
     result.partTriangle = part.tree().triangleIds[answer.triangles.part];
     result.environmentTriangle = environment.tree().triangleIds[answer.triangles.environment];
     result.partComponent = componentOfTriangle(part.components(), result.partTriangle);

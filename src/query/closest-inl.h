@@ -1,8 +1,8 @@
 // The visitor of `distance`: shrinks an upper bound in float, keeps the pairs that may be the closest,
-// resolves them in double.
+// resolves them in double and, where that leaves too much open, beyond.
 #include "hwy/highway.h"
 #include "query/bound_pairs-inl.h"
-#include "query/refine.h"
+#include "query/decide.h"
 #include "query/traverse-inl.h"
 
 #if defined(CLEARWAY_QUERY_CLOSEST_INL_H_) == defined(HWY_TARGET_TOGGLE)
@@ -30,7 +30,7 @@ class Closest {
     }
 
     float dropFrom() const { return dropFrom_; }
-    bool done() const { return answer_.contact; }
+    bool done() const { return answer_.contact == Verdict::yes; }
 
     template <class D, class V>
     HWY_INLINE TriangleBounds<V> bounds(D d, const TrianglePair<V>& pair, V lower) const {
@@ -39,7 +39,7 @@ class Closest {
 
     /// A pair with a proved lower and a true upper bound, both of float's work.
     HWY_INLINE void take(float lower, float upper, const TrianglesAt& triangles) {
-        if (!(lower > query_.alwaysResolved)) {
+        if (!(lower > kLeastProved)) {
             resolve(triangles);  // may touch, pierce or be ill-conditioned
         } else if (!drops(lower)) {
             const Candidate pair{lower, triangles};
@@ -51,10 +51,12 @@ class Closest {
         }
     }
 
-    /// Resolves a pair in double and remembers it when it is the closest so far.
+    /// Resolves a pair and remembers it when it is the closest so far.
     HWY_INLINE void resolve(const TrianglesAt& triangles) {
-        const ResolvedPair pair = resolvePair(query_, triangles);
-        ++state_.counters.refinedPairs;
+        const double width =
+            request_.absoluteError > query_.defaultWidth ? request_.absoluteError : query_.defaultWidth;
+        const ResolvedPair pair =
+            settlePair(query_, triangles, {width, request_.relativeError, leastUpper_}, state_.counters);
         if (pair.lower < leastLower_) leastLower_ = pair.lower;
         if (found_ && !(pair.upper < answer_.upper)) return;
         found_ = true;
@@ -77,7 +79,7 @@ class Closest {
         }
         out.pair = answer_;
         out.triangles = answerTriangles_;
-        if (answer_.contact) {
+        if (done()) {
             out.found = true;
             return;
         }
@@ -140,7 +142,7 @@ class Closest {
     }
 
     void lowerDropFrom(double from) {
-        if (from < query_.alwaysResolved) from = query_.alwaysResolved;
+        if (from < kLeastProved) from = kLeastProved;
         if (from < hwy::HighestValue<float>()) {
             const float limit = nextFloatAbove(from);
             if (limit < dropFrom_) dropFrom_ = limit;

@@ -35,14 +35,9 @@ constexpr double kTriangleSlack = 24;
 /// coordinates.
 constexpr double kOffsetSlack = 20;
 
-/// Pairs nearer than this (query units) are resolved in double whatever the query: the double function calls
-/// contact what it cannot prove apart, for flat triangles up to 4.3e-8 of their longest edge, so no pair it
-/// may judge so is left out and distance, collides and isWithin see the same contacts.
-constexpr float kAlwaysResolved = 0x1p-22f;
-
-/// The same far from the origin, in u64 M: 32 are contact, and the gap that says so rounds by 2 there and by
-/// little of the pair's size.
-constexpr double kAlwaysResolvedRoundoffs = 40;
+/// What float does not prove farther apart than this (query units) is left to double: the squares by which
+/// float compares would vanish far below.
+constexpr float kLeastProved = 0x1p-22f;
 
 /// How volumes of one tree come into the frame and unit of the other's nodes: x -> ratio * (R x) + t.
 struct alignas(16) Carry {
@@ -75,7 +70,7 @@ struct PairQuery {
     double offsetSlack;  ///< kOffsetSlack's term, query units
 
     double largestCoordinate;  ///< M: of both meshes' vertices, the moved part's and t; query units
-    float alwaysResolved;      ///< kAlwaysResolved, or more far from the origin
+    double defaultWidth;       ///< of an answer's interval: 1e-12 of the scene size and 32 u64 M
 };
 
 /// Throws std::invalid_argument when the pose is no rotation, or the sizes of the two meshes or the way

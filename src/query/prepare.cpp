@@ -21,12 +21,6 @@ double largestMovedCoordinate(const Pose& pose, const Box& box) {
     return (centre.cwiseAbs() + reach).maxCoeff();
 }
 
-float alwaysResolved(double largestCoordinate) {
-    const double rounding = kAlwaysResolvedRoundoffs * kUnitRoundoffDouble * largestCoordinate;
-    if (!(rounding > kAlwaysResolved)) return kAlwaysResolved;
-    return nextFloatAbove(std::min(rounding, 0x1p100));  // above all distances that are answered
-}
-
 /// t: origin of the carried tree in the target's frame, mesh units.
 Carry makeCarry(const Matrix3& rotation, const Vector3& t, const FlatTree& carried, int carriedExponent,
                 const FlatTree& target, int targetExponent, double offsetError, int queryExponent) {
@@ -75,7 +69,10 @@ PairQuery preparePairQuery(const FlatTree& part, const FlatTree& environment, co
         std::max({largestCoordinateOf(part.box), largestCoordinateOf(environment.box),
                   t.cwiseAbs().maxCoeff(), largestMovedCoordinate(X_environmentPart, part.box)});
     query.largestCoordinate = largest * query.perMeshUnit;
-    query.alwaysResolved = alwaysResolved(query.largestCoordinate);
+    // In query units, where the squares of sizes neither overflow nor vanish.
+    const auto diagonal = [&](const Box& box) { return (box.sizes() * query.perMeshUnit).norm(); };
+    query.defaultWidth = 1e-12 * (diagonal(part.box) + diagonal(environment.box)) +
+                         32 * kUnitRoundoffDouble * query.largestCoordinate;
     const double offsetError = kOffsetSlack * kUnitRoundoffDouble * largest;
     query.offsetSlack = offsetError * query.perMeshUnit;
 

@@ -33,7 +33,7 @@ struct WithinAnswer {
 ClosestAnswer closestPair(const PairQuery& query, const ClosestRequest& request, const WarmStart* warmStart,
                           Workspace::State& state);
 
-/// distance: query units, >= 0.
+/// distance: environment units, >= 0.
 WithinAnswer anyPairWithin(const PairQuery& query, double distance, const WarmStart* warmStart,
                            Workspace::State& state);
 

@@ -1,8 +1,7 @@
 // The pair's distance and its proof in double. Upper bound: the closest of 9 edge pairs and 6 corners over
 // faces, each a feasible pair of points. Lower bound: the widest slab gap over directions that contain the
-// best one for every kind of closest feature; true for any direction, so only its width is at stake. A pair
-// that pierces has no direction with a positive gap: it is contact, and its witness is where an edge crosses
-// a face.
+// best one for every kind of closest feature; true for any direction, so only its width is at stake. Contact
+// is proved by an edge that goes through a face by more than rounding. What neither proves is left open.
 #include "query/refine.h"
 
 #include <algorithm>
@@ -14,18 +13,10 @@
 namespace clearway {
 namespace {
 
-struct Corners {
-    Vector3 p[3];
-    Vector3 edge(int k) const { return p[(k + 1) % 3] - p[k]; }
-    Vector3 normal() const { return edge(0).cross(p[2] - p[0]); }
-};
-
-/// A point of a triangle, and where it lies on it: corner + s (next corner - corner) + t (last corner -
-/// corner).
+/// A point of a triangle, roughly, and where it lies on it.
 struct OnTriangle {
     Vector3 x = Vector3::Zero();
-    int corner = 0;
-    double s = 0, t = 0;
+    PlaceInTriangle place;
 };
 
 struct PointPair {
@@ -48,7 +39,7 @@ double clampToUnit(double x) {
 }
 
 OnTriangle onEdge(const Corners& triangle, int k, double s) {
-    return {triangle.p[k] + s * triangle.edge(k), k, s, 0};
+    return {triangle.p[k] + s * triangle.edge(k), {k, s, 0}};
 }
 
 void takeEdges(const Corners& a, int i, const Corners& b, int j, PointPair& best) {
@@ -67,7 +58,7 @@ OnTriangle pointBelow(const Vector3& x, const Corners& triangle) {
     const double nn = n.squaredNorm();
     const double s = clampToUnit(quotientOrZero(w.cross(v).dot(n), nn));
     const double t = std::min(std::max(quotientOrZero(u.cross(w).dot(n), nn), 0.0), 1 - s);
-    return {triangle.p[0] + s * u + t * v, 0, s, t};
+    return {triangle.p[0] + s * u + t * v, {0, s, t}};
 }
 
 void takeFeature(const Corners& a, const Corners& b, std::int32_t feature, PointPair& best) {
@@ -172,63 +163,25 @@ double widestGap(const PointPair& closest, const Corners& a, const Corners& b, d
     return std::max(gap, bestOfManyGaps(closest.difference(), a, b));
 }
 
-/// The gap across the difference at the feature, when it is as wide as the points are apart but for slack,
-/// which proves them closest, and above leastGap; else -infinity. One feature and one direction instead of
-/// all.
-double provedByGuess(std::int32_t feature, const Corners& a, const Corners& b, double slack, double leastGap,
+/// A lower bound of the distance from a slab gap. First order, vectors, in u64: moved corners 1.8 M;
+/// differences from the base 1.8 + 1.8, products of a slab gap 5.2 + 5.2 and their difference 3.5 times the
+/// size. The length of the direction costs 5 of the gap itself.
+struct GapRounding {
+    GapRounding(double M, double size) : slack(kUnitRoundoffDouble * (2 * M + 18 * size)) {}
+    double provedBy(double gap) const { return gap * (1 - 5 * kUnitRoundoffDouble) - slack; }
+    double slack;
+};
+
+/// The gap across the difference at the feature, when it is as wide as the points are apart but for rounding,
+/// which proves them closest; else -infinity. One feature and one direction instead of all.
+double provedByGuess(std::int32_t feature, const Corners& a, const Corners& b, const GapRounding& rounding,
                      PointPair& closest) {
     if (feature != kNoFeature) {
         takeFeature(a, b, feature, closest);
         const double gap = slabGap(closest.difference(), a, b);
-        if (gap > leastGap && std::sqrt(closest.squared) - gap <= slack) return gap;
+        if (rounding.provedBy(gap) > 0 && std::sqrt(closest.squared) - gap <= rounding.slack) return gap;
     }
     return -std::numeric_limits<double>::infinity();
-}
-
-Corners movedCorners(const PairQuery& query, std::uint32_t triangle) {
-    const FlatTree& tree = *query.part;
-    Corners corners;
-    for (int k = 0; k < 3; ++k) {
-        const Vector3& vertex = tree.vertices[tree.triangles[triangle][k]];
-        for (int row = 0; row < 3; ++row) {
-            corners.p[k][row] = affineRow(query.R + 3 * row, vertex.data(), query.t[row]) * query.perMeshUnit;
-        }
-    }
-    return corners;
-}
-
-Corners fixedCorners(const PairQuery& query, std::uint32_t triangle) {
-    const FlatTree& tree = *query.environment;
-    Corners corners;
-    for (int k = 0; k < 3; ++k) corners.p[k] = tree.vertices[tree.triangles[triangle][k]] * query.perMeshUnit;
-    return corners;
-}
-
-/// The point again, with twice the digits and rounded once: off the triangle of these corners by at most
-/// 1.8 u64 of its largest coordinate, and by as much again where fl(1 - s) made s + t exceed 1.
-Vector3 placed(const OnTriangle& point, const Corners& triangle) {
-    const Vector3 &first = triangle.p[point.corner], &next = triangle.p[(point.corner + 1) % 3],
-                  &last = triangle.p[(point.corner + 2) % 3];
-    Vector3 x;
-    for (int k = 0; k < 3; ++k) {
-        const DoubleDouble u = twoSum(next[k], -first[k]), v = twoSum(last[k], -first[k]);
-        const DoubleDouble su = twoProduct(point.s, u.high), tv = twoProduct(point.t, v.high);
-        const DoubleDouble way = twoSum(su.high, tv.high), sum = twoSum(first[k], way.high);
-        x[k] = sum.high + (sum.low + way.low + su.low + tv.low + point.s * u.low + point.t * v.low);
-    }
-    return x;
-}
-
-/// |p - q|, off by at most 1.5 u64 of itself.
-double lengthBetween(const Vector3& p, const Vector3& q) {
-    DoubleDouble squared{0, 0};
-    for (int k = 0; k < 3; ++k) {
-        const DoubleDouble difference = twoSum(p[k], -q[k]);
-        const DoubleDouble square = twoProduct(difference.high, difference.high);
-        const DoubleDouble sum = twoSum(squared.high, square.high);
-        squared = {sum.high, squared.low + sum.low + square.low + 2 * difference.high * difference.low};
-    }
-    return std::sqrt(squared.high + squared.low);
 }
 
 }  // namespace
@@ -265,43 +218,32 @@ ResolvedPair resolvePair(const PairQuery& query, const TrianglesAt& triangles) {
     }
 
     const double M = query.largestCoordinate;
-    // First order, vectors, in u64: moved corners 1.8 M; differences from the base 1.8 + 1.8, products of a
-    // slab gap 5.2 + 5.2 and their difference 3.5 times the size. The length of the direction costs 5 of the
-    // gap itself.
-    const double slack = kUnitRoundoffDouble * (2 * M + 18 * size);
-    constexpr double kLengthRoundoffs = 5 * kUnitRoundoffDouble;
-    const double leastGap = std::max(kContactRoundoffs * kUnitRoundoffDouble * M, slack);
+    const GapRounding rounding(M, size);
     PointPair closest;
-    double gap = provedByGuess(triangles.feature, a, b, slack, leastGap, closest);
-    if (!(gap > leastGap)) {
+    double gap = provedByGuess(triangles.feature, a, b, rounding, closest);
+    Verdict contact = Verdict::no;
+    if (!(rounding.provedBy(gap) > 0)) {
         closest = closestPoints(a, b);
         // In first order a volume is off by at most 12 size^2 times a corner's 4 u64 (M + size), and 60 u64
         // size^3.
         const double leastVolume = 512 * kUnitRoundoffDouble * size * size * (size + M);
-        const bool pierces = surelyPierces(a, b, leastVolume) || surelyPierces(b, a, leastVolume);
-        gap = pierces ? 0 : widestGap(closest, a, b, slack);
+        if (surelyPierces(a, b, leastVolume) || surelyPierces(b, a, leastVolume)) {
+            contact = Verdict::yes;
+            takeCrossings(a, b, true, closest);
+            takeCrossings(b, a, false, closest);
+        } else {
+            gap = widestGap(closest, a, b, rounding.slack);
+            if (!(rounding.provedBy(gap) > 0)) contact = Verdict::open;
+        }
     }
     ResolvedPair resolved;
-    resolved.contact = !(gap > leastGap);
-    resolved.feature = resolved.contact ? kNoFeature : closest.feature;
-    if (resolved.contact) {
-        takeCrossings(a, b, true, closest);
-        takeCrossings(b, a, false, closest);
-    }
-    Vector3 onPart = placed(closest.onPart, moved), onEnvironment = placed(closest.onEnvironment, fixed);
-    if (resolved.contact) {
-        onPart = onEnvironment = 0.5 * (onPart + onEnvironment);
-    } else {
-        // Each point is one of its triangle's but for u64 M: the part's rounded corners 1.8; a point within
-        // an edge 1.8, two of them at most; a corner 0 and its point on a face 3.6.
-        constexpr double kPointRoundoffs = 6;
-        resolved.lower = std::max(0.0, gap * (1 - kLengthRoundoffs) - slack);
-        resolved.upper = lengthBetween(onPart, onEnvironment) * (1 + 2 * kUnitRoundoffDouble) +
-                         kPointRoundoffs * kUnitRoundoffDouble * M;
-    }
-    for (int k = 0; k < 3; ++k) {
-        resolved.pointOnPart[k] = onPart[k];
-        resolved.pointOnEnvironment[k] = onEnvironment[k];
+    resolved.contact = contact;
+    resolved.feature = closest.feature;
+    resolved.pointOnPart = pointAt(closest.onPart.place, moved);
+    resolved.pointOnEnvironment = pointAt(closest.onEnvironment.place, fixed);
+    if (contact != Verdict::yes) {
+        resolved.lower = std::max(0.0, rounding.provedBy(gap));
+        resolved.upper = upperBoundFrom(resolved.pointOnPart, resolved.pointOnEnvironment, M);
     }
     return resolved;
 }

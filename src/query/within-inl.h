@@ -2,7 +2,7 @@
 // enough.
 #include "hwy/highway.h"
 #include "kernels/tri_tri_intersect-inl.h"
-#include "query/refine.h"
+#include "query/decide.h"
 #include "query/traverse-inl.h"
 
 #if defined(CLEARWAY_QUERY_WITHIN_INL_H_) == defined(HWY_TARGET_TOGGLE)
@@ -19,9 +19,10 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 class Within {
   public:
-    /// d: query units; infinity is within reach of everything.
-    Within(const PairQuery& query, double d, Workspace::State& state) : query_(query), d_(d), state_(state) {
-        const double reach = d > query.alwaysResolved ? d : query.alwaysResolved;
+    /// d: environment units; infinity is within reach of everything.
+    Within(const PairQuery& query, double d, Workspace::State& state)
+        : query_(query), exactly_(d), d_(d * query.perMeshUnit), state_(state) {
+        const double reach = d_ > kLeastProved ? d_ : kLeastProved;
         dropFrom_ = reach < hwy::HighestValue<float>() ? nextFloatAbove(reach) : hwy::HighestValue<float>();
     }
 
@@ -44,11 +45,10 @@ class Within {
         }
     }
 
-    /// Returns where the pair is closest.
+    /// Decides a pair exactly. Returns where it is closest.
     HWY_INLINE std::int32_t resolve(const TrianglesAt& triangles) {
-        const ResolvedPair pair = resolvePair(query_, triangles);
-        ++state_.counters.refinedPairs;
-        if (pair.contact || pair.lower <= d_) remember({triangles.part, triangles.environment, pair.feature});
+        const PairWithin pair = isPairWithin(query_, triangles, exactly_, state_.counters);
+        if (pair.within) remember({triangles.part, triangles.environment, pair.feature});
         return pair.feature;
     }
 
@@ -61,7 +61,8 @@ class Within {
     }
 
     const PairQuery& query_;
-    double d_;
+    double exactly_;  ///< environment units
+    double d_;        ///< query units
     Workspace::State& state_;
     float dropFrom_;
     bool found_ = false;

@@ -188,7 +188,7 @@ BOOST_DATA_TEST_CASE(every_near_pair_is_taken_once_with_bounds_that_hold_its_dis
                 leaves
                     .distances[std::size_t(random.below(int(rows)))][std::size_t(random.below(int(columns)))];
             const float dropFrom = draw == 0 ? std::numeric_limits<float>::max()
-                                             : std::max(nextFloatAbove(double(distance)), kAlwaysResolved);
+                                             : std::max(nextFloatAbove(double(distance)), kLeastProved);
             const auto taken = takenOf(leaves, query, dropFrom);
             BOOST_TEST_CONTEXT(leaves.name << ", seed " << kSeed << ", drops from " << dropFrom) {
                 for (std::size_t i = 0; i < rows; ++i) {
@@ -217,7 +217,7 @@ BOOST_DATA_TEST_CASE(most_pairs_that_are_not_near_are_left_out, eachTarget(), ta
         for (const auto& row : leaves.distances) {
             for (const long double distance : row) least = std::min(least, distance);
         }
-        const float dropFrom = std::max(nextFloatAbove(double(least)), kAlwaysResolved);
+        const float dropFrom = std::max(nextFloatAbove(double(least)), kLeastProved);
         const auto taken = takenOf(leaves, query, dropFrom);
         for (std::size_t i = 0; i < taken.size(); ++i) {
             for (std::size_t j = 0; j < taken[i].size(); ++j) {

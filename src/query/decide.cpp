@@ -1,0 +1,267 @@
+#include "query/decide.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "exact/ball.h"
+#include "exact/integer.h"
+#include "exact/triangle_features.h"
+
+namespace clearway {
+namespace {
+
+template <class Number>
+struct Numbers {
+    typename TriangleFeatures<Number>::Corners part, environment;  ///< relative to a common point
+};
+
+/// Coordinates in a unit of about the pair's size, so that their products neither overflow nor vanish.
+class Balls {
+  public:
+    Balls(const PairQuery& query, const TrianglesAt& triangles) : query_(query) {
+        const Corners moved = movedCorners(query, triangles.part),
+                      fixed = fixedCorners(query, triangles.environment);
+        double size = 0;
+        for (const Corners* triangle : {&moved, &fixed}) {
+            for (const Vector3& corner : triangle->p) {
+                size = std::max(size, (corner - fixed.p[0]).cwiseAbs().maxCoeff());
+            }
+        }
+        const int exponent = size > 0 ? std::clamp(std::ilogb(size), -400, 400) : 0;
+        unit_ = std::ldexp(1.0, exponent);
+        perUnit_ = std::ldexp(1.0, -exponent);
+        const FlatTree &part = *query.part, &environment = *query.environment;
+        const auto &p = part.triangles[triangles.part], &q = environment.triangles[triangles.environment];
+        const Triple<Ball> base = scaled(environment.vertices[q[0]]);
+        for (int k = 0; k < 3; ++k) {
+            corners_.part[k] = moved_(part.vertices[p[k]]) - base;
+            corners_.environment[k] = scaled(environment.vertices[q[k]]) - base;
+        }
+    }
+
+    const Numbers<Ball>& corners() const { return corners_; }
+    /// environment units -> this unit
+    Ball scaled(double x) const {
+        const double y = x * query_.perMeshUnit * perUnit_;
+        // Exact but where it underflows.
+        return {y, 0, x == 0 || std::abs(y) >= 0x1p-500 ? 0 : 0x1p-600};
+    }
+    LengthBounds rootBounds(const Ball& numerator, const Ball& denominator) const {
+        const LengthBounds bounds = clearway::rootBounds(numerator, denominator);
+        return {bounds.lower * unit_, bounds.upper * unit_};
+    }
+
+  private:
+    Triple<Ball> scaled(const Vector3& v) const { return {scaled(v[0]), scaled(v[1]), scaled(v[2])}; }
+
+    Triple<Ball> moved_(const Vector3& vertex) const {
+        const Triple<Ball> v = scaled(vertex);
+        const auto row = [&](int i) {
+            const double* R = query_.R + 3 * i;
+            return Ball(R[0]) * v.x + Ball(R[1]) * v.y + Ball(R[2]) * v.z + scaled(query_.t[i]);
+        };
+        return {row(0), row(1), row(2)};
+    }
+
+    const PairQuery& query_;
+    double unit_, perUnit_;  ///< in query units
+    Numbers<Ball> corners_;
+};
+
+/// Coordinates as whole multiples of a power of two.
+class Integers {
+  public:
+    /// d: a length that is to be a whole multiple too, environment units.
+    Integers(const PairQuery& query, const TrianglesAt& triangles, double d) : query_(query) {
+        const FlatTree &part = *query.part, &environment = *query.environment;
+        const auto &p = part.triangles[triangles.part], &q = environment.triangles[triangles.environment];
+        constexpr int kNone = std::numeric_limits<int>::max();
+        const auto lastBit = [](const double* x, int count) {
+            int last = kNone;
+            for (int k = 0; k < count; ++k) {
+                if (x[k] != 0) last = std::min(last, lastBitOf(x[k]));
+            }
+            return last;
+        };
+        const int ofR = lastBit(query.R, 9);
+        int ofPart = kNone;
+        exponent_ = std::min(lastBit(query.t, 3), lastBit(&d, 1));
+        for (int k = 0; k < 3; ++k) {
+            ofPart = std::min(ofPart, lastBit(part.vertices[p[k]].data(), 3));
+            exponent_ = std::min(exponent_, lastBit(environment.vertices[q[k]].data(), 3));
+        }
+        if (ofPart == kNone) ofPart = 0;
+        exponent_ = std::min(exponent_, ofR + ofPart);
+        const Triple<Integer> base = scaled(environment.vertices[q[0]]);
+        for (int k = 0; k < 3; ++k) {
+            const Vector3& vertex = part.vertices[p[k]];
+            const auto row = [&](int i) {
+                Integer sum = 0;
+                for (int column = 0; column < 3; ++column) {
+                    sum +=
+                        scaledInteger(query.R[3 * i + column], ofR) * scaledInteger(vertex[column], ofPart);
+                }
+                return Integer((sum << unsigned(ofR + ofPart - exponent_)) + scaled(query.t[i]));
+            };
+            corners_.part[k] = Triple<Integer>{row(0), row(1), row(2)} - base;
+            corners_.environment[k] = scaled(environment.vertices[q[k]]) - base;
+        }
+    }
+
+    const Numbers<Integer>& corners() const { return corners_; }
+    Integer scaled(double x) const { return scaledInteger(x, exponent_); }
+    LengthBounds rootBounds(const Integer& numerator, const Integer& denominator) const {
+        return clearway::rootBounds(numerator, denominator, exponent_ - query_.unitExponent);
+    }
+
+  private:
+    Triple<Integer> scaled(const Vector3& v) const { return {scaled(v[0]), scaled(v[1]), scaled(v[2])}; }
+
+    const PairQuery& query_;
+    int exponent_;
+    Numbers<Integer> corners_;
+};
+
+/// A visitor of TriangleFeatures: whether any is within a distance.
+template <class Number>
+class AnyWithin {
+  public:
+    explicit AnyWithin(const Number& d) : dSquared_(d * d) {}
+
+    bool wants(const Number& numerator, const Number& denominator) {
+        near_ = isNotNegative(dSquared_ * denominator - numerator);
+        return near_ != Verdict::no;
+    }
+    template <class Place>
+    void take(Verdict feasible, std::int32_t /*feature*/, const Place& /*onPart*/,
+              const Place& /*onEnvironment*/) {
+        const Verdict within = both(near_, feasible);
+        if (within != Verdict::no && answer_ != Verdict::yes) answer_ = within;
+    }
+    bool done() const { return answer_ == Verdict::yes; }
+    Verdict answer() const { return answer_; }
+
+  private:
+    Number dSquared_;
+    Verdict near_ = Verdict::open;
+    Verdict answer_ = Verdict::no;
+};
+
+/// A visitor of TriangleFeatures: the least distance, query units.
+template <class Arithmetic>
+class Least {
+  public:
+    explicit Least(const Arithmetic& arithmetic) : arithmetic_(arithmetic) {}
+
+    template <class Number>
+    bool wants(const Number& numerator, const Number& denominator) {
+        bounds_ = arithmetic_.rootBounds(numerator, denominator);
+        return !(bounds_.lower >= upper);
+    }
+    template <class Place>
+    void take(Verdict feasible, std::int32_t newFeature, const Place& newOnPart,
+              const Place& newOnEnvironment) {
+        if (feasible == Verdict::no) return;
+        lower = std::min(lower, bounds_.lower);
+        if (feasible != Verdict::yes || !(bounds_.upper < upper)) return;
+        upper = bounds_.upper;
+        feature = newFeature;
+        onPart = rounded(newOnPart);
+        onEnvironment = rounded(newOnEnvironment);
+    }
+    bool done() const { return upper == 0; }
+    Verdict contact() const { return upper == 0 ? Verdict::yes : lower > 0 ? Verdict::no : Verdict::open; }
+
+    double lower = std::numeric_limits<double>::infinity();
+    double upper = std::numeric_limits<double>::infinity();
+    std::int32_t feature = kNoFeature;
+    PlaceInTriangle onPart, onEnvironment;
+
+  private:
+    template <class Place>
+    static PlaceInTriangle rounded(const Place& place) {
+        // Whatever was divided, a place is one of the triangle's.
+        const double s = std::min(std::max(0.0, quotient(place.s, place.whole)), 1.0),
+                     t = std::min(std::max(0.0, quotient(place.t, place.whole)), 1 - s);
+        return {place.corner, s, t};
+    }
+
+    const Arithmetic& arithmetic_;
+    LengthBounds bounds_{0, 0};
+};
+
+template <class Arithmetic>
+ResolvedPair resolvedWith(const Arithmetic& arithmetic, const PairQuery& query,
+                          const TrianglesAt& triangles) {
+    Least<Arithmetic> least(arithmetic);
+    TriangleFeatures(arithmetic.corners().part, arithmetic.corners().environment).visit(least);
+    ResolvedPair resolved;
+    resolved.contact = least.contact();
+    resolved.feature = least.feature;
+    resolved.pointOnPart = pointAt(least.onPart, movedCorners(query, triangles.part));
+    resolved.pointOnEnvironment = pointAt(least.onEnvironment, fixedCorners(query, triangles.environment));
+    if (resolved.contact != Verdict::yes) {
+        resolved.lower = least.lower;
+        resolved.upper =
+            upperBoundFrom(resolved.pointOnPart, resolved.pointOnEnvironment, query.largestCoordinate);
+    }
+    return resolved;
+}
+
+/// On contact: whether the middle between the points, each off its triangle by up to 5.4 u64 M, is within 16
+/// of both.
+bool isOnePoint(const ResolvedPair& pair, double M) {
+    return lengthBetween(pair.pointOnPart, pair.pointOnEnvironment) <= 20 * kUnitRoundoffDouble * M;
+}
+
+bool isSettled(const ResolvedPair& pair, const WantedWidth& wanted, double M) {
+    if (pair.contact == Verdict::open) return false;
+    return pair.contact == Verdict::yes ? isOnePoint(pair, M) : wanted.isMetBy(pair);
+}
+
+template <class Arithmetic>
+Verdict isWithin(const Arithmetic& arithmetic, double d) {
+    AnyWithin visitor(arithmetic.scaled(d));
+    TriangleFeatures(arithmetic.corners().part, arithmetic.corners().environment).visit(visitor);
+    return visitor.answer();
+}
+
+}  // namespace
+
+ResolvedPair settlePair(const PairQuery& query, const TrianglesAt& triangles, const WantedWidth& wanted,
+                        QueryCounters& counters) {
+    const double M = query.largestCoordinate;
+    ++counters.refinedPairs;
+    ResolvedPair pair = resolvePair(query, triangles);
+    if (!isSettled(pair, wanted, M)) {
+        ++counters.doubleDoublePairs;
+        pair = resolvedWith(Balls(query, triangles), query, triangles);
+    }
+    if (!isSettled(pair, wanted, M)) {
+        ++counters.exactPairs;
+        pair = resolvedWith(Integers(query, triangles, 0), query, triangles);
+    }
+    if (pair.contact == Verdict::yes) {
+        pair.pointOnPart = pair.pointOnEnvironment = 0.5 * (pair.pointOnPart + pair.pointOnEnvironment);
+        pair.feature = kNoFeature;
+    }
+    return pair;
+}
+
+PairWithin isPairWithin(const PairQuery& query, const TrianglesAt& triangles, double d,
+                        QueryCounters& counters) {
+    ++counters.refinedPairs;
+    const ResolvedPair pair = resolvePair(query, triangles);
+    // In query units d is rounded only below 2^-1022 and above the largest double, where no bound lies.
+    const double dInQueryUnits = d * query.perMeshUnit;
+    if (pair.lower > dInQueryUnits) return {false, pair.feature};
+    if (pair.contact == Verdict::yes || pair.upper <= dInQueryUnits) return {true, pair.feature};
+    ++counters.doubleDoublePairs;
+    const Verdict within = isWithin(Balls(query, triangles), d);
+    if (within != Verdict::open) return {within == Verdict::yes, pair.feature};
+    ++counters.exactPairs;
+    return {isWithin(Integers(query, triangles, d), d) == Verdict::yes, pair.feature};
+}
+
+}  // namespace clearway
