@@ -22,8 +22,8 @@ struct QueryCounters {
 };
 
 /// The scratch of one thread and its warm start: the closest pair of the last query, with which the next
-/// query of the same two models begins. Verdicts and intervals do not depend on what it holds, but for last
-/// digits; which of several equally close pairs is named may. Not to be shared by threads.
+/// query of the same two models begins. Verdicts do not depend on what it holds, nor do intervals, but for
+/// last digits; which of several equally close pairs is named may. Not to be shared by threads.
 class Workspace {
   public:
     Workspace();
@@ -46,7 +46,8 @@ class Workspace {
 
 struct DistanceOptions {
     /// The answer may be as wide as the larger of absoluteError and relativeError * lower; 0 and 0 ask for
-    /// the default width. Both >= 0.
+    /// the default width: 1e-12 of the scene size (the diagonals of both meshes' boxes) and 32 * 2^-53 of the
+    /// largest coordinate among both meshes, the moved part and the pose's translation. Both >= 0.
     double relativeError = 0;
     double absoluteError = 0;
     /// No interest beyond: when the distance is larger, lower >= cap, upper and distance are infinite, ids
@@ -54,11 +55,13 @@ struct DistanceOptions {
     double cap = std::numeric_limits<double>::infinity();
 };
 
-/// lower <= true distance <= upper. Lengths in environment units, points in the environment's frame.
+/// lower <= true distance <= upper, where the truth is that of the stored doubles of both meshes and the
+/// pose, an affine map. Both are 0 on contact; else upper is above 0. Lengths in environment units, points in
+/// the environment's frame.
 struct DistanceResult {
     double lower = 0;
     double upper = 0;
-    double distance = 0;  ///< between the two witness points; 0 exactly when the two collide
+    double distance = 0;  ///< between the two witness points, 0 on contact
     Vector3 pointOnPart = Vector3::Zero();
     Vector3 pointOnEnvironment = Vector3::Zero();
     std::int64_t partTriangle = -1;  ///< position as loaded, before cleaning
@@ -78,15 +81,13 @@ struct DistanceResult {
 DistanceResult distance(const Model& part, const Model& environment, const Pose& X_environmentPart,
                         const DistanceOptions& options, Workspace& workspace);
 
-/// True when the two share a point. Contact is also reported for what double arithmetic cannot prove to be
-/// farther apart than 32 * 2^-53 * (largest coordinate), 38 for triangles of that length: never a false
-/// "free". Agrees with distance() and isWithin(0). Throws likewise.
+/// True exactly when the two share a point: decided in double, in double-double where that leaves it open,
+/// and in whole numbers of any size where that does. Agrees with distance() and isWithin(0). Throws likewise.
 bool collides(const Model& part, const Model& environment, const Pose& X_environmentPart,
               Workspace& workspace);
 
-/// True when the distance is <= d, in environment units, and for what double arithmetic cannot prove to be
-/// farther: the pair's proved lower bound decides. d >= 0. Throws likewise, and when d is larger than the cap
-/// of the environment's reach.
+/// True exactly when the distance is <= d, in environment units, decided likewise. d >= 0. Throws likewise,
+/// and when d is larger than the cap of the environment's reach.
 bool isWithin(const Model& part, const Model& environment, const Pose& X_environmentPart, double d,
               Workspace& workspace);
 

@@ -16,8 +16,7 @@
 namespace clearway {
 namespace {
 
-/// Of the largest coordinate: 2^-53 times 32 for the rounding of a gap, 38 for what queries cannot prove
-/// apart, and to spare.
+/// Of the largest coordinate: 2^-53 times 32 for the rounding of a gap, and to spare.
 constexpr double kSlack = 128 * 0x1p-53;
 
 /// A pose's rotation may lengthen the part by 3/2 of its defect, relative to it.
