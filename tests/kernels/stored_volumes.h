@@ -123,6 +123,29 @@ inline VolumeCase makeCase(Random& random, const std::string& kind, double angle
     return volumes;
 }
 
+/// As large as a frame allows, and turned so that rows and columns of the rotation are as far as can be from
+/// the axes: where rounding adds up most.
+inline VolumeCase makeUnfavourable(Random& random) {
+    VolumeCase volumes = makeCase(random, "unfavourable", -1, 1, random.uniform(0, 3));
+    volumes.partFrame.unitExponent = volumes.environmentFrame.unitExponent;
+    const Matrix3 mirror = Matrix3::Constant(2.0 / 3) - Matrix3::Identity();  // a half turn about (1, 1, 1)
+    const Pose before = volumes.pose;
+    volumes.pose.rotation = turned(random, mirror, random.uniform(0, 0.02));
+    volumes.pose.translation =
+        before * volumes.partFrame.origin - volumes.pose.rotation * volumes.partFrame.origin;
+    const double h = random.uniform(0, 1);
+    const auto enlarge = [&](StoredRss& rss) {
+        rss.halfLength0 = static_cast<float>(h);
+        rss.halfLength1 = static_cast<float>(random.below(2) == 0 ? 0 : h);
+        const double away = (1 + std::sqrt(1 - h * h)) / 2;  // along the normal; see src/kernels/rounding.md
+        const Eigen::Vector3f normal = rss.axis0.cross(rss.axis1);
+        rss.centre = static_cast<float>(away) * normal + static_cast<float>(1 - h) * rss.axis0;
+    };
+    enlarge(volumes.part);
+    for (StoredRss& child : volumes.children) enlarge(child);
+    return volumes;
+}
+
 /// The part's rectangle as its own neighbour: in its plane, on it, over it at a gap, or standing on it.
 inline VolumeCase makeNeighbours(Random& random, double angle, double gap) {
     VolumeCase volumes = makeCase(random, "neighbours", angle, 0.5, 0);
@@ -164,6 +187,7 @@ inline std::vector<VolumeCase> makeVolumeCases(std::uint64_t seed) {
     Random random(seed);
     for (int i = 0; i < 300; ++i) {
         result.push_back(makeCase(random, "near", -1, 1, 1));
+        result.push_back(makeUnfavourable(random));
         result.push_back(makeCase(random, "small", -1, std::pow(10.0, -random.below(6)), 1));
         result.push_back(makeCase(random, "far", -1, 1, 1e4 * random.uniform(0, 1)));
         result.push_back(makeCase(random, "farther", -1, 1, std::ldexp(1, 30 + random.below(20))));

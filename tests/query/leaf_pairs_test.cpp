@@ -118,6 +118,16 @@ LeafCase makeSoups(Random& random, int partTriangles, int environmentTriangles) 
     return makeLeaves(name, part, environment, {random.rotation(), away * random.direction()});
 }
 
+/// Near each other, and turned so that the rotation's rows are as far as can be from the axes: where rounding
+/// adds up most.
+LeafCase makeUnfavourable(Random& random) {
+    const Mesh part = randomSoup(random, 16, 0.3, 1), environment = randomSoup(random, 16, 0.3, 1);
+    const Matrix3 mirror = Matrix3::Constant(2.0 / 3) - Matrix3::Identity();  // a half turn about (1, 1, 1)
+    const Matrix3 turn =
+        Eigen::AngleAxisd(random.uniform(0, 0.02), random.direction()).toRotationMatrix() * mirror;
+    return makeLeaves("unfavourable", part, environment, {turn, random.inBox(0.5)});
+}
+
 LeafCase makeFamily(Random& random, const TriangleFamily& family, const Pose& pose) {
     Mesh part, environment;
     const int triangles = 1 + random.below(16);
@@ -138,6 +148,7 @@ const std::vector<LeafCase>& cases() {
                 for (int i = 0; i < 2; ++i) result.push_back(makeSoups(random, n, m));
             }
         }
+        for (int i = 0; i < 60; ++i) result.push_back(makeUnfavourable(random));
         for (const TriangleFamily& family : hardTriangleFamilies()) {
             if (family.name == "denormals") continue;  // of sizes too far apart
             for (int i = 0; i < 6; ++i) {
@@ -164,6 +175,14 @@ std::vector<std::vector<std::vector<TakenPair>>> takenOf(const LeafCase& leaves,
     for (const TakenPair& pair : taken)
         byPair.at(pair.triangles.part).at(pair.triangles.environment).push_back(pair);
     return byPair;
+}
+
+/// Of two trees of one leaf: both radii and the way between the centres, as LeafPairs adds them up.
+long double reachOf(const LeafCase& leaves, const PairQuery& query) {
+    const Leaf &a = leaves.part.tree().leaves[0], &b = leaves.environment.tree().leaves[0];
+    const Vector3 between = leaves.pose * Vector3(a.centre.data()) - Vector3(b.centre.data());
+    return a.radius * query.partLeafToQuery + b.radius * query.environmentLeafToQuery +
+           between.lpNorm<1>() * query.perMeshUnit;
 }
 
 }  // namespace
@@ -206,6 +225,32 @@ BOOST_DATA_TEST_CASE(every_near_pair_is_taken_once_with_bounds_that_hold_its_dis
             }
         }
     }
+}
+
+BOOST_DATA_TEST_CASE(rounding_takes_less_than_half_of_its_slack, eachTarget(), target) {
+    const UsingTarget using_(target);
+    long double worstGap = 0, worstDistance = 0;  // in u32 of the leaves' reach
+    for (const LeafCase& leaves : cases()) {
+        const PairQuery query = preparePairQuery(leaves.part.tree(), leaves.environment.tree(), leaves.pose);
+        if (leaves.part.tree().leaves.size() != 1 || leaves.environment.tree().leaves.size() != 1) continue;
+        const long double reach = reachOf(leaves, query), u = kUnitRoundoffFloat;
+        const long double slack = kTriangleSlack * u * reach + query.offsetSlack;
+        if (query.offsetSlack > 0.01L * slack) continue;  // far from the origin, where it is the offset's
+        const auto taken = takenOf(leaves, query, std::numeric_limits<float>::max());
+        for (std::size_t i = 0; i < taken.size(); ++i) {
+            for (std::size_t j = 0; j < taken[i].size(); ++j) {
+                for (const TakenPair& pair : taken[i][j]) {
+                    const long double distance = leaves.distances[i][j];
+                    worstGap = std::max(worstGap, (pair.lower + slack - distance) / (u * reach));
+                    worstDistance = std::max(worstDistance, (distance - (pair.upper - slack)) / (u * reach));
+                }
+            }
+        }
+    }
+    BOOST_TEST_MESSAGE("gaps " << worstGap << ", distances " << worstDistance << " of " << kTriangleSlack
+                               << " u, seed " << kSeed);
+    BOOST_TEST(worstGap <= 0.5L * kTriangleSlack);
+    BOOST_TEST(worstDistance <= 0.5L * kTriangleSlack);
 }
 
 BOOST_DATA_TEST_CASE(most_pairs_that_are_not_near_are_left_out, eachTarget(), target) {
