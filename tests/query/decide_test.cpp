@@ -45,7 +45,7 @@ const std::vector<Draw>& draws() {
         std::vector<Draw> result;
         Random random(kSeed);
         std::vector<TriangleFamily> families = hardTriangleFamilies();
-        families.push_back({"touching, many digits", touchingOfManyDigits});
+        families.push_back({0, "touching, many digits", touchingOfManyDigits});
         for (const TriangleFamily& family : families) {
             if (family.name == "denormals") continue;  // of sizes too far apart for a query
             for (int i = 0; i < 8; ++i) {
