@@ -53,7 +53,9 @@ LengthBounds rootBounds(const Integer& numerator, const Integer& denominator, in
     const int squareExponent = n.exponent - d.exponent, odd = squareExponent & 1;
     const double root = std::ldexp(std::sqrt(std::ldexp(n.fraction / d.fraction, odd)),
                                    (squareExponent - odd) / 2 + exponent);
-    return {root * (1 - 0x1p-51), std::max(root * (1 + 0x1p-51), std::numeric_limits<double>::denorm_min())};
+    // Among denormal numbers ldexp and the products round by up to the least of them.
+    constexpr double kLeast = std::numeric_limits<double>::denorm_min();
+    return {std::max(root * (1 - 0x1p-51) - kLeast, 0.0), root * (1 + 0x1p-51) + kLeast};
 }
 
 }  // namespace clearway

@@ -2,6 +2,7 @@
 // units into ids and environment units.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 
@@ -50,13 +51,23 @@ std::int64_t componentOfTriangle(const std::vector<Component>& components, std::
     return after - components.begin() - 1;
 }
 
+/// length times a power of two, rounded down where it is denormal; perUnit: the power's inverse.
+double scaledDown(double length, double unit, double perUnit) {
+    const double scaled = length * unit;
+    return scaled * perUnit > length ? std::nextafter(scaled, 0.0) : scaled;
+}
+double scaledUp(double length, double unit, double perUnit) {
+    const double scaled = length * unit;
+    return scaled * perUnit < length ? std::nextafter(scaled, std::numeric_limits<double>::infinity())
+                                     : scaled;
+}
+
 bool answerWithin(const Model& part, const Model& environment, const Pose& X_environmentPart, double d,
                   Workspace& workspace) {
     requireWithinCap(environment, d);
     Workspace::State& state = workspace.state();
     const PairQuery query = beginQuery(part, environment, X_environmentPart, state);
-    const WithinAnswer answer =
-        anyPairWithin(query, d, warmStartFor(part, environment, state), state);
+    const WithinAnswer answer = anyPairWithin(query, d, warmStartFor(part, environment, state), state);
     if (answer.within) {
         state.warmStart = {part.id(), environment.id(), answer.triangles};
     }
@@ -83,15 +94,16 @@ DistanceResult distance(const Model& part, const Model& environment, const Pose&
     if (!answer.found) {
         constexpr double kInfinity = std::numeric_limits<double>::infinity();
         // What was left out may be nearer than the tree's own bound, but not than the reach's cap.
-        result.lower = cappedByReach(environment, std::max(cap, answer.pair.lower * toMeshUnits));
+        result.lower = cappedByReach(
+            environment, std::max(cap, scaledDown(answer.pair.lower, toMeshUnits, query.perMeshUnit)));
         result.upper = result.distance = kInfinity;
         result.pointOnPart.setConstant(std::numeric_limits<double>::quiet_NaN());
         result.pointOnEnvironment = result.pointOnPart;
         return result;
     }
     state.warmStart = {part.id(), environment.id(), answer.triangles};
-    result.lower = answer.pair.lower * toMeshUnits;
-    result.upper = answer.pair.upper * toMeshUnits;
+    result.lower = scaledDown(answer.pair.lower, toMeshUnits, query.perMeshUnit);
+    result.upper = scaledUp(answer.pair.upper, toMeshUnits, query.perMeshUnit);
     for (int k = 0; k < 3; ++k) {
         result.pointOnPart[k] = answer.pair.pointOnPart[k] * toMeshUnits;
         result.pointOnEnvironment[k] = answer.pair.pointOnEnvironment[k] * toMeshUnits;

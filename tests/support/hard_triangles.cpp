@@ -51,6 +51,12 @@ std::vector<TriangleFamily> hardTriangleFamilies() {
             {35, "nearly coplanar", nearlyCoplanar}};
 }
 
+Pose poseFor(Random& random, const TrianglePair& pair) {
+    Box box;
+    for (int k = 0; k < 3; ++k) box.extend(pair.a[k]).extend(pair.b[k]);
+    return random.pose(box.sizes().maxCoeff());
+}
+
 Mesh meshOf(const Triangle& triangle) {
     Mesh mesh;
     mesh.vertices.assign(triangle.begin(), triangle.end());

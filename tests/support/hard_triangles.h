@@ -42,6 +42,9 @@ struct TriangleFamily {
 /// scales, ...: a row a case. Those of "denormals" differ too much in size for a query.
 std::vector<TriangleFamily> hardTriangleFamilies();
 
+/// Turned anyhow and moved by no more than the pair is large: at any scale within what a query takes.
+Pose poseFor(Random& random, const TrianglePair& pair);
+
 /// The triangle as a mesh of its own.
 Mesh meshOf(const Triangle& triangle);
 
