@@ -229,11 +229,13 @@ ResolvedPair resolvePair(const PairQuery& query, const TrianglesAt& triangles) {
         const double leastVolume = 512 * kUnitRoundoffDouble * size * size * (size + M);
         if (surelyPierces(a, b, leastVolume) || surelyPierces(b, a, leastVolume)) {
             contact = Verdict::yes;
-            takeCrossings(a, b, true, closest);
-            takeCrossings(b, a, false, closest);
         } else {
             gap = widestGap(closest, a, b, rounding.slack);
             if (!(rounding.provedBy(gap) > 0)) contact = Verdict::open;
+        }
+        if (contact != Verdict::no) {
+            takeCrossings(a, b, true, closest);
+            takeCrossings(b, a, false, closest);
         }
     }
     ResolvedPair resolved;
