@@ -44,6 +44,18 @@ const WarmStart* warmStartFor(const Model& part, const Model& environment, const
     return warm.partId == part.id() && warm.environmentId == environment.id() ? &warm : nullptr;
 }
 
+/// |v|, also where the squares would overflow or vanish.
+double lengthOf(const Vector3& v) {
+    constexpr double kLeastSquare = 1e-280, kLargestSquare = 1e280;
+    const double squared = v.squaredNorm();
+    if (squared > kLeastSquare && squared < kLargestSquare) return std::sqrt(squared);
+    const double largest = v.cwiseAbs().maxCoeff();
+    if (!(largest > 0)) return 0;
+    const int exponent = std::ilogb(largest);
+    return std::ldexp(Vector3(v.unaryExpr([&](double x) { return std::ldexp(x, -exponent); })).norm(),
+                      exponent);
+}
+
 std::int64_t componentOfTriangle(const std::vector<Component>& components, std::int64_t triangle) {
     const auto after =
         std::upper_bound(components.begin(), components.end(), triangle,
@@ -84,13 +96,13 @@ DistanceResult distance(const Model& part, const Model& environment, const Pose&
     const double cap = cappedByReach(environment, options.cap);
     Workspace::State& state = workspace.state();
     const PairQuery query = beginQuery(part, environment, X_environmentPart, state);
+    const double toMeshUnits = std::ldexp(1.0, query.unitExponent);
     const ClosestRequest request{options.relativeError, options.absoluteError * query.perMeshUnit,
-                                 cap * query.perMeshUnit};
+                                 scaledUp(cap, query.perMeshUnit, toMeshUnits)};
     const ClosestAnswer answer = closestPair(query, request, warmStartFor(part, environment, state), state);
 
     DistanceResult result;
     result.counters = state.counters;
-    const double toMeshUnits = std::ldexp(1.0, query.unitExponent);
     if (!answer.found) {
         constexpr double kInfinity = std::numeric_limits<double>::infinity();
         // What was left out may be nearer than the tree's own bound, but not than the reach's cap.
@@ -108,9 +120,8 @@ DistanceResult distance(const Model& part, const Model& environment, const Pose&
         result.pointOnPart[k] = answer.pair.pointOnPart[k] * toMeshUnits;
         result.pointOnEnvironment[k] = answer.pair.pointOnEnvironment[k] * toMeshUnits;
     }
-    // In query units: the square of a length in mesh units may overflow or vanish.
-    const Vector3 between = (result.pointOnPart - result.pointOnEnvironment) * query.perMeshUnit;
-    result.distance = answer.pair.contact == Verdict::yes ? 0.0 : between.norm() * toMeshUnits;
+    const bool isContact = answer.pair.contact == Verdict::yes;
+    result.distance = isContact ? 0.0 : lengthOf(result.pointOnPart - result.pointOnEnvironment);
     result.partTriangle = part.tree().triangleIds[answer.triangles.part];
     result.environmentTriangle = environment.tree().triangleIds[answer.triangles.environment];
     result.partComponent = componentOfTriangle(part.components(), result.partTriangle);
