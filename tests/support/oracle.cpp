@@ -63,7 +63,7 @@ class Search {
         long double distance = triangleDistance(trianglePoints(part_, partVertices_, p),
                                                 trianglePoints(environment_, environmentVertices_, e))
                                    .distance;
-        if (distance > best.distance) return;
+        if (distance > std::max(best.distance, doubtful_)) return;
         if (distance <= doubtful_)
             distance = exactDistance(pose_, cornersOf(part_, p), cornersOf(environment_, e)).rounded();
         if (distance < best.distance) best = {distance, p, e};
@@ -104,7 +104,10 @@ class Search {
 };
 
 OracleAnswer rounded(const Closest& closest) {
-    return {static_cast<double>(closest.distance), closest.partTriangle, closest.environmentTriangle};
+    const auto nearest = static_cast<double>(closest.distance);
+    const bool vanished = nearest == 0 && closest.distance > 0;  // among the least of doubles
+    return {vanished ? std::numeric_limits<double>::denorm_min() : nearest, closest.partTriangle,
+            closest.environmentTriangle};
 }
 
 }  // namespace
