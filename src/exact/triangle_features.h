@@ -7,6 +7,8 @@
 
 #include <array>
 
+#include "exact/ball.h"
+#include "exact/integer.h"
 #include "exact/verdict.h"
 
 namespace clearway {

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "exact/ball.h"
-#include "exact/integer.h"
 #include "exact/triangle_features.h"
 
 namespace clearway {

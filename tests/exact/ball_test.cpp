@@ -1,0 +1,120 @@
+// A ball holds the exact value, says 0 error only when it is that value, and never decides a sign wrongly.
+#define BOOST_TEST_MODULE exact_ball
+#include "exact/ball.h"
+
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <vector>
+
+#include "support/exact_triangle.h"
+#include "support/random_meshes.h"
+
+using namespace clearway;
+using namespace clearway::testing;
+
+namespace {
+
+constexpr std::uint64_t kSeed = 11;
+
+struct Tracked {
+    Ball ball;
+    Rational exact;
+};
+
+bool holds(const Tracked& x) {
+    const Rational off = x.exact - Rational(x.ball.high) - Rational(x.ball.low);
+    return abs(off) <= Rational(x.ball.error);
+}
+
+// Numbers of many sizes, with few and with all digits.
+Tracked draw(Random& random) {
+    const int kind = int(random.uniform(0, 4));
+    const double value = kind == 0   ? std::floor(random.uniform(-4, 4))
+                         : kind == 1 ? std::ldexp(std::floor(random.uniform(-1000, 1000)), -8)
+                         : kind == 2 ? random.uniform(-1, 1)
+                                     : std::ldexp(random.uniform(-1, 1), int(random.uniform(-60, 60)));
+    return {Ball(value), Rational(value)};
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(sums_and_products_hold_the_exact_value_and_signs_are_right) {
+    Random random(kSeed);
+    int decided = 0, exactZeros = 0, open = 0;
+    for (int round = 0; round < 3000; ++round) {
+        BOOST_TEST_CONTEXT("seed " << kSeed << ", round " << round) {
+            std::vector<Tracked> pool;
+            for (int k = 0; k < 4; ++k) pool.push_back(draw(random));
+            for (int step = 0; step < 8; ++step) {
+                const Tracked a = pool[std::size_t(random.uniform(0, double(pool.size())))],
+                              b = pool[std::size_t(random.uniform(0, double(pool.size())))];
+                const int kind = int(random.uniform(0, 3));
+                const Tracked c = kind == 0   ? Tracked{a.ball + b.ball, a.exact + b.exact}
+                                  : kind == 1 ? Tracked{a.ball - b.ball, a.exact - b.exact}
+                                              : Tracked{a.ball * b.ball, a.exact * b.exact};
+                BOOST_TEST(holds(c));
+                const Verdict sign = isNotNegative(c.ball);
+                if (sign == Verdict::open) {
+                    ++open;
+                } else {
+                    BOOST_TEST((sign == Verdict::yes) == (c.exact >= 0));
+                    ++decided;
+                }
+                if (c.ball.isZero()) {
+                    BOOST_TEST((c.exact == 0));
+                    ++exactZeros;
+                }
+                pool.push_back(c);
+            }
+        }
+    }
+    BOOST_TEST(decided > 1000);
+    BOOST_TEST(exactZeros > 100);
+    BOOST_TEST(open > 10);
+}
+
+BOOST_AUTO_TEST_CASE(an_error_is_that_of_twice_a_doubles_digits) {
+    Random random(kSeed);
+    for (int round = 0; round < 1000; ++round) {
+        Ball sum;
+        double size = 0;
+        for (int k = 0; k < 6; ++k) {
+            const Ball product =
+                Ball(random.uniform(-1, 1)) * Ball(random.uniform(-1, 1)) * Ball(random.uniform(-1, 1));
+            size += std::abs(product.high);
+            sum = sum + product;
+        }
+        BOOST_TEST(sum.error <= 0x1p-98 * size, "seed " << kSeed << ", round " << round);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(what_overflows_or_underflows_decides_nothing_wrongly) {
+    const Ball huge(1e300), tiny(1e-300);
+    BOOST_TEST(int(isNotNegative(huge * huge - huge)) != int(Verdict::no));
+    BOOST_TEST(int(isNotNegative(huge - huge * huge)) != int(Verdict::yes));
+    BOOST_TEST(int(isNotNegative(-(tiny * tiny))) != int(Verdict::yes));
+    const LengthBounds bounds = rootBounds(tiny * tiny, Ball(1));
+    BOOST_TEST(bounds.lower <= 1e-300);
+    BOOST_TEST(bounds.upper >= 1e-300);
+}
+
+BOOST_AUTO_TEST_CASE(roots_of_fractions_are_enclosed) {
+    Random random(kSeed);
+    for (int round = 0; round < 2000; ++round) {
+        const Tracked a = draw(random), b = draw(random);
+        const Tracked numerator{a.ball * a.ball, a.exact * a.exact},
+            denominator{b.ball * b.ball, b.exact * b.exact};
+        const LengthBounds bounds = rootBounds(numerator.ball, denominator.ball);
+        BOOST_TEST_CONTEXT("seed " << kSeed << ", round " << round) {
+            if (denominator.exact == 0) {
+                BOOST_TEST(std::isinf(bounds.lower));
+                continue;
+            }
+            const Rational square = numerator.exact / denominator.exact;
+            BOOST_TEST((Rational(bounds.lower) * Rational(bounds.lower) <= square));
+            BOOST_TEST(
+                (std::isinf(bounds.upper) || Rational(bounds.upper) * Rational(bounds.upper) >= square));
+            BOOST_TEST(bounds.upper - bounds.lower <= 0x1p-49 * bounds.upper);
+        }
+    }
+}
