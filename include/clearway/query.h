@@ -17,8 +17,18 @@ struct QueryCounters {
     std::uint64_t volumeTests = 0;        ///< pairs of volumes among those (used lanes)
     std::uint64_t triangleTests = 0;      ///< pairs of triangles given to a kernel
     std::uint64_t refinedPairs = 0;       ///< pairs of triangles resolved in double
-    std::uint64_t doubleDoublePairs = 0;  ///< of these, pairs that double left too wide or open
-    std::uint64_t exactPairs = 0;         ///< of these, pairs that twice the digits left too wide or open
+    std::uint64_t doubleDoublePairs = 0;  ///< of these, pairs that double left open or too wide
+    std::uint64_t exactPairs = 0;         ///< of these, pairs that double-double left open or too wide
+
+    QueryCounters& operator+=(const QueryCounters& other) {
+        nodeVisits += other.nodeVisits;
+        volumeTests += other.volumeTests;
+        triangleTests += other.triangleTests;
+        refinedPairs += other.refinedPairs;
+        doubleDoublePairs += other.doubleDoublePairs;
+        exactPairs += other.exactPairs;
+        return *this;
+    }
 };
 
 /// The scratch of one thread and its warm start: the closest pair of the last query, with which the next

@@ -56,13 +56,6 @@ Answer askAbout(std::size_t pose, const Question& question, const Model& part, c
     }
 }
 
-void add(const QueryCounters& one, QueryCounters& sum) {
-    sum.nodeVisits += one.nodeVisits;
-    sum.volumeTests += one.volumeTests;
-    sum.triangleTests += one.triangleTests;
-    sum.refinedPairs += one.refinedPairs;
-}
-
 std::string outOf(std::size_t count, const QueryRun& run) {
     return std::to_string(count) + " of " + std::to_string(run.answers.size());
 }
@@ -76,12 +69,14 @@ void printDistances(const QueryRun& run) {
     std::size_t beyond = 0;
     const Answer* least = nullptr;
     const Answer* most = nullptr;
+    double width = 0;
     for (const Answer& answer : run.answers) {
         if (isBeyondCap(answer.distance)) {
             ++beyond;
             continue;
         }
         if (answer.distance.collides()) ++colliding;
+        width = std::max(width, answer.distance.upper - answer.distance.lower);
         if (!least || answer.distance.distance < least->distance.distance) least = &answer;
         if (!most || answer.distance.distance > most->distance.distance) most = &answer;
     }
@@ -94,6 +89,7 @@ void printDistances(const QueryRun& run) {
     if (!least) return;
     row("least distance", *least);
     row("most distance", *most);
+    printRow("widest interval", readable(width));
 }
 
 std::string rowOf(const DistanceResult& result) {
@@ -112,7 +108,7 @@ QueryRun ask(const Question& question, const Model& part, const Model& environme
     for (const std::size_t pose : orderOf(poses.size(), question.shuffleSeed)) {
         if (question.isCold) workspace.forgetWarmStart();
         run.answers[pose] = askAbout(pose, question, part, environment, poses[pose], workspace);
-        add(workspace.counters(), run.counters);
+        run.counters += workspace.counters();
     }
     return run;
 }
@@ -136,6 +132,9 @@ void printCosts(const QueryRun& run, const Model& part, const Model& environment
              readable(count / (1e-9 * static_cast<double>(std::max<std::int64_t>(nanoseconds, 1)))));
     printRow("volume tests per query", readable(static_cast<double>(run.counters.volumeTests) / count));
     printRow("triangle tests per query", readable(static_cast<double>(run.counters.triangleTests) / count));
+    printRow("pairs in double per query", readable(static_cast<double>(run.counters.refinedPairs) / count));
+    printRow("  in double-double", readable(static_cast<double>(run.counters.doubleDoublePairs) / count));
+    printRow("  exact", readable(static_cast<double>(run.counters.exactPairs) / count));
     printRow("bytes per triangle", readable(bytes / triangles));
     printRow("build seconds", readable(part.report().seconds + environment.report().seconds));
 }

@@ -38,7 +38,8 @@ QueryRun ask(const Question& question, const Model& part, const Model& environme
 /// How many collide or are within, the least and the largest distance.
 void printSummary(const Question& question, const QueryRun& run);
 
-/// Five rows: queries/s, volume tests and triangle tests per query, bytes per triangle, build seconds.
+/// Queries/s, work per query (volume tests, triangle tests, pairs that needed double and those that needed
+/// more), bytes per triangle, build seconds.
 void printCosts(const QueryRun& run, const Model& part, const Model& environment);
 
 /// A header and one row a pose, 17 digits. Throws as replaceFile does.

@@ -104,8 +104,9 @@ BOOST_AUTO_TEST_CASE(the_summary_ends_with_the_costs_one_line_each) {
     for (std::string line; std::getline(stream, line);) lines.push_back(line);
     BOOST_TEST_REQUIRE(lines.size() >= 5);
     int line = static_cast<int>(lines.size()) - 5;
-    for (const char* label : {"queries/s", "volume tests per query", "triangle tests per query",
-                              "bytes per triangle", "build seconds"}) {
+    for (const char* label :
+         {"queries/s", "volume tests per query", "triangle tests per query", "pairs in double per query",
+          "  in double-double", "  exact", "widest interval", "bytes per triangle", "build seconds"}) {
         BOOST_TEST(lines[line++].find(std::string(label) + ":") == 0);
         BOOST_TEST(std::stod(row(outcome, label)) > 0, label);
     }

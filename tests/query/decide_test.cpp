@@ -105,9 +105,7 @@ BOOST_AUTO_TEST_CASE(intervals_hold_the_exact_distance_and_are_as_narrow_as_prom
             BOOST_TEST(result.upper - result.lower <= width);
             BOOST_TEST(result.collides() == (draw.distanceSquared == 0));
         }
-        work.refinedPairs += result.counters.refinedPairs;
-        work.doubleDoublePairs += result.counters.doubleDoublePairs;
-        work.exactPairs += result.counters.exactPairs;
+        work += result.counters;
     }
     BOOST_TEST_MESSAGE(work.refinedPairs << " pairs, " << work.doubleDoublePairs << " in double-double, "
                                          << work.exactPairs << " exact");
