@@ -1,6 +1,5 @@
 #include "exact/integer.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>

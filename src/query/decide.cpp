@@ -50,6 +50,28 @@ class Balls {
         return {bounds.lower * unit_, bounds.upper * unit_};
     }
 
+    /// A lower bound of the distance, query units, from the slabs across a direction; 0 at worst.
+    double provedAlong(const Vector3& direction) const {
+        constexpr double kInfinity = std::numeric_limits<double>::infinity();
+        const Triple<Ball> v = {direction[0], direction[1], direction[2]};
+        Ball alongPart[3], alongEnvironment[3];
+        for (int k = 0; k < 3; ++k) {
+            alongPart[k] = corners_.part[k].dot(v);
+            alongEnvironment[k] = corners_.environment[k].dot(v);
+        }
+        double ahead = kInfinity, behind = kInfinity;  // of the environment before the part, and after it
+        for (const Ball& onPart : alongPart) {
+            for (const Ball& onEnvironment : alongEnvironment) {
+                const Ball difference = onEnvironment - onPart;
+                const double error = roundedUp(difference.error);
+                ahead = std::min(ahead, difference.high - error);
+                behind = std::min(behind, -difference.high - error);
+            }
+        }
+        const double gap = std::max(ahead, behind) / direction.norm() * unit_ * (1 - 0x1p-49);
+        return gap > 0 && gap < kInfinity ? gap : 0;
+    }
+
   private:
     Triple<Ball> scaled(const Vector3& v) const { return {scaled(v[0]), scaled(v[1]), scaled(v[2])}; }
 
@@ -234,11 +256,18 @@ ResolvedPair settlePair(const PairQuery& query, const TrianglesAt& triangles, co
     ResolvedPair pair = resolvePair(query, triangles);
     if (!isSettled(pair, wanted, M)) {
         ++counters.doubleDoublePairs;
-        pair = resolvedWith(Balls(query, triangles), query, triangles);
+        const Balls balls(query, triangles);
+        if (pair.contact != Verdict::yes) {
+            pair.lower = std::max(pair.lower, balls.provedAlong(pair.apartAlong));
+            if (pair.lower > 0) pair.contact = Verdict::no;
+        }
+        if (!isSettled(pair, wanted, M)) pair = resolvedWith(balls, query, triangles);
     }
     if (!isSettled(pair, wanted, M)) {
         ++counters.exactPairs;
         pair = resolvedWith(Integers(query, triangles, 0), query, triangles);
+        if (pair.contact == Verdict::open)
+            pair.contact = Verdict::no;  // apart by less than a double can tell
     }
     if (pair.contact == Verdict::yes) {
         pair.pointOnPart = pair.pointOnEnvironment = 0.5 * (pair.pointOnPart + pair.pointOnEnvironment);
@@ -247,19 +276,36 @@ ResolvedPair settlePair(const PairQuery& query, const TrianglesAt& triangles, co
     return pair;
 }
 
+namespace {
+
+/// What double arithmetic leaves open. apartAlong: a direction along which the pair may be proved apart.
+PairWithin isWithinBeyondDouble(const PairQuery& query, const TrianglesAt& triangles, double d,
+                                const Vector3& apartAlong, std::int32_t feature, QueryCounters& counters) {
+    ++counters.doubleDoublePairs;
+    const Balls balls(query, triangles);
+    if (balls.provedAlong(apartAlong) > d * query.perMeshUnit) return {false, feature};
+    const Verdict within = isWithin(balls, d);
+    if (within != Verdict::open) return {within == Verdict::yes, feature};
+    ++counters.exactPairs;
+    return {isWithin(Integers(query, triangles, d), d) == Verdict::yes, feature};
+}
+
+}  // namespace
+
 PairWithin isPairWithin(const PairQuery& query, const TrianglesAt& triangles, double d,
                         QueryCounters& counters) {
     ++counters.refinedPairs;
+    if (d == 0) {
+        const ContactInDouble pair = contactOf(query, triangles);
+        if (pair.contact != Verdict::open) return {pair.contact == Verdict::yes, triangles.feature};
+        return isWithinBeyondDouble(query, triangles, d, pair.apartAlong, triangles.feature, counters);
+    }
     const ResolvedPair pair = resolvePair(query, triangles);
     // In query units d is rounded only below 2^-1022 and above the largest double, where no bound lies.
     const double dInQueryUnits = d * query.perMeshUnit;
     if (pair.lower > dInQueryUnits) return {false, pair.feature};
     if (pair.contact == Verdict::yes || pair.upper <= dInQueryUnits) return {true, pair.feature};
-    ++counters.doubleDoublePairs;
-    const Verdict within = isWithin(Balls(query, triangles), d);
-    if (within != Verdict::open) return {within == Verdict::yes, pair.feature};
-    ++counters.exactPairs;
-    return {isWithin(Integers(query, triangles, d), d) == Verdict::yes, pair.feature};
+    return isWithinBeyondDouble(query, triangles, d, pair.apartAlong, pair.feature, counters);
 }
 
 }  // namespace clearway

@@ -117,27 +117,35 @@ void takeCrossings(const Corners& edges, const Corners& face, bool edgesAreParts
     }
 }
 
-/// (min v.b - max v.a or the other way round) / |v|; -infinity for a direction of no length.
-double slabGap(const Vector3& v, const Corners& a, const Corners& b) {
+/// Two slabs across a direction: (min v.b - max v.a or the other way round) / |v|, -infinity for a direction
+/// of no length.
+struct Slabs {
+    double gap = -std::numeric_limits<double>::infinity();
+    Vector3 direction = Vector3::Zero();
+};
+
+Slabs across(const Vector3& v, const Corners& a, const Corners& b) {
     const double squared = v.squaredNorm();
-    if (!(squared > std::numeric_limits<double>::min()) || !std::isfinite(squared)) {
-        return -std::numeric_limits<double>::infinity();
-    }
+    if (!(squared > std::numeric_limits<double>::min()) || !std::isfinite(squared)) return {};
     const Vector3 alongA(v.dot(a.p[0]), v.dot(a.p[1]), v.dot(a.p[2]));
     const Vector3 alongB(v.dot(b.p[0]), v.dot(b.p[1]), v.dot(b.p[2]));
-    return std::max(alongB.minCoeff() - alongA.maxCoeff(), alongA.minCoeff() - alongB.maxCoeff()) /
-           std::sqrt(squared);
+    const double width =
+        std::max(alongB.minCoeff() - alongA.maxCoeff(), alongA.minCoeff() - alongB.maxCoeff());
+    return {width / std::sqrt(squared), v};
+}
+
+void keepWider(const Slabs& slabs, Slabs& widest) {
+    if (slabs.gap > widest.gap) widest = slabs;
 }
 
 /// Directions for the pairs that three do not prove tightly: cross products of edges, normals of edges within
 /// a face, and the difference made perpendicular to each edge, which takes the rounding of a short difference
 /// out of it.
-double bestOfManyGaps(const Vector3& difference, const Corners& a, const Corners& b) {
-    double gap = -std::numeric_limits<double>::infinity();
+void tryManyDirections(const Vector3& difference, const Corners& a, const Corners& b, Slabs& widest) {
     const auto take = [&](const Vector3& v) {
         const double largest =
             v.cwiseAbs().maxCoeff();  // keeps the square of a short direction from vanishing
-        if (largest > 0) gap = std::max(gap, slabGap(v / largest, a, b));
+        if (largest > 0) keepWider(across(v / largest, a, b), widest);
     };
     for (int i = 0; i < 3; ++i) {
         for (int j = 0; j < 3; ++j) take(a.edge(i).cross(b.edge(j)));
@@ -152,15 +160,17 @@ double bestOfManyGaps(const Vector3& difference, const Corners& a, const Corners
         }
     }
     take(difference);
-    return gap;
 }
 
 /// The lower bound, tried harder while it is not within slack of the distance.
-double widestGap(const PointPair& closest, const Corners& a, const Corners& b, double slack) {
-    const double gap =
-        std::max({slabGap(closest.difference(), a, b), slabGap(a.normal(), a, b), slabGap(b.normal(), a, b)});
-    if (std::sqrt(closest.squared) - gap <= slack) return gap;
-    return std::max(gap, bestOfManyGaps(closest.difference(), a, b));
+Slabs widestSlabs(const PointPair& closest, const Corners& a, const Corners& b, double slack) {
+    Slabs widest = across(closest.difference(), a, b);
+    keepWider(across(a.normal(), a, b), widest);
+    keepWider(across(b.normal(), a, b), widest);
+    if (!(std::sqrt(closest.squared) - widest.gap <= slack)) {
+        tryManyDirections(closest.difference(), a, b, widest);
+    }
+    return widest;
 }
 
 /// A lower bound of the distance from a slab gap. First order, vectors, in u64: moved corners 1.8 M;
@@ -172,16 +182,18 @@ struct GapRounding {
     double slack;
 };
 
-/// The gap across the difference at the feature, when it is as wide as the points are apart but for rounding,
-/// which proves them closest; else -infinity. One feature and one direction instead of all.
-double provedByGuess(std::int32_t feature, const Corners& a, const Corners& b, const GapRounding& rounding,
-                     PointPair& closest) {
+/// The slabs across the difference at the feature, when they are as far apart as the points but for rounding,
+/// which proves these closest; else none. One feature and one direction instead of all.
+Slabs provedByGuess(std::int32_t feature, const Corners& a, const Corners& b, const GapRounding& rounding,
+                    PointPair& closest) {
     if (feature != kNoFeature) {
         takeFeature(a, b, feature, closest);
-        const double gap = slabGap(closest.difference(), a, b);
-        if (rounding.provedBy(gap) > 0 && std::sqrt(closest.squared) - gap <= rounding.slack) return gap;
+        const Slabs slabs = across(closest.difference(), a, b);
+        if (rounding.provedBy(slabs.gap) > 0 && std::sqrt(closest.squared) - slabs.gap <= rounding.slack) {
+            return slabs;
+        }
     }
-    return -std::numeric_limits<double>::infinity();
+    return {};
 }
 
 }  // namespace
@@ -203,35 +215,64 @@ PairVertices pairVertices(const PairQuery& query, const TrianglesAt& triangles) 
     return pair;
 }
 
-ResolvedPair resolvePair(const PairQuery& query, const TrianglesAt& triangles) {
-    const Corners moved = movedCorners(query, triangles.part),
-                  fixed = fixedCorners(query, triangles.environment);
-    Corners a = moved, b = fixed;
-    // Near the pair, so that what follows rounds in the pair's size; differences of near doubles are exact.
-    const Vector3 base = b.p[0];
-    double size = 0;
-    for (Corners* triangle : {&a, &b}) {
-        for (Vector3& corner : triangle->p) {
-            corner -= base;
-            size = std::max(size, corner.cwiseAbs().maxCoeff());
+namespace {
+
+/// The corners of a pair relative to a point near it, so that what follows rounds in the pair's size;
+/// differences of near doubles are exact.
+struct LocalPair {
+    LocalPair(const Corners& moved, const Corners& fixed) : a(moved), b(fixed) {
+        const Vector3 base = fixed.p[0];
+        for (Corners* triangle : {&a, &b}) {
+            for (Vector3& corner : triangle->p) {
+                corner -= base;
+                size = std::max(size, corner.cwiseAbs().maxCoeff());
+            }
         }
     }
 
-    const double M = query.largestCoordinate;
-    const GapRounding rounding(M, size);
-    PointPair closest;
-    double gap = provedByGuess(triangles.feature, a, b, rounding, closest);
-    Verdict contact = Verdict::no;
-    if (!(rounding.provedBy(gap) > 0)) {
-        closest = closestPoints(a, b);
+    bool surelyPierces(double M) const {
         // In first order a volume is off by at most 12 size^2 times a corner's 4 u64 (M + size), and 60 u64
         // size^3.
         const double leastVolume = 512 * kUnitRoundoffDouble * size * size * (size + M);
-        if (surelyPierces(a, b, leastVolume) || surelyPierces(b, a, leastVolume)) {
+        return clearway::surelyPierces(a, b, leastVolume) || clearway::surelyPierces(b, a, leastVolume);
+    }
+
+    Corners a, b;
+    double size = 0;
+};
+
+}  // namespace
+
+ContactInDouble contactOf(const PairQuery& query, const TrianglesAt& triangles) {
+    const LocalPair pair(movedCorners(query, triangles.part), fixedCorners(query, triangles.environment));
+    if (pair.surelyPierces(query.largestCoordinate)) return {Verdict::yes, Vector3::Zero()};
+    const GapRounding rounding(query.largestCoordinate, pair.size);
+    Slabs widest = across(pair.a.normal(), pair.a, pair.b);
+    keepWider(across(pair.b.normal(), pair.a, pair.b), widest);
+    // Normals, edges' cross products and normals of edges within a face separate whatever can be separated.
+    if (!(rounding.provedBy(widest.gap) > 0)) {
+        tryManyDirections(Vector3::Zero(), pair.a, pair.b, widest);
+    }
+    return {rounding.provedBy(widest.gap) > 0 ? Verdict::no : Verdict::open, widest.direction};
+}
+
+ResolvedPair resolvePair(const PairQuery& query, const TrianglesAt& triangles) {
+    const Corners moved = movedCorners(query, triangles.part),
+                  fixed = fixedCorners(query, triangles.environment);
+    const LocalPair pair(moved, fixed);
+    const Corners &a = pair.a, &b = pair.b;
+    const double M = query.largestCoordinate;
+    const GapRounding rounding(M, pair.size);
+    PointPair closest;
+    Slabs slabs = provedByGuess(triangles.feature, a, b, rounding, closest);
+    Verdict contact = Verdict::no;
+    if (!(rounding.provedBy(slabs.gap) > 0)) {
+        closest = closestPoints(a, b);
+        if (pair.surelyPierces(M)) {
             contact = Verdict::yes;
         } else {
-            gap = widestGap(closest, a, b, rounding.slack);
-            if (!(rounding.provedBy(gap) > 0)) contact = Verdict::open;
+            slabs = widestSlabs(closest, a, b, rounding.slack);
+            if (!(rounding.provedBy(slabs.gap) > 0)) contact = Verdict::open;
         }
         if (contact != Verdict::no) {
             takeCrossings(a, b, true, closest);
@@ -244,7 +285,8 @@ ResolvedPair resolvePair(const PairQuery& query, const TrianglesAt& triangles) {
     resolved.pointOnPart = pointAt(closest.onPart.place, moved);
     resolved.pointOnEnvironment = pointAt(closest.onEnvironment.place, fixed);
     if (contact != Verdict::yes) {
-        resolved.lower = std::max(0.0, rounding.provedBy(gap));
+        resolved.lower = std::max(0.0, rounding.provedBy(slabs.gap));
+        resolved.apartAlong = slabs.direction;
         resolved.upper = upperBoundFrom(resolved.pointOnPart, resolved.pointOnEnvironment, M);
     }
     return resolved;

@@ -20,8 +20,9 @@ struct ResolvedPair {
     double lower = 0;  ///< <= true distance; 0 on contact
     double upper = 0;  ///< >= true distance; 0 on contact
     Verdict contact = Verdict::open;
-    std::int32_t feature = kNoFeature;  ///< where it is closest
-    Vector3 pointOnPart;                ///< on contact two points near each other
+    std::int32_t feature = kNoFeature;     ///< where it is closest
+    Vector3 apartAlong = Vector3::Zero();  ///< the direction that proves lower, not of unit length
+    Vector3 pointOnPart;                   ///< on contact two points near each other
     Vector3 pointOnEnvironment;
 };
 
@@ -38,5 +39,13 @@ PairVertices pairVertices(const PairQuery& query, const TrianglesAt& triangles);
 /// In double. contact is left open where rounding hides it, which is within some 40 u64 M of contact for good
 /// triangles and more for flat ones; the interval's width, likewise, is not promised.
 ResolvedPair resolvePair(const PairQuery& query, const TrianglesAt& triangles);
+
+struct ContactInDouble {
+    Verdict contact;
+    Vector3 apartAlong;  ///< as ResolvedPair's
+};
+
+/// Of the same pairs open or not as resolvePair's, but for last digits, without distance and points.
+ContactInDouble contactOf(const PairQuery& query, const TrianglesAt& triangles);
 
 }  // namespace clearway

@@ -26,6 +26,12 @@ struct Draw {
     Rational distanceSquared;
 };
 
+double diagonalOf(const Triangle& triangle) {
+    Box box;
+    for (const Vector3& corner : triangle) box.extend(corner);
+    return box.diagonal().norm();
+}
+
 // Two triangles of coordinates of 46 digits, a corner of one on the other's face, edge or corner: exact, and
 // beyond twice a double's digits, for a height is the sum of products of three.
 TrianglePair touchingOfManyDigits(Random& random) {
@@ -79,12 +85,6 @@ double largestOf(const Draw& draw) {
                       (draw.pose * draw.pair.a[k]).cwiseAbs().maxCoeff()});
     }
     return largest;
-}
-
-double diagonalOf(const Triangle& triangle) {
-    Box box;
-    for (const Vector3& corner : triangle) box.extend(corner);
-    return box.diagonal().norm();
 }
 
 }  // namespace
