@@ -65,6 +65,14 @@ inline Ball operator*(const Ball& a, const Ball& b) {
     return {product.high, product.low, roundedUp(carried + rounding + std::abs(a.low * b.low)) + underflow};
 }
 
+/// Bounds of the value, but for one rounding of the bound itself.
+inline double leastOf(const Ball& a) {
+    return a.high - roundedUp(a.error + std::abs(a.low));
+}
+inline double mostOf(const Ball& a) {
+    return a.high + roundedUp(a.error + std::abs(a.low));
+}
+
 inline Verdict isNotNegative(const Ball& a) {
     if (a.error == 0) return a.high >= 0 ? Verdict::yes : a.high < 0 ? Verdict::no : Verdict::open;
     const double error = roundedUp(a.error);
@@ -79,11 +87,9 @@ inline double quotient(const Ball& numerator, const Ball& denominator) {
 /// Of sqrt(numerator / denominator), denominator >= 0; infinite where that is 0.
 inline LengthBounds rootBounds(const Ball& numerator, const Ball& denominator) {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
-    const double above = (denominator.high + denominator.error) * (1 + 0x1p-51),
-                 below = (denominator.high - denominator.error) * (1 - 0x1p-51);
+    const double above = mostOf(denominator) * (1 + 0x1p-51), below = leastOf(denominator) * (1 - 0x1p-51);
     if (above <= 0) return {kInfinity, kInfinity};
-    const double least = (numerator.high - numerator.error) / above,
-                 most = (numerator.high + numerator.error) / below;
+    const double least = leastOf(numerator) / above, most = mostOf(numerator) / below;
     return {least > 0 ? std::sqrt(least) * (1 - 0x1p-51) : 0,
             below > 0 && most >= 0 ? std::sqrt(most) * (1 + 0x1p-51) : kInfinity};
 }

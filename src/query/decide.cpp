@@ -63,9 +63,8 @@ class Balls {
         for (const Ball& onPart : alongPart) {
             for (const Ball& onEnvironment : alongEnvironment) {
                 const Ball difference = onEnvironment - onPart;
-                const double error = roundedUp(difference.error);
-                ahead = std::min(ahead, difference.high - error);
-                behind = std::min(behind, -difference.high - error);
+                ahead = std::min(ahead, leastOf(difference));
+                behind = std::min(behind, -mostOf(difference));
             }
         }
         const double gap = std::max(ahead, behind) / direction.norm() * unit_ * (1 - 0x1p-49);

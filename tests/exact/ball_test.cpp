@@ -118,3 +118,15 @@ BOOST_AUTO_TEST_CASE(roots_of_fractions_are_enclosed) {
         }
     }
 }
+
+// Where the error is nearly all of the value, the tail is most of what is left.
+BOOST_AUTO_TEST_CASE(bounds_count_the_tail) {
+    const Ball doubtful(1, -0x1p-54, 1 - 0x1p-52);
+    const Rational least = Rational(doubtful.high) + Rational(doubtful.low) - Rational(doubtful.error);
+    BOOST_TEST((Rational(leastOf(doubtful)) <= least));
+    const LengthBounds numerator = rootBounds(doubtful, Ball(1));
+    BOOST_TEST((Rational(numerator.lower) * Rational(numerator.lower) <= least));
+    const LengthBounds denominator = rootBounds(Ball(1), doubtful);
+    BOOST_TEST((std::isinf(denominator.upper) ||
+                Rational(denominator.upper) * Rational(denominator.upper) >= 1 / least));
+}
