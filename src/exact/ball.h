@@ -3,6 +3,7 @@
 // Source: van der Hoeven, Ball arithmetic, 2009; sums and products as in double_double.h.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -54,15 +55,16 @@ inline Ball operator-(const Ball& a, const Ball& b) {
 inline Ball operator*(const Ball& a, const Ball& b) {
     if (a.isZero() || b.isZero()) return {};
     const DoubleDouble p = twoProduct(a.high, b.high);
-    // A product's tail is exact as long as it does not underflow.
-    const double underflow = std::abs(p.high) < 0x1p-900 ? 0x1p-1000 : 0;
+    // A product is exact, or rounded as it should be, as long as it does not underflow.
+    constexpr double kUnderflow = 0x1p-1000, kLeast = 0x1p-900;
+    const double underflow = std::abs(p.high) < kLeast ? kUnderflow : 0;
     if (a.low == 0 && b.low == 0 && a.error == 0 && b.error == 0) return {p.high, p.low, underflow};
     const double ab = a.high * b.low, ba = a.low * b.high;
     const DoubleDouble product = twoSum(p.high, p.low + (ab + ba));
     // Of the tail: three sums and two products rounded, the product of both tails left out.
     const double rounding = 0x1p-51 * (std::abs(p.low) + std::abs(ab) + std::abs(ba));
     const double carried = std::abs(a.high) * b.error + std::abs(b.high) * a.error + a.error * b.error;
-    return {product.high, product.low, roundedUp(carried + rounding + std::abs(a.low * b.low)) + underflow};
+    return {product.high, product.low, roundedUp(carried + rounding + std::abs(a.low * b.low)) + kUnderflow};
 }
 
 /// Bounds of the value, but for one rounding of the bound itself.
@@ -89,9 +91,11 @@ inline LengthBounds rootBounds(const Ball& numerator, const Ball& denominator) {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     const double above = mostOf(denominator) * (1 + 0x1p-51), below = leastOf(denominator) * (1 - 0x1p-51);
     if (above <= 0) return {kInfinity, kInfinity};
-    const double least = leastOf(numerator) / above, most = mostOf(numerator) / below;
-    return {least > 0 ? std::sqrt(least) * (1 - 0x1p-51) : 0,
-            below > 0 && most >= 0 ? std::sqrt(most) * (1 + 0x1p-51) : kInfinity};
+    if (numerator.isZero()) return {0, below > 0 ? 0 : kInfinity};
+    constexpr double kLeast = 0x1p-1000;  // a quotient below it has not all its digits
+    const double least = leastOf(numerator) / above, most = std::max(mostOf(numerator) / below, kLeast);
+    return {least > kLeast ? std::sqrt(least) * (1 - 0x1p-51) : 0,
+            below > 0 && most < kInfinity ? std::sqrt(most) * (1 + 0x1p-51) : kInfinity};
 }
 
 }  // namespace clearway

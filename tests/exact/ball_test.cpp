@@ -130,3 +130,22 @@ BOOST_AUTO_TEST_CASE(bounds_count_the_tail) {
     BOOST_TEST((std::isinf(denominator.upper) ||
                 Rational(denominator.upper) * Rational(denominator.upper) >= 1 / least));
 }
+
+// A tail may be hundreds of digits behind: what is lost of it then is not nothing.
+BOOST_AUTO_TEST_CASE(products_whose_tails_underflow_are_not_called_exact) {
+    Random random(kSeed);
+    for (int round = 0; round < 2000; ++round) {
+        const auto wide = [&] {
+            const double head = std::floor(random.uniform(-4, 4)),
+                         tail =
+                             std::ldexp(std::floor(random.uniform(-4, 4)), int(random.uniform(-1074, -60)));
+            return Tracked{Ball(head) + Ball(tail), Rational(head) + Rational(tail)};
+        };
+        const Tracked a = wide(), b = wide();
+        const double scale = std::ldexp(1.0, int(random.uniform(-60, 0)));
+        BOOST_TEST_CONTEXT("seed " << kSeed << ", round " << round) {
+            BOOST_TEST(holds({a.ball * b.ball, a.exact * b.exact}));
+            BOOST_TEST(holds({a.ball * Ball(scale), a.exact * Rational(scale)}));
+        }
+    }
+}
