@@ -138,6 +138,18 @@ void keepWider(const Slabs& slabs, Slabs& widest) {
     if (slabs.gap > widest.gap) widest = slabs;
 }
 
+/// The normals of each triangle's edges within its plane.
+void tryDirectionsInPlanes(const Corners& a, const Corners& b, Slabs& widest) {
+    for (const Corners* triangle : {&a, &b}) {
+        const Vector3 n = triangle->normal();
+        for (int k = 0; k < 3; ++k) {
+            const Vector3 v = triangle->edge(k).cross(n);
+            const double largest = v.cwiseAbs().maxCoeff();  // as below
+            if (largest > 0) keepWider(across(v / largest, a, b), widest);
+        }
+    }
+}
+
 /// Directions for the pairs that three do not prove tightly: cross products of edges, normals of edges within
 /// a face, and the difference made perpendicular to each edge, which takes the rounding of a short difference
 /// out of it.
@@ -249,10 +261,12 @@ ContactInDouble contactOf(const PairQuery& query, const TrianglesAt& triangles) 
     const GapRounding rounding(query.largestCoordinate, pair.size);
     Slabs widest = across(pair.a.normal(), pair.a, pair.b);
     keepWider(across(pair.b.normal(), pair.a, pair.b), widest);
+    const auto isOpen = [&] { return !(rounding.provedBy(widest.gap) > 0); };
     // Normals, edges' cross products and normals of edges within a face separate whatever can be separated.
-    if (!(rounding.provedBy(widest.gap) > 0)) {
-        tryManyDirections(Vector3::Zero(), pair.a, pair.b, widest);
-    }
+    // Faces on each other are separated within their plane, if at all.
+    const bool isResting = std::abs(widest.gap) <= 2 * rounding.slack;
+    if (isOpen()) tryDirectionsInPlanes(pair.a, pair.b, widest);
+    if (isOpen() && !isResting) tryManyDirections(Vector3::Zero(), pair.a, pair.b, widest);
     return {rounding.provedBy(widest.gap) > 0 ? Verdict::no : Verdict::open, widest.direction};
 }
 
