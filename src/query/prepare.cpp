@@ -52,22 +52,24 @@ void requireRatio(int exponent, const char* what) {
 
 PairQuery preparePairQuery(const FlatTree& part, const FlatTree& environment, const Pose& X_environmentPart) {
     requirePose(X_environmentPart);
+    const Matrix3& R = X_environmentPart.rotation;
+    const Vector3& t = X_environmentPart.translation;
+    const double largest =
+        std::max({largestCoordinateOf(part.box), largestCoordinateOf(environment.box),
+                  t.cwiseAbs().maxCoeff(), largestMovedCoordinate(X_environmentPart, part.box)});
     // A mesh that is one point has no unit of its own: its floats are all 0.
-    const int environmentExponent = environment.radius > 0 ? environment.unitExponent : part.unitExponent;
+    const int ofPoints = largest > 0 ? std::clamp(std::ilogb(largest), -1000, 999) + 1 : 0;
+    const int environmentExponent = environment.radius > 0 ? environment.unitExponent
+                                    : part.radius > 0      ? part.unitExponent
+                                                           : ofPoints;
     const int partExponent = part.radius > 0 ? part.unitExponent : environmentExponent;
     requireRatio(partExponent - environmentExponent, "the sizes of part and environment");
 
-    const Matrix3& R = X_environmentPart.rotation;
-    const Vector3& t = X_environmentPart.translation;
     PairQuery query;
     query.part = &part;
     query.environment = &environment;
     query.unitExponent = std::max(partExponent, environmentExponent);
     query.perMeshUnit = std::ldexp(1.0, -query.unitExponent);
-
-    const double largest =
-        std::max({largestCoordinateOf(part.box), largestCoordinateOf(environment.box),
-                  t.cwiseAbs().maxCoeff(), largestMovedCoordinate(X_environmentPart, part.box)});
     query.largestCoordinate = largest * query.perMeshUnit;
     // In query units, where the squares of sizes neither overflow nor vanish.
     const auto diagonal = [&](const Box& box) { return (box.sizes() * query.perMeshUnit).norm(); };

@@ -92,8 +92,8 @@ BOOST_DATA_TEST_CASE(tolerances_widen_the_interval_no_further_than_asked, eachTa
                     workspace.forgetWarmStart();
                     const DistanceResult result =
                         distance(models.part, models.environment, queryCase.poses[i], options, workspace);
-                    const double width_ =
-                        std::max({kAccuracy * size, absolute * size, relative * result.lower});
+                    const double width_ = std::max({widestDefault(queryCase, queryCase.poses[i]),
+                                                    absolute * size, relative * result.lower});
                     BOOST_TEST_CONTEXT(queryCase.name << ", pose " << i << ", " << relative << ", "
                                                       << absolute) {
                         checkDistance(result, queryCase, queryCase.poses[i], queryCase.answers[i], width_);
@@ -163,6 +163,31 @@ BOOST_AUTO_TEST_CASE(what_is_no_rotation_is_refused_by_every_query) {
         checkRefused([&] { distance(models.part, models.environment, pose, {}, workspace); }, words);
         checkRefused([&] { collides(models.part, models.environment, pose, workspace); }, words);
         checkRefused([&] { isWithin(models.part, models.environment, pose, 1, workspace); }, words);
+    }
+}
+
+BOOST_DATA_TEST_CASE(sizes_too_far_apart_are_refused_by_every_query, eachTarget() * eachWidth(), target,
+                     width) {
+    const UsingTarget using_(target);
+    Random random(41);
+    const Mesh mesh = randomSoup(random, 5, 1, 1);
+    for (const int exponent : {-1020, -80, -40, 40, 80, 900}) {
+        const QueryCase queryCase =
+            makeCase("sizes, seed 41", scaledBy(mesh, std::ldexp(1.0, exponent)), mesh, {Pose{}});
+        const auto [part, environment] = buildPair(queryCase, ofWidth(width));
+        Workspace workspace;
+        BOOST_TEST_CONTEXT("part 2^" << exponent << " times as large") {
+            if (std::abs(exponent) < 60) {
+                checkDistance(distance(part, environment, Pose{}, {}, workspace), queryCase, Pose{},
+                              queryCase.answers[0]);
+                continue;
+            }
+            const Model &a = part, &b = environment;
+            const std::vector<std::string> words = {"the sizes", "expected 2^-60 to 2^60"};
+            checkRefused([&] { distance(a, b, Pose{}, {}, workspace); }, words);
+            checkRefused([&] { collides(a, b, Pose{}, workspace); }, words);
+            checkRefused([&] { isWithin(a, b, Pose{}, 1, workspace); }, words);
+        }
     }
 }
 

@@ -43,12 +43,6 @@ const std::vector<QueryCase>& boxesAtGaps() {
     return made;
 }
 
-/// The interval, beside what checkDistance asks: of the scene, and of rounding; see kTieRoundoffs and the
-/// slack of a resolved pair.
-double widestInterval(const QueryCase& queryCase, const Pose& pose) {
-    return 1e-12 * queryCase.oracle->sceneSize() + 64 * kUnitRoundoff * largestCoordinate(queryCase, pose);
-}
-
 // Built once for all instruction sets.
 const ModelPair& modelsOf(const QueryCase& queryCase, const BuildChoice& build) {
     static std::map<std::string, ModelPair> built;
@@ -68,11 +62,11 @@ void checkTies(const QueryCase& queryCase, const BuildChoice& build) {
             for (const bool warm : {false, true}) {
                 if (!warm) workspace.forgetWarmStart();
                 const DistanceResult result = distance(models.part, models.environment, pose, {}, workspace);
-                checkDistance(result, queryCase, pose, queryCase.answers[i], widestInterval(queryCase, pose));
+                checkDistance(result, queryCase, pose, queryCase.answers[i]);
                 BOOST_TEST(!result.collides());
             }
             const double truth = queryCase.answers[i].distance;
-            const double rounding = widestInterval(queryCase, pose);
+            const double rounding = kUnitRoundoff * largestCoordinate(queryCase, pose);  // the oracle's
             BOOST_TEST(!collides(models.part, models.environment, pose, workspace));
             BOOST_TEST(isWithin(models.part, models.environment, pose, truth + rounding, workspace));
             BOOST_TEST(!isWithin(models.part, models.environment, pose, truth - rounding, workspace));

@@ -90,9 +90,13 @@ double largestCoordinate(const QueryCase& queryCase, const Pose& pose) {
     return largest;
 }
 
+double widestDefault(const QueryCase& queryCase, const Pose& pose) {
+    return 1e-12 * queryCase.oracle->sceneSize() + 32 * kUnitRoundoff * largestCoordinate(queryCase, pose);
+}
+
 void checkDistance(const DistanceResult& result, const QueryCase& queryCase, const Pose& pose,
                    const OracleAnswer& truth, double width) {
-    const double accuracy = kAccuracy * queryCase.oracle->sceneSize();
+    const double accuracy = widestDefault(queryCase, pose);
     const double rounding = 16 * kUnitRoundoff * largestCoordinate(queryCase, pose);
     if (width < 0) width = accuracy;
     BOOST_TEST(result.lower <= truth.distance);

@@ -16,9 +16,6 @@ namespace clearway::testing {
 
 constexpr double kUnitRoundoff = 0x1p-53;
 
-/// Of the scene size: how far an answer may be from the oracle, and how wide its interval.
-constexpr double kAccuracy = 1e-9;
-
 struct QueryCase {
     std::string name;  ///< with the seed
     Mesh part;
@@ -46,8 +43,11 @@ ModelPair buildPair(const QueryCase& queryCase, const BuildOptions& options = {}
 /// contracts.
 double largestCoordinate(const QueryCase& queryCase, const Pose& pose);
 
+/// The widest an interval may be that no tolerance was given for.
+double widestDefault(const QueryCase& queryCase, const Pose& pose);
+
 /// Checks, by BOOST_TEST, interval, accuracy, ids and witnesses of a result without cap. `width` is the
-/// interval's widest, a length; by default kAccuracy of the scene.
+/// interval's widest, a length; by default widestDefault.
 void checkDistance(const DistanceResult& result, const QueryCase& queryCase, const Pose& pose,
                    const OracleAnswer& truth, double width = -1);
 

@@ -1,0 +1,116 @@
+// The hard cases of triangles, one test a case (see hard_cases.md): pairs alone and together in two meshes,
+// on every instruction set, with every leaf split and node width, in all three queries; and in double alone.
+#define BOOST_TEST_MODULE properties_hard_triangles
+#include <algorithm>
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <string>
+
+#include "query/pair_query.h"
+#include "query/refine.h"
+#include "support/each_target.h"
+#include "support/exact_check.h"
+#include "support/hard_triangles.h"
+
+using namespace clearway;
+using namespace clearway::testing;
+
+namespace {
+
+constexpr std::uint64_t kSeed = 131;
+constexpr int kDraws = 30;
+constexpr int kTogether = 5;
+
+/// "22_needles"
+std::string caseName(const TriangleFamily& family) {
+    std::string name = (family.number < 10 ? "0" : "") + std::to_string(family.number) + '_' + family.name;
+    const auto isPlain = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
+    for (char& c : name) {
+        if (!isPlain(c)) c = '_';
+    }
+    return name;
+}
+
+void checkInDouble(const ExactCase& exact, const ModelPair& models) {
+    const PairQuery query = preparePairQuery(models.part.tree(), models.environment.tree(), exact.pose);
+    const ResolvedPair pair = resolvePair(query, {0, 0, kNoFeature});
+    BOOST_TEST_CONTEXT(exact.name << ", in double") {
+        BOOST_TEST(exact.truth.compare(pair.lower / query.perMeshUnit) >= 0);
+        BOOST_TEST(exact.truth.compare(pair.upper / query.perMeshUnit) <= 0);
+        if (pair.contact != Verdict::open) {
+            BOOST_TEST((pair.contact == Verdict::yes) == exact.truth.isZero());
+        }
+    }
+}
+
+void checkAlone(const TrianglePair& pair, const Pose& pose, const std::string& name) {
+    const ExactCase exact = exactCase(name, meshOf(pair.a), meshOf(pair.b), pose);
+    for (const int width : nodeWidths()) {
+        BuildOptions options;
+        options.nodeWidth = width;
+        const ModelPair models = buildPair(exact, options);
+        checkInDouble(exact, models);
+        for (const std::string& target : availableTargets()) {
+            const UsingTarget using_(target);
+            Workspace workspace;
+            BOOST_TEST_CONTEXT(target << ", width " << width) {
+                checkExactly(exact, models, workspace);
+            }
+        }
+    }
+}
+
+void checkFamily(const TriangleFamily& family) {
+    Random random(kSeed);
+    Mesh part, environment;
+    for (int draw = 0; draw < kDraws; ++draw) {
+        const TrianglePair pair = family.make(random);
+        const std::string name =
+            family.name + ", seed " + std::to_string(kSeed) + ", draw " + std::to_string(draw);
+        checkAlone(pair, draw % 3 == 2 ? poseFor(random, pair) : Pose{}, name);
+        if (draw >= kTogether) continue;
+        part = joined(part, meshOf(pair.a));
+        environment = joined(environment, meshOf(pair.b));
+    }
+    checkEveryBuild(exactCase(family.name + " together", part, environment, Pose{}));
+}
+
+bool registerFamilies() {
+    for (const TriangleFamily& family : hardTriangleFamilies()) {
+        if (family.number == 0 || family.name == "denormals") continue;  // sizes that a query refuses
+        boost::unit_test::framework::current_auto_test_suite().add(boost::unit_test::make_test_case(
+            [family] { checkFamily(family); }, caseName(family), __FILE__, __LINE__));
+    }
+    return true;
+}
+const bool registered = registerFamilies();
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(pairs_from_bug_reports_have_the_distance_that_they_state) {
+    for (const KnownPair& known : knownTrianglePairs()) {
+        checkAlone(known.pair, Pose{}, known.name);
+        const ExactDistance truth = exactDistance(Pose{}, known.pair.a, known.pair.b);
+        BOOST_TEST(truth.compare(known.distance * (1 - 1e-15)) >= 0, known.name);
+        BOOST_TEST(truth.compare(known.distance * (1 + 1e-15)) <= 0, known.name);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(case_34_all_36_orders_of_corners_agree) {
+    Random random(kSeed);
+    constexpr int kOrders[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
+    for (const TriangleFamily& family : hardTriangleFamilies()) {
+        if (family.name == "denormals") continue;
+        const TrianglePair pair = family.make(random);
+        const ExactCase exact = exactCase(family.name, meshOf(pair.a), meshOf(pair.b), Pose{});
+        for (const auto& i : kOrders) {
+            for (const auto& j : kOrders) {
+                ExactCase ordered = exact;
+                ordered.part = meshOf({pair.a[i[0]], pair.a[i[1]], pair.a[i[2]]});
+                ordered.environment = meshOf({pair.b[j[0]], pair.b[j[1]], pair.b[j[2]]});
+                Workspace workspace;
+                checkExactly(ordered, buildPair(ordered, BuildOptions{}), workspace);
+            }
+        }
+    }
+}
