@@ -9,17 +9,10 @@
 
 #include "exact/ball.h"
 #include "exact/integer.h"
+#include "exact/triple.h"
 #include "exact/verdict.h"
 
 namespace clearway {
-
-template <class Number>
-struct Triple {
-    Number x, y, z;
-    Triple operator-(const Triple& b) const { return {x - b.x, y - b.y, z - b.z}; }
-    Number dot(const Triple& b) const { return x * b.x + y * b.y + z * b.z; }
-    Triple cross(const Triple& b) const { return {y * b.z - z * b.y, z * b.x - x * b.z, x * b.y - y * b.x}; }
-};
 
 /// A point of a triangle: corner + s (next corner - corner) + t (last corner - corner), s and t as fractions.
 template <class Number>

@@ -51,13 +51,17 @@ Mesh box(const Vector3& halfSides, int n) {
     Mesh mesh;
     for (int axis = 0; axis < 3; ++axis) {
         for (const double side : {-1.0, 1.0}) {
-            mesh = joined(mesh, gridMesh(n, n, [&](int i, int j) {
-                              Vector3 p;
-                              p[axis] = side * halfSides[axis];
-                              p[(axis + 1) % 3] = halfSides[(axis + 1) % 3] * (2.0 * i / n - 1);
-                              p[(axis + 2) % 3] = halfSides[(axis + 2) % 3] * (2.0 * j / n - 1);
-                              return p;
-                          }));
+            Mesh face = gridMesh(n, n, [&](int i, int j) {
+                Vector3 p;
+                p[axis] = side * halfSides[axis];
+                p[(axis + 1) % 3] = halfSides[(axis + 1) % 3] * (2.0 * i / n - 1);
+                p[(axis + 2) % 3] = halfSides[(axis + 2) % 3] * (2.0 * j / n - 1);
+                return p;
+            });
+            if (side < 0) {  // all faces look outwards
+                for (TriangleIndices& t : face.triangles) std::swap(t[1], t[2]);
+            }
+            mesh = joined(mesh, face);
         }
     }
     return mesh;
