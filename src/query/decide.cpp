@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "exact/moved_point.h"
 #include "exact/triangle_features.h"
 
 namespace clearway {
@@ -95,35 +96,22 @@ class Integers {
     Integers(const PairQuery& query, const TrianglesAt& triangles, double d) : query_(query) {
         const FlatTree &part = *query.part, &environment = *query.environment;
         const auto &p = part.triangles[triangles.part], &q = environment.triangles[triangles.environment];
-        constexpr int kNone = std::numeric_limits<int>::max();
-        const auto lastBit = [](const double* x, int count) {
-            int last = kNone;
-            for (int k = 0; k < count; ++k) {
-                if (x[k] != 0) last = std::min(last, lastBitOf(x[k]));
+        Pose X_environmentPart;
+        for (int row = 0; row < 3; ++row) {
+            for (int column = 0; column < 3; ++column) {
+                X_environmentPart.rotation(row, column) = query.R[3 * row + column];
             }
-            return last;
-        };
-        const int ofR = lastBit(query.R, 9);
-        int ofPart = kNone;
-        exponent_ = std::min(lastBit(query.t, 3), lastBit(&d, 1));
-        for (int k = 0; k < 3; ++k) {
-            ofPart = std::min(ofPart, lastBit(part.vertices[p[k]].data(), 3));
-            exponent_ = std::min(exponent_, lastBit(environment.vertices[q[k]].data(), 3));
+            X_environmentPart.translation[row] = query.t[row];
         }
-        if (ofPart == kNone) ofPart = 0;
-        exponent_ = std::min(exponent_, ofR + ofPart);
+        exponent_ = lastBitOf({}, environment.vertices[q[0]]);
+        if (d != 0) exponent_ = std::min(exponent_, lastBitOf(d));
+        for (int k = 0; k < 3; ++k) {
+            exponent_ = std::min({exponent_, lastBitOf({}, environment.vertices[q[k]]),
+                                  lastBitOf(X_environmentPart, part.vertices[p[k]])});
+        }
         const Triple<Integer> base = scaled(environment.vertices[q[0]]);
         for (int k = 0; k < 3; ++k) {
-            const Vector3& vertex = part.vertices[p[k]];
-            const auto row = [&](int i) {
-                Integer sum = 0;
-                for (int column = 0; column < 3; ++column) {
-                    sum +=
-                        scaledInteger(query.R[3 * i + column], ofR) * scaledInteger(vertex[column], ofPart);
-                }
-                return Integer((sum << unsigned(ofR + ofPart - exponent_)) + scaled(query.t[i]));
-            };
-            corners_.part[k] = Triple<Integer>{row(0), row(1), row(2)} - base;
+            corners_.part[k] = movedInteger(X_environmentPart, part.vertices[p[k]], exponent_) - base;
             corners_.environment[k] = scaled(environment.vertices[q[k]]) - base;
         }
     }
