@@ -17,6 +17,14 @@ namespace {
 
 constexpr const char* kAxisNames[] = {"x", "y", "z"};
 
+/// A reader takes the white space off a key's ends and splits it at the dot.
+void requireWritableKey(const std::string& what, const std::string& key, const std::string& forbidden) {
+    if (!key.empty() && trimmed(key) == key && key.find_first_of(forbidden) == std::string::npos) return;
+    throw std::invalid_argument(what + " is " + quote(key) + ", expected text without any of " +
+                                forbidden.substr(0, forbidden.find('\n')) +
+                                ", line ends or white space at its ends");
+}
+
 /// key = value lines that can be read back, or an exception that says which cannot.
 class ConfigText {
   public:
@@ -89,9 +97,12 @@ void writePlannerSection(ConfigText& text, const Problem& problem) {
     if (problem.planners.empty()) return;
     text.section("planner");
     for (const PlannerChoice& planner : problem.planners) {
+        requireWritableKey("a planner's name", planner.name, "#=[.\n\r");
         text.line(planner.name, std::string());
-        for (const auto& [parameter, value] : planner.parameters)
+        for (const auto& [parameter, value] : planner.parameters) {
+            requireWritableKey("a parameter of planner " + quote(planner.name), parameter, "#=\n\r");
             text.line(planner.name + "." + parameter, value);
+        }
     }
 }
 

@@ -151,6 +151,17 @@ BOOST_AUTO_TEST_CASE(what_could_not_be_read_back_is_refused_and_leaves_nothing) 
                "sampler is ' x', expected text without #, line ends or white space at its ends");
     BOOST_TEST(refusal([](Problem& p) { p.start.position.y() = std::nan(""); }) ==
                "start.y is nan, expected a finite number");
+    for (const char* const name : {"", "rrt ", "[rrt", "rrt.range", "rrt=", "rrt\n"}) {
+        BOOST_TEST(refusal([&](Problem& p) {
+                       p.planners = {{name, {}}};
+                   }).find("a planner's name is '") == 0u);
+    }
+    for (const char* const parameter : {"", " range", "a=b", "#"}) {
+        BOOST_TEST(refusal([&](Problem& p) {
+                       p.planners = {{"rrt", {{parameter, "1"}}}};
+                   }) == "a parameter of planner 'rrt' is '" + std::string(parameter) +
+                             "', expected text without any of #=, line ends or white space at its ends");
+    }
     Problem problem = basicProblem(folder);
     BOOST_CHECK_THROW(writeProblem(problem, folder.file("none/a.cfg")), std::runtime_error);
     BOOST_TEST(folder.names().empty());
