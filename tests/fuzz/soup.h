@@ -1,0 +1,36 @@
+// Meshes and poses drawn from bytes so that near misses are likely: small integers and halves, earlier
+// numbers and points again, numbers a last digit or a small power of two away from them, points on earlier
+// edges.
+#pragma once
+
+#include <vector>
+
+#include "clearway/build_options.h"
+#include "clearway/mesh.h"
+#include "fuzz/bytes.h"
+
+namespace clearway::testing {
+
+class SoupReader {
+  public:
+    /// isWild: any double may come, not finite ones too.
+    SoupReader(Bytes& bytes, bool isWild) : bytes_(bytes), isWild_(isWild) {}
+
+    double coordinate();
+    Vector3 point();
+    /// 1 to `most` triangles over their own points.
+    Mesh soup(std::size_t most);
+    /// A rotation by quarter turns, or one of a drawn quaternion; now and then no shift.
+    Pose pose();
+
+  private:
+    double earlier();
+    Bytes& bytes_;
+    bool isWild_;
+    std::vector<double> numbers_{0};
+    std::vector<Vector3> points_{Vector3::Zero()};
+};
+
+BuildOptions takeOptions(Bytes& bytes);
+
+}  // namespace clearway::testing

@@ -1,0 +1,251 @@
+// Two triangle soups at a pose: every query on every instruction set keeps its promise against exact
+// arithmetic.
+#include <cmath>
+#include <iomanip>
+#include <limits>
+#include <stdexcept>
+
+#include "clearway/model.h"
+#include "clearway/query.h"
+#include "clearway/targets.h"
+#include "fuzz/bytes.h"
+#include "fuzz/soup.h"
+#include "support/exact_triangle.h"
+#include "support/oracle.h"
+#include "support/triangle_distance.h"
+
+namespace clearway::testing {
+namespace {
+
+constexpr double kUnitRoundoff = 0x1p-53;
+constexpr std::size_t kMostTriangles = 12;
+
+struct Case {
+    Mesh part;
+    Mesh environment;
+    Pose pose;
+    BuildOptions options;
+    bool isWild;
+    Rational distanceSquared;
+    double sceneSize;
+    double largest;  ///< M
+};
+
+/// Told to the last digit when a promise is broken.
+void describe(const Mesh& mesh, const char* name) {
+    std::cerr << name << ", three corners a line:\n";
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        for (const Vector3& corner : cornersOf(mesh, i)) std::cerr << corner.transpose() << "  ";
+        std::cerr << "\n";
+    }
+}
+
+void describe(const Case& given, const std::string& question) {
+    std::cerr << std::setprecision(17) << question << " on " << currentTarget() << ", built by "
+              << given.options.generalSplit << ", " << given.options.leafSplit << ", " << given.options.fit
+              << ", leaves of " << given.options.leafSize << ", " << given.options.nodeWidth << " wide\n";
+    describe(given.part, "part");
+    describe(given.environment, "environment");
+    std::cerr << "rotation\n"
+              << given.pose.rotation << "\ntranslation " << given.pose.translation.transpose()
+              << "\ndistance " << rootOf(given.distanceSquared) << ", M " << given.largest << "\n";
+}
+
+/// Squares of what doubles hold, compared without rounding. Infinity is above all.
+bool isAtMost(const Rational& squared, double bound) {
+    return bound == std::numeric_limits<double>::infinity() ||
+           (bound >= 0 && squared <= Rational(bound) * Rational(bound));
+}
+bool isAtLeast(const Rational& squared, double bound) {
+    return bound <= 0 || squared >= Rational(bound) * Rational(bound);
+}
+
+/// By rational arithmetic, of those pairs that long double does not show to be farther than another.
+Rational exactSquared(const Case& given) {
+    const std::size_t parts = given.part.triangles.size(), others = given.environment.triangles.size();
+    std::vector<long double> distances(parts * others);
+    long double least = std::numeric_limits<long double>::infinity();
+    for (std::size_t i = 0; i < parts * others; ++i) {
+        distances[i] = triangleDistance(moved(given.pose, cornersOf(given.part, i / others)),
+                                        toLong(cornersOf(given.environment, i % others)))
+                           .distance;
+        least = std::min(least, distances[i]);
+    }
+    Rational best = -1;
+    for (std::size_t i = 0; i < parts * others && best != 0; ++i) {
+        if (distances[i] > least + 1e-12L * given.largest) continue;
+        const Rational squared =
+            exactDistanceSquared(exactlyMoved(given.pose, cornersOf(given.part, i / others)),
+                                 toExact(cornersOf(given.environment, i % others)));
+        if (best < 0 || squared < best) best = squared;
+    }
+    return best;
+}
+
+double largestCoordinate(const Case& given) {
+    double largest = given.pose.translation.cwiseAbs().maxCoeff();
+    for (const Vector3& v : given.part.vertices) {
+        largest = std::max({largest, v.cwiseAbs().maxCoeff(), (given.pose * v).cwiseAbs().maxCoeff()});
+    }
+    for (const Vector3& v : given.environment.vertices) largest = std::max(largest, v.cwiseAbs().maxCoeff());
+    return largest;
+}
+
+bool areFinite(const Mesh& mesh) {
+    for (const Vector3& v : mesh.vertices) {
+        if (!v.allFinite()) return false;
+    }
+    return true;
+}
+
+/// False when the numbers drawn are no meshes.
+bool readCase(std::string_view input, Case& given) {
+    Bytes bytes(input);
+    given.isWild = bytes.below(8) == 7;
+    given.options = takeOptions(bytes);
+    SoupReader soup(bytes, given.isWild);
+    given.part = soup.soup(kMostTriangles);
+    given.environment = soup.soup(kMostTriangles);
+    given.pose = soup.pose();
+    if (!areFinite(given.part) || !areFinite(given.environment)) return false;
+    if (!(rotationDefect(given.pose) <= kPoseDefect)) return false;
+    given.largest = largestCoordinate(given);
+    given.sceneSize =
+        boundingBox(given.part).diagonal().norm() + boundingBox(given.environment).diagonal().norm();
+    if (!(given.largest < 1e150)) return false;  // long double has to hold the squares of squares
+    given.distanceSquared = exactSquared(given);
+    return true;
+}
+
+/// Sizes and offsets that differ by about 2^60 or more may be refused.
+bool mayBeRefused(const Case& given) {
+    const double part = boundingBox(given.part).diagonal().norm();
+    const double environment = boundingBox(given.environment).diagonal().norm();
+    return given.largest * 0x1p-55 > std::min(part, environment);
+}
+
+void requireWitness(const Vector3& point, const LongTriangle& triangle, double within) {
+    const LongVector p = point.cast<long double>();
+    require((closestOnTriangle(p, triangle) - p).norm() <= within, "a witness lies on its triangle");
+}
+
+void requireWitnesses(const Case& given, const DistanceResult& result) {
+    const double rounding = kUnitRoundoff * given.largest;
+    const double within = (result.collides() ? 16 : 8) * rounding;
+    const auto part = std::size_t(result.partTriangle), other = std::size_t(result.environmentTriangle);
+    require(part < given.part.triangles.size() && other < given.environment.triangles.size(),
+            "an id is that of a triangle");
+    requireWitness(result.pointOnPart, moved(given.pose, cornersOf(given.part, part)), within);
+    requireWitness(result.pointOnEnvironment, toLong(cornersOf(given.environment, other)), within);
+    const double apart = (result.pointOnPart - result.pointOnEnvironment).norm();
+    require(std::abs(apart - result.distance) <= 4 * rounding, "the distance is that of the witnesses");
+    require(apart >= result.lower - 16 * rounding && result.upper >= apart - 4 * rounding &&
+                result.upper <= apart + 16 * rounding,
+            "the interval is about the witnesses");
+}
+
+void requireDistance(const Case& given, const DistanceOptions& options, const DistanceResult& result) {
+    if (result.lower >= options.cap && result.upper > options.cap) {
+        require(isAtLeast(given.distanceSquared, result.lower), "lower <= distance");
+        return;
+    }
+    require(isAtLeast(given.distanceSquared, result.lower), "lower <= distance");
+    require(isAtMost(given.distanceSquared, result.upper), "distance <= upper");
+    require(result.collides() == (given.distanceSquared == 0), "an interval of 0 is contact");
+    const double width = std::max({1e-12 * given.sceneSize + 32 * kUnitRoundoff * given.largest,
+                                   options.absoluteError, options.relativeError * result.lower});
+    require(result.upper - result.lower <= width * (1 + 1e-15), "the interval is as narrow as asked for");
+    requireWitnesses(given, result);
+}
+
+/// Lengths at which a wrong decision is likeliest.
+std::vector<double> lengthsToAsk(const Case& given) {
+    const double infinity = std::numeric_limits<double>::infinity();
+    const auto root = double(rootOf(given.distanceSquared));
+    return {0,
+            root,
+            std::nextafter(root, infinity),
+            std::max(0.0, std::nextafter(root, -1.0)),
+            0.5 * root,
+            2 * root,
+            std::numeric_limits<double>::denorm_min()};
+}
+
+/// Says what was asked if a promise is broken before it goes.
+class Asking {
+  public:
+    Asking(const Case& given, std::string question) {
+        tellMore = [&given, question = std::move(question)] { describe(given, question); };
+    }
+    ~Asking() { tellMore = nullptr; }
+};
+
+void askDistance(const Case& given, const DistanceOptions& options, const Model& part,
+                 const Model& environment, Workspace& workspace) {
+    std::ostringstream question;
+    question << std::setprecision(17) << "distance, relative error " << options.relativeError << ", cap "
+             << options.cap;
+    const Asking asking(given, question.str());
+    const DistanceResult result = distance(part, environment, given.pose, options, workspace);
+    question << ": " << result.lower << " to " << result.upper << ", witnesses " << result.distance
+             << " apart";
+    const Asking answered(given, question.str());
+    requireDistance(given, options, result);
+}
+
+void requireAnswers(const Case& given, const Model& part, const Model& environment, Workspace& workspace) {
+    askDistance(given, {}, part, environment, workspace);
+    {
+        const Asking asking(given, "collides");
+        require(collides(part, environment, given.pose, workspace) == (given.distanceSquared == 0),
+                "collides is exact");
+    }
+    DistanceOptions options;
+    options.relativeError = 0.1;
+    askDistance(given, options, part, environment, workspace);
+    for (const double d : lengthsToAsk(given)) {
+        {
+            std::ostringstream question;
+            question << std::setprecision(17) << "isWithin " << d;
+            const Asking asking(given, question.str());
+            require(
+                isWithin(part, environment, given.pose, d, workspace) == isAtMost(given.distanceSquared, d),
+                "isWithin is exact");
+        }
+        DistanceOptions capped;
+        capped.cap = d;
+        askDistance(given, capped, part, environment, workspace);
+    }
+}
+
+}  // namespace
+
+void fuzzOne(std::string_view input) {
+    Case given;
+    if (!readCase(input, given)) return;
+    const Model part = Model::build(given.part, given.options);
+    const Model environment = Model::build(given.environment, given.options);
+    for (const std::string& target : availableTargets()) {
+        useTarget(target);
+        Workspace workspace;
+        try {
+            for (int warm = 0; warm < 2; ++warm) requireAnswers(given, part, environment, workspace);
+        } catch (const std::invalid_argument& error) {
+            require(mayBeRefused(given), std::string("coordinates of like sizes are taken: ") + error.what());
+        }
+    }
+    useTarget("best");
+}
+
+std::vector<std::string> seeds() {
+    std::vector<std::string> result;
+    for (int step = 1; step < 24; ++step) {  // other choices at every place
+        std::string bytes;
+        for (int i = 0; i < 300; ++i) bytes += static_cast<char>((i * step + i / 7) % 251);
+        bytes[0] = char(step % 8);
+        result.push_back(bytes);
+    }
+    return result;
+}
+
+}  // namespace clearway::testing

@@ -1,0 +1,134 @@
+// Problem, path and pose files: taken with sound values that survive writing and reading, or refused by name.
+#include <cmath>
+#include <stdexcept>
+
+#include "clearway/problem.h"
+#include "fuzz/bytes.h"
+#include "support/temporary_folder.h"
+
+namespace clearway::testing {
+namespace {
+
+constexpr double kRotationRounding = 1e-14;  ///< of a pose written as axis and angle, at angles up to 2 pi
+
+const TemporaryFolder& folder() {
+    static const TemporaryFolder made;
+    return made;
+}
+
+void requireSound(const PartState& state) {
+    require(state.position.allFinite(), "a position is finite");
+    require(rotationDefect(poseOf(state)) <= 1e-15, "a rotation is one");
+}
+
+void requireSame(const PartState& a, const PartState& b, const char* promise) {
+    const double turned = (poseOf(a).rotation - poseOf(b).rotation).cwiseAbs().maxCoeff();
+    require(a.position == b.position && turned <= kRotationRounding, promise);
+}
+
+void requireSameAgain(const Problem& problem) {
+    const std::string file = folder().file("again.cfg");
+    try {
+        writeProblem(problem, file);
+    } catch (const std::invalid_argument&) {  // a text that .cfg syntax cannot hold
+        return;
+    }
+    const Problem back = readProblem(file);
+    require(back.space == problem.space, "the space survives");
+    requireSame(back.start, problem.start, "the start survives");
+    requireSame(back.goal, problem.goal, "the goal survives");
+    require(
+        back.name == problem.name && back.objective == problem.objective && back.sampler == problem.sampler,
+        "texts survive");
+    require(back.margin == problem.margin && back.step == problem.step &&
+                back.objectiveThreshold == problem.objectiveThreshold &&
+                back.timeLimit == problem.timeLimit && back.memoryLimit == problem.memoryLimit &&
+                back.runCount == problem.runCount,
+            "numbers survive");
+    require(back.asOmplApp == problem.asOmplApp, "the reading survives");
+    require(back.volume.has_value() == problem.volume.has_value(), "bounds survive");
+    if (back.volume) {
+        require(back.volume->min() == problem.volume->min() && back.volume->max() == problem.volume->max(),
+                "bounds survive");
+    }
+    require(back.planners.size() == problem.planners.size(), "planners survive");
+    for (std::size_t i = 0; i < back.planners.size(); ++i) {
+        require(back.planners[i].name == problem.planners[i].name &&
+                    back.planners[i].parameters == problem.planners[i].parameters,
+                "planners survive");
+    }
+    require(back.warnings.empty(), "what is written is understood");
+}
+
+void readProblemAndBack(const std::string& file) {
+    const Problem problem = readProblem(file);
+    requireSound(problem.start);
+    requireSound(problem.goal);
+    require(problem.margin >= 0 && std::isfinite(problem.margin), "a margin is a length");
+    require(!problem.step || *problem.step > 0, "a step is above 0");
+    require(!problem.volume || !problem.volume->isEmpty(), "bounds hold something");
+    requireSameAgain(problem);
+}
+
+void readPathAndBack(const std::string& file, Space space) {
+    const std::vector<PartState> path = readPath(file, space);
+    for (const PartState& state : path) requireSound(state);
+    writePath(path, space, folder().file("again.path"));
+    const std::vector<PartState> back = readPath(folder().file("again.path"), space);
+    require(back.size() == path.size(), "a path's states survive");
+    for (std::size_t i = 0; i < path.size(); ++i) requireSame(path[i], back[i], "a path's states survive");
+}
+
+void read(std::size_t kind, const std::string& file) {
+    if (kind == 0) readProblemAndBack(file);
+    if (kind == 1) readPathAndBack(file, Space::kSe3);
+    if (kind == 2) readPathAndBack(file, Space::kSe2);
+    if (kind == 3) {
+        for (const Pose& pose : readPoses(file).poses) requirePose(pose);
+    }
+}
+
+void requireNamed(const std::exception& error, const std::string& file) {
+    const std::string message = error.what();
+    require(message.find(file) != std::string::npos, "a refusal names the file: " + message);
+    require(message.find('\n') == std::string::npos, "a refusal is one line: " + message);
+}
+
+}  // namespace
+
+void fuzzOne(std::string_view input) {
+    Bytes bytes(input);
+    const std::size_t kind = bytes.below(4);
+    const std::string file = folder().write("given", std::string(bytes.rest()));
+    try {
+        read(kind, file);
+    } catch (const std::invalid_argument& error) {
+        requireNamed(error, file);
+    } catch (const std::runtime_error& error) {
+        requireNamed(error, file);
+    }
+}
+
+std::vector<std::string> seeds() {
+    const std::string meshes =
+        "[problem]\nname = a\nrobot = p.stl\nworld = w.stl\nstart.x = 1\nstart.y = 2\n";
+    const std::string spatial =
+        "start.z = 3\nstart.axis.x = 0\nstart.axis.y = 0.6\nstart.axis.z = 1\nstart.theta = 1.5\ngoal.x = 1\n"
+        "goal.y = 2\ngoal.z = 3\ngoal.axis.x = 0\ngoal.axis.y = 0\ngoal.axis.z = 1\ngoal.theta = -1e-3\n"
+        "volume.min.x = -9\nvolume.min.y = -9\nvolume.min.z = -9\nvolume.max.x = 9\nvolume.max.y = 9\n"
+        "volume.max.z = 9\nobjective = length\nobjective.threshold = 5.5\nsampler = uniform\n";
+    const std::string rest =
+        "[benchmark]\ntime_limit = 2.5\nmem_limit = 1000\nrun_count = 5\n[planner]\nrrt=\nrrt.range = "
+        "5\nprm=\n"
+        "[clearway]\nmargin = 0.1\nstep = 2\nreading = stored\n";
+    return {'\0' + meshes + spatial + rest,
+            '\0' + meshes + "start.theta = 0.5\ngoal.x = 4\ngoal.y = 5\ngoal.theta = 6\n" + rest,
+            "\1"
+            "1 2.5 -3e2 0.1 0.2 0.3 0.9\n# x\n1 2 3 0 0 0 1\n",
+            "\2"
+            "1 2.5 0.3\n\n-1e2 7 3.14\n",
+            "\3"
+            "1 0 0 0 1 0 0 0 1 7 8 9\n1 2 3 0 0 0 1\n0 -1 0 1 0 0 0 0 1 1e3 0 0\n"};
+}
+
+}  // namespace clearway::testing
