@@ -45,9 +45,9 @@ class TriangleFeatures {
 
     template <class Visitor>
     void visit(Visitor& visitor) const {
-        visitCorners(visitor);
+        visitFaces(visitor);  // first: parts rest on faces
         if (visitor.done()) return;
-        visitFaces(visitor);
+        visitCorners(visitor);
         if (visitor.done()) return;
         for (int i = 0; i < 3; ++i) {
             for (int j = 0; j < 3; ++j) {
