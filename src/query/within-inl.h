@@ -38,7 +38,7 @@ class Within {
     }
 
     HWY_INLINE void take(float /*lower*/, float upper, const TrianglesAt& triangles) {
-        if (double(upper) <= d_) {
+        if (double(upper) <= d_ && upper > kLeastProved) {
             remember(triangles);
         } else {
             resolve(triangles);

@@ -99,6 +99,28 @@ BOOST_AUTO_TEST_CASE(case_25_meshes_that_are_both_one_point_have_any_scale) {
     }
 }
 
+BOOST_AUTO_TEST_CASE(case_31_meshes_of_denormal_size_are_answered_like_any) {
+    Random random(kSeed);
+    for (const double unit : {0x1p-1074, 0x1p-1060, 0x1p-1040, 0x1p-1022}) {
+        const auto pointIn = [&](int end) {
+            return Vector3(random.below(end), random.below(end), random.below(end));
+        };
+        const auto soup = [&](int triangles) {
+            Mesh mesh;
+            for (int i = 0; i < triangles; ++i) {
+                const Vector3 place = pointIn(12);
+                mesh = joined(mesh, meshOf({place, place + pointIn(4), place + pointIn(4)}));
+            }
+            return scaledBy(mesh, unit);
+        };
+        const Mesh part = soup(6), environment = soup(9);
+        for (int draw = 0; draw < 6; ++draw) {
+            const Vector3 way = unit * (3 * pointIn(9) - Vector3::Constant(12));
+            checkAt("denormal", part, environment, {Matrix3::Identity(), way});
+        }
+    }
+}
+
 BOOST_AUTO_TEST_CASE(case_32_a_vertex_that_is_not_finite_is_refused) {
     const double infinity = std::numeric_limits<double>::infinity();
     for (const double wrong : {std::numeric_limits<double>::quiet_NaN(), infinity, -infinity}) {

@@ -14,6 +14,9 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
+/// Among denormal numbers results round by it, whatever they are.
+constexpr double kLeast = std::numeric_limits<double>::denorm_min();
+
 /// Of the largest coordinate: far above the error of long double, so that what is farther than the least
 /// distance by more is not the least.
 constexpr long double kSurelyFarther = 1e-14L;
@@ -40,13 +43,12 @@ void checkWitnesses(const ExactCase& exact, const DistanceResult& result) {
     const auto a = cornersOf(exact.part, static_cast<std::size_t>(result.partTriangle)),
                b = cornersOf(exact.environment, static_cast<std::size_t>(result.environmentTriangle));
     const Vector3 &p = result.pointOnPart, &q = result.pointOnEnvironment;
-    const double rounding = kUnitRoundoff * exact.largestCoordinate;
+    const double rounding = kUnitRoundoff * exact.largestCoordinate + kLeast;
     const double off = (exact.truth.isZero() ? 16 : 8) * rounding;
     BOOST_TEST(exactDistance(exact.pose, a, {p, p, p}).compare(off) <= 0);
     BOOST_TEST(exactDistance(Pose{}, {q, q, q}, b).compare(off) <= 0);
     const ExactDistance apart = exactDistance(Pose{}, {p, p, p}, {q, q, q});
-    const double lengthOff =
-        4 * kUnitRoundoff * result.distance + 2 * std::numeric_limits<double>::denorm_min();
+    const double lengthOff = 4 * kUnitRoundoff * result.distance + 2 * kLeast;
     BOOST_TEST(apart.compare(result.distance + lengthOff) <= 0);
     BOOST_TEST(apart.compare(std::max(0.0, result.distance - lengthOff)) >= 0);
     BOOST_TEST(result.distance >= result.lower - 16 * rounding);
@@ -132,7 +134,7 @@ DistanceResult checkExactly(const ExactCase& exact, const ModelPair& models, Wor
         BOOST_TEST(exact.truth.compare(result.lower) >= 0);
         BOOST_TEST(exact.truth.compare(result.upper) <= 0);
         BOOST_TEST(result.upper - result.lower <=
-                   1e-12 * exact.sceneSize + 32 * kUnitRoundoff * exact.largestCoordinate);
+                   1e-12 * exact.sceneSize + 32 * kUnitRoundoff * exact.largestCoordinate + 2 * kLeast);
         checkWitnesses(exact, result);
         checkVerdicts(exact, models, result, workspace);
     }
