@@ -10,7 +10,7 @@
 namespace clearway::testing {
 namespace {
 
-constexpr int kRound = 200;  ///< cases of each family in turn
+constexpr int kRound = 20;  ///< cases of each family in turn
 
 /// A seed of one case's own, so that any case can be drawn again without those before it.
 std::uint64_t seedOf(std::uint64_t seed, const std::string& family, std::uint64_t number) {
@@ -70,6 +70,11 @@ void inTurns(std::size_t families, Progress& progress, const TryOne& tryOne) {
     }
 }
 
+/// Beyond these sizes FCL's products of lengths overflow or vanish; of that it makes no secret.
+bool isOrdinary(double largestCoordinate) {
+    return largestCoordinate > 1e-60 && largestCoordinate < 1e60;
+}
+
 class PairRun {
   public:
     explicit PairRun(const TortureOptions& options)
@@ -96,7 +101,7 @@ class PairRun {
         const PosedMeshes posed = family.make(random);
         const CheckedCase checked = checkCase(posed, seed);
         figures.add(checked);
-        if (options_.withFcl && !checked.isRefused) {
+        if (options_.withFcl && !checked.isRefused && isOrdinary(checked.lengths.largest)) {
             const FclCheck fcl(posed.part, posed.environment);
             figures.fcl.add(fcl.ask(posed.pose), static_cast<double>(checked.truth), checked.lengths.scene);
         }

@@ -4,7 +4,7 @@
 #include <iostream>
 
 #include "torture/resting.h"
-#include "torture/runs.h"
+#include "torture/torture_options.h"
 
 namespace clearway::testing {
 namespace {

@@ -1,0 +1,32 @@
+#define BOOST_TEST_MODULE pairs
+#include <boost/test/unit_test.hpp>
+#include <cstdlib>
+
+#include "torture/runs.h"
+
+namespace clearway::testing {
+namespace {
+
+constexpr std::uint64_t kSeed = 20261121;
+
+BOOST_AUTO_TEST_CASE(hard_pairs_are_answered_as_exact_arithmetic_does) {
+    TortureOptions options;
+    options.pairs = std::getenv("CLEARWAY_FULL") != nullptr ? 2'000'000 : 100'000;
+    options.seed = kSeed;
+    options.withFcl = false;
+    std::uint64_t pairs = 0;
+    for (const PairFigures& figures : runPairs(options)) {
+        BOOST_TEST_CONTEXT("family " << figures.family << ", seed " << kSeed) {
+            BOOST_TEST(figures.violations == 0u);
+            BOOST_TEST(figures.refused * 100 < figures.pairs);
+            // Else the family asks less than it is meant to.
+            BOOST_TEST(figures.touching * 100 > figures.pairs);
+            BOOST_TEST((figures.pairs - figures.touching) * 100 > figures.pairs);
+        }
+        pairs += figures.pairs;
+    }
+    BOOST_TEST(pairs == options.pairs);
+}
+
+}  // namespace
+}  // namespace clearway::testing
