@@ -52,28 +52,36 @@ void takeEdges(const Corners& a, int i, const Corners& b, int j, PointPair& best
 }
 
 /// The point of the triangle below x; where it is not below the face, a point of the triangle all the same.
-OnTriangle pointBelow(const Vector3& x, const Corners& triangle) {
-    const Vector3 u = triangle.edge(0), v = triangle.p[2] - triangle.p[0], n = u.cross(v),
-                  w = x - triangle.p[0];
+/// Each step but the first sets out from the point found, and so rounds in what is left: with two, a flat
+/// triangle's point is as good as another's.
+OnTriangle pointBelow(const Vector3& x, const Corners& triangle, int steps) {
+    const Vector3 u = triangle.edge(0), v = triangle.p[2] - triangle.p[0], n = u.cross(v);
     const double nn = n.squaredNorm();
-    const double s = clampToUnit(quotientOrZero(w.cross(v).dot(n), nn));
-    const double t = std::min(std::max(quotientOrZero(u.cross(w).dot(n), nn), 0.0), 1 - s);
-    return {triangle.p[0] + s * u + t * v, {0, s, t}};
+    OnTriangle below{triangle.p[0], {0, 0, 0}};
+    double &s = below.place.s, &t = below.place.t;
+    for (; steps > 0; --steps) {
+        const Vector3 rest = x - below.x;
+        s = clampToUnit(s + quotientOrZero(rest.cross(v).dot(n), nn));
+        t = std::min(std::max(t + quotientOrZero(u.cross(rest).dot(n), nn), 0.0), 1 - s);
+        below.x = triangle.p[0] + s * u + t * v;
+    }
+    return below;
 }
 
-void takeFeature(const Corners& a, const Corners& b, std::int32_t feature, PointPair& best) {
+void takeFeature(const Corners& a, const Corners& b, std::int32_t feature, PointPair& best, int steps = 1) {
     if (feature < 9) return takeEdges(a, feature / 3, b, feature % 3, best);
     const int k = (feature - 9) / 2;
     if (feature % 2 == 1) {
-        best.take(onEdge(a, k, 0), pointBelow(a.p[k], b), feature);
+        best.take(onEdge(a, k, 0), pointBelow(a.p[k], b, steps), feature);
     } else {
-        best.take(pointBelow(b.p[k], a), onEdge(b, k, 0), feature);
+        best.take(pointBelow(b.p[k], a, steps), onEdge(b, k, 0), feature);
     }
 }
 
 PointPair closestPoints(const Corners& a, const Corners& b) {
     PointPair best;
     for (int feature = 0; feature < kFeatures; ++feature) takeFeature(a, b, feature, best);
+    if (best.feature >= 9) takeFeature(a, b, best.feature, best, 2);
     return best;
 }
 
@@ -108,7 +116,7 @@ void takeCrossings(const Corners& edges, const Corners& face, bool edgesAreParts
         const double from = n.dot(edges.p[k] - face.p[0]), to = n.dot(edges.p[k] + edges.edge(k) - face.p[0]);
         if (!(from * to <= 0) || from == to) continue;
         const OnTriangle crossing = onEdge(edges, k, clampToUnit(from / (from - to)));
-        const OnTriangle below = pointBelow(crossing.x, face);
+        const OnTriangle below = pointBelow(crossing.x, face, 2);
         if (edgesAreParts) {
             best.take(crossing, below, kNoFeature);
         } else {

@@ -1,6 +1,7 @@
 #include "torture/truth.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "support/oracle.h"
@@ -13,6 +14,10 @@ void measureMesh(const Mesh& mesh, CaseLengths& lengths) {
     for (const Vector3& p : mesh.vertices) {
         lengths.largest = std::max(lengths.largest, p.cwiseAbs().maxCoeff());
         box.extend(p);
+        for (const double x : p) {  // what is all but a point, or all but in the origin
+            if (x != 0 && std::abs(x) < 0x1p-1000)
+                lengths.leastSize = std::min(lengths.leastSize, std::abs(x));
+        }
     }
     const double size = box.diagonal().stableNorm();
     lengths.scene += size;

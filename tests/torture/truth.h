@@ -17,7 +17,7 @@ struct CaseLengths {
     double largest = 0;    ///< M: of both meshes' coordinates, the moved part's and the pose's translation
     double edge = 0;       ///< L: the longest
     double scene = 0;      ///< diagonals of both boxes, each in its own coordinates
-    double leastSize = 0;  ///< diagonal of the smaller box that is no point; infinite when both are
+    double leastSize = 0;  ///< diagonal of the smaller box that is no point, or a denormal coordinate
     double flattest = 1;   ///< least height over longest edge of a triangle; 0 for one without area
 };
 
