@@ -123,6 +123,18 @@ inline VolumeCase makeCase(Random& random, const std::string& kind, double angle
     return volumes;
 }
 
+/// Both trees so far from the origin that composing the way between them rounds by more than all that float
+/// does.
+inline VolumeCase makeFarFromOrigin(Random& random) {
+    VolumeCase volumes = makeCase(random, "far from the origin", -1, 1, 1);
+    const double away = std::ldexp(1.0, 36 + random.below(8));
+    volumes.partFrame.origin = away * random.direction();
+    volumes.environmentFrame.origin = away * random.direction();
+    volumes.pose.translation =
+        volumes.environmentFrame.origin - volumes.pose.rotation * volumes.partFrame.origin;
+    return volumes;
+}
+
 /// As large as a frame allows, and turned so that rows and columns of the rotation are as far as can be from
 /// the axes: where rounding adds up most.
 inline VolumeCase makeUnfavourable(Random& random) {
@@ -188,6 +200,7 @@ inline std::vector<VolumeCase> makeVolumeCases(std::uint64_t seed) {
     for (int i = 0; i < 300; ++i) {
         result.push_back(makeCase(random, "near", -1, 1, 1));
         result.push_back(makeUnfavourable(random));
+        result.push_back(makeFarFromOrigin(random));
         result.push_back(makeCase(random, "small", -1, std::pow(10.0, -random.below(6)), 1));
         result.push_back(makeCase(random, "far", -1, 1, 1e4 * random.uniform(0, 1)));
         result.push_back(makeCase(random, "farther", -1, 1, std::ldexp(1, 30 + random.below(20))));

@@ -128,6 +128,15 @@ LeafCase makeUnfavourable(Random& random) {
     return makeLeaves("unfavourable", part, environment, {turn, random.inBox(0.5)});
 }
 
+/// Both so far from the origin that composing the way between them rounds by more than all that float does.
+LeafCase makeFar(Random& random) {
+    const double away = std::ldexp(1.0, 36 + random.below(12));
+    const Pose place{Matrix3::Identity(), away * random.direction()};
+    const Mesh part = transformed(randomSoup(random, 5, 2, 1), place);
+    const Mesh environment = transformed(randomSoup(random, 5, 2, 1), place);
+    return makeLeaves("far", part, environment, place * random.pose(2) * inverse(place));
+}
+
 LeafCase makeFamily(Random& random, const TriangleFamily& family, const Pose& pose) {
     Mesh part, environment;
     const int triangles = 1 + random.below(16);
@@ -148,7 +157,10 @@ const std::vector<LeafCase>& cases() {
                 for (int i = 0; i < 2; ++i) result.push_back(makeSoups(random, n, m));
             }
         }
-        for (int i = 0; i < 60; ++i) result.push_back(makeUnfavourable(random));
+        for (int i = 0; i < 60; ++i) {
+            result.push_back(makeUnfavourable(random));
+            result.push_back(makeFar(random));
+        }
         for (const TriangleFamily& family : hardTriangleFamilies()) {
             if (family.name == "denormals") continue;  // of sizes too far apart
             for (int i = 0; i < 6; ++i) {
