@@ -1,13 +1,16 @@
 // mesh -> clean -> build -> flat tree.
 #include "clearway/model.h"
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cmath>
 
 #include "build/build.h"
 #include "mesh/clean.h"
 #include "model/model_data.h"
 #include "model/unreachable.h"
+#include "tree/radius_about_axis.h"
 #include "tree/statistics.h"
 
 namespace clearway {
@@ -61,6 +64,12 @@ const std::optional<Reach>& Model::reach() const {
 }
 double Model::radiusAboutOrigin() const {
     return data_->tree.radiusAboutMeshOrigin;
+}
+double Model::radiusAboutAxis(const Vector3& direction) const {
+    const double length = direction.stableNorm();
+    const Vector3 unit = direction / length;
+    if (!(length > 0) || !std::isfinite(length) || !unit.allFinite()) return radiusAboutOrigin();
+    return std::min(clearway::radiusAboutAxis(data_->tree, unit.normalized()), radiusAboutOrigin());
 }
 std::uint64_t Model::key() const {
     return data_->key;

@@ -1,9 +1,10 @@
 #include "clearway/planning/discrete_motion_validator.h"
 
 #include <cmath>
-#include <memory>
 #include <sstream>
 #include <stdexcept>
+
+#include "planning/motion_callbacks.h"
 
 namespace clearway::planning {
 namespace {
@@ -12,19 +13,6 @@ namespace ob = ompl::base;
 
 /// More checks than this would take days: the motion counts as one that cannot be checked.
 constexpr double kMostParts = 1 << 30;
-
-class ScratchState {
-  public:
-    explicit ScratchState(const ob::SpaceInformation& si) : si_(si), state_(si.allocState()) {}
-    ~ScratchState() { si_.freeState(state_); }
-    ScratchState(const ScratchState&) = delete;
-    ScratchState& operator=(const ScratchState&) = delete;
-    ob::State* get() const { return state_; }
-
-  private:
-    const ob::SpaceInformation& si_;
-    ob::State* state_;
-};
 
 /// The state at i/n. The far end is s2 itself, which OMPL's interpolation may miss.
 const ob::State* stateAt(const ob::SpaceInformation& si, const ob::State* s1, const ob::State* s2, double t,
@@ -63,13 +51,7 @@ bool DiscreteMotionValidator::checkMotion(const ob::State* s1, const ob::State* 
                                           std::pair<ob::State*, double>& lastValid) const {
     const double time = lastValidTime(s1, s2);
     if (time >= 1) return count(true);
-    lastValid.second = time;
-    if (lastValid.first) {  // by way of a scratch state: it may be s1 or s2
-        const ScratchState scratch(*si_);
-        si_->copyState(scratch.get(), s1);
-        if (time > 0) si_->getStateSpace()->interpolate(s1, s2, time, scratch.get());
-        si_->copyState(lastValid.first, scratch.get());
-    }
+    setLastValid(*si_, s1, s2, time, lastValid);
     return count(false);
 }
 
@@ -115,9 +97,8 @@ bool DiscreteMotionValidator::isStartValid(const ob::State* s1) const {
     return valid;
 }
 
-// OMPL's counters are plain integers behind getters that cannot be overridden.
 bool DiscreteMotionValidator::count(bool valid) const {
-    __atomic_fetch_add(valid ? &valid_ : &invalid_, 1u, __ATOMIC_RELAXED);
+    countAtomically(valid ? valid_ : invalid_);
     return valid;
 }
 

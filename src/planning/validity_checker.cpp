@@ -3,49 +3,29 @@
 #include <ompl/util/Console.h>
 
 #include <algorithm>
-#include <cmath>
 #include <exception>
-#include <limits>
-#include <optional>
-#include <sstream>
 #include <stdexcept>
 
-#include "planning/thread_workspace.h"
+#include "planning/scene_clearance.h"
 
 namespace clearway::planning {
 
 namespace ob = ompl::base;
-
-namespace {
-
-bool isOutOfReach(const Model& environment, const Pose& X_environmentPart) {
-    const std::optional<Reach>& reach = environment.reach();
-    return reach && !reach->positions.contains(X_environmentPart.translation);
-}
-
-}  // namespace
 
 ValidityChecker::ValidityChecker(const ob::SpaceInformationPtr& si, Scene scene)
     : ValidityChecker(si, std::move(scene), planning::stateToPose(*si->getStateSpace())) {}
 
 ValidityChecker::ValidityChecker(const ob::SpaceInformationPtr& si, Scene scene, StateToPose stateToPose)
     : StateValidityChecker(si),
-      scene_(std::move(scene)),
-      stateToPose_(std::move(stateToPose)),
-      id_(newWorkspaceOwner()) {
+      clearance_(std::make_shared<const SceneClearance>(std::move(scene))),
+      stateToPose_(std::move(stateToPose)) {
     if (!stateToPose_) throw std::invalid_argument("stateToPose is empty, expected a function");
-    if (!(scene_.margin >= 0) || !std::isfinite(scene_.margin)) {
-        std::ostringstream message;
-        message << "margin is " << scene_.margin << ", expected a finite number >= 0";
-        throw std::invalid_argument(message.str());
-    }
     specs_.clearanceComputationType = ob::StateValidityCheckerSpecs::BOUNDED_APPROXIMATE;
     specs_.hasValidDirectionComputation = false;
-    // Models that cannot be queried together are the caller's mistake: better told here than inside a
-    // planner.
-    Pose somewhere;
-    if (const auto& reach = scene_.environment.reach()) somewhere.translation = reach->positions.center();
-    isFree(somewhere);
+}
+
+const Scene& ValidityChecker::scene() const {
+    return clearance_->scene();
 }
 
 bool ValidityChecker::isValid(const ob::State* state) const {
@@ -53,7 +33,7 @@ bool ValidityChecker::isValid(const ob::State* state) const {
     const Usable usable = findPose(state, X_environmentPart);
     if (usable != Usable::kYes) return count(false, usable);
     try {
-        return count(isFree(X_environmentPart), usable);
+        return count(clearance_->isFree(X_environmentPart), usable);
     } catch (const std::exception& error) {
         reportUnusable(error.what());
         return count(false, Usable::kNoPose);
@@ -65,12 +45,12 @@ bool ValidityChecker::isValid(const ob::State* state, double& clearance) const {
     const Usable usable = findPose(state, X_environmentPart);
     clearance = 0;
     if (usable == Usable::kNoPose) return count(false, usable);
-    if (usable == Usable::kOutOfBounds && isOutOfReach(scene_.environment, X_environmentPart)) {
-        clearance = 0 - scene_.margin;  // of a distance that is at least 0
+    if (usable == Usable::kOutOfBounds && clearance_->isOutOfReach(X_environmentPart)) {
+        clearance = 0 - scene().margin;  // of a distance that is at least 0
         return count(false, usable);
     }
     try {
-        clearance = signedClearance(X_environmentPart);
+        clearance = clearance_->at(X_environmentPart).lower;
     } catch (const std::exception& error) {
         reportUnusable(error.what());
         return count(false, Usable::kNoPose);
@@ -92,7 +72,7 @@ double ValidityChecker::clearance(const ob::State* state) const {
 }
 
 DistanceResult ValidityChecker::distance(const ob::State* state) const {
-    return clearway::distance(scene_.part, scene_.environment, pose(state), {}, threadWorkspace(id_));
+    return clearance_->distance(pose(state));
 }
 
 CheckCounters ValidityChecker::counters() const {
@@ -113,24 +93,6 @@ ValidityChecker::Usable ValidityChecker::findPose(const ob::State* state, Pose& 
         return Usable::kNoPose;
     }
     return si_->satisfiesBounds(state) ? Usable::kYes : Usable::kOutOfBounds;
-}
-
-bool ValidityChecker::isFree(const Pose& X_environmentPart) const {
-    Workspace& workspace = threadWorkspace(id_);
-    if (scene_.margin == 0) return !collides(scene_.part, scene_.environment, X_environmentPart, workspace);
-    return !isWithin(scene_.part, scene_.environment, X_environmentPart, scene_.margin, workspace);
-}
-
-// lower > margin and upper <= margin decide at once; only an interval that holds the margin asks a second
-// time.
-double ValidityChecker::signedClearance(const Pose& X_environmentPart) const {
-    Workspace& workspace = threadWorkspace(id_);
-    const DistanceResult d =
-        clearway::distance(scene_.part, scene_.environment, X_environmentPart, {}, workspace);
-    const double above = d.lower - scene_.margin;
-    const bool isSure = scene_.margin == 0 || d.lower > scene_.margin || d.upper <= scene_.margin;
-    const bool valid = isSure ? d.upper > scene_.margin : isFree(X_environmentPart);
-    return valid ? std::max(above, std::numeric_limits<double>::denorm_min()) : std::min(above, 0.0);
 }
 
 bool ValidityChecker::count(bool valid, Usable usable) const {

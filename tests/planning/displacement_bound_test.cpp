@@ -80,6 +80,49 @@ BOOST_AUTO_TEST_CASE(no_point_moves_further_than_its_share_of_the_bound_in_se3) 
     }
 }
 
+BOOST_AUTO_TEST_CASE(no_vertex_moves_further_than_its_share_of_the_bound_about_the_real_axis) {
+    const auto se3 = std::make_shared<ob::SE3StateSpace>();
+    const auto se2 = std::make_shared<ob::SE2StateSpace>();
+    for (int seed = 1; seed <= 100; ++seed) {
+        testing::Random random(seed);
+        const Mesh bar = testing::transformed(testing::box({400, 20, 5}), random.pose(50));
+        const Model model = Model::build(bar);
+        ob::ScopedState<ob::SE3StateSpace> a(se3), b(se3);
+        randomSe3(random, 500, *a);
+        randomSe3(random, 500, *b);
+        if (seed % 3 == 0) se3->interpolate(a.get(), b.get(), std::pow(10, -random.uniform(0, 5)), b.get());
+        ob::ScopedState<ob::SE2StateSpace> c(se2), d(se2);
+        c->setXY(random.uniform(-500, 500), random.uniform(-500, 500));
+        c->setYaw(random.uniform(-M_PI, M_PI));
+        d->setYaw(random.uniform(-M_PI, M_PI));
+        const DisplacementBound inSpace = displacementBound(*se3, model),
+                                inPlane = displacementBound(*se2, model);
+        BOOST_TEST_CONTEXT("seed " << seed) {
+            const double limit = inSpace(a.get(), b.get());
+            BOOST_TEST(densestDisplacement(se3, a.get(), b.get(), 64, bar.vertices) <= limit + 64 * 1e-12);
+            BOOST_TEST(limit <= displacementBound(*se3, model.radiusAboutOrigin())(a.get(), b.get()));
+            BOOST_TEST(densestDisplacement(se2, c.get(), d.get(), 64, bar.vertices) <=
+                       inPlane(c.get(), d.get()) + 64 * 1e-12);
+        }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(a_bar_that_rolls_moves_by_its_thickness) {
+    const auto space = std::make_shared<ob::SE3StateSpace>();
+    const DisplacementBound bound = displacementBound(*space, Model::build(testing::box({400, 3, 4})));
+    ob::ScopedState<ob::SE3StateSpace> a(space), b(space);
+    a->setXYZ(0, 0, 0);
+    b->setXYZ(0, 0, 0);
+    a->rotation().setAxisAngle(0, 0, 1, M_PI / 2);  // its length along the environment's y
+    const Eigen::Quaterniond turned =
+        Eigen::AngleAxisd(1.5, Vector3::UnitY()) * Eigen::AngleAxisd(M_PI / 2, Vector3::UnitZ());
+    b->rotation().x = turned.x();
+    b->rotation().y = turned.y();
+    b->rotation().z = turned.z();
+    b->rotation().w = turned.w();
+    BOOST_TEST(bound(a.get(), b.get()) == 1.5 * 5, boost::test_tools::tolerance(1e-3));
+}
+
 BOOST_AUTO_TEST_CASE(the_bound_is_reached_where_translation_and_rotation_add_up) {
     const auto space = std::make_shared<ob::SE3StateSpace>();
     const DisplacementBound bound = displacementBound(*space, kRadius);

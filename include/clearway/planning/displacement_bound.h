@@ -5,6 +5,8 @@
 
 #include <functional>
 
+#include "clearway/model.h"
+
 namespace clearway::planning {
 
 /// L for the motion from one state to another, in environment units: no point of the part moves further than
@@ -19,5 +21,9 @@ using DisplacementBound = std::function<double(const ompl::base::State* from, co
 /// std::invalid_argument that names the space when it is another one, even one derived from these: it may
 /// interpolate in its own way, so its bound must come from a callback.
 DisplacementBound displacementBound(const ompl::base::StateSpace& space, double partRadius);
+
+/// The same, tightened: a rotation is taken to move the part by its radius about the axis that it turns about
+/// (Model::radiusAboutAxis).
+DisplacementBound displacementBound(const ompl::base::StateSpace& space, const Model& part);
 
 }  // namespace clearway::planning

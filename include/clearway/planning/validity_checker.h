@@ -14,6 +14,8 @@
 
 namespace clearway::planning {
 
+class SceneClearance;
+
 /// What a checker has been asked since it was made.
 struct CheckCounters {
     std::uint64_t checks = 0;       ///< states asked about
@@ -61,21 +63,17 @@ class ValidityChecker : public ompl::base::StateValidityChecker {
     /// X_environmentPart at a state, by the checker's own callback.
     Pose pose(const ompl::base::State* state) const { return stateToPose_(state); }
 
-    const Scene& scene() const { return scene_; }
+    const Scene& scene() const;
     CheckCounters counters() const;
 
   private:
     enum class Usable { kYes, kOutOfBounds, kNoPose };
     Usable findPose(const ompl::base::State* state, Pose& X_environmentPart) const;
-    double signedClearance(const Pose& X_environmentPart) const;
-    bool isFree(const Pose& X_environmentPart) const;
     bool count(bool valid, Usable usable) const;
     void reportUnusable(const char* reason) const;
 
-    Scene scene_;
+    std::shared_ptr<const SceneClearance> clearance_;
     StateToPose stateToPose_;
-    std::shared_ptr<const std::uint64_t>
-        id_;  ///< names this checker's scratch in each thread; tells when it is gone
     mutable std::atomic<std::uint64_t> checks_{0}, invalid_{0}, outOfBounds_{0}, unusable_{0};
     mutable std::atomic<bool> reportedUnusable_{false};
 };

@@ -1,0 +1,75 @@
+// One motion of the part, and how much room it has at a pose of it.
+#pragma once
+
+#include <ompl/base/SpaceInformation.h>
+
+#include <cstdint>
+#include <limits>
+
+#include "clearway/planning/displacement_bound.h"
+#include "clearway/planning/state_to_pose.h"
+#include "planning/scene_clearance.h"
+#include "planning/scratch_state.h"
+
+namespace clearway::planning {
+
+/// What a motion is looked at with; outlives it.
+struct MotionTools {
+    const ompl::base::SpaceInformation& si;
+    const SceneClearance& clearance;
+    const StateToPose& stateToPose;
+    const DisplacementBound& bound;
+    bool areBoundsConvex;  ///< of the space: what is between two states within them is within them
+    bool isExact;          ///< clearances are told as exactly as they can be, whatever is asked for
+};
+
+struct MotionSample {
+    double time = 0;
+    double clearance = 0;  ///< lower bound of distance - margin; at most 0: the pose is invalid
+    bool isOutOfBounds = false;
+    bool isValid() const { return clearance > 0 && !isOutOfBounds; }
+};
+
+/// The motion in exact arithmetic that OMPL's interpolation rounds: no point of the part moves further than
+/// length() |b - a| between its times a and b.
+class Motion {
+  public:
+    /// Throws std::runtime_error when the motion has no finite bound, and what the callbacks throw.
+    Motion(const MotionTools& tools, const ompl::base::State* s1, const ompl::base::State* s2);
+
+    double length() const { return length_; }
+
+    /// What two clearances that certify an interval must have to spare, for poses are rounded.
+    double slack() const { return slack_; }
+
+    /// Lengths up to `wanted` are of interest. All of them throw what queries and callbacks throw.
+    MotionSample atStart(double wanted);
+    MotionSample at(double time, double wanted);  ///< as interpolated; 0 < time <= 1
+
+    /// s2 itself. When it is valid, the clearance is what is certain at s2 and at time 1 of the
+    /// interpolation, which need not be s2: OMPL leaves out rotations below 1.6e-4 rad.
+    MotionSample atEnd(double wanted);
+
+    std::uint64_t queries() const { return queries_; }
+    const PoseClearance& closest() const { return closest_; }  ///< of the poses looked at
+    double closestTime() const { return closestTime_; }
+    double leastUpper() const { return leastUpper_; }
+
+  private:
+    MotionSample look(const ompl::base::State* state, double time, double wanted, bool checksBounds);
+    double endJump() const;
+
+    MotionTools tools_;
+    const ompl::base::State* s1_;
+    const ompl::base::State* s2_;
+    ScratchState scratch_;
+    double length_;
+    double slack_;
+    bool checksBoundsBetween_;
+    std::uint64_t queries_ = 0;
+    PoseClearance closest_;
+    double closestTime_ = 0;
+    double leastUpper_ = std::numeric_limits<double>::infinity();
+};
+
+}  // namespace clearway::planning

@@ -1,0 +1,162 @@
+#include "planning/motion_search.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace clearway::planning {
+namespace {
+
+/// A pose's clearance is asked for as far as both halves of an interval need it, and this much more, for the
+/// query's answer is rounded.
+constexpr double kWantedMore = 1 + 1e-9;
+
+/// The heap's first: with the least lower bound, which is the widest stretch that is not certified.
+bool isLessUrgent(const MotionInterval& a, const MotionInterval& b) {
+    return a.lower > b.lower;
+}
+
+bool isBetween(double time, const MotionSample& from, const MotionSample& to) {
+    return time > from.time && time < to.time;
+}
+
+}  // namespace
+
+// A slack is rounding: what is shorter is not looked into.
+MotionSearch::MotionSearch(Motion& motion, double leastInterval, double contactInterval)
+    : motion_(motion),
+      leastInterval_(std::max(leastInterval, 4 * motion.slack())),
+      contactInterval_(std::max(contactInterval, 4 * motion.slack())) {}
+
+/// Twice what is certain at the pose that the clearances of both ends tell least about.
+double MotionSearch::spare(const MotionSample& from, const MotionSample& to) const {
+    if (motion_.length() == 0) return from.clearance + to.clearance;  // s1's own pose throughout
+    return from.clearance + to.clearance - motion_.length() * (to.time - from.time) - motion_.slack();
+}
+
+MotionInterval MotionSearch::interval(const MotionSample& from, const MotionSample& to) const {
+    return {from, to, std::min({0.5 * spare(from, to), from.clearance, to.clearance})};
+}
+
+/// The middle of what the ends' clearances leave open, where they tell least.
+double MotionSearch::dividingTime(const MotionSample& from, const MotionSample& to) const {
+    const double middle = from.time + 0.5 * (to.time - from.time);
+    const double time = middle + 0.5 * (from.clearance - to.clearance) / motion_.length();
+    return isBetween(time, from, to) ? time : middle;
+}
+
+/// The clearance with which both halves of a stretch are certified that its ends leave open so far.
+double MotionSearch::wantedFor(double open) const {
+    return (motion_.slack() + 0.5 * open) * kWantedMore;
+}
+
+double MotionSearch::wantedAtEnds() const {
+    return wantedFor(motion_.length());
+}
+
+bool MotionSearch::lookAtStart() {
+    reached_ = motion_.atStart(wantedAtEnds());
+    isStartInvalid_ = !reached_.isValid();
+    return !isStartInvalid_;
+}
+
+MotionVerdict MotionSearch::certify() {
+    const MotionSample end = motion_.atEnd(wantedAtEnds());
+    if (!end.isValid() || !lookAtStart()) return MotionVerdict::kInvalid;
+    keepOpen(interval(reached_, end));
+    while (!intervals_.empty()) {
+        const MotionSample from = intervals_.front().from, to = intervals_.front().to;
+        const double open = -spare(from, to), time = dividingTime(from, to);
+        if (!isBetween(time, from, to)) return MotionVerdict::kUndecided;
+        const MotionSample middle = motion_.at(time, wantedFor(open));
+        if (!middle.isValid()) return MotionVerdict::kInvalid;
+        std::pop_heap(intervals_.begin(), intervals_.end(), isLessUrgent);
+        intervals_.pop_back();
+        keepOpen(interval(from, middle));
+        keepOpen(interval(middle, to));
+        if (open <= leastInterval_ && !(isCertified(from, middle) && isCertified(middle, to))) {
+            return MotionVerdict::kUndecided;
+        }
+    }
+    return MotionVerdict::kValid;
+}
+
+void MotionSearch::keepOpen(const MotionInterval& added) {
+    if (added.lower > 0) return;
+    intervals_.push_back(added);
+    std::push_heap(intervals_.begin(), intervals_.end(), isLessUrgent);
+}
+
+MotionVerdict MotionSearch::goForward() {
+    if (!lookAtStart()) return MotionVerdict::kInvalid;
+    std::vector<MotionSample> ahead{motion_.atEnd(wantedAtEnds())};
+    while (!ahead.empty()) {
+        const MotionSample next = ahead.back();
+        if (next.isValid() && isCertified(reached_, next)) {
+            advance(next);
+            ahead.pop_back();
+            continue;
+        }
+        const Stretch stretch = stretchBefore(next);
+        const double stop = next.isValid() ? leastInterval_ : contactInterval_;
+        const bool isShort = stretch.open <= stop;
+        if (!isBetween(stretch.time, reached_, next) || (isShort && !next.isValid())) {
+            stopBefore(next, stop);
+            return next.isValid() ? MotionVerdict::kUndecided : MotionVerdict::kInvalid;
+        }
+        const MotionSample middle = motion_.at(stretch.time, wantedFor(stretch.open));
+        if (isShort && middle.isValid() && !(isCertified(reached_, middle) && isCertified(middle, next))) {
+            if (isCertified(reached_, middle)) advance(middle);
+            stopBefore(next, stop);
+            return MotionVerdict::kUndecided;
+        }
+        ahead.push_back(middle);
+    }
+    return MotionVerdict::kValid;
+}
+
+/// Before a pose in collision only the last sample's clearance certifies anything; how far the bounds reach
+/// is found by halving.
+MotionSearch::Stretch MotionSearch::stretchBefore(const MotionSample& next) const {
+    if (next.isOutOfBounds) {
+        const double step = next.time - reached_.time;
+        return {motion_.length() * step, reached_.time + 0.5 * step};
+    }
+    const MotionSample sample{next.time, std::max(next.clearance, 0.0), false};
+    return {-spare(reached_, sample), dividingTime(reached_, sample)};
+}
+
+void MotionSearch::advance(const MotionSample& next) {
+    intervals_.push_back(interval(reached_, next));
+    reached_ = next;
+}
+
+/// What the last sample alone certifies beyond itself counts too, but for half a stop, which the last valid
+/// pose keeps as clearance: a planner goes on from there.
+void MotionSearch::stopBefore(const MotionSample& blocked, double stop) {
+    const double certain = reached_.clearance - 0.5 * stop;
+    const double time = reached_.time + certain / motion_.length();
+    if (certain <= 0.5 * stop || !isBetween(time, reached_, blocked)) return;
+    const MotionSample last = motion_.at(time, stop);
+    if (last.isValid()) reached_ = last;
+}
+
+double MotionSearch::refineLower(double resolution, double relativeResolution) {
+    std::make_heap(intervals_.begin(), intervals_.end(), isLessUrgent);
+    double least = reached_.clearance;
+    for (const MotionInterval& known : intervals_) least = std::min(least, known.from.clearance);
+    while (intervals_.front().lower < least - std::max(resolution, relativeResolution * least)) {
+        const MotionSample from = intervals_.front().from, to = intervals_.front().to;
+        const double time = dividingTime(from, to);
+        if (!isBetween(time, from, to)) break;
+        const MotionSample middle = motion_.at(time, std::numeric_limits<double>::infinity());
+        least = std::min(least, middle.clearance);
+        std::pop_heap(intervals_.begin(), intervals_.end(), isLessUrgent);
+        intervals_.back() = interval(from, middle);
+        std::push_heap(intervals_.begin(), intervals_.end(), isLessUrgent);
+        intervals_.push_back(interval(middle, to));
+        std::push_heap(intervals_.begin(), intervals_.end(), isLessUrgent);
+    }
+    return intervals_.front().lower;
+}
+
+}  // namespace clearway::planning

@@ -1,0 +1,187 @@
+#include "clearway/planning/motion_validator.h"
+
+#include <ompl/util/Console.h>
+
+#include <cmath>
+#include <exception>
+#include <limits>
+#include <stdexcept>
+
+#include "core/number.h"
+#include "planning/motion.h"
+#include "planning/motion_callbacks.h"
+#include "planning/motion_search.h"
+#include "planning/scene_clearance.h"
+
+namespace clearway::planning {
+namespace {
+
+namespace ob = ompl::base;
+
+constexpr double kDefaultLeastInterval = 1e-5;  ///< of the part's diagonal
+
+/// In least intervals: how near to a pose in collision the last valid one is looked for. A planner has no use
+/// for more, and each halving is a query.
+constexpr double kContactIntervals = 100;
+
+constexpr double kReportedShare = 1e-2;     ///< of the clearance
+constexpr double kReportedDiagonal = 1e-3;  ///< of the part's diagonal
+
+double diagonalOf(const Model& model) {
+    return model.box().diagonal().norm();
+}
+
+double chooseLeastInterval(const Scene& scene, const MotionOptions& options) {
+    if (!options.leastInterval) {
+        const double part = diagonalOf(scene.part);
+        return kDefaultLeastInterval * (part > 0 ? part : diagonalOf(scene.environment));
+    }
+    if (*options.leastInterval > 0 && std::isfinite(*options.leastInterval)) return *options.leastInterval;
+    throw std::invalid_argument("leastInterval is " + shortNumber(*options.leastInterval) +
+                                ", expected a finite length above 0");
+}
+
+}  // namespace
+
+struct MotionValidator::Outcome {
+    MotionVerdict verdict = MotionVerdict::kInvalid;
+    double certifiedTime = 0;
+    bool isStartInvalid = false;
+    bool isUnusable = false;
+    std::uint64_t queries = 0;
+};
+
+MotionValidator::MotionValidator(const ob::SpaceInformationPtr& si, Scene scene, const MotionOptions& options)
+    : MotionValidator(si, scene, planning::stateToPose(*si->getStateSpace()),
+                      displacementBound(*si->getStateSpace(), scene.part), options) {
+    areBoundsConvex_ = true;
+}
+
+MotionValidator::MotionValidator(const ob::SpaceInformationPtr& si, Scene scene, StateToPose stateToPose,
+                                 DisplacementBound bound, const MotionOptions& options)
+    : ob::MotionValidator(si),
+      clearance_(std::make_shared<const SceneClearance>(std::move(scene))),
+      stateToPose_(std::move(stateToPose)),
+      bound_(std::move(bound)),
+      leastInterval_(chooseLeastInterval(clearance_->scene(), options)) {
+    if (!stateToPose_) throw std::invalid_argument("stateToPose is empty, expected a function");
+    if (!bound_) throw std::invalid_argument("the displacement bound is empty, expected a function");
+    if (clearance_->mostClearance() < leastInterval_) {
+        const double margin = clearance_->scene().margin;
+        throw std::invalid_argument("the environment was built with a reach whose cap is " +
+                                    shortNumber(clearance_->mostClearance() + margin) +
+                                    ", expected at least the margin and the least interval, " +
+                                    shortNumber(margin + leastInterval_));
+    }
+}
+
+MotionValidator::~MotionValidator() = default;
+
+const Scene& MotionValidator::scene() const {
+    return clearance_->scene();
+}
+
+bool MotionValidator::checkMotion(const ob::State* s1, const ob::State* s2) const {
+    return count(judge(s1, s2, false));
+}
+
+bool MotionValidator::checkMotion(const ob::State* s1, const ob::State* s2,
+                                  std::pair<ob::State*, double>& lastValid) const {
+    const Outcome outcome = judge(s1, s2, true);
+    if (outcome.verdict != MotionVerdict::kValid) {
+        setLastValid(*si_, s1, s2, timeWithinBounds(s1, s2, outcome.certifiedTime), lastValid);
+    }
+    return count(outcome);
+}
+
+/// Interpolated between two states on the bounds' border, a state may be outside by rounding.
+double MotionValidator::timeWithinBounds(const ob::State* s1, const ob::State* s2, double time) const {
+    if (time == 0) return time;
+    const ScratchState scratch(*si_);
+    si_->getStateSpace()->interpolate(s1, s2, time, scratch.get());
+    return si_->satisfiesBounds(scratch.get()) ? time : 0;
+}
+
+Motion MotionValidator::motion(const ob::State* s1, const ob::State* s2, bool isReported) const {
+    return Motion({*si_, *clearance_, stateToPose_, bound_, areBoundsConvex_, isReported}, s1, s2);
+}
+
+MotionValidator::Outcome MotionValidator::judge(const ob::State* s1, const ob::State* s2,
+                                                bool forward) const {
+    Outcome outcome;
+    try {
+        Motion looked = motion(s1, s2, false);
+        MotionSearch search(looked, leastInterval_, kContactIntervals * leastInterval_);
+        outcome.verdict = forward ? search.goForward() : search.certify();
+        outcome.certifiedTime = search.certifiedTime();
+        outcome.isStartInvalid = search.isStartInvalid();
+        outcome.queries = looked.queries();
+    } catch (const std::exception& error) {
+        outcome = {};
+        outcome.isUnusable = true;
+        logOnce(error.what());
+    }
+    return outcome;
+}
+
+MotionReport MotionValidator::report(const ob::State* s1, const ob::State* s2) const {
+    MotionReport report;
+    report.lowerClearance = -scene().margin;  // of a distance that is at least 0
+    report.upperClearance = std::numeric_limits<double>::infinity();
+    try {
+        Motion looked = motion(s1, s2, true);
+        MotionSearch search(looked, leastInterval_, leastInterval_);
+        report.verdict = search.goForward();
+        report.certifiedTime = search.certifiedTime();
+        if (report.verdict == MotionVerdict::kValid) {
+            report.lowerClearance =
+                search.refineLower(kReportedDiagonal * diagonalOf(scene().part), kReportedShare);
+        }
+        report.upperClearance = looked.leastUpper();
+        report.closestTime = looked.closestTime();
+        report.closest = looked.closest().nearest;
+        report.queries = looked.queries();
+    } catch (const std::exception& error) {
+        report.verdict = MotionVerdict::kInvalid;
+        report.certifiedTime = 0;
+        report.problem = error.what();
+    }
+    return report;
+}
+
+bool MotionValidator::count(const Outcome& outcome) const {
+    const auto add = [](std::atomic<std::uint64_t>& counter, std::uint64_t more) {
+        if (more > 0) counter.fetch_add(more, std::memory_order_relaxed);
+    };
+    const bool valid = outcome.verdict == MotionVerdict::kValid;
+    countAtomically(valid ? valid_ : invalid_);
+    add(valid ? validMotions_ : invalidMotions_, 1);
+    add(undecided_, outcome.verdict == MotionVerdict::kUndecided);
+    add(invalidStarts_, outcome.isStartInvalid);
+    add(unusable_, outcome.isUnusable);
+    add(queries_, outcome.queries);
+    return valid;
+}
+
+MotionCounters MotionValidator::counters() const {
+    const auto read = [](const std::atomic<std::uint64_t>& counter) {
+        return counter.load(std::memory_order_relaxed);
+    };
+    MotionCounters counters;
+    counters.valid = read(validMotions_);
+    counters.invalid = read(invalidMotions_);
+    counters.undecided = read(undecided_);
+    counters.invalidStarts = read(invalidStarts_);
+    counters.unusable = read(unusable_);
+    counters.queries = read(queries_);
+    return counters;
+}
+
+void MotionValidator::logOnce(const std::string& problem) const {
+    if (!isLogged_.exchange(true, std::memory_order_relaxed)) {
+        OMPL_WARN("clearway: a motion was answered invalid: %s. Further ones are only counted.",
+                  problem.c_str());
+    }
+}
+
+}  // namespace clearway::planning

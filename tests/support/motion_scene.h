@@ -1,0 +1,54 @@
+// Small scenes to move a part in, with what OMPL needs and the oracle beside it.
+#pragma once
+
+#include <ompl/base/ScopedState.h>
+#include <ompl/base/SpaceInformation.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "clearway/planning/motion_validator.h"
+#include "clearway/planning/validity_checker.h"
+#include "clearway/problem.h"
+#include "support/oracle.h"
+#include "support/random_meshes.h"
+
+namespace clearway::testing {
+
+struct MotionScene {
+    MotionScene(std::string name, Space kind, const Mesh& partMesh, const Mesh& environmentMesh,
+                const Box& bounds, double margin, std::vector<PartState> path);
+
+    ompl::base::ScopedState<> state(const PartState& state) const;
+    PartState stateOf(const ompl::base::State* state) const;
+
+    /// Near a random place of the path, off it by up to `distance` and `angle`.
+    PartState nearPath(Random& random, double distance, double angle) const;
+
+    /// By the oracle, less the margin.
+    double trueClearance(const ompl::base::State* state) const;
+
+    /// At s2 for time 1, else as interpolated.
+    double trueClearance(const ompl::base::State* s1, const ompl::base::State* s2, double time) const;
+
+    /// The least of it along the motion, s2 included: at the `judged` poses where the library finds least
+    /// distance, of so many from time 0 to 1 and of those that a search between them adds.
+    double leastTrueClearance(const ompl::base::State* s1, const ompl::base::State* s2, int poses,
+                              int judged) const;
+
+    std::string name;
+    Space kind;
+    MeshOracle oracle;
+    Scene scene;
+    std::vector<PartState> path;
+    ompl::base::StateSpacePtr space;
+    ompl::base::SpaceInformationPtr si;
+    std::shared_ptr<planning::ValidityChecker> checker;
+    std::shared_ptr<planning::MotionValidator> validator;  ///< both are si's
+};
+
+/// The window in SE(3) and SE(2), the small tunnel-console, boxes and puzzle, with and without margins.
+std::vector<std::shared_ptr<const MotionScene>> motionScenes();
+
+}  // namespace clearway::testing
