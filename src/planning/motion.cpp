@@ -21,20 +21,29 @@ constexpr double kRoundingsOfAnInterval = 8;
 }  // namespace
 
 Motion::Motion(const MotionTools& tools, const ob::State* s1, const ob::State* s2)
-    : tools_(tools), s1_(s1), s2_(s2), scratch_(tools.si), length_(tools.bound(s1, s2)) {
+    : tools_(tools), s1_(s1), s2_(s2), scratch_(tools.si) {}
+
+bool Motion::isEndValid() {
+    if (!tools_.si.satisfiesBounds(s2_)) return false;
+    ++queries_;
+    return tools_.clearance.isFree(tools_.stateToPose(s2_));
+}
+
+void Motion::measure() {
+    length_ = tools_.bound(s1_, s2_);
     if (!(length_ >= 0) ||
         !std::isfinite(length_)) {  // before OMPL interpolates: it asserts unit quaternions
         throw std::runtime_error("the motion between two states has no finite displacement bound");
     }
-    const Scene& scene = tools.clearance.scene();
+    const Scene& scene = tools_.clearance.scene();
     const double position =
-        std::max(tools.stateToPose(s1).translation.norm(), tools.stateToPose(s2).translation.norm());
+        std::max(tools_.stateToPose(s1_).translation.norm(), tools_.stateToPose(s2_).translation.norm());
     slack_ = kRoundingsOfAnInterval * kPoseRounding *
              (scene.part.radiusAboutOrigin() + position + length_ + scene.margin);
     if (!std::isfinite(slack_)) {
         throw std::runtime_error("one of two states has no pose: an entry is not finite");
     }
-    checksBoundsBetween_ = !tools.areBoundsConvex || !tools.si.satisfiesBounds(s2);
+    checksBoundsBetween_ = !tools_.areBoundsConvex || !tools_.si.satisfiesBounds(s2_);
 }
 
 MotionSample Motion::atStart(double wanted) {

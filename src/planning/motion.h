@@ -34,8 +34,15 @@ struct MotionSample {
 /// length() |b - a| between its times a and b.
 class Motion {
   public:
-    /// Throws std::runtime_error when the motion has no finite bound, and what the callbacks throw.
     Motion(const MotionTools& tools, const ompl::base::State* s1, const ompl::base::State* s2);
+
+    /// Whether s2 is valid: by far the cheapest thing to know of a motion. Throws what queries and callbacks
+    /// throw.
+    bool isEndValid();
+
+    /// Finds length() and slack(), before anything that follows. Throws std::runtime_error when the motion
+    /// has no finite bound, and what the callbacks throw.
+    void measure();
 
     double length() const { return length_; }
 
@@ -63,9 +70,9 @@ class Motion {
     const ompl::base::State* s1_;
     const ompl::base::State* s2_;
     ScratchState scratch_;
-    double length_;
-    double slack_;
-    bool checksBoundsBetween_;
+    double length_ = 0;
+    double slack_ = 0;
+    bool checksBoundsBetween_ = true;
     std::uint64_t queries_ = 0;
     PoseClearance closest_;
     double closestTime_ = 0;

@@ -21,11 +21,15 @@ bool isBetween(double time, const MotionSample& from, const MotionSample& to) {
 
 }  // namespace
 
-// A slack is rounding: what is shorter is not looked into.
 MotionSearch::MotionSearch(Motion& motion, double leastInterval, double contactInterval)
-    : motion_(motion),
-      leastInterval_(std::max(leastInterval, 4 * motion.slack())),
-      contactInterval_(std::max(contactInterval, 4 * motion.slack())) {}
+    : motion_(motion), leastInterval_(leastInterval), contactInterval_(contactInterval) {}
+
+/// A slack is rounding: what is shorter is not looked into.
+void MotionSearch::measure() {
+    motion_.measure();
+    leastInterval_ = std::max(leastInterval_, 4 * motion_.slack());
+    contactInterval_ = std::max(contactInterval_, 4 * motion_.slack());
+}
 
 /// Twice what is certain at the pose that the clearances of both ends tell least about.
 double MotionSearch::spare(const MotionSample& from, const MotionSample& to) const {
@@ -60,6 +64,8 @@ bool MotionSearch::lookAtStart() {
 }
 
 MotionVerdict MotionSearch::certify() {
+    if (!motion_.isEndValid()) return MotionVerdict::kInvalid;
+    measure();
     const MotionSample end = motion_.atEnd(wantedAtEnds());
     if (!end.isValid() || !lookAtStart()) return MotionVerdict::kInvalid;
     keepOpen(interval(reached_, end));
@@ -87,6 +93,7 @@ void MotionSearch::keepOpen(const MotionInterval& added) {
 }
 
 MotionVerdict MotionSearch::goForward() {
+    measure();
     if (!lookAtStart()) return MotionVerdict::kInvalid;
     std::vector<MotionSample> ahead{motion_.atEnd(wantedAtEnds())};
     while (!ahead.empty()) {

@@ -42,6 +42,7 @@ class MotionSearch {
         double time;
     };
 
+    void measure();
     double spare(const MotionSample& from, const MotionSample& to) const;
     MotionInterval interval(const MotionSample& from, const MotionSample& to) const;
     bool isCertified(const MotionSample& from, const MotionSample& to) const {

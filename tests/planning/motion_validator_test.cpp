@@ -298,7 +298,7 @@ BOOST_AUTO_TEST_CASE(nothing_is_thrown_by_a_motion_that_cannot_be_judged) {
         DisplacementBound bound;
         std::string words;
     } cases[] = {{fails, bound, "no kinematics here"},
-                 {nowhere, bound, "has no pose"},
+                 {nowhere, bound, "pose"},
                  {stateToPose(*f.space), none, "no finite displacement bound"}};
     for (const auto& wrong : cases) {
         const MotionValidator validator(f.si, f.window.scene, wrong.toPose, wrong.bound);

@@ -1,0 +1,230 @@
+// What certified motions cost, on the edges that RRTConnect proposes: valid and invalid ones apart, beside
+// OMPL's discrete validator at its default resolution with our checker, and beside steps as short as a small
+// margin.
+//   bench_motions PROBLEM.cfg|SCENE [EDGES [SEED]]
+#include <ompl/base/DiscreteMotionValidator.h>
+#include <ompl/base/ScopedState.h>
+#include <ompl/geometric/planners/rrt/RRTConnect.h>
+#include <ompl/util/RandomNumbers.h>
+
+#include <algorithm>
+#include <chrono>
+#include <exception>
+#include <iostream>
+#include <string>
+
+#include "clearway/planning/discrete_motion_validator.h"
+#include "clearway/planning/motion_validator.h"
+#include "clearway/planning/validity_checker.h"
+#include "core/number.h"
+#include "planning/planning_space.h"
+#include "scenes/scenes.h"
+
+namespace clearway::testing {
+namespace {
+
+namespace ob = ompl::base;
+using planning::MotionValidator;
+using planning::ValidityChecker;
+using Clock = std::chrono::steady_clock;
+
+constexpr double kRangePerDiagonal = 0.25;  // as `clearway plan` has it
+constexpr double kSmallMargin = 0.1;        // environment units
+constexpr double kRoomy = 5;                // mean clearance, environment units
+constexpr int kIntegralPoses = 400;
+
+struct Edge {
+    ob::ScopedState<> from, to;
+};
+
+/// Passes motions on and keeps them.
+class Recorder : public ob::MotionValidator {
+  public:
+    Recorder(const ob::SpaceInformationPtr& si, const Scene& scene)
+        : ob::MotionValidator(si), space_(si->getStateSpace()), validator_(si, scene) {}
+    bool checkMotion(const ob::State* s1, const ob::State* s2) const override {
+        edges.push_back({ob::ScopedState<>(space_, s1), ob::ScopedState<>(space_, s2)});
+        return validator_.checkMotion(s1, s2);
+    }
+    bool checkMotion(const ob::State* s1, const ob::State* s2,
+                     std::pair<ob::State*, double>& lastValid) const override {
+        edges.push_back({ob::ScopedState<>(space_, s1), ob::ScopedState<>(space_, s2)});
+        return validator_.checkMotion(s1, s2, lastValid);
+    }
+    mutable std::vector<Edge> edges;
+
+  private:
+    ob::StateSpacePtr space_;
+    planning::MotionValidator validator_;
+};
+
+struct Figures {
+    std::vector<double> certified, discrete, margined, stepped;  // seconds
+    double queries = 0, integral = 0;                            // over all
+};
+
+double median(std::vector<double> values) {
+    if (values.empty()) return 0;
+    std::nth_element(values.begin(), values.begin() + static_cast<long>(values.size() / 2), values.end());
+    return values[values.size() / 2];
+}
+
+double sum(const std::vector<double>& values) {
+    double all = 0;
+    for (const double value : values) all += value;
+    return all;
+}
+
+class Bench {
+  public:
+    Bench(const Problem& problem, const Mesh& partMesh, const Mesh& environmentMesh)
+        : scene_{Model::build(partMesh), Model::build(environmentMesh), problem.margin},
+          bounds_(boundsOf(problem, scene_.environment.box())),
+          problem_(problem) {}
+
+    void run(std::size_t edges) {
+        const auto [si, recorder] = record(edges);
+        const MotionValidator certified(si, scene_);
+        const ob::DiscreteMotionValidator discrete(si);
+        const Pass certifiedPass = pass(certified, recorder->edges),
+                   discretePass = pass(discrete, recorder->edges);
+        for (std::size_t i = 0; i < recorder->edges.size(); ++i) {
+            Figures& figures = certifiedPass.isValid[i] ? valid_ : invalid_;
+            figures.certified.push_back(certifiedPass.seconds[i]);
+            figures.discrete.push_back(discretePass.seconds[i]);
+            if (certifiedPass.isValid[i]) measureValid(si, certified, recorder->edges[i]);
+        }
+        print("invalid", invalid_);
+        print("valid", valid_);
+        std::cout << "valid: queries per integral of ds / clearance: " << valid_.queries / valid_.integral
+                  << "\nmargin " << kSmallMargin << ", mean clearance from " << kRoomy << ": "
+                  << roomy_.margined.size() << " edges, certified " << sum(roomy_.margined) << " s, steps of "
+                  << kSmallMargin << " " << sum(roomy_.stepped)
+                  << " s: " << sum(roomy_.stepped) / sum(roomy_.margined) << " times\n";
+    }
+
+  private:
+    ob::SpaceInformationPtr makeSpaceInformation(const Scene& scene) const {
+        const auto si = std::make_shared<ob::SpaceInformation>(
+            planning::makeSpace(problem_.space, bounds_, scene.part.radiusAboutOrigin()));
+        si->setStateValidityChecker(std::make_shared<ValidityChecker>(si, scene));
+        return si;
+    }
+
+    std::pair<ob::SpaceInformationPtr, std::shared_ptr<Recorder>> record(std::size_t edges) const {
+        const auto si = makeSpaceInformation(scene_);
+        const auto recorder = std::make_shared<Recorder>(si, scene_);
+        si->setMotionValidator(recorder);
+        si->setup();
+        while (recorder->edges.size() < edges) {
+            const auto definition = std::make_shared<ob::ProblemDefinition>(si);
+            definition->setStartAndGoalStates(
+                planning::toOmpl(si->getStateSpace(), problem_.space, problem_.start),
+                planning::toOmpl(si->getStateSpace(), problem_.space, problem_.goal));
+            ompl::geometric::RRTConnect planner(si);
+            planner.setRange(kRangePerDiagonal * scene_.part.box().diagonal().norm());
+            planner.setProblemDefinition(definition);
+            planner.solve(ob::PlannerTerminationCondition([&] { return recorder->edges.size() >= edges; }));
+        }
+        return {si, recorder};
+    }
+
+    struct Pass {
+        std::vector<double> seconds;
+        std::vector<char> isValid;
+    };
+
+    /// Twice, so that the first one's surprises are not counted.
+    static Pass pass(const ob::MotionValidator& validator, const std::vector<Edge>& edges) {
+        Pass result;
+        for (int turn = 0; turn < 2; ++turn) {
+            result = {};
+            for (const Edge& edge : edges) {
+                bool isValid = false;
+                result.seconds.push_back(seconds(validator, edge, isValid));
+                result.isValid.push_back(isValid);
+            }
+        }
+        return result;
+    }
+
+    void measureValid(const ob::SpaceInformationPtr& si, const MotionValidator& validator, const Edge& edge) {
+        const auto queriesBefore = validator.counters().queries;
+        validator.checkMotion(edge.from.get(), edge.to.get());
+        valid_.queries += double(validator.counters().queries - queriesBefore);
+        const auto& checker = static_cast<const ValidityChecker&>(*si->getStateValidityChecker());
+        const auto bound = planning::displacementBound(*si->getStateSpace(), scene_.part);
+        const double length = bound(edge.from.get(), edge.to.get());
+        ob::ScopedState<> state(si->getStateSpace());
+        double mean = 0;
+        for (int i = 0; i < kIntegralPoses; ++i) {
+            const double time = (i + 0.5) / kIntegralPoses;
+            si->getStateSpace()->interpolate(edge.from.get(), edge.to.get(), time, state.get());
+            const double clearance = checker.clearance(state.get());
+            valid_.integral += length / kIntegralPoses / clearance;
+            mean += clearance / kIntegralPoses;
+        }
+        if (mean < kRoomy) return;
+        Scene scene = scene_;
+        scene.margin = kSmallMargin;
+        const auto kept = makeSpaceInformation(scene);
+        const MotionValidator certified(kept, scene);
+        const planning::DiscreteMotionValidator stepped(kept, scene.part, kSmallMargin);
+        bool isValid = false;
+        const double certifiedSeconds = seconds(certified, edge, isValid);
+        if (!isValid) return;
+        roomy_.margined.push_back(certifiedSeconds);
+        roomy_.stepped.push_back(seconds(stepped, edge, isValid));
+    }
+
+    static double seconds(const ob::MotionValidator& validator, const Edge& edge, bool& isValid) {
+        const auto begin = Clock::now();
+        isValid = validator.checkMotion(edge.from.get(), edge.to.get());
+        return std::chrono::duration<double>(Clock::now() - begin).count();
+    }
+
+    static void print(const char* what, const Figures& figures) {
+        const double certified = median(figures.certified), discrete = median(figures.discrete);
+        std::cout << what << ": " << figures.certified.size() << " edges, certified " << certified * 1e6
+                  << " us in the median, discrete at OMPL's default " << discrete * 1e6
+                  << " us: " << certified / discrete << "; in the mean "
+                  << sum(figures.certified) / sum(figures.discrete) << "\n";
+    }
+
+    Scene scene_;
+    Box bounds_;
+    Problem problem_;
+    Figures valid_, invalid_, roomy_;
+};
+
+int run(int count, char** words) {
+    if (count < 2) {
+        std::cerr << "usage: bench_motions PROBLEM.cfg|SCENE [EDGES [SEED]]\n";
+        return 2;
+    }
+    const std::string what = words[1];
+    const auto edges = static_cast<std::size_t>(count > 2 ? parseInteger(words[2]).value() : 1000);
+    ompl::msg::noOutputHandler();
+    ompl::RNG::setSeed(static_cast<std::uint32_t>(count > 3 ? parseInteger(words[3]).value() : 1));
+    if (what.size() > 4 && what.substr(what.size() - 4) == ".cfg") {
+        const Problem problem = readProblem(what);
+        Bench(problem, loadPart(problem), loadEnvironment(problem)).run(edges);
+    } else {
+        const NamedScene& row = sceneNamed(what);
+        const GeneratedScene made = row.make(row.defaults);
+        Bench(made.problem, made.part, made.environment).run(edges);
+    }
+    return 0;
+}
+
+}  // namespace
+}  // namespace clearway::testing
+
+int main(int count, char** words) {
+    try {
+        return clearway::testing::run(count, words);
+    } catch (const std::exception& error) {
+        std::cerr << "bench_motions: " << error.what() << "\n";
+        return 2;
+    }
+}
