@@ -1,5 +1,5 @@
 // demos/smallest_checker.cpp PART ENVIRONMENT: clearway in an OMPL program, on two mesh files.
-#include <clearway/planning/discrete_motion_validator.h>
+#include <clearway/planning/motion_validator.h>
 #include <clearway/planning/validity_checker.h>
 #include <ompl/base/spaces/SE3StateSpace.h>
 #include <ompl/geometric/SimpleSetup.h>
@@ -14,8 +14,7 @@ int main(int, char** files) {
     ompl::geometric::SimpleSetup setup(space);
     const auto si = setup.getSpaceInformation();
     si->setStateValidityChecker(std::make_shared<clearway::planning::ValidityChecker>(si, scene));
-    si->setMotionValidator(
-        std::make_shared<clearway::planning::DiscreteMotionValidator>(si, scene.part, /*step*/ 0.5));
+    si->setMotionValidator(std::make_shared<clearway::planning::MotionValidator>(si, scene));  // certified
     setup.setPlanner(std::make_shared<ompl::geometric::RRTConnect>(si));
     setup.getPlanner()->params().setParam("range", "20");
     ompl::base::ScopedState<ompl::base::SE3StateSpace> start(space), goal(space);

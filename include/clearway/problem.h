@@ -52,7 +52,7 @@ struct Problem {
 
     // [clearway]
     double margin = 0;           ///< environment units
-    std::optional<double> step;  ///< most any point of the part moves between two checks, environment units
+    std::optional<double> step;  ///< how fine the scene is: a planner's edges are 20 times as long, environment units
     bool asOmplApp = true;       ///< meshes read as OMPL.app reads them; `reading = stored` turns it off
 
     /// Keys that mean nothing here, one line each, to be shown once.

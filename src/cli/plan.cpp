@@ -41,9 +41,8 @@ CommandLine planCommandLine() {
     CommandLine commandLine;
     commandLine.usage = "clearway plan PROBLEM.cfg --path OUT.path [options]";
     commandLine.purpose =
-        "Finds a path from the problem's start to its goal, shortens it, looks at every state of it again "
-        "and "
-        "writes it.\n"
+        "Finds a path from the problem's start to its goal, shortens it, certifies it along its whole "
+        "length and writes it.\n"
         "Exit code 1 when none was found.";
     commandLine.positional = {"PROBLEM.cfg"};
     commandLine.options.add_options()                                                 //
@@ -59,8 +58,9 @@ CommandLine planCommandLine() {
          "planners side by side, the first path ends them (one a core, at most 4)")                       //
         ("seed", optionValue("N"), "of OMPL's random numbers (1)")                                        //
         ("margin", optionValue("M"), "distance to keep from the environment, in place of the problem's")  //
-        ("step", optionValue("S"), "most that any point of the part moves between two checks, likewise")  //
-        ("ompl-weights", "rotation weighted as OMPL does, not by the part's radius")                      //
+        ("step", optionValue("S"),
+         "checks motions at states no farther apart than this, instead of certifying them")  //
+        ("ompl-weights", "rotation weighted as OMPL does, not by the part's radius")         //
         ("target", optionValue("NAME"), "instruction set, of those this machine runs (best)");
     addTreeOptions(commandLine);
     addCacheOption(commandLine);
@@ -125,7 +125,8 @@ void printSettings(const Scene& scene, const PlanOptions& options, const PlanRep
                  report.isRepeatable ? "yes" : "no: this planner uses several threads or the clock");
     }
     printRow("margin", readable(scene.margin));
-    printRow("step", readable(report.step) + (report.isStepDefault ? ", by default" : ""));
+    printRow("motions", report.isCertified ? "certified along their whole length"
+                                           : "checked every " + readable(report.step));
     if (report.guard > 0)
         printRow("kept on top", readable(report.guard) + ", so that states between checks are valid too");
     printRow("planning time", readable(report.planningSeconds) + " s");
@@ -144,8 +145,9 @@ void printPath(const PlanReport& report) {
                                     ? "or more"
                                     : "between '" + least.partMesh + "' and '" + least.environmentMesh +
                                           "', at " + readable(least.state.position);
-    printRow("least clearance",
-             readable(least.lower) + ", " + between + ", of " + counted(least.statesChecked, "state"));
+    printRow("least clearance", readable(least.lower) +
+                                    (report.isCertified ? ", certified along the whole path, " : ", ") +
+                                    between + ", of " + counted(least.statesChecked, "state"));
 }
 
 void printWarnings(const std::vector<std::string>& warnings) {

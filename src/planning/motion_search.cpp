@@ -147,11 +147,11 @@ void MotionSearch::stopBefore(const MotionSample& blocked, double stop) {
     if (last.isValid()) reached_ = last;
 }
 
-double MotionSearch::refineLower(double resolution, double relativeResolution) {
+double MotionSearch::refineLower(const ClearanceResolution& resolution) {
     std::make_heap(intervals_.begin(), intervals_.end(), isLessUrgent);
     double least = reached_.clearance;
     for (const MotionInterval& known : intervals_) least = std::min(least, known.from.clearance);
-    while (intervals_.front().lower < least - std::max(resolution, relativeResolution * least)) {
+    while (intervals_.front().lower < least - resolution.of(least)) {
         const MotionSample from = intervals_.front().from, to = intervals_.front().to;
         const double time = dividingTime(from, to);
         if (!isBetween(time, from, to)) break;

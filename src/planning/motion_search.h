@@ -1,6 +1,7 @@
 // Which poses of a motion to look at, until it is certified or something is in the way.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "clearway/planning/motion_validator.h"
@@ -13,6 +14,15 @@ namespace clearway::planning {
 struct MotionInterval {
     MotionSample from, to;
     double lower = 0;
+};
+
+/// How well the least clearance of a motion is to be known: to `share` of it, or to `length` where that is
+/// more, but no worse than to `largestShare` of it, unless it is less than `least`.
+struct ClearanceResolution {
+    double share, largestShare, length, least;
+    double of(double clearance) const {
+        return std::max({share * clearance, std::min(largestShare * clearance, length), least});
+    }
 };
 
 class MotionSearch {
@@ -31,9 +41,8 @@ class MotionSearch {
     bool isStartInvalid() const { return isStartInvalid_; }
 
     /// Looks at more poses of a motion that goForward found valid, where the clearance may be least, until
-    /// its least over all intervals is known to the larger of `resolution` and `relativeResolution` of it.
-    /// Returns that: no pose has less.
-    double refineLower(double resolution, double relativeResolution);
+    /// its least over all intervals is known well enough. Returns that: no pose has less.
+    double refineLower(const ClearanceResolution& resolution);
 
   private:
     /// What two samples leave open between them, as a length, and where to divide it.

@@ -24,7 +24,9 @@ constexpr double kDefaultLeastInterval = 1e-5;  ///< of the part's diagonal
 /// for more, and each halving is a query.
 constexpr double kContactIntervals = 100;
 
-constexpr double kReportedShare = 1e-2;     ///< of the clearance
+/// How well a report knows the least clearance: see ClearanceResolution.
+constexpr double kReportedShare = 1e-2;
+constexpr double kReportedLargestShare = 0.1;
 constexpr double kReportedDiagonal = 1e-3;  ///< of the part's diagonal
 
 double diagonalOf(const Model& model) {
@@ -135,7 +137,8 @@ MotionReport MotionValidator::report(const ob::State* s1, const ob::State* s2) c
         report.certifiedTime = search.certifiedTime();
         if (report.verdict == MotionVerdict::kValid) {
             report.lowerClearance =
-                search.refineLower(kReportedDiagonal * diagonalOf(scene().part), kReportedShare);
+                search.refineLower({kReportedShare, kReportedLargestShare,
+                                    kReportedDiagonal * diagonalOf(scene().part), leastInterval_});
         }
         report.upperClearance = looked.leastUpper();
         report.closestTime = looked.closestTime();

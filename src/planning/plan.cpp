@@ -72,33 +72,40 @@ void describe(const Setup& setup, const Problem& problem, const og::PathGeometri
     }
     const Scene& scene = setup.truth->scene();
     report.least.state = fromOmpl(problem.space, walk.where->get());
-    report.least.lower = walk.least.lower;
+    report.least.lower = walk.leastDistance;
+    report.least.upper = walk.least.upper;
     report.least.statesChecked = walk.states;
     if (walk.least.partTriangle < 0) return;  // farther than the environment's reach tells
     report.least.partMesh = meshName(scene.part, walk.least.partComponent);
     report.least.environmentMesh = meshName(scene.environment, walk.least.environmentComponent);
 }
 
-/// Simplifies, then looks at every state again; the planner's own path when the simplified one does not pass.
+std::optional<Walk> recheck(const Setup& setup, const og::PathGeometric& path, const Budget& budget,
+                            double guard) {
+    const auto isStopped = [&] { return budget.isStopped(); };
+    if (setup.recheck) return walkCertified(path, *setup.recheck, isStopped);
+    const int refine =
+        guard > 0 ? 2 : 1;  // with a guard the states between the checked ones must pass as well
+    return walk(path, *setup.truth, *setup.discrete, refine, isStopped);
+}
+
+/// Simplifies, then looks at all of it again; the planner's own path when the simplified one does not pass.
 void finish(const Setup& setup, const Problem& problem, const Budget& budget, PlanReport& report) {
     ob::PlannerSolution solution(nullptr);
     setup.definition->getSolution(solution);
     report.foundBy = solution.plannerName_;
     auto& raw = *setup.definition->getSolutionPath()->as<og::PathGeometric>();
     report.statesBefore = raw.getStateCount();
-    const auto isStopped = [&] { return budget.isStopped(); };
     og::PathGeometric path = raw;
     simplify(setup.si, path, [&] { return budget.isOutOfTime(); });
-    const int refine =
-        report.guard > 0 ? 2 : 1;  // with a guard the states between the checked ones must pass as well
-    auto walked = walk(path, *setup.truth, *setup.validator, refine, isStopped);
-    if (!walked && !isStopped()) {
+    auto walked = recheck(setup, path, budget, report.guard);
+    if (!walked && !budget.isStopped()) {
         report.warnings.push_back(
             "the simplified path did not pass its re-check; the planner's own path is used");
         path = raw;
-        walked = walk(path, *setup.truth, *setup.validator, refine, isStopped);
+        walked = recheck(setup, path, budget, report.guard);
     }
-    if (isStopped()) {
+    if (budget.isStopped()) {
         report.outcome = PlanReport::Outcome::kStopped;
     } else if (!walked) {
         report.warnings.push_back("the planner's path did not pass its re-check; it counts as none");
@@ -108,12 +115,20 @@ void finish(const Setup& setup, const Problem& problem, const Budget& budget, Pl
     }
 }
 
+std::uint64_t checksOf(const Setup& setup) {
+    std::uint64_t checks = setup.truth->counters().checks;
+    if (setup.checker != setup.truth) checks += setup.checker->counters().checks;
+    if (setup.certified) checks += setup.certified->counters().queries;
+    return checks;
+}
+
 }  // namespace
 
 PlanReport plan(const Problem& problem, const Scene& scene, const PlanOptions& options) {
     PlanReport report;
     const OmplMessages messages;
     const Setup setup = prepare(problem, scene, options, report);
+    report.isCertified = setup.certified != nullptr;
 
     const Clock::time_point begin = Clock::now();
     Budget budget(options);
@@ -127,7 +142,7 @@ PlanReport plan(const Problem& problem, const Scene& scene, const PlanOptions& o
         finish(setup, problem, budget, report);
     }
     report.finishingSeconds = secondsSince(planned);
-    report.checks = setup.checker->counters().checks + setup.truth->counters().checks;
+    report.checks = checksOf(setup) + report.least.statesChecked * report.isCertified;
     for (const std::string& warning : messages.warnings()) report.warnings.push_back("OMPL: " + warning);
     return report;
 }

@@ -35,8 +35,11 @@ struct PlanOptions {
     /// alone. 0: one for each core, at most 4. With iterations it is always 1, by default an RRTConnect.
     int threads = 0;
 
-    std::uint32_t seed = 1;       ///< > 0; set before any OMPL object is made
-    std::optional<double> step;   ///< in place of the problem's; environment units
+    std::uint32_t seed = 1;  ///< > 0; set before any OMPL object is made
+    /// Motions are certified along their whole length, unless a step is given, in environment units: then
+    /// they are checked at states so close that no point of the part moves further from one to the next, and
+    /// what is thinner can be jumped.
+    std::optional<double> step;
     bool optimiseLength = false;  ///< asks planners that can to shorten the path for all the time they have
     bool omplWeights = false;     ///< rotation as OMPL weights it, instead of by the part's radius
 
@@ -47,7 +50,10 @@ struct PlanOptions {
 /// The state on the path where the part is closest to the environment, of all states looked at.
 struct LeastClearance {
     PartState state;
-    double lower = 0;  ///< distance there is at least this, environment units
+    /// Nowhere on the path is the distance less; with a step, at no state that was looked at. Environment
+    /// units.
+    double lower = 0;
+    double upper = 0;  ///< the distance at `state` is at most this; infinite beyond the environment's reach
     std::uint64_t statesChecked = 0;
     /// Names of the two closest meshes; empty when the part never came as near as the cap of the
     /// environment's reach, which `lower` then is.
@@ -61,11 +67,12 @@ struct PlanReport {
     std::vector<std::string> planners;  ///< those run side by side
     std::string foundBy;                ///< OMPL's name of the one whose path it is
     bool isRepeatable = false;          ///< with the same seed and number of iterations
-    double step = 0;   ///< as used: shorter than asked for when start or goal are tighter than half of it
-    double range = 0;  ///< longest edge of a planner's tree unless its parameters say otherwise
-    bool isStepDefault = false;  ///< nobody gave one: 1/500 of the part's diagonal
+    bool isCertified = false;  ///< motions are, and the path was at last; else they are checked in steps
+    /// As used: shorter than asked for when start or goal are tighter than half of it. 0 without one.
+    double step = 0;
     /// Kept at checked states on top of the margin, so that all states between them are valid too.
     double guard = 0;
+    double range = 0;  ///< longest edge of a planner's tree unless its parameters say otherwise
 
     std::vector<PartState> path;   ///< empty unless found
     double length = 0;             ///< travelled by the origin of the part's coordinates
@@ -80,7 +87,8 @@ struct PlanReport {
 };
 
 /// Plans for the scene (its margin counts; the problem's own margin and mesh files do not). The path begins
-/// at the problem's start, ends at its goal, and every state of it that was looked at is valid. Throws
+/// at the problem's start, ends at its goal, and is valid along its whole length; with a step, at every state
+/// that was looked at. Throws
 /// std::invalid_argument when an option is wrong, the problem names an unknown planner, the bounds leave out
 /// the start or the goal, the environment was built with too small a reach (see planningReach), or one of the
 /// two is not valid: then the message names the two closest meshes and triangles.

@@ -25,6 +25,11 @@ namespace ob = ompl::base;
 constexpr const char* kDefaultPlanners[] = {"RRTConnect", "RRT"};
 constexpr std::size_t kMostThreads = 4;  ///< unless more are asked for
 constexpr double kMostRefinement = 8;    ///< times the step is divided for a tight start or goal
+/// Next to a start or goal that all but touches, motions are certified in stretches of this share of what it
+/// has to spare, but for this share of the usual least interval.
+constexpr double kSpareShare = 0.1;
+constexpr double kFinestShare = 1e-3;
+constexpr double kRecheckShare = 1.0 / 16;  ///< of the planners' least interval: that of the re-check
 /// Longest edge of a planner's tree: of a scene whose step is given, and so how fine it is, in steps; else by
 /// the part's diagonal. Measured on the tunnel-console (tests/bench/plan_success.cpp) and on OMPL.app's
 /// problems.
@@ -102,16 +107,10 @@ void setFileParameters(ob::Planner& planner, const std::string& plannerName, con
     }
 }
 
-void setStep(PlanReport& report, const Problem& problem, const Scene& scene, const PlanOptions& options) {
-    report.isStepDefault = !options.step && !problem.step;
-    report.step = stepOf(problem, options, scene.part);
-    report.range = report.isStepDefault ? kRangePerDiagonal * scene.part.box().diagonal().norm()
-                                        : kRangeInSteps * report.step;
-    if (!report.isStepDefault) return;
-    std::ostringstream warning;
-    warning << "no step is given: motions are checked every " << report.step
-            << ", 1/500 of the part's diagonal; walls thinner than that may be jumped";
-    report.warnings.push_back(warning.str());
+void setRange(PlanReport& report, const Problem& problem, const Scene& scene, const PlanOptions& options) {
+    const bool isStepKnown = options.step || problem.step;
+    report.range = isStepKnown ? kRangeInSteps * stepOf(problem, options, scene.part)
+                               : kRangePerDiagonal * scene.part.box().diagonal().norm();
 }
 
 std::shared_ptr<ValidityChecker> makeChecker(const ob::SpaceInformationPtr& si, const Scene& scene,
@@ -139,6 +138,33 @@ void setGuard(PlanReport& report, double spare) {
         warning << "motions are checked every " << report.step << " instead of every " << asked;
     }
     report.warnings.push_back(warning.str());
+}
+
+/// Motions checked at states a step apart.
+void useSteps(Setup& setup, const Scene& scene, const PlanOptions& options, double spare,
+              PlanReport& report) {
+    report.step = *options.step;
+    setGuard(report, spare);
+    setup.checker = makeChecker(setup.si, scene, report.guard * (1 + 1e-6));
+    setup.discrete = std::make_shared<DiscreteMotionValidator>(setup.si, scene.part, report.step);
+    setup.si->setMotionValidator(setup.discrete);
+}
+
+void useCertified(Setup& setup, const Scene& scene, double spare, PlanReport& report) {
+    MotionOptions options;
+    const double usual = MotionValidator(setup.si, scene).leastInterval();
+    options.leastInterval = std::clamp(kSpareShare * spare, kFinestShare * usual, usual);
+    if (spare < *options.leastInterval) {
+        std::ostringstream warning;
+        warning << "start or goal have only " << spare
+                << " to spare: motions next to them may be too close to be certified";
+        report.warnings.push_back(warning.str());
+    }
+    setup.checker = setup.truth;
+    setup.certified = std::make_shared<MotionValidator>(setup.si, scene, options);
+    setup.si->setMotionValidator(setup.certified);
+    *options.leastInterval *= kRecheckShare;
+    setup.recheck = std::make_shared<MotionValidator>(setup.si, scene, options);
 }
 
 ob::ProblemDefinitionPtr defineProblem(const Setup& setup, const Problem& problem,
@@ -176,13 +202,13 @@ Setup prepare(const Problem& problem, const Scene& scene, const PlanOptions& opt
         report.warnings.push_back("objective '" + problem.objective +
                                   "' is not known; paths are judged by length");
     }
-    setStep(report, problem, scene, options);
+    setRange(report, problem, scene, options);
     setSeed(options.seed);
 
     Setup setup;
     const double turnWeight = options.omplWeights ? 1.0 : scene.part.radiusAboutOrigin();
     const Box bounds = boundsOf(problem, scene.environment.box());
-    requireReachOf(scene, bounds, report.step);
+    requireReachOf(scene, bounds, stepOf(problem, options, scene.part));
     setup.si = std::make_shared<ob::SpaceInformation>(makeSpace(problem.space, bounds, turnWeight));
     setup.truth = makeChecker(setup.si, scene, 0);
     const auto spare = [&](const PartState& state, const char* what) {
@@ -190,11 +216,13 @@ Setup prepare(const Problem& problem, const Scene& scene, const PlanOptions& opt
         return requireValid(*setup.truth, omplState.get(), what);
     };
     const double startSpare = spare(problem.start, "start");  // in this order: the start is refused first
-    setGuard(report, std::min(startSpare, spare(problem.goal, "goal")));
-    setup.checker = makeChecker(setup.si, scene, report.guard * (1 + 1e-6));
-    setup.validator = std::make_shared<DiscreteMotionValidator>(setup.si, scene.part, report.step);
+    const double leastSpare = std::min(startSpare, spare(problem.goal, "goal"));
+    if (options.step) {
+        useSteps(setup, scene, options, leastSpare, report);
+    } else {
+        useCertified(setup, scene, leastSpare, report);
+    }
     setup.si->setStateValidityChecker(setup.checker);
-    setup.si->setMotionValidator(setup.validator);
     setSampler(*setup.si, problem.sampler);
     setup.si->setup();
 

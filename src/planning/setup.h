@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "clearway/planning/discrete_motion_validator.h"
+#include "clearway/planning/motion_validator.h"
 #include "clearway/planning/validity_checker.h"
 #include "planning/plan.h"
 
@@ -16,9 +17,14 @@ namespace clearway::planning {
 
 struct Setup {
     ompl::base::SpaceInformationPtr si;
-    std::shared_ptr<ValidityChecker> checker;  ///< the planners' own: the guard on top of the margin
     std::shared_ptr<ValidityChecker> truth;    ///< the margin itself
-    std::shared_ptr<DiscreteMotionValidator> validator;
+    std::shared_ptr<ValidityChecker> checker;  ///< the planners' own: the guard, if any, on top of the margin
+    /// The planners' own is one of these two, the other one is null: the second with a step asked for.
+    std::shared_ptr<MotionValidator> certified;
+    std::shared_ptr<DiscreteMotionValidator> discrete;
+    /// Certifies the path at last. Null with a step. Its least interval is shorter, so that what passed in
+    /// one order of looking passes in another.
+    std::shared_ptr<MotionValidator> recheck;
     ompl::base::ProblemDefinitionPtr definition;
     std::vector<ompl::base::PlannerPtr> planners;  ///< as report.planners names them
 };

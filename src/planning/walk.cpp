@@ -1,5 +1,6 @@
 #include "planning/walk.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace clearway::planning {
@@ -41,6 +42,36 @@ std::optional<Walk> walk(const ompl::geometric::PathGeometric& path, const Valid
         }
     }
     result.least = checker.distance(result.where->get());
+    result.leastDistance = result.least.lower;
+    return result;
+}
+
+std::optional<Walk> walkCertified(const ompl::geometric::PathGeometric& path,
+                                  const MotionValidator& validator, const std::function<bool()>& isStopped) {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    const ob::StateSpacePtr& space = path.getSpaceInformation()->getStateSpace();
+    const auto count = static_cast<unsigned int>(path.getStateCount());
+    Walk result;
+    result.leastClearance = kInfinity;
+    double certified = kInfinity;
+    for (unsigned int k = 0; k < count; ++k) {
+        if (k == 0 && count > 1) continue;
+        const ob::State *from = path.getState(k > 0 ? k - 1 : 0), *to = path.getState(k);
+        if (isStopped()) return std::nullopt;
+        const MotionReport report = validator.report(from, to);
+        if (report.verdict != MotionVerdict::kValid) return std::nullopt;
+        result.states += report.queries;
+        certified = std::min(certified, report.lowerClearance);
+        const double closest = report.closest.lower - validator.scene().margin;
+        if (closest >= result.leastClearance) continue;
+        result.leastClearance = closest;
+        result.least = report.closest;
+        result.where.emplace(space);
+        space->copyState(result.where->get(), to);
+        if (report.closestTime < 1) space->interpolate(from, to, report.closestTime, result.where->get());
+    }
+    if (!result.where) return std::nullopt;
+    result.leastDistance = std::min(certified + validator.scene().margin, result.least.lower);
     return result;
 }
 

@@ -1,4 +1,4 @@
-// Goes along a path, state by state, and finds where the part is closest to its surroundings.
+// Goes along a path once more and finds where the part is closest to its surroundings.
 #pragma once
 
 #include <ompl/base/ScopedState.h>
@@ -9,14 +9,16 @@
 #include <optional>
 
 #include "clearway/planning/discrete_motion_validator.h"
+#include "clearway/planning/motion_validator.h"
 #include "clearway/planning/validity_checker.h"
 
 namespace clearway::planning {
 
 struct Walk {
     std::uint64_t states = 0;   ///< looked at
-    double leastClearance = 0;  ///< as ValidityChecker::clearance gives it
-    DistanceResult least;       ///< at the state where it is least
+    double leastClearance = 0;  ///< of the states looked at: distance - margin, a lower bound
+    double leastDistance = 0;   ///< no state looked at is closer; along the whole path when certified
+    DistanceResult least;       ///< at the state looked at where it is least
     std::optional<ompl::base::ScopedState<>> where;
 };
 
@@ -25,5 +27,9 @@ struct Walk {
 std::optional<Walk> walk(const ompl::geometric::PathGeometric& path, const ValidityChecker& checker,
                          const DiscreteMotionValidator& validator, int refine,
                          const std::function<bool()>& isStopped);
+
+/// Certifies every motion of the path. Nothing when one is not, or isStopped says so.
+std::optional<Walk> walkCertified(const ompl::geometric::PathGeometric& path,
+                                  const MotionValidator& validator, const std::function<bool()>& isStopped);
 
 }  // namespace clearway::planning

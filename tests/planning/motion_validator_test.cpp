@@ -196,6 +196,11 @@ BOOST_AUTO_TEST_CASE(a_report_bounds_the_clearance_of_a_valid_motion) {
         BOOST_TEST(through.lowerClearance <= 11 - margin);
         BOOST_TEST(through.lowerClearance >= 0.99 * (11 - margin) - 1e-3 * 73);
         BOOST_TEST(through.closest.distance == 11, boost::test_tools::tolerance(1e-9));
+        const MotionReport close =
+            f.report(f.at({-32.01 - margin, -20, 30}), f.at({-40, 20, 40}, 0.1, Vector3::UnitX()));
+        BOOST_TEST(close.upperClearance == 0.01, boost::test_tools::tolerance(1e-9));
+        BOOST_TEST(close.lowerClearance <= 0.01);
+        BOOST_TEST(close.lowerClearance >= 0.009);
         const MotionReport off = f.report(f.at({-60, 0, 30}), f.at({-90, 10, 40}, 1));
         BOOST_TEST(off.upperClearance == 28 - margin, boost::test_tools::tolerance(1e-2));
         BOOST_TEST(off.lowerClearance >= 0.98 * (28 - margin) - 1e-3 * 73);

@@ -53,14 +53,19 @@ BOOST_AUTO_TEST_CASE(the_path_keeps_the_margin_at_1000_interpolated_states_by_th
             const PlanReport report = plan(window.problem, window.scene, withIterations(200000, seed));
             BOOST_TEST_CONTEXT("margin " << margin << ", seed " << seed) {
                 BOOST_REQUIRE((report.outcome == Outcome::kFound));
-                BOOST_TEST(report.guard == 0.5);
+                BOOST_TEST(report.isCertified);
+                BOOST_TEST(report.guard == 0);
                 BOOST_TEST(report.path.front().position == window.problem.start.position);
                 BOOST_TEST(report.path.back().position == window.problem.goal.position);
                 const testing::MeshOracle oracle(window.partMesh, window.wallMesh);
                 const double least = testing::leastDistance(oracle, report.path, window.problem, 1000);
                 BOOST_TEST(least > margin);
                 BOOST_TEST(report.least.lower > margin);
-                BOOST_TEST(report.least.statesChecked > 100u);
+                BOOST_TEST(report.least.lower <= least);
+                BOOST_TEST(report.least.upper >= report.least.lower);
+                const double known = 0.1 * (report.least.upper - margin) + 1e-3;
+                BOOST_TEST(report.least.upper <= report.least.lower + known);
+                BOOST_TEST(report.least.statesChecked > 10u);
                 BOOST_TEST(report.least.partMesh == "plate");
                 BOOST_TEST(report.length >= 120);
                 BOOST_TEST(report.warnings.empty());
@@ -69,13 +74,44 @@ BOOST_AUTO_TEST_CASE(the_path_keeps_the_margin_at_1000_interpolated_states_by_th
     }
 }
 
+BOOST_AUTO_TEST_CASE(with_a_step_the_path_keeps_the_margin_between_the_checked_states_too) {
+    for (const double margin : {0.0, 2.0}) {
+        auto window = windowScene();
+        window.scene.margin = margin;
+        PlanOptions options = withIterations(200000);
+        options.step = 1;
+        const PlanReport report = plan(window.problem, window.scene, options);
+        BOOST_TEST_CONTEXT("margin " << margin) {
+            BOOST_REQUIRE((report.outcome == Outcome::kFound));
+            BOOST_TEST(!report.isCertified);
+            BOOST_TEST(report.step == 1);
+            BOOST_TEST(report.guard == 0.5);
+            const testing::MeshOracle oracle(window.partMesh, window.wallMesh);
+            BOOST_TEST(testing::leastDistance(oracle, report.path, window.problem, 1000) > margin);
+            BOOST_TEST(report.least.lower > margin);
+            BOOST_TEST(report.least.statesChecked > 100u);
+            BOOST_TEST(report.warnings.empty());
+        }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(a_sheet_without_thickness_is_not_planned_through) {
+    auto window = windowScene();
+    Mesh sheet;
+    sheet.vertices = {{0, -200, -200}, {0, 200, -200}, {0, 0, 400}};
+    sheet.triangles = {{0, 1, 2}};
+    window.scene.environment = Model::build(sheet);
+    window.problem.step = 100;  // nothing that a motion is checked by: edges are 20 times as long
+    BOOST_TEST((plan(window.problem, window.scene, withIterations(2000)).outcome == Outcome::kNotFound));
+}
+
 BOOST_AUTO_TEST_CASE(repeatable_planners_give_the_same_path_bit_by_bit_and_it_is_free) {
     const auto window = windowScene();
     const testing::MeshOracle oracle(window.partMesh, window.wallMesh);
     int found = 0;
     for (const std::string& name : plannerNames()) {
         if (!isRepeatable(name)) continue;
-        PlanOptions options = withIterations(1000, 3);
+        PlanOptions options = withIterations(1000, 8);
         options.planner = name;
         const PlanReport first = plan(window.problem, window.scene, options);
         const std::vector<char> elsewhere(1 << 20);  // so that the second run's memory lies elsewhere
@@ -170,7 +206,9 @@ BOOST_AUTO_TEST_CASE(bounds_that_leave_out_the_start_are_refused) {
 BOOST_AUTO_TEST_CASE(a_start_closer_than_half_a_step_shortens_the_step) {
     auto window = windowScene();
     window.problem.start.position.x() = -32.25;  // a quarter from the wall, half a step is a half
-    const PlanReport report = plan(window.problem, window.scene, withIterations(200000));
+    PlanOptions options = withIterations(200000);
+    options.step = 1;
+    const PlanReport report = plan(window.problem, window.scene, options);
     BOOST_REQUIRE((report.outcome == Outcome::kFound));
     BOOST_TEST(report.guard > 0.2);
     BOOST_TEST(report.step < 0.5);
@@ -181,28 +219,46 @@ BOOST_AUTO_TEST_CASE(a_start_closer_than_half_a_step_shortens_the_step) {
     BOOST_TEST(testing::collisionsAlong(oracle, report.path, window.problem, 1000) == 0);
 }
 
-BOOST_AUTO_TEST_CASE(a_start_that_all_but_touches_is_planned_from_and_warned_of) {
+BOOST_AUTO_TEST_CASE(a_start_that_all_but_touches_is_planned_from) {
     auto window = windowScene();
-    window.problem.start.position.x() = -32 - 1e-6;
+    window.problem.start.position.x() = -32 - 1e-5;
     const PlanReport report = plan(window.problem, window.scene, withIterations(200000));
     BOOST_REQUIRE((report.outcome == Outcome::kFound));
-    BOOST_TEST(report.guard == 0);
-    BOOST_TEST(report.step == 1);
-    BOOST_TEST(contains(report.warnings.at(0), "known to be valid, not those between them"));
+    BOOST_TEST(report.warnings.empty());
     BOOST_TEST(report.least.lower > 0);
+    BOOST_TEST(report.least.lower <= 1.01e-5);
+    const testing::MeshOracle oracle(window.partMesh, window.wallMesh);
+    BOOST_TEST(testing::collisionsAlong(oracle, report.path, window.problem, 1000) == 0);
+
+    PlanOptions options = withIterations(200000);
+    options.step = 1;
+    const PlanReport stepped = plan(window.problem, window.scene, options);
+    BOOST_REQUIRE((stepped.outcome == Outcome::kFound));
+    BOOST_TEST(stepped.guard == 0);
+    BOOST_TEST(stepped.step == 1);
+    BOOST_TEST(contains(stepped.warnings.at(0), "known to be valid, not those between them"));
+    BOOST_TEST(stepped.least.lower > 0);
 }
 
-BOOST_AUTO_TEST_CASE(without_a_step_it_is_a_500th_of_the_parts_diagonal_and_warned_of) {
+BOOST_AUTO_TEST_CASE(a_start_too_close_to_be_certified_is_warned_of) {
+    auto window = windowScene();
+    window.problem.start.position.x() = -32 - 1e-9;
+    const PlanReport report = plan(window.problem, window.scene, withIterations(100));
+    BOOST_REQUIRE(!report.warnings.empty());
+    BOOST_TEST(contains(report.warnings[0], "may be too close to be certified"));
+}
+
+BOOST_AUTO_TEST_CASE(edges_are_20_steps_of_the_problem_long_or_a_quarter_of_the_parts_diagonal) {
     auto window = windowScene();
     window.problem.step.reset();
     const PlanReport report = plan(window.problem, window.scene, withIterations(10));
-    BOOST_TEST(report.isStepDefault);
-    BOOST_TEST(report.step == Vector3(60, 40, 10).norm() / 500, boost::test_tools::tolerance(1e-12));
-    BOOST_REQUIRE(!report.warnings.empty());
-    BOOST_TEST(contains(report.warnings[0], "thinner"));
+    BOOST_TEST(report.isCertified);
+    BOOST_TEST(report.step == 0);
+    BOOST_TEST(report.warnings.empty());
     BOOST_TEST(report.range == Vector3(60, 40, 10).norm() / 4, boost::test_tools::tolerance(1e-12));
     window.problem.step = 0.75;
-    BOOST_TEST(plan(window.problem, window.scene, withIterations(10)).range == 15);  // 20 steps
+    BOOST_TEST(plan(window.problem, window.scene, withIterations(10)).range == 15);
+    BOOST_TEST(plan(window.problem, window.scene, withIterations(10)).isCertified);
 }
 
 BOOST_AUTO_TEST_CASE(wrong_planners_and_parameters_are_refused_on_demand_and_warned_of_in_a_file) {

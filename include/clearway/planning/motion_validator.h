@@ -95,7 +95,8 @@ class MotionValidator : public ompl::base::MotionValidator {
                      std::pair<ompl::base::State*, double>& lastValid) const override;
 
     /// All there is to know of a motion. The bounds of a valid motion's clearance are no farther apart than
-    /// 1 % of it or 1e-3 of the part's diagonal, unless the environment's reach ends before. Not counted.
+    /// 1 % of it or, where that is more, 1e-3 of the part's diagonal, but then no farther than 10 % of it or
+    /// the least interval; unless the environment's reach ends before. Not counted.
     MotionReport report(const ompl::base::State* s1, const ompl::base::State* s2) const;
 
     MotionCounters counters() const;
