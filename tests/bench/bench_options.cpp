@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <boost/program_options.hpp>
 #include <iostream>
-#include <sstream>
 #include <stdexcept>
 
 #include "clearway/targets.h"
@@ -13,43 +12,19 @@ namespace {
 
 namespace options = boost::program_options;
 
-std::vector<std::string> split(const std::string& list) {
-    std::vector<std::string> words;
-    std::istringstream in(list);
-    for (std::string word; std::getline(in, word, ',');) words.push_back(word);
-    return words;
-}
-
-std::string allSceneNames() {
-    std::string all;
-    for (const BenchScene& scene : benchScenes()) all += (all.empty() ? "" : ",") + std::string(scene.name);
-    return all;
-}
-
 options::options_description allOptions() {
     options::options_description all("options");
+    addTaskOptions(all, allSceneNames(), "summary.csv, builds.csv and poses_SCENE.csv");
     auto add = all.add_options();
     const auto text = [](const std::string& value) {
         return options::value<std::string>()->default_value(value);
     };
-    add("help", "print this");
-    add("scenes", text(allSceneNames()), "which, by letter");
-    add("small", "the scenes at sizes that only show that all agree");
-    add("part-triangles", options::value<std::size_t>(), "of every scene, instead of its own number");
-    add("environment-triangles", options::value<std::size_t>(), "likewise");
     add("part", options::value<std::string>(),
         "mesh file, instead of scenes; then also --environment and --poses");
     add("environment", options::value<std::string>(), "mesh file");
     add("poses", options::value<std::string>(), "poses file");
-    add("pose-count", options::value<int>()->default_value(200), "of each scene");
-    add("seed", options::value<std::uint64_t>()->default_value(1), "of the poses and of the shuffled order");
-    add("repetitions", options::value<int>()->default_value(5), "of every pass");
-    add("peer-budget", options::value<double>()->default_value(60),
-        "seconds for each question to a peer; it repeats less often if need be");
-    add("lead-in", options::value<double>()->default_value(0.02), "seconds at most, untimed, before a pass");
     add("build-rounds", options::value<int>()->default_value(5), "of builds; 0: none");
     add("build-budget", options::value<double>()->default_value(60), "seconds for a scene's builds");
-    add("without-peers", "times clearway alone");
     add("targets", text("avx2"), "instruction sets timed besides the best one, or 'all'");
     add("preset", text("best"), "options of the trees, to start from");
     add("general-split", options::value<std::string>(), "strategy, instead of the preset's");
@@ -57,10 +32,8 @@ options::options_description allOptions() {
     add("leaf-size", options::value<int>(), "likewise");
     add("node-width", options::value<int>(), "likewise");
     add("fit", options::value<std::string>(), "likewise");
-    add("cpu", options::value<int>()->default_value(-1), "keeps passes of one thread on this CPU");
-    add("oracle-poses", options::value<std::size_t>()->default_value(3),
+    add("oracle-poses", options::value<int>()->default_value(3),
         "poses the oracle is asked about although all agree");
-    add("out", options::value<std::string>(), "folder for summary.csv, builds.csv and poses_SCENE.csv");
     return all;
 }
 
@@ -80,21 +53,12 @@ std::vector<std::string> targetsOf(const options::variables_map& given) {
     std::vector<std::string> chosen;
     const std::string targets = given["targets"].as<std::string>();
     const std::vector<std::string> available = availableTargets();
-    for (const std::string& target : targets == "all" ? available : split(targets)) {
+    for (const std::string& target : targets == "all" ? available : splitAtCommas(targets)) {
         const bool isThere = std::find(available.begin(), available.end(), target) != available.end();
         if (!isThere) std::cout << "this machine or build has no " << target << ": its row is left out\n";
         if (isThere) chosen.push_back(target);
     }
     return chosen;
-}
-
-Schedule scheduleOf(const options::variables_map& given) {
-    Schedule schedule;
-    schedule.repetitions = std::max(1, given["repetitions"].as<int>());
-    schedule.peerBudget = given["peer-budget"].as<double>();
-    schedule.leadIn = given["lead-in"].as<double>();
-    schedule.cpu = given["cpu"].as<int>();
-    return schedule;
 }
 
 template <typename Value>
@@ -105,6 +69,7 @@ std::optional<Value> given(const options::variables_map& all, const char* name) 
 
 BenchChoices choicesOf(const options::variables_map& all) {
     BenchChoices choices;
+    static_cast<TaskChoices&>(choices) = taskChoices(all);
     choices.part = given<std::string>(all, "part").value_or("");
     choices.environment = given<std::string>(all, "environment").value_or("");
     choices.poses = given<std::string>(all, "poses").value_or("");
@@ -112,24 +77,11 @@ BenchChoices choicesOf(const options::variables_map& all) {
     if (files != 0 && files != 3) {
         throw std::invalid_argument("--part, --environment and --poses are given together or not at all");
     }
-    if (files == 0) choices.scenes = split(all["scenes"].as<std::string>());
-    for (const std::string& name : choices.scenes) benchSceneNamed(name);
-    choices.small = all.count("small") != 0;
-    choices.partTriangles = given<std::size_t>(all, "part-triangles");
-    choices.environmentTriangles = given<std::size_t>(all, "environment-triangles");
-    choices.poseCount = all["pose-count"].as<int>();
-    if (choices.poseCount < 1) {
-        throw std::invalid_argument("pose-count is " + std::to_string(choices.poseCount) +
-                                    ", expected at least 1");
-    }
-    choices.seed = all["seed"].as<std::uint64_t>();
-    choices.schedule = scheduleOf(all);
-    choices.builds = {all["build-rounds"].as<int>(), all["build-budget"].as<double>()};
-    choices.withPeers = all.count("without-peers") == 0;
+    if (files != 0) choices.scenes.clear();
+    choices.builds = {atLeast(0, all, "build-rounds"), atLeast(0.0, all, "build-budget")};
     choices.targets = targetsOf(all);
     choices.trees = treeOptions(all);
-    choices.oraclePoses = all["oracle-poses"].as<std::size_t>();
-    choices.out = given<std::string>(all, "out").value_or("");
+    choices.oraclePoses = static_cast<std::size_t>(atLeast(0, all, "oracle-poses"));
     return choices;
 }
 

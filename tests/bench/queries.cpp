@@ -34,14 +34,6 @@ BenchTask taskFromFiles(const BenchChoices& choices) {
     return task;
 }
 
-BenchTask taskFromScene(const BenchChoices& choices, const std::string& name) {
-    const BenchScene& scene = benchSceneNamed(name);
-    BenchSize size = choices.small ? scene.small : scene.full;
-    if (choices.partTriangles) size.partTriangles = *choices.partTriangles;
-    if (choices.environmentTriangles) size.environmentTriangles = *choices.environmentTriangles;
-    return makeTask(scene, size, choices.poseCount, choices.seed);
-}
-
 /// The oracle is made when it is first asked: most runs need it little.
 Referee lazyOracle(const BenchTask& task) {
     auto oracle = std::make_shared<std::unique_ptr<MeshOracle>>();
@@ -101,7 +93,7 @@ int run(const BenchChoices& choices) {
     std::set<std::string> built;  // two pose sets of one scene share its builds
     for (const std::string& name : choices.scenes) {
         const bool isNew = built.insert(benchSceneNamed(name).scene).second;
-        const BenchTask task = taskFromScene(choices, name);
+        const BenchTask task = makeTask(choices, name);
         wrong += measure(task, choices, isNew && choices.builds.rounds > 0, tables);
     }
     return wrong == 0 ? 0 : 1;

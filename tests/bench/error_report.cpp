@@ -1,0 +1,155 @@
+#include "bench/error_report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <ostream>
+#include <sstream>
+
+#include "core/number.h"
+
+namespace clearway::testing {
+namespace {
+
+std::string figure(double value) {
+    std::ostringstream text;
+    text << std::setprecision(4) << value;
+    return text.str();
+}
+
+double least(const std::vector<double>& values) {
+    return *std::min_element(values.begin(), values.end());
+}
+
+double largest(const std::vector<double>& values) {
+    return *std::max_element(values.begin(), values.end());
+}
+
+/// Median, 99.9th percentile and worst, or empty fields.
+std::vector<std::string> fields(const Spread& spread) {
+    if (spread.count == 0) return {"", "", ""};
+    return {figure(spread.median), figure(spread.p999), figure(spread.worst)};
+}
+
+}  // namespace
+
+Spread spreadOf(std::vector<double> values) {
+    if (values.empty()) return {};
+    std::sort(values.begin(), values.end());
+    const auto at = static_cast<std::size_t>(std::ceil(0.999 * static_cast<double>(values.size()))) - 1;
+    return {values.size(), median(values), values[at], values.back()};
+}
+
+ModeFigures figuresOf(const Mode& mode, const Series& floatOnly, const std::vector<Truth>& truths,
+                      double sceneSize) {
+    const Series& series = mode.series;
+    ModeFigures figures;
+    figures.mode = mode.name();
+    figures.isQuery = mode.isQuery;
+    figures.queriesPerSecond = 1e9 / mean(series.medians());
+    figures.overFloatOnly = ratios(floatOnly, series);
+    if (mode.says == Mode::Says::kVerdict) return figures;
+    std::vector<double> errors, widths;
+    for (std::size_t i = 0; i < truths.size(); ++i) {
+        const Answer& answer = series.answers[i];
+        const auto [truth, oracleError] = truths[i];
+        const bool isBeyondCap = mode.isQuery && std::isinf(answer.value);
+        figures.beyondCap += isBeyondCap;
+        if (!isBeyondCap) errors.push_back(std::abs(answer.value - truth) / sceneSize);
+        if (!mode.isProved()) continue;
+        figures.outside += !(answer.lower <= truth + oracleError && answer.upper >= truth - oracleError);
+        if (mode.says == Mode::Says::kInterval && !isBeyondCap) {
+            widths.push_back((answer.upper - answer.lower) / sceneSize);
+        }
+    }
+    figures.errors = spreadOf(errors);
+    figures.widths = spreadOf(widths);
+    return figures;
+}
+
+std::vector<std::string> faults(const ErrorReport& report) {
+    std::vector<std::string> lines;
+    for (const ModeFigures& mode : report.modes) {
+        if (!mode.isQuery) continue;
+        const auto tell = [&](int count, const std::string& what) {
+            if (count > 0)
+                lines.push_back(report.scene + ", " + mode.mode + ": " + std::to_string(count) + ' ' + what);
+        };
+        tell(mode.outside, "intervals do not hold the true distance");
+        for (std::size_t k = 0; k < report.margins.size(); ++k) {
+            const std::string where =
+                " at a margin of " + figure(report.marginShares[k]) + " of the scene's size";
+            tell(mode.verdicts[k].falseValid, "poses falsely called valid" + where);
+            if (mode.widths.count == 0)
+                tell(mode.verdicts[k].falseInvalid, "poses falsely called invalid" + where);
+        }
+    }
+    return lines;
+}
+
+void print(std::ostream& out, const ErrorReport& report) {
+    out << report.scene << ": " << report.about << ", " << report.poses << " poses, " << report.colliding
+        << " colliding; true distances by the oracle\n";
+    for (std::size_t k = 0; k < report.margins.size(); ++k) {
+        const PosesNearMargin& near = report.margins[k];
+        out << "  margin " << figure(report.marginShares[k]) << ": " << near.poses.size() << " poses, "
+            << near.validPoses() << " valid, " << near.undecided << " left out\n";
+    }
+    out << "  lengths in scene sizes                 error                         width\n"
+        << "  mode                  queries/s  x float  median    p99.9     worst     median    worst     "
+           "outside"
+           "  false valid, false invalid at each margin\n";
+    for (const ModeFigures& mode : report.modes) {
+        const std::vector<std::string> errors = fields(mode.errors), widths = fields(mode.widths);
+        out << "  " << std::left << std::setw(22) << mode.mode << std::setw(11)
+            << figure(mode.queriesPerSecond) << std::setw(9) << figure(median(mode.overFloatOnly));
+        for (const std::string& field : {errors[0], errors[1], errors[2], widths[0], widths[2]}) {
+            out << std::setw(10) << field;
+        }
+        out << std::setw(9) << mode.outside;
+        for (const VerdictCounts& counts : mode.verdicts) {
+            out << "  " << counts.falseValid << ", " << counts.falseInvalid;
+        }
+        if (mode.beyondCap > 0) out << "  (" << mode.beyondCap << " beyond the cap)";
+        out << '\n';
+    }
+    for (const std::string& line : faults(report)) out << "  WRONG: " << line << '\n';
+    out << std::flush;
+}
+
+std::string errorHeader(const std::vector<double>& marginShares) {
+    std::string header =
+        "scene,mode,poses,colliding,queries_per_second,time_over_float_only,time_over_float_only_least,"
+        "time_over_float_only_largest,repetitions,error_median,error_p999,error_worst,width_median,width_"
+        "p999,"
+        "width_worst,beyond_cap,outside";
+    for (const double share : marginShares) {
+        const std::string at = "_at_" + shortNumber(share);
+        header +=
+            ",poses" + at + ",valid" + at + ",left_out" + at + ",false_valid" + at + ",false_invalid" + at;
+    }
+    return header + '\n';
+}
+
+std::string errorRows(const ErrorReport& report) {
+    std::ostringstream out;
+    for (const ModeFigures& mode : report.modes) {
+        out << report.scene << ',' << mode.mode << ',' << report.poses << ',' << report.colliding << ','
+            << figure(mode.queriesPerSecond) << ',' << figure(median(mode.overFloatOnly)) << ','
+            << figure(least(mode.overFloatOnly)) << ',' << figure(largest(mode.overFloatOnly)) << ','
+            << mode.overFloatOnly.size();
+        for (const Spread* spread : {&mode.errors, &mode.widths}) {
+            for (const std::string& field : fields(*spread)) out << ',' << field;
+        }
+        out << ',' << mode.beyondCap << ',' << mode.outside;
+        for (std::size_t k = 0; k < report.margins.size(); ++k) {
+            const PosesNearMargin& near = report.margins[k];
+            out << ',' << near.poses.size() << ',' << near.validPoses() << ',' << near.undecided << ','
+                << mode.verdicts[k].falseValid << ',' << mode.verdicts[k].falseInvalid;
+        }
+        out << '\n';
+    }
+    return out.str();
+}
+
+}  // namespace clearway::testing

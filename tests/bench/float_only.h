@@ -1,0 +1,33 @@
+// What float alone can say, and what it costs: the queries' own traversal, margins and kernels without the
+// finish in double. Here to be measured against; a planner should not ask it.
+#pragma once
+
+#include <memory>
+
+#include "bench/peer.h"
+#include "clearway/model.h"
+
+namespace clearway::testing {
+
+/// The models must have the same node width. Not to be shared by threads: it keeps a stack and a warm start,
+/// as a Workspace does.
+class FloatOnly {
+  public:
+    FloatOnly(const Model& part, const Model& environment);
+    ~FloatOnly();
+
+    /// lower <= true distance <= upper, both proved in float. A pair that float does not prove apart is taken
+    /// for contact and ends the query: value and lower are then 0, upper is that of the pairs met so far.
+    /// Else the value is the middle of the nearest pair's bounds: what the kernel computed, its margins taken
+    /// off again.
+    Answer distance(const Pose& X_environmentPart);
+
+    /// Makes the next query a cold one.
+    void forgetWarmStart();
+
+  private:
+    struct Data;
+    std::unique_ptr<Data> data_;
+};
+
+}  // namespace clearway::testing

@@ -1,0 +1,313 @@
+#include "bench/scalar_double.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+#include <vector>
+
+#include "query/pair_query.h"
+#include "query/refine.h"
+
+namespace clearway::testing {
+namespace {
+
+constexpr int kWidth = 8;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// Of |t| and both radii: a rotation's defect of 1e-12 and its transpose taken for its inverse move points by
+/// less than 6e-12 of them, some hundred roundings by 1e-14.
+constexpr double kVolumeMargin = 1e-11;
+
+/// Of M, in u64: a moved corner 8, a slab gap 13.
+constexpr double kSlabRoundoffs = 32;
+
+constexpr int kMostProjections = 4;
+
+/// A stored volume in double, in query units. The axes are orthonormal only to float, which no bound here
+/// relies on.
+struct Volume {
+    Vector3 centre, axis0, axis1;
+    double half0, half1, radius;
+};
+
+using Node = WideNode<kWidth>;
+
+Volume volumeOf(const Node& node, int lane, double toQuery) {
+    const auto row = [&](const float(&rows)[3][kWidth]) {
+        return Vector3(rows[0][lane], rows[1][lane], rows[2][lane]);
+    };
+    return {row(node.centre) * toQuery,
+            row(node.axis0),
+            row(node.axis1),
+            double(node.halfLength0[lane]) * toQuery,
+            double(node.halfLength1[lane]) * toQuery,
+            double(node.radius[lane]) * toQuery};
+}
+
+Volume moved(const Volume& volume, const Matrix3& rotation, const Vector3& translation) {
+    Volume result = volume;
+    result.centre = rotation * volume.centre + translation;
+    result.axis0 = rotation * volume.axis0;
+    result.axis1 = rotation * volume.axis1;
+    return result;
+}
+
+Vector3 nearOn(const Volume& rectangle, const Vector3& x) {
+    const Vector3 w = x - rectangle.centre;
+    const double along0 = std::min(std::max(w.dot(rectangle.axis0), -rectangle.half0), rectangle.half0),
+                 along1 = std::min(std::max(w.dot(rectangle.axis1), -rectangle.half1), rectangle.half1);
+    return rectangle.centre + along0 * rectangle.axis0 + along1 * rectangle.axis1;
+}
+
+double reachAlong(const Vector3& v, const Volume& rectangle) {
+    return std::abs(v.dot(rectangle.axis0)) * rectangle.half0 +
+           std::abs(v.dot(rectangle.axis1)) * rectangle.half1;
+}
+
+/// A lower bound of the two volumes' distance, but for rounding: support gaps across the differences that
+/// projecting to and fro between the rectangles goes through. Stops at the first gap that is enough.
+double volumeGap(const Volume& a, const Volume& b, double enough) {
+    const double radii = a.radius + b.radius;
+    const Vector3 between = b.centre - a.centre;
+    double best = -kInfinity;
+    Vector3 onA = a.centre;
+    for (int i = 0; i < kMostProjections; ++i) {
+        const Vector3 onB = nearOn(b, onA);
+        onA = nearOn(a, onB);
+        const Vector3 v = onB - onA;
+        const double length = v.norm();
+        if (!(length > 0)) break;
+        const double gap = (std::abs(v.dot(between)) - reachAlong(v, a) - reachAlong(v, b)) / length;
+        best = std::max(best, gap);
+        if (best - radii >= enough || best >= 0.99 * length) break;  // enough, or nearly the distance
+    }
+    return best - radii;
+}
+
+/// Two volumes, by node * kWidth + lane, and a proved bound of their distance.
+struct Entry {
+    double bound;
+    VolumeReference part, environment;
+};
+
+using Corners = std::array<Vector3, 3>;
+
+double slabGap(const Vector3& v, const Corners& a, const Corners& b) {
+    const double a0 = v.dot(a[0]), a1 = v.dot(a[1]), a2 = v.dot(a[2]), b0 = v.dot(b[0]), b1 = v.dot(b[1]),
+                 b2 = v.dot(b[2]);
+    const double forth = std::min({b0, b1, b2}) - std::max({a0, a1, a2}),
+                 back = std::min({a0, a1, a2}) - std::max({b0, b1, b2});
+    const double length = v.norm();
+    return length > 0 ? std::max(forth, back) / length : -kInfinity;
+}
+
+/// Whether one of three slabs shows the two to be `apart` apart.
+bool slabsProve(const Corners& a, const Corners& b, double apart) {
+    const Vector3 between = (b[0] + b[1] + b[2]) - (a[0] + a[1] + a[2]);
+    if (slabGap(between, a, b) >= apart) return true;
+    for (const Corners* t : {&a, &b}) {
+        const Vector3 normal = ((*t)[1] - (*t)[0]).cross((*t)[2] - (*t)[0]);
+        if (slabGap(normal, a, b) >= apart) return true;
+    }
+    return false;
+}
+
+/// One pose made ready, beside what the resolution of pairs asks for.
+struct Placed {
+    PairQuery query;
+    Matrix3 rotation;
+    Vector3 between;  ///< from the environment tree's origin to the part tree's, query units
+    double margin;    ///< taken from every bound of volumes
+
+    Placed(const FlatTree& part, const FlatTree& environment, const Pose& pose)
+        : query(preparePairQuery(part, environment, pose)), rotation(pose.rotation) {
+        between = (pose * part.origin - environment.origin) * query.perMeshUnit;
+        const double reach = between.norm() + double(part.radius) * query.partLeafToQuery +
+                             double(environment.radius) * query.environmentLeafToQuery;
+        margin = kVolumeMargin * reach + query.offsetSlack;
+    }
+
+    Volume partVolume(VolumeReference at) const {
+        return volumeOf(query.part->nodes<kWidth>()[at / kWidth], int(at % kWidth), query.partLeafToQuery);
+    }
+    Volume environmentVolume(VolumeReference at) const {
+        return volumeOf(query.environment->nodes<kWidth>()[at / kWidth], int(at % kWidth),
+                        query.environmentLeafToQuery);
+    }
+    Volume toEnvironment(const Volume& ofPart) const { return moved(ofPart, rotation, between); }
+    Volume toPart(const Volume& ofEnvironment) const {
+        const Matrix3 back = rotation.transpose();
+        return moved(ofEnvironment, back, -(back * between));
+    }
+};
+
+class Search {
+  public:
+    Search(const FlatTree& part, const FlatTree& environment, const Pose& pose, std::vector<Entry>& stack)
+        : part_(part), environment_(environment), placed_(part, environment, pose), stack_(stack) {}
+
+    void resolve(const TrianglesAt& triangles) {
+        const ResolvedPair pair = resolvePair(placed_.query, triangles);
+        ++counters_.refinedPairs;
+        leastLower_ = std::min(leastLower_, pair.lower);
+        if (pair.upper < nearest_.upper) {
+            nearest_ = pair;
+            triangles_ = {triangles.part, triangles.environment, pair.feature};
+        }
+    }
+
+    void run() {
+        stack_.assign(1, {-kInfinity, 0, 0});
+        while (!stack_.empty() && nearest_.upper > 0) {
+            const Entry entry = stack_.back();
+            stack_.pop_back();
+            if (entry.bound >= nearest_.upper) continue;
+            const Node& a = part_.nodes<kWidth>()[entry.part / kWidth];
+            const Node& b = environment_.nodes<kWidth>()[entry.environment / kWidth];
+            const int laneA = int(entry.part % kWidth), laneB = int(entry.environment % kWidth);
+            if (a.child[laneA] < 0 && b.child[laneB] < 0) {
+                meet(part_.leaves[std::size_t(~a.child[laneA])],
+                     environment_.leaves[std::size_t(~b.child[laneB])]);
+                continue;
+            }
+            const bool partIsLarger = double(a.size[laneA]) * placed_.query.partLeafToQuery >
+                                      double(b.size[laneB]) * placed_.query.environmentLeafToQuery;
+            if (b.child[laneB] < 0 || (a.child[laneA] >= 0 && partIsLarger)) {
+                openPart(entry, a.child[laneA]);
+            } else {
+                openEnvironment(entry, b.child[laneB]);
+            }
+        }
+    }
+
+    Answer answer() const {
+        Answer result;
+        const double toMesh = 1 / placed_.query.perMeshUnit;
+        Vector3 between;
+        for (int k = 0; k < 3; ++k) between[k] = nearest_.pointOnEnvironment[k] - nearest_.pointOnPart[k];
+        result.value = nearest_.upper > 0 ? between.norm() * toMesh : 0;
+        // Whatever was dropped has a bound of at least the least upper one.
+        result.lower = std::min(leastLower_, nearest_.upper) * toMesh;
+        result.upper = nearest_.upper * toMesh;
+        result.counters = counters_;
+        return result;
+    }
+
+    const TrianglesAt& triangles() const { return triangles_; }
+
+  private:
+    void openPart(const Entry& entry, std::int32_t opened) {
+        const Volume other = placed_.toPart(placed_.environmentVolume(entry.environment));
+        push(part_, opened, other, placed_.query.partLeafToQuery, [&](double bound, VolumeReference child) {
+            return Entry{bound, child, entry.environment};
+        });
+    }
+
+    void openEnvironment(const Entry& entry, std::int32_t opened) {
+        const Volume other = placed_.toEnvironment(placed_.partVolume(entry.part));
+        push(environment_, opened, other, placed_.query.environmentLeafToQuery,
+             [&](double bound, VolumeReference child) {
+                 return Entry{bound, entry.part, child};
+             });
+    }
+
+    /// Pushes the near children of the opened node, the nearest last.
+    template <class MakeEntry>
+    void push(const FlatTree& tree, std::int32_t opened, const Volume& other, double toQuery,
+              const MakeEntry& makeEntry) {
+        const Node& node = tree.nodes<kWidth>()[opened];
+        const std::size_t base = stack_.size();
+        ++counters_.nodeVisits;
+        for (int lane = 0; lane < kWidth && node.child[lane] != kNoChild; ++lane) {
+            ++counters_.volumeTests;
+            const double enough = nearest_.upper + placed_.margin;
+            const double bound = volumeGap(volumeOf(node, lane, toQuery), other, enough) - placed_.margin;
+            if (bound >= nearest_.upper) continue;
+            stack_.push_back(makeEntry(bound, VolumeReference(opened * kWidth + lane)));
+        }
+        std::sort(stack_.begin() + std::ptrdiff_t(base), stack_.end(),
+                  [](const Entry& a, const Entry& b) { return a.bound > b.bound; });
+    }
+
+    void meet(const Leaf& a, const Leaf& b) {
+        const PairQuery& query = placed_.query;
+        const auto cornersOf = [](const FlatTree& tree, std::uint32_t triangle) {
+            const auto& t = tree.triangles[triangle];
+            return Corners{tree.vertices[t[0]], tree.vertices[t[1]], tree.vertices[t[2]]};
+        };
+        const Vector3 translation(query.t[0], query.t[1], query.t[2]);
+        for (std::uint32_t i = a.firstTriangle; i < a.firstTriangle + a.triangleCount; ++i) {
+            Corners onPart = cornersOf(part_, i);
+            for (Vector3& corner : onPart) corner = placed_.rotation * corner + translation;
+            for (std::uint32_t j = b.firstTriangle; j < b.firstTriangle + b.triangleCount; ++j) {
+                ++counters_.triangleTests;
+                const double slack = kSlabRoundoffs * kUnitRoundoffDouble * query.largestCoordinate;
+                const double apart = (nearest_.upper + slack) / query.perMeshUnit;
+                if (!slabsProve(onPart, cornersOf(environment_, j), apart)) resolve({i, j, kNoFeature});
+                if (nearest_.upper == 0) return;
+            }
+        }
+    }
+
+    static ResolvedPair nothingYet() {
+        ResolvedPair pair{};
+        pair.upper = kInfinity;
+        return pair;
+    }
+
+    const FlatTree& part_;
+    const FlatTree& environment_;
+    Placed placed_;
+    std::vector<Entry>& stack_;
+    ResolvedPair nearest_ = nothingYet();
+    TrianglesAt triangles_{0, 0, kNoFeature};
+    double leastLower_ = kInfinity;
+    QueryCounters counters_;
+};
+
+}  // namespace
+
+struct ScalarDouble::Data {
+    Model part, environment;
+    std::vector<Entry> stack;
+    std::optional<TrianglesAt> warmStart;
+};
+
+ScalarDouble::ScalarDouble(const Model& part, const Model& environment)
+    : data_(new Data{part, environment, {}, {}}) {
+    for (const Model* model : {&part, &environment}) {
+        if (model->tree().nodeWidth == kWidth) continue;
+        throw std::invalid_argument("nodeWidth is " + std::to_string(model->tree().nodeWidth) +
+                                    ", expected 8");
+    }
+}
+
+ScalarDouble::~ScalarDouble() = default;
+
+void ScalarDouble::forgetWarmStart() {
+    data_->warmStart.reset();
+}
+
+Answer ScalarDouble::distance(const Pose& X_environmentPart) {
+    Search search(data_->part.tree(), data_->environment.tree(), X_environmentPart, data_->stack);
+    if (data_->warmStart) search.resolve(*data_->warmStart);
+    search.run();
+    data_->warmStart = search.triangles();
+    return search.answer();
+}
+
+Answer ScalarDouble::rootBound(const Pose& X_environmentPart) const {
+    const Placed placed(data_->part.tree(), data_->environment.tree(), X_environmentPart);
+    const double bound =
+        volumeGap(placed.toEnvironment(placed.partVolume(0)), placed.environmentVolume(0), kInfinity) -
+        placed.margin;
+    Answer answer;
+    answer.lower = answer.value = std::max(0.0, bound) / placed.query.perMeshUnit;
+    answer.upper = kInfinity;
+    return answer;
+}
+
+}  // namespace clearway::testing

@@ -1,0 +1,122 @@
+// Speed against error: every way to answer "how far?", timed in one process, and judged by the oracle at
+// every pose.
+//   bench_speed_error [--scenes A,B] [--out DIR] ...      see --help and README.md in this folder
+// Ends with 1 when an answer of clearway is wrong, with 2 when it cannot run.
+#include <filesystem>
+#include <iostream>
+
+#include "bench/error_report.h"
+#include "bench/task_options.h"
+#include "clearway/targets.h"
+#include "core/replace_file.h"
+
+namespace clearway::testing {
+namespace {
+
+namespace options = boost::program_options;
+
+const std::vector<double> kMarginShares = {0, 1e-6, 1e-3};  // of the scene's size
+
+struct ErrorChoices : TaskChoices {
+    int nearBases = 0;
+};
+
+std::optional<ErrorChoices> readOptions(int count, char** words) {
+    options::options_description all("options");
+    addTaskOptions(all, "A,B,C,D,E,F", "speed_error.csv");
+    all.add_options()("near-bases", options::value<int>()->default_value(20),
+                      "poses that are moved near to each margin, each to nine or thirteen distances");
+    options::variables_map given;
+    options::store(options::parse_command_line(count, words, all), given);
+    if (given.count("help") != 0) {
+        std::cout << all;
+        return std::nullopt;
+    }
+    ErrorChoices choices;
+    static_cast<TaskChoices&>(choices) = taskChoices(given);
+    choices.nearBases = atLeast(0, given, "near-bases");
+    return choices;
+}
+
+/// Every mode timed, pass by pass in turn.
+void run(std::vector<Mode>& modes, const std::vector<Pose>& poses, const Schedule& schedule) {
+    std::vector<Series> all;
+    for (const Mode& mode : modes) all.push_back(mode.series);
+    runAll(all, poses, schedule);
+    for (std::size_t k = 0; k < modes.size(); ++k) modes[k].series = std::move(all[k]);
+}
+
+const Series& floatOnlyOf(const std::vector<Mode>& modes) {
+    for (const Mode& mode : modes) {
+        if (mode.name() == kFloatOnly) return mode.series;
+    }
+    throw std::logic_error("float only is no mode");
+}
+
+VerdictCounts verdictsOf(const Mode& mode, const PosesNearMargin& near) {
+    if (mode.series.beforePass) mode.series.beforePass();
+    VerdictCounts counts;
+    for (std::size_t i = 0; i < near.poses.size(); ++i) {
+        const bool saysValid = mode.isValid(near.poses[i], near.margin);
+        counts.falseValid += saysValid && !near.isValid[i];
+        counts.falseInvalid += !saysValid && near.isValid[i];
+    }
+    return counts;
+}
+
+ErrorReport measure(const BenchTask& task, const ErrorChoices& choices) {
+    const TreePair trees = buildTrees(task, BuildOptions{});
+    std::vector<Peer> peers;
+    if (choices.withPeers) peers = makePeers(task.part, task.environment);
+    std::vector<Mode> modes = makeModes(task, trees, peers);
+    run(modes, task.poses, choices.schedule);
+
+    ErrorReport report{task.name, task.about, task.poses.size(), 0, {}, kMarginShares, {}};
+    const MeshOracle oracle(task.part, task.environment);
+    std::vector<Truth> truths;
+    for (const Pose& pose : task.poses) {
+        truths.push_back(askOracle(oracle, task, pose));
+        report.colliding += truths.back().distance == 0;
+    }
+    for (const double share : kMarginShares) {
+        report.margins.push_back(
+            posesNearMargin(task, trees, oracle, truths, share * task.sceneSize(), choices.nearBases));
+    }
+    for (const Mode& mode : modes) {
+        ModeFigures figures = figuresOf(mode, floatOnlyOf(modes), truths, task.sceneSize());
+        for (const PosesNearMargin& near : report.margins) figures.verdicts.push_back(verdictsOf(mode, near));
+        report.modes.push_back(std::move(figures));
+    }
+    return report;
+}
+
+int run(const ErrorChoices& choices) {
+    if (!choices.out.empty()) std::filesystem::create_directories(choices.out);
+    std::cout << "best target " << currentTarget() << "; of each time, the clock takes " << clockNanoseconds()
+              << " ns\n";
+    std::string table = errorHeader(kMarginShares);
+    std::size_t wrong = 0;
+    for (const std::string& name : choices.scenes) {
+        const ErrorReport report = measure(makeTask(choices, name), choices);
+        print(std::cout, report);
+        wrong += faults(report).size();
+        table += errorRows(report);
+        if (choices.out.empty()) continue;
+        replaceFile((std::filesystem::path(choices.out) / "speed_error.csv").string(),
+                    [&](std::ostream& out) { out << table; });
+    }
+    return wrong == 0 ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace clearway::testing
+
+int main(int count, char** words) {
+    try {
+        const auto choices = clearway::testing::readOptions(count, words);
+        return choices ? clearway::testing::run(*choices) : 0;
+    } catch (const std::exception& error) {
+        std::cerr << "bench_speed_error: " << error.what() << '\n';
+        return 2;
+    }
+}
