@@ -40,7 +40,7 @@ class Bytes {
     T take() {
         T value{};
         const std::size_t size = std::min(sizeof value, rest_.size());
-        std::memcpy(&value, rest_.data(), size);
+        if (size > 0) std::memcpy(&value, rest_.data(), size);
         rest_.remove_prefix(size);
         return value;
     }

@@ -10,8 +10,7 @@
 #include "clearway/targets.h"
 #include "fuzz/bytes.h"
 #include "fuzz/soup.h"
-#include "support/exact_triangle.h"
-#include "support/oracle.h"
+#include "support/exact_check.h"
 #include "support/triangle_distance.h"
 
 namespace clearway::testing {
@@ -26,7 +25,7 @@ struct Case {
     Pose pose;
     BuildOptions options;
     bool isWild;
-    Rational distanceSquared;
+    ExactDistance distance;
     double sceneSize;
     double largest;  ///< M
 };
@@ -48,38 +47,7 @@ void describe(const Case& given, const std::string& question) {
     describe(given.environment, "environment");
     std::cerr << "rotation\n"
               << given.pose.rotation << "\ntranslation " << given.pose.translation.transpose()
-              << "\ndistance " << rootOf(given.distanceSquared) << ", M " << given.largest << "\n";
-}
-
-/// Squares of what doubles hold, compared without rounding. Infinity is above all.
-bool isAtMost(const Rational& squared, double bound) {
-    return bound == std::numeric_limits<double>::infinity() ||
-           (bound >= 0 && squared <= Rational(bound) * Rational(bound));
-}
-bool isAtLeast(const Rational& squared, double bound) {
-    return bound <= 0 || squared >= Rational(bound) * Rational(bound);
-}
-
-/// By rational arithmetic, of those pairs that long double does not show to be farther than another.
-Rational exactSquared(const Case& given) {
-    const std::size_t parts = given.part.triangles.size(), others = given.environment.triangles.size();
-    std::vector<long double> distances(parts * others);
-    long double least = std::numeric_limits<long double>::infinity();
-    for (std::size_t i = 0; i < parts * others; ++i) {
-        distances[i] = triangleDistance(moved(given.pose, cornersOf(given.part, i / others)),
-                                        toLong(cornersOf(given.environment, i % others)))
-                           .distance;
-        least = std::min(least, distances[i]);
-    }
-    Rational best = -1;
-    for (std::size_t i = 0; i < parts * others && best != 0; ++i) {
-        if (distances[i] > least + 1e-12L * given.largest) continue;
-        const Rational squared =
-            exactDistanceSquared(exactlyMoved(given.pose, cornersOf(given.part, i / others)),
-                                 toExact(cornersOf(given.environment, i % others)));
-        if (best < 0 || squared < best) best = squared;
-    }
-    return best;
+              << "\ndistance " << given.distance.rounded() << ", M " << given.largest << "\n";
 }
 
 double largestCoordinate(const Case& given) {
@@ -112,8 +80,8 @@ bool readCase(std::string_view input, Case& given) {
     given.largest = largestCoordinate(given);
     given.sceneSize =
         boundingBox(given.part).diagonal().norm() + boundingBox(given.environment).diagonal().norm();
-    if (!(given.largest < 1e150)) return false;  // long double has to hold the squares of squares
-    given.distanceSquared = exactSquared(given);
+    if (!(given.largest < 1e150)) return false;  // the squares of lengths have to be doubles
+    given.distance = exactMeshDistance(given.part, given.environment, given.pose);
     return true;
 }
 
@@ -146,12 +114,12 @@ void requireWitnesses(const Case& given, const DistanceResult& result) {
 
 void requireDistance(const Case& given, const DistanceOptions& options, const DistanceResult& result) {
     if (result.lower >= options.cap && result.upper > options.cap) {
-        require(isAtLeast(given.distanceSquared, result.lower), "lower <= distance");
+        require(given.distance.compare(result.lower) >= 0, "lower <= distance");
         return;
     }
-    require(isAtLeast(given.distanceSquared, result.lower), "lower <= distance");
-    require(isAtMost(given.distanceSquared, result.upper), "distance <= upper");
-    require(result.collides() == (given.distanceSquared == 0), "an interval of 0 is contact");
+    require(given.distance.compare(result.lower) >= 0, "lower <= distance");
+    require(given.distance.compare(result.upper) <= 0, "distance <= upper");
+    require(result.collides() == given.distance.isZero(), "an interval of 0 is contact");
     const double width = std::max({1e-12 * given.sceneSize + 32 * kUnitRoundoff * given.largest,
                                    options.absoluteError, options.relativeError * result.lower});
     require(result.upper - result.lower <= width * (1 + 1e-15), "the interval is as narrow as asked for");
@@ -161,7 +129,7 @@ void requireDistance(const Case& given, const DistanceOptions& options, const Di
 /// Lengths at which a wrong decision is likeliest.
 std::vector<double> lengthsToAsk(const Case& given) {
     const double infinity = std::numeric_limits<double>::infinity();
-    const auto root = double(rootOf(given.distanceSquared));
+    const auto root = static_cast<double>(given.distance.rounded());
     return {0,
             root,
             std::nextafter(root, infinity),
@@ -197,7 +165,7 @@ void requireAnswers(const Case& given, const Model& part, const Model& environme
     askDistance(given, {}, part, environment, workspace);
     {
         const Asking asking(given, "collides");
-        require(collides(part, environment, given.pose, workspace) == (given.distanceSquared == 0),
+        require(collides(part, environment, given.pose, workspace) == given.distance.isZero(),
                 "collides is exact");
     }
     DistanceOptions options;
@@ -208,9 +176,8 @@ void requireAnswers(const Case& given, const Model& part, const Model& environme
             std::ostringstream question;
             question << std::setprecision(17) << "isWithin " << d;
             const Asking asking(given, question.str());
-            require(
-                isWithin(part, environment, given.pose, d, workspace) == isAtMost(given.distanceSquared, d),
-                "isWithin is exact");
+            require(isWithin(part, environment, given.pose, d, workspace) == (given.distance.compare(d) <= 0),
+                    "isWithin is exact");
         }
         DistanceOptions capped;
         capped.cap = d;
