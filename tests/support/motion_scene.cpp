@@ -81,6 +81,9 @@ MotionScene::MotionScene(std::string theName, Space theKind, const Mesh& partMes
       si(std::make_shared<ob::SpaceInformation>(space)),
       checker(std::make_shared<planning::ValidityChecker>(si, scene)),
       validator(std::make_shared<planning::MotionValidator>(si, scene)) {
+    planning::MotionOptions options;
+    options.leastInterval = 0.01 * validator->leastInterval();
+    close = std::make_shared<planning::MotionValidator>(si, scene, options);
     si->setStateValidityChecker(checker);
     si->setMotionValidator(validator);
     si->setup();
@@ -119,7 +122,7 @@ double MotionScene::trueClearance(const ob::State* s1, const ob::State* s2, doub
     return trueClearance(between.get());
 }
 
-double MotionScene::leastTrueClearance(const ob::State* s1, const ob::State* s2, int poses,
+double MotionScene::leastTrueClearance(const ob::State* s1, const ob::State* s2, double until, int poses,
                                        int judged) const {
     ob::ScopedState<> between(space);
     std::vector<Found> found;
@@ -128,12 +131,12 @@ double MotionScene::leastTrueClearance(const ob::State* s1, const ob::State* s2,
         found.push_back({time, checker->distance(between.get()).lower});
         return found.back().distance;
     };
-    for (int i = 0; i <= poses; ++i) distanceAt(static_cast<double>(i) / poses);
+    for (int i = 0; i <= poses; ++i) distanceAt(until * i / poses);
     const double middle = std::min_element(found.begin(), found.end())->time;
-    const double gap = 1.0 / poses;
-    searchLeast(distanceAt, std::max(0.0, middle - gap), std::min(1.0, middle + gap), 30);
+    const double gap = until / poses;
+    searchLeast(distanceAt, std::max(0.0, middle - gap), std::min(until, middle + gap), 30);
     std::sort(found.begin(), found.end());
-    double least = trueClearance(s2);
+    double least = trueClearance(s1, s2, until);
     for (std::size_t i = 0; i < std::min(found.size(), static_cast<std::size_t>(judged)); ++i) {
         space->interpolate(s1, s2, found[i].time, between.get());
         least = std::min(least, trueClearance(between.get()));

@@ -32,10 +32,10 @@ struct MotionScene {
     /// At s2 for time 1, else as interpolated.
     double trueClearance(const ompl::base::State* s1, const ompl::base::State* s2, double time) const;
 
-    /// The least of it along the motion, s2 included: at the `judged` poses where the library finds least
-    /// distance, of so many from time 0 to 1 and of those that a search between them adds.
-    double leastTrueClearance(const ompl::base::State* s1, const ompl::base::State* s2, int poses,
-                              int judged) const;
+    /// The least of it along the motion up to a time, 1 being s2: at the `judged` poses where the library
+    /// finds least distance, of so many and of those that a search between them adds.
+    double leastTrueClearance(const ompl::base::State* s1, const ompl::base::State* s2, double until,
+                              int poses, int judged) const;
 
     std::string name;
     Space kind;
@@ -46,6 +46,7 @@ struct MotionScene {
     ompl::base::SpaceInformationPtr si;
     std::shared_ptr<planning::ValidityChecker> checker;
     std::shared_ptr<planning::MotionValidator> validator;  ///< both are si's
+    std::shared_ptr<planning::MotionValidator> close;      ///< with a hundredth of its least interval
 };
 
 /// The window in SE(3) and SE(2), the small tunnel-console, boxes and puzzle, with and without margins.

@@ -89,8 +89,9 @@ class MotionValidator : public ompl::base::MotionValidator {
 
     /// Goes forward. On false lastValid.second is in [0, 1), all poses up to it are certified, and
     /// lastValid.first, unless null, holds the state there, which was looked at as interpolated. It is within
-    /// a hundred least intervals of what blocks, in displacement. When s1 is invalid, it is s1, at 0.
-    /// lastValid.first may be s1 or s2. On true both stay.
+    /// a hundred least intervals of what blocks, in displacement. (From s1 to that state may be another
+    /// motion: OMPL leaves out turns below 1.6e-4 rad.) When s1 is invalid, it is s1, at 0. lastValid.first
+    /// may be s1 or s2. On true both stay.
     bool checkMotion(const ompl::base::State* s1, const ompl::base::State* s2,
                      std::pair<ompl::base::State*, double>& lastValid) const override;
 
