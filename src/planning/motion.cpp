@@ -15,6 +15,9 @@ namespace ob = ompl::base;
 /// which turns the part by at most 40; the matrix adds 18, the position 4. Altogether less than 2^6.
 constexpr double kPoseRounding = 0x1p-47;
 
+/// Where the interpolation ends; time 1 stands for s2.
+constexpr double kJustBeforeEnd = 1 - 0x1p-53;
+
 /// Of it: from each end of an interval two or, where s2 stands for the end, three roundings count.
 constexpr double kRoundingsOfAnInterval = 8;
 
@@ -64,7 +67,7 @@ MotionSample Motion::atEnd(double wanted) {
         end.clearance = certain;
         return end;
     }
-    const MotionSample interpolated = at(1, wanted);
+    const MotionSample interpolated = at(kJustBeforeEnd, wanted);
     if (!interpolated.isValid()) return interpolated;
     end.clearance = std::max(certain, std::min(end.clearance, interpolated.clearance));
     return end;

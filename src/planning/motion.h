@@ -51,7 +51,7 @@ class Motion {
 
     /// Lengths up to `wanted` are of interest. All of them throw what queries and callbacks throw.
     MotionSample atStart(double wanted);
-    MotionSample at(double time, double wanted);  ///< as interpolated; 0 < time <= 1
+    MotionSample at(double time, double wanted);  ///< as interpolated; 0 < time < 1
 
     /// s2 itself. When it is valid, the clearance is what is certain at s2 and at time 1 of the
     /// interpolation, which need not be s2: OMPL leaves out rotations below 1.6e-4 rad.

@@ -49,7 +49,7 @@ struct MotionReport {
     /// Of the least of distance - margin along the motion. Environment units.
     double lowerClearance = 0;
     double upperClearance = 0;
-    double closestTime = 0;  ///< of the pose that is closest, of those looked at; 1 is s2
+    double closestTime = 0;  ///< of the pose that is closest, of those looked at; 1 is s2 itself
     /// There: both triangles, their components and points. Its ids are -1 when the pose is farther than the
     /// environment's reach tells, or no pose was looked at.
     DistanceResult closest;

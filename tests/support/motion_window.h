@@ -1,0 +1,59 @@
+// The plate of the window scene in front of its wall, with a certified motion validator.
+#pragma once
+
+#include <ompl/base/ScopedState.h>
+#include <ompl/base/SpaceInformation.h>
+
+#include <memory>
+
+#include "clearway/planning/motion_validator.h"
+#include "clearway/planning/validity_checker.h"
+#include "planning/planning_space.h"
+#include "support/window_scene.h"
+
+namespace clearway::testing {
+
+/// The plate of the window scene, 60 x 40 x 10, in front of the wall whose near face is at x = -2.
+struct MotionWindow {
+    explicit MotionWindow(double margin = 0, const planning::MotionOptions& options = {},
+                          Space kind = Space::kSe3)
+        : space(planning::makeSpace(kind, Box(Vector3(-100, -60, -60), Vector3(100, 60, 60)), 1)),
+          si(std::make_shared<ompl::base::SpaceInformation>(space)),
+          spaceKind(kind) {
+        window.scene.margin = margin;
+        si->setStateValidityChecker(std::make_shared<planning::ValidityChecker>(si, window.scene));
+        validator = std::make_shared<planning::MotionValidator>(si, window.scene, options);
+        si->setMotionValidator(validator);
+        si->setup();
+    }
+
+    ompl::base::ScopedState<> at(const Vector3& position, double angle = 0,
+                                 const Vector3& axis = Vector3::UnitZ()) const {
+        PartState state;
+        state.position = position;
+        state.rotation = Eigen::AngleAxisd(angle, axis);
+        return planning::toOmpl(space, spaceKind, state);
+    }
+
+    bool check(const ompl::base::ScopedState<>& s1, const ompl::base::ScopedState<>& s2) const {
+        return validator->checkMotion(s1.get(), s2.get());
+    }
+    planning::MotionReport report(const ompl::base::ScopedState<>& s1,
+                                  const ompl::base::ScopedState<>& s2) const {
+        return validator->report(s1.get(), s2.get());
+    }
+
+    WindowScene window = windowScene();
+    ompl::base::StateSpacePtr space;
+    ompl::base::SpaceInformationPtr si;
+    Space spaceKind;
+    std::shared_ptr<planning::MotionValidator> validator;
+};
+
+inline planning::MotionOptions withLeastInterval(double length) {
+    planning::MotionOptions options;
+    options.leastInterval = length;
+    return options;
+}
+
+}  // namespace clearway::testing
