@@ -11,9 +11,8 @@
 
 namespace clearway::testing {
 
-BOOST_AUTO_TEST_CASE(the_readme_example_runs_and_its_path_keeps_clear) {
-    const std::string part = CLEARWAY_DATA_DIR "/window/plate.obj",
-                      wall = CLEARWAY_DATA_DIR "/window/wall.obj";
+/// What the demo finds; nothing when it ran out of its ten seconds.
+std::vector<PartState> runDemo(const std::string& part, const std::string& wall) {
     const TemporaryFolder folder;
     const std::string command = CLEARWAY_DEMO " '" + part + "' '" + wall + "' > '" + folder.file("out") +
                                 "' 2> '" + folder.file("err") + "'";
@@ -32,6 +31,15 @@ BOOST_AUTO_TEST_CASE(the_readme_example_runs_and_its_path_keeps_clear) {
             path.push_back(s);
         }
     }
+    return path;
+}
+
+BOOST_AUTO_TEST_CASE(the_readme_example_runs_and_its_path_keeps_clear) {
+    const std::string part = CLEARWAY_DATA_DIR "/window/plate.obj",
+                      wall = CLEARWAY_DATA_DIR "/window/wall.obj";
+    std::vector<PartState>
+        path;  // its planner has no seed, and on a busy machine some need longer than it has
+    for (int run = 0; run < 3 && path.empty(); ++run) path = runDemo(part, wall);
     BOOST_TEST_REQUIRE(path.size() >= 2u);
     BOOST_TEST(path.front().position.x() == -60);
     BOOST_TEST(path.back().position.x() == 60);
