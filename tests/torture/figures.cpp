@@ -100,13 +100,13 @@ void addRows(Rows& rows, const PairFigures& figures) {
     rows.add("worst error over scene", figures.worstErrorOfScene);
     rows.add("widest interval over allowed", figures.widest);
     rows.add("widest interval over scene", figures.widestOfScene);
-    rows.add("double finish, height/length >= 0.01, pairs", figures.regularFinish.pairs);
-    rows.add("double finish, height/length >= 0.01, worst error over u64 (M + L)",
+    rows.add("double finish at height/length >= 0.01: pairs", figures.regularFinish.pairs);
+    rows.add("double finish at height/length >= 0.01: worst error over u64 (M + L)",
              figures.regularFinish.error);
-    rows.add("double finish, height/length >= 0.01, widest over u64 (M + L)", figures.regularFinish.width);
-    rows.add("double finish, flatter, pairs", figures.flatFinish.pairs);
-    rows.add("double finish, flatter, worst error over u64 (M + L)", figures.flatFinish.error);
-    rows.add("double finish, flatter, widest over u64 (M + L)", figures.flatFinish.width);
+    rows.add("double finish at height/length >= 0.01: widest over u64 (M + L)", figures.regularFinish.width);
+    rows.add("double finish of flatter ones: pairs", figures.flatFinish.pairs);
+    rows.add("double finish of flatter ones: worst error over u64 (M + L)", figures.flatFinish.error);
+    rows.add("double finish of flatter ones: widest over u64 (M + L)", figures.flatFinish.width);
     rows.add("distance", figures.distanceStages);
     rows.add("collides", figures.collidesStages);
     rows.add("isWithin at the truth", figures.withinStages);
