@@ -25,7 +25,8 @@ struct ModeFigures {
     std::string mode;
     bool isQuery = false;
     double queriesPerSecond = 0;
-    std::vector<double> overFloatOnly;    ///< time over float only's, one value a repetition
+    double overFloatOnly = 0;             ///< time over float only's: of each pose the median repetition
+    std::vector<double> passRatios;       ///< likewise of whole passes, one value a repetition
     Spread errors;                        ///< |answer - true distance|; not of verdicts
     Spread widths;                        ///< upper - lower, where there is an interval
     int beyondCap = 0;                    ///< answered by "farther than the cap": no number, no width

@@ -46,7 +46,11 @@ BOOST_AUTO_TEST_CASE(errors_and_widths_are_shares_of_the_scene) {
     BOOST_TEST(figures.widths.median == 0.01);
     BOOST_TEST(figures.outside == 0);
     BOOST_TEST(figures.queriesPerSecond == 5e6);
-    BOOST_TEST(figures.overFloatOnly == std::vector<double>(2, 1.0));
+    BOOST_TEST(figures.passRatios == std::vector<double>(2, 1.0));
+
+    Series twiceAsFast = mode.series;
+    twiceAsFast.nanoseconds = {{50, 50, 50, 50}, {150, 150, 150, 150}};
+    BOOST_TEST(figuresOf(mode, twiceAsFast, {{10, 0}, {20, 0}, {0, 0}, {30, 0}}, 100).overFloatOnly == 2);
     BOOST_TEST(faults(reportOf(figures, 0)).empty());
 }
 
@@ -88,7 +92,7 @@ BOOST_AUTO_TEST_CASE(answers_beyond_the_cap_are_counted_and_have_no_error) {
 BOOST_AUTO_TEST_CASE(table_has_a_field_for_every_column) {
     ModeFigures figures;
     figures.mode = "made up";
-    figures.overFloatOnly = {1};
+    figures.passRatios = {1};
     figures.verdicts = {{1, 2}, {3, 4}};
     ErrorReport report = reportOf(figures, 2);
     const std::string header = errorHeader({0, 1e-6}), row = errorRows(report);
