@@ -11,12 +11,13 @@
 #include "fuzz/bytes.h"
 #include "fuzz/soup.h"
 #include "support/exact_check.h"
-#include "support/triangle_distance.h"
 
 namespace clearway::testing {
 namespace {
 
 constexpr double kUnitRoundoff = 0x1p-53;
+/// Among denormal numbers results round by it, whatever they are.
+constexpr double kLeast = std::numeric_limits<double>::denorm_min();
 constexpr std::size_t kMostTriangles = 12;
 
 struct Case {
@@ -92,19 +93,21 @@ bool mayBeRefused(const Case& given) {
     return given.largest * 0x1p-55 > std::min(part, environment);
 }
 
-void requireWitness(const Vector3& point, const LongTriangle& triangle, double within) {
-    const LongVector p = point.cast<long double>();
-    require((closestOnTriangle(p, triangle) - p).norm() <= within, "a witness lies on its triangle");
+/// Exact: long double is far off next to needles.
+void requireWitness(const Vector3& point, const Pose& X, const std::array<Vector3, 3>& triangle,
+                    double within) {
+    const ExactDistance away = exactDistance(X, triangle, {point, point, point});
+    require(away.compare(within) <= 0, "a witness lies on its triangle");
 }
 
 void requireWitnesses(const Case& given, const DistanceResult& result) {
-    const double rounding = kUnitRoundoff * given.largest;
+    const double rounding = kUnitRoundoff * given.largest + kLeast;
     const double within = (result.collides() ? 16 : 8) * rounding;
     const auto part = std::size_t(result.partTriangle), other = std::size_t(result.environmentTriangle);
     require(part < given.part.triangles.size() && other < given.environment.triangles.size(),
             "an id is that of a triangle");
-    requireWitness(result.pointOnPart, moved(given.pose, cornersOf(given.part, part)), within);
-    requireWitness(result.pointOnEnvironment, toLong(cornersOf(given.environment, other)), within);
+    requireWitness(result.pointOnPart, given.pose, cornersOf(given.part, part), within);
+    requireWitness(result.pointOnEnvironment, {}, cornersOf(given.environment, other), within);
     const double apart = (result.pointOnPart - result.pointOnEnvironment).norm();
     require(std::abs(apart - result.distance) <= 4 * rounding, "the distance is that of the witnesses");
     require(apart >= result.lower - 16 * rounding && result.upper >= apart - 4 * rounding &&
@@ -122,7 +125,8 @@ void requireDistance(const Case& given, const DistanceOptions& options, const Di
     require(result.collides() == given.distance.isZero(), "an interval of 0 is contact");
     const double width = std::max({1e-12 * given.sceneSize + 32 * kUnitRoundoff * given.largest,
                                    options.absoluteError, options.relativeError * result.lower});
-    require(result.upper - result.lower <= width * (1 + 1e-15), "the interval is as narrow as asked for");
+    require(result.upper - result.lower <= width * (1 + 1e-15) + 2 * kLeast,
+            "the interval is as narrow as asked for");
     requireWitnesses(given, result);
 }
 
@@ -155,8 +159,10 @@ void askDistance(const Case& given, const DistanceOptions& options, const Model&
              << options.cap;
     const Asking asking(given, question.str());
     const DistanceResult result = distance(part, environment, given.pose, options, workspace);
-    question << ": " << result.lower << " to " << result.upper << ", witnesses " << result.distance
-             << " apart";
+    question << ": " << result.lower << " to " << result.upper << " by triangles " << result.partTriangle
+             << " and " << result.environmentTriangle << ", witnesses " << result.distance
+             << " apart: " << result.pointOnPart.transpose() << " and "
+             << result.pointOnEnvironment.transpose();
     const Asking answered(given, question.str());
     requireDistance(given, options, result);
 }
