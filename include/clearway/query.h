@@ -60,8 +60,9 @@ struct DistanceOptions {
     /// largest coordinate among both meshes, the moved part and the pose's translation. Both >= 0.
     double relativeError = 0;
     double absoluteError = 0;
-    /// No interest beyond: when the distance is larger, lower >= cap, upper and distance are infinite, ids
-    /// are -1 and the witness points NaN. >= 0. An environment with a reach lowers it to its own cap.
+    /// No interest beyond: when the distance is proved larger, lower >= cap, upper and distance are infinite,
+    /// ids are -1 and the witness points NaN; an interval that holds the cap is answered as without one, and
+    /// isWithin(cap) decides. >= 0. An environment with a reach lowers it to its own cap.
     double cap = std::numeric_limits<double>::infinity();
 };
 
@@ -86,8 +87,9 @@ struct DistanceResult {
 /// Distance between the part's triangles, moved by X_environmentPart, and the environment's. 0 when they
 /// share a point. Throws std::invalid_argument when the pose is no rotation (see requirePose), an option is
 /// negative or NaN, the two models have different node widths, or their sizes, or the way between them and a
-/// size, differ by more than 2^60; also when the part has a reach, or the environment has one that does not
-/// hold the pose's translation or the part's radius (see Model::reach).
+/// size, differ by more than 2^60, or a coordinate of theirs or the pose's is 1e298 or more; also when the
+/// part has a reach, or the environment has one that does not hold the pose's translation or the part's
+/// radius (see Model::reach).
 DistanceResult distance(const Model& part, const Model& environment, const Pose& X_environmentPart,
                         const DistanceOptions& options, Workspace& workspace);
 

@@ -9,6 +9,7 @@ namespace clearway {
 namespace {
 
 constexpr int kLargestRatioExponent = 60;  // squares of ratios beyond it overflow float
+constexpr double kTooLarge = 1e298;        // splitting a double in halves overflows from 2^996 on
 
 double largestCoordinateOf(const Box& box) {
     return std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
@@ -64,6 +65,12 @@ PairQuery preparePairQuery(const FlatTree& part, const FlatTree& environment, co
                                                            : ofPoints;
     const int partExponent = part.radius > 0 ? part.unitExponent : environmentExponent;
     requireRatio(partExponent - environmentExponent, "the sizes of part and environment");
+    if (!(largest < kTooLarge)) {
+        std::ostringstream message;
+        message << "the largest coordinate of part, environment and pose is " << largest
+                << ", expected less than " << kTooLarge;
+        throw std::invalid_argument(message.str());
+    }
 
     PairQuery query;
     query.part = &part;
@@ -79,10 +86,6 @@ PairQuery preparePairQuery(const FlatTree& part, const FlatTree& environment, co
     query.offsetSlack = offsetError * query.perMeshUnit;
 
     const Vector3 between = X_environmentPart * part.origin - environment.origin;
-    if (!between.allFinite()) {
-        throw std::invalid_argument(
-            "the way between part and environment overflows, expected coordinates below 1e308");
-    }
     const double away = between.cwiseAbs().maxCoeff();  // the norm's square may overflow or vanish
     if (away > 0) {
         const int smaller = std::min(partExponent, environmentExponent);

@@ -196,9 +196,11 @@ BOOST_AUTO_TEST_CASE(a_way_too_long_for_the_sizes_is_refused_by_every_query) {
     const Model part = Model::build(scaledBy(queryCase.part, 0x1p-20));
     const Model environment = Model::build(scaledBy(queryCase.environment, 0x1p-20));
     Workspace workspace;
-    for (const double away : {1e20, 1e160, 1e300, -1.7e308}) {
+    for (const double away : {1e20, 1e160, 9e297, 1e300, -1.7e308}) {
         const Pose pose{Matrix3::Identity(), {0, away, away}};
-        const std::vector<std::string> words = {"the way between part and environment", "expected"};
+        const std::vector<std::string> words = {
+            std::abs(away) < 1e298 ? "the way between part and environment" : "the largest coordinate",
+            "expected"};
         checkRefused([&] { distance(part, environment, pose, {}, workspace); }, words);
         checkRefused([&] { collides(part, environment, pose, workspace); }, words);
         checkRefused([&] { isWithin(part, environment, pose, 1, workspace); }, words);
@@ -244,4 +246,17 @@ BOOST_AUTO_TEST_CASE(a_workspace_serves_again_after_a_refusal) {
                       std::invalid_argument);
     checkDistance(distance(models.part, models.environment, queryCase.poses[1], {}, workspace), queryCase,
                   queryCase.poses[1], queryCase.answers[1]);
+}
+
+BOOST_AUTO_TEST_CASE(coordinates_that_would_overflow_are_refused_by_name) {
+    const Model part = Model::build(box({1, 1, 1})), far = Model::build(scaledBy(box({1, 1, 1}), 0x1p993));
+    Workspace workspace;
+    const auto saysSo = [](const std::invalid_argument& error) {
+        return std::string(error.what()).find("largest coordinate") != std::string::npos;
+    };
+    BOOST_CHECK_EXCEPTION(collides(far, far, Pose{}, workspace), std::invalid_argument, saysSo);
+    BOOST_CHECK_EXCEPTION(distance(part, part, {Matrix3::Identity(), {0, 1e300, 0}}, {}, workspace),
+                          std::invalid_argument, saysSo);
+    const Model large = Model::build(scaledBy(box({1, 1, 1}), 0x1p980));
+    BOOST_TEST(distance(large, large, Pose{}, {}, workspace).pointOnPart.allFinite());
 }
