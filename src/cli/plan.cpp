@@ -124,7 +124,7 @@ void printSettings(const Scene& scene, const PlanOptions& options, const PlanRep
         printRow("repeatable",
                  report.isRepeatable ? "yes" : "no: this planner uses several threads or the clock");
     }
-    printRow("margin", readable(scene.margin));
+    printRow("margin", readable(scene.largestMargin()));
     printRow("motions", report.isCertified ? "certified along their whole length"
                                            : "checked every " + readable(report.step));
     if (report.guard > 0)
@@ -202,7 +202,7 @@ int plan(const Arguments& arguments) {
     printWarnings(problem.warnings);
     printWarnings(report.warnings);
     printMesh("part", scene.part);
-    printMesh("environment", scene.environment);
+    for (const Obstacle& obstacle : scene.obstacles) printMesh("environment", obstacle.model);
     printSettings(scene, planOptionsGiven, report);
     return printOutcome(report, problem, file);
 }

@@ -7,9 +7,6 @@
 
 namespace clearway::planning {
 
-/// The name of a model's mesh: the component's, else its file's.
-std::string meshName(const Model& model, std::int64_t component);
-
 /// Throws std::invalid_argument, naming the two closest meshes and triangles, unless the state is valid.
 /// what: "start". returns the clearance.
 double requireValid(const ValidityChecker& checker, const ompl::base::State* state, const std::string& what);

@@ -42,7 +42,7 @@ void Motion::measure() {
     const double position =
         std::max(tools_.stateToPose(s1_).translation.norm(), tools_.stateToPose(s2_).translation.norm());
     slack_ = kRoundingsOfAnInterval * kPoseRounding *
-             (scene.part.radiusAboutOrigin() + position + length_ + scene.margin);
+             (scene.part.radiusAboutOrigin() + position + length_ + scene.largestMargin());
     if (!std::isfinite(slack_)) {
         throw std::runtime_error("one of two states has no pose: an entry is not finite");
     }

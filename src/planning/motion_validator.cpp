@@ -29,14 +29,15 @@ constexpr double kReportedShare = 1e-2;
 constexpr double kReportedLargestShare = 0.1;
 constexpr double kReportedDiagonal = 1e-3;  ///< of the part's diagonal
 
-double diagonalOf(const Model& model) {
-    return model.box().diagonal().norm();
+double diagonalOf(const Box& box) {
+    return box.isEmpty() ? 0 : box.diagonal().norm();
 }
 
 double chooseLeastInterval(const Scene& scene, const MotionOptions& options) {
     if (!options.leastInterval) {
-        const double part = diagonalOf(scene.part);
-        return kDefaultLeastInterval * (part > 0 ? part : diagonalOf(scene.environment));
+        const double part = diagonalOf(scene.part.box()), around = diagonalOf(scene.environmentBox());
+        const double size = part > 0 ? part : around;
+        return kDefaultLeastInterval * (size > 0 ? size : 1);
     }
     if (*options.leastInterval > 0 && std::isfinite(*options.leastInterval)) return *options.leastInterval;
     throw std::invalid_argument("leastInterval is " + shortNumber(*options.leastInterval) +
@@ -69,7 +70,7 @@ MotionValidator::MotionValidator(const ob::SpaceInformationPtr& si, Scene scene,
     if (!stateToPose_) throw std::invalid_argument("stateToPose is empty, expected a function");
     if (!bound_) throw std::invalid_argument("the displacement bound is empty, expected a function");
     if (clearance_->mostClearance() < leastInterval_) {
-        const double margin = clearance_->scene().margin;
+        const double margin = clearance_->scene().largestMargin();
         throw std::invalid_argument("the environment was built with a reach whose cap is " +
                                     shortNumber(clearance_->mostClearance() + margin) +
                                     ", expected at least the margin and the least interval, " +
@@ -128,7 +129,7 @@ MotionValidator::Outcome MotionValidator::judge(const ob::State* s1, const ob::S
 
 MotionReport MotionValidator::report(const ob::State* s1, const ob::State* s2) const {
     MotionReport report;
-    report.lowerClearance = -scene().margin;  // of a distance that is at least 0
+    report.lowerClearance = -scene().largestMargin();  // of a distance that is at least 0
     report.upperClearance = std::numeric_limits<double>::infinity();
     try {
         Motion looked = motion(s1, s2, true);
@@ -138,7 +139,7 @@ MotionReport MotionValidator::report(const ob::State* s1, const ob::State* s2) c
         if (report.verdict == MotionVerdict::kValid) {
             report.lowerClearance =
                 search.refineLower({kReportedShare, kReportedLargestShare,
-                                    kReportedDiagonal * diagonalOf(scene().part), leastInterval_});
+                                    kReportedDiagonal * diagonalOf(scene().part.box()), leastInterval_});
         }
         report.upperClearance = looked.leastUpper();
         report.closestTime = looked.closestTime();

@@ -7,7 +7,7 @@
 #include <future>
 #include <optional>
 
-#include "planning/end_states.h"
+#include "planning/mesh_names.h"
 #include "planning/ompl_messages.h"
 #include "planning/planning_space.h"
 #include "planning/setup.h"
@@ -77,7 +77,7 @@ void describe(const Setup& setup, const Problem& problem, const og::PathGeometri
     report.least.statesChecked = walk.states;
     if (walk.least.partTriangle < 0) return;  // farther than the environment's reach tells
     report.least.partMesh = meshName(scene.part, walk.least.partComponent);
-    report.least.environmentMesh = meshName(scene.environment, walk.least.environmentComponent);
+    report.least.environmentMesh = obstacleName(scene, walk.least);
 }
 
 std::optional<Walk> recheck(const Setup& setup, const og::PathGeometric& path, const Budget& budget,

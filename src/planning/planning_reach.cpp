@@ -32,17 +32,19 @@ std::optional<Reach> planningReach(const Problem& problem, const PlanOptions& op
 }
 
 void requireReachOf(const Scene& scene, const Box& bounds, double step) {
-    if (!scene.environment.reach()) return;
-    const Reach& reach = *scene.environment.reach();
-    if (!reach.positions.contains(bounds)) {
-        throw std::invalid_argument(
-            "the environment was built with a reach that leaves out positions within the bounds, expected "
-            "one that holds them all");
-    }
-    if (!(reach.cap >= scene.margin + step)) {
-        throw std::invalid_argument("the environment was built with a reach whose cap is " +
-                                    shortNumber(reach.cap) + ", expected at least the margin and a step, " +
-                                    shortNumber(scene.margin + step));
+    for (const Obstacle& obstacle : scene.obstacles) {
+        if (!obstacle.model.reach()) continue;
+        const Reach& reach = *obstacle.model.reach();
+        if (!reach.positions.contains(bounds)) {
+            throw std::invalid_argument(
+                "the environment was built with a reach that leaves out positions within the bounds, "
+                "expected one that holds them all");
+        }
+        if (!(reach.cap >= obstacle.margin + step)) {
+            throw std::invalid_argument(
+                "the environment was built with a reach whose cap is " + shortNumber(reach.cap) +
+                ", expected at least the margin and a step, " + shortNumber(obstacle.margin + step));
+        }
     }
 }
 

@@ -2,88 +2,180 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <stdexcept>
 #include <string>
 
 #include "core/number.h"
-#include "planning/thread_workspace.h"
 
 namespace clearway::planning {
 namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Measured on planners' motions: twice as fast as exact distances, for a few more queries.
 constexpr double kRoughError = 0.05;
 constexpr double kRoughEnough = 0.9;  ///< of upper: what lower must be, or a tight distance is asked for
 
+/// Visits the obstacles, the one that was nearest last time first, until `visit` says no: it blocks most
+/// often, and caps what the others are asked for.
+template <class Visit>
+bool visitAll(std::size_t count, std::size_t first, const Visit& visit) {
+    if (count == 0) return true;
+    if (!visit(first)) return false;
+    for (std::size_t i = 0; i < count; ++i) {
+        if (i != first && !visit(i)) return false;
+    }
+    return true;
+}
+
+SceneDistance nowhere() {
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    SceneDistance result;
+    result.lower = result.upper = result.distance = kInfinity;
+    result.pointOnPart = result.pointOnEnvironment = Vector3::Constant(kNone);
+    return result;
+}
+
 }  // namespace
 
-SceneClearance::SceneClearance(Scene scene) : scene_(std::move(scene)), owner_(newWorkspaceOwner()) {
-    if (!(scene_.margin >= 0) || !std::isfinite(scene_.margin)) {
-        throw std::invalid_argument("margin is " + shortNumber(scene_.margin) +
-                                    ", expected a finite number >= 0");
+SceneClearance::SceneClearance(Scene scene) : scene_(std::move(scene)), owner_(newScratchOwner()) {
+    for (std::size_t i = 0; i < scene_.obstacles.size(); ++i) {
+        const Obstacle& obstacle = scene_.obstacles[i];
+        if (!(obstacle.margin >= 0) || !std::isfinite(obstacle.margin)) {
+            throw std::invalid_argument("margin is " + shortNumber(obstacle.margin) +
+                                        ", expected a finite number >= 0");
+        }
+        // Models that cannot be queried together are the caller's mistake: better told here than inside a
+        // planner.
+        Pose somewhere;
+        if (const auto& reach = obstacle.model.reach()) somewhere.translation = reach->positions.center();
+        isFree(i, somewhere);
     }
-    // Models that cannot be queried together are the caller's mistake: better told here than inside a
-    // planner.
-    Pose somewhere;
-    if (const auto& reach = scene_.environment.reach()) somewhere.translation = reach->positions.center();
-    isFree(somewhere);
 }
 
 double SceneClearance::mostClearance() const {
-    const std::optional<Reach>& reach = scene_.environment.reach();
-    return reach ? reach->cap - scene_.margin : std::numeric_limits<double>::infinity();
+    double most = kInfinity;
+    for (const Obstacle& obstacle : scene_.obstacles) {
+        if (const auto& reach = obstacle.model.reach()) most = std::min(most, reach->cap - obstacle.margin);
+    }
+    return most;
 }
 
 bool SceneClearance::isFree(const Pose& X_environmentPart) const {
-    Workspace& workspace = threadWorkspace(owner_);
-    if (scene_.margin == 0) return !collides(scene_.part, scene_.environment, X_environmentPart, workspace);
-    return !isWithin(scene_.part, scene_.environment, X_environmentPart, scene_.margin, workspace);
+    ThreadScratch& mine = scratch();
+    return visitAll(scene_.obstacles.size(), mine.nearest, [&](std::size_t i) {
+        if (isFree(i, X_environmentPart)) return true;
+        mine.nearest = i;
+        return false;
+    });
 }
 
+bool SceneClearance::isFree(std::size_t i, const Pose& X_environmentPart) const {
+    const Obstacle& obstacle = scene_.obstacles[i];
+    Workspace& workspace = scratch().workspaces[i];
+    if (obstacle.margin == 0) return !collides(scene_.part, obstacle.model, X_environmentPart, workspace);
+    return !isWithin(scene_.part, obstacle.model, X_environmentPart, obstacle.margin, workspace);
+}
+
+// What the nearest obstacle so far leaves caps what the next ones are asked for.
 PoseClearance SceneClearance::at(const Pose& X_environmentPart, const ClearanceOptions& options) const {
-    PoseClearance answer;
+    PoseClearance least;
+    least.nearest = nowhere();
+    ThreadScratch& mine = scratch();
+    visitAll(scene_.obstacles.size(), mine.nearest, [&](std::size_t i) {
+        ClearanceOptions asked = options;
+        asked.cap = std::min(options.cap, least.upper);
+        if (asked.cap + scene_.obstacles[i].margin < 0) return true;
+        const PoseClearance found = ask(i, X_environmentPart, asked);
+        const bool isNearest = std::isinf(least.upper) && std::isinf(found.upper) ? found.lower < least.lower
+                                                                                  : found.upper < least.upper;
+        if (isNearest || least.nearest.obstacle < 0) {
+            least.nearest = found.nearest;
+            mine.nearest = i;
+        }
+        least.lower = std::min(least.lower, found.lower);
+        least.upper = std::min(least.upper, found.upper);
+        least.queries += found.queries;
+        return true;
+    });
+    nameTriangle(least.nearest);
+    return least;
+}
+
+PoseClearance SceneClearance::ask(std::size_t i, const Pose& X_environmentPart,
+                                  const ClearanceOptions& options) const {
     DistanceOptions asked;
-    asked.cap = options.cap + scene_.margin;
-    if (options.isRough) {
-        asked.relativeError = kRoughError;
-        ask(X_environmentPart, asked, answer);
-        const bool isBeyondCap = std::isinf(answer.upper) && answer.lower > 0;
-        if (answer.upper <= 0 || isBeyondCap || answer.lower >= kRoughEnough * answer.upper) return answer;
-        asked.relativeError = 0;
-    }
-    ask(X_environmentPart, asked, answer);
+    asked.cap = options.cap + scene_.obstacles[i].margin;
+    if (!options.isRough) return ask(i, X_environmentPart, asked);
+    asked.relativeError = kRoughError;
+    PoseClearance answer = ask(i, X_environmentPart, asked);
+    const bool isBeyondCap = std::isinf(answer.upper) && answer.lower > 0;
+    if (answer.upper <= 0 || isBeyondCap || answer.lower >= kRoughEnough * answer.upper) return answer;
+    asked.relativeError = 0;
+    const std::uint64_t queries = answer.queries;
+    answer = ask(i, X_environmentPart, asked);
+    answer.queries += queries;
     return answer;
 }
 
 // lower > margin and upper <= margin decide at once; only an interval that holds the margin asks a second
 // time.
-void SceneClearance::ask(const Pose& X_environmentPart, const DistanceOptions& options,
-                         PoseClearance& answer) const {
-    const double margin = scene_.margin;
-    DistanceResult& d = answer.nearest;
-    d = clearway::distance(scene_.part, scene_.environment, X_environmentPart, options,
-                           threadWorkspace(owner_));
-    ++answer.queries;
+PoseClearance SceneClearance::ask(std::size_t i, const Pose& X_environmentPart,
+                                  const DistanceOptions& options) const {
+    const Obstacle& obstacle = scene_.obstacles[i];
+    const double margin = obstacle.margin;
+    PoseClearance answer;
+    static_cast<DistanceResult&>(answer.nearest) =
+        clearway::distance(scene_.part, obstacle.model, X_environmentPart, options, scratch().workspaces[i]);
+    answer.nearest.obstacle = static_cast<int>(i);
+    const DistanceResult& d = answer.nearest;
+    answer.queries = 1;
     bool valid = d.upper > margin;
     const bool isSure = margin == 0 || d.lower > margin || !valid;
     if (!isSure && (options.relativeError == 0 || std::isinf(d.upper))) {
-        valid = isFree(X_environmentPart);
+        valid = isFree(i, X_environmentPart);
         ++answer.queries;
     }
     const double above = d.lower - margin;
     answer.lower = valid ? std::max(above, std::numeric_limits<double>::denorm_min()) : std::min(above, 0.0);
     answer.upper = d.upper - margin;
+    return answer;
 }
 
-DistanceResult SceneClearance::distance(const Pose& X_environmentPart) const {
-    return clearway::distance(scene_.part, scene_.environment, X_environmentPart, {},
-                              threadWorkspace(owner_));
+SceneDistance SceneClearance::distance(const Pose& X_environmentPart) const {
+    SceneDistance least = nowhere();
+    ThreadScratch& mine = scratch();
+    visitAll(scene_.obstacles.size(), mine.nearest, [&](std::size_t i) {
+        DistanceOptions options;
+        options.cap = least.upper;
+        const DistanceResult found = clearway::distance(scene_.part, scene_.obstacles[i].model,
+                                                        X_environmentPart, options, mine.workspaces[i]);
+        const double lower = std::min(least.lower, found.lower);
+        if (found.upper < least.upper || least.obstacle < 0) {
+            static_cast<DistanceResult&>(least) = found;
+            least.obstacle = static_cast<int>(i);
+        }
+        least.lower = lower;
+        return true;
+    });
+    nameTriangle(least);
+    return least;
+}
+
+void SceneClearance::nameTriangle(SceneDistance& nearest) const {
+    if (nearest.environmentTriangle < 0) return;
+    const Obstacle& obstacle = scene_.obstacles[static_cast<std::size_t>(nearest.obstacle)];
+    if (obstacle.fileTriangles.empty()) return;
+    const auto component = static_cast<std::size_t>(nearest.environmentComponent);
+    nearest.environmentTriangle += static_cast<std::int64_t>(obstacle.fileTriangles[component]) -
+                                   obstacle.model.components()[component].firstTriangle;
 }
 
 bool SceneClearance::isOutOfReach(const Pose& X_environmentPart) const {
-    const std::optional<Reach>& reach = scene_.environment.reach();
-    return reach && !reach->positions.contains(X_environmentPart.translation);
+    return std::any_of(scene_.obstacles.begin(), scene_.obstacles.end(), [&](const Obstacle& obstacle) {
+        const std::optional<Reach>& reach = obstacle.model.reach();
+        return reach && !reach->positions.contains(X_environmentPart.translation);
+    });
 }
 
 }  // namespace clearway::planning

@@ -1,22 +1,24 @@
-// How much room the part has at a pose: the one place where a scene's margin meets its distances.
+// How much room the part has at a pose: the one place where a scene's margins meet its distances.
 #pragma once
 
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 
 #include "clearway/query.h"
 #include "clearway/scene.h"
+#include "planning/thread_scratch.h"
 
 namespace clearway::planning {
 
-/// Bounds of distance - margin at a pose, environment units.
+/// Bounds of distance - margin at a pose, the least over the obstacles, environment units.
 struct PoseClearance {
-    /// Above 0 exactly when the distance is larger than the margin: raised to the least positive double then,
-    /// lowered to at most 0 otherwise.
-    double lower = 0;
-    double upper = 0;           ///< infinite beyond the cap
-    DistanceResult nearest;     ///< the pair they are of; its ids are -1 beyond the cap
+    /// Above 0 exactly when all distances are larger than the margins: raised to the least positive double
+    /// then, lowered to at most 0 otherwise. Infinite without obstacles.
+    double lower = std::numeric_limits<double>::infinity();
+    double upper = std::numeric_limits<double>::infinity();  ///< infinite beyond the cap too
+    SceneDistance nearest;      ///< the pair they are of; its ids are -1 beyond the cap
     std::uint64_t queries = 0;  ///< asked for it
     bool isValid() const { return lower > 0; }
 };
@@ -31,8 +33,8 @@ struct ClearanceOptions {
 /// Any number of threads may use one: each has its own scratch.
 class SceneClearance {
   public:
-    /// Throws std::invalid_argument when the margin is negative or not finite, or the two models cannot be
-    /// queried together.
+    /// Throws std::invalid_argument when a margin is negative or not finite, or an obstacle and the part
+    /// cannot be queried together.
     explicit SceneClearance(Scene scene);
 
     const Scene& scene() const { return scene_; }
@@ -40,19 +42,25 @@ class SceneClearance {
     /// No clearance is told beyond this: what an environment's reach tells, else infinity.
     double mostClearance() const;
 
-    /// Whether the distance is larger than the margin. This and the others throw what queries throw.
+    /// Whether all distances are larger than the margins. This and the others throw what queries throw.
     bool isFree(const Pose& X_environmentPart) const;
 
     PoseClearance at(const Pose& X_environmentPart, const ClearanceOptions& options = {}) const;
 
-    /// Whatever the margin.
-    DistanceResult distance(const Pose& X_environmentPart) const;
+    /// The least, whatever the margins.
+    SceneDistance distance(const Pose& X_environmentPart) const;
 
-    /// Whether an environment built with a reach cannot tell anything about the pose.
+    /// Whether an obstacle built with a reach cannot tell anything about the pose.
     bool isOutOfReach(const Pose& X_environmentPart) const;
 
   private:
-    void ask(const Pose& X_environmentPart, const DistanceOptions& options, PoseClearance& answer) const;
+    ThreadScratch& scratch() const { return threadScratch(owner_, scene_.obstacles.size()); }
+    bool isFree(std::size_t obstacle, const Pose& X_environmentPart) const;
+    PoseClearance ask(std::size_t obstacle, const Pose& X_environmentPart,
+                      const ClearanceOptions& options) const;
+    PoseClearance ask(std::size_t obstacle, const Pose& X_environmentPart,
+                      const DistanceOptions& options) const;
+    void nameTriangle(SceneDistance& nearest) const;
 
     Scene scene_;
     std::shared_ptr<const std::uint64_t>

@@ -116,7 +116,7 @@ void setRange(PlanReport& report, const Problem& problem, const Scene& scene, co
 std::shared_ptr<ValidityChecker> makeChecker(const ob::SpaceInformationPtr& si, const Scene& scene,
                                              double guard) {
     Scene guarded = scene;
-    guarded.margin += guard;
+    for (Obstacle& obstacle : guarded.obstacles) obstacle.margin += guard;
     return std::make_shared<ValidityChecker>(si, guarded);
 }
 
@@ -207,7 +207,7 @@ Setup prepare(const Problem& problem, const Scene& scene, const PlanOptions& opt
 
     Setup setup;
     const double turnWeight = options.omplWeights ? 1.0 : scene.part.radiusAboutOrigin();
-    const Box bounds = boundsOf(problem, scene.environment.box());
+    const Box bounds = boundsOf(problem, scene.environmentBox());
     requireReachOf(scene, bounds, stepOf(problem, options, scene.part));
     setup.si = std::make_shared<ob::SpaceInformation>(makeSpace(problem.space, bounds, turnWeight));
     setup.truth = makeChecker(setup.si, scene, 0);

@@ -6,6 +6,7 @@
 #include <exception>
 #include <stdexcept>
 
+#include "planning/mesh_names.h"
 #include "planning/scene_clearance.h"
 
 namespace clearway::planning {
@@ -46,7 +47,7 @@ bool ValidityChecker::isValid(const ob::State* state, double& clearance) const {
     clearance = 0;
     if (usable == Usable::kNoPose) return count(false, usable);
     if (usable == Usable::kOutOfBounds && clearance_->isOutOfReach(X_environmentPart)) {
-        clearance = 0 - scene().margin;  // of a distance that is at least 0
+        clearance = 0 - scene().largestMargin();  // of a distance that is at least 0
         return count(false, usable);
     }
     try {
@@ -71,8 +72,14 @@ double ValidityChecker::clearance(const ob::State* state) const {
     return result;
 }
 
-DistanceResult ValidityChecker::distance(const ob::State* state) const {
+SceneDistance ValidityChecker::distance(const ob::State* state) const {
     return clearance_->distance(pose(state));
+}
+
+std::string ValidityChecker::whyInvalid(const ob::State* state) const {
+    const PoseClearance found = clearance_->at(pose(state));
+    if (!found.isValid()) return "in collision: " + whyBlocked(scene(), found.nearest);
+    return si_->satisfiesBounds(state) ? "" : "outside of the bounds of the state space";
 }
 
 CheckCounters ValidityChecker::counters() const {

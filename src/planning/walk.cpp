@@ -20,6 +20,16 @@ bool look(const ob::State* state, const ValidityChecker& checker, Walk& walk) {
     return true;
 }
 
+double marginOf(const Scene& scene, const SceneDistance& nearest) {
+    return nearest.obstacle < 0 ? 0 : scene.obstacles[static_cast<std::size_t>(nearest.obstacle)].margin;
+}
+
+double leastMargin(const Scene& scene) {
+    double least = scene.largestMargin();
+    for (const Obstacle& obstacle : scene.obstacles) least = std::min(least, obstacle.margin);
+    return least;
+}
+
 }  // namespace
 
 std::optional<Walk> walk(const ompl::geometric::PathGeometric& path, const ValidityChecker& checker,
@@ -62,8 +72,8 @@ std::optional<Walk> walkCertified(const ompl::geometric::PathGeometric& path,
         if (report.verdict != MotionVerdict::kValid) return std::nullopt;
         result.states += report.queries;
         certified = std::min(certified, report.lowerClearance);
-        const double closest = report.closest.lower - validator.scene().margin;
-        if (closest >= result.leastClearance) continue;
+        const double closest = report.closest.lower - marginOf(validator.scene(), report.closest);
+        if (result.where && closest >= result.leastClearance) continue;
         result.leastClearance = closest;
         result.least = report.closest;
         result.where.emplace(space);
@@ -71,7 +81,7 @@ std::optional<Walk> walkCertified(const ompl::geometric::PathGeometric& path,
         if (report.closestTime < 1) space->interpolate(from, to, report.closestTime, result.where->get());
     }
     if (!result.where) return std::nullopt;
-    result.leastDistance = std::min(certified + validator.scene().margin, result.least.lower);
+    result.leastDistance = std::min(certified + leastMargin(validator.scene()), result.least.lower);
     return result;
 }
 

@@ -18,7 +18,7 @@ struct Walk {
     std::uint64_t states = 0;   ///< looked at
     double leastClearance = 0;  ///< of the states looked at: distance - margin, a lower bound
     double leastDistance = 0;   ///< no state looked at is closer; along the whole path when certified
-    DistanceResult least;       ///< at the state looked at where it is least
+    SceneDistance least;        ///< at the state looked at where it is least
     std::optional<ompl::base::ScopedState<>> where;
 };
 

@@ -79,7 +79,7 @@ class Bench {
   public:
     Bench(const Problem& problem, const Mesh& partMesh, const Mesh& environmentMesh)
         : scene_{Model::build(partMesh), Model::build(environmentMesh), problem.margin},
-          bounds_(boundsOf(problem, scene_.environment.box())),
+          bounds_(boundsOf(problem, scene_.environmentBox())),
           problem_(problem) {}
 
     void run(std::size_t edges) {
@@ -166,7 +166,7 @@ class Bench {
         }
         if (mean < kRoomy) return;
         Scene scene = scene_;
-        scene.margin = kSmallMargin;
+        scene.obstacles[0].margin = kSmallMargin;
         const auto kept = makeSpaceInformation(scene);
         const MotionValidator certified(kept, scene);
         const planning::DiscreteMotionValidator stepped(kept, scene.part, kSmallMargin);

@@ -106,15 +106,16 @@ void checkScenes(std::uint64_t firstSeed, int motions, int poses, int judged) {
         Tally tally;
         for (int i = 0; i < motions; ++i) {
             const std::uint64_t seed = firstSeed + static_cast<std::uint64_t>(i);
-            BOOST_TEST_CONTEXT(scene->name << ", margin " << scene->scene.margin << ", seed " << seed) {
+            BOOST_TEST_CONTEXT(scene->name << ", margin " << scene->scene.largestMargin() << ", seed "
+                                           << seed) {
                 Random random(seed);
                 checkAgainstOracle(*scene, RandomMotion(*scene, random), poses, judged, tally);
             }
         }
-        BOOST_TEST_MESSAGE(scene->name << ", margin " << scene->scene.margin << ", seeds from " << firstSeed
-                                       << ": " << tally.valid << " valid, of these " << tally.tight
-                                       << " tight; " << tally.invalid << " invalid, " << tally.undecided
-                                       << " undecided");
+        BOOST_TEST_MESSAGE(scene->name << ", margin " << scene->scene.largestMargin() << ", seeds from "
+                                       << firstSeed << ": " << tally.valid << " valid, of these "
+                                       << tally.tight << " tight; " << tally.invalid << " invalid, "
+                                       << tally.undecided << " undecided");
         BOOST_TEST(tally.valid > 0);
         BOOST_TEST(tally.invalid > 0);
     }

@@ -17,7 +17,7 @@ namespace ob = ompl::base;
 
 struct Fixture {
     explicit Fixture(double margin) {
-        window.scene.margin = margin;
+        window.scene.obstacles[0].margin = margin;
         si->setStateValidityChecker(std::make_shared<ValidityChecker>(si, window.scene));
         si->setMotionValidator(std::make_shared<DiscreteMotionValidator>(si, window.scene.part, 1));
         si->setup();

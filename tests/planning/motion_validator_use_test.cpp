@@ -51,7 +51,7 @@ BOOST_AUTO_TEST_CASE(a_report_tells_what_blocks_and_where) {
     BOOST_TEST(blocked.upperClearance <= 0);
     BOOST_TEST(blocked.closestTime >= 0.3);
     BOOST_REQUIRE(blocked.closest.environmentComponent >= 0);
-    const auto& components = f.window.scene.environment.components();
+    const auto& components = f.window.scene.obstacles[0].model.components();
     BOOST_TEST(components[static_cast<std::size_t>(blocked.closest.environmentComponent)].name == "above");
     BOOST_TEST(blocked.closest.partComponent == 0);
     BOOST_TEST(blocked.queries > 2u);
@@ -179,7 +179,7 @@ BOOST_AUTO_TEST_CASE(an_environment_within_reach_gives_the_same_verdicts) {
         const auto scene = [&] {
             return Scene{f.window.scene.part, Model::build(environment, {}, reach), margin};
         };
-        BOOST_TEST(scene().environment.reach().has_value());
+        BOOST_TEST(scene().obstacles[0].model.reach().has_value());
         const MotionValidator validator(f.si, scene());
         for (int seed = 1; seed <= 200; ++seed) {
             testing::Random random(seed);
@@ -236,7 +236,7 @@ BOOST_AUTO_TEST_CASE(wrong_options_and_empty_callbacks_are_refused) {
     }
     for (const double margin : {-1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
         Scene scene = f.window.scene;
-        scene.margin = margin;
+        scene.obstacles[0].margin = margin;
         requireRefused([&] { MotionValidator(f.si, scene); }, "margin is ");
     }
     const DisplacementBound bound = displacementBound(*f.space, f.window.scene.part);

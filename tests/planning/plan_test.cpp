@@ -49,7 +49,7 @@ BOOST_AUTO_TEST_CASE(the_path_keeps_the_margin_at_1000_interpolated_states_by_th
     for (const double margin : {0.0, 2.0}) {
         for (const std::uint32_t seed : {1u, 2u, 3u}) {
             auto window = windowScene();
-            window.scene.margin = margin;
+            window.scene.obstacles[0].margin = margin;
             const PlanReport report = plan(window.problem, window.scene, withIterations(200000, seed));
             BOOST_TEST_CONTEXT("margin " << margin << ", seed " << seed) {
                 BOOST_REQUIRE((report.outcome == Outcome::kFound));
@@ -77,7 +77,7 @@ BOOST_AUTO_TEST_CASE(the_path_keeps_the_margin_at_1000_interpolated_states_by_th
 BOOST_AUTO_TEST_CASE(with_a_step_the_path_keeps_the_margin_between_the_checked_states_too) {
     for (const double margin : {0.0, 2.0}) {
         auto window = windowScene();
-        window.scene.margin = margin;
+        window.scene.obstacles[0].margin = margin;
         PlanOptions options = withIterations(200000);
         options.step = 1;
         const PlanReport report = plan(window.problem, window.scene, options);
@@ -100,7 +100,7 @@ BOOST_AUTO_TEST_CASE(a_sheet_without_thickness_is_not_planned_through) {
     Mesh sheet;
     sheet.vertices = {{0, -200, -200}, {0, 200, -200}, {0, 0, 400}};
     sheet.triangles = {{0, 1, 2}};
-    window.scene.environment = Model::build(sheet);
+    window.scene.obstacles[0].model = Model::build(sheet);
     window.problem.step = 100;  // nothing that a motion is checked by: edges are 20 times as long
     BOOST_TEST((plan(window.problem, window.scene, withIterations(2000)).outcome == Outcome::kNotFound));
 }
@@ -159,7 +159,7 @@ BOOST_AUTO_TEST_CASE(another_seed_gives_another_path) {
 
 BOOST_AUTO_TEST_CASE(no_path_is_no_path) {
     auto window = windowScene();
-    window.scene.margin = 12;  // the window leaves 12 at the plate's sides, 11 above and below
+    window.scene.obstacles[0].margin = 12;  // the window leaves 12 at the plate's sides, 11 above and below
     PlanOptions options;
     options.seconds = 0.5;
     const PlanReport report = plan(window.problem, window.scene, options);
@@ -170,7 +170,7 @@ BOOST_AUTO_TEST_CASE(no_path_is_no_path) {
 
 BOOST_AUTO_TEST_CASE(a_stop_ends_the_planning_without_a_path) {
     auto window = windowScene();
-    window.scene.margin = 12;
+    window.scene.obstacles[0].margin = 12;
     int asked = 0;
     PlanOptions options;
     options.isStopped = [&] { return ++asked > 100; };
@@ -191,7 +191,7 @@ BOOST_AUTO_TEST_CASE(a_start_in_collision_is_refused_with_the_meshes_and_triangl
 
     window = windowScene();
     window.problem.goal.position.x() = 36;  // 4 from the wall
-    window.scene.margin = 5;
+    window.scene.obstacles[0].margin = 5;
     const std::string close = refusal(planIt);
     BOOST_TEST(contains(close, "goal is in collision: triangle "));
     BOOST_TEST(contains(close, "4 apart, expected more than the margin 5"));
@@ -320,7 +320,7 @@ BOOST_AUTO_TEST_CASE(planners_run_side_by_side_until_one_has_a_path) {
 BOOST_AUTO_TEST_CASE(a_planar_problem_is_planned_in_se2) {
     auto window = windowScene();
     window.problem.space = Space::kSe2;
-    window.scene.margin = 3;
+    window.scene.obstacles[0].margin = 3;
     window.problem.start.rotation =
         Eigen::AngleAxisd(M_PI / 2, Vector3::UnitZ());  // must turn: 60 across 64 leaves 2
     window.problem.goal.rotation = window.problem.start.rotation;

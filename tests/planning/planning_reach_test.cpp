@@ -78,7 +78,7 @@ BOOST_AUTO_TEST_CASE(the_same_seed_gives_the_same_path_with_and_without_what_is_
     for (const double margin : {0.0, 2.0}) {
         const TwoWalls walls(margin);
         const Scene whole = walls.scene(), reduced = walls.scene(walls.reach());
-        BOOST_TEST(reduced.environment.report().unreachableTriangles == 4 * 108u);
+        BOOST_TEST(reduced.obstacles[0].model.report().unreachableTriangles == 4 * 108u);
         for (const std::uint32_t seed : {1u, 2u}) {
             BOOST_TEST_CONTEXT("margin " << margin << ", seed " << seed) {
                 PlanOptions options = withIterations(200000, seed);
@@ -105,7 +105,7 @@ BOOST_AUTO_TEST_CASE(a_planar_problem_has_its_reach_in_the_plane) {
     BOOST_REQUIRE(reach.has_value());
     BOOST_TEST(reach->positions.sizes().z() < 1e-6);
     const Scene reduced = walls.scene(reach);
-    BOOST_TEST(reduced.environment.report().unreachableTriangles > 0u);
+    BOOST_TEST(reduced.obstacles[0].model.report().unreachableTriangles > 0u);
     const PlanOptions options = withIterations(200000);
     checkSame(plan(walls.problem, walls.scene(), options), plan(walls.problem, reduced, options));
 }
@@ -132,7 +132,7 @@ BOOST_AUTO_TEST_CASE(the_reach_holds_the_bounds_and_the_cap_all_that_planning_as
 BOOST_AUTO_TEST_CASE(bounds_that_are_the_environments_box_leave_nothing_out) {
     TwoWalls walls;
     walls.problem.volume.reset();
-    BOOST_TEST(walls.scene(walls.reach()).environment.report().unreachableTriangles == 0u);
+    BOOST_TEST(walls.scene(walls.reach()).obstacles[0].model.report().unreachableTriangles == 0u);
 }
 
 BOOST_AUTO_TEST_CASE(a_path_that_meets_nothing_tells_the_cap_and_no_meshes) {

@@ -13,7 +13,7 @@
 #include <thread>
 
 #include "planning/planning_space.h"
-#include "planning/thread_workspace.h"
+#include "planning/thread_scratch.h"
 #include "support/oracle.h"
 #include "support/random_meshes.h"
 #include "support/window_scene.h"
@@ -26,7 +26,7 @@ using testing::Random;
 
 struct Fixture {
     explicit Fixture(double margin = 0) {
-        window.scene.margin = margin;
+        window.scene.obstacles[0].margin = margin;
         space = makeSpace(Space::kSe3, *window.problem.volume, 1);
         si = std::make_shared<ob::SpaceInformation>(space);
         checker = std::make_shared<ValidityChecker>(si, window.scene);
@@ -239,17 +239,17 @@ BOOST_AUTO_TEST_CASE(the_scratch_of_a_dead_checker_is_freed_and_never_met_again)
     BOOST_TEST(f.checker->isValid(state.get()));
     const ValidityChecker last(f.si, f.window.scene);
     BOOST_TEST(last.isValid(state.get()));
-    BOOST_TEST(threadWorkspaceCount() == 2u);  // the fixture's and the last one's
+    BOOST_TEST(threadScratchCount() == 2u);  // the fixture's and the last one's
 
-    auto first = newWorkspaceOwner();
+    auto first = newScratchOwner();
     const std::uint64_t number = *first;
     first.reset();
-    BOOST_TEST(*newWorkspaceOwner() != number);
-    const auto owner = newWorkspaceOwner();
-    Workspace* const mine = &threadWorkspace(owner);
-    Workspace* others = nullptr;
-    std::thread([&] { others = &threadWorkspace(owner); }).join();
-    BOOST_TEST(mine == &threadWorkspace(owner));
+    BOOST_TEST(*newScratchOwner() != number);
+    const auto owner = newScratchOwner();
+    ThreadScratch* const mine = &threadScratch(owner, 1);
+    ThreadScratch* others = nullptr;
+    std::thread([&] { others = &threadScratch(owner, 1); }).join();
+    BOOST_TEST(mine == &threadScratch(owner, 1));
     BOOST_TEST(mine != others);
 }
 
@@ -264,7 +264,7 @@ BOOST_AUTO_TEST_CASE(a_wrong_margin_or_models_of_different_widths_are_refused) {
     const Fixture f;
     for (const double margin : {-1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
         Scene scene = f.window.scene;
-        scene.margin = margin;
+        scene.obstacles[0].margin = margin;
         BOOST_CHECK_THROW(ValidityChecker(f.si, scene), std::invalid_argument);
     }
     BuildOptions binary;

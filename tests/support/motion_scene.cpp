@@ -112,7 +112,7 @@ PartState MotionScene::nearPath(Random& random, double distance, double angle) c
 }
 
 double MotionScene::trueClearance(const ob::State* at) const {
-    return oracle.distance(checker->pose(at)).distance - scene.margin;
+    return oracle.distance(checker->pose(at)).distance - scene.largestMargin();
 }
 
 double MotionScene::trueClearance(const ob::State* s1, const ob::State* s2, double time) const {

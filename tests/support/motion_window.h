@@ -20,7 +20,7 @@ struct MotionWindow {
         : space(planning::makeSpace(kind, Box(Vector3(-100, -60, -60), Vector3(100, 60, 60)), 1)),
           si(std::make_shared<ompl::base::SpaceInformation>(space)),
           spaceKind(kind) {
-        window.scene.margin = margin;
+        window.scene.obstacles[0].margin = margin;
         si->setStateValidityChecker(std::make_shared<planning::ValidityChecker>(si, window.scene));
         validator = std::make_shared<planning::MotionValidator>(si, window.scene, options);
         si->setMotionValidator(validator);

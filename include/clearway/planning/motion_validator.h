@@ -50,15 +50,15 @@ struct MotionReport {
     double lowerClearance = 0;
     double upperClearance = 0;
     double closestTime = 0;  ///< of the pose that is closest, of those looked at; 1 is s2 itself
-    /// There: both triangles, their components and points. Its ids are -1 when the pose is farther than the
-    /// environment's reach tells, or no pose was looked at.
-    DistanceResult closest;
+    /// There: both triangles, their components and points, and the obstacle. Its ids are -1 when the pose is
+    /// farther than the environment's reach tells, or no pose was looked at.
+    SceneDistance closest;
     std::uint64_t queries = 0;
     std::string problem;  ///< why the motion cannot be judged; empty when it can
 };
 
 /// checkMotion true means: every pose of OMPL's own interpolation between the two states, s1 and s2 itself
-/// are within the bounds, and the part is farther from the environment than the scene's margin.
+/// are within the bounds, and the part is farther from each obstacle than its margin.
 ///
 /// An interval is certified when the clearances at its ends add up to more than the part can move between
 /// them. A valid motion costs about ds / clearance queries, summed along it; a motion that touches the margin
@@ -70,9 +70,9 @@ struct MotionReport {
 class MotionValidator : public ompl::base::MotionValidator {
   public:
     /// For OMPL's SE(3) and SE(2). Throws std::invalid_argument that names the space when si has another one
-    /// (see displacementBound), the margin is negative or not finite, the two models cannot be queried
-    /// together, leastInterval is no length, or the environment was built with a reach that ends before the
-    /// margin and the least interval on top. Where such a reach ends, clearances count as no more.
+    /// (see displacementBound), a margin is negative or not finite, the part and an obstacle cannot be
+    /// queried together, leastInterval is no length, or the environment was built with a reach that ends
+    /// before the margin and the least interval on top. Where such a reach ends, clearances count as no more.
     MotionValidator(const ompl::base::SpaceInformationPtr& si, Scene scene,
                     const MotionOptions& options = {});
 

@@ -7,6 +7,7 @@
 #include <atomic>
 #include <cstdint>
 #include <memory>
+#include <string>
 
 #include "clearway/planning/state_to_pose.h"
 #include "clearway/query.h"
@@ -24,8 +25,8 @@ struct CheckCounters {
     std::uint64_t unusable = 0;     ///< of these, states without a pose, or whose callback threw
 };
 
-/// A state is valid when it satisfies the space's bounds and the distance between part and environment is
-/// larger than the scene's margin; with margin 0, when the two share no point.
+/// A state is valid when it satisfies the space's bounds and the distance between the part and each obstacle
+/// is larger than the obstacle's margin; with margin 0, when the two share no point.
 ///
 /// Any number of threads may use one checker: each has its own scratch and takes no lock. Nothing is thrown
 /// out of OMPL's callbacks: a state without a pose is invalid, counted, and logged once through OMPL's
@@ -33,9 +34,9 @@ struct CheckCounters {
 class ValidityChecker : public ompl::base::StateValidityChecker {
   public:
     /// For OMPL's SE(3) and SE(2). Throws std::invalid_argument when si has another space (see stateToPose),
-    /// the margin is negative or not finite, or the two models cannot be queried together. An environment
-    /// built with a reach (Model::reach) must hold all positions within the bounds: a state within the bounds
-    /// and out of the reach is answered invalid, as one without a pose.
+    /// a margin is negative or not finite, or the part and an obstacle cannot be queried together. An
+    /// environment built with a reach (Model::reach) must hold all positions within the bounds: a state
+    /// within the bounds and out of the reach is answered invalid, as one without a pose.
     ValidityChecker(const ompl::base::SpaceInformationPtr& si, Scene scene);
 
     /// For any space. Throws likewise, and when the callback is empty.
@@ -50,15 +51,20 @@ class ValidityChecker : public ompl::base::StateValidityChecker {
     bool isValid(const ompl::base::State* state, double& clearance, ompl::base::State* validState,
                  bool& validStateAvailable) const override;
 
-    /// A lower bound of distance - margin, in environment units. Above 0 exactly when the state is valid: it
-    /// is raised to the least positive double for a valid state and lowered to at most 0 for another one. It
-    /// is no penetration depth. An environment's reach bounds it to its cap - margin.
+    /// A lower bound of distance - margin, the least over the obstacles, in environment units. Above 0
+    /// exactly when the state is valid: it is raised to the least positive double for a valid state and
+    /// lowered to at most 0 for another one. It is no penetration depth. An environment's reach bounds it to
+    /// its cap - margin.
     double clearance(const ompl::base::State* state) const override;
     using ompl::base::StateValidityChecker::clearance;
 
-    /// Distance, witness points and triangles at a state, whatever the bounds and the margin say. Throws
-    /// std::invalid_argument when the state has no pose or is out of the environment's reach.
-    DistanceResult distance(const ompl::base::State* state) const;
+    /// Least distance, witness points and triangles at a state, whatever the bounds and the margins say.
+    /// Throws std::invalid_argument when the state has no pose or is out of the environment's reach.
+    SceneDistance distance(const ompl::base::State* state) const;
+
+    /// Why a state is not valid, as words after "is", with meshes and triangles: "in collision: ...". Empty
+    /// when it is valid. Not counted. Throws as distance() does.
+    std::string whyInvalid(const ompl::base::State* state) const;
 
     /// X_environmentPart at a state, by the checker's own callback.
     Pose pose(const ompl::base::State* state) const { return stateToPose_(state); }
