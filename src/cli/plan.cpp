@@ -1,19 +1,17 @@
 // clearway plan: from a problem file to a path file.
 #include "planning/plan.h"
 
-#include <csignal>
-#include <iostream>
 #include <stdexcept>
 
 #include "clearway/planning/planners.h"
 #include "clearway/targets.h"
 #include "cli/command_line.h"
 #include "cli/elapsed_line.h"
-#include "cli/load_guard.h"
+#include "cli/interrupts.h"
+#include "cli/planning_scene.h"
 #include "cli/print.h"
 #include "cli/tree_options.h"
 #include "core/replace_file.h"
-#include "planning/planning_reach.h"
 
 namespace clearway {
 
@@ -21,21 +19,6 @@ namespace {
 
 using planning::PlanOptions;
 using planning::PlanReport;
-
-volatile std::sig_atomic_t isInterrupted = 0;
-
-void interrupt(int) {
-    isInterrupted = 1;
-}
-
-/// The first interrupt ends the planning; the second one has its usual effect.
-void heedInterrupts() {
-    struct sigaction action = {};
-    action.sa_handler = interrupt;
-    action.sa_flags = static_cast<int>(SA_RESETHAND);
-    sigaction(SIGINT, &action, nullptr);
-    sigaction(SIGTERM, &action, nullptr);
-}
 
 CommandLine planCommandLine() {
     CommandLine commandLine;
@@ -98,7 +81,7 @@ PlanOptions planOptions(const Options& options) {
     if (options.has("seed")) result.seed = static_cast<std::uint32_t>(options.integer("seed", 1, UINT32_MAX));
     if (options.has("step")) result.step = options.positive("step");
     result.omplWeights = options.has("ompl-weights");
-    result.isStopped = [] { return isInterrupted != 0; };
+    result.isStopped = isInterrupted;
     return result;
 }
 
@@ -108,12 +91,6 @@ Problem readProblemFor(const Options& options) {
     if (options.has("margin")) problem.margin = options.nonNegative("margin");
     options.requireOtherFile("path", {problem.file, problem.robot, problem.world});
     return problem;
-}
-
-void printMesh(const std::string& label, const Model& model) {
-    const std::size_t leftOut = model.report().unreachableTriangles;
-    printRow(label, model.origin().file + ", " + counted(model.report().triangles, "triangle") +
-                        (leftOut > 0 ? ", " + std::to_string(leftOut) + " out of reach left out" : ""));
 }
 
 void printSettings(const Scene& scene, const PlanOptions& options, const PlanReport& report) {
@@ -148,19 +125,6 @@ void printPath(const PlanReport& report) {
     printRow("least clearance", readable(least.lower) +
                                     (report.isCertified ? ", certified along the whole path, " : ", ") +
                                     between + ", of " + counted(least.statesChecked, "state"));
-}
-
-void printWarnings(const std::vector<std::string>& warnings) {
-    for (const std::string& warning : warnings) std::cerr << "clearway: warning: " << warning << "\n";
-}
-
-/// The problem's two models, as far as planning can need them.
-Scene buildScene(const Problem& problem, const PlanOptions& options, const BuildOptions& tree,
-                 const std::string& cache) {
-    const Model part = buildModel(guardedLoadPart(problem), tree, cache);
-    const Mesh environment = guardedLoadEnvironment(problem);
-    const auto reach = planning::planningReach(problem, options, part, boundingBox(environment));
-    return {part, buildModel(environment, tree, cache, reach), problem.margin};
 }
 
 /// The exit code.
