@@ -61,8 +61,9 @@ MotionSample Motion::at(double time, double wanted) {
 MotionSample Motion::atEnd(double wanted) {
     MotionSample end = look(s2_, 1, wanted, true);
     if (!end.isValid() || length_ == 0) return end;
-    const double jump = endJump();
-    const double certain = end.clearance - jump;
+    endJump_ = findEndJump();
+    end.upper += endJump_;
+    const double certain = end.clearance - endJump_;
     if (certain > end.clearance / 2) {
         end.clearance = certain;
         return end;
@@ -73,7 +74,7 @@ MotionSample Motion::atEnd(double wanted) {
     return end;
 }
 
-double Motion::endJump() const {
+double Motion::findEndJump() const {
     tools_.si.getStateSpace()->interpolate(s1_, s2_, 1, scratch_.get());
     const double jump = tools_.bound(scratch_.get(), s2_);
     if (std::isfinite(jump)) return jump;
@@ -84,13 +85,12 @@ MotionSample Motion::look(const ob::State* state, double time, double wanted, bo
     MotionSample sample{time, 0, checksBounds && !tools_.si.satisfiesBounds(state)};
     if (sample.isOutOfBounds) return sample;
     ClearanceOptions options;
-    if (!tools_.isExact) {
-        options.cap = wanted;
-        options.isRough = true;
-    }
+    if (tools_.detail != ClearanceDetail::kWhole) options.cap = wanted;
+    options.isRough = tools_.detail == ClearanceDetail::kRough;
     const PoseClearance found = tools_.clearance.at(tools_.stateToPose(state), options);
     queries_ += found.queries;
     sample.clearance = found.lower;
+    sample.upper = found.upper;
     if (closest_.queries == 0 || found.lower < closest_.lower) {
         closest_ = found;
         closestTime_ = time;

@@ -13,6 +13,13 @@
 
 namespace clearway::planning {
 
+/// How clearances along a motion are told.
+enum class ClearanceDetail {
+    kRough,  ///< up to what is wanted, within a tenth
+    kTight,  ///< up to what is wanted, as tight as distances come
+    kWhole,  ///< as tight, and whatever is wanted
+};
+
 /// What a motion is looked at with; outlives it.
 struct MotionTools {
     const ompl::base::SpaceInformation& si;
@@ -20,13 +27,14 @@ struct MotionTools {
     const StateToPose& stateToPose;
     const DisplacementBound& bound;
     bool areBoundsConvex;  ///< of the space: what is between two states within them is within them
-    bool isExact;          ///< clearances are told as exactly as they can be, whatever is asked for
+    ClearanceDetail detail;
 };
 
 struct MotionSample {
     double time = 0;
     double clearance = 0;  ///< lower bound of distance - margin; at most 0: the pose is invalid
     bool isOutOfBounds = false;
+    double upper = std::numeric_limits<double>::infinity();  ///< of it; infinite beyond what was wanted
     bool isValid() const { return clearance > 0 && !isOutOfBounds; }
 };
 
@@ -46,6 +54,9 @@ class Motion {
 
     double length() const { return length_; }
 
+    /// By the space's own metric.
+    double distance() const { return tools_.si.distance(s1_, s2_); }
+
     /// What two clearances that certify an interval must have to spare, for poses are rounded.
     double slack() const { return slack_; }
 
@@ -57,6 +68,11 @@ class Motion {
     /// interpolation, which need not be s2: OMPL leaves out rotations below 1.6e-4 rad.
     MotionSample atEnd(double wanted);
 
+    /// Known after atEnd: no point of the part moves further than this between the end of the interpolation
+    /// and s2, nor between the poses of this motion and those of OMPL's motion from s2 to s1, but for
+    /// rounding.
+    double endJump() const { return endJump_; }
+
     std::uint64_t queries() const { return queries_; }
     const PoseClearance& closest() const { return closest_; }  ///< of the poses looked at
     double closestTime() const { return closestTime_; }
@@ -64,7 +80,7 @@ class Motion {
 
   private:
     MotionSample look(const ompl::base::State* state, double time, double wanted, bool checksBounds);
-    double endJump() const;
+    double findEndJump() const;
 
     MotionTools tools_;
     const ompl::base::State* s1_;
@@ -72,6 +88,7 @@ class Motion {
     ScratchState scratch_;
     double length_ = 0;
     double slack_ = 0;
+    double endJump_ = 0;
     bool checksBoundsBetween_ = true;
     std::uint64_t queries_ = 0;
     PoseClearance closest_;

@@ -1,10 +1,19 @@
 #include "planning/motion_search.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace clearway::planning {
 namespace {
+
+constexpr double kDefaultLeastInterval = 1e-5;  ///< of the part's diagonal
+
+constexpr double kUsualShare = 1e-2;
+constexpr double kUsualLargestShare = 0.1;
+constexpr double kUsualDiagonal = 1e-3;  ///< of the part's diagonal
+
+double diagonalOf(const Box& box) {
+    return box.isEmpty() ? 0 : box.diagonal().norm();
+}
 
 /// A pose's clearance is asked for as far as both halves of an interval need it, and this much more, for the
 /// query's answer is rounded.
@@ -20,6 +29,16 @@ bool isBetween(double time, const MotionSample& from, const MotionSample& to) {
 }
 
 }  // namespace
+
+double defaultLeastInterval(const Scene& scene) {
+    const double part = diagonalOf(scene.part.box());
+    const double size = part > 0 ? part : diagonalOf(scene.environmentBox());
+    return kDefaultLeastInterval * (size > 0 ? size : 1);
+}
+
+ClearanceResolution usualResolution(const Scene& scene, double leastInterval) {
+    return {kUsualShare, kUsualLargestShare, kUsualDiagonal * diagonalOf(scene.part.box()), leastInterval};
+}
 
 MotionSearch::MotionSearch(Motion& motion, double leastInterval, double contactInterval)
     : motion_(motion), leastInterval_(leastInterval), contactInterval_(contactInterval) {}
@@ -57,8 +76,8 @@ double MotionSearch::wantedAtEnds() const {
     return wantedFor(motion_.length());
 }
 
-bool MotionSearch::lookAtStart() {
-    reached_ = motion_.atStart(wantedAtEnds());
+bool MotionSearch::lookAtStart(double wanted) {
+    reached_ = motion_.atStart(wanted);
     isStartInvalid_ = !reached_.isValid();
     return !isStartInvalid_;
 }
@@ -67,7 +86,7 @@ MotionVerdict MotionSearch::certify() {
     if (!motion_.isEndValid()) return MotionVerdict::kInvalid;
     measure();
     const MotionSample end = motion_.atEnd(wantedAtEnds());
-    if (!end.isValid() || !lookAtStart()) return MotionVerdict::kInvalid;
+    if (!end.isValid() || !lookAtStart(wantedAtEnds())) return MotionVerdict::kInvalid;
     keepOpen(interval(reached_, end));
     while (!intervals_.empty()) {
         const MotionSample from = intervals_.front().from, to = intervals_.front().to;
@@ -94,7 +113,7 @@ void MotionSearch::keepOpen(const MotionInterval& added) {
 
 MotionVerdict MotionSearch::goForward() {
     measure();
-    if (!lookAtStart()) return MotionVerdict::kInvalid;
+    if (!lookAtStart(wantedAtEnds())) return MotionVerdict::kInvalid;
     std::vector<MotionSample> ahead{motion_.atEnd(wantedAtEnds())};
     while (!ahead.empty()) {
         const MotionSample next = ahead.back();
@@ -151,19 +170,39 @@ double MotionSearch::refineLower(const ClearanceResolution& resolution) {
     std::make_heap(intervals_.begin(), intervals_.end(), isLessUrgent);
     double least = reached_.clearance;
     for (const MotionInterval& known : intervals_) least = std::min(least, known.from.clearance);
-    while (intervals_.front().lower < least - resolution.of(least)) {
+    refine(least, resolution);
+    return intervals_.front().lower;
+}
+
+std::optional<double> MotionSearch::leastClearance(double cap, const ClearanceResolution& resolution) {
+    measure();
+    const double wanted = cap + wantedAtEnds();
+    const MotionSample end = motion_.atEnd(wanted);
+    if (!end.isValid() || !lookAtStart(wanted)) return std::nullopt;
+    intervals_ = {interval(reached_, end)};
+    if (!refine(std::min({cap, reached_.clearance, end.clearance}), resolution)) return std::nullopt;
+    return intervals_.front().lower;
+}
+
+/// Divides the interval of the least lower bound until that is known well enough, given a pose of so little
+/// clearance. A pose is asked for as much as certifies that clearance in both halves. False when one is
+/// invalid.
+bool MotionSearch::refine(double least, const ClearanceResolution& resolution) {
+    while (intervals_.front().lower < least - std::max(resolution.of(least), leastInterval_)) {
         const MotionSample from = intervals_.front().from, to = intervals_.front().to;
         const double time = dividingTime(from, to);
         if (!isBetween(time, from, to)) break;
-        const MotionSample middle = motion_.at(time, std::numeric_limits<double>::infinity());
-        least = std::min(least, middle.clearance);
+        const double open = 2 * least - spare(from, to);
+        const MotionSample middle = motion_.at(time, least + wantedFor(open));
+        if (!middle.isValid()) return false;
+        least = std::min(least, middle.upper);
         std::pop_heap(intervals_.begin(), intervals_.end(), isLessUrgent);
         intervals_.back() = interval(from, middle);
         std::push_heap(intervals_.begin(), intervals_.end(), isLessUrgent);
         intervals_.push_back(interval(middle, to));
         std::push_heap(intervals_.begin(), intervals_.end(), isLessUrgent);
     }
-    return intervals_.front().lower;
+    return true;
 }
 
 }  // namespace clearway::planning

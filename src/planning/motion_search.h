@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 #include "clearway/planning/motion_validator.h"
@@ -25,6 +26,13 @@ struct ClearanceResolution {
     }
 };
 
+/// 1e-5 of the diagonal of the part's box, of the environment's when the part is a point.
+double defaultLeastInterval(const Scene& scene);
+
+/// How well least clearances are told to users: 1 % or, where that is more, 1e-3 of the part's diagonal, but
+/// no worse than 10 % or leastInterval.
+ClearanceResolution usualResolution(const Scene& scene, double leastInterval);
+
 class MotionSearch {
   public:
     /// leastInterval, contactInterval: what is not certified is given up when it is this short; the latter
@@ -44,6 +52,12 @@ class MotionSearch {
     /// its least over all intervals is known well enough. Returns that: no pose has less.
     double refineLower(const ClearanceResolution& resolution);
 
+    /// Looks at a motion not looked at before until its least clearance is known well enough, or is known to
+    /// be `cap` but for the resolution. Returns a clearance that no pose is below; it may be more than the
+    /// cap, and is at most 0 when the motion cannot be told from an invalid one. Nothing when a pose is
+    /// invalid.
+    std::optional<double> leastClearance(double cap, const ClearanceResolution& resolution);
+
   private:
     /// What two samples leave open between them, as a length, and where to divide it.
     struct Stretch {
@@ -60,7 +74,8 @@ class MotionSearch {
     double dividingTime(const MotionSample& from, const MotionSample& to) const;
     double wantedFor(double open) const;
     double wantedAtEnds() const;
-    bool lookAtStart();
+    bool lookAtStart(double wanted);
+    bool refine(double least, const ClearanceResolution& resolution);
     void keepOpen(const MotionInterval& added);
     Stretch stretchBefore(const MotionSample& next) const;
     void advance(const MotionSample& next);

@@ -18,27 +18,12 @@ namespace {
 
 namespace ob = ompl::base;
 
-constexpr double kDefaultLeastInterval = 1e-5;  ///< of the part's diagonal
-
 /// In least intervals: how near to a pose in collision the last valid one is looked for. A planner has no use
 /// for more, and each halving is a query.
 constexpr double kContactIntervals = 100;
 
-/// How well a report knows the least clearance: see ClearanceResolution.
-constexpr double kReportedShare = 1e-2;
-constexpr double kReportedLargestShare = 0.1;
-constexpr double kReportedDiagonal = 1e-3;  ///< of the part's diagonal
-
-double diagonalOf(const Box& box) {
-    return box.isEmpty() ? 0 : box.diagonal().norm();
-}
-
 double chooseLeastInterval(const Scene& scene, const MotionOptions& options) {
-    if (!options.leastInterval) {
-        const double part = diagonalOf(scene.part.box()), around = diagonalOf(scene.environmentBox());
-        const double size = part > 0 ? part : around;
-        return kDefaultLeastInterval * (size > 0 ? size : 1);
-    }
+    if (!options.leastInterval) return defaultLeastInterval(scene);
     if (*options.leastInterval > 0 && std::isfinite(*options.leastInterval)) return *options.leastInterval;
     throw std::invalid_argument("leastInterval is " + shortNumber(*options.leastInterval) +
                                 ", expected a finite length above 0");
@@ -106,7 +91,8 @@ double MotionValidator::timeWithinBounds(const ob::State* s1, const ob::State* s
 }
 
 Motion MotionValidator::motion(const ob::State* s1, const ob::State* s2, bool isReported) const {
-    return Motion({*si_, *clearance_, stateToPose_, bound_, areBoundsConvex_, isReported}, s1, s2);
+    const ClearanceDetail detail = isReported ? ClearanceDetail::kWhole : ClearanceDetail::kRough;
+    return Motion({*si_, *clearance_, stateToPose_, bound_, areBoundsConvex_, detail}, s1, s2);
 }
 
 MotionValidator::Outcome MotionValidator::judge(const ob::State* s1, const ob::State* s2,
@@ -137,9 +123,7 @@ MotionReport MotionValidator::report(const ob::State* s1, const ob::State* s2) c
         report.verdict = search.goForward();
         report.certifiedTime = search.certifiedTime();
         if (report.verdict == MotionVerdict::kValid) {
-            report.lowerClearance =
-                search.refineLower({kReportedShare, kReportedLargestShare,
-                                    kReportedDiagonal * diagonalOf(scene().part.box()), leastInterval_});
+            report.lowerClearance = search.refineLower(usualResolution(scene(), leastInterval_));
         }
         report.upperClearance = looked.leastUpper();
         report.closestTime = looked.closestTime();

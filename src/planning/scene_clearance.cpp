@@ -171,6 +171,12 @@ void SceneClearance::nameTriangle(SceneDistance& nearest) const {
                                    obstacle.model.components()[component].firstTriangle;
 }
 
+void SceneClearance::forgetWarmStart() const {
+    ThreadScratch& mine = scratch();
+    for (Workspace& workspace : mine.workspaces) workspace.forgetWarmStart();
+    mine.nearest = 0;
+}
+
 bool SceneClearance::isOutOfReach(const Pose& X_environmentPart) const {
     return std::any_of(scene_.obstacles.begin(), scene_.obstacles.end(), [&](const Obstacle& obstacle) {
         const std::optional<Reach>& reach = obstacle.model.reach();

@@ -50,6 +50,9 @@ class SceneClearance {
     /// The least, whatever the margins.
     SceneDistance distance(const Pose& X_environmentPart) const;
 
+    /// So that the calling thread's next answer is the same to the last digit whatever it asked before.
+    void forgetWarmStart() const;
+
     /// Whether an obstacle built with a reach cannot tell anything about the pose.
     bool isOutOfReach(const Pose& X_environmentPart) const;
 
