@@ -24,12 +24,19 @@ struct PartState {
 /// Throws std::invalid_argument when the quaternion has length 0 or is not finite.
 Pose poseOf(const PartState& state);
 
+using NamedTexts = std::vector<std::pair<std::string, std::string>>;
+
 /// A planner by OMPL's class name in any case ("RRTConnect", "rrtconnect"), and its parameters as OMPL's ParamSet takes
 /// them; the parameter "name" is no parameter of OMPL's but how OMPL.app labels the planner.
 struct PlannerChoice {
     std::string name;
-    std::vector<std::pair<std::string, std::string>> parameters;
+    NamedTexts parameters{};
+    /// Of the problem, for this planner alone (`problem.KEY` in [planner]): as Problem::settings, and "sampler" and
+    /// "objective.threshold".
+    NamedTexts settings{};
 };
+
+enum class SavedPaths { kNone, kAll, kShortest };
 
 struct Problem {
     std::string file;  ///< the .cfg; empty when made in memory
@@ -43,12 +50,19 @@ struct Problem {
     std::string objective = "length";
     std::optional<double> objectiveThreshold;
     std::string sampler;
-    std::vector<PlannerChoice> planners;
+    std::optional<double> goalThreshold;  ///< OMPL's distance to the goal that a path may end at
+    /// Parameters of OMPL's space ("longest_valid_segment_fraction", "projection.cellsize_factor") and of the sampler
+    /// ("standard_deviation"). They never decide what is valid.
+    NamedTexts settings;
+    std::vector<PlannerChoice> planners;  ///< in a benchmark each is one, also two of one name
 
     // [benchmark]
-    std::optional<double> timeLimit;    ///< seconds
-    std::optional<double> memoryLimit;  ///< megabytes
-    std::optional<int> runCount;
+    std::optional<double> timeLimit;    ///< seconds of each run
+    std::optional<double> memoryLimit;  ///< megabytes, likewise
+    std::optional<int> runCount;        ///< of each planner
+    std::string outputFolder;  ///< of the log, from the .cfg's folder; empty: that one itself
+    SavedPaths savedPaths = SavedPaths::kNone;  ///< of each planner
+    bool simplify = true;                       ///< paths, after each run
 
     // [clearway]
     double margin = 0;           ///< environment units

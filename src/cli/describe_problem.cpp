@@ -15,6 +15,7 @@ std::string description(const PartState& state) {
 std::string description(const PlannerChoice& planner) {
     std::string text = planner.name;
     for (const auto& [name, value] : planner.parameters) text += ", " + name + " = " + value;
+    for (const auto& [name, value] : planner.settings) text += ", problem." + name + " = " + value;
     return text;
 }
 
@@ -32,6 +33,8 @@ void describeProblem(const Problem& problem, const Box& environmentBox) {
                                                    ? ", threshold " + readable(*problem.objectiveThreshold)
                                                    : std::string()));
     if (!problem.sampler.empty()) printRow("sampler", problem.sampler);
+    if (problem.goalThreshold) printRow("goal threshold", readable(*problem.goalThreshold));
+    for (const auto& [name, value] : problem.settings) printRow("setting", name + " = " + value);
     printRow("margin", readable(problem.margin));
     printRow("step", problem.step ? readable(*problem.step) : "not stated");
     printRow("planners", problem.planners.empty() ? "not stated" : std::to_string(problem.planners.size()));
@@ -39,6 +42,7 @@ void describeProblem(const Problem& problem, const Box& environmentBox) {
     if (problem.timeLimit) printRow("time limit", readable(*problem.timeLimit) + " s");
     if (problem.memoryLimit) printRow("memory limit", readable(*problem.memoryLimit) + " MB");
     if (problem.runCount) printRow("runs", std::to_string(*problem.runCount));
+    if (!problem.outputFolder.empty()) printRow("log folder", problem.outputFolder);
     for (const std::string& warning : problem.warnings) printRow("warning", warning);
 }
 

@@ -19,6 +19,7 @@ constexpr Subcommand kSubcommands[] = {
     {"info", "shows what a mesh or a problem holds and what its trees look like", info},
     {"query", "asks for the distance or for contact at every pose of a file, and how fast", query},
     {"plan", "finds a path for the part from the start of a problem to its goal", plan},
+    {"bench", "runs a problem's planners several times and writes OMPL's benchmark log", bench},
     {"scene", "makes a demo scene: two meshes, a problem and a path that solves it", scene},
 };
 

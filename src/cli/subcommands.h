@@ -24,5 +24,6 @@ int info(const Arguments& arguments);
 int query(const Arguments& arguments);
 int scene(const Arguments& arguments);
 int plan(const Arguments& arguments);
+int bench(const Arguments& arguments);
 
 }  // namespace clearway

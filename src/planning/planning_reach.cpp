@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/number.h"
+#include "planning/problem_settings.h"
 
 namespace clearway::planning {
 namespace {
@@ -23,7 +24,7 @@ double stepOf(const Problem& problem, const PlanOptions& options, const Model& p
 
 std::optional<Reach> planningReach(const Problem& problem, const PlanOptions& options, const Model& part,
                                    const Box& environmentBox) {
-    if (problem.sampler == "max_clearance") return std::nullopt;
+    if (mayUseSampler(problem, "max_clearance")) return std::nullopt;
     const Box bounds = boundsOf(problem, environmentBox);
     const Vector3 slack = Vector3::Constant(kBoundsSlack * bounds.diagonal().norm());
     const double radius = part.radiusAboutOrigin();

@@ -1,5 +1,6 @@
 #include "planning/planning_space.h"
 
+#include <ompl/base/samplers/BridgeTestValidStateSampler.h>
 #include <ompl/base/samplers/GaussianValidStateSampler.h>
 #include <ompl/base/samplers/MaximizeClearanceValidStateSampler.h>
 #include <ompl/base/samplers/ObstacleBasedValidStateSampler.h>
@@ -47,6 +48,7 @@ constexpr NamedSampler kSamplers[] = {
     {"gaussian", allocate<ob::GaussianValidStateSampler>},
     {"obstacle_based", allocate<ob::ObstacleBasedValidStateSampler>},
     {"max_clearance", allocate<ob::MaximizeClearanceValidStateSampler>},
+    {"bridge_test", allocate<ob::BridgeTestValidStateSampler>},
 };
 
 }  // namespace
@@ -78,11 +80,19 @@ PartState fromOmpl(Space kind, const ob::State* state) {
     return kind == Space::kSe2 ? partStateOfSe2(state) : partStateOfSe3(state);
 }
 
-void setSampler(ob::SpaceInformation& si, const std::string& name) {
+void setSampler(ob::SpaceInformation& si, const std::string& name,
+                const std::function<void(ob::ValidStateSampler&)>& adjust) {
     if (name.empty()) return;
     std::string known;
     for (const NamedSampler& row : kSamplers) {
-        if (name == row.name) return si.setValidStateSamplerAllocator(row.allocate);
+        if (name == row.name) {
+            return si.setValidStateSamplerAllocator(
+                [adjust, allocate = row.allocate](const ob::SpaceInformation* space) {
+                    const ob::ValidStateSamplerPtr sampler = allocate(space);
+                    adjust(*sampler);
+                    return sampler;
+                });
+        }
         known += (known.empty() ? "" : ", ") + std::string(row.name);
     }
     throw std::invalid_argument("unknown sampler '" + name + "', expected one of " + known);

@@ -4,6 +4,7 @@
 #include <ompl/base/ScopedState.h>
 #include <ompl/base/SpaceInformation.h>
 
+#include <functional>
 #include <string>
 
 #include "clearway/problem.h"
@@ -17,8 +18,10 @@ ompl::base::StateSpacePtr makeSpace(Space kind, const Box& bounds, double turnWe
 ompl::base::ScopedState<> toOmpl(const ompl::base::StateSpacePtr& space, Space kind, const PartState& state);
 PartState fromOmpl(Space kind, const ompl::base::State* state);
 
-/// How planners that sample valid states do it: "uniform", "gaussian", "obstacle_based" or "max_clearance",
-/// as OMPL.app names them; "" leaves OMPL's default. Throws std::invalid_argument for another name.
-void setSampler(ompl::base::SpaceInformation& si, const std::string& name);
+/// How planners that sample valid states do it: "uniform", "gaussian", "obstacle_based", "max_clearance" or
+/// "bridge_test", as OMPL.app names them; "" leaves OMPL's default. adjust: called with each sampler that is
+/// made, also from several threads. Throws std::invalid_argument for another name.
+void setSampler(ompl::base::SpaceInformation& si, const std::string& name,
+                const std::function<void(ompl::base::ValidStateSampler&)>& adjust);
 
 }  // namespace clearway::planning

@@ -4,6 +4,7 @@
 #include <ompl/util/RandomNumbers.h>
 
 #include <algorithm>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 #include <thread>
@@ -14,6 +15,7 @@
 #include "planning/ompl_messages.h"
 #include "planning/planning_reach.h"
 #include "planning/planning_space.h"
+#include "planning/problem_settings.h"
 
 namespace clearway::planning {
 namespace {
@@ -95,8 +97,9 @@ void setFileParameters(ob::Planner& planner, const std::string& plannerName, con
     for (const PlannerChoice& choice : problem.planners) {
         if (plannerClassName(choice.name) != plannerName) continue;
         for (const auto& [name, value] : choice.parameters) {
-            if (name == "name") continue;  // a label for benchmark logs
-            if (hasParameter(planner, name)) {
+            if (name == "name") {
+                planner.setName(value);
+            } else if (hasParameter(planner, name)) {
                 setParameter(planner, name, value);
             } else {
                 addOnce(warnings, problem.file + ": planner " + plannerName + " has no parameter '" + name +
@@ -172,7 +175,8 @@ ob::ProblemDefinitionPtr defineProblem(const Setup& setup, const Problem& proble
     const ob::StateSpacePtr& space = setup.si->getStateSpace();
     const auto definition = std::make_shared<ob::ProblemDefinition>(setup.si);
     definition->setStartAndGoalStates(toOmpl(space, problem.space, problem.start),
-                                      toOmpl(space, problem.space, problem.goal));
+                                      toOmpl(space, problem.space, problem.goal),
+                                      problem.goalThreshold.value_or(std::numeric_limits<double>::epsilon()));
     if (options.optimiseLength || problem.objectiveThreshold) {
         const auto objective = std::make_shared<ob::PathLengthOptimizationObjective>(setup.si);
         if (problem.objectiveThreshold) objective->setCostThreshold(ob::Cost(*problem.objectiveThreshold));
@@ -194,9 +198,10 @@ ob::PlannerPtr preparePlanner(const Setup& setup, const std::string& name, const
 
 }  // namespace
 
-Setup prepare(const Problem& problem, const Scene& scene, const PlanOptions& options, PlanReport& report) {
-    requireOptions(problem, options);
-    report.planners = choosePlanners(problem, options);
+Setup prepare(const Problem& stated, const Scene& scene, const PlanOptions& options, PlanReport& report) {
+    requireOptions(stated, options);
+    report.planners = choosePlanners(stated, options);
+    const Problem problem = problemFor(report.planners[0], stated);
     report.isRepeatable = options.iterations && isRepeatable(report.planners[0]);
     if (problem.objective != "length") {
         report.warnings.push_back("objective '" + problem.objective +
@@ -223,8 +228,7 @@ Setup prepare(const Problem& problem, const Scene& scene, const PlanOptions& opt
         useCertified(setup, scene, leastSpare, report);
     }
     setup.si->setStateValidityChecker(setup.checker);
-    setSampler(*setup.si, problem.sampler);
-    setup.si->setup();
+    setUp(*setup.si, problem, report.warnings);
 
     setup.definition = defineProblem(setup, problem, options);
     for (const std::string& name : report.planners) {

@@ -37,6 +37,18 @@ std::optional<double> ConfigValues::number(const std::string& name) {
     return number;
 }
 
+std::optional<bool> ConfigValues::flag(const std::string& name) {
+    const std::optional<std::string> value = text(name);
+    if (!value) return std::nullopt;
+    for (const char* yes : {"1", "true", "yes", "on"}) {
+        if (*value == yes) return true;
+    }
+    for (const char* no : {"0", "false", "no", "off"}) {
+        if (*value == no) return false;
+    }
+    refuse(name, "1, true, yes, on, 0, false, no or off");
+}
+
 std::string ConfigValues::requiredText(const std::string& name, const std::string& expected) {
     if (!has(name)) refuseMissing(name, expected);
     return *text(name);

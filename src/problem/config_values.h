@@ -30,6 +30,9 @@ class ConfigValues {
     std::string requiredText(const std::string& name, const std::string& expected);
     double requiredNumber(const std::string& name, const std::string& expected);
 
+    /// 1, true, yes or on; 0, false, no or off. Throws likewise.
+    std::optional<bool> flag(const std::string& name);
+
     /// Throws std::invalid_argument: the key's value is wrong.
     [[noreturn]] void refuse(const std::string& name, const std::string& expected) const;
 

@@ -2,61 +2,137 @@
 
 #include <algorithm>
 #include <boost/algorithm/string/case_conv.hpp>
+#include <boost/algorithm/string/predicate.hpp>
 #include <stdexcept>
 
 #include "core/lines.h"
+#include "core/number.h"
 
 namespace clearway {
 
 namespace {
+
+/// Parameters of OMPL's space information and of its valid-state samplers.
+constexpr const char* kSettings[] = {"longest_valid_segment_fraction", "valid_segment_count_factor",
+                                     "nr_attempts", "nr_improve_attempts", "standard_deviation"};
+constexpr const char* kProjection = "projection.";
 
 /// The last planner of the name, made when there is none: OMPL.app lets the parameters come first.
 PlannerChoice& lastOf(std::vector<PlannerChoice>& planners, const std::string& name) {
     const auto last = std::find_if(planners.rbegin(), planners.rend(),
                                    [&](const PlannerChoice& planner) { return planner.name == name; });
     if (last != planners.rend()) return *last;
-    planners.push_back({name, {}});
+    planners.push_back({name, {}, {}});
     return planners.back();
 }
 
-void setParameter(PlannerChoice& planner, const std::string& parameter, const std::string& value) {
-    for (auto& [name, old] : planner.parameters) {
-        if (name == parameter) {
+void set(NamedTexts& texts, const std::string& key, const std::string& value) {
+    for (auto& [name, old] : texts) {
+        if (name == key) {
             old = value;
             return;
         }
     }
-    planner.parameters.push_back({parameter, value});
+    texts.emplace_back(key, value);
 }
 
-}  // namespace
+/// The lines of the section, one after the other.
+class Section {
+  public:
+    /// hasObjective: [problem] names one.
+    Section(const std::string& file, Problem& problem, bool hasObjective)
+        : file_(file), problem_(problem), hasObjective_(hasObjective) {}
 
-std::vector<PlannerChoice> plannerChoices(const std::string& file, const std::vector<ConfigEntry>& entries,
-                                          std::vector<std::string>& warnings) {
-    std::vector<PlannerChoice> planners;
-    for (const ConfigEntry& entry : entries) {
-        if (sectionOf(entry.name) != "planner") continue;
+    void read(const ConfigEntry& entry) {
         const std::string key = boost::to_lower_copy(keyOf(entry.name));
         const std::size_t dot = key.find('.');
         const std::string name = key.substr(0, dot);
-        const std::string parameter = dot == std::string::npos ? "" : key.substr(dot + 1);
-        if (name.empty() || (dot != std::string::npos && parameter.empty())) {
-            throw std::invalid_argument(place(file, entry.line) + "[planner] key is " + quote(key) +
+        const std::string rest = dot == std::string::npos ? "" : key.substr(dot + 1);
+        if (name.empty() || (dot != std::string::npos && rest.empty())) {
+            throw std::invalid_argument(place(file_, entry.line) + "[planner] key is " + quote(key) +
                                         ", expected NAME = or NAME.PARAMETER = VALUE");
         }
-        if (name == "problem") {  // OMPL.app's way to set the state space's parameters for one planner
-            warnings.push_back(place(file, entry.line) + shown(entry.name) + " has no effect here");
-        } else if (dot != std::string::npos) {
-            setParameter(lastOf(planners, name), parameter, entry.value);
-        } else {
-            planners.push_back({name, {}});
-            if (!entry.value.empty()) {
-                warnings.push_back(place(file, entry.line) + shown(entry.name) + " is " + quote(entry.value) +
-                                   ", which has no effect: parameters are set as NAME.PARAMETER = VALUE");
-            }
+        if (name == "problem") return readSetting(entry, rest);
+        if (dot == std::string::npos) return add(entry, name);
+        PlannerChoice& planner = lastOf(problem_.planners, name);
+        set(planner.parameters, rest, entry.value);
+        take(planner);
+    }
+
+    /// Settings that no planner came for.
+    void end() const {
+        if (!pending_.empty()) {
+            problem_.warnings.push_back(file_ + ": [planner] problem." + pending_.front().first +
+                                        " has no effect: no planner is named");
         }
     }
-    return planners;
+
+  private:
+    void add(const ConfigEntry& entry, const std::string& name) {
+        problem_.planners.push_back({name, {}, {}});
+        take(problem_.planners.back());
+        if (entry.value.empty()) return;
+        warn(entry, " is " + quote(entry.value) +
+                        ", which has no effect: parameters are set as NAME.PARAMETER = VALUE");
+    }
+
+    /// The planner that settings go to from now on, and those that were waiting for one.
+    void take(PlannerChoice& planner) {
+        last_ = &planner - problem_.planners.data();
+        for (const auto& [key, value] : pending_) set(planner.settings, key, value);
+        pending_.clear();
+    }
+
+    void readSetting(const ConfigEntry& entry, const std::string& key) {
+        if (key == "objective") return readObjective(entry);
+        if (key == "objective.threshold" && !parseNumber(entry.value)) {
+            throw std::invalid_argument(place(file_, entry.line) + shown(entry.name) + " is " +
+                                        quote(entry.value) + ", expected a finite number");
+        }
+        if (key != "sampler" && key != "objective.threshold" && !isSetting(key)) {
+            return warn(entry, " has no effect here");
+        }
+        set(last_ < 0 ? pending_ : problem_.planners[static_cast<std::size_t>(last_)].settings, key,
+            entry.value);
+    }
+
+    /// One objective for all: the problem's, or the first that is named for a planner.
+    void readObjective(const ConfigEntry& entry) {
+        if (!hasObjective_) problem_.objective = entry.value;
+        hasObjective_ = true;
+        if (problem_.objective != entry.value) {
+            warn(entry, " is " + quote(entry.value) + ", which has no effect: the objective of all is " +
+                            quote(problem_.objective));
+        }
+    }
+
+    void warn(const ConfigEntry& entry, const std::string& what) {
+        problem_.warnings.push_back(place(file_, entry.line) + shown(entry.name) + what);
+    }
+
+    const std::string& file_;
+    Problem& problem_;
+    std::ptrdiff_t last_ = -1;  ///< the planner named last
+    NamedTexts pending_;        ///< settings before any planner
+    bool hasObjective_;
+};
+
+}  // namespace
+
+bool isSetting(const std::string& key) {
+    return boost::starts_with(key, kProjection) ||
+           std::find(std::begin(kSettings), std::end(kSettings), key) != std::end(kSettings);
+}
+
+void readPlanners(const std::string& file, const std::vector<ConfigEntry>& entries, Problem& problem) {
+    const bool hasObjective = std::any_of(entries.begin(), entries.end(), [](const ConfigEntry& entry) {
+        return entry.name == "problem.objective";
+    });
+    Section section(file, problem, hasObjective);
+    for (const ConfigEntry& entry : entries) {
+        if (sectionOf(entry.name) == "planner") section.read(entry);
+    }
+    section.end();
 }
 
 }  // namespace clearway

@@ -1,6 +1,7 @@
 // Reads OMPL.app's .cfg: [problem], [benchmark] and [planner] as its benchmark program does, and [clearway],
 // ours.
 #include <boost/algorithm/string/case_conv.hpp>
+#include <boost/algorithm/string/predicate.hpp>
 #include <filesystem>
 #include <set>
 #include <stdexcept>
@@ -94,9 +95,32 @@ std::optional<double> readPositive(ConfigValues& values, const std::string& name
     return value;
 }
 
+void readSettings(ConfigValues& values, Problem& problem) {
+    for (const ConfigEntry& entry : values.unread()) {
+        const std::string key = boost::to_lower_copy(keyOf(entry.name));
+        if (sectionOf(entry.name) != "problem" || !isSetting(key)) continue;
+        problem.settings.emplace_back(key, *values.text(entry.name));
+    }
+}
+
+/// OMPL.app takes whatever begins so.
+SavedPaths readSavedPaths(ConfigValues& values) {
+    const std::string name = "benchmark.save_paths";
+    const std::string which = values.text(name).value_or("none");
+    if (boost::starts_with(which, "none")) return SavedPaths::kNone;
+    if (boost::starts_with(which, "all")) return SavedPaths::kAll;
+    if (boost::starts_with(which, "shortest") || boost::starts_with(which, "best")) {
+        return SavedPaths::kShortest;
+    }
+    values.refuse(name, "none, all, shortest or best");
+}
+
 void readBenchmark(ConfigValues& values, Problem& problem) {
     problem.timeLimit = readPositive(values, "benchmark.time_limit");
     problem.memoryLimit = readPositive(values, "benchmark.mem_limit");
+    problem.outputFolder = values.text("benchmark.output").value_or("");
+    problem.savedPaths = readSavedPaths(values);
+    problem.simplify = values.flag("benchmark.simplify").value_or(true);
     const std::string name = "benchmark.run_count";
     const std::optional<std::string> text = values.text(name);
     if (!text) return;
@@ -168,10 +192,15 @@ Problem readProblem(const std::string& file) {
     problem.volume = readVolume(values, problem.space);
     problem.objective = values.text("problem.objective").value_or(problem.objective);
     problem.objectiveThreshold = values.number("problem.objective.threshold");
+    problem.goalThreshold = values.number("problem.threshold");
+    if (problem.goalThreshold && *problem.goalThreshold < 0) {
+        values.refuse("problem.threshold", "a number of at least 0");
+    }
     problem.sampler = values.text("problem.sampler").value_or("");
+    readSettings(values, problem);
     readBenchmark(values, problem);
     readClearway(values, problem);
-    problem.planners = plannerChoices(file, entries, problem.warnings);
+    readPlanners(file, entries, problem);
     judgeUnread(file, values, problem);
     return problem;
 }

@@ -68,6 +68,15 @@ std::string relativeTo(const std::string& folder, const std::string& mesh) {
     return fs::proximate(mesh, folder.empty() ? fs::path(".") : fs::path(folder)).generic_string();
 }
 
+/// what: for the message when a key cannot be written.
+void writeTexts(ConfigText& text, const std::string& what, const std::string& prefix,
+                const NamedTexts& texts) {
+    for (const auto& [key, value] : texts) {
+        requireWritableKey(what, key, "#=\n\r");
+        text.line(prefix + key, value);
+    }
+}
+
 void writeProblemSection(ConfigText& text, const Problem& problem, const std::string& folder) {
     const int dimensions = problem.space == Space::kSe3 ? 3 : 2;
     text.section("problem");
@@ -82,15 +91,26 @@ void writeProblemSection(ConfigText& text, const Problem& problem, const std::st
     }
     text.line("objective", problem.objective);
     if (problem.objectiveThreshold) text.line("objective.threshold", *problem.objectiveThreshold);
+    if (problem.goalThreshold) text.line("threshold", *problem.goalThreshold);
     if (!problem.sampler.empty()) text.line("sampler", problem.sampler);
+    writeTexts(text, "a setting of the problem", "", problem.settings);
 }
 
 void writeBenchmarkSection(ConfigText& text, const Problem& problem) {
-    if (!problem.timeLimit && !problem.memoryLimit && !problem.runCount) return;
+    const bool savesPaths = problem.savedPaths != SavedPaths::kNone;
+    if (!problem.timeLimit && !problem.memoryLimit && !problem.runCount && problem.outputFolder.empty() &&
+        !savesPaths && problem.simplify) {
+        return;
+    }
     text.section("benchmark");
     if (problem.timeLimit) text.line("time_limit", *problem.timeLimit);
     if (problem.memoryLimit) text.line("mem_limit", *problem.memoryLimit);
     if (problem.runCount) text.line("run_count", std::to_string(*problem.runCount));
+    if (!problem.outputFolder.empty()) text.line("output", problem.outputFolder);
+    if (savesPaths) {
+        text.line("save_paths", std::string(problem.savedPaths == SavedPaths::kAll ? "all" : "shortest"));
+    }
+    if (!problem.simplify) text.line("simplify", std::string("0"));
 }
 
 void writePlannerSection(ConfigText& text, const Problem& problem) {
@@ -99,10 +119,9 @@ void writePlannerSection(ConfigText& text, const Problem& problem) {
     for (const PlannerChoice& planner : problem.planners) {
         requireWritableKey("a planner's name", planner.name, "#=[.\n\r");
         text.line(planner.name, std::string());
-        for (const auto& [parameter, value] : planner.parameters) {
-            requireWritableKey("a parameter of planner " + quote(planner.name), parameter, "#=\n\r");
-            text.line(planner.name + "." + parameter, value);
-        }
+        writeTexts(text, "a parameter of planner " + quote(planner.name), planner.name + ".",
+                   planner.parameters);
+        writeTexts(text, "a setting for planner " + quote(planner.name), "problem.", planner.settings);
     }
 }
 

@@ -235,11 +235,11 @@ BOOST_AUTO_TEST_CASE(other_unknown_keys_and_sections_are_warned_of_once_each) {
         ":22: the section [notes] has no effect here",
         ":25: [planner] problem.range has no effect here",
         ":26: [planner] prm is '5', which has no effect: parameters are set as NAME.PARAMETER = VALUE",
-        ":19: [problem] threshold = '1e-15' has no effect here",
+        ":19: [problem] solution_length = '5' has no effect here",
         ":20: [problem] control = 'dynamic_car' is not supported: planned as a free rigid body",
     };
     BOOST_TEST(
-        warningsOf(kSpatial + "threshold = 1e-15\ncontrol = dynamic_car\n[notes]\nby = me\non = monday\n"
+        warningsOf(kSpatial + "solution_length = 5\ncontrol = dynamic_car\n[notes]\nby = me\non = monday\n"
                               "[planner]\nproblem.range = 1\nprm = 5\n") == expected,
         boost::test_tools::per_element());
 }
@@ -268,6 +268,78 @@ kpiece=
     BOOST_TEST(problem.warnings.empty());
     BOOST_TEST(refusalOf(kSpatial + "[planner]\nrrt. = 5\n") ==
                ":20: [planner] key is 'rrt.', expected NAME = or NAME.PARAMETER = VALUE");
+}
+
+BOOST_AUTO_TEST_CASE(settings_go_to_all_planners_or_to_the_one_named_before_them) {
+    const Problem problem = read(kSpatial + R"(threshold = 1e-3
+Longest_Valid_Segment_Fraction = 0.02
+standard_deviation = 7
+[planner]
+problem.sampler = gaussian
+prm=
+problem.longest_valid_segment_fraction = 0.1
+problem.longest_valid_segment_fraction = 0.2
+rrt=
+kpiece.border_fraction = 0.5
+problem.projection.cellsize_factor = 4.0
+problem.objective.threshold = 12.5
+prm.max_nearest_neighbors = 5
+problem.nr_attempts = 9
+)");
+    BOOST_TEST(problem.goalThreshold.value() == 1e-3);
+    BOOST_TEST((problem.settings ==
+                NamedTexts{{"longest_valid_segment_fraction", "0.02"}, {"standard_deviation", "7"}}));
+    BOOST_TEST_REQUIRE(problem.planners.size() == 3);
+    BOOST_TEST((problem.planners[0].settings == NamedTexts{{"sampler", "gaussian"},
+                                                           {"longest_valid_segment_fraction", "0.2"},
+                                                           {"nr_attempts", "9"}}));
+    BOOST_TEST(problem.planners[1].settings.empty());
+    BOOST_TEST((problem.planners[2].settings ==
+                NamedTexts{{"projection.cellsize_factor", "4.0"}, {"objective.threshold", "12.5"}}));
+    BOOST_TEST(problem.warnings.empty());
+    BOOST_TEST(refusalOf(kSpatial + "threshold = -1\n") ==
+               ":19: [problem] threshold is '-1', expected a number of at least 0");
+    BOOST_TEST(refusalOf(kSpatial + "[planner]\nrrt=\nproblem.objective.threshold = low\n") ==
+               ":21: [planner] problem.objective.threshold is 'low', expected a finite number");
+}
+
+BOOST_AUTO_TEST_CASE(all_planners_have_one_objective) {
+    const Problem named = read(kSpatial + "[planner]\nrrt=\nproblem.objective = mechanical_work\n");
+    BOOST_TEST(named.objective == "mechanical_work");
+    const std::vector<std::string> expected = {
+        ":22: [planner] problem.objective is 'other', which has no effect: the objective of all is 'length'"};
+    BOOST_TEST(
+        warningsOf(kSpatial + "objective = length\n[planner]\nrrt=\nproblem.objective = other\n") == expected,
+        boost::test_tools::per_element());
+    BOOST_TEST(warningsOf(kSpatial + "[planner]\nproblem.sampler = uniform\n") ==
+                   std::vector<std::string>{": [planner] problem.sampler has no effect: no planner is named"},
+               boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(all_keys_of_the_benchmark_are_read) {
+    const Problem problem = read(kSpatial + R"([benchmark]
+time_limit = 8.5
+mem_limit = 4096
+run_count = 50
+output = ../results/
+save_paths = best_path
+simplify = 0
+)");
+    BOOST_TEST(problem.timeLimit.value() == 8.5);
+    BOOST_TEST(problem.memoryLimit.value() == 4096);
+    BOOST_TEST(problem.runCount.value() == 50);
+    BOOST_TEST(problem.outputFolder == "../results/");
+    BOOST_TEST((problem.savedPaths == SavedPaths::kShortest));
+    BOOST_TEST(!problem.simplify);
+    BOOST_TEST(problem.warnings.empty());
+    const Problem bare = read(kSpatial);
+    BOOST_TEST((bare.savedPaths == SavedPaths::kNone));
+    BOOST_TEST(bare.simplify);
+    BOOST_TEST((read(kSpatial + "[benchmark]\nsave_paths = all\n").savedPaths == SavedPaths::kAll));
+    BOOST_TEST(refusalOf(kSpatial + "[benchmark]\nsave_paths = some\n") ==
+               ":20: [benchmark] save_paths is 'some', expected none, all, shortest or best");
+    BOOST_TEST(refusalOf(kSpatial + "[benchmark]\nsimplify = maybe\n") ==
+               ":20: [benchmark] simplify is 'maybe', expected 1, true, yes, on, 0, false, no or off");
 }
 
 BOOST_AUTO_TEST_CASE(meshes_are_found_beside_the_problem_whatever_the_current_folder) {

@@ -46,6 +46,12 @@ BOOST_AUTO_TEST_CASE(everything_written_reads_back_to_the_same_values) {
     problem.sampler = "gaussian";
     problem.planners = {
         {"rrtconnect", {{"range", "0.7"}, {"name", "RRT 1"}}}, {"prm", {}}, {"rrtconnect", {}}};
+    problem.planners[1].settings = {{"sampler", "uniform"}, {"nr_attempts", "3"}};
+    problem.settings = {{"longest_valid_segment_fraction", "0.02"}};
+    problem.goalThreshold = 1e-3;
+    problem.outputFolder = "../logs";
+    problem.savedPaths = SavedPaths::kShortest;
+    problem.simplify = false;
     problem.timeLimit = 0.3;
     problem.memoryLimit = 1e3;
     problem.runCount = 7;
@@ -68,7 +74,13 @@ BOOST_AUTO_TEST_CASE(everything_written_reads_back_to_the_same_values) {
     for (int i = 0; i < 3; ++i) {
         BOOST_TEST(back.planners[i].name == problem.planners[i].name);
         BOOST_TEST((back.planners[i].parameters == problem.planners[i].parameters));
+        BOOST_TEST((back.planners[i].settings == problem.planners[i].settings));
     }
+    BOOST_TEST((back.settings == problem.settings));
+    BOOST_TEST(back.goalThreshold.value() == 1e-3);
+    BOOST_TEST(back.outputFolder == problem.outputFolder);
+    BOOST_TEST((back.savedPaths == SavedPaths::kShortest));
+    BOOST_TEST(!back.simplify);
     BOOST_TEST(back.timeLimit.value() == 0.3);
     BOOST_TEST(back.memoryLimit.value() == 1e3);
     BOOST_TEST(back.runCount.value() == 7);

@@ -1,0 +1,166 @@
+#include "planning/benchmark_run.h"
+
+#include <ompl/base/PlannerData.h>
+#include <ompl/geometric/PathGeometric.h>
+#include <ompl/tools/benchmark/MachineSpecs.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "core/number.h"
+#include "planning/planning_space.h"
+#include "planning/run_watch.h"
+#include "planning/setup.h"
+#include "planning/simplify.h"
+
+namespace clearway::planning {
+namespace {
+
+namespace ob = ompl::base;
+namespace og = ompl::geometric;
+using Clock = std::chrono::steady_clock;
+
+constexpr double kLeastPeriod = 0.05;  ///< seconds between two looks at a planner's progress
+constexpr double kLooksPerRun = 500;   ///< at most, in the run's time
+constexpr double kBytesPerMegabyte = 1024.0 * 1024.0;
+
+double secondsSince(Clock::time_point begin) {
+    return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+std::string flag(bool value) {
+    return value ? "1" : "0";
+}
+
+ob::PlannerStatus solve(const Setup& setup, const RunLimits& limits, BenchmarkRun& run,
+                        std::vector<std::string>& warnings) {
+    ob::Planner& planner = *setup.planners[0];
+    const double period = std::max(kLeastPeriod, limits.seconds / kLooksPerRun);
+    RunWatch watch(planner, limits.bytes, period);
+    const Clock::time_point begin = Clock::now();
+    const ob::PlannerTerminationCondition isSpent([&] {
+        return secondsSince(begin) >= limits.seconds || watch.isOutOfMemory() ||
+               (limits.isStopped && limits.isStopped());
+    });
+    ob::PlannerStatus status = ob::PlannerStatus::CRASH;
+    try {
+        status = planner.solve(isSpent);
+    } catch (const std::exception& error) {
+        warnings.push_back("planner " + planner.getName() + " ended with an exception: " + error.what());
+    }
+    run.properties["time REAL"] = shortNumber(secondsSince(begin));
+    run.progress = watch.finish();
+    return status;
+}
+
+void describeAnswers(const Setup& setup, Properties& properties) {
+    const auto put = [&](const char* name, std::uint64_t count) { properties[name] = std::to_string(count); };
+    CheckCounters checks = setup.truth->counters();
+    if (setup.checker != setup.truth) checks = setup.checker->counters();
+    put("state checks INTEGER", checks.checks);
+    put("invalid state checks INTEGER", checks.invalid);
+    properties["valid segment fraction REAL"] =
+        shortNumber(setup.si->getMotionValidator()->getValidMotionFraction());
+    if (!setup.certified) return;
+    const MotionCounters motions = setup.certified->counters();
+    put("valid motions INTEGER", motions.valid);
+    put("invalid motions INTEGER", motions.invalid);
+    put("undecided motions INTEGER", motions.undecided);
+    put("motion queries INTEGER", motions.queries);
+}
+
+void describeGraph(const Setup& setup, Properties& properties) {
+    ob::PlannerData graph(setup.si);
+    setup.planners[0]->getPlannerData(graph);
+    properties["graph states INTEGER"] = std::to_string(graph.numVertices());
+    properties["graph motions INTEGER"] = std::to_string(graph.numEdges());
+    for (const auto& [name, value] : graph.properties) properties[name] = value;
+}
+
+struct Certified {
+    bool isFree = true;       ///< no pose is known to be invalid
+    bool isCertified = true;  ///< every pose is known to be valid
+    double leastClearance = std::numeric_limits<double>::infinity();
+};
+
+Certified certify(const og::PathGeometric& path, const MotionValidator& validator) {
+    Certified all;
+    for (unsigned int i = 0; i + 1 < path.getStateCount(); ++i) {
+        const MotionReport report = validator.report(path.getState(i), path.getState(i + 1));
+        all.isFree = all.isFree && report.verdict != MotionVerdict::kInvalid;
+        all.isCertified = all.isCertified && report.verdict == MotionVerdict::kValid;
+        all.leastClearance = std::min(all.leastClearance, report.lowerClearance);
+    }
+    return all;
+}
+
+/// which: "" or "simplified ", before OMPL's names. "correct" and "strict" are told by certifying the path,
+/// where OMPL looks at states.
+void describePath(const Setup& setup, const og::PathGeometric& path, const std::string& which,
+                  Properties& properties) {
+    const auto validator =
+        setup.recheck ? setup.recheck : std::make_shared<MotionValidator>(setup.si, setup.truth->scene());
+    const Certified certified = certify(path, *validator);
+    properties[which + "solution length REAL"] = shortNumber(path.length());
+    properties[which + "solution smoothness REAL"] = shortNumber(path.smoothness());
+    properties[which + "solution clearance REAL"] = shortNumber(path.clearance());
+    properties[which + "solution segments INTEGER"] =
+        std::to_string(std::max<std::size_t>(path.getStateCount(), 1) - 1);
+    properties[which + "correct solution BOOLEAN"] = flag(certified.isFree);
+    properties[which + "correct solution strict BOOLEAN"] = flag(certified.isCertified);
+    properties[which + "least clearance REAL"] = shortNumber(certified.leastClearance);
+    if (const auto& objective = setup.definition->getOptimizationObjective()) {
+        const auto cost = std::make_shared<og::PathGeometric>(path)->cost(objective);
+        properties[which + "solution cost REAL"] = shortNumber(cost.value());
+    }
+}
+
+void keepPath(const Problem& problem, const og::PathGeometric& path, BenchmarkRun& run) {
+    run.length = path.length();
+    for (unsigned int i = 0; i < path.getStateCount(); ++i) {
+        run.path.push_back(fromOmpl(problem.space, path.getState(i)));
+    }
+}
+
+void describeSolution(const Setup& setup, const Problem& problem, const RunLimits& limits,
+                      BenchmarkRun& run) {
+    Properties& properties = run.properties;
+    properties["approximate solution BOOLEAN"] = flag(setup.definition->hasApproximateSolution());
+    properties["solution difference REAL"] = shortNumber(setup.definition->getSolutionDifference());
+    og::PathGeometric path = *setup.definition->getSolutionPath()->as<og::PathGeometric>();
+    describePath(setup, path, "", properties);
+    if (limits.simplify) {
+        const Clock::time_point begin = Clock::now();
+        simplify(setup.si, path, [&] { return limits.isStopped && limits.isStopped(); });
+        properties["simplification time REAL"] = shortNumber(secondsSince(begin));
+        describePath(setup, path, "simplified ", properties);
+    }
+    if (run.isSolved) keepPath(problem, path, run);
+}
+
+}  // namespace
+
+std::optional<BenchmarkRun> runOnce(const Problem& problem, const Scene& scene, const PlanOptions& options,
+                                    const RunLimits& limits, std::vector<std::string>& warnings) {
+    PlanReport settings;
+    const Setup setup = prepare(problem, scene, options, settings);
+    BenchmarkRun run;
+    const ob::PlannerStatus status = solve(setup, limits, run, warnings);
+    const auto isStopped = [&] { return limits.isStopped && limits.isStopped(); };
+    if (isStopped()) return std::nullopt;
+
+    const double bytes = static_cast<double>(ompl::machine::getProcessMemoryUsage());
+    run.isSolved = setup.definition->hasExactSolution();
+    run.properties["memory REAL"] = shortNumber(bytes / kBytesPerMegabyte);
+    run.properties["status ENUM"] =
+        std::to_string(static_cast<int>(static_cast<ob::PlannerStatus::StatusType>(status)));
+    run.properties["solved BOOLEAN"] = flag(run.isSolved);
+    run.properties["seed INTEGER"] = std::to_string(options.seed);
+    describeAnswers(setup, run.properties);
+    describeGraph(setup, run.properties);
+    if (setup.definition->hasSolution()) describeSolution(setup, problem, limits, run);
+    if (isStopped()) return std::nullopt;
+    return run;
+}
+
+}  // namespace clearway::planning
