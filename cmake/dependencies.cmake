@@ -31,7 +31,11 @@ add_library(clearway_embree INTERFACE)
 target_link_libraries(clearway_embree INTERFACE embree)
 target_compile_definitions(clearway_embree INTERFACE CLEARWAY_EMBREE_MAJOR=${EMBREE_VERSION_MAJOR})
 
-find_package(ompl 1.5 REQUIRED CONFIG)
+# Asked for without a version, for OMPL's own version file takes 2.0 for no later version of 1.5.
+find_package(ompl REQUIRED CONFIG)
+if(ompl_VERSION VERSION_LESS 1.5)
+  message(FATAL_ERROR "OMPL is ${ompl_VERSION}, in ${ompl_DIR}, expected 1.5 or later")
+endif()
 add_library(clearway_ompl INTERFACE)
 if(TARGET ompl::ompl)
   target_link_libraries(clearway_ompl INTERFACE ompl::ompl Threads::Threads)
