@@ -64,7 +64,8 @@ ob::ScopedState<> toOmpl(const ob::StateSpacePtr& space, Space kind, const PartS
     if (kind == Space::kSe2) {
         auto* se2 = result->as<ob::SE2StateSpace::StateType>();
         se2->setXY(state.position.x(), state.position.y());
-        se2->setYaw(std::remainder(2 * std::atan2(q.z(), q.w()), 2 * M_PI));
+        const double yaw = std::remainder(2 * std::atan2(q.z(), q.w()), 2 * M_PI);
+        se2->setYaw(yaw < M_PI ? yaw : -M_PI);  // OMPL's angles end before pi
     } else {
         auto* se3 = result->as<ob::SE3StateSpace::StateType>();
         se3->setXYZ(state.position.x(), state.position.y(), state.position.z());
