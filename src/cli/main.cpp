@@ -19,6 +19,8 @@ constexpr Subcommand kSubcommands[] = {
     {"info", "shows what a mesh or a problem holds and what its trees look like", info},
     {"query", "asks for the distance or for contact at every pose of a file, and how fast", query},
     {"plan", "finds a path for the part from the start of a problem to its goal", plan},
+    {"check", "audits a path along its whole length: how close it comes, where, and what is not valid",
+     check},
     {"bench", "runs a problem's planners several times and writes OMPL's benchmark log", bench},
     {"scene", "makes a demo scene: two meshes, a problem and a path that solves it", scene},
 };
@@ -40,7 +42,8 @@ void printHelp() {
     }
     std::cout << "\n  clearway SUBCOMMAND --help   shows its arguments\n"
                  "  clearway --version           shows the version\n\n"
-                 "Exit codes: 0 done; 1 the answer is no (no path found); 2 bad input or usage, said in one "
+                 "Exit codes: 0 done; 1 the answer is no (no path found, or it is not valid); 2 bad input or "
+                 "usage, said in one "
                  "line on stderr\n";
 }
 

@@ -10,6 +10,7 @@
 #include "cli/interrupts.h"
 #include "cli/planning_scene.h"
 #include "cli/print.h"
+#include "cli/print_audit.h"
 #include "cli/tree_options.h"
 #include "core/replace_file.h"
 
@@ -24,9 +25,10 @@ CommandLine planCommandLine() {
     CommandLine commandLine;
     commandLine.usage = "clearway plan PROBLEM.cfg --path OUT.path [options]";
     commandLine.purpose =
-        "Finds a path from the problem's start to its goal, shortens it, certifies it along its whole "
-        "length and writes it.\n"
-        "Exit code 1 when none was found.";
+        "Finds a path from the problem's start to its goal, shortens it, audits it along its whole length "
+        "and writes it.\n"
+        "Exit code 1 when none was found. With --step the audit may find a path that is not valid: it is "
+        "written all the same, with a warning.";
     commandLine.positional = {"PROBLEM.cfg"};
     commandLine.options.add_options()                                                 //
         ("path", optionValue("FILE"), "where the path is written, one state a line")  //
@@ -43,7 +45,9 @@ CommandLine planCommandLine() {
         ("margin", optionValue("M"), "distance to keep from the environment, in place of the problem's")  //
         ("step", optionValue("S"),
          "checks motions at states no farther apart than this, instead of certifying them")  //
-        ("ompl-weights", "rotation weighted as OMPL does, not by the part's radius")         //
+        ("floor", optionValue("D"),
+         "clearance that shortening the path keeps (a thousandth of the part's diagonal)")  //
+        ("ompl-weights", "rotation weighted as OMPL does, not by the part's radius")        //
         ("target", optionValue("NAME"), "instruction set, of those this machine runs (best)");
     addTreeOptions(commandLine);
     addCacheOption(commandLine);
@@ -80,6 +84,10 @@ PlanOptions planOptions(const Options& options) {
     if (options.has("threads")) result.threads = static_cast<int>(options.integer("threads", 1, 256));
     if (options.has("seed")) result.seed = static_cast<std::uint32_t>(options.integer("seed", 1, UINT32_MAX));
     if (options.has("step")) result.step = options.positive("step");
+    if (options.has("floor")) result.floor = options.nonNegative("floor");
+    if (result.step && result.floor) {
+        throw std::invalid_argument("--step and --floor are both given, expected one of them");
+    }
     result.omplWeights = options.has("ompl-weights");
     result.isStopped = isInterrupted;
     return result;
@@ -99,11 +107,12 @@ void printSettings(const Scene& scene, const PlanOptions& options, const PlanRep
     printRow("planner", planners + ", seed " + std::to_string(options.seed));
     if (options.iterations) {
         printRow("repeatable",
-                 report.isRepeatable ? "yes" : "no: this planner uses several threads or the clock");
+                 report.isRepeatable ? "yes" : "no: this planner does not give the same path again");
     }
     printRow("margin", readable(scene.largestMargin()));
     printRow("motions", report.isCertified ? "certified along their whole length"
                                            : "checked every " + readable(report.step));
+    if (report.isCertified) printRow("floor", readable(report.floor));
     if (report.guard > 0)
         printRow("kept on top", readable(report.guard) + ", so that states between checks are valid too");
     printRow("planning time", readable(report.planningSeconds) + " s");
@@ -117,14 +126,7 @@ void printPath(const PlanReport& report) {
                            " before simplifying");
     printRow("length", readable(report.length));
     printRow("turned", readable(report.turned * 180 / M_PI) + " degrees");
-    const planning::LeastClearance& least = report.least;
-    const std::string between = least.partMesh.empty()
-                                    ? "or more"
-                                    : "between '" + least.partMesh + "' and '" + least.environmentMesh +
-                                          "', at " + readable(least.state.position);
-    printRow("least clearance", readable(least.lower) +
-                                    (report.isCertified ? ", certified along the whole path, " : ", ") +
-                                    between + ", of " + counted(least.statesChecked, "state"));
+    printAudit(report.audit);
 }
 
 /// The exit code.

@@ -8,10 +8,10 @@
 #include <chrono>
 
 #include "core/number.h"
+#include "planning/finish.h"
 #include "planning/planning_space.h"
 #include "planning/run_watch.h"
 #include "planning/setup.h"
-#include "planning/simplify.h"
 
 namespace clearway::planning {
 namespace {
@@ -77,38 +77,18 @@ void describeGraph(const Setup& setup, Properties& properties) {
     for (const auto& [name, value] : graph.properties) properties[name] = value;
 }
 
-struct Certified {
-    bool isFree = true;       ///< no pose is known to be invalid
-    bool isCertified = true;  ///< every pose is known to be valid
-    double leastClearance = std::numeric_limits<double>::infinity();
-};
-
-Certified certify(const og::PathGeometric& path, const MotionValidator& validator) {
-    Certified all;
-    for (unsigned int i = 0; i + 1 < path.getStateCount(); ++i) {
-        const MotionReport report = validator.report(path.getState(i), path.getState(i + 1));
-        all.isFree = all.isFree && report.verdict != MotionVerdict::kInvalid;
-        all.isCertified = all.isCertified && report.verdict == MotionVerdict::kValid;
-        all.leastClearance = std::min(all.leastClearance, report.lowerClearance);
-    }
-    return all;
-}
-
 /// which: "" or "simplified ", before OMPL's names. "correct" and "strict" are told by certifying the path,
 /// where OMPL looks at states.
-void describePath(const Setup& setup, const og::PathGeometric& path, const std::string& which,
-                  Properties& properties) {
-    const auto validator =
-        setup.recheck ? setup.recheck : std::make_shared<MotionValidator>(setup.si, setup.truth->scene());
-    const Certified certified = certify(path, *validator);
+void describePath(const Setup& setup, const og::PathGeometric& path, const PathAudit& found,
+                  const std::string& which, Properties& properties) {
     properties[which + "solution length REAL"] = shortNumber(path.length());
     properties[which + "solution smoothness REAL"] = shortNumber(path.smoothness());
     properties[which + "solution clearance REAL"] = shortNumber(path.clearance());
     properties[which + "solution segments INTEGER"] =
         std::to_string(std::max<std::size_t>(path.getStateCount(), 1) - 1);
-    properties[which + "correct solution BOOLEAN"] = flag(certified.isFree);
-    properties[which + "correct solution strict BOOLEAN"] = flag(certified.isCertified);
-    properties[which + "least clearance REAL"] = shortNumber(certified.leastClearance);
+    properties[which + "correct solution BOOLEAN"] = flag(found.verdict != MotionVerdict::kInvalid);
+    properties[which + "correct solution strict BOOLEAN"] = flag(found.isValid());
+    properties[which + "least clearance REAL"] = shortNumber(found.lowerClearance);
     if (const auto& objective = setup.definition->getOptimizationObjective()) {
         const auto cost = std::make_shared<og::PathGeometric>(path)->cost(objective);
         properties[which + "solution cost REAL"] = shortNumber(cost.value());
@@ -127,13 +107,13 @@ void describeSolution(const Setup& setup, const Problem& problem, const RunLimit
     Properties& properties = run.properties;
     properties["approximate solution BOOLEAN"] = flag(setup.definition->hasApproximateSolution());
     properties["solution difference REAL"] = shortNumber(setup.definition->getSolutionDifference());
-    og::PathGeometric path = *setup.definition->getSolutionPath()->as<og::PathGeometric>();
-    describePath(setup, path, "", properties);
+    og::PathGeometric path = solutionOf(setup);
+    describePath(setup, path, audit(path, *setup.auditor), "", properties);
     if (limits.simplify) {
         const Clock::time_point begin = Clock::now();
-        simplify(setup.si, path, [&] { return limits.isStopped && limits.isStopped(); });
+        const PathAudit found = finish(setup, path, [&] { return limits.isStopped && limits.isStopped(); });
         properties["simplification time REAL"] = shortNumber(secondsSince(begin));
-        describePath(setup, path, "simplified ", properties);
+        describePath(setup, path, found, "simplified ", properties);
     }
     if (run.isSolved) keepPath(problem, path, run);
 }

@@ -21,6 +21,13 @@ constexpr double kJustBeforeEnd = 1 - 0x1p-53;
 /// Of it: from each end of an interval two or, where s2 stands for the end, three roundings count.
 constexpr double kRoundingsOfAnInterval = 8;
 
+/// A rough clearance is so to within a tenth of itself, which may be all that it has above a floor.
+bool isTooRough(const PoseClearance& found, double floor) {
+    constexpr double kEnough = 0.9;
+    if (floor == 0 || std::isinf(found.upper) || found.upper <= floor) return false;
+    return found.lower - floor < kEnough * (found.upper - floor);
+}
+
 }  // namespace
 
 Motion::Motion(const MotionTools& tools, const ob::State* s1, const ob::State* s2)
@@ -28,6 +35,7 @@ Motion::Motion(const MotionTools& tools, const ob::State* s1, const ob::State* s
 
 bool Motion::isEndValid() {
     if (!tools_.si.satisfiesBounds(s2_)) return false;
+    if (tools_.floor > 0) return true;  // asked for states of a path, which keep it mostly
     ++queries_;
     return tools_.clearance.isFree(tools_.stateToPose(s2_));
 }
@@ -42,7 +50,7 @@ void Motion::measure() {
     const double position =
         std::max(tools_.stateToPose(s1_).translation.norm(), tools_.stateToPose(s2_).translation.norm());
     slack_ = kRoundingsOfAnInterval * kPoseRounding *
-             (scene.part.radiusAboutOrigin() + position + length_ + scene.largestMargin());
+             (scene.part.radiusAboutOrigin() + position + length_ + scene.largestMargin() + tools_.floor);
     if (!std::isfinite(slack_)) {
         throw std::runtime_error("one of two states has no pose: an entry is not finite");
     }
@@ -85,12 +93,18 @@ MotionSample Motion::look(const ob::State* state, double time, double wanted, bo
     MotionSample sample{time, 0, checksBounds && !tools_.si.satisfiesBounds(state)};
     if (sample.isOutOfBounds) return sample;
     ClearanceOptions options;
-    if (tools_.detail != ClearanceDetail::kWhole) options.cap = wanted;
+    if (tools_.detail != ClearanceDetail::kWhole) options.cap = wanted + tools_.floor;
     options.isRough = tools_.detail == ClearanceDetail::kRough;
-    const PoseClearance found = tools_.clearance.at(tools_.stateToPose(state), options);
+    const Pose X_environmentPart = tools_.stateToPose(state);
+    PoseClearance found = tools_.clearance.at(X_environmentPart, options);
     queries_ += found.queries;
-    sample.clearance = found.lower;
-    sample.upper = found.upper;
+    if (options.isRough && isTooRough(found, tools_.floor)) {
+        options.isRough = false;
+        found = tools_.clearance.at(X_environmentPart, options);
+        queries_ += found.queries;
+    }
+    sample.clearance = found.lower - tools_.floor;
+    sample.upper = found.upper - tools_.floor;
     if (closest_.queries == 0 || found.lower < closest_.lower) {
         closest_ = found;
         closestTime_ = time;

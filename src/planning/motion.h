@@ -28,11 +28,12 @@ struct MotionTools {
     const DisplacementBound& bound;
     bool areBoundsConvex;  ///< of the space: what is between two states within them is within them
     ClearanceDetail detail;
+    double floor = 0;  ///< asked of the part on top of the margin: clearances here are less this
 };
 
 struct MotionSample {
     double time = 0;
-    double clearance = 0;  ///< lower bound of distance - margin; at most 0: the pose is invalid
+    double clearance = 0;  ///< lower bound of distance - margin - floor; at most 0: the pose is invalid
     bool isOutOfBounds = false;
     double upper = std::numeric_limits<double>::infinity();  ///< of it; infinite beyond what was wanted
     bool isValid() const { return clearance > 0 && !isOutOfBounds; }

@@ -113,7 +113,7 @@ void MotionSearch::keepOpen(const MotionInterval& added) {
 
 MotionVerdict MotionSearch::goForward() {
     measure();
-    if (!lookAtStart(wantedAtEnds())) return MotionVerdict::kInvalid;
+    if (!lookAtStart(wantedAtEnds())) return blocked_ = reached_, MotionVerdict::kInvalid;
     std::vector<MotionSample> ahead{motion_.atEnd(wantedAtEnds())};
     while (!ahead.empty()) {
         const MotionSample next = ahead.back();
@@ -159,6 +159,7 @@ void MotionSearch::advance(const MotionSample& next) {
 /// What the last sample alone certifies beyond itself counts too, but for half a stop, which the last valid
 /// pose keeps as clearance: a planner goes on from there.
 void MotionSearch::stopBefore(const MotionSample& blocked, double stop) {
+    blocked_ = blocked;
     const double certain = reached_.clearance - 0.5 * stop;
     const double time = reached_.time + certain / motion_.length();
     if (certain <= 0.5 * stop || !isBetween(time, reached_, blocked)) return;
@@ -203,6 +204,38 @@ bool MotionSearch::refine(double least, const ClearanceResolution& resolution) {
         std::push_heap(intervals_.begin(), intervals_.end(), isLessUrgent);
     }
     return true;
+}
+
+std::vector<MotionInterval> MotionSearch::profile(double share) {
+    std::vector<MotionInterval> open = intervals_, settled;
+    while (!open.empty()) {
+        const auto [from, to, lower] = open.back();
+        open.pop_back();
+        const double time = dividingTime(from, to);
+        const bool isShort = motion_.length() * (to.time - from.time) <= leastInterval_;
+        if (lower >= share * std::min(from.clearance, to.clearance) || isShort ||
+            !isBetween(time, from, to)) {
+            settled.push_back({from, to, lower});
+            continue;
+        }
+        const MotionSample middle = motion_.at(time, std::numeric_limits<double>::infinity());
+        open.push_back(interval(from, middle));
+        open.push_back(interval(middle, to));
+    }
+    std::sort(settled.begin(), settled.end(),
+              [](const MotionInterval& a, const MotionInterval& b) { return a.from.time < b.from.time; });
+    return settled;
+}
+
+std::vector<MotionSample> MotionSearch::lookAhead(int poses) {
+    constexpr double kFully = std::numeric_limits<double>::infinity();
+    std::vector<MotionSample> samples;
+    for (int i = 1; i < poses; ++i) {
+        const double time = reached_.time + (1 - reached_.time) * i / poses;
+        if (time > reached_.time && time < 1) samples.push_back(motion_.at(time, kFully));
+    }
+    samples.push_back(motion_.atEnd(kFully));
+    return samples;
 }
 
 }  // namespace clearway::planning

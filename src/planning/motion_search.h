@@ -46,6 +46,7 @@ class MotionSearch {
     MotionVerdict goForward();
 
     double certifiedTime() const { return reached_.time; }
+    const MotionSample& reached() const { return reached_; }
     bool isStartInvalid() const { return isStartInvalid_; }
 
     /// Looks at more poses of a motion that goForward found valid, where the clearance may be least, until
@@ -57,6 +58,16 @@ class MotionSearch {
     /// cap, and is at most 0 when the motion cannot be told from an invalid one. Nothing when a pose is
     /// invalid.
     std::optional<double> leastClearance(double cap, const ClearanceResolution& resolution);
+
+    /// The certified intervals up to certifiedTime() in order, divided until each one's bound is at least
+    /// this share of the lesser clearance at its ends, or it is as short as the least interval.
+    std::vector<MotionInterval> profile(double share);
+
+    /// So many poses evenly spread over what follows certifiedTime(), its end included, valid or not.
+    std::vector<MotionSample> lookAhead(int poses);
+
+    /// The pose that ended goForward, unless the motion is valid.
+    const MotionSample& blocked() const { return blocked_; }
 
   private:
     /// What two samples leave open between them, as a length, and where to divide it.
@@ -85,6 +96,7 @@ class MotionSearch {
     double leastInterval_;
     double contactInterval_;
     MotionSample reached_;
+    MotionSample blocked_;
     bool isStartInvalid_ = false;
     std::vector<MotionInterval> intervals_;  ///< certify: a heap of the open ones; else the certified ones
 };

@@ -2,6 +2,7 @@
 
 #include <ompl/util/Console.h>
 
+#include <algorithm>
 #include <cmath>
 #include <exception>
 #include <limits>
@@ -22,11 +23,32 @@ namespace ob = ompl::base;
 /// for more, and each halving is a query.
 constexpr double kContactIntervals = 100;
 
+constexpr double kProfiledShare = 0.5;  ///< of the clearance at a profile's points: certain between them
+constexpr int kPosesAhead = 32;         ///< of a profile, beyond what is certified
+
 double chooseLeastInterval(const Scene& scene, const MotionOptions& options) {
     if (!options.leastInterval) return defaultLeastInterval(scene);
     if (*options.leastInterval > 0 && std::isfinite(*options.leastInterval)) return *options.leastInterval;
     throw std::invalid_argument("leastInterval is " + shortNumber(*options.leastInterval) +
                                 ", expected a finite length above 0");
+}
+
+/// What is certified, and a look at the rest.
+std::vector<ProfilePoint> pointsOf(MotionSearch& search, const MotionReport& report) {
+    std::vector<ProfilePoint> points;
+    const double least = report.lowerClearance;
+    for (const MotionInterval& known : search.profile(kProfiledShare)) {
+        points.push_back({known.from.time, known.from.clearance, std::max(known.lower, least)});
+    }
+    points.push_back({search.reached().time, search.reached().clearance, least});
+    if (report.verdict == MotionVerdict::kValid) {
+        points.back().lowerToNext = points.back().clearance;
+        return points;
+    }
+    for (const MotionSample& sample : search.lookAhead(kPosesAhead)) {
+        points.push_back({sample.time, sample.clearance, least});
+    }
+    return points;
 }
 
 }  // namespace
@@ -70,16 +92,24 @@ const Scene& MotionValidator::scene() const {
 }
 
 bool MotionValidator::checkMotion(const ob::State* s1, const ob::State* s2) const {
-    return count(judge(s1, s2, false));
+    return count(judge(s1, s2, {}));
 }
 
 bool MotionValidator::checkMotion(const ob::State* s1, const ob::State* s2,
                                   std::pair<ob::State*, double>& lastValid) const {
-    const Outcome outcome = judge(s1, s2, true);
+    const Outcome outcome = judge(s1, s2, {true});
     if (outcome.verdict != MotionVerdict::kValid) {
         setLastValid(*si_, s1, s2, timeWithinBounds(s1, s2, outcome.certifiedTime), lastValid);
     }
     return count(outcome);
+}
+
+bool MotionValidator::keepsClearance(const ob::State* s1, const ob::State* s2, double more) const {
+    if (!(more >= 0) || !std::isfinite(more)) {
+        throw std::invalid_argument("the clearance to keep is " + shortNumber(more) +
+                                    ", expected a finite number >= 0");
+    }
+    return count(judge(s1, s2, {false, more}));
 }
 
 /// Interpolated between two states on the bounds' border, a state may be outside by rounding.
@@ -90,18 +120,19 @@ double MotionValidator::timeWithinBounds(const ob::State* s1, const ob::State* s
     return si_->satisfiesBounds(scratch.get()) ? time : 0;
 }
 
-Motion MotionValidator::motion(const ob::State* s1, const ob::State* s2, bool isReported) const {
+Motion MotionValidator::motion(const ob::State* s1, const ob::State* s2, bool isReported,
+                               double floor) const {
     const ClearanceDetail detail = isReported ? ClearanceDetail::kWhole : ClearanceDetail::kRough;
-    return Motion({*si_, *clearance_, stateToPose_, bound_, areBoundsConvex_, detail}, s1, s2);
+    return Motion({*si_, *clearance_, stateToPose_, bound_, areBoundsConvex_, detail, floor}, s1, s2);
 }
 
 MotionValidator::Outcome MotionValidator::judge(const ob::State* s1, const ob::State* s2,
-                                                bool forward) const {
+                                                const Judging& judging) const {
     Outcome outcome;
     try {
-        Motion looked = motion(s1, s2, false);
+        Motion looked = motion(s1, s2, false, judging.floor);
         MotionSearch search(looked, leastInterval_, kContactIntervals * leastInterval_);
-        outcome.verdict = forward ? search.goForward() : search.certify();
+        outcome.verdict = judging.forward ? search.goForward() : search.certify();
         outcome.certifiedTime = search.certifiedTime();
         outcome.isStartInvalid = search.isStartInvalid();
         outcome.queries = looked.queries();
@@ -114,17 +145,33 @@ MotionValidator::Outcome MotionValidator::judge(const ob::State* s1, const ob::S
 }
 
 MotionReport MotionValidator::report(const ob::State* s1, const ob::State* s2) const {
+    return report(s1, s2, nullptr);
+}
+
+MotionProfile MotionValidator::profile(const ob::State* s1, const ob::State* s2) const {
+    MotionProfile profile;
+    profile.report = report(s1, s2, &profile.points);
+    return profile;
+}
+
+MotionReport MotionValidator::report(const ob::State* s1, const ob::State* s2,
+                                     std::vector<ProfilePoint>* profile) const {
     MotionReport report;
     report.lowerClearance = -scene().largestMargin();  // of a distance that is at least 0
     report.upperClearance = std::numeric_limits<double>::infinity();
     try {
-        Motion looked = motion(s1, s2, true);
+        Motion looked = motion(s1, s2, true, 0);
         MotionSearch search(looked, leastInterval_, leastInterval_);
         report.verdict = search.goForward();
         report.certifiedTime = search.certifiedTime();
         if (report.verdict == MotionVerdict::kValid) {
             report.lowerClearance = search.refineLower(usualResolution(scene(), leastInterval_));
+        } else {
+            report.blockedTime = search.blocked().time;
+            report.leavesBounds = search.blocked().isOutOfBounds;
         }
+        if (profile) *profile = pointsOf(search, report);
+        report.travel = looked.length();
         report.upperClearance = looked.leastUpper();
         report.closestTime = looked.closestTime();
         report.closest = looked.closest().nearest;

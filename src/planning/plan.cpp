@@ -6,13 +6,12 @@
 #include <chrono>
 #include <future>
 #include <optional>
+#include <sstream>
 
-#include "planning/mesh_names.h"
+#include "planning/finish.h"
 #include "planning/ompl_messages.h"
 #include "planning/planning_space.h"
 #include "planning/setup.h"
-#include "planning/simplify.h"
-#include "planning/walk.h"
 
 namespace clearway::planning {
 namespace {
@@ -61,56 +60,40 @@ void solve(const Setup& setup, Budget& budget) {
     for (std::future<void>& other : others) other.get();
 }
 
-void describe(const Setup& setup, const Problem& problem, const og::PathGeometric& path, const Walk& walk,
-              PlanReport& report) {
+void describe(const Problem& problem, const og::PathGeometric& path, PlanReport& report) {
     for (unsigned int i = 0; i < path.getStateCount(); ++i) {
         report.path.push_back(fromOmpl(problem.space, path.getState(i)));
-        if (i == 0) continue;
-        const PartState &a = report.path[i - 1], &b = report.path[i];
-        report.length += (b.position - a.position).norm();
-        report.turned += a.rotation.angularDistance(b.rotation);
     }
-    const Scene& scene = setup.truth->scene();
-    report.least.state = fromOmpl(problem.space, walk.where->get());
-    report.least.lower = walk.leastDistance;
-    report.least.upper = walk.least.upper;
-    report.least.statesChecked = walk.states;
-    if (walk.least.partTriangle < 0) return;  // farther than the environment's reach tells
-    report.least.partMesh = meshName(scene.part, walk.least.partComponent);
-    report.least.environmentMesh = obstacleName(scene, walk.least);
+    report.length = report.audit.length;
+    report.turned = report.audit.turned;
 }
 
-std::optional<Walk> recheck(const Setup& setup, const og::PathGeometric& path, const Budget& budget,
-                            double guard) {
-    const auto isStopped = [&] { return budget.isStopped(); };
-    if (setup.recheck) return walkCertified(path, *setup.recheck, isStopped);
-    const int refine =
-        guard > 0 ? 2 : 1;  // with a guard the states between the checked ones must pass as well
-    return walk(path, *setup.truth, *setup.discrete, refine, isStopped);
+/// Where a path that was checked in steps is not certified.
+std::string doubtOf(const PathAudit& audit) {
+    const std::size_t first = audit.notValid.at(0);
+    const MotionReport& motion = audit.segments[first].motion;
+    std::ostringstream text;
+    text << "motions were checked in steps, and the path is not valid along its whole length: segment "
+         << first + 1 << " of " << audit.segments.size()
+         << (motion.verdict == MotionVerdict::kUndecided ? " cannot be certified beyond" : " collides after")
+         << " t = " << motion.certifiedTime;
+    return text.str();
 }
 
-/// Simplifies, then looks at all of it again; the planner's own path when the simplified one does not pass.
-void finish(const Setup& setup, const Problem& problem, const Budget& budget, PlanReport& report) {
+void describeSolution(const Setup& setup, const Problem& problem, const Budget& budget, PlanReport& report) {
     ob::PlannerSolution solution(nullptr);
     setup.definition->getSolution(solution);
     report.foundBy = solution.plannerName_;
-    auto& raw = *setup.definition->getSolutionPath()->as<og::PathGeometric>();
-    report.statesBefore = raw.getStateCount();
-    og::PathGeometric path = raw;
-    simplify(setup.si, path, [&] { return budget.isOutOfTime(); });
-    auto walked = recheck(setup, path, budget, report.guard);
-    if (!walked && !budget.isStopped()) {
-        report.warnings.push_back(
-            "the simplified path did not pass its re-check; the planner's own path is used");
-        path = raw;
-        walked = recheck(setup, path, budget, report.guard);
-    }
+    og::PathGeometric path = solutionOf(setup);
+    report.statesBefore = path.getStateCount();
+    report.audit = finish(setup, path, [&] { return budget.isOutOfTime(); });
     if (budget.isStopped()) {
         report.outcome = PlanReport::Outcome::kStopped;
-    } else if (!walked) {
-        report.warnings.push_back("the planner's path did not pass its re-check; it counts as none");
+    } else if (report.isCertified && !report.audit.isValid()) {
+        report.warnings.push_back("the planner's path did not pass its audit; it counts as none");
     } else {
-        describe(setup, problem, path, *walked, report);
+        if (!report.audit.isValid()) report.warnings.push_back(doubtOf(report.audit));
+        describe(problem, path, report);
         report.outcome = PlanReport::Outcome::kFound;
     }
 }
@@ -119,7 +102,7 @@ std::uint64_t checksOf(const Setup& setup) {
     std::uint64_t checks = setup.truth->counters().checks;
     if (setup.checker != setup.truth) checks += setup.checker->counters().checks;
     if (setup.certified) checks += setup.certified->counters().queries;
-    return checks;
+    return checks + setup.auditor->counters().queries;
 }
 
 }  // namespace
@@ -139,10 +122,10 @@ PlanReport plan(const Problem& problem, const Scene& scene, const PlanOptions& o
     if (budget.isStopped()) {
         report.outcome = PlanReport::Outcome::kStopped;
     } else if (setup.definition->hasExactSolution()) {
-        finish(setup, problem, budget, report);
+        describeSolution(setup, problem, budget, report);
     }
     report.finishingSeconds = secondsSince(planned);
-    report.checks = checksOf(setup) + report.least.statesChecked * report.isCertified;
+    report.checks = checksOf(setup) + report.audit.queries;
     for (const std::string& warning : messages.warnings()) report.warnings.push_back("OMPL: " + warning);
     return report;
 }

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "clearway/planning/audit.h"
 #include "clearway/problem.h"
-#include "clearway/query.h"
 #include "clearway/scene.h"
 
 namespace clearway::planning {
@@ -40,25 +40,14 @@ struct PlanOptions {
     /// they are checked at states so close that no point of the part moves further from one to the next, and
     /// what is thinner can be jumped.
     std::optional<double> step;
+    /// Clearance that shortening the path keeps, in environment units, see simplify(). By default a share of
+    /// the part's diagonal. Not with a step.
+    std::optional<double> floor;
     bool optimiseLength = false;  ///< asks planners that can to shorten the path for all the time they have
     bool omplWeights = false;     ///< rotation as OMPL weights it, instead of by the part's radius
 
     /// Asked often, also from other threads; true ends the planning without a path.
     std::function<bool()> isStopped;
-};
-
-/// The state on the path where the part is closest to the environment, of all states looked at.
-struct LeastClearance {
-    PartState state;
-    /// Nowhere on the path is the distance less; with a step, at no state that was looked at. Environment
-    /// units.
-    double lower = 0;
-    double upper = 0;  ///< the distance at `state` is at most this; infinite beyond the environment's reach
-    std::uint64_t statesChecked = 0;
-    /// Names of the two closest meshes; empty when the part never came as near as the cap of the
-    /// environment's reach, which `lower` then is.
-    std::string partMesh;
-    std::string environmentMesh;
 };
 
 struct PlanReport {
@@ -67,7 +56,7 @@ struct PlanReport {
     std::vector<std::string> planners;  ///< those run side by side
     std::string foundBy;                ///< OMPL's name of the one whose path it is
     bool isRepeatable = false;          ///< with the same seed and number of iterations
-    bool isCertified = false;  ///< motions are, and the path was at last; else they are checked in steps
+    bool isCertified = false;           ///< the planners' motions were; else they were checked in steps
     /// As used: shorter than asked for when start or goal are tighter than half of it. 0 without one.
     double step = 0;
     /// Kept at checked states on top of the margin, so that all states between them are valid too.
@@ -78,17 +67,20 @@ struct PlanReport {
     double length = 0;             ///< travelled by the origin of the part's coordinates
     double turned = 0;             ///< radians, summed over the path
     std::size_t statesBefore = 0;  ///< in the path as the planner found it
-    LeastClearance least;
+    double floor = 0;              ///< clearance that shortening kept, where the planner's path did
+    /// Of the path, certified whatever the planners' motions are. Valid without a step. With one it may not
+    /// be: then a warning says where.
+    PathAudit audit;
 
     double planningSeconds = 0;
-    double finishingSeconds = 0;  ///< simplifying and re-checking
+    double finishingSeconds = 0;  ///< simplifying and auditing
     std::uint64_t checks = 0;     ///< states asked about, in all
     std::vector<std::string> warnings;
 };
 
 /// Plans for the scene (its margin counts; the problem's own margin and mesh files do not). The path begins
 /// at the problem's start, ends at its goal, and is valid along its whole length; with a step, at every state
-/// that was looked at. Throws
+/// that was looked at, and its audit tells the rest. Throws
 /// std::invalid_argument when an option is wrong, the problem names an unknown planner, the bounds leave out
 /// the start or the goal, the environment was built with too small a reach (see planningReach), or one of the
 /// two is not valid: then the message names the two closest meshes and triangles.

@@ -70,7 +70,8 @@ struct NamedPlanner {
 };
 
 // Not repeatable: several threads (AnytimePathShortening, CForest, pRRT, pSBL; PRM, PRMstar, SPARS and
-// SPARStwo look for the solution in a thread of their own, and take turns by the clock).
+// SPARStwo look for the solution in a thread of their own, and take turns by the clock), and costs that are
+// read before they are set (LBTRRT).
 constexpr NamedPlanner kPlanners[] = {
     {"ABITstar", makeNearest<og::ABITstar>, true},
     {"AITstar", make<og::AITstar>, true},
@@ -86,7 +87,7 @@ constexpr NamedPlanner kPlanners[] = {
     {"InformedRRTstar", make<og::InformedRRTstar>, true},
     {"KPIECE1", make<og::KPIECE1>, true},
     {"LBKPIECE1", make<og::LBKPIECE1>, true},
-    {"LBTRRT", make<og::LBTRRT>, true},
+    {"LBTRRT", make<og::LBTRRT>, false},
     {"LazyPRM", make<og::LazyPRM>, true},
     {"LazyPRMstar", make<og::LazyPRMstar>, true},
     {"LazyRRT", make<og::LazyRRT>, true},

@@ -4,6 +4,7 @@
 #include <ompl/util/RandomNumbers.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <sstream>
 #include <stdexcept>
@@ -12,6 +13,7 @@
 #include "clearway/planning/planners.h"
 #include "core/number.h"
 #include "planning/end_states.h"
+#include "planning/motion_options.h"
 #include "planning/ompl_messages.h"
 #include "planning/planning_reach.h"
 #include "planning/planning_space.h"
@@ -27,18 +29,23 @@ namespace ob = ompl::base;
 constexpr const char* kDefaultPlanners[] = {"RRTConnect", "RRT"};
 constexpr std::size_t kMostThreads = 4;  ///< unless more are asked for
 constexpr double kMostRefinement = 8;    ///< times the step is divided for a tight start or goal
-/// Next to a start or goal that all but touches, motions are certified in stretches of this share of what it
-/// has to spare, but for this share of the usual least interval.
-constexpr double kSpareShare = 0.1;
-constexpr double kFinestShare = 1e-3;
-constexpr double kRecheckShare = 1.0 / 16;  ///< of the planners' least interval: that of the re-check
 /// Longest edge of a planner's tree: of a scene whose step is given, and so how fine it is, in steps; else by
 /// the part's diagonal. Measured on the tunnel-console (tests/bench/plan_success.cpp) and on OMPL.app's
 /// problems.
 constexpr double kRangeInSteps = 20;
 constexpr double kRangePerDiagonal = 0.25;
+/// Shortened paths keep this share of the part's diagonal where they can. On tunnel-console-small paths are
+/// no longer for it; of ten times as much they lose 2 %.
+constexpr double kFloorPerDiagonal = 1e-3;
 
 void requireOptions(const Problem& problem, const PlanOptions& options) {
+    if (options.floor && options.step) {
+        throw std::invalid_argument("both a floor and a step are given, expected one of them");
+    }
+    if (options.floor && !(*options.floor >= 0 && std::isfinite(*options.floor))) {
+        throw std::invalid_argument("floor is " + shortNumber(*options.floor) +
+                                    ", expected a finite number >= 0");
+    }
     if (options.seed == 0) throw std::invalid_argument("seed is 0, expected a whole number above 0");
     if (options.seconds && options.iterations) {
         throw std::invalid_argument("both a time and a number of iterations are given, expected one of them");
@@ -116,6 +123,11 @@ void setRange(PlanReport& report, const Problem& problem, const Scene& scene, co
                                : kRangePerDiagonal * scene.part.box().diagonal().norm();
 }
 
+void setFloor(PlanReport& report, const Scene& scene, const PlanOptions& options) {
+    if (options.step) return;
+    report.floor = options.floor.value_or(kFloorPerDiagonal * scene.part.box().diagonal().norm());
+}
+
 std::shared_ptr<ValidityChecker> makeChecker(const ob::SpaceInformationPtr& si, const Scene& scene,
                                              double guard) {
     Scene guarded = scene;
@@ -154,20 +166,16 @@ void useSteps(Setup& setup, const Scene& scene, const PlanOptions& options, doub
 }
 
 void useCertified(Setup& setup, const Scene& scene, double spare, PlanReport& report) {
-    MotionOptions options;
-    const double usual = MotionValidator(setup.si, scene).leastInterval();
-    options.leastInterval = std::clamp(kSpareShare * spare, kFinestShare * usual, usual);
-    if (spare < *options.leastInterval) {
+    const MotionOptions motions = planningMotions(scene, spare);
+    if (spare < *motions.leastInterval) {
         std::ostringstream warning;
         warning << "start or goal have only " << spare
                 << " to spare: motions next to them may be too close to be certified";
         report.warnings.push_back(warning.str());
     }
     setup.checker = setup.truth;
-    setup.certified = std::make_shared<MotionValidator>(setup.si, scene, options);
+    setup.certified = std::make_shared<MotionValidator>(setup.si, scene, motions);
     setup.si->setMotionValidator(setup.certified);
-    *options.leastInterval *= kRecheckShare;
-    setup.recheck = std::make_shared<MotionValidator>(setup.si, scene, options);
 }
 
 ob::ProblemDefinitionPtr defineProblem(const Setup& setup, const Problem& problem,
@@ -208,6 +216,7 @@ Setup prepare(const Problem& stated, const Scene& scene, const PlanOptions& opti
                                   "' is not known; paths are judged by length");
     }
     setRange(report, problem, scene, options);
+    setFloor(report, scene, options);
     setSeed(options.seed);
 
     Setup setup;
@@ -227,6 +236,8 @@ Setup prepare(const Problem& stated, const Scene& scene, const PlanOptions& opti
     } else {
         useCertified(setup, scene, leastSpare, report);
     }
+    setup.floor = report.floor;
+    setup.auditor = std::make_shared<MotionValidator>(setup.si, scene, auditMotions(scene, leastSpare));
     setup.si->setStateValidityChecker(setup.checker);
     setUp(*setup.si, problem, report.warnings);
 

@@ -22,9 +22,9 @@ struct Setup {
     /// The planners' own is one of these two, the other one is null: the second with a step asked for.
     std::shared_ptr<MotionValidator> certified;
     std::shared_ptr<DiscreteMotionValidator> discrete;
-    /// Certifies the path at last. Null with a step. Its least interval is shorter, so that what passed in
-    /// one order of looking passes in another.
-    std::shared_ptr<MotionValidator> recheck;
+    /// Judges the path at last, with and without a step; shortens it without.
+    std::shared_ptr<MotionValidator> auditor;
+    double floor = 0;  ///< clearance that shortening keeps, without a step
     ompl::base::ProblemDefinitionPtr definition;
     std::vector<ompl::base::PlannerPtr> planners;  ///< as report.planners names them
 };

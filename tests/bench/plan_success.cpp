@@ -44,7 +44,7 @@ std::string rowOf(std::uint32_t seed, const PlanReport& report, double leastByOr
            (isFound ? "1," + report.foundBy : "0,") + "," + formatNumber(report.planningSeconds) + "," +
            formatNumber(report.finishingSeconds) + "," + std::to_string(report.checks) + "," +
            std::to_string(report.statesBefore) + "," + std::to_string(report.path.size()) + "," +
-           formatNumber(report.length) + "," + formatNumber(isFound ? report.least.lower : 0) + "," +
+           formatNumber(report.length) + "," + formatNumber(isFound ? report.audit.lowerClearance : 0) + "," +
            formatNumber(leastByOracle) + "\n";
 }
 

@@ -84,6 +84,82 @@ BOOST_AUTO_TEST_CASE(a_report_bounds_the_clearance_of_a_valid_motion) {
     }
 }
 
+BOOST_AUTO_TEST_CASE(a_profile_bounds_the_clearance_from_each_pose_to_the_next) {
+    const Fixture f(1);
+    const auto s1 = f.at({-60, 0, 0}), s2 = f.at({-42, 30, 20}, 2.5, {1, 2, 3});
+    const MotionProfile profile = f.validator->profile(s1.get(), s2.get());
+    const std::vector<ProfilePoint>& points = profile.points;
+    BOOST_REQUIRE((profile.report.verdict == MotionVerdict::kValid));
+    BOOST_REQUIRE(points.size() > 3u);
+    BOOST_TEST(points.front().time == 0);
+    BOOST_TEST(points.back().time == 1);
+    ob::ScopedState<> between(f.space);
+    double least = points[0].clearance;
+    for (std::size_t k = 0; k + 1 < points.size(); ++k) {
+        const ProfilePoint &here = points[k], &next = points[k + 1];
+        BOOST_TEST(here.time < next.time);
+        BOOST_TEST(here.lowerToNext >= 0.49 * std::min(here.clearance, next.clearance));
+        BOOST_TEST(here.lowerToNext >= profile.report.lowerClearance);
+        for (int i = 0; i <= 10; ++i) {
+            const double time = here.time + (next.time - here.time) * i / 10;
+            f.space->interpolate(s1.get(), s2.get(), time, between.get());
+            BOOST_TEST(f.si->getStateValidityChecker()->clearance(between.get()) >= here.lowerToNext - 1e-9);
+        }
+        least = std::min(least, next.clearance);
+    }
+    BOOST_TEST(profile.report.upperClearance == least, boost::test_tools::tolerance(1e-9));
+    BOOST_TEST(profile.report.travel >= (Vector3(18, 30, 20)).norm());
+}
+
+BOOST_AUTO_TEST_CASE(a_profile_goes_on_behind_what_blocks) {
+    const Fixture f;
+    const auto s1 = f.at({-60, 0, 30}), s2 = f.at({60, 0, 30}), outside = f.at({-160, 0, 30});
+    const MotionProfile through = f.validator->profile(s1.get(), s2.get());
+    BOOST_TEST((through.report.verdict == MotionVerdict::kInvalid));
+    BOOST_TEST(!through.report.leavesBounds);
+    BOOST_TEST(through.report.blockedTime >= through.report.certifiedTime);
+    BOOST_TEST(through.report.upperClearance == 0);
+    BOOST_TEST(through.points.back().time == 1);
+    BOOST_TEST(through.points.back().clearance == 28, boost::test_tools::tolerance(1e-9));
+    int blocked = 0;
+    for (const ProfilePoint& point : through.points) {
+        blocked += point.clearance <= 0;
+        if (point.time >= through.report.certifiedTime) BOOST_TEST(point.lowerToNext <= 0);
+    }
+    BOOST_TEST(blocked > 3);
+
+    const MotionReport out = f.report(s1, outside);
+    BOOST_TEST((out.verdict == MotionVerdict::kInvalid));
+    BOOST_TEST(out.leavesBounds);
+    BOOST_TEST(f.report(outside, s1).leavesBounds);
+    BOOST_TEST(f.report(outside, s1).blockedTime == 0);
+    const auto nowhere = f.at({std::nan(""), 0, 0});
+    BOOST_TEST(f.validator->profile(s1.get(), nowhere.get()).points.empty());
+}
+
+BOOST_AUTO_TEST_CASE(a_motion_keeps_a_clearance_when_it_is_valid_with_larger_margins) {
+    const Fixture f(1), more(3.5);
+    testing::Random random(7);
+    int kept = 0, lost = 0;
+    for (int i = 0; i < 300; ++i) {
+        const auto state = [&] {
+            const Vector3 position = Vector3(-53, 0, 0) + random.inBox(18);
+            const double angle = random.uniform(-3, 3);
+            return f.at(position, angle, random.direction());
+        };
+        const auto s1 = state(), s2 = state();
+        const bool keeps = f.validator->keepsClearance(s1.get(), s2.get(), 2.5);
+        BOOST_TEST(keeps == more.check(s1, s2), "seed 7, motion " << i);
+        BOOST_TEST(f.validator->keepsClearance(s1.get(), s2.get(), 0) == f.check(s1, s2));
+        ++(keeps ? kept : lost);
+    }
+    BOOST_TEST(kept > 20);
+    BOOST_TEST(lost > 20);
+    const auto s1 = f.at({-60, 0, 0});
+    BOOST_CHECK_THROW(f.validator->keepsClearance(s1.get(), s1.get(), -1), std::invalid_argument);
+    BOOST_CHECK_THROW(f.validator->keepsClearance(s1.get(), s1.get(), std::nan("")), std::invalid_argument);
+}
+
 BOOST_AUTO_TEST_CASE(every_outcome_is_counted) {
     const Fixture f;
     const auto start = f.at({-60, 0, 0}), near = f.at({-50, 0, 0}), in = f.at({0, 0, 30});

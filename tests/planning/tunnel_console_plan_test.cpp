@@ -31,8 +31,10 @@ BOOST_AUTO_TEST_CASE(the_small_tunnel_console_is_solved_in_30_seconds_and_the_pa
         BOOST_TEST(report.path.front().position == problem.start.position);
         BOOST_TEST(report.path.back().position == problem.goal.position);
         BOOST_TEST(collisionsAlong(oracle, report.path, problem, 1000) == 0);
-        BOOST_TEST(report.least.partMesh != "");
-        BOOST_TEST(report.least.environmentMesh != "");
+        BOOST_TEST(report.audit.isValid());
+        const planning::SegmentAudit& closest = report.audit.segments[report.audit.closest];
+        BOOST_TEST(closest.partMesh != "");
+        BOOST_TEST(closest.environmentMesh != "");
     }
 }
 

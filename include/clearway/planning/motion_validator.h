@@ -12,6 +12,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "clearway/planning/displacement_bound.h"
 #include "clearway/planning/state_to_pose.h"
@@ -53,8 +54,24 @@ struct MotionReport {
     /// There: both triangles, their components and points, and the obstacle. Its ids are -1 when the pose is
     /// farther than the environment's reach tells, or no pose was looked at.
     SceneDistance closest;
+    double travel = 0;          ///< no point of the part moves further along the motion
+    double blockedTime = 1;     ///< of a motion that is not valid: of the pose that is invalid or undecided
+    bool leavesBounds = false;  ///< that pose is invalid for being out of the space's bounds
     std::uint64_t queries = 0;
     std::string problem;  ///< why the motion cannot be judged; empty when it can
+};
+
+/// A pose of a motion and what is known from there to the next one.
+struct ProfilePoint {
+    double time = 0;
+    double clearance = 0;  ///< lower bound of distance - margin there; above 0 when the pose is valid
+    /// No pose from this one to the next one has less. Where nothing is certified, what holds of any pose.
+    double lowerToNext = 0;
+};
+
+struct MotionProfile {
+    MotionReport report;
+    std::vector<ProfilePoint> points;  ///< from time 0 to 1, in order; none when it cannot be judged
 };
 
 /// checkMotion true means: every pose of OMPL's own interpolation between the two states, s1 and s2 itself
@@ -100,17 +117,38 @@ class MotionValidator : public ompl::base::MotionValidator {
     /// the least interval; unless the environment's reach ends before. Not counted.
     MotionReport report(const ompl::base::State* s1, const ompl::base::State* s2) const;
 
+    /// The same, and clearances along the motion. As far as it is certified they stand so close that half of
+    /// them is certain from each to the next one, or a least interval apart; beyond there are a few, so that
+    /// it is known how the motion goes on.
+    MotionProfile profile(const ompl::base::State* s1, const ompl::base::State* s2) const;
+
+    /// What checkMotion would answer if all margins were larger by `more`, in environment units. Counted as a
+    /// motion checked. Throws std::invalid_argument when `more` is negative or not finite.
+    bool keepsClearance(const ompl::base::State* s1, const ompl::base::State* s2, double more) const;
+
     MotionCounters counters() const;
     double leastInterval() const { return leastInterval_; }
     const Scene& scene() const;
 
+    /// X_environmentPart at a state, by the validator's own callback.
+    Pose pose(const ompl::base::State* state) const { return stateToPose_(state); }
+
+    const ompl::base::StateSpace& space() const { return *si_->getStateSpace(); }
+
   private:
     struct Outcome;
-    Outcome judge(const ompl::base::State* s1, const ompl::base::State* s2, bool forward) const;
+    struct Judging {
+        bool forward = false;
+        double floor = 0;  ///< on top of the margins
+    };
+    Outcome judge(const ompl::base::State* s1, const ompl::base::State* s2, const Judging& judging) const;
+    MotionReport report(const ompl::base::State* s1, const ompl::base::State* s2,
+                        std::vector<ProfilePoint>* profile) const;
     double timeWithinBounds(const ompl::base::State* s1, const ompl::base::State* s2, double time) const;
     bool count(const Outcome& outcome) const;
     void logOnce(const std::string& problem) const;
-    Motion motion(const ompl::base::State* s1, const ompl::base::State* s2, bool isReported) const;
+    Motion motion(const ompl::base::State* s1, const ompl::base::State* s2, bool isReported,
+                  double floor) const;
 
     std::shared_ptr<const SceneClearance> clearance_;
     StateToPose stateToPose_;

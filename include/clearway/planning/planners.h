@@ -18,8 +18,8 @@ std::vector<std::string> plannerNames();
 /// "bkpiece", "lbkpiece", "spars2", "aps"). Throws std::invalid_argument that lists the known planners.
 std::string plannerClassName(const std::string& name);
 
-/// False for planners that use several threads or their own clock: the same seed and number of iterations may
-/// give another path. name: as plannerClassName takes it.
+/// False for planners that use several threads, their own clock or values never set: the same seed and number
+/// of iterations may give another path. name: as plannerClassName takes it.
 bool isRepeatable(const std::string& name);
 
 /// Throws like plannerClassName.

@@ -1,0 +1,56 @@
+#include "planning/check_path.h"
+
+#include <ompl/geometric/PathGeometric.h>
+
+#include <algorithm>
+#include <memory>
+#include <stdexcept>
+
+#include "clearway/planning/displacement_bound.h"
+#include "clearway/planning/validity_checker.h"
+#include "planning/motion_options.h"
+#include "planning/planning_reach.h"
+#include "planning/planning_space.h"
+
+namespace clearway::planning {
+namespace {
+
+namespace ob = ompl::base;
+
+/// Of the part's diagonal: paths written with 6 digits are off by less.
+constexpr double kTolerancePerDiagonal = 1e-4;
+
+}  // namespace
+
+PathCheck checkPath(const Problem& problem, const Scene& scene, const std::vector<PartState>& path) {
+    if (path.empty()) throw std::invalid_argument("the path has no state, expected at least one");
+    const Box bounds = boundsOf(problem, scene.environmentBox());
+    requireReachOf(scene, bounds, stepOf(problem, PlanOptions(), scene.part));
+    const auto si = std::make_shared<ob::SpaceInformation>(
+        makeSpace(problem.space, bounds, scene.part.radiusAboutOrigin()));
+    const auto checker = std::make_shared<ValidityChecker>(si, scene);
+    si->setStateValidityChecker(checker);
+    si->setup();
+
+    ompl::geometric::PathGeometric states(si);
+    for (const PartState& state : path)
+        states.append(toOmpl(si->getStateSpace(), problem.space, state).get());
+    const ob::State* first = states.getState(0);
+    const ob::State* last = states.getState(states.getStateCount() - 1);
+
+    const DisplacementBound bound = displacementBound(*si->getStateSpace(), scene.part);
+    const auto off = [&](const ob::State* state, const PartState& wanted) {
+        return bound(state, toOmpl(si->getStateSpace(), problem.space, wanted).get());
+    };
+    PathCheck check;
+    check.tolerance = kTolerancePerDiagonal * scene.part.box().diagonal().norm();
+    check.offStart = off(first, problem.start);
+    check.offGoal = off(last, problem.goal);
+    const double spare = std::max(0.0, std::min(checker->clearance(first), checker->clearance(last)));
+    AuditOptions options;
+    options.profile = true;
+    check.audit = audit(states, MotionValidator(si, scene, auditMotions(scene, spare)), options);
+    return check;
+}
+
+}  // namespace clearway::planning
