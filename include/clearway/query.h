@@ -33,7 +33,8 @@ struct QueryCounters {
 
 /// The scratch of one thread and its warm start: the closest pair of the last query, with which the next
 /// query of the same two models begins. Verdicts do not depend on what it holds, nor do intervals, but for
-/// last digits; which of several equally close pairs is named may. Not to be shared by threads.
+/// last digits; which of several equally close pairs is named may. Not to be shared by threads. One that was
+/// moved from may only be assigned to or destroyed.
 class Workspace {
   public:
     Workspace();
@@ -87,9 +88,9 @@ struct DistanceResult {
 /// Distance between the part's triangles, moved by X_environmentPart, and the environment's. 0 when they
 /// share a point. Throws std::invalid_argument when the pose is no rotation (see requirePose), an option is
 /// negative or NaN, the two models have different node widths, or their sizes, or the way between them and a
-/// size, differ by more than 2^60, or a coordinate of theirs or the pose's is 1e298 or more; also when the
-/// part has a reach, or the environment has one that does not hold the pose's translation or the part's
-/// radius (see Model::reach).
+/// size, differ by more than 2^60, or the largest coordinate among theirs and the pose's is 1e298 or more, or
+/// above 0 and below 1e-298; also when the part has a reach, or the environment has one that does not hold
+/// the pose's translation or the part's radius (see Model::reach).
 DistanceResult distance(const Model& part, const Model& environment, const Pose& X_environmentPart,
                         const DistanceOptions& options, Workspace& workspace);
 

@@ -68,9 +68,11 @@ void requireReadableMeshFile(const std::string& file) {
     const auto status = std::filesystem::status(file, error);
     if (!std::filesystem::exists(status)) refuseMeshFile(file, "there is no such file");
     if (std::filesystem::is_directory(status)) refuseMeshFile(file, "it is a folder");
+    // Opening a pipe may never end, and assimp tells formats by the file's ending and reads more than once.
+    if (!std::filesystem::is_regular_file(status))
+        refuseMeshFile(file, "it is a pipe or a device, not a file");
     std::ifstream stream(file, std::ios::binary);
     if (!stream) refuseMeshFile(file, "it may not be opened");
-    if (!std::filesystem::is_regular_file(status)) return;
     const std::uintmax_t bytes = std::filesystem::file_size(file, error);
     if (bytes == 0) refuseMeshFile(file, "it is empty");
     requireSoundHeader(file, stream, bytes);

@@ -78,7 +78,10 @@ SceneDistance ValidityChecker::distance(const ob::State* state) const {
 
 std::string ValidityChecker::whyInvalid(const ob::State* state) const {
     const PoseClearance found = clearance_->at(pose(state));
-    if (!found.isValid()) return "in collision: " + whyBlocked(scene(), found.nearest);
+    if (!found.isValid()) {
+        return (found.nearest.collides() ? "in collision: " : "too close: ") +
+               whyBlocked(scene(), found.nearest);
+    }
     return si_->satisfiesBounds(state) ? "" : "outside of the bounds of the state space";
 }
 

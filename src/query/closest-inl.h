@@ -17,9 +17,9 @@ namespace clearway {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Pairs closer to each other than this, in u64 M, count as equally close: an answer's interval may be that
-/// wide.
-constexpr double kTieRoundoffs = 32;
+/// Pairs closer to each other than this, in u64 M, count as equally close: an answer's interval may be 32
+/// wide, and at such distances bounds are rounded by up to 2.
+constexpr double kTieRoundoffs = 30;
 
 class Closest {
   public:

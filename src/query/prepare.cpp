@@ -10,6 +10,7 @@ namespace {
 
 constexpr int kLargestRatioExponent = 60;  // squares of ratios beyond it overflow float
 constexpr double kTooLarge = 1e298;        // splitting a double in halves overflows from 2^996 on
+constexpr double kTooSmall = 1e-298;       // roundoffs of what is smaller are no longer in proportion to it
 
 double largestCoordinateOf(const Box& box) {
     return std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
@@ -65,10 +66,10 @@ PairQuery preparePairQuery(const FlatTree& part, const FlatTree& environment, co
                                                            : ofPoints;
     const int partExponent = part.radius > 0 ? part.unitExponent : environmentExponent;
     requireRatio(partExponent - environmentExponent, "the sizes of part and environment");
-    if (!(largest < kTooLarge)) {
+    if (!(largest < kTooLarge) || (largest > 0 && largest < kTooSmall)) {
         std::ostringstream message;
         message << "the largest coordinate of part, environment and pose is " << largest
-                << ", expected less than " << kTooLarge;
+                << ", expected 0 or from " << kTooSmall << " to less than " << kTooLarge;
         throw std::invalid_argument(message.str());
     }
 

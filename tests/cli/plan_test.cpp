@@ -176,7 +176,7 @@ BOOST_AUTO_TEST_CASE(a_start_or_goal_that_cannot_be_is_refused_in_one_line) {
     requireRefused(folder, kPlan, {"start is in collision", "plate", "triangle", "touching"});
     problem.start.position.x() = -34;
     folder.write(problem);
-    requireRefused(folder, added("--margin 2.5"), {"start is in collision", "2 apart", "margin 2.5"});
+    requireRefused(folder, added("--margin 2.5"), {"start is too close", "2 apart", "margin 2.5"});
     problem.start.position.x() = -60;
     problem.goal.position.x() = 81;
     folder.write(problem);

@@ -92,17 +92,18 @@ void requireSoundModel(const Model& model, std::size_t triangles) {
             "the report counts all triangles");
 }
 
-/// A mesh touches itself where it is, unless its coordinates are beyond what queries accept.
+/// A mesh touches itself where it is, unless its coordinates are such as queries refuse.
 void requireTouching(const Model& a, const Model& b) {
     Workspace workspace;
     const Box box = a.box();
-    if (std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff()) >= 1e298) {
+    const double largest = std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
+    if (largest >= 1e298 || (largest > 0 && largest < 1e-298)) {
         try {
             collides(a, b, {}, workspace);
         } catch (const std::invalid_argument&) {
             return;
         }
-        require(false, "coordinates of 1e298 and more are refused by queries");
+        require(false, "coordinates this large or small are refused by queries");
     }
     require(collides(a, b, {}, workspace), "a mesh collides with itself in place");
     require(isWithin(a, b, {}, 0, workspace), "a mesh is within 0 of itself in place");

@@ -86,8 +86,9 @@ bool readCase(std::string_view input, Case& given) {
     return true;
 }
 
-/// Sizes and offsets that differ by about 2^60 or more may be refused.
+/// Sizes and offsets that differ by about 2^60 or more may be refused, and tiny coordinates are.
 bool mayBeRefused(const Case& given) {
+    if (given.largest < 1e-297) return true;
     const double part = boundingBox(given.part).diagonal().norm();
     const double environment = boundingBox(given.environment).diagonal().norm();
     return given.largest * 0x1p-55 > std::min(part, environment);

@@ -1,4 +1,6 @@
 #define BOOST_TEST_MODULE bad_files
+#include <sys/stat.h>
+
 #include <boost/test/unit_test.hpp>
 #include <filesystem>
 #include <stdexcept>
@@ -50,6 +52,8 @@ BOOST_AUTO_TEST_CASE(a_missing_file_a_folder_and_an_empty_file_are_refused) {
     BOOST_TEST(holds(refusalOf(""), "there is no such file"));
     std::filesystem::create_directory(folder.file("folder.stl"));
     BOOST_TEST(holds(refusalOf(folder.file("folder.stl")), "it is a folder"));
+    BOOST_TEST_REQUIRE(mkfifo(folder.file("pipe.stl").c_str(), 0600) == 0);
+    BOOST_TEST(holds(refusalOf(folder.file("pipe.stl")), "it is a pipe or a device"));
     for (const char* const ending : {"stl", "obj", "ply", "off", "dae", "gltf", "glb", "txt"}) {
         BOOST_TEST(holds(refusalOf(folder.write(std::string("empty.") + ending, "")), "it is empty"), ending);
     }

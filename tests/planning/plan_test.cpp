@@ -195,7 +195,7 @@ BOOST_AUTO_TEST_CASE(a_start_in_collision_is_refused_with_the_meshes_and_triangl
     window.problem.goal.position.x() = 36;  // 4 from the wall
     window.scene.obstacles[0].margin = 5;
     const std::string close = refusal(planIt);
-    BOOST_TEST(contains(close, "goal is in collision: triangle "));
+    BOOST_TEST(contains(close, "goal is too close: triangle "));
     BOOST_TEST(contains(close, "4 apart, expected more than the margin 5"));
 }
 
