@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -51,6 +52,13 @@ class Model {
     /// 0.1 % too much, but for rounding, and never above radiusAboutOrigin(), which it is for a direction
     /// that is none (0, or not finite). Costs a few microseconds.
     double radiusAboutAxis(const Vector3& direction) const;
+
+    /// Upper bound of the furthest that a vertex in the tree moves from one pose to the other. At most 1e-6
+    /// of it too much, but for rounding: 1e-14 of radiusAboutOrigin() and of the way between the
+    /// translations. With a cap: when a vertex moves further than it, the answer is above it, and may be that
+    /// alone. Costs a few microseconds.
+    double displacement(const Pose& from, const Pose& to,
+                        double cap = std::numeric_limits<double>::infinity()) const;
 
     /// What the model is good for when triangles were left out for it, and only then: it is queried as the
     /// environment, at poses and with a part within the reach, and answers up to the cap as the whole mesh

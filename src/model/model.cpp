@@ -10,7 +10,7 @@
 #include "mesh/clean.h"
 #include "model/model_data.h"
 #include "model/unreachable.h"
-#include "tree/radius_about_axis.h"
+#include "tree/largest_displacement.h"
 #include "tree/statistics.h"
 
 namespace clearway {
@@ -70,6 +70,9 @@ double Model::radiusAboutAxis(const Vector3& direction) const {
     const Vector3 unit = direction / length;
     if (!(length > 0) || !std::isfinite(length) || !unit.allFinite()) return radiusAboutOrigin();
     return std::min(clearway::radiusAboutAxis(data_->tree, unit.normalized()), radiusAboutOrigin());
+}
+double Model::displacement(const Pose& from, const Pose& to, double cap) const {
+    return largestDisplacement(data_->tree, from, to, cap);
 }
 std::uint64_t Model::key() const {
     return data_->key;

@@ -1,4 +1,4 @@
-#define BOOST_TEST_MODULE radius_about_axis
+#define BOOST_TEST_MODULE displacement
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <chrono>
@@ -70,6 +70,61 @@ BOOST_AUTO_TEST_CASE(a_direction_that_is_none_gives_the_radius_about_the_origin)
     for (const Vector3& none : {Vector3(0, 0, 0), Vector3(nan, 0, 1), Vector3(infinity, 0, 1)}) {
         BOOST_TEST(model.radiusAboutAxis(none) == model.radiusAboutOrigin());
     }
+}
+
+double largestVertexDisplacement(const Mesh& mesh, const Pose& from, const Pose& to) {
+    long double largest = 0;
+    for (const Vector3& v : mesh.vertices) {
+        long double squares = 0;
+        for (int i = 0; i < 3; ++i) {
+            long double away = static_cast<long double>(to.translation[i]) - from.translation[i];
+            for (int k = 0; k < 3; ++k) {
+                away += (static_cast<long double>(to.rotation(i, k)) - from.rotation(i, k)) * v[k];
+            }
+            squares += away * away;
+        }
+        largest = std::max(largest, squares);
+    }
+    return static_cast<double>(std::sqrt(largest));
+}
+
+BOOST_AUTO_TEST_CASE(no_vertex_moves_further_and_one_as_far_but_for_a_millionth) {
+    for (const int width : {2, 8}) {
+        BuildOptions options;
+        options.nodeWidth = width;
+        for (int seed = 1; seed <= 20; ++seed) {
+            Random random(seed);
+            const Mesh mesh = transformed(cadAssembly(random, 100), random.pose(seed % 2 == 0 ? 0 : 1e4));
+            const Model model = Model::build(mesh, options);
+            for (int i = 0; i < 50; ++i) {
+                const Pose from = random.pose(200);
+                const Vector3 centre = random.inBox(200);  // of a small turn
+                const double angle = std::pow(10, random.uniform(-9, 0.4));
+                const Matrix3 turn = Eigen::AngleAxisd(angle, random.direction()).toRotationMatrix();
+                Pose to{turn * from.rotation, turn * (from.translation - centre) + centre};
+                if (i % 5 == 0) to = random.pose(200);
+                const double exact = largestVertexDisplacement(mesh, from, to);
+                const double bound = model.displacement(from, to);
+                const double rounding =
+                    1e-14 * (3 * model.radiusAboutOrigin() + (to.translation - from.translation).norm());
+                BOOST_TEST_CONTEXT("seed " << seed << ", motion " << i << ", node width " << width) {
+                    BOOST_TEST(bound >= exact);
+                    BOOST_TEST(bound <= exact * (1 + 1.001e-6) + rounding);
+                    BOOST_TEST(model.displacement(from, to, exact * 1.01) == bound);
+                    BOOST_TEST(model.displacement(from, to, exact * 0.99 - rounding) >
+                               exact * 0.99 - rounding);
+                }
+            }
+        }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(a_pose_is_not_away_from_itself) {
+    Random random(3);
+    const Model model = Model::build(bracket(10, 1, 2, 6));
+    const Pose pose = random.pose(1e6);
+    BOOST_TEST(model.displacement(pose, pose) == 0);
+    BOOST_TEST(model.displacement(pose, pose, 0) == 0);
 }
 
 }  // namespace

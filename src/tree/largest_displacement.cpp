@@ -1,0 +1,132 @@
+// Branch and bound for the largest |A v + b| over the vertices v: it is convex, so a volume's largest is at a
+// corner of its rectangle, plus its radius as A stretches it. The farthest volume is opened first, until no
+// other can matter.
+#include "tree/largest_displacement.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace clearway {
+namespace {
+
+constexpr double kRoundedUp = 1 + 1e-12;  // a few 2^-53 for each step of the arithmetic
+
+/// Of the lengths that are added: 3 products and as many sums for a row, the differences that A and b are.
+constexpr double kSumRounding = 0x1p-49;
+
+struct Map {
+    Matrix3 a;
+    Vector3 b;
+    double stretch;  ///< at least |A x| / |x| for any x
+};
+
+/// Largest |origin + A x| for an x within one lane's volume, tree units. origin: of the tree, mapped.
+template <int kWidth>
+double largestWithin(const WideNode<kWidth>& node, int lane, const Map& map, const Vector3& origin) {
+    const auto mapped = [&](const float(&rows)[3][kWidth]) {
+        return (map.a * Vector3(rows[0][lane], rows[1][lane], rows[2][lane])).eval();
+    };
+    const Vector3 centre = origin + mapped(node.centre);
+    const Vector3 side0 = node.halfLength0[lane] * mapped(node.axis0);
+    const Vector3 side1 = node.halfLength1[lane] * mapped(node.axis1);
+    // |centre +- side0 +- side1|^2; a corner and its opposite differ by the sign of the first two products.
+    const double along0 = centre.dot(side0), along1 = centre.dot(side1), between = side0.dot(side1);
+    const double largest = std::max(std::abs(along0 + along1) + between, std::abs(along0 - along1) - between);
+    const double squares = centre.squaredNorm() + side0.squaredNorm() + side1.squaredNorm();
+    return std::sqrt(std::max(0.0, squares + 2 * largest)) + map.stretch * node.radius[lane];
+}
+
+template <int kWidth>
+class Search {
+  public:
+    Search(const FlatTree& tree, const Map& map, double excess, double cap)
+        : tree_(tree),
+          map_(map),
+          excess_(excess),
+          cap_(cap),
+          unit_(std::ldexp(1.0, tree.unitExponent)),
+          origin_((map.a * tree.origin + map.b) / unit_),
+          rounding_(kSumRounding * (map.stretch * tree.radiusAboutMeshOrigin + map.b.norm())) {}
+
+    double run() {
+        open(0);
+        return std::max(leftOut_, reached_) * kRoundedUp + rounding_;
+    }
+
+  private:
+    struct Child {
+        double bound;
+        std::int32_t reference;
+    };
+
+    void open(std::int32_t nodeNumber) {
+        const WideNode<kWidth>& node = tree_.nodes<kWidth>()[nodeNumber];
+        std::array<Child, kWidth> children;
+        int count = 0;
+        for (; count < kWidth && node.child[count] != kNoChild; ++count) {
+            const double largest = largestWithin(node, count, map_, origin_) * unit_;
+            const Child added{largest * kRoundedUp, node.child[count]};
+            int place = count;
+            for (; place > 0 && children[std::size_t(place - 1)].bound < added.bound; --place) {
+                children[std::size_t(place)] = children[std::size_t(place - 1)];
+            }
+            children[std::size_t(place)] = added;
+        }
+        for (int i = 0; i < count; ++i) {
+            const Child& child = children[std::size_t(i)];
+            if (reached_ * (1 - kSumRounding) > cap_ + rounding_) return;
+            if (child.bound <= reached_ * (1 + excess_)) {
+                leftOut_ = std::max(leftOut_, child.bound);
+                return;  // so are the others
+            }
+            if (child.reference >= 0) {
+                open(child.reference);
+            } else {
+                reach(tree_.leaves[std::size_t(~child.reference)]);
+            }
+        }
+    }
+
+    void reach(const Leaf& leaf) {
+        for (std::uint32_t i = 0; i < leaf.triangleCount; ++i) {
+            for (const std::uint32_t vertex : tree_.triangles[leaf.firstTriangle + i]) {
+                reached_ = std::max(reached_, (map_.a * tree_.vertices[vertex] + map_.b).norm());
+            }
+        }
+    }
+
+    const FlatTree& tree_;
+    const Map& map_;
+    double excess_, cap_;
+    double unit_;
+    Vector3 origin_;
+    double rounding_;     ///< mesh units
+    double reached_ = 0;  ///< by a vertex, mesh units
+    double leftOut_ = 0;  ///< largest bound of the volumes that were not opened, mesh units
+};
+
+double largest(const FlatTree& tree, const Map& map, double excess, double cap) {
+    if (tree.nodeWidth == 2) return Search<2>(tree, map, excess, cap).run();
+    return Search<8>(tree, map, excess, cap).run();
+}
+
+}  // namespace
+
+// Vectors from the axis turn by 90 degrees in a cross product with it, their lengths stay.
+double radiusAboutAxis(const FlatTree& tree, const Vector3& unitDirection) {
+    Map across{Matrix3::Zero(), Vector3::Zero(), 1};
+    across.a << 0, -unitDirection.z(), unitDirection.y(),  //
+        unitDirection.z(), 0, -unitDirection.x(),          //
+        -unitDirection.y(), unitDirection.x(), 0;
+    return largest(tree, across, kAxisRadiusExcess, std::numeric_limits<double>::infinity());
+}
+
+double largestDisplacement(const FlatTree& tree, const Pose& from, const Pose& to, double cap) {
+    const Map difference{to.rotation - from.rotation, to.translation - from.translation,
+                         (to.rotation - from.rotation).norm()};
+    return largest(tree, difference, kDisplacementExcess, cap);
+}
+
+}  // namespace clearway
