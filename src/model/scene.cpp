@@ -11,7 +11,7 @@ double Scene::largestMargin() const {
 }
 
 Box Scene::environmentBox() const {
-    Box box;
+    Box box = ignoredBox;
     for (const Obstacle& obstacle : obstacles) box.extend(obstacle.model.box());
     return box;
 }

@@ -20,8 +20,12 @@ std::string obstacleName(const Scene& scene, const SceneDistance& nearest) {
                     nearest.environmentComponent);
 }
 
+double marginOf(const Scene& scene, const SceneDistance& nearest) {
+    return nearest.obstacle < 0 ? 0 : scene.obstacles[static_cast<std::size_t>(nearest.obstacle)].margin;
+}
+
 std::string whyBlocked(const Scene& scene, const SceneDistance& nearest) {
-    const double margin = scene.obstacles[static_cast<std::size_t>(nearest.obstacle)].margin;
+    const double margin = marginOf(scene, nearest);
     std::ostringstream message;
     message << "triangle " << nearest.partTriangle << " of the part's mesh '"
             << meshName(scene.part, nearest.partComponent) << "' and triangle " << nearest.environmentTriangle

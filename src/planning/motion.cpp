@@ -28,6 +28,42 @@ bool isTooRough(const PoseClearance& found, double floor) {
     return found.lower - floor < kEnough * (found.upper - floor);
 }
 
+void widen(std::optional<TimeSpan>& span, double time) {
+    if (!span) span = TimeSpan{time, time};
+    span->first = std::min(span->first, time);
+    span->last = std::max(span->last, time);
+}
+
+double least(double a, double b) {
+    return std::min(a, b);
+}
+double most(double a, double b) {
+    return std::max(a, b);
+}
+
+/// One of each two lower bounds and one of each two upper ones.
+template <class Low, class High>
+MotionSample combined(const MotionSample& a, const MotionSample& b, const Low& low, const High& high) {
+    MotionSample result = a;
+    result.clearance = low(a.clearance, b.clearance);
+    result.upper = high(a.upper, b.upper);
+    result.counting = low(a.counting, b.counting);
+    result.countingUpper = high(a.countingUpper, b.countingUpper);
+    result.always = low(a.always, b.always);
+    for (std::size_t i = 0; i < kMostZones; ++i) {
+        result.zones[i].clearance = low(a.zones[i].clearance, b.zones[i].clearance);
+        result.zones[i].spare = low(a.zones[i].spare, b.zones[i].spare);
+    }
+    return result;
+}
+
+/// What is certain wherever the part is moved by so much.
+MotionSample lessened(const MotionSample& sample, double jump) {
+    const auto less = [jump](double a, double) { return a - jump; };
+    const auto more = [jump](double a, double) { return a + jump; };
+    return combined(sample, sample, less, more);
+}
+
 }  // namespace
 
 Motion::Motion(const MotionTools& tools, const ob::State* s1, const ob::State* s2)
@@ -37,7 +73,8 @@ bool Motion::isEndValid() {
     if (!tools_.si.satisfiesBounds(s2_)) return false;
     if (tools_.floor > 0) return true;  // asked for states of a path, which keep it mostly
     ++queries_;
-    return tools_.clearance.isFree(tools_.stateToPose(s2_));
+    isOutside_ = tools_.clearance.isFree(tools_.stateToPose(s2_));
+    return isOutside_;
 }
 
 void Motion::measure() {
@@ -58,7 +95,9 @@ void Motion::measure() {
 }
 
 MotionSample Motion::atStart(double wanted) {
-    return look(s1_, 0, wanted, true);
+    const MotionSample start = look(s1_, 0, wanted, true);
+    isOutside_ = isOutside_ || start.isValid();
+    return start;
 }
 
 MotionSample Motion::at(double time, double wanted) {
@@ -69,17 +108,17 @@ MotionSample Motion::at(double time, double wanted) {
 MotionSample Motion::atEnd(double wanted) {
     MotionSample end = look(s2_, 1, wanted, true);
     if (!end.isValid() || length_ == 0) return end;
+    isOutside_ = true;
     endJump_ = findEndJump();
-    end.upper += endJump_;
-    const double certain = end.clearance - endJump_;
-    if (certain > end.clearance / 2) {
-        end.clearance = certain;
-        return end;
-    }
+    const MotionSample certain = lessened(end, endJump_);
+    if (certain.clearance > end.clearance / 2) return certain;
+    // Two poses with more between them than can be told: solids may lie there.
+    isOutside_ = false;
+    end = look(s2_, 1, wanted, true);
     const MotionSample interpolated = at(kJustBeforeEnd, wanted);
-    if (!interpolated.isValid()) return interpolated;
-    end.clearance = std::max(certain, std::min(end.clearance, interpolated.clearance));
-    return end;
+    if (!end.isValid() || !interpolated.isValid()) return end.isValid() ? interpolated : end;
+    isOutside_ = true;
+    return combined(certain, combined(end, interpolated, least, most), most, least);
 }
 
 double Motion::findEndJump() const {
@@ -90,11 +129,20 @@ double Motion::findEndJump() const {
 }
 
 MotionSample Motion::look(const ob::State* state, double time, double wanted, bool checksBounds) {
-    MotionSample sample{time, 0, checksBounds && !tools_.si.satisfiesBounds(state)};
-    if (sample.isOutOfBounds) return sample;
+    if (checksBounds && !tools_.si.satisfiesBounds(state)) {
+        MotionSample outside;
+        outside.time = time;
+        outside.isOutOfBounds = true;
+        return outside;
+    }
     ClearanceOptions options;
-    if (tools_.detail != ClearanceDetail::kWhole) options.cap = wanted + tools_.floor;
+    options.isOutside = isOutside_;
     options.isRough = tools_.detail == ClearanceDetail::kRough;
+    options.leastSpare = 2 * (length_ + slack_);
+    if (tools_.detail != ClearanceDetail::kWhole) {
+        options.leastSpare = wanted;
+        options.cap = wanted + tools_.floor;
+    }
     const Pose X_environmentPart = tools_.stateToPose(state);
     PoseClearance found = tools_.clearance.at(X_environmentPart, options);
     queries_ += found.queries;
@@ -103,13 +151,34 @@ MotionSample Motion::look(const ob::State* state, double time, double wanted, bo
         found = tools_.clearance.at(X_environmentPart, options);
         queries_ += found.queries;
     }
-    sample.clearance = found.lower - tools_.floor;
-    sample.upper = found.upper - tools_.floor;
+    if (found.isInStartContact) widen(startContact_, time);
+    if (found.isInGoalContact) widen(goalContact_, time);
     if (closest_.queries == 0 || found.lower < closest_.lower) {
         closest_ = found;
         closestTime_ = time;
     }
     leastUpper_ = std::min(leastUpper_, found.upper);
+    return sampleOf(time, found);
+}
+
+MotionSample Motion::sampleOf(double time, const PoseClearance& found) const {
+    const double floor = tools_.floor;
+    MotionSample sample;
+    sample.time = time;
+    sample.counting = found.lower - floor;
+    sample.countingUpper = found.upper - floor;
+    sample.always = sample.clearance = found.lowerAlways - floor;
+    sample.upper = found.upperAlways - floor;
+    for (std::size_t i = 0; i < zoneCount(); ++i) {
+        ZoneClearance& zone = sample.zones[i] = found.zones[i];
+        zone.clearance -= floor;
+        zone.upper -= floor;
+        sample.clearance = std::min(sample.clearance, std::max(zone.clearance, zone.spare));
+        sample.upper = std::min(sample.upper, std::max(zone.upper, zone.mostSpare));
+    }
+    const bool isValid = sample.counting > 0;
+    sample.clearance = isValid ? std::max(sample.clearance, std::numeric_limits<double>::denorm_min())
+                               : std::min(sample.clearance, sample.counting);
     return sample;
 }
 

@@ -3,10 +3,13 @@
 
 #include <ompl/base/SpaceInformation.h>
 
+#include <array>
 #include <cstdint>
 #include <limits>
+#include <optional>
 
 #include "clearway/planning/displacement_bound.h"
+#include "clearway/planning/motion_validator.h"
 #include "clearway/planning/state_to_pose.h"
 #include "planning/scene_clearance.h"
 #include "planning/scratch_state.h"
@@ -33,9 +36,20 @@ struct MotionTools {
 
 struct MotionSample {
     double time = 0;
-    double clearance = 0;  ///< lower bound of distance - margin - floor; at most 0: the pose is invalid
+    /// How far any point of the part may move for sure, and the pose stays valid: the lower bound of
+    /// distance - margin - floor, or where obstacles are ignored, how far they stay so. At most 0: it is
+    /// invalid.
+    double clearance = 0;
     bool isOutOfBounds = false;
-    double upper = std::numeric_limits<double>::infinity();  ///< of it; infinite beyond what was wanted
+
+    /// Upper bound of the same; infinite beyond what was wanted.
+    double upper = std::numeric_limits<double>::infinity();
+
+    double counting = 0;  ///< lower bound of distance - margin - floor, of the obstacles that count here
+    double countingUpper = std::numeric_limits<double>::infinity();
+    double always = 0;                                 ///< lower bound, of those that count everywhere
+    std::array<ZoneClearance, kMostZones> zones = {};  ///< of the others
+
     bool isValid() const { return clearance > 0 && !isOutOfBounds; }
 };
 
@@ -61,6 +75,8 @@ class Motion {
     /// What two clearances that certify an interval must have to spare, for poses are rounded.
     double slack() const { return slack_; }
 
+    std::size_t zoneCount() const { return tools_.clearance.zoneCount(); }
+
     /// Lengths up to `wanted` are of interest. All of them throw what queries and callbacks throw.
     MotionSample atStart(double wanted);
     MotionSample at(double time, double wanted);  ///< as interpolated; 0 < time < 1
@@ -77,10 +93,18 @@ class Motion {
     std::uint64_t queries() const { return queries_; }
     const PoseClearance& closest() const { return closest_; }  ///< of the poses looked at
     double closestTime() const { return closestTime_; }
+    /// From now on solids are looked at again: where the poses that follow are is not known from any other.
+    void forgetOutside() { isOutside_ = false; }
+
     double leastUpper() const { return leastUpper_; }
+
+    /// From the first to the last of the poses looked at that are within the contact zone.
+    const std::optional<TimeSpan>& startContact() const { return startContact_; }
+    const std::optional<TimeSpan>& goalContact() const { return goalContact_; }
 
   private:
     MotionSample look(const ompl::base::State* state, double time, double wanted, bool checksBounds);
+    MotionSample sampleOf(double time, const PoseClearance& found) const;
     double findEndJump() const;
 
     MotionTools tools_;
@@ -91,10 +115,12 @@ class Motion {
     double slack_ = 0;
     double endJump_ = 0;
     bool checksBoundsBetween_ = true;
+    bool isOutside_ = false;  ///< of the solids that always count: known at one pose, it holds at all
     std::uint64_t queries_ = 0;
     PoseClearance closest_;
     double closestTime_ = 0;
     double leastUpper_ = std::numeric_limits<double>::infinity();
+    std::optional<TimeSpan> startContact_, goalContact_;
 };
 
 }  // namespace clearway::planning

@@ -28,6 +28,10 @@ bool isBetween(double time, const MotionSample& from, const MotionSample& to) {
     return time > from.time && time < to.time;
 }
 
+double middleOf(const MotionSample& from, const MotionSample& to) {
+    return from.time + 0.5 * (to.time - from.time);
+}
+
 }  // namespace
 
 double defaultLeastInterval(const Scene& scene) {
@@ -57,14 +61,37 @@ double MotionSearch::spare(const MotionSample& from, const MotionSample& to) con
 }
 
 MotionInterval MotionSearch::interval(const MotionSample& from, const MotionSample& to) const {
-    return {from, to, std::min({0.5 * spare(from, to), from.clearance, to.clearance})};
+    if (motion_.zoneCount() == 0) {
+        return {from, to, std::min({0.5 * spare(from, to), from.clearance, to.clearance})};
+    }
+    const double way = motion_.length() == 0 ? 0 : motion_.length() * (to.time - from.time) + motion_.slack();
+    double lower = std::min({0.5 * (from.always + to.always - way), from.always, to.always});
+    for (std::size_t i = 0; i < motion_.zoneCount(); ++i) {
+        lower = std::min(lower, lowerBetween(from.zones[i], to.zones[i], way));
+    }
+    return {from, to, lower};
+}
+
+/// Having moved by x, the part is at least from.clearance - x away, and no less than to.clearance - (way -
+/// x). It counts for x between what it is ignored for after one sample and before the other.
+double MotionSearch::lowerBetween(const ZoneClearance& from, const ZoneClearance& to, double way) const {
+    const double low = std::max(from.spare, 0.0), high = way - std::max(to.spare, 0.0);
+    const bool isIgnoredThroughout = low > high || (way == 0 && from.isIgnored());
+    if (isIgnoredThroughout) return std::numeric_limits<double>::infinity();
+    const double x = std::clamp(0.5 * (way + from.clearance - to.clearance), low, high);
+    return std::max(from.clearance - x, to.clearance - (way - x));
 }
 
 /// The middle of what the ends' clearances leave open, where they tell least.
 double MotionSearch::dividingTime(const MotionSample& from, const MotionSample& to) const {
-    const double middle = from.time + 0.5 * (to.time - from.time);
+    const double middle = middleOf(from, to);
     const double time = middle + 0.5 * (from.clearance - to.clearance) / motion_.length();
     return isBetween(time, from, to) ? time : middle;
+}
+
+/// Where lower bounds are least sure. In contact zones that is another place than where the motion is.
+double MotionSearch::profiledTime(const MotionSample& from, const MotionSample& to) const {
+    return motion_.zoneCount() == 0 ? dividingTime(from, to) : middleOf(from, to);
 }
 
 /// The clearance with which both halves of a stretch are certified that its ends leave open so far.
@@ -147,7 +174,9 @@ MotionSearch::Stretch MotionSearch::stretchBefore(const MotionSample& next) cons
         const double step = next.time - reached_.time;
         return {motion_.length() * step, reached_.time + 0.5 * step};
     }
-    const MotionSample sample{next.time, std::max(next.clearance, 0.0), false};
+    MotionSample sample;
+    sample.time = next.time;
+    sample.clearance = std::max(next.clearance, 0.0);
     return {-spare(reached_, sample), dividingTime(reached_, sample)};
 }
 
@@ -169,8 +198,8 @@ void MotionSearch::stopBefore(const MotionSample& blocked, double stop) {
 
 double MotionSearch::refineLower(const ClearanceResolution& resolution) {
     std::make_heap(intervals_.begin(), intervals_.end(), isLessUrgent);
-    double least = reached_.clearance;
-    for (const MotionInterval& known : intervals_) least = std::min(least, known.from.clearance);
+    double least = reached_.counting;
+    for (const MotionInterval& known : intervals_) least = std::min(least, known.from.counting);
     refine(least, resolution);
     return intervals_.front().lower;
 }
@@ -181,7 +210,7 @@ std::optional<double> MotionSearch::leastClearance(double cap, const ClearanceRe
     const MotionSample end = motion_.atEnd(wanted);
     if (!end.isValid() || !lookAtStart(wanted)) return std::nullopt;
     intervals_ = {interval(reached_, end)};
-    if (!refine(std::min({cap, reached_.clearance, end.clearance}), resolution)) return std::nullopt;
+    if (!refine(std::min({cap, reached_.counting, end.counting}), resolution)) return std::nullopt;
     return intervals_.front().lower;
 }
 
@@ -191,12 +220,12 @@ std::optional<double> MotionSearch::leastClearance(double cap, const ClearanceRe
 bool MotionSearch::refine(double least, const ClearanceResolution& resolution) {
     while (intervals_.front().lower < least - std::max(resolution.of(least), leastInterval_)) {
         const MotionSample from = intervals_.front().from, to = intervals_.front().to;
-        const double time = dividingTime(from, to);
+        const double time = profiledTime(from, to);
         if (!isBetween(time, from, to)) break;
         const double open = 2 * least - spare(from, to);
         const MotionSample middle = motion_.at(time, least + wantedFor(open));
         if (!middle.isValid()) return false;
-        least = std::min(least, middle.upper);
+        least = std::min(least, middle.countingUpper);
         std::pop_heap(intervals_.begin(), intervals_.end(), isLessUrgent);
         intervals_.back() = interval(from, middle);
         std::push_heap(intervals_.begin(), intervals_.end(), isLessUrgent);
@@ -211,7 +240,7 @@ std::vector<MotionInterval> MotionSearch::profile(double share) {
     while (!open.empty()) {
         const auto [from, to, lower] = open.back();
         open.pop_back();
-        const double time = dividingTime(from, to);
+        const double time = profiledTime(from, to);
         const bool isShort = motion_.length() * (to.time - from.time) <= leastInterval_;
         if (lower >= share * std::min(from.clearance, to.clearance) || isShort ||
             !isBetween(time, from, to)) {
@@ -229,6 +258,7 @@ std::vector<MotionInterval> MotionSearch::profile(double share) {
 
 std::vector<MotionSample> MotionSearch::lookAhead(int poses) {
     constexpr double kFully = std::numeric_limits<double>::infinity();
+    motion_.forgetOutside();
     std::vector<MotionSample> samples;
     for (int i = 1; i < poses; ++i) {
         const double time = reached_.time + (1 - reached_.time) * i / poses;

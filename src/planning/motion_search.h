@@ -10,8 +10,8 @@
 
 namespace clearway::planning {
 
-/// From one sample to the next one along the motion. lower: no pose between them has less clearance; above 0
-/// the interval is certified.
+/// From one sample to the next one along the motion. lower: no pose between them has less clearance from
+/// what counts there; above 0 the interval is certified.
 struct MotionInterval {
     MotionSample from, to;
     double lower = 0;
@@ -82,7 +82,9 @@ class MotionSearch {
     bool isCertified(const MotionSample& from, const MotionSample& to) const {
         return interval(from, to).lower > 0;
     }
+    double lowerBetween(const ZoneClearance& from, const ZoneClearance& to, double way) const;
     double dividingTime(const MotionSample& from, const MotionSample& to) const;
+    double profiledTime(const MotionSample& from, const MotionSample& to) const;
     double wantedFor(double open) const;
     double wantedAtEnds() const;
     bool lookAtStart(double wanted);

@@ -38,15 +38,15 @@ std::vector<ProfilePoint> pointsOf(MotionSearch& search, const MotionReport& rep
     std::vector<ProfilePoint> points;
     const double least = report.lowerClearance;
     for (const MotionInterval& known : search.profile(kProfiledShare)) {
-        points.push_back({known.from.time, known.from.clearance, std::max(known.lower, least)});
+        points.push_back({known.from.time, known.from.counting, std::max(known.lower, least)});
     }
-    points.push_back({search.reached().time, search.reached().clearance, least});
+    points.push_back({search.reached().time, search.reached().counting, least});
     if (report.verdict == MotionVerdict::kValid) {
         points.back().lowerToNext = points.back().clearance;
         return points;
     }
     for (const MotionSample& sample : search.lookAhead(kPosesAhead)) {
-        points.push_back({sample.time, sample.clearance, least});
+        points.push_back({sample.time, sample.counting, least});
     }
     return points;
 }
@@ -175,6 +175,8 @@ MotionReport MotionValidator::report(const ob::State* s1, const ob::State* s2,
         report.upperClearance = looked.leastUpper();
         report.closestTime = looked.closestTime();
         report.closest = looked.closest().nearest;
+        report.startContact = looked.startContact();
+        report.goalContact = looked.goalContact();
         report.queries = looked.queries();
     } catch (const std::exception& error) {
         report.verdict = MotionVerdict::kInvalid;

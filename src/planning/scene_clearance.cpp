@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/number.h"
+#include "model/solids.h"
 
 namespace clearway::planning {
 namespace {
@@ -15,6 +16,11 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Measured on planners' motions: twice as fast as exact distances, for a few more queries.
 constexpr double kRoughError = 0.05;
 constexpr double kRoughEnough = 0.9;  ///< of upper: what lower must be, or a tight distance is asked for
+
+/// What Model::displacement may be too large by, at a pose that the part moves to while ignored obstacles are
+/// to stay so: its excess and its rounding, with room.
+constexpr double kSpareExcess = 3e-6;
+constexpr double kSpareRounding = 1e-13;
 
 /// Visits the obstacles, the one that was nearest last time first, until `visit` says no: it blocks most
 /// often, and caps what the others are asked for.
@@ -28,6 +34,21 @@ bool visitAll(std::size_t count, std::size_t first, const Visit& visit) {
     return true;
 }
 
+/// Whether the first is what reports are to tell of: less clearance, as far as it is told.
+bool isNearer(const PoseClearance& found, const PoseClearance& sofar) {
+    if (sofar.nearest.obstacle < 0) return true;
+    const bool isFar = std::isinf(found.upper) && std::isinf(sofar.upper);
+    return isFar ? found.lower < sofar.lower : found.upper < sofar.upper;
+}
+
+void requireContact(const char* name, const std::optional<ContactZone>& contact) {
+    if (!contact) return;
+    requirePose(contact->X_environmentPart);
+    if (contact->distance > 0 && std::isfinite(contact->distance)) return;
+    throw std::invalid_argument(std::string(name) + ".distance is " + shortNumber(contact->distance) +
+                                ", expected a finite length above 0");
+}
+
 SceneDistance nowhere() {
     constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
     SceneDistance result;
@@ -39,18 +60,46 @@ SceneDistance nowhere() {
 }  // namespace
 
 SceneClearance::SceneClearance(Scene scene) : scene_(std::move(scene)), owner_(newScratchOwner()) {
+    requireContact("startContact", scene_.startContact);
+    requireContact("goalContact", scene_.goalContact);
     for (std::size_t i = 0; i < scene_.obstacles.size(); ++i) {
         const Obstacle& obstacle = scene_.obstacles[i];
         if (!(obstacle.margin >= 0) || !std::isfinite(obstacle.margin)) {
             throw std::invalid_argument("margin is " + shortNumber(obstacle.margin) +
                                         ", expected a finite number >= 0");
         }
+        if (obstacle.solids && !scene_.partSolids) {
+            throw std::invalid_argument(
+                "an obstacle is solid and partSolids is null, expected makeSolids of "
+                "the part's mesh");
+        }
+        hasSolids_ = hasSolids_ || obstacle.solids;
+        addZone(i);
         // Models that cannot be queried together are the caller's mistake: better told here than inside a
         // planner.
         Pose somewhere;
         if (const auto& reach = obstacle.model.reach()) somewhere.translation = reach->positions.center();
         isFree(i, somewhere);
     }
+}
+
+void SceneClearance::addZone(std::size_t i) {
+    const Zone wanted{scene_.obstacles[i].isIgnoredAtStart, scene_.obstacles[i].isIgnoredAtGoal};
+    if ((wanted.atStart && !scene_.startContact) || (wanted.atGoal && !scene_.goalContact)) {
+        throw std::invalid_argument(
+            std::string("an obstacle is ignored in ") +
+            (wanted.atStart && !scene_.startContact ? "startContact" : "goalContact") +
+            ", which is not set, expected a contact zone");
+    }
+    zoneOf_.push_back(-1);
+    if (!wanted.atStart && !wanted.atGoal) return;
+    std::size_t zone = 0;
+    while (zone < zones_.size() &&
+           (zones_[zone].atStart != wanted.atStart || zones_[zone].atGoal != wanted.atGoal)) {
+        ++zone;
+    }
+    if (zone == zones_.size()) zones_.push_back(wanted);
+    zoneOf_.back() = static_cast<int>(zone);
 }
 
 double SceneClearance::mostClearance() const {
@@ -61,13 +110,50 @@ double SceneClearance::mostClearance() const {
     return most;
 }
 
+SceneClearance::Spare SceneClearance::spareOf(const std::optional<ContactZone>& contact,
+                                              const Pose& X) const {
+    if (!contact || !X.rotation.allFinite() || !X.translation.allFinite()) return {};
+    const double moved = scene_.part.displacement(contact->X_environmentPart, X, contact->distance);
+    const double spare = contact->distance - moved;
+    if (!(spare >= 0)) return {};
+    const double doubt = kSpareExcess * contact->distance +
+                         kSpareRounding * (scene_.part.radiusAboutOrigin() + contact->distance);
+    return {std::max(0.0, spare - doubt), spare + doubt};
+}
+
+void SceneClearance::findSpares(const Pose& X_environmentPart, PoseClearance& answer) const {
+    if (zones_.empty()) return;
+    const Spare atStart = spareOf(scene_.startContact, X_environmentPart),
+                atGoal = spareOf(scene_.goalContact, X_environmentPart);
+    answer.isInStartContact = atStart.least >= 0;
+    answer.isInGoalContact = atGoal.least >= 0;
+    for (std::size_t i = 0; i < zones_.size(); ++i) {
+        const Spare start = zones_[i].atStart ? atStart : Spare(), goal = zones_[i].atGoal ? atGoal : Spare();
+        ZoneClearance& zone = answer.zones[i];
+        zone.clearance = kUnknownClearance;
+        zone.spare = std::max(start.least, goal.least);
+        zone.mostSpare = std::max(start.most, goal.most);
+    }
+}
+
+bool SceneClearance::isIgnored(std::size_t i, const PoseClearance& at) const {
+    return zoneOf_[i] >= 0 && at.zones[static_cast<std::size_t>(zoneOf_[i])].isIgnored();
+}
+
 bool SceneClearance::isFree(const Pose& X_environmentPart) const {
+    PoseClearance at;
+    findSpares(X_environmentPart, at);
     ThreadScratch& mine = scratch();
-    return visitAll(scene_.obstacles.size(), mine.nearest, [&](std::size_t i) {
-        if (isFree(i, X_environmentPart)) return true;
+    const bool isApart = visitAll(scene_.obstacles.size(), mine.nearest, [&](std::size_t i) {
+        if (isIgnored(i, at) || isFree(i, X_environmentPart)) return true;
         mine.nearest = i;
         return false;
     });
+    if (!isApart || !hasSolids_) return isApart;
+    for (std::size_t i = 0; i < scene_.obstacles.size(); ++i) {
+        if (!isIgnored(i, at) && enclosureBy(i, X_environmentPart)) return false;
+    }
+    return true;
 }
 
 bool SceneClearance::isFree(std::size_t i, const Pose& X_environmentPart) const {
@@ -77,29 +163,82 @@ bool SceneClearance::isFree(std::size_t i, const Pose& X_environmentPart) const 
     return !isWithin(scene_.part, obstacle.model, X_environmentPart, obstacle.margin, workspace);
 }
 
+std::optional<SceneClearance::Enclosure> SceneClearance::enclosureBy(std::size_t i,
+                                                                     const Pose& X_environmentPart) const {
+    const Obstacle& obstacle = scene_.obstacles[i];
+    if (!obstacle.solids) return std::nullopt;
+    if (const auto found = obstacle.solids->holding({}, *scene_.partSolids, X_environmentPart)) {
+        return Enclosure{found->outer, found->inner, true};
+    }
+    if (const auto found = scene_.partSolids->holding(X_environmentPart, *obstacle.solids, {})) {
+        return Enclosure{found->inner, found->outer, false};
+    }
+    return std::nullopt;
+}
+
+std::string SceneClearance::enclosure(const Pose& X_environmentPart) const {
+    PoseClearance at;
+    findSpares(X_environmentPart, at);
+    for (std::size_t i = 0; i < scene_.obstacles.size(); ++i) {
+        if (isIgnored(i, at)) continue;
+        const auto found = enclosureBy(i, X_environmentPart);
+        if (!found) continue;
+        const std::string part = "the part's mesh '" + *found->partMesh + "'",
+                          obstacle = "the solid '" + *found->obstacleMesh + "'";
+        return found->isPartInside ? part + " is inside " + obstacle : obstacle + " is inside " + part;
+    }
+    return "";
+}
+
 // What the nearest obstacle so far leaves caps what the next ones are asked for.
 PoseClearance SceneClearance::at(const Pose& X_environmentPart, const ClearanceOptions& options) const {
-    PoseClearance least;
-    least.nearest = nowhere();
+    PoseClearance answer;
+    answer.nearest = nowhere();
+    findSpares(X_environmentPart, answer);
     ThreadScratch& mine = scratch();
     visitAll(scene_.obstacles.size(), mine.nearest, [&](std::size_t i) {
         ClearanceOptions asked = options;
-        asked.cap = std::min(options.cap, least.upper);
+        asked.cap = std::min(options.cap, answer.upper);
         if (asked.cap + scene_.obstacles[i].margin < 0) return true;
+        ZoneClearance* zone = zoneOf_[i] < 0 ? nullptr : &answer.zones[static_cast<std::size_t>(zoneOf_[i])];
+        if (zone && zone->isIgnored() && zone->spare >= options.leastSpare) return true;
         const PoseClearance found = ask(i, X_environmentPart, asked);
-        const bool isNearest = std::isinf(least.upper) && std::isinf(found.upper) ? found.lower < least.lower
-                                                                                  : found.upper < least.upper;
-        if (isNearest || least.nearest.obstacle < 0) {
-            least.nearest = found.nearest;
+        answer.queries += found.queries;
+        if (zone) {
+            const bool isFirst = zone->clearance == kUnknownClearance;
+            zone->clearance = isFirst ? found.lower : std::min(zone->clearance, found.lower);
+            zone->upper = std::min(zone->upper, found.upper);
+            if (zone->isIgnored()) return true;
+        } else {
+            answer.lowerAlways = std::min(answer.lowerAlways, found.lower);
+            answer.upperAlways = std::min(answer.upperAlways, found.upper);
+        }
+        if (isNearer(found, answer)) {
+            answer.nearest = found.nearest;
             mine.nearest = i;
         }
-        least.lower = std::min(least.lower, found.lower);
-        least.upper = std::min(least.upper, found.upper);
-        least.queries += found.queries;
+        answer.lower = std::min(answer.lower, found.lower);
+        answer.upper = std::min(answer.upper, found.upper);
         return true;
     });
-    nameTriangle(least.nearest);
-    return least;
+    if (hasSolids_) lookAtSolids(X_environmentPart, options.isOutside, answer);
+    nameTriangle(answer.nearest);
+    return answer;
+}
+
+// Only where it can turn a verdict: elsewhere surfaces are too close already, and may touch.
+void SceneClearance::lookAtSolids(const Pose& X_environmentPart, bool isOutside,
+                                  PoseClearance& answer) const {
+    for (std::size_t i = 0; i < scene_.obstacles.size(); ++i) {
+        double& clearance = zoneOf_[i] < 0 ? answer.lowerAlways
+                                           : answer.zones[static_cast<std::size_t>(zoneOf_[i])].clearance;
+        if (!(clearance > 0) || (zoneOf_[i] < 0 && isOutside)) continue;
+        if (!enclosureBy(i, X_environmentPart)) continue;
+        clearance = 0;
+        if (isIgnored(i, answer)) continue;
+        answer.lower = std::min(answer.lower, 0.0);
+        answer.upper = std::min(answer.upper, 0.0);
+    }
 }
 
 PoseClearance SceneClearance::ask(std::size_t i, const Pose& X_environmentPart,

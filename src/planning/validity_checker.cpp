@@ -77,10 +77,13 @@ SceneDistance ValidityChecker::distance(const ob::State* state) const {
 }
 
 std::string ValidityChecker::whyInvalid(const ob::State* state) const {
-    const PoseClearance found = clearance_->at(pose(state));
+    const Pose X_environmentPart = pose(state);
+    const PoseClearance found = clearance_->at(X_environmentPart);
     if (!found.isValid()) {
-        return (found.nearest.collides() ? "in collision: " : "too close: ") +
-               whyBlocked(scene(), found.nearest);
+        if (found.nearest.collides()) return "in collision: " + whyBlocked(scene(), found.nearest);
+        const bool isApart = found.nearest.lower > marginOf(scene(), found.nearest);
+        if (!isApart) return "too close: " + whyBlocked(scene(), found.nearest);
+        return "in collision: " + clearance_->enclosure(X_environmentPart);
     }
     return si_->satisfiesBounds(state) ? "" : "outside of the bounds of the state space";
 }

@@ -17,6 +17,7 @@ namespace clearway {
 namespace {
 
 constexpr std::uint32_t kLeafSize = 4;
+constexpr std::size_t kDeepest = 64;  ///< a node's halves differ by one triangle at most
 
 /// Of the way from the pose's origin to the point: how far the point may come out wrong in mesh coordinates,
 /// which the pose's transposed rotation gives, not its inverse.
@@ -149,18 +150,19 @@ void Solid::eachCrossing(const Pose& X_aMesh, const Pose& X_aPoint, const Vector
     const Vector3 p = X_aMesh.rotation.transpose() * away;
     const double slack =
         kPlaceSlack * (away.norm() + X_aMesh.translation.norm() + X_aPoint.translation.norm() + point.norm());
-    std::vector<std::uint32_t> open = {0};
-    while (!open.empty()) {
-        const std::uint32_t here = open.back();
+    std::array<std::uint32_t, kDeepest> open;
+    std::size_t count = 0;
+    open[count++] = 0;
+    while (count > 0) {
+        const std::uint32_t here = open[--count];
         const Node& node = nodes_[here];
-        open.pop_back();
         const bool isMissed = p.x() < node.min[0] - slack || p.x() > node.max[0] + slack ||
                               p.y() < node.min[1] - slack || p.y() > node.max[1] + slack ||
                               p.z() > node.top + slack;
         if (isMissed) continue;
         if (node.right != 0) {
-            open.push_back(node.right);
-            open.push_back(here + 1);
+            open[count++] = node.right;
+            open[count++] = here + 1;
             continue;
         }
         for (std::uint32_t i = node.first; i < node.last; ++i) {

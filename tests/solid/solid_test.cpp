@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "support/random_meshes.h"
+#include "support/winding.h"
 
 using namespace clearway;
 using namespace clearway::testing;
@@ -15,27 +16,8 @@ namespace {
 
 constexpr std::uint64_t kSeed = 51;
 
-Mesh reversed(Mesh mesh) {
-    for (TriangleIndices& t : mesh.triangles) std::swap(t[1], t[2]);
-    return mesh;
-}
-
 Mesh at(const Mesh& mesh, const Vector3& place) {
     return transformed(mesh, {Matrix3::Identity(), place});
-}
-
-// The sum of the solid angles under which the triangles are seen, over 4 pi.
-// Source: van Oosterom and Strackee, IEEE Trans. Biomed. Eng. 30, 1983.
-double windingBySolidAngles(const Mesh& mesh, const Vector3& point) {
-    double sum = 0;
-    for (const TriangleIndices& t : mesh.triangles) {
-        const Vector3 a = mesh.vertices[t[0]] - point, b = mesh.vertices[t[1]] - point,
-                      c = mesh.vertices[t[2]] - point;
-        const double la = a.norm(), lb = b.norm(), lc = c.norm();
-        sum +=
-            2 * std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
-    }
-    return sum / (4 * M_PI);
 }
 
 bool holds(const Solid& solid, const Vector3& point) {
@@ -140,10 +122,11 @@ BOOST_AUTO_TEST_CASE(windings_are_those_of_the_solid_angles_wherever_mesh_and_po
     const Mesh mesh = joined(joined(reversed(torus(4, 1.5, 12)), at(box({1, 2, 3}, 2), {9, 0, 0})),
                              reversed(at(box({0.5, 1, 1.5}), {9, 0.1, 0})));
     const Solid solid(mesh, "several shells");
+    const Component whole{"", 0, std::uint32_t(mesh.triangles.size())};
     int inside = 0;
     for (int round = 0; round < 500; ++round) {
         const Vector3 point(random.uniform(-7, 12), random.uniform(-7, 7), random.uniform(-4, 4));
-        const double angles = windingBySolidAngles(mesh, point) * (solid.isTurnedOver() ? -1 : 1);
+        const double angles = windingBySolidAngles(mesh, whole, point) * (solid.isTurnedOver() ? -1 : 1);
         if (std::abs(angles - std::round(angles)) > 1e-6) continue;
         const Pose X_aMesh = random.pose(10);
         const Vector3 seen = X_aMesh * point;

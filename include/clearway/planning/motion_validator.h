@@ -41,19 +41,27 @@ struct MotionCounters {
     std::uint64_t queries = 0;   ///< of distances, or whether one is within the margin
 };
 
+/// Of a motion from 0 to 1.
+struct TimeSpan {
+    double first = 0, last = 0;
+};
+
 enum class MotionVerdict { kValid, kInvalid, kUndecided };
 
 struct MotionReport {
     MotionVerdict verdict = MotionVerdict::kInvalid;
     double certifiedTime =
         0;  ///< all poses of [0, certifiedTime] are valid, unless the start is not; 1: all are
-    /// Of the least of distance - margin along the motion. Environment units.
+    /// Of the least of distance - margin along the motion, of obstacles that count. Environment units.
     double lowerClearance = 0;
     double upperClearance = 0;
     double closestTime = 0;  ///< of the pose that is closest, of those looked at; 1 is s2 itself
     /// There: both triangles, their components and points, and the obstacle. Its ids are -1 when the pose is
     /// farther than the environment's reach tells, or no pose was looked at.
     SceneDistance closest;
+    /// From the first to the last of the poses looked at that are within the scene's contact zones, where
+    /// obstacles are ignored.
+    std::optional<TimeSpan> startContact, goalContact;
     double travel = 0;          ///< no point of the part moves further along the motion
     double blockedTime = 1;     ///< of a motion that is not valid: of the pose that is invalid or undecided
     bool leavesBounds = false;  ///< that pose is invalid for being out of the space's bounds
@@ -75,7 +83,8 @@ struct MotionProfile {
 };
 
 /// checkMotion true means: every pose of OMPL's own interpolation between the two states, s1 and s2 itself
-/// are within the bounds, and the part is farther from each obstacle than its margin.
+/// are within the bounds, and the part is farther from each obstacle that counts there than its margin, and
+/// inside no solid.
 ///
 /// An interval is certified when the clearances at its ends add up to more than the part can move between
 /// them. A valid motion costs about ds / clearance queries, summed along it; a motion that touches the margin

@@ -1,0 +1,31 @@
+// How often a surface winds around a point, by the solid angles under which its triangles are seen.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "clearway/mesh.h"
+
+namespace clearway::testing {
+
+inline Mesh reversed(Mesh mesh) {
+    for (TriangleIndices& t : mesh.triangles) std::swap(t[1], t[2]);
+    return mesh;
+}
+
+/// A whole number but for rounding, for a closed surface that the point is not on.
+/// Source: van Oosterom and Strackee, IEEE Trans. Biomed. Eng. 30, 1983.
+inline double windingBySolidAngles(const Mesh& mesh, const Component& of, const Vector3& point) {
+    double sum = 0;
+    for (std::uint32_t i = 0; i < of.triangleCount; ++i) {
+        const TriangleIndices& t = mesh.triangles[of.firstTriangle + i];
+        const Vector3 a = mesh.vertices[t[0]] - point, b = mesh.vertices[t[1]] - point,
+                      c = mesh.vertices[t[2]] - point;
+        const double la = a.norm(), lb = b.norm(), lc = c.norm();
+        sum +=
+            2 * std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+    }
+    return sum / (4 * M_PI);
+}
+
+}  // namespace clearway::testing
