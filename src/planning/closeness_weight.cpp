@@ -104,7 +104,7 @@ class WeightSearch {
         return true;
     }
 
-    double mean() const { return 1 + 0.5 * (low_ + high_); }
+    double mean() const { return 1 + std::max(0.0, 0.5 * (low_ + high_)); }  // the sums have been rounded
 
   private:
     static bool isLessUrgent(const Part& a, const Part& b) { return a.isLessUrgentThan(b); }
