@@ -36,7 +36,7 @@ ClosenessWeight weightOf(const Scene& scene, const ClearanceIntegralOptions& opt
 }
 
 ClosenessWeight weightOf(const Scene& scene, const LengthWithClearanceOptions& options) {
-    const double wanted = lengthOr(options.wanted, kWantedShare, scene.part, "wanted");
+    const double wanted = wantedClearance(options, scene.part);
     const double strictness = options.strictness;
     if (!(strictness >= 0) || !std::isfinite(strictness)) {
         throw std::invalid_argument("strictness is " + shortNumber(strictness) +
@@ -56,6 +56,10 @@ ob::Cost lengthToGo(const ob::State* state, const ob::Goal* goal) {
 }
 
 }  // namespace
+
+double wantedClearance(const LengthWithClearanceOptions& options, const Model& part) {
+    return lengthOr(options.wanted, kWantedShare, part, "wanted clearance");
+}
 
 WeightedLengthObjective::WeightedLengthObjective(const ob::SpaceInformationPtr& si, Scene scene,
                                                  const ClosenessWeight& weight, double resolution)

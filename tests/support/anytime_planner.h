@@ -1,0 +1,51 @@
+// A planner that goes on improving, asked again and again for the best it has.
+#pragma once
+
+#include <ompl/base/OptimizationObjective.h>
+#include <ompl/base/Planner.h>
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "clearway/planning/motion_validator.h"
+#include "clearway/problem.h"
+#include "clearway/scene.h"
+
+namespace clearway::testing {
+
+class AnytimePlanner {
+  public:
+    using Parameters = std::vector<std::pair<std::string, std::string>>;
+
+    /// With certified motions, the edges and turn weight of `clearway plan`, and an objective by name.
+    AnytimePlanner(const Problem& problem, const Scene& scene, const std::string& planner,
+                   const Parameters& parameters, const std::string& objective, std::uint32_t seed);
+
+    void planSeconds(double seconds);
+    void planIterations(std::uint64_t iterations);
+
+    /// The best cost of all paths found so far; nothing without one.
+    std::optional<double> best();
+
+    /// The least clearance of the best path by the validator's reports, whatever the objective.
+    double certifiedClearance();
+
+    const ompl::base::OptimizationObjective& objective() const { return *objective_; }
+
+  private:
+    void plan(const ompl::base::PlannerTerminationCondition& isSpent);
+
+    ompl::base::SpaceInformationPtr si_;
+    std::shared_ptr<planning::MotionValidator> validator_;
+    ompl::base::OptimizationObjectivePtr objective_;
+    ompl::base::ProblemDefinitionPtr definition_;
+    ompl::base::PlannerPtr planner_;
+    ompl::base::PathPtr bestPath_;
+    std::optional<double> best_;
+};
+
+}  // namespace clearway::testing
