@@ -13,6 +13,7 @@
 #include "cli/print_audit.h"
 #include "cli/tree_options.h"
 #include "core/replace_file.h"
+#include "planning/objectives.h"
 
 namespace clearway {
 
@@ -36,7 +37,11 @@ CommandLine planCommandLine() {
          "OMPL's class name, in any case (RRTConnect and RRT side by side)")                             //
         ("planner-param", optionValues("K=V"), "sets one of the planner's parameters; may be repeated")  //
         ("objective", optionValue("NAME"),
-         "length: planners that can go on shortening until the time is up")                     //
+         "what planners that can go on improving a path for, until the time is up: length, "
+         "max_min_clearance (the least clearance of the path), clearance_integral (length weighted by "
+         "closeness), length_with_clearance, mechanical_work (the problem's)")  //
+        ("wanted-clearance", optionValue("D"),
+         "what length_with_clearance keeps where it can (5 % of the part's diagonal)")          //
         ("time", optionValue("S"), "seconds for planning and shortening (30)")                  //
         ("iterations", optionValue("N"), "in place of --time: repeatable, with the same seed")  //
         ("threads", optionValue("N"),
@@ -67,13 +72,8 @@ PlanOptions planOptions(const Options& options) {
     if (options.has("planner")) result.planner = planning::plannerClassName(options.text("planner"));
     for (const std::string& text : options.texts("planner-param"))
         result.parameters.push_back(parameterOf(text));
-    if (options.has("objective")) {
-        if (options.text("objective") != "length") {
-            throw std::invalid_argument("--objective is '" + options.text("objective") +
-                                        "', expected length");
-        }
-        result.optimiseLength = true;
-    }
+    if (options.has("objective")) result.objective = planning::objectiveName(options.text("objective"));
+    if (options.has("wanted-clearance")) result.wantedClearance = options.positive("wanted-clearance");
     if (options.has("time") && options.has("iterations")) {
         throw std::invalid_argument("--time and --iterations are both given, expected one of them");
     }
@@ -121,6 +121,9 @@ void printSettings(const Scene& scene, const PlanOptions& options, const PlanRep
 
 void printPath(const PlanReport& report) {
     printRow("found by", report.foundBy);
+    if (!report.objective.empty()) {
+        printRow("objective", report.objective + ", cost " + readable(report.cost));
+    }
     printRow("finishing time", readable(report.finishingSeconds) + " s");
     printRow("states", std::to_string(report.path.size()) + ", " + std::to_string(report.statesBefore) +
                            " before simplifying");

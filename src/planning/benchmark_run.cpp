@@ -107,7 +107,7 @@ void describeSolution(const Setup& setup, const Problem& problem, const RunLimit
     Properties& properties = run.properties;
     properties["approximate solution BOOLEAN"] = flag(setup.definition->hasApproximateSolution());
     properties["solution difference REAL"] = shortNumber(setup.definition->getSolutionDifference());
-    og::PathGeometric path = solutionOf(setup);
+    og::PathGeometric path = pathOf(setup, solutionOf(setup));
     describePath(setup, path, audit(path, *setup.auditor), "", properties);
     if (limits.simplify) {
         const Clock::time_point begin = Clock::now();

@@ -2,6 +2,7 @@
 
 #include <ompl/base/objectives/MechanicalWorkOptimizationObjective.h>
 #include <ompl/base/objectives/PathLengthOptimizationObjective.h>
+#include <ompl/geometric/PathGeometric.h>
 
 #include <boost/algorithm/string/predicate.hpp>
 #include <cmath>
@@ -75,6 +76,22 @@ const NamedObjective& findObjective(const std::string& name) {
     throw std::invalid_argument("unknown objective '" + name + "', expected one of " + known);
 }
 
+/// Nothing as soon as the motions so far cost no less than the best: there may be thousands of paths.
+std::optional<double> costBetterThan(const std::optional<BestSolution>& best,
+                                     const ob::OptimizationObjective& objective,
+                                     const std::vector<ob::State*>& states) {
+    const auto isWorse = [&](ob::Cost cost) {
+        return best && !objective.isCostBetterThan(cost, ob::Cost(best->cost));
+    };
+    ob::Cost cost =
+        objective.combineCosts(objective.initialCost(states.front()), objective.terminalCost(states.back()));
+    for (std::size_t i = 1; i < states.size() && !isWorse(cost); ++i) {
+        cost = objective.combineCosts(cost, objective.motionCost(states[i - 1], states[i]));
+    }
+    if (isWorse(cost)) return std::nullopt;
+    return cost.value();
+}
+
 }  // namespace
 
 std::vector<std::string> objectiveNames() {
@@ -102,9 +119,9 @@ std::optional<BestSolution> bestSolution(const ob::ProblemDefinition& definition
     for (const ob::PlannerSolution& solution : definition.getSolutions()) {
         if (solution.approximate_) continue;
         if (!objective) return BestSolution{solution, std::nan("")};
-        const ob::Cost cost = solution.path_->cost(objective);
-        if (best && !objective->isCostBetterThan(cost, ob::Cost(best->cost))) continue;
-        best = BestSolution{solution, cost.value()};
+        const auto& path = *solution.path_->as<ompl::geometric::PathGeometric>();
+        const auto cost = costBetterThan(best, *objective, path.getStates());
+        if (cost) best = BestSolution{solution, *cost};
     }
     return best;
 }

@@ -81,10 +81,9 @@ std::string doubtOf(const PathAudit& audit) {
 }
 
 void describeSolution(const Setup& setup, const Problem& problem, const Budget& budget, PlanReport& report) {
-    ob::PlannerSolution solution(nullptr);
-    setup.definition->getSolution(solution);
+    const ob::PlannerSolution solution = solutionOf(setup);
     report.foundBy = solution.plannerName_;
-    og::PathGeometric path = solutionOf(setup);
+    og::PathGeometric path = pathOf(setup, solution);
     report.statesBefore = path.getStateCount();
     report.audit = finish(setup, path, [&] { return budget.isOutOfTime(); });
     if (budget.isStopped()) {
@@ -94,6 +93,8 @@ void describeSolution(const Setup& setup, const Problem& problem, const Budget& 
     } else {
         if (!report.audit.isValid()) report.warnings.push_back(doubtOf(report.audit));
         describe(problem, path, report);
+        const ob::OptimizationObjectivePtr& objective = setup.definition->getOptimizationObjective();
+        if (objective) report.cost = path.cost(objective).value();
         report.outcome = PlanReport::Outcome::kFound;
     }
 }

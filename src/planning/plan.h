@@ -19,7 +19,8 @@ constexpr double kDefaultSeconds = 30;
 
 struct PlanOptions {
     /// OMPL's class name in any case. Empty: the problem's planner when it names exactly one, else
-    /// RRTConnect and RRT side by side.
+    /// RRTConnect and RRT side by side; with an objective of clearance AnytimePathShortening of the two, or
+    /// RRTstar with iterations.
     std::string planner;
     /// On top of the problem's for this planner. An unknown one is refused; the problem's unknown ones are
     /// warned of.
@@ -43,8 +44,11 @@ struct PlanOptions {
     /// Clearance that shortening the path keeps, in environment units, see simplify(). By default a share of
     /// the part's diagonal. Not with a step.
     std::optional<double> floor;
-    bool optimiseLength = false;  ///< asks planners that can to shorten the path for all the time they have
-    bool omplWeights = false;     ///< rotation as OMPL weights it, instead of by the part's radius
+    /// What planners that can go on improving a path for all the time they have, see objectiveNames(). Empty:
+    /// the problem's, unless that is length without a threshold.
+    std::string objective;
+    std::optional<double> wantedClearance;  ///< see LengthWithClearanceOptions
+    bool omplWeights = false;               ///< rotation as OMPL weights it, instead of by the part's radius
 
     /// Asked often, also from other threads; true ends the planning without a path.
     std::function<bool()> isStopped;
@@ -55,6 +59,8 @@ struct PlanReport {
     Outcome outcome = Outcome::kNotFound;
     std::vector<std::string> planners;  ///< those run side by side
     std::string foundBy;                ///< OMPL's name of the one whose path it is
+    std::string objective;              ///< what was asked for by name; empty: the first path
+    double cost = 0;                    ///< the path's by the objective, if there is one
     bool isRepeatable = false;          ///< with the same seed and number of iterations
     bool isCertified = false;           ///< the planners' motions were; else they were checked in steps
     /// As used: shorter than asked for when start or goal are tighter than half of it. 0 without one.

@@ -1,9 +1,11 @@
 #include "planning/planning_reach.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 
 #include "core/number.h"
+#include "planning/plan_objective.h"
 #include "planning/problem_settings.h"
 
 namespace clearway::planning {
@@ -28,7 +30,9 @@ std::optional<Reach> planningReach(const Problem& problem, const PlanOptions& op
     const Box bounds = boundsOf(problem, environmentBox);
     const Vector3 slack = Vector3::Constant(kBoundsSlack * bounds.diagonal().norm());
     const double radius = part.radiusAboutOrigin();
-    const double cap = problem.margin + stepOf(problem, options, part) + 2 * radius;
+    const auto objective = chooseObjective(problem, options);
+    const double clearance = objective ? largestClearance(*objective, part) : 0;
+    const double cap = problem.margin + std::max(stepOf(problem, options, part), clearance) + 2 * radius;
     return Reach{Box(bounds.min() - slack, bounds.max() + slack), radius, cap};
 }
 

@@ -1,6 +1,5 @@
 #include "planning/setup.h"
 
-#include <ompl/base/objectives/PathLengthOptimizationObjective.h>
 #include <ompl/util/RandomNumbers.h>
 
 #include <algorithm>
@@ -15,6 +14,7 @@
 #include "planning/end_states.h"
 #include "planning/motion_options.h"
 #include "planning/ompl_messages.h"
+#include "planning/plan_objective.h"
 #include "planning/planning_reach.h"
 #include "planning/planning_space.h"
 #include "planning/problem_settings.h"
@@ -27,6 +27,10 @@ namespace ob = ompl::base;
 /// Side by side, for each is quick where the other is not: RRTConnect when both ends are free to move, RRT
 /// when the part is shut in at its start only (bench/plan_success). Alone, the first.
 constexpr const char* kDefaultPlanners[] = {"RRTConnect", "RRT"};
+/// With an objective of clearance, an anytime one that finds paths through tight places, where RRTstar and
+/// PRMstar find none in its time (bench/anytime_clearance). The second with iterations: it is repeatable.
+constexpr const char* kClearancePlanner = "AnytimePathShortening";
+constexpr const char* kRepeatableClearancePlanner = "RRTstar";
 constexpr std::size_t kMostThreads = 4;  ///< unless more are asked for
 constexpr double kMostRefinement = 8;    ///< times the step is divided for a tight start or goal
 /// Longest edge of a planner's tree: of a scene whose step is given, and so how fine it is, in steps; else by
@@ -75,19 +79,27 @@ void setSeed(std::uint32_t seed) {
     ompl::RNG::setSeed(seed);
 }
 
+/// How many planners run side by side, of so many kinds.
+std::size_t planCount(const PlanOptions& options, std::size_t kinds) {
+    if (options.threads > 0) return static_cast<std::size_t>(options.threads);
+    const auto cores = static_cast<std::size_t>(std::thread::hardware_concurrency());
+    return std::clamp(cores, kinds, std::max(kinds, kMostThreads));
+}
+
 /// The planners to run side by side.
-std::vector<std::string> choosePlanners(const Problem& problem, const PlanOptions& options) {
+std::vector<std::string> choosePlanners(const Problem& problem, const PlanOptions& options,
+                                        bool asksForClearance) {
     std::vector<std::string> kinds;
     if (!options.planner.empty()) {
         kinds = {plannerClassName(options.planner)};
     } else if (problem.planners.size() == 1) {
         kinds = {plannerClassName(problem.planners[0].name)};
+    } else if (asksForClearance) {
+        kinds = {options.iterations ? kRepeatableClearancePlanner : kClearancePlanner};
     } else {
         kinds.assign(std::begin(kDefaultPlanners), std::end(kDefaultPlanners));
     }
-    const auto cores = static_cast<std::size_t>(std::thread::hardware_concurrency());
-    std::size_t count = std::clamp(cores, kinds.size(), std::max(kinds.size(), kMostThreads));
-    if (options.threads > 0) count = static_cast<std::size_t>(options.threads);
+    std::size_t count = planCount(options, kinds.size());
     if (options.iterations || !isRepeatable(kinds[0])) count = 1;
     std::vector<std::string> names;
     for (std::size_t i = 0; i < count; ++i) names.push_back(kinds[i % kinds.size()]);
@@ -178,25 +190,32 @@ void useCertified(Setup& setup, const Scene& scene, double spare, PlanReport& re
     setup.si->setMotionValidator(setup.certified);
 }
 
-ob::ProblemDefinitionPtr defineProblem(const Setup& setup, const Problem& problem,
-                                       const PlanOptions& options) {
+ob::ProblemDefinitionPtr defineProblem(const Setup& setup, const Problem& problem) {
     const ob::StateSpacePtr& space = setup.si->getStateSpace();
     const auto definition = std::make_shared<ob::ProblemDefinition>(setup.si);
     definition->setStartAndGoalStates(toOmpl(space, problem.space, problem.start),
                                       toOmpl(space, problem.space, problem.goal),
                                       problem.goalThreshold.value_or(std::numeric_limits<double>::epsilon()));
-    if (options.optimiseLength || problem.objectiveThreshold) {
-        const auto objective = std::make_shared<ob::PathLengthOptimizationObjective>(setup.si);
-        if (problem.objectiveThreshold) objective->setCostThreshold(ob::Cost(*problem.objectiveThreshold));
-        definition->setOptimizationObjective(objective);
-    }
     return definition;
+}
+
+/// Those that AnytimePathShortening runs.
+std::string innerPlanners(const PlanOptions& options, const PlanReport& report) {
+    const std::size_t kinds = std::size(kDefaultPlanners), count = planCount(options, kinds);
+    std::string all;
+    for (std::size_t i = 0; i < count; ++i) {
+        all += std::string(i > 0 ? "," : "") + kDefaultPlanners[i % kinds] +
+               "[range=" + formatNumber(report.range) + "]";
+    }
+    return all;
 }
 
 ob::PlannerPtr preparePlanner(const Setup& setup, const std::string& name, const Problem& problem,
                               const PlanOptions& options, PlanReport& report) {
     const ob::PlannerPtr planner = makePlanner(setup.si, name);
     if (hasParameter(*planner, "range")) setParameter(*planner, "range", formatNumber(report.range));
+    if (hasParameter(*planner, "planners"))
+        setParameter(*planner, "planners", innerPlanners(options, report));
     setFileParameters(*planner, name, problem, report.warnings);
     for (const auto& [parameter, value] : options.parameters) setParameter(*planner, parameter, value);
     planner->setProblemDefinition(setup.definition);
@@ -208,10 +227,12 @@ ob::PlannerPtr preparePlanner(const Setup& setup, const std::string& name, const
 
 Setup prepare(const Problem& stated, const Scene& scene, const PlanOptions& options, PlanReport& report) {
     requireOptions(stated, options);
-    report.planners = choosePlanners(stated, options);
+    const std::optional<ObjectiveChoice> objective = chooseObjective(stated, options);
+    report.planners = choosePlanners(stated, options, asksForClearance(objective, scene.part));
     const Problem problem = problemFor(report.planners[0], stated);
     report.isRepeatable = options.iterations && isRepeatable(report.planners[0]);
-    if (problem.objective != "length") {
+    if (objective) report.objective = objective->name;
+    if (!objective && problem.objective != "length") {
         report.warnings.push_back("objective '" + problem.objective +
                                   "' is not known; paths are judged by length");
     }
@@ -241,7 +262,11 @@ Setup prepare(const Problem& stated, const Scene& scene, const PlanOptions& opti
     setup.si->setStateValidityChecker(setup.checker);
     setUp(*setup.si, problem, report.warnings);
 
-    setup.definition = defineProblem(setup, problem, options);
+    setup.definition = defineProblem(setup, problem);
+    if (objective) {
+        setup.definition->setOptimizationObjective(
+            makePlanObjective(setup.si, scene, *objective, problem.objectiveThreshold, leastSpare));
+    }
     for (const std::string& name : report.planners) {
         setup.planners.push_back(preparePlanner(setup, name, problem, options, report));
     }
