@@ -119,7 +119,7 @@ std::optional<BestSolution> bestSolution(const ob::ProblemDefinition& definition
     for (const ob::PlannerSolution& solution : definition.getSolutions()) {
         if (solution.approximate_) continue;
         if (!objective) return BestSolution{solution, std::nan("")};
-        const auto& path = *solution.path_->as<ompl::geometric::PathGeometric>();
+        auto& path = *solution.path_->as<ompl::geometric::PathGeometric>();
         const auto cost = costBetterThan(best, *objective, path.getStates());
         if (cost) best = BestSolution{solution, *cost};
     }

@@ -24,24 +24,34 @@ double secondsSince(Clock::time_point begin) {
     return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
+/// Of the time, for planners that would use all of it: the rest is for shortening.
+constexpr double kImprovingShare = 0.75;
+
 /// When the planner has to end. Asked from several threads by some planners.
 class Budget {
   public:
-    explicit Budget(const PlanOptions& options) : options_(options), begin_(Clock::now()) {
-        if (!options.iterations) seconds_ = options.seconds.value_or(kDefaultSeconds);
+    Budget(const PlanOptions& options, bool isImproving) : options_(options), begin_(Clock::now()) {
+        if (options.iterations) return;
+        seconds_ = options.seconds.value_or(kDefaultSeconds);
+        planningSeconds_ = (isImproving ? kImprovingShare : 1) * *seconds_;
     }
 
     void end() { isEnded_ = true; }
     bool isStopped() const { return options_.isStopped && options_.isStopped(); }
-    bool isOutOfTime() const { return isStopped() || (seconds_ && secondsSince(begin_) >= *seconds_); }
+    bool isOutOfTime() const { return isStopped() || isOver(seconds_); }
     bool spendIteration() {
-        return isEnded_ || isOutOfTime() || (options_.iterations && ++asked_ > *options_.iterations);
+        return isEnded_ || isStopped() || isOver(planningSeconds_) ||
+               (options_.iterations && ++asked_ > *options_.iterations);
     }
 
   private:
+    bool isOver(const std::optional<double>& seconds) const {
+        return seconds && secondsSince(begin_) >= *seconds;
+    }
+
     const PlanOptions& options_;
     Clock::time_point begin_;
-    std::optional<double> seconds_;
+    std::optional<double> seconds_, planningSeconds_;
     std::atomic<std::uint64_t> asked_{0};
     std::atomic<bool> isEnded_{false};
 };
@@ -115,7 +125,7 @@ PlanReport plan(const Problem& problem, const Scene& scene, const PlanOptions& o
     report.isCertified = setup.certified != nullptr;
 
     const Clock::time_point begin = Clock::now();
-    Budget budget(options);
+    Budget budget(options, !report.objective.empty());
     solve(setup, budget);
     report.planningSeconds = secondsSince(begin);
 

@@ -94,6 +94,17 @@ BOOST_AUTO_TEST_CASE(options_reach_the_planner) {
     BOOST_TEST(runIn(folder, added("--ompl-weights")).code == 0);
 }
 
+BOOST_AUTO_TEST_CASE(an_objective_is_planned_for_and_its_cost_told) {
+    const WindowFolder folder;
+    const Outcome outcome = runIn(
+        folder, "plan window.cfg --path out.path --time 4 --objective Min_Clearance --wanted-clearance 2");
+    BOOST_TEST(outcome.code == 0, outcome.err);
+    const std::string objective = row(outcome, "objective"), least = row(outcome, "least clearance");
+    BOOST_TEST(objective.rfind("max_min_clearance, cost ", 0) == 0, objective);
+    BOOST_TEST(std::stod(objective.substr(24)) > 0);
+    BOOST_TEST(std::stod(objective.substr(24)) <= std::stod(least.substr(least.find(" to ") + 4)));
+}
+
 BOOST_AUTO_TEST_CASE(what_no_position_within_the_bounds_can_come_near_is_left_out_and_counted) {
     const WindowFolder folder;
     BOOST_TEST(row(runIn(folder, kPlan), "environment") == "wall.obj, 432 triangles");
@@ -148,12 +159,14 @@ BOOST_AUTO_TEST_CASE(wrong_usage_is_refused_in_one_line) {
     requireRefused(folder, added("--time 3"), {"--time and --iterations"});
     requireRefused(folder, "plan window.cfg --path out.path --time soon", {"--time is 'soon'"});
     requireRefused(folder, "plan window.cfg --path out.path --iterations 1.5", {"--iterations is '1.5'"});
+    requireRefused(folder, added("--wanted-clearance 0"), {"--wanted-clearance is '0'"});
     requireRefused(folder, added("--seed 0"), {"--seed is '0'"});
     requireRefused(folder, added("--margin -1"), {"--margin is '-1'"});
     requireRefused(folder, added("--step 0"), {"--step is '0'"});
     requireRefused(folder, added("--floor -1"), {"--floor is '-1'"});
     requireRefused(folder, added("--floor 1 --step 1"), {"--step and --floor", "expected one of them"});
-    requireRefused(folder, added("--objective clearance"), {"--objective is 'clearance'", "expected length"});
+    requireRefused(folder, added("--objective clearance"),
+                   {"unknown objective 'clearance'", "length, max_min_clearance, "});
     requireRefused(folder, added("--general-split best"), {"best", "axis"});
     requireRefused(folder, added("--target abacus"), {"abacus", "scalar"});
 }

@@ -324,7 +324,8 @@ BOOST_AUTO_TEST_CASE(wrong_options_and_a_missing_scene_are_refused) {
         requireRefused([&] { ClearanceIntegralObjective(f.si, f.window.scene, integral); }, "resolution is ");
         LengthWithClearanceOptions wanted;
         wanted.wanted = wrong;
-        requireRefused([&] { LengthWithClearanceObjective(f.si, f.window.scene, wanted); }, "wanted clearance is ");
+        requireRefused([&] { LengthWithClearanceObjective(f.si, f.window.scene, wanted); },
+                       "wanted clearance is ");
     }
     for (const double wrong : {-1.0, std::nan(""), kInfinity}) {
         LengthWithClearanceOptions wanted;
