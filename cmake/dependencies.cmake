@@ -31,6 +31,8 @@ add_library(clearway_embree INTERFACE)
 target_link_libraries(clearway_embree INTERFACE embree)
 target_compile_definitions(clearway_embree INTERFACE CLEARWAY_EMBREE_MAJOR=${EMBREE_VERSION_MAJOR})
 
+find_package(PNG 1.6 REQUIRED)  # writes the pictures: its simplified interface compresses an image in one call
+
 # Asked for without a version, for OMPL's own version file takes 2.0 for no later version of 1.5.
 find_package(ompl REQUIRED CONFIG)
 if(ompl_VERSION VERSION_LESS 1.5)

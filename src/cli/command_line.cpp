@@ -26,12 +26,12 @@ bool isHelp(const std::string& argument) {
 }
 
 void requirePositional(const CommandLine& commandLine, const Arguments& given) {
-    const std::size_t expected = commandLine.positional.size();
-    if (given.size() > expected) {
-        throw std::invalid_argument("unexpected argument '" + given[expected] +
+    const auto& expected = commandLine.positional;
+    if (given.size() > expected.size()) {
+        throw std::invalid_argument("unexpected argument '" + given[expected.size()] +
                                     "', expected: " + commandLine.usage);
     }
-    if (given.size() < expected) {
+    if (given.size() < expected.size() && expected[given.size()][0] != '[') {
         throw std::invalid_argument(commandLine.positional[given.size()] +
                                     " is missing, expected: " + commandLine.usage);
     }

@@ -18,7 +18,8 @@ namespace clearway {
 struct CommandLine {
     std::string usage;                    ///< "clearway info MESH [options]"
     std::string purpose;                  ///< printed under the usage by --help
-    std::vector<std::string> positional;  ///< names of the positional arguments, all of them required
+    /// Names of the positional arguments; the last ones may be left out when they stand in brackets: "[IN.path]".
+    std::vector<std::string> positional;
     boost::program_options::options_description options{"Options", 110};
 };
 

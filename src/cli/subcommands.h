@@ -25,6 +25,7 @@ int query(const Arguments& arguments);
 int scene(const Arguments& arguments);
 int plan(const Arguments& arguments);
 int check(const Arguments& arguments);
+int render(const Arguments& arguments);
 int bench(const Arguments& arguments);
 
 }  // namespace clearway

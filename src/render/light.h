@@ -1,0 +1,28 @@
+// The light on what a ray met: a soft key light, the sky all around, a little from the camera.
+#pragma once
+
+#include <utility>
+
+#include "render/camera.h"
+#include "render/stage.h"
+
+namespace clearway {
+
+class Light {
+  public:
+    /// reach: how far away something still darkens the sky.
+    Light(const Stage& stage, const Camera& camera, float reach);
+
+    /// The light that reaches the point, as seen along one ray to the sky and one to the key light, which two
+    /// points of the unit square choose.
+    float at(const SeenPoint& seen, std::pair<float, float> skySample,
+             std::pair<float, float> keySample) const;
+
+  private:
+    const Stage& stage_;
+    Vector3f key_;  ///< towards it
+    Vector3f camera_;
+    float reach_;
+};
+
+}  // namespace clearway
