@@ -90,11 +90,10 @@ void printProfile(const PathAudit& audit) {
     }
     std::string foot = "          +";
     for (const Column& column : columns) foot += footOf(column);
-    std::snprintf(label, sizeof label, "%.6g", audit.profile.back().travel);
+    std::snprintf(label, sizeof label, "travelled %.6g", audit.profile.back().travel);
     const std::string end = label;
     std::cout << foot << "\n"
-              << std::string(11, ' ') << "0" << std::string(kColumns - 1 - end.size(), ' ') << end
-              << " travelled\n";
+              << std::string(11, ' ') << "0" << std::string(kColumns - 1 - end.size(), ' ') << end << "\n";
 }
 
 }  // namespace clearway

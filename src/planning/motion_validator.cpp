@@ -23,7 +23,7 @@ namespace ob = ompl::base;
 /// for more, and each halving is a query.
 constexpr double kContactIntervals = 100;
 
-constexpr double kProfiledShare = 0.5;  ///< of the clearance at a profile's points: certain between them
+constexpr double kProfiledShare = 0.8;  ///< of the clearance at a profile's points: certain between them
 constexpr int kPosesAhead = 32;         ///< of a profile, beyond what is certified
 
 double chooseLeastInterval(const Scene& scene, const MotionOptions& options) {

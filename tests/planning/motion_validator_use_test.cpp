@@ -98,7 +98,7 @@ BOOST_AUTO_TEST_CASE(a_profile_bounds_the_clearance_from_each_pose_to_the_next) 
     for (std::size_t k = 0; k + 1 < points.size(); ++k) {
         const ProfilePoint &here = points[k], &next = points[k + 1];
         BOOST_TEST(here.time < next.time);
-        BOOST_TEST(here.lowerToNext >= 0.49 * std::min(here.clearance, next.clearance));
+        BOOST_TEST(here.lowerToNext >= 0.79 * std::min(here.clearance, next.clearance));
         BOOST_TEST(here.lowerToNext >= profile.report.lowerClearance);
         for (int i = 0; i <= 10; ++i) {
             const double time = here.time + (next.time - here.time) * i / 10;

@@ -126,9 +126,9 @@ class MotionValidator : public ompl::base::MotionValidator {
     /// the least interval; unless the environment's reach ends before. Not counted.
     MotionReport report(const ompl::base::State* s1, const ompl::base::State* s2) const;
 
-    /// The same, and clearances along the motion. As far as it is certified they stand so close that half of
-    /// them is certain from each to the next one, or a least interval apart; beyond there are a few, so that
-    /// it is known how the motion goes on.
+    /// The same, and clearances along the motion. As far as it is certified they stand so close that four
+    /// fifths of them are certain from each to the next one, or a least interval apart; beyond there are a
+    /// few, so that it is known how the motion goes on.
     MotionProfile profile(const ompl::base::State* s1, const ompl::base::State* s2) const;
 
     /// What checkMotion would answer if all margins were larger by `more`, in environment units. Counted as a
