@@ -12,6 +12,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "clearway/planning/valid_state_samplers.h"
 #include "planning/part_state.h"
 
 namespace clearway::planning {
@@ -49,6 +50,8 @@ constexpr NamedSampler kSamplers[] = {
     {"obstacle_based", allocate<ob::ObstacleBasedValidStateSampler>},
     {"max_clearance", allocate<ob::MaximizeClearanceValidStateSampler>},
     {"bridge_test", allocate<ob::BridgeTestValidStateSampler>},
+    {"contact_normal", allocate<ContactNormalSampler>},
+    {"narrow_gap", allocate<NarrowGapSampler>},
 };
 
 }  // namespace

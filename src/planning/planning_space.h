@@ -19,8 +19,9 @@ ompl::base::ScopedState<> toOmpl(const ompl::base::StateSpacePtr& space, Space k
 PartState fromOmpl(Space kind, const ompl::base::State* state);
 
 /// How planners that sample valid states do it: "uniform", "gaussian", "obstacle_based", "max_clearance" or
-/// "bridge_test", as OMPL.app names them; "" leaves OMPL's default. adjust: called with each sampler that is
-/// made, also from several threads. Throws std::invalid_argument for another name.
+/// "bridge_test", as OMPL.app names them, "contact_normal" or "narrow_gap", ours; "" leaves OMPL's default.
+/// adjust: called with each sampler that is made, also from several threads. Throws std::invalid_argument for
+/// another name.
 void setSampler(ompl::base::SpaceInformation& si, const std::string& name,
                 const std::function<void(ompl::base::ValidStateSampler&)>& adjust);
 

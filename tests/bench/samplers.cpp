@@ -1,0 +1,72 @@
+// What a valid-state sampler is worth to a roadmap: plans problems by PRM with each sampler and seeds 1 to N,
+// and writes how many paths were found and how soon.
+//   bench_samplers PROBLEM.cfg SEEDS SECONDS OUT.csv
+#include <algorithm>
+#include <exception>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "core/number.h"
+#include "core/replace_file.h"
+#include "planning/plan.h"
+
+namespace clearway::testing {
+namespace {
+
+using planning::PlanReport;
+
+constexpr const char* kSamplers[] = {"uniform", "gaussian", "bridge_test", "contact_normal", "narrow_gap"};
+
+double median(std::vector<double> values) {
+    std::sort(values.begin(), values.end());
+    return values[values.size() / 2];
+}
+
+int run(int count, char** words) {
+    if (count != 5) {
+        std::cerr << "usage: bench_samplers PROBLEM.cfg SEEDS SECONDS OUT.csv\n";
+        return 2;
+    }
+    Problem problem = readProblem(words[1]);
+    const auto seeds = static_cast<std::uint32_t>(parseInteger(words[2]).value());
+    const Scene scene(Model::build(loadPart(problem)), Model::build(loadEnvironment(problem)),
+                      problem.margin);
+    planning::PlanOptions options;
+    options.planner = "PRM";
+    options.seconds = parseNumber(words[3]);
+
+    std::string table = "sampler,seed,found,planning_seconds,checks,length,least_clearance\n";
+    for (const std::string sampler : kSamplers) {
+        problem.sampler = sampler;
+        std::vector<double> seconds;
+        int found = 0;
+        for (options.seed = 1; options.seed <= seeds; ++options.seed) {
+            const PlanReport report = plan(problem, scene, options);
+            const bool isFound = report.outcome == PlanReport::Outcome::kFound;
+            found += isFound;
+            seconds.push_back(isFound ? report.planningSeconds : *options.seconds);
+            table += sampler + "," + std::to_string(options.seed) + "," + (isFound ? "1" : "0") + "," +
+                     formatNumber(report.planningSeconds) + "," + std::to_string(report.checks) + "," +
+                     formatNumber(report.length) + "," +
+                     formatNumber(isFound ? report.audit.lowerClearance : 0) + "\n";
+        }
+        std::cout << sampler << ": " << found << " of " << seeds << " found, median " << median(seconds)
+                  << " s\n"
+                  << std::flush;
+    }
+    replaceFile(words[4], [&](std::ostream& out) { out << table; });
+    return 0;
+}
+
+}  // namespace
+}  // namespace clearway::testing
+
+int main(int count, char** words) {
+    try {
+        return clearway::testing::run(count, words);
+    } catch (const std::exception& error) {
+        std::cerr << "bench_samplers: " << error.what() << "\n";
+        return 2;
+    }
+}
