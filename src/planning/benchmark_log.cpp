@@ -62,7 +62,10 @@ void writeRuns(const PlannerBenchmark& planner, std::ostream& out) {
     for (const BenchmarkRun& run : planner.runs) {
         for (const std::string& name : names) {
             const auto found = run.properties.find(name);
-            if (found != run.properties.end()) out << without(";", line(found->second), ',');
+            // "inf" and "nan" are no value to the script, "-inf" is a word.
+            if (found != run.properties.end() && found->second != "-inf") {
+                out << without(";", line(found->second), ',');
+            }
             out << "; ";
         }
         out << "\n";

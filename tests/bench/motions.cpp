@@ -3,8 +3,6 @@
 // margin.
 //   bench_motions PROBLEM.cfg|SCENE [EDGES [SEED]]
 #include <ompl/base/DiscreteMotionValidator.h>
-#include <ompl/base/ScopedState.h>
-#include <ompl/geometric/planners/rrt/RRTConnect.h>
 #include <ompl/util/RandomNumbers.h>
 
 #include <algorithm>
@@ -13,11 +11,10 @@
 #include <iostream>
 #include <string>
 
+#include "bench/recorded_edges.h"
 #include "clearway/planning/discrete_motion_validator.h"
 #include "clearway/planning/motion_validator.h"
-#include "clearway/planning/validity_checker.h"
 #include "core/number.h"
-#include "planning/planning_space.h"
 #include "scenes/scenes.h"
 
 namespace clearway::testing {
@@ -28,35 +25,10 @@ using planning::MotionValidator;
 using planning::ValidityChecker;
 using Clock = std::chrono::steady_clock;
 
-constexpr double kRangePerDiagonal = 0.25;  // as `clearway plan` has it
+constexpr double kRangePerDiagonal = 0.25;  // as `clearway plan` has it where no step is known
 constexpr double kSmallMargin = 0.1;        // environment units
 constexpr double kRoomy = 5;                // mean clearance, environment units
 constexpr int kIntegralPoses = 400;
-
-struct Edge {
-    ob::ScopedState<> from, to;
-};
-
-/// Passes motions on and keeps them.
-class Recorder : public ob::MotionValidator {
-  public:
-    Recorder(const ob::SpaceInformationPtr& si, const Scene& scene)
-        : ob::MotionValidator(si), space_(si->getStateSpace()), validator_(si, scene) {}
-    bool checkMotion(const ob::State* s1, const ob::State* s2) const override {
-        edges.push_back({ob::ScopedState<>(space_, s1), ob::ScopedState<>(space_, s2)});
-        return validator_.checkMotion(s1, s2);
-    }
-    bool checkMotion(const ob::State* s1, const ob::State* s2,
-                     std::pair<ob::State*, double>& lastValid) const override {
-        edges.push_back({ob::ScopedState<>(space_, s1), ob::ScopedState<>(space_, s2)});
-        return validator_.checkMotion(s1, s2, lastValid);
-    }
-    mutable std::vector<Edge> edges;
-
-  private:
-    ob::StateSpacePtr space_;
-    planning::MotionValidator validator_;
-};
 
 struct Figures {
     std::vector<double> certified, discrete, margined, stepped;  // seconds
@@ -79,20 +51,20 @@ class Bench {
   public:
     Bench(const Problem& problem, const Mesh& partMesh, const Mesh& environmentMesh)
         : scene_{Model::build(partMesh), Model::build(environmentMesh), problem.margin},
-          bounds_(boundsOf(problem, scene_.environmentBox())),
-          problem_(problem) {}
+          recorder_(problem, scene_, kRangePerDiagonal * scene_.part.box().diagonal().norm()) {}
 
     void run(std::size_t edges) {
-        const auto [si, recorder] = record(edges);
+        const std::vector<Edge> recorded = recorder_.record(edges);
+        const auto si = recorder_.makeSpaceInformation(scene_);
+        si->setup();
         const MotionValidator certified(si, scene_);
         const ob::DiscreteMotionValidator discrete(si);
-        const Pass certifiedPass = pass(certified, recorder->edges),
-                   discretePass = pass(discrete, recorder->edges);
-        for (std::size_t i = 0; i < recorder->edges.size(); ++i) {
+        const Pass certifiedPass = pass(certified, recorded), discretePass = pass(discrete, recorded);
+        for (std::size_t i = 0; i < recorded.size(); ++i) {
             Figures& figures = certifiedPass.isValid[i] ? valid_ : invalid_;
             figures.certified.push_back(certifiedPass.seconds[i]);
             figures.discrete.push_back(discretePass.seconds[i]);
-            if (certifiedPass.isValid[i]) measureValid(si, certified, recorder->edges[i]);
+            if (certifiedPass.isValid[i]) measureValid(si, certified, recorded[i]);
         }
         print("invalid", invalid_);
         print("valid", valid_);
@@ -104,31 +76,6 @@ class Bench {
     }
 
   private:
-    ob::SpaceInformationPtr makeSpaceInformation(const Scene& scene) const {
-        const auto si = std::make_shared<ob::SpaceInformation>(
-            planning::makeSpace(problem_.space, bounds_, scene.part.radiusAboutOrigin()));
-        si->setStateValidityChecker(std::make_shared<ValidityChecker>(si, scene));
-        return si;
-    }
-
-    std::pair<ob::SpaceInformationPtr, std::shared_ptr<Recorder>> record(std::size_t edges) const {
-        const auto si = makeSpaceInformation(scene_);
-        const auto recorder = std::make_shared<Recorder>(si, scene_);
-        si->setMotionValidator(recorder);
-        si->setup();
-        while (recorder->edges.size() < edges) {
-            const auto definition = std::make_shared<ob::ProblemDefinition>(si);
-            definition->setStartAndGoalStates(
-                planning::toOmpl(si->getStateSpace(), problem_.space, problem_.start),
-                planning::toOmpl(si->getStateSpace(), problem_.space, problem_.goal));
-            ompl::geometric::RRTConnect planner(si);
-            planner.setRange(kRangePerDiagonal * scene_.part.box().diagonal().norm());
-            planner.setProblemDefinition(definition);
-            planner.solve(ob::PlannerTerminationCondition([&] { return recorder->edges.size() >= edges; }));
-        }
-        return {si, recorder};
-    }
-
     struct Pass {
         std::vector<double> seconds;
         std::vector<char> isValid;
@@ -167,7 +114,7 @@ class Bench {
         if (mean < kRoomy) return;
         Scene scene = scene_;
         scene.obstacles[0].margin = kSmallMargin;
-        const auto kept = makeSpaceInformation(scene);
+        const auto kept = recorder_.makeSpaceInformation(scene);
         const MotionValidator certified(kept, scene);
         const planning::DiscreteMotionValidator stepped(kept, scene.part, kSmallMargin);
         bool isValid = false;
@@ -192,8 +139,7 @@ class Bench {
     }
 
     Scene scene_;
-    Box bounds_;
-    Problem problem_;
+    EdgeRecorder recorder_;
     Figures valid_, invalid_, roomy_;
 };
 

@@ -223,13 +223,16 @@ BOOST_AUTO_TEST_CASE(the_log_keeps_its_form_whatever_values_hold) {
     BenchmarkRun run;
     run.properties = {{"time REAL", "1"}, {"note VARCHAR", "x; y\nz"}};
     run.progress = {{{"time REAL", "0.1"}, {"best cost REAL", "1,5;"}}, {{"time REAL", "0.2"}}};
-    benchmark.planners[0].runs = {run, {}};
+    BenchmarkRun other;
+    other.properties = {{"note VARCHAR", "-inf"}};
+    benchmark.planners[0].runs = {run, other};
     benchmark.planners[1].name = "none";
     const ReadLog log = logOf(benchmark);
     BOOST_TEST(log.setup == "two\nlines\n");
     BOOST_TEST(log.planners[0].settings.at("a") == "b = c d");
     BOOST_TEST(log.planners[0].runs[0].at("note VARCHAR") == "x, y z");
     BOOST_TEST(log.planners[0].runs[1].at("time REAL") == "");
+    BOOST_TEST(log.planners[0].runs[1].at("note VARCHAR") == "");
     BOOST_TEST(log.planners[0].progress[0][0].at("best cost REAL") == "1 5 ");
     BOOST_TEST(log.planners[0].progress[0][1].at("best cost REAL") == "");
     BOOST_TEST(log.planners[0].progress[1].empty());

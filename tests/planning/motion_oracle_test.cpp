@@ -4,12 +4,10 @@
 #include <ompl/util/Console.h>
 
 #include <boost/test/unit_test.hpp>
-#include <cmath>
 #include <cstdlib>
 #include <string>
-#include <utility>
 
-#include "support/motion_scene.h"
+#include "support/random_motion.h"
 
 namespace clearway::testing {
 namespace {
@@ -25,47 +23,6 @@ bool isFull() {
 
 struct Tally {
     int valid = 0, invalid = 0, undecided = 0, tight = 0;
-};
-
-/// Short motions, long ones, and ones to or from a place where the part is about to touch, of which some
-/// hardly turn: about where OMPL leaves the turn out until the end.
-struct RandomMotion {
-    RandomMotion(const MotionScene& scene, Random& random)
-        : s1(scene.state(scene.nearPath(random, 5, 0.05))), s2(s1) {
-        const int kind = random.below(4);
-        if (kind >= 2) closeIn(scene, random);
-        if (kind == 0) {
-            s2 = scene.state(scene.nearPath(random, 20, 0.5));
-            return;
-        }
-        PartState from = scene.stateOf(s1.get());
-        const double angle = kind == 1 ? random.uniform(0, 0.3) : random.uniform(0.6e-4, 1.6e-4);
-        const double length = std::pow(10, random.uniform(-3, 1.5));
-        const Vector3 axis = scene.kind == Space::kSe2 ? Vector3(0, 0, 1) : random.direction();
-        from.position += random.direction() * length * (random.below(3) > 0);
-        from.rotation = (Eigen::AngleAxisd(angle, axis) * from.rotation).normalized();
-        if (scene.kind == Space::kSe2) from.position.z() = 0;
-        s2 = scene.state(from);
-        if (scene.kind == Space::kSe3) unsettleNorm(random);
-        if (random.below(2) == 0) std::swap(s1, s2);
-    }
-
-    /// s1 moves on in some direction until it is about to touch, to a millionth of the part.
-    void closeIn(const MotionScene& scene, Random& random) {
-        PartState away = scene.stateOf(s1.get());
-        away.position += random.direction() * 100;
-        if (scene.kind == Space::kSe2) away.position.z() = 0;
-        std::pair<ob::State*, double> lastValid(s1.get(), 0);
-        scene.close->checkMotion(s1.get(), scene.state(away).get(), lastValid);
-    }
-
-    /// OMPL lets norms be off by 1e-9, which moves the angle below which it leaves a turn out.
-    void unsettleNorm(Random& random) {
-        const double norm = 1 + random.uniform(-0.9e-9, 0.9e-9);
-        for (unsigned int i = 3; i < 7; ++i) s2[i] *= norm;
-    }
-
-    ob::ScopedState<> s1, s2;
 };
 
 void checkAgainstOracle(const MotionScene& scene, const RandomMotion& motion, int poses, int judged,

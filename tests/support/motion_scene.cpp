@@ -69,11 +69,12 @@ std::shared_ptr<const MotionScene> window(Space kind, double margin) {
 
 }  // namespace
 
-MotionScene::MotionScene(std::string theName, Space theKind, const Mesh& partMesh,
-                         const Mesh& environmentMesh, const Box& bounds, double margin,
-                         std::vector<PartState> thePath)
+MotionScene::MotionScene(std::string theName, Space theKind, const Mesh& thePart, const Mesh& theEnvironment,
+                         const Box& bounds, double margin, std::vector<PartState> thePath)
     : name(std::move(theName)),
       kind(theKind),
+      partMesh(thePart),
+      environmentMesh(theEnvironment),
       oracle(partMesh, environmentMesh),
       scene{Model::build(partMesh), Model::build(environmentMesh), margin},
       path(std::move(thePath)),

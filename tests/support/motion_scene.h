@@ -17,7 +17,7 @@
 namespace clearway::testing {
 
 struct MotionScene {
-    MotionScene(std::string name, Space kind, const Mesh& partMesh, const Mesh& environmentMesh,
+    MotionScene(std::string name, Space kind, const Mesh& thePart, const Mesh& theEnvironment,
                 const Box& bounds, double margin, std::vector<PartState> path);
 
     ompl::base::ScopedState<> state(const PartState& state) const;
@@ -39,6 +39,7 @@ struct MotionScene {
 
     std::string name;
     Space kind;
+    Mesh partMesh, environmentMesh;
     MeshOracle oracle;
     Scene scene;
     std::vector<PartState> path;

@@ -1,0 +1,41 @@
+// The motions that RRTConnect asks about while it plans a problem.
+#pragma once
+
+#include <ompl/base/ScopedState.h>
+#include <ompl/base/SpaceInformation.h>
+
+#include <vector>
+
+#include "clearway/planning/validity_checker.h"
+#include "clearway/problem.h"
+#include "clearway/scene.h"
+#include "planning/planning_space.h"
+
+namespace clearway::testing {
+
+struct Edge {
+    ompl::base::ScopedState<> from, to;
+};
+
+/// OMPL's seed is the caller's to set.
+class EdgeRecorder {
+  public:
+    /// range: the longest edge of the planner's trees. Environment units.
+    EdgeRecorder(const Problem& problem, const Scene& scene, double range);
+
+    const ompl::base::StateSpacePtr& space() const { return space_; }
+
+    /// A space information of that space, with a checker for the scene; not set up.
+    ompl::base::SpaceInformationPtr makeSpaceInformation(const Scene& scene) const;
+
+    /// So many, planned with certified motions; the problem again and again until there are enough.
+    std::vector<Edge> record(std::size_t count) const;
+
+  private:
+    Problem problem_;
+    Scene scene_;
+    double range_;
+    ompl::base::StateSpacePtr space_;
+};
+
+}  // namespace clearway::testing

@@ -1,0 +1,48 @@
+#include "support/random_motion.h"
+
+#include <cmath>
+#include <utility>
+
+namespace clearway::testing {
+namespace {
+
+namespace ob = ompl::base;
+
+/// The state moves on in some direction until it is about to touch, to a millionth of the part.
+void closeIn(const MotionScene& scene, Random& random, ob::ScopedState<>& state) {
+    PartState away = scene.stateOf(state.get());
+    away.position += random.direction() * 100;
+    if (scene.kind == Space::kSe2) away.position.z() = 0;
+    std::pair<ob::State*, double> lastValid(state.get(), 0);
+    scene.close->checkMotion(state.get(), scene.state(away).get(), lastValid);
+}
+
+/// OMPL lets norms be off by 1e-9, which moves the angle below which it leaves a turn out.
+void unsettleNorm(Random& random, ob::ScopedState<>& state) {
+    const double norm = 1 + random.uniform(-0.9e-9, 0.9e-9);
+    for (unsigned int i = 3; i < 7; ++i) state[i] *= norm;
+}
+
+}  // namespace
+
+RandomMotion::RandomMotion(const MotionScene& scene, Random& random)
+    : s1(scene.state(scene.nearPath(random, 5, 0.05))), s2(s1) {
+    const int kind = random.below(4);
+    if (kind >= 2) closeIn(scene, random, s1);
+    if (kind == 0) {
+        s2 = scene.state(scene.nearPath(random, 20, 0.5));
+        return;
+    }
+    PartState from = scene.stateOf(s1.get());
+    const double angle = kind == 1 ? random.uniform(0, 0.3) : random.uniform(0.6e-4, 1.6e-4);
+    const double length = std::pow(10, random.uniform(-3, 1.5));
+    const Vector3 axis = scene.kind == Space::kSe2 ? Vector3(0, 0, 1) : random.direction();
+    from.position += random.direction() * length * (random.below(3) > 0);
+    from.rotation = (Eigen::AngleAxisd(angle, axis) * from.rotation).normalized();
+    if (scene.kind == Space::kSe2) from.position.z() = 0;
+    s2 = scene.state(from);
+    if (scene.kind == Space::kSe3) unsettleNorm(random, s2);
+    if (random.below(2) == 0) std::swap(s1, s2);
+}
+
+}  // namespace clearway::testing
