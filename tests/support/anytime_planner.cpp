@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <limits>
 
 #include "clearway/planning/planners.h"
@@ -56,8 +57,10 @@ AnytimePlanner::AnytimePlanner(const Problem& problem, const Scene& scene, const
     planner_->setup();
 }
 
-void AnytimePlanner::planSeconds(double seconds) {
+double AnytimePlanner::planSeconds(double seconds) {
+    const auto begin = std::chrono::steady_clock::now();
     plan(ob::timedPlannerTerminationCondition(seconds));
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
 void AnytimePlanner::planIterations(std::uint64_t iterations) {
@@ -77,8 +80,8 @@ void AnytimePlanner::plan(const ob::PlannerTerminationCondition& isSpent) {
     definition_->clearSolutionPaths();
 }
 
-std::optional<double> AnytimePlanner::best() {
-    return best_;
+bool AnytimePlanner::isSatisfied() const {
+    return best_ && objective_->isSatisfied(ob::Cost(*best_));
 }
 
 double AnytimePlanner::certifiedClearance() {

@@ -25,11 +25,17 @@ class AnytimePlanner {
     AnytimePlanner(const Problem& problem, const Scene& scene, const std::string& planner,
                    const Parameters& parameters, const std::string& objective, std::uint32_t seed);
 
-    void planSeconds(double seconds);
+    /// Plans on. Returns how long it took: less when the planner ended by itself.
+    double planSeconds(double seconds);
+
+    /// As long as the planner asks no more often whether to end: once an iteration for most.
     void planIterations(std::uint64_t iterations);
 
     /// The best cost of all paths found so far; nothing without one.
-    std::optional<double> best();
+    const std::optional<double>& best() const { return best_; }
+
+    /// The best is as good as it can be.
+    bool isSatisfied() const;
 
     /// The least clearance of the best path by the validator's reports, whatever the objective.
     double certifiedClearance();

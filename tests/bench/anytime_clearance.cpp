@@ -1,0 +1,139 @@
+// How the best certified least clearance grows with the time that planners have, or with FMT's samples.
+//   bench_anytime_clearance SECONDS SEEDS OUT.csv [SCENE...]
+// SCENE: gates, window, or a problem's .cfg; without any, these two and tunnel-console-small. Rows are
+// written at SECONDS and at halves of it, down to a sixteenth. RRTConnect's are of its first path.
+#include <exception>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "clearway/planning/clearance_objectives.h"
+#include "core/number.h"
+#include "core/replace_file.h"
+#include "support/anytime_planner.h"
+#include "support/gates_scene.h"
+#include "support/window_scene.h"
+
+namespace clearway::testing {
+namespace {
+
+using Parameters = AnytimePlanner::Parameters;
+
+constexpr const char* kObjective = "max_min_clearance";
+constexpr int kHalvings = 4;
+
+struct Contender {
+    const char* planner;
+    Parameters parameters;
+};
+
+/// The parameters are OMPL's and those of `clearway plan`, but for what is written.
+const std::vector<Contender> kAnytime = {
+    {"RRTstar", {}},
+    {"PRMstar", {}},
+    {"AnytimePathShortening", {}},
+    {"AnytimePathShortening", {{"shortcut", "0"}, {"hybridize", "0"}}},
+    {"BITstar", {}},
+};
+constexpr int kSamples[] = {250, 500, 1000, 2000, 4000};
+
+struct Place {
+    std::string name;
+    Problem problem;
+    Scene scene;
+};
+
+Place placeOf(const std::string& name) {
+    if (name == "gates") return {name, gatesScene().problem, gatesScene().scene};
+    if (name == "window") return {name, windowScene().problem, windowScene().scene};
+    Problem problem = readProblem(name);
+    const Scene scene(Model::build(loadPart(problem)), Model::build(loadEnvironment(problem)),
+                      problem.margin);
+    return {problem.name.empty() ? name : problem.name, problem, scene};
+}
+
+std::string joined(const Parameters& parameters) {
+    std::string all;
+    for (const auto& [name, value] : parameters) all += (all.empty() ? "" : " ") + name + "=" + value;
+    return all;
+}
+
+class Table {
+  public:
+    void add(const Place& place, const Contender& contender, std::uint32_t seed, double seconds,
+             AnytimePlanner& planner) {
+        const auto& objective = dynamic_cast<const planning::ClearanceObjective&>(planner.objective());
+        const planning::ObjectiveCounters counters = objective.counters();
+        const std::optional<double> best = planner.best();
+        const std::string row =
+            place.name + "," + contender.planner + "," + joined(contender.parameters) + "," +
+            std::to_string(seed) + "," + shortNumber(seconds) + "," + (best ? shortNumber(*best) : "") + "," +
+            (best ? shortNumber(planner.certifiedClearance()) : "") + "," + std::to_string(counters.motions) +
+            "," + std::to_string(counters.queries) + "\n";
+        std::cout << row << std::flush;
+        text_ += row;
+    }
+    const std::string& text() const { return text_; }
+
+  private:
+    std::string text_ =
+        "scene,planner,parameters,seed,seconds,cost,certified_clearance,objective_motions,objective_"
+        "queries\n";
+};
+
+void measure(const Place& place, std::uint32_t seed, double seconds, Table& table) {
+    const auto plannerFor = [&](const Contender& contender) {
+        return AnytimePlanner(place.problem, place.scene, contender.planner, contender.parameters, kObjective,
+                              seed);
+    };
+    for (const Contender& contender : kAnytime) {
+        AnytimePlanner planner = plannerFor(contender);
+        double spent = 0;
+        for (int halving = kHalvings; halving >= 0; --halving) {
+            const double until = seconds / (1 << halving);
+            if (!planner.isSatisfied()) planner.planSeconds(until - spent);
+            spent = until;
+            table.add(place, contender, seed, spent, planner);
+        }
+    }
+    for (const int samples : kSamples) {
+        const Contender fmt{"FMT", {{"num_samples", std::to_string(samples)}}};
+        AnytimePlanner planner = plannerFor(fmt);
+        table.add(place, fmt, seed, planner.planSeconds(seconds), planner);
+    }
+    const Contender first{"RRTConnect", {}};
+    AnytimePlanner planner = plannerFor(first);
+    table.add(place, first, seed, planner.planSeconds(seconds), planner);
+}
+
+int run(int count, char** words) {
+    if (count < 4) {
+        std::cerr << "usage: bench_anytime_clearance SECONDS SEEDS OUT.csv [SCENE...]\n";
+        return 2;
+    }
+    const double seconds = parseNumber(words[1]).value();
+    const auto seeds = static_cast<std::uint32_t>(parseInteger(words[2]).value());
+    std::vector<std::string> scenes(words + 4, words + count);
+    if (scenes.empty()) {
+        scenes = {"gates", "window", CLEARWAY_DATA_DIR "/tunnel-console-small/tunnel-console.cfg"};
+    }
+    Table table;
+    for (const std::string& scene : scenes) {
+        const Place place = placeOf(scene);
+        for (std::uint32_t seed = 1; seed <= seeds; ++seed) measure(place, seed, seconds, table);
+    }
+    replaceFile(words[3], [&](std::ostream& out) { out << table.text(); });
+    return 0;
+}
+
+}  // namespace
+}  // namespace clearway::testing
+
+int main(int count, char** words) {
+    try {
+        return clearway::testing::run(count, words);
+    } catch (const std::exception& error) {
+        std::cerr << "bench_anytime_clearance: " << error.what() << "\n";
+        return 2;
+    }
+}
