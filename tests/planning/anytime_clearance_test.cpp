@@ -48,7 +48,7 @@ Course courseOf(const std::string& name, const AnytimePlanner::Parameters& param
 
 BOOST_AUTO_TEST_CASE(rrt_star_improves_and_beats_a_first_path) {
     const Course course = courseOf("RRTstar", {{"range", "60"}}, [](AnytimePlanner& planner, int parts) {
-        planner.planIterations(110 * parts);
+        planner.planIterations(90 * parts);
     });
     BOOST_TEST(course.late > course.early);
     BOOST_TEST(course.late > course.first);
