@@ -3,7 +3,9 @@
 #include <cmath>
 #include <cstdio>
 #include <iostream>
+#include <optional>
 #include <ostream>
+#include <utility>
 
 #include "cli/print.h"
 #include "core/number.h"
@@ -14,7 +16,6 @@ namespace clearway {
 namespace {
 
 using planning::MotionReport;
-using planning::MotionVerdict;
 using planning::PathAudit;
 using planning::SegmentAudit;
 
@@ -27,11 +28,17 @@ std::string shortened(double value, int digits = 4) {
     return text;
 }
 
-const char* nameOf(const MotionReport& motion) {
-    if (motion.verdict == MotionVerdict::kValid) return "valid";
-    if (!motion.problem.empty()) return "unusable";
-    if (motion.verdict == MotionVerdict::kUndecided) return "undecided";
-    return motion.leavesBounds ? "outside" : "collides";
+/// In one word.
+std::string nameOf(const SegmentAudit& segment) {
+    constexpr std::pair<const char*, const char*> kNames[] = {{"in collision", "collides"},
+                                                              {"too close", "too close"},
+                                                              {"outside", "outside"},
+                                                              {"undecided", "undecided"}};
+    if (segment.isValid()) return "valid";
+    for (const auto& [begin, name] : kNames) {
+        if (segment.trouble.rfind(begin, 0) == 0) return name;
+    }
+    return "unusable";
 }
 
 /// The pair that is closest, and its triangles.
@@ -41,14 +48,10 @@ std::string pairOf(const SegmentAudit& segment) {
            segment.environmentMesh + "' (" + std::to_string(segment.motion.closest.environmentTriangle) + ")";
 }
 
-/// Why a segment is not valid, and from where.
-std::string troubleOf(const SegmentAudit& segment) {
-    const MotionReport& motion = segment.motion;
-    if (!motion.problem.empty()) return motion.problem;
-    const std::string until = motion.certifiedTime > 0 ? "valid up to t = " + shortened(motion.certifiedTime)
-                                                       : "not valid from its beginning";
-    if (motion.leavesBounds) return until + ", then outside of the bounds";
-    return until;
+/// How far a segment that is not valid is so.
+std::string validUpTo(const SegmentAudit& segment) {
+    const double time = segment.motion.certifiedTime;
+    return time > 0 ? "valid up to t = " + shortened(time) : "not valid from its beginning";
 }
 
 void printCells(const std::string& segment, const std::string& verdict, const std::string& length,
@@ -60,6 +63,19 @@ void printCells(const std::string& segment, const std::string& verdict, const st
     std::cout << text << (between.empty() ? "" : "  ") << between << "\n";
 }
 
+/// Where obstacles were ignored for the part was within a contact zone.
+void printContact(const char* label, const PathAudit& audit,
+                  std::optional<planning::TimeSpan> MotionReport::*contact) {
+    std::string spans;
+    for (std::size_t k = 0; k < audit.segments.size(); ++k) {
+        const std::optional<planning::TimeSpan>& span = audit.segments[k].motion.*contact;
+        if (!span) continue;
+        spans += (spans.empty() ? "in segment " : "; ") + std::to_string(k + 1) +
+                 " from t = " + shortened(span->first) + " to " + shortened(span->last);
+    }
+    if (!spans.empty()) printRow(label, "used " + spans);
+}
+
 }  // namespace
 
 void printAudit(const PathAudit& audit) {
@@ -68,13 +84,13 @@ void printAudit(const PathAudit& audit) {
         printRow("audit", "valid along the whole path, certified");
     } else {
         const SegmentAudit& first = audit.segments[audit.notValid[0]];
-        printRow("audit", "NOT valid: " + std::to_string(audit.notValid.size()) + " of " +
-                              counted(count, "segment") + ", first segment " +
-                              std::to_string(audit.notValid[0] + 1) + ", which " +
-                              (first.motion.verdict == MotionVerdict::kUndecided ? "is " : "") +
-                              (first.motion.problem.empty() && first.motion.leavesBounds ? "is " : "") +
-                              nameOf(first.motion) + ", " + troubleOf(first));
+        printRow("audit",
+                 "NOT valid: " + std::to_string(audit.notValid.size()) + " of " + counted(count, "segment"));
+        printRow("first", "segment " + std::to_string(audit.notValid[0] + 1) + ", " + validUpTo(first) +
+                              ", is " + first.trouble);
     }
+    printContact("start contact", audit, &MotionReport::startContact);
+    printContact("goal contact", audit, &MotionReport::goalContact);
     const SegmentAudit& closest = audit.segments[audit.closest];
     const std::string where = closest.partMesh.empty()
                                   ? ""
@@ -97,8 +113,8 @@ void printSegments(const PathAudit& audit) {
         const double clearance = segment.isValid() ? motion.lowerClearance : motion.upperClearance;
         const bool isTold = segment.isValid() || isLooked;
         const std::string between = isLooked ? pairOf(segment) : "";
-        const std::string trouble = segment.isValid() ? "" : troubleOf(segment);
-        printCells(std::to_string(k + 1), nameOf(motion), shortened(segment.length),
+        const std::string trouble = segment.isValid() ? "" : validUpTo(segment);
+        printCells(std::to_string(k + 1), nameOf(segment), shortened(segment.length),
                    shortened(segment.turned * 180 / M_PI), isTold ? shortened(clearance) : "-",
                    isTold ? shortened(motion.closestTime) : "-",
                    between + (between.empty() || trouble.empty() ? "" : "; ") + trouble);

@@ -104,6 +104,11 @@ bool MotionValidator::checkMotion(const ob::State* s1, const ob::State* s2,
     return count(outcome);
 }
 
+std::string MotionValidator::whyInvalid(const ob::State* state) const {
+    if (!si_->satisfiesBounds(state)) return "outside of the bounds of the state space";
+    return clearance_->whyInvalid(pose(state));
+}
+
 bool MotionValidator::keepsClearance(const ob::State* s1, const ob::State* s2, double more) const {
     if (!(more >= 0) || !std::isfinite(more)) {
         throw std::invalid_argument("the clearance to keep is " + shortNumber(more) +

@@ -80,13 +80,12 @@ void describe(const Problem& problem, const og::PathGeometric& path, PlanReport&
 
 /// Where a path that was checked in steps is not certified.
 std::string doubtOf(const PathAudit& audit) {
-    const std::size_t first = audit.notValid.at(0);
-    const MotionReport& motion = audit.segments[first].motion;
     std::ostringstream text;
+    const std::size_t first = audit.notValid.at(0);
+    const SegmentAudit& segment = audit.segments[first];
     text << "motions were checked in steps, and the path is not valid along its whole length: segment "
          << first + 1 << " of " << audit.segments.size()
-         << (motion.verdict == MotionVerdict::kUndecided ? " cannot be certified beyond" : " collides after")
-         << " t = " << motion.certifiedTime;
+         << ", valid up to t = " << segment.motion.certifiedTime << ", is " << segment.trouble;
     return text.str();
 }
 

@@ -7,6 +7,7 @@
 
 #include "core/number.h"
 #include "model/solids.h"
+#include "planning/mesh_names.h"
 
 namespace clearway::planning {
 namespace {
@@ -188,6 +189,15 @@ std::string SceneClearance::enclosure(const Pose& X_environmentPart) const {
         return found->isPartInside ? part + " is inside " + obstacle : obstacle + " is inside " + part;
     }
     return "";
+}
+
+std::string SceneClearance::whyInvalid(const Pose& X_environmentPart) const {
+    const PoseClearance found = at(X_environmentPart);
+    if (found.isValid()) return "";
+    if (found.nearest.collides()) return "in collision: " + whyBlocked(scene_, found.nearest);
+    const bool isApart = found.nearest.lower > marginOf(scene_, found.nearest);
+    if (!isApart) return "too close: " + whyBlocked(scene_, found.nearest);
+    return "in collision: " + enclosure(X_environmentPart);
 }
 
 // What the nearest obstacle so far leaves caps what the next ones are asked for.

@@ -86,9 +86,9 @@ class SceneClearance {
     /// So that the calling thread's next answer is the same to the last digit whatever it asked before.
     void forgetWarmStart() const;
 
-    /// "the part's mesh 'a' is inside the solid 'b'", or the other way round: of obstacles that count, where
-    /// no surfaces touch. Else empty.
-    std::string enclosure(const Pose& X_environmentPart) const;
+    /// Why a pose is not valid, whatever the bounds, as words after "is", with meshes and triangles. Empty
+    /// when it is.
+    std::string whyInvalid(const Pose& X_environmentPart) const;
 
     /// Whether an obstacle built with a reach cannot tell anything about the pose.
     bool isOutOfReach(const Pose& X_environmentPart) const;
@@ -113,6 +113,9 @@ class SceneClearance {
     void findSpares(const Pose& X_environmentPart, PoseClearance& answer) const;
     bool isIgnored(std::size_t obstacle, const PoseClearance& at) const;
     bool isFree(std::size_t obstacle, const Pose& X_environmentPart) const;
+    /// "the part's mesh 'a' is inside the solid 'b'", or the other way round: of obstacles that count, where
+    /// no surfaces touch. Else empty.
+    std::string enclosure(const Pose& X_environmentPart) const;
     std::optional<Enclosure> enclosureBy(std::size_t obstacle, const Pose& X_environmentPart) const;
     void lookAtSolids(const Pose& X_environmentPart, bool isOutside, PoseClearance& answer) const;
     PoseClearance ask(std::size_t obstacle, const Pose& X_environmentPart,

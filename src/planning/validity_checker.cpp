@@ -6,7 +6,6 @@
 #include <exception>
 #include <stdexcept>
 
-#include "planning/mesh_names.h"
 #include "planning/scene_clearance.h"
 
 namespace clearway::planning {
@@ -77,14 +76,8 @@ SceneDistance ValidityChecker::distance(const ob::State* state) const {
 }
 
 std::string ValidityChecker::whyInvalid(const ob::State* state) const {
-    const Pose X_environmentPart = pose(state);
-    const PoseClearance found = clearance_->at(X_environmentPart);
-    if (!found.isValid()) {
-        if (found.nearest.collides()) return "in collision: " + whyBlocked(scene(), found.nearest);
-        const bool isApart = found.nearest.lower > marginOf(scene(), found.nearest);
-        if (!isApart) return "too close: " + whyBlocked(scene(), found.nearest);
-        return "in collision: " + clearance_->enclosure(X_environmentPart);
-    }
+    const std::string why = clearance_->whyInvalid(pose(state));
+    if (!why.empty()) return why;
     return si_->satisfiesBounds(state) ? "" : "outside of the bounds of the state space";
 }
 

@@ -64,6 +64,9 @@ BOOST_AUTO_TEST_CASE(an_invalid_path_is_audited_to_its_end) {
     BOOST_TEST(through.certifiedTime == 28.0 / 120, boost::test_tools::tolerance(1e-3));
     BOOST_TEST(through.upperClearance == 0);
     BOOST_TEST(!through.leavesBounds);
+    BOOST_TEST(found.segments[0].trouble == "");
+    BOOST_TEST(found.segments[1].trouble.rfind("in collision: triangle ", 0) == 0u);
+    BOOST_TEST(found.segments[3].trouble == "outside of the bounds of the state space");
     BOOST_TEST(found.segments[1].environmentMesh == "above");
     BOOST_TEST(found.closest == 1u);
     BOOST_TEST(found.segments[3].motion.leavesBounds);
@@ -80,6 +83,27 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_told_is_undecided) {
     const PathAudit found = audit(path, *f.validator);
     BOOST_TEST((found.verdict == MotionVerdict::kUndecided));
     BOOST_TEST((found.notValid == std::vector<std::size_t>{0}));
+    BOOST_TEST(found.segments[0].trouble == "undecided: closer than can be told");
+}
+
+BOOST_AUTO_TEST_CASE(where_a_contact_zone_was_used_is_told) {
+    // Assembled, the plate is half a unit within the wall; it counts again 5 further on.
+    const Fixture f;
+    Scene scene = f.window.scene;
+    scene.obstacles[0].isIgnoredAtStart = true;
+    const auto path = pathOf(f, {f.at({-31.5, 0, 30}), f.at({-51.5, 0, 30}), f.at({-60, 0, 0})});
+    BOOST_TEST(!audit(path, *f.validator).isValid());
+    scene.startContact = ContactZone{f.validator->pose(path.getState(0)), 5};
+    const PathAudit found = audit(path, MotionValidator(f.si, scene));
+    BOOST_TEST(found.isValid());
+    BOOST_TEST(found.lowerClearance <= 4.5);
+    BOOST_TEST(found.lowerClearance >= 4);
+    const auto& used = found.segments[0].motion.startContact;
+    BOOST_REQUIRE(used.has_value());
+    BOOST_TEST(used->first == 0);
+    BOOST_TEST(used->last <= 0.25);
+    BOOST_TEST(!found.segments[1].motion.startContact);
+    BOOST_TEST(!found.segments[0].motion.goalContact);
 }
 
 BOOST_AUTO_TEST_CASE(a_path_of_one_state_is_that_state) {

@@ -21,6 +21,10 @@ struct SegmentAudit {
     /// of no two triangles.
     std::string partMesh, environmentMesh;
 
+    /// Why the segment is not valid, as words after "is": "in collision: ...", with meshes and triangles.
+    /// Empty when it is valid.
+    std::string trouble;
+
     bool isValid() const { return motion.verdict == MotionVerdict::kValid; }
 };
 

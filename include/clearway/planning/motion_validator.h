@@ -142,6 +142,9 @@ class MotionValidator : public ompl::base::MotionValidator {
     /// X_environmentPart at a state, by the validator's own callback.
     Pose pose(const ompl::base::State* state) const { return stateToPose_(state); }
 
+    /// Why a state is not valid, as ValidityChecker::whyInvalid.
+    std::string whyInvalid(const ompl::base::State* state) const;
+
     const ompl::base::StateSpace& space() const { return *si_->getStateSpace(); }
 
   private:
