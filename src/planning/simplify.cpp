@@ -18,6 +18,9 @@ namespace og = ompl::geometric;
 /// Where a floor cannot be kept, this share of it is tried next.
 constexpr double kNextFloor = 0.25;
 
+/// As long as a path does not keep the floor all along: shortcuts are random, and others may.
+constexpr int kTries = 3;
+
 /// Answers for a validator whose margins are larger by a floor.
 class FloorValidator : public ob::MotionValidator {
   public:
@@ -48,6 +51,8 @@ class Simplifier {
     Simplifier(const MotionValidator& validator, const SimplifyOptions& options)
         : validator_(validator), options_(options) {}
 
+    bool isSpent() const { return options_.isSpent && options_.isSpent(); }
+
     /// The whole path by motions that keep the floor; then each run of motions that do not, on its own, by
     /// motions that keep a lower one, down to what the run keeps.
     void shortenKeeping(double floor, double least, og::PathGeometric& path) const {
@@ -74,8 +79,6 @@ class Simplifier {
     struct Run {
         unsigned int first, last;  ///< states
     };
-
-    bool isSpent() const { return options_.isSpent && options_.isSpent(); }
 
     bool keeps(double floor, const og::PathGeometric& path, unsigned int motion) const {
         return validator_.keepsClearance(path.getState(motion), path.getState(motion + 1), floor);
@@ -120,10 +123,14 @@ PathAudit simplify(og::PathGeometric& path, const MotionValidator& validator,
     if (!before.isValid() || path.getStateCount() < 3) return before;
     og::PathGeometric shorter = path;
     const Simplifier simplifier(validator, options);
-    simplifier.shortenKeeping(options.floor, before.lowerClearance, shorter);
+    PathAudit after = before;
+    for (int i = 0; i < kTries; ++i) {
+        simplifier.shortenKeeping(options.floor, after.lowerClearance, shorter);
+        after = audit(shorter, validator);
+        if (!after.isValid() || after.upperClearance >= options.floor || simplifier.isSpent()) break;
+    }
     // What is left of an old motion is a motion of its own for OMPL, which leaves out turns below 1.6e-4 rad.
     const double kept = std::min(options.floor, before.lowerClearance);
-    PathAudit after = audit(shorter, validator);
     if (!after.isValid() || after.upperClearance < kept) return before;
     path = shorter;
     return after;
