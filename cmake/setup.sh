@@ -1,17 +1,17 @@
 # Sourced by tests/run and demos/run, with `root` set to the top folder. Installs what cmake/packages.txt names and the
 # machine lacks, then configures and builds a preset.
 
-# install_missing [LIST]: LIST is another file of packages beside packages.txt. Ends with exit code 2 and one message when
+# install_missing [LIST...]: LISTs are other files of packages beside packages.txt. Ends with exit code 2 and one message when
 # something is missing and cannot be installed.
 install_missing() {
-    local package missing=() as_root=()
+    local package list missing=() as_root=()
     while read -r package; do
         case "$package" in '' | '#'*) continue ;; esac
         if ! command -v dpkg-query >/dev/null ||
             [ "$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null)" != installed ]; then
             missing+=("$package")
         fi
-    done < <(cat "$root/cmake/packages.txt" ${1:+"$root/cmake/$1"})
+    done < <(for list in packages.txt "$@"; do cat "$root/cmake/$list"; done)
     [ ${#missing[@]} -eq 0 ] && return
 
     if [ "$(id -u)" -ne 0 ]; then as_root=(sudo); fi

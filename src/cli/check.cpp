@@ -6,6 +6,7 @@
 #include "clearway/targets.h"
 #include "cli/command_line.h"
 #include "cli/elapsed_line.h"
+#include "cli/path_report.h"
 #include "cli/planning_scene.h"
 #include "cli/print.h"
 #include "cli/print_audit.h"
@@ -29,7 +30,9 @@ CommandLine checkCommandLine() {
     commandLine.positional = {"PROBLEM.cfg", "IN.path"};
     commandLine.options.add_options()  //
         ("csv", optionValue("FILE"),
-         "writes the profile: segment, t, travel, clearance there and certain up to the next line")       //
+         "writes the profile: segment, t, travel, clearance there and certain up to the next line")  //
+        ("report", optionValue("FILE"),
+         "writes a page to look at the path in a browser: 3D view, clearance profile, tables")            //
         ("margin", optionValue("M"), "distance to keep from the environment, in place of the problem's")  //
         ("target", optionValue("NAME"), "instruction set, of those this machine runs (best)");
     addTreeOptions(commandLine);
@@ -40,8 +43,9 @@ CommandLine checkCommandLine() {
 Problem readProblemFor(const Options& options) {
     Problem problem = readProblem(options.text("PROBLEM.cfg"));
     if (options.has("margin")) problem.margin = options.nonNegative("margin");
-    if (options.has("csv")) {
-        options.requireOtherFile("csv",
+    for (const char* output : {"csv", "report"}) {
+        if (!options.has(output)) continue;
+        options.requireOtherFile(output,
                                  {problem.file, problem.robot, problem.world, options.text("IN.path")});
     }
     return problem;
@@ -76,7 +80,9 @@ int check(const Arguments& arguments) {
     const BuildOptions tree = treeOptions(options);
     if (options.has("margin")) options.nonNegative("margin");  // all wrong usage first
     if (options.has("target")) useTarget(options.text("target"));
-    if (options.has("csv")) requireReplaceable(options.text("csv"));
+    for (const char* output : {"csv", "report"}) {
+        if (options.has(output)) requireReplaceable(options.text(output));
+    }
     const std::string cache = cacheFolder(options);
 
     const Problem problem = readProblemFor(options);
@@ -92,6 +98,7 @@ int check(const Arguments& arguments) {
     warnOfEnd("ends", found.offGoal, found.tolerance, "goal");
     print(problem, scene, found);
     if (options.has("csv")) writeProfile(found.audit, options.text("csv"));
+    if (options.has("report")) writePathReport(problem, scene, path, found.audit, {}, options.text("report"));
     requirePrinted();
     return found.audit.isValid() ? kDone : kAnswerIsNo;
 }

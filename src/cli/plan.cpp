@@ -8,11 +8,13 @@
 #include "cli/command_line.h"
 #include "cli/elapsed_line.h"
 #include "cli/interrupts.h"
+#include "cli/path_report.h"
 #include "cli/planning_scene.h"
 #include "cli/print.h"
 #include "cli/print_audit.h"
 #include "cli/tree_options.h"
 #include "core/replace_file.h"
+#include "planning/check_path.h"
 #include "planning/objectives.h"
 
 namespace clearway {
@@ -33,6 +35,8 @@ CommandLine planCommandLine() {
     commandLine.positional = {"PROBLEM.cfg"};
     commandLine.options.add_options()                                                 //
         ("path", optionValue("FILE"), "where the path is written, one state a line")  //
+        ("report", optionValue("FILE"),
+         "writes a page to look at the path in a browser: 3D view, clearance profile, tables")  //
         ("planner", optionValue("NAME"),
          "OMPL's class name, in any case (RRTConnect and RRT side by side)")                             //
         ("planner-param", optionValues("K=V"), "sets one of the planner's parameters; may be repeated")  //
@@ -98,51 +102,68 @@ Problem readProblemFor(const Options& options) {
     Problem problem = readProblem(options.text("PROBLEM.cfg"));
     if (options.has("margin")) problem.margin = options.nonNegative("margin");
     options.requireOtherFile("path", {problem.file, problem.robot, problem.world});
+    if (options.has("report")) {
+        if (options.text("report") == options.text("path")) {
+            throw std::invalid_argument("--report is '" + options.text("report") +
+                                        "', the file of --path, expected another one");
+        }
+        options.requireOtherFile("report", {problem.file, problem.robot, problem.world});
+    }
     return problem;
 }
 
-void printSettings(const Scene& scene, const PlanOptions& options, const PlanReport& report) {
+Rows settingsRows(const Scene& scene, const PlanOptions& options, const PlanReport& report) {
     std::string planners;
     for (const std::string& name : report.planners) planners += (planners.empty() ? "" : ", ") + name;
-    printRow("planner", planners + ", seed " + std::to_string(options.seed));
+    Rows rows = {{"planner", planners + ", seed " + std::to_string(options.seed)}};
     if (options.iterations) {
-        printRow("repeatable",
-                 report.isRepeatable ? "yes" : "no: this planner does not give the same path again");
+        rows.push_back({"repeatable",
+                        report.isRepeatable ? "yes" : "no: this planner does not give the same path again"});
     }
-    printRow("margin", readable(scene.largestMargin()));
-    printRow("motions", report.isCertified ? "certified along their whole length"
-                                           : "checked every " + readable(report.step));
-    if (report.isCertified) printRow("floor", readable(report.floor));
+    rows.push_back({"margin", readable(scene.largestMargin())});
+    rows.push_back({"motions", report.isCertified ? "certified along their whole length"
+                                                  : "checked every " + readable(report.step)});
+    if (report.isCertified) rows.push_back({"floor", readable(report.floor)});
     if (report.guard > 0)
-        printRow("kept on top", readable(report.guard) + ", so that states between checks are valid too");
-    printRow("planning time", readable(report.planningSeconds) + " s");
-    printRow("states checked", std::to_string(report.checks));
+        rows.push_back(
+            {"kept on top", readable(report.guard) + ", so that states between checks are valid too"});
+    rows.push_back({"planning time", readable(report.planningSeconds) + " s"});
+    rows.push_back({"states checked", std::to_string(report.checks)});
+    return rows;
 }
 
-void printPath(const PlanReport& report) {
-    printRow("found by", report.foundBy);
+Rows pathRows(const PlanReport& report) {
+    Rows rows = {{"found by", report.foundBy}};
     if (!report.objective.empty()) {
-        printRow("objective", report.objective + ", cost " + readable(report.cost));
+        rows.push_back({"objective", report.objective + ", cost " + readable(report.cost)});
     }
-    printRow("finishing time", readable(report.finishingSeconds) + " s");
-    printRow("states", std::to_string(report.path.size()) + ", " + std::to_string(report.statesBefore) +
-                           " before simplifying");
-    printRow("length", readable(report.length));
-    printRow("turned", readable(report.turned * 180 / M_PI) + " degrees");
-    printAudit(report.audit);
+    rows.push_back({"finishing time", readable(report.finishingSeconds) + " s"});
+    rows.push_back({"states", std::to_string(report.path.size()) + ", " +
+                                  std::to_string(report.statesBefore) + " before simplifying"});
+    rows.push_back({"length", readable(report.length)});
+    rows.push_back({"turned", readable(report.turned * 180 / M_PI) + " degrees"});
+    return rows;
+}
+
+/// With the profile of what is certified, which planning itself has no use for.
+void writeReportOf(const Problem& problem, const Scene& scene, const PlanReport& report, Rows figures,
+                   const std::string& file) {
+    for (const auto& row : pathRows(report)) figures.push_back(row);
+    const planning::PathCheck checked = planning::checkPath(problem, scene, report.path);
+    writePathReport(problem, scene, report.path, checked.audit, figures, file);
 }
 
 /// The exit code.
 int printOutcome(const PlanReport& report, const Problem& problem, const std::string& file) {
     if (report.outcome == PlanReport::Outcome::kFound) {
-        printPath(report);
+        printRows(pathRows(report));
+        printAudit(report.audit);
         writePath(report.path, problem.space, file);
         printRow("path", file);
     } else {
         printRow("path",
                  report.outcome == PlanReport::Outcome::kStopped ? "none, interrupted" : "none found");
     }
-    requirePrinted();
     return report.outcome == PlanReport::Outcome::kFound ? kDone : kAnswerIsNo;
 }
 
@@ -158,6 +179,7 @@ int plan(const Arguments& arguments) {
     if (options.has("margin")) options.nonNegative("margin");  // all wrong usage first
     if (options.has("target")) useTarget(options.text("target"));
     requireReplaceable(file);
+    if (options.has("report")) requireReplaceable(options.text("report"));
     const std::string cache = cacheFolder(options);
     heedInterrupts();
 
@@ -172,8 +194,13 @@ int plan(const Arguments& arguments) {
     printWarnings(report.warnings);
     printMesh("part", scene.part);
     for (const Obstacle& obstacle : scene.obstacles) printMesh("environment", obstacle.model);
-    printSettings(scene, planOptionsGiven, report);
-    return printOutcome(report, problem, file);
+    const Rows settings = settingsRows(scene, planOptionsGiven, report);
+    printRows(settings);
+    const int code = printOutcome(report, problem, file);
+    if (code == kDone && options.has("report"))
+        writeReportOf(problem, scene, report, settings, options.text("report"));
+    requirePrinted();
+    return code;
 }
 
 }  // namespace clearway

@@ -36,6 +36,10 @@ void printRow(const std::string& label, const std::string& value) {
     std::cout << label << ":" << std::string(padding, ' ') << value << "\n";
 }
 
+void printRows(const Rows& rows) {
+    for (const auto& [label, value] : rows) printRow(label, value);
+}
+
 std::string oneLine(std::string message) {
     while (!message.empty() && message.back() == '\n') message.pop_back();
     for (char& c : message) {

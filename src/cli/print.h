@@ -2,6 +2,8 @@
 #pragma once
 
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "clearway/types.h"
 
@@ -17,6 +19,11 @@ std::string counted(std::size_t count, const std::string& singular, const std::s
 
 /// The label, padded, then the value, to standard output.
 void printRow(const std::string& label, const std::string& value);
+
+/// Labels and values.
+using Rows = std::vector<std::pair<std::string, std::string>>;
+
+void printRows(const Rows& rows);
 
 /// A message is one line of plain characters, whatever it quotes of a file or of a library.
 std::string oneLine(std::string message);

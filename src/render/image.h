@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "render/colour.h"
+#include "core/colour.h"
 
 namespace clearway {
 

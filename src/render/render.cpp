@@ -42,8 +42,7 @@ std::vector<Colour> environmentColours(const Mesh& environment) {
     return colours;
 }
 
-double scaleFor(const std::vector<PosedPart>& poses, const std::vector<PosedPart>& way) {
-    constexpr double kTightShare = 5;  // by how many times the least clearance the scale goes up at most
+double scaleOf(const std::vector<PosedPart>& poses, const std::vector<PosedPart>& way) {
     double least = std::numeric_limits<double>::infinity(), most = 0;
     for (const auto* list : {&poses, &way}) {
         for (const PosedPart& pose : *list) {
@@ -52,7 +51,7 @@ double scaleFor(const std::vector<PosedPart>& poses, const std::vector<PosedPart
             most = std::max(most, pose.clearance);
         }
     }
-    return niceCeiling(least > 0 ? std::min(most, kTightShare * least) : most);
+    return scaleFor(least, most);
 }
 
 /// Across the longest horizontal way between two of the poses, a little from above and from the side.
@@ -105,7 +104,7 @@ class Arrangement {
           poses_(poses),
           partBox_(boundingBox(part)),
           frame_(boundingBox(environment)),
-          most_(options.scaleMost.value_or(scaleFor(poses, way))),
+          most_(options.scaleMost.value_or(scaleOf(poses, way))),
           partSurface_(surfaceOf(part, partBox_.center(), frame_.scale)),
           wall_(surfaceOf(environment, frame_.centre, frame_.scale)) {
         chooseDirection();

@@ -8,6 +8,7 @@
 
 #include "clearway/problem.h"
 #include "render/image.h"
+#include "render/surface.h"
 
 namespace clearway {
 

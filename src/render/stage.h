@@ -5,7 +5,7 @@
 #include <deque>
 #include <vector>
 
-#include "render/colour.h"
+#include "core/colour.h"
 #include "render/rays.h"
 
 namespace clearway {

@@ -171,6 +171,24 @@ BOOST_AUTO_TEST_CASE(wrong_usage_is_refused_in_one_line) {
     requireRefused(folder, added("--target abacus"), {"abacus", "scalar"});
 }
 
+BOOST_AUTO_TEST_CASE(a_report_of_the_path_is_written_beside_it) {
+    const WindowFolder folder;
+    const Outcome outcome = runIn(folder, added("--report out.html"));
+    BOOST_TEST(outcome.code == 0, outcome.err);
+    BOOST_TEST(row(outcome, "report").find("out.html, ") == 0);
+    const std::string page = readText(folder.file("out.html"));
+    for (const char* text :
+         {"</html>", "RRTConnect, seed 1", "valid along the whole path, certified", "plate"})
+        BOOST_TEST(page.find(text) != std::string::npos, text);
+    BOOST_TEST(
+        runIn(folder, "plan window.cfg --path other.path --report other.html --time 0.3 --margin 12").code !=
+        0);
+    BOOST_TEST(readText(folder.file("other.html")) == "");
+    requireRefused(folder, added("--report nowhere/out.html"), {"nowhere/out.html"});
+    requireRefused(folder, added("--report out.path"), {"--report is 'out.path'", "--path"});
+    requireRefused(folder, added("--report ./wall.obj"), {"--report is './wall.obj'", "input file"});
+}
+
 BOOST_AUTO_TEST_CASE(a_path_never_replaces_a_file_that_is_read) {
     const WindowFolder folder;
     for (const std::string& input : folder.names()) {

@@ -1,5 +1,5 @@
 // Source: B. Ottosson, A perceptual color space for image processing, 2020 (Oklab).
-#include "render/colour.h"
+#include "core/colour.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,7 @@ float fromLinear(float value) {
 }
 
 /// lab: lightness, then green to red, then blue to yellow.
-Colour fromOklab(const Vector3f& lab) {
+Colour fromOklab(const Eigen::Vector3f& lab) {
     const float l = lab[0] + 0.3963377774f * lab[1] + 0.2158037573f * lab[2];
     const float m = lab[0] - 0.1055613458f * lab[1] - 0.0638541728f * lab[2];
     const float s = lab[0] - 0.0894841775f * lab[1] - 1.2914855480f * lab[2];
@@ -28,11 +28,11 @@ Colour fromOklab(const Vector3f& lab) {
 }
 
 /// Evenly spaced, evenly darker: yellow, orange, purple red, violet, blue.
-const Vector3f kScale[] = {{0.900f, -0.020f, 0.180f},
-                           {0.780f, 0.080f, 0.140f},
-                           {0.650f, 0.200f, 0.030f},
-                           {0.520f, 0.140f, -0.140f},
-                           {0.400f, -0.010f, -0.190f}};
+const Eigen::Vector3f kScale[] = {{0.900f, -0.020f, 0.180f},
+                                  {0.780f, 0.080f, 0.140f},
+                                  {0.650f, 0.200f, 0.030f},
+                                  {0.520f, 0.140f, -0.140f},
+                                  {0.400f, -0.010f, -0.190f}};
 
 }  // namespace
 
@@ -65,6 +65,11 @@ double niceCeiling(double value) {
         if (digit * power >= value) return digit * power;
     }
     return 10 * power;
+}
+
+double scaleFor(double least, double most) {
+    constexpr double kTightShare = 5;  // by how many times the least clearance a scale goes up at most
+    return niceCeiling(least > 0 ? std::min(most, kTightShare * least) : most);
 }
 
 }  // namespace clearway

@@ -1,6 +1,7 @@
 #define BOOST_TEST_MODULE colour
-#include "render/colour.h"
+#include "core/colour.h"
 
+#include <Eigen/LU>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
@@ -21,7 +22,7 @@ double lightness(const Colour& linear) {
 Colour asSeenWithout(int cone, const Colour& linear) {
     Eigen::Matrix3f toCones;
     toCones << 17.8824f, 43.5161f, 4.11935f, 3.45565f, 27.1554f, 3.86714f, 0.0299566f, 0.184309f, 1.46709f;
-    Vector3f cones = toCones * linear;
+    Eigen::Vector3f cones = toCones * linear;
     if (cone == 0) cones[0] = 2.02344f * cones[1] - 2.52581f * cones[2];
     if (cone == 1) cones[1] = 0.494207f * cones[0] + 1.24827f * cones[2];
     return toCones.inverse() * cones;
@@ -68,6 +69,15 @@ BOOST_AUTO_TEST_CASE(a_scale_ends_at_a_round_number_that_holds_the_value) {
         BOOST_TEST(niceCeiling(value) >= value * (1 - 1e-12));
         BOOST_TEST(niceCeiling(value) <= 1.51 * value);
     }
+}
+
+BOOST_AUTO_TEST_CASE(a_scale_holds_all_clearances_or_tells_the_tight_ones_apart) {
+    BOOST_TEST(scaleFor(3, 9) == 10);
+    BOOST_TEST(scaleFor(3, 900) == 15);
+    BOOST_TEST(scaleFor(3, INFINITY) == 15);
+    BOOST_TEST(scaleFor(0, 900) == 1000);
+    BOOST_TEST(scaleFor(-2, 0) == 1);
+    BOOST_TEST(scaleFor(INFINITY, 0) == 1);
 }
 
 }  // namespace clearway::testing

@@ -1,0 +1,20 @@
+# Makes a C++ file of text files: cmake -DOUT=F.cpp -DHEADER=path/of/header.h "-DTEXTS=name=file;..." -P embed.cmake
+# For each text it defines `const char NAME[]`, which the header declares in namespace clearway. Done by CMake, so that
+# no other program is needed to build.
+cmake_minimum_required(VERSION 3.25)
+
+file(WRITE ${OUT}.tmp "#include \"${HEADER}\"\n\nnamespace clearway {\n\n")
+foreach(pair IN LISTS TEXTS)
+  string(REGEX MATCH "^([^=]+)=(.+)$" matched "${pair}")
+  set(name ${CMAKE_MATCH_1})
+  file(READ "${CMAKE_MATCH_2}" text)
+  string(FIND "${text}" ")embedded\"" end)
+  if(NOT end EQUAL -1)
+    message(FATAL_ERROR "${pair} holds the end of a raw string, )embedded\", expected a text without it")
+  endif()
+  file(APPEND ${OUT}.tmp "const char ${name}[] = R\"embedded(")
+  file(APPEND ${OUT}.tmp "${text}")
+  file(APPEND ${OUT}.tmp ")embedded\";\n\n")
+endforeach()
+file(APPEND ${OUT}.tmp "}  // namespace clearway\n")
+file(RENAME ${OUT}.tmp ${OUT})

@@ -1,0 +1,83 @@
+#include "cli/path_report.h"
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+
+#include "cli/load_guard.h"
+#include "cli/print.h"
+#include "report/report.h"
+
+namespace clearway {
+
+namespace {
+
+ReportTable tableOf(const std::string& title, const Rows& rows) {
+    ReportTable table;
+    table.title = title;
+    for (const auto& [label, value] : rows) table.rows.push_back({label, value});
+    return table;
+}
+
+std::string shortName(const std::string& file) {
+    return std::filesystem::path(file).filename().string();
+}
+
+Rows problemRows(const Problem& problem, const Mesh& part, const Mesh& environment) {
+    return {
+        {"problem", shortName(problem.file)},
+        {"part", shortName(problem.robot) + ", " + counted(part.triangles.size(), "triangle")},
+        {"environment", shortName(problem.world) + ", " + counted(environment.triangles.size(), "triangle")},
+        {"margin", readable(problem.margin)}};
+}
+
+Rows pathRows(const std::vector<PartState>& path, const planning::PathAudit& audit) {
+    const planning::SegmentAudit& closest = audit.segments[audit.closest];
+    Rows rows = {{"states", std::to_string(path.size())},
+                 {"length", readable(audit.length)},
+                 {"turned", readable(audit.turned * 180 / M_PI) + " degrees"},
+                 {"least clearance", readable(audit.lowerClearance) + " or more"}};
+    if (!std::isinf(audit.upperClearance)) {
+        rows.back().second = readable(audit.lowerClearance) + " to " + readable(audit.upperClearance);
+    }
+    if (!closest.partMesh.empty()) {
+        rows.push_back({"there", closest.partMesh + " and " + closest.environmentMesh + ", segment " +
+                                     std::to_string(audit.closest + 1)});
+    }
+    return rows;
+}
+
+std::string verdictOf(const planning::PathAudit& audit) {
+    if (audit.isValid()) return "valid along the whole path, certified";
+    return "NOT valid: " + std::to_string(audit.notValid.size()) + " of " +
+           counted(audit.segments.size(), "segment");
+}
+
+std::string megabytes(std::size_t bytes) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.1f MB", double(bytes) * 1e-6);
+    return text;
+}
+
+}  // namespace
+
+void writePathReport(const Problem& problem, const Scene& scene, const std::vector<PartState>& path,
+                     const planning::PathAudit& audit, const Rows& planner, const std::string& file) {
+    const Mesh part = guardedLoadPart(problem), environment = guardedLoadEnvironment(problem);
+    ReportInput input{problem.name.empty() ? shortName(problem.file) : problem.name,
+                      verdictOf(audit),
+                      part,
+                      environment,
+                      scene,
+                      path,
+                      audit,
+                      {}};
+    input.tables.push_back(tableOf("Problem", problemRows(problem, part, environment)));
+    if (!planner.empty()) input.tables.push_back(tableOf("Planner", planner));
+    input.tables.push_back(tableOf("Path", pathRows(path, audit)));
+    input.tables.push_back(segmentTable(audit, path, scene.part.radiusAboutOrigin()));
+    const WrittenReport written = writeReport(input, file);
+    printRow("report", file + ", " + megabytes(written.bytes));
+}
+
+}  // namespace clearway

@@ -1,0 +1,30 @@
+// The poses a report page shows, one for each place of its slider, and what is known at and between them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "clearway/planning/audit.h"
+#include "planning/scene_clearance.h"
+#include "problem/path_line.h"
+
+namespace clearway {
+
+struct ReportFrame {
+    double share = 0;  ///< of the way, see PathLine
+    Pose X_environmentPart;
+    bool isInReach = true;  ///< else nothing but the share and the pose is known
+    planning::PoseClearance clearance;
+    std::string partMesh, environmentMesh;  ///< the two closest; empty when none is known
+};
+
+/// At every state of the path and, evenly, at so many places at least.
+std::vector<ReportFrame> framesAlong(const PathLine& line, const planning::SceneClearance& clearance,
+                                     std::size_t count);
+
+/// For each of so many equally long stretches of the way: what is certified of clearance everywhere on it; 0
+/// or less for nothing. Empty when the audit has no profile.
+std::vector<double> certifiedStretches(const PathLine& line, const planning::PathAudit& audit,
+                                       std::size_t count);
+
+}  // namespace clearway

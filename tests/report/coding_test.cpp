@@ -1,0 +1,41 @@
+#define BOOST_TEST_MODULE coding
+#include "report/coding.h"
+
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+
+namespace clearway::testing {
+
+BOOST_AUTO_TEST_CASE(no_text_can_end_the_script_it_stands_in) {
+    const std::string json = jsonText("</script><!-- \"quoted\" \\ \n");
+    BOOST_TEST(json == "\"\\u003c/script>\\u003c!-- \\\"quoted\\\" \\\\ \\u000a\"");
+}
+
+BOOST_AUTO_TEST_CASE(numbers_read_back_to_the_same_float_and_what_is_none_is_null) {
+    for (const float value : {0.1f, -1e-30f, 16777217.0f, 3.4e38f})
+        BOOST_TEST(std::stof(jsonNumber(value)) == value);
+    BOOST_TEST(jsonNumber(INFINITY) == "null");
+    BOOST_TEST(jsonNumber(NAN) == "null");
+    BOOST_TEST(jsonPoint({1, -2.5, NAN}) == "[1,-2.5,null]");
+    BOOST_TEST(jsonList({}) == "[]");
+}
+
+BOOST_AUTO_TEST_CASE(base64_is_that_of_the_standard) {
+    // Source of the vectors: RFC 4648.
+    const std::pair<std::string, std::string> vectors[] = {{"", ""},
+                                                           {"f", "Zg=="},
+                                                           {"fo", "Zm8="},
+                                                           {"foo", "Zm9v"},
+                                                           {"foob", "Zm9vYg=="},
+                                                           {"fooba", "Zm9vYmE="},
+                                                           {"foobar", "Zm9vYmFy"}};
+    for (const auto& [bytes, text] : vectors) BOOST_TEST(base64(bytes.data(), bytes.size()) == text);
+    const unsigned char high[] = {0xff, 0xef, 0xbe};
+    BOOST_TEST(base64(high, 3) == "/+++");
+}
+
+BOOST_AUTO_TEST_CASE(html_has_no_markup_of_the_texts_own) {
+    BOOST_TEST(htmlText("a <b> & \"c\"") == "a &lt;b&gt; &amp; &quot;c&quot;");
+}
+
+}  // namespace clearway::testing
