@@ -2,6 +2,7 @@
 #pragma once
 
 #include <ompl/config.h>
+#include <ompl/geometric/PathSimplifier.h>
 
 #include <string>
 
@@ -15,6 +16,16 @@ namespace clearway::planning {
 inline std::string omplVersion() {
     return std::to_string(OMPL_MAJOR_VERSION) + "." + std::to_string(OMPL_MINOR_VERSION) + "." +
            std::to_string(OMPL_PATCH_VERSION);
+}
+
+/// Short cuts between random points of the path. OMPL calls it by another name from 1.7 on.
+inline void shortcutPath(ompl::geometric::PathSimplifier& simplifier, ompl::geometric::PathGeometric& path,
+                         unsigned int mostSteps, unsigned int mostEmptySteps) {
+#if OMPL_VERSION_VALUE >= 1007000
+    simplifier.partialShortcutPath(path, mostSteps, mostEmptySteps);
+#else
+    simplifier.shortcutPath(path, mostSteps, mostEmptySteps);
+#endif
 }
 
 }  // namespace clearway::planning

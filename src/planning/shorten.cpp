@@ -2,6 +2,8 @@
 
 #include <ompl/geometric/PathSimplifier.h>
 
+#include "planning/ompl_version.h"
+
 namespace clearway::planning {
 namespace {
 
@@ -20,7 +22,7 @@ void shorten(ompl::geometric::PathGeometric& path, const std::function<bool()>& 
         const double before = path.length();
         simplifier.reduceVertices(path, kSteps, kSteps);
         if (isSpent()) return;
-        simplifier.shortcutPath(path, kSteps, kSteps);
+        shortcutPath(simplifier, path, kSteps, kSteps);
         idle = path.length() < before * (1 - kGain) ? 0 : idle + 1;
     }
 }
