@@ -193,6 +193,13 @@ void printPlanner(const PlannerBenchmark& planner) {
     printRow(planner.name, text + (seconds.empty() ? "" : " in the median"));
 }
 
+/// So that logs of several kinds of trees can be told apart in one database.
+void describeTrees(const BuildOptions& tree, Benchmark& benchmark) {
+    benchmark.parameters["general_split VARCHAR"] = tree.generalSplit;
+    benchmark.parameters["leaf_split VARCHAR"] = tree.leafSplit;
+    benchmark.parameters["leaf_size INTEGER"] = std::to_string(tree.leafSize);
+}
+
 Benchmark runShown(const Problem& problem, const Scene& scene, BenchmarkOptions options) {
     std::optional<ElapsedLine> line;
     options.tell = [&](const planning::BenchmarkProgress& at) {
@@ -222,7 +229,8 @@ int bench(const Arguments& arguments) {
     planning::PlanOptions reaching;
     reaching.step = benchmarkGiven.step;
     const Scene scene = buildScene(problem, reaching, tree, cache);
-    const Benchmark benchmark = runShown(problem, scene, benchmarkGiven);
+    Benchmark benchmark = runShown(problem, scene, benchmarkGiven);
+    describeTrees(tree, benchmark);
     replaceFile(log, [&](std::ostream& out) { planning::writeBenchmarkLog(benchmark, out); });
 
     printWarnings(problem.warnings);
