@@ -30,24 +30,25 @@ CommandLine checkCommandLine() {
     commandLine.positional = {"PROBLEM.cfg", "IN.path"};
     commandLine.options.add_options()  //
         ("csv", optionValue("FILE"),
-         "writes the profile: segment, t, travel, clearance there and certain up to the next line")  //
-        ("report", optionValue("FILE"),
-         "writes a page to look at the path in a browser: 3D view, clearance profile, tables")            //
+         "writes the profile: segment, t, travel, clearance there and certain up to the next line")       //
         ("margin", optionValue("M"), "distance to keep from the environment, in place of the problem's")  //
         ("target", optionValue("NAME"), "instruction set, of those this machine runs (best)");
+    addPathOutputs(commandLine);
     addTreeOptions(commandLine);
     addCacheOption(commandLine);
     return commandLine;
 }
 
+/// With the margin asked for. Refuses to write files that are read.
 Problem readProblemFor(const Options& options) {
     Problem problem = readProblem(options.text("PROBLEM.cfg"));
     if (options.has("margin")) problem.margin = options.nonNegative("margin");
-    for (const char* output : {"csv", "report"}) {
-        if (!options.has(output)) continue;
-        options.requireOtherFile(output,
-                                 {problem.file, problem.robot, problem.world, options.text("IN.path")});
+    std::vector<std::string> files = {problem.file, problem.robot, problem.world, options.text("IN.path")};
+    if (options.has("csv")) {
+        options.requireOtherFile("csv", files);
+        files.push_back(options.text("csv"));
     }
+    requirePathOutputs(options, files);
     return problem;
 }
 
@@ -80,9 +81,7 @@ int check(const Arguments& arguments) {
     const BuildOptions tree = treeOptions(options);
     if (options.has("margin")) options.nonNegative("margin");  // all wrong usage first
     if (options.has("target")) useTarget(options.text("target"));
-    for (const char* output : {"csv", "report"}) {
-        if (options.has(output)) requireReplaceable(options.text(output));
-    }
+    if (options.has("csv")) requireReplaceable(options.text("csv"));
     const std::string cache = cacheFolder(options);
 
     const Problem problem = readProblemFor(options);
@@ -98,7 +97,7 @@ int check(const Arguments& arguments) {
     warnOfEnd("ends", found.offGoal, found.tolerance, "goal");
     print(problem, scene, found);
     if (options.has("csv")) writeProfile(found.audit, options.text("csv"));
-    if (options.has("report")) writePathReport(problem, scene, path, found.audit, {}, options.text("report"));
+    writePathOutputs(options, problem, scene, path, found.audit, {});
     requirePrinted();
     return found.audit.isValid() ? kDone : kAnswerIsNo;
 }

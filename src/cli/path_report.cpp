@@ -1,11 +1,15 @@
 #include "cli/path_report.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <stdexcept>
 
 #include "cli/load_guard.h"
 #include "cli/print.h"
+#include "core/replace_file.h"
+#include "report/export_motion.h"
 #include "report/report.h"
 
 namespace clearway {
@@ -59,11 +63,9 @@ std::string megabytes(std::size_t bytes) {
     return text;
 }
 
-}  // namespace
-
-void writePathReport(const Problem& problem, const Scene& scene, const std::vector<PartState>& path,
-                     const planning::PathAudit& audit, const Rows& planner, const std::string& file) {
-    const Mesh part = guardedLoadPart(problem), environment = guardedLoadEnvironment(problem);
+void writePage(const Problem& problem, const Mesh& part, const Mesh& environment, const Scene& scene,
+               const std::vector<PartState>& path, const planning::PathAudit& audit, const Rows& planner,
+               const std::string& file) {
     ReportInput input{problem.name.empty() ? shortName(problem.file) : problem.name,
                       verdictOf(audit),
                       part,
@@ -78,6 +80,43 @@ void writePathReport(const Problem& problem, const Scene& scene, const std::vect
     input.tables.push_back(segmentTable(audit, path, scene.part.radiusAboutOrigin()));
     const WrittenReport written = writeReport(input, file);
     printRow("report", file + ", " + megabytes(written.bytes));
+}
+
+}  // namespace
+
+void addPathOutputs(CommandLine& commandLine) {
+    commandLine.options.add_options()  //
+        ("report", optionValue("FILE"),
+         "writes a page to look at the path in a browser: 3D view, clearance profile, tables")  //
+        ("export", optionValue("FILE"), "writes the motion as an animated .glb file, for Blender and others");
+}
+
+void requirePathOutputs(const Options& options, const std::vector<std::string>& otherFiles) {
+    std::vector<std::string> taken = otherFiles;
+    for (const char* name : {"report", "export"}) {
+        if (!options.has(name)) continue;
+        const std::string file = options.text(name);
+        if (std::find(taken.begin(), taken.end(), file) != taken.end()) {
+            throw std::invalid_argument(std::string("--") + name + " is '" + file +
+                                        "', which is read or written otherwise, expected another file");
+        }
+        options.requireOtherFile(name, otherFiles);
+        if (name == std::string("export")) requireMotionFile(file);
+        requireReplaceable(file);
+        taken.push_back(file);
+    }
+}
+
+void writePathOutputs(const Options& options, const Problem& problem, const Scene& scene,
+                      const std::vector<PartState>& path, const planning::PathAudit& audit,
+                      const Rows& planner) {
+    if (!options.has("report") && !options.has("export")) return;
+    const Mesh part = guardedLoadPart(problem), environment = guardedLoadEnvironment(problem);
+    if (options.has("report"))
+        writePage(problem, part, environment, scene, path, audit, planner, options.text("report"));
+    if (!options.has("export")) return;
+    exportMotion(part, environment, path, scene.part.radiusAboutOrigin(), options.text("export"));
+    printRow("export", options.text("export"));
 }
 
 }  // namespace clearway

@@ -35,8 +35,6 @@ CommandLine planCommandLine() {
     commandLine.positional = {"PROBLEM.cfg"};
     commandLine.options.add_options()                                                 //
         ("path", optionValue("FILE"), "where the path is written, one state a line")  //
-        ("report", optionValue("FILE"),
-         "writes a page to look at the path in a browser: 3D view, clearance profile, tables")  //
         ("planner", optionValue("NAME"),
          "OMPL's class name, in any case (RRTConnect and RRT side by side)")                             //
         ("planner-param", optionValues("K=V"), "sets one of the planner's parameters; may be repeated")  //
@@ -58,6 +56,7 @@ CommandLine planCommandLine() {
          "clearance that shortening the path keeps (a thousandth of the part's diagonal)")  //
         ("ompl-weights", "rotation weighted as OMPL does, not by the part's radius")        //
         ("target", optionValue("NAME"), "instruction set, of those this machine runs (best)");
+    addPathOutputs(commandLine);
     addTreeOptions(commandLine);
     addCacheOption(commandLine);
     return commandLine;
@@ -102,13 +101,7 @@ Problem readProblemFor(const Options& options) {
     Problem problem = readProblem(options.text("PROBLEM.cfg"));
     if (options.has("margin")) problem.margin = options.nonNegative("margin");
     options.requireOtherFile("path", {problem.file, problem.robot, problem.world});
-    if (options.has("report")) {
-        if (options.text("report") == options.text("path")) {
-            throw std::invalid_argument("--report is '" + options.text("report") +
-                                        "', the file of --path, expected another one");
-        }
-        options.requireOtherFile("report", {problem.file, problem.robot, problem.world});
-    }
+    requirePathOutputs(options, {problem.file, problem.robot, problem.world, options.text("path")});
     return problem;
 }
 
@@ -145,12 +138,13 @@ Rows pathRows(const PlanReport& report) {
     return rows;
 }
 
-/// With the profile of what is certified, which planning itself has no use for.
-void writeReportOf(const Problem& problem, const Scene& scene, const PlanReport& report, Rows figures,
-                   const std::string& file) {
+/// The path is audited again, for a profile of what is certified: planning itself has no use for it.
+void writeOutputs(const Options& options, const Problem& problem, const Scene& scene,
+                  const PlanReport& report, Rows figures) {
+    if (!options.has("report") && !options.has("export")) return;
     for (const auto& row : pathRows(report)) figures.push_back(row);
     const planning::PathCheck checked = planning::checkPath(problem, scene, report.path);
-    writePathReport(problem, scene, report.path, checked.audit, figures, file);
+    writePathOutputs(options, problem, scene, report.path, checked.audit, figures);
 }
 
 /// The exit code.
@@ -179,7 +173,6 @@ int plan(const Arguments& arguments) {
     if (options.has("margin")) options.nonNegative("margin");  // all wrong usage first
     if (options.has("target")) useTarget(options.text("target"));
     requireReplaceable(file);
-    if (options.has("report")) requireReplaceable(options.text("report"));
     const std::string cache = cacheFolder(options);
     heedInterrupts();
 
@@ -197,8 +190,7 @@ int plan(const Arguments& arguments) {
     const Rows settings = settingsRows(scene, planOptionsGiven, report);
     printRows(settings);
     const int code = printOutcome(report, problem, file);
-    if (code == kDone && options.has("report"))
-        writeReportOf(problem, scene, report, settings, options.text("report"));
+    if (code == kDone) writeOutputs(options, problem, scene, report, settings);
     requirePrinted();
     return code;
 }

@@ -35,72 +35,103 @@ std::string quoted(const std::string& text) {
     return json + '"';
 }
 
-std::uint64_t vertexBytes(const SavePart& part) {
-    return part.vertices.size() * sizeof(part.vertices[0]);
-}
-
-std::uint64_t indexBytes(const SavePart& part) {
-    return part.triangles.size() * sizeof(part.triangles[0]);
-}
-
-std::string list(const std::array<float, 3>& values) {
+template <class Numbers>
+std::string list(const Numbers& values) {
     std::ostringstream json;
     json.precision(std::numeric_limits<float>::max_digits10);
-    json << '[' << values[0] << ',' << values[1] << ',' << values[2] << ']';
+    json << '[';
+    for (std::size_t i = 0; i < values.size(); ++i) json << (i == 0 ? "" : ",") << values[i];
+    json << ']';
     return json.str();
 }
 
-/// The accessor of a part's positions, whose bounds the format asks for.
-std::string positionAccessor(const SavePart& part, std::size_t view) {
-    std::array<float, 3> least = part.vertices[0];
-    std::array<float, 3> most = part.vertices[0];
-    for (const std::array<float, 3>& vertex : part.vertices) {
-        for (int i = 0; i < 3; ++i) {
+template <class Vertices>
+std::string bounds(const Vertices& vertices) {
+    auto least = vertices[0], most = vertices[0];
+    for (const auto& vertex : vertices) {
+        for (std::size_t i = 0; i < vertex.size(); ++i) {
             least[i] = std::min(least[i], vertex[i]);
             most[i] = std::max(most[i], vertex[i]);
         }
     }
-    std::ostringstream json;
-    json << "{\"bufferView\":" << view << ",\"componentType\":" << kFloat
-         << ",\"count\":" << part.vertices.size() << ",\"type\":\"VEC3\",\"min\":" << list(least)
-         << ",\"max\":" << list(most) << '}';
-    return json.str();
+    return ",\"min\":" + list(least) + ",\"max\":" + list(most);
 }
 
-struct Lists {
-    std::ostringstream roots, nodes, meshes, accessors, views;
+/// A list of the document, whose items are numbered as they come.
+class Items {
+  public:
+    std::size_t add(const std::string& json) {
+        text_ += (count_ == 0 ? "" : ",") + json;
+        return count_++;
+    }
+    const std::string& text() const { return text_; }
+    bool isEmpty() const { return count_ == 0; }
+
+  private:
+    std::string text_;
+    std::size_t count_ = 0;
 };
 
-void describe(const SavePart& part, std::size_t number, std::uint64_t offset, Lists& lists) {
-    const char* const comma = number == 0 ? "" : ",";
-    const std::size_t view = 2 * number;  // positions, then indices; accessors are numbered like the views
-    lists.roots << comma << number;
-    lists.nodes << comma << "{\"name\":" << quoted(part.name) << ",\"mesh\":" << number << '}';
-    lists.meshes << comma << "{\"name\":" << quoted(part.name)
-                 << ",\"primitives\":[{\"attributes\":{\"POSITION\":" << view << "},\"indices\":" << view + 1
-                 << "}]}";
-    lists.accessors << comma << positionAccessor(part, view) << ",{\"bufferView\":" << view + 1
-                    << ",\"componentType\":" << kUnsigned << ",\"count\":" << 3 * part.triangles.size()
-                    << ",\"type\":\"SCALAR\"}";
-    lists.views << comma << "{\"buffer\":0,\"byteOffset\":" << offset
-                << ",\"byteLength\":" << vertexBytes(part) << ",\"target\":" << kVertexBuffer
-                << "},{\"buffer\":0,\"byteOffset\":" << offset + vertexBytes(part)
-                << ",\"byteLength\":" << indexBytes(part) << ",\"target\":" << kIndexBuffer << '}';
-}
+/// The description, and the places in memory that the binary chunk is made of. What is added must outlive it.
+class Document {
+  public:
+    /// With a mesh each; returns the number of the node. material: of the mesh, or empty.
+    std::size_t addPart(const SavePart& part, const std::string& material = "") {
+        const std::size_t positions =
+            addAccessor(part.vertices, kFloat, "VEC3", bounds(part.vertices), kVertexBuffer);
+        const std::size_t indices = addAccessor(part.triangles, kUnsigned, "SCALAR", "", kIndexBuffer);
+        const std::size_t mesh =
+            meshes_.add("{\"name\":" + quoted(part.name) +
+                        ",\"primitives\":[{\"attributes\":{\"POSITION\":" + std::to_string(positions) +
+                        "},\"indices\":" + std::to_string(indices) + material + "}]}");
+        return addNode("{\"name\":" + quoted(part.name) + ",\"mesh\":" + std::to_string(mesh) + '}');
+    }
+
+    std::size_t addNode(const std::string& json) { return nodes_.add(json); }
+    void addRoot(std::size_t node) { roots_.add(std::to_string(node)); }
+    std::size_t addMaterial(const std::string& json) { return materials_.add(json); }
+    void addAnimation(const std::string& json) { animations_.add(json); }
+
+    /// Of arrays of 4-byte numbers. more: further fields. target: 0 for none.
+    template <class Rows>
+    std::size_t addAccessor(const Rows& rows, int componentType, const std::string& type,
+                            const std::string& more, int target) {
+        const std::size_t bytes = rows.size() * sizeof(rows[0]);
+        const std::size_t view =
+            views_.add("{\"buffer\":0,\"byteOffset\":" + std::to_string(binaryBytes_) +
+                       ",\"byteLength\":" + std::to_string(bytes) +
+                       (target == 0 ? "" : ",\"target\":" + std::to_string(target)) + '}');
+        const std::size_t width = type == "SCALAR" ? 4 : sizeof(rows[0]);
+        pieces_.push_back({rows.data(), bytes});
+        binaryBytes_ += bytes;
+        return accessors_.add("{\"bufferView\":" + std::to_string(view) + ",\"componentType\":" +
+                              std::to_string(componentType) + ",\"count\":" + std::to_string(bytes / width) +
+                              ",\"type\":\"" + type + '"' + more + '}');
+    }
+
+    void write(std::ostream& stream) const;
+
+  private:
+    std::string json() const;
+    struct Piece {
+        const void* data;
+        std::size_t bytes;
+    };
+    Items roots_, nodes_, meshes_, accessors_, views_, materials_, animations_;
+    std::vector<Piece> pieces_;
+    std::uint64_t binaryBytes_ = 0;
+};
 
 /// Padded with spaces to whole words of 4 bytes.
-std::string jsonOf(const std::vector<SavePart>& parts) {
-    Lists lists;
-    std::uint64_t offset = 0;
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-        describe(parts[i], i, offset, lists);
-        offset += vertexBytes(parts[i]) + indexBytes(parts[i]);
-    }
+std::string Document::json() const {
     std::string json =
         "{\"asset\":{\"version\":\"2.0\",\"generator\":\"clearway\"},\"scene\":0,\"scenes\":[{\"nodes\":[" +
-        lists.roots.str() + "]}],\"nodes\":[" + lists.nodes.str() + "],\"meshes\":[" + lists.meshes.str() +
-        "],\"accessors\":[" + lists.accessors.str() + "],\"bufferViews\":[" + lists.views.str() +
-        "],\"buffers\":[{\"byteLength\":" + std::to_string(offset) + "}]}";
+        roots_.text() + "]}],\"nodes\":[" + nodes_.text() + "],\"meshes\":[" + meshes_.text() +
+        "],\"accessors\":[" + accessors_.text() + "],\"bufferViews\":[" + views_.text() +
+        "],\"buffers\":[{\"byteLength\":" + std::to_string(binaryBytes_) + "}]";
+    if (!materials_.isEmpty()) json += ",\"materials\":[" + materials_.text() + "]";
+    if (!animations_.isEmpty()) json += ",\"animations\":[" + animations_.text() + "]";
+    json += '}';
     json.append((4 - json.size() % 4) % 4, ' ');
     return json;
 }
@@ -111,13 +142,9 @@ void writeWord(std::ostream& stream, std::uint64_t word) {
     stream.write(bytes, sizeof bytes);
 }
 
-}  // namespace
-
-void writeGlb(const std::vector<SavePart>& parts, std::ostream& stream) {
-    const std::string json = jsonOf(parts);
-    std::uint64_t binaryBytes = 0;
-    for (const SavePart& part : parts) binaryBytes += vertexBytes(part) + indexBytes(part);
-    const std::uint64_t bytes = 12 + 8 + json.size() + 8 + binaryBytes;
+void Document::write(std::ostream& stream) const {
+    const std::string description = json();
+    const std::uint64_t bytes = 12 + 8 + description.size() + 8 + binaryBytes_;
     if (bytes > std::numeric_limits<std::uint32_t>::max()) {
         throw std::invalid_argument("the mesh takes " + std::to_string(bytes) +
                                     " bytes, expected at most 2^32 - 1 for a .glb file");
@@ -125,15 +152,88 @@ void writeGlb(const std::vector<SavePart>& parts, std::ostream& stream) {
     writeWord(stream, 0x46546c67);  // "glTF"
     writeWord(stream, 2);
     writeWord(stream, bytes);
-    writeWord(stream, json.size());
+    writeWord(stream, description.size());
     writeWord(stream, 0x4e4f534a);  // "JSON"
-    stream.write(json.data(), static_cast<std::streamsize>(json.size()));
-    writeWord(stream, binaryBytes);
+    stream.write(description.data(), static_cast<std::streamsize>(description.size()));
+    writeWord(stream, binaryBytes_);
     writeWord(stream, 0x004e4942);  // "BIN"
-    for (const SavePart& part : parts) {
-        stream.write(reinterpret_cast<const char*>(part.vertices.data()), vertexBytes(part));
-        stream.write(reinterpret_cast<const char*>(part.triangles.data()), indexBytes(part));
+    for (const Piece& piece : pieces_)
+        stream.write(static_cast<const char*>(piece.data), static_cast<std::streamsize>(piece.bytes));
+}
+
+std::string materialOf(const std::string& name, const std::string& colour) {
+    return "{\"name\":\"" + name +
+           "\",\"doubleSided\":true,\"pbrMetallicRoughness\":{\"baseColorFactor\":" + colour +
+           ",\"metallicFactor\":0,\"roughnessFactor\":0.7}}";
+}
+
+/// The keys as the format has them: a list for each kind of number.
+struct Samples {
+    std::vector<float> times;
+    std::vector<std::array<float, 3>> positions;
+    std::vector<std::array<float, 4>> rotations;
+
+    explicit Samples(const std::vector<GlbKey>& keys) {
+        for (const GlbKey& key : keys) {
+            times.push_back(key.seconds);
+            positions.push_back(key.position);
+            rotations.push_back(key.rotation);
+        }
     }
+};
+
+/// A name as a JSON field's value.
+std::string animationOf(const std::string& name, std::size_t node, std::size_t times, std::size_t positions,
+                        std::size_t rotations) {
+    const auto sampler = [&](std::size_t output) {
+        return "{\"input\":" + std::to_string(times) +
+               ",\"interpolation\":\"LINEAR\",\"output\":" + std::to_string(output) + '}';
+    };
+    const auto channel = [&](int number, const char* path) {
+        return "{\"sampler\":" + std::to_string(number) + ",\"target\":{\"node\":" + std::to_string(node) +
+               ",\"path\":\"" + path + "\"}}";
+    };
+    return "{\"name\":" + name + ",\"channels\":[" + channel(0, "translation") + ',' +
+           channel(1, "rotation") + "],\"samplers\":[" + sampler(positions) + ',' + sampler(rotations) + "]}";
+}
+
+}  // namespace
+
+void writeGlb(const std::vector<SavePart>& parts, std::ostream& stream) {
+    Document document;
+    for (const SavePart& part : parts) document.addRoot(document.addPart(part));
+    document.write(stream);
+}
+
+void writeMovingGlb(const GlbMotion& motion, std::ostream& stream) {
+    Document document;
+    const auto addParts = [&](const std::vector<SavePart>& parts, std::size_t material) {
+        Items nodes;
+        for (const SavePart& part : parts)
+            nodes.add(std::to_string(document.addPart(part, ",\"material\":" + std::to_string(material))));
+        return nodes.text();
+    };
+    std::string stillNodes =
+        addParts(motion.still, document.addMaterial(materialOf("environment", "[0.55,0.56,0.58,1]")));
+    const std::string movingNodes =
+        addParts(motion.moving, document.addMaterial(materialOf("part", "[0.95,0.45,0.05,1]")));
+    const GlbKey& first = motion.keys.front();
+    const std::string name = quoted(motion.name);
+    const std::size_t mover =
+        document.addNode("{\"name\":" + name + ",\"translation\":" + list(first.position) +
+                         ",\"rotation\":" + list(first.rotation) + ",\"children\":[" + movingNodes + "]}");
+    if (!stillNodes.empty()) stillNodes += ',';
+    document.addRoot(
+        document.addNode("{\"name\":\"scene\",\"rotation\":[-0.70710678,0,0,0.70710678],\"children\":[" +
+                         stillNodes + std::to_string(mover) + "]}"));
+    const Samples samples(motion.keys);
+    const std::array<float, 1> last{samples.times.back()};
+    const std::size_t times =
+        document.addAccessor(samples.times, kFloat, "SCALAR", ",\"min\":[0],\"max\":" + list(last), 0);
+    const std::size_t positions = document.addAccessor(samples.positions, kFloat, "VEC3", "", 0);
+    const std::size_t rotations = document.addAccessor(samples.rotations, kFloat, "VEC4", "", 0);
+    document.addAnimation(animationOf(name, mover, times, positions, rotations));
+    document.write(stream);
 }
 
 }  // namespace clearway

@@ -215,6 +215,10 @@ BOOST_AUTO_TEST_CASE(wrong_input_is_refused_in_one_line) {
     requireRefused(folder, "check window.cfg free.path --margin -1", {"--margin is '-1'"});
     requireRefused(folder, "check window.cfg free.path --margin nan", {"--margin is 'nan'"});
     requireRefused(folder, "check window.cfg free.path --csv nowhere/x.csv", {"nowhere/x.csv"});
+    requireRefused(folder, "check window.cfg free.path --report nowhere/x.html", {"nowhere/x.html"});
+    requireRefused(folder, "check window.cfg free.path --csv x --report x",
+                   {"--report is 'x'", "another file"});
+    requireRefused(folder, "check window.cfg free.path --export free.path", {"--export is 'free.path'"});
     requireRefused(folder, "check window.cfg free.path --csv free.path",
                    {"--csv is 'free.path'", "input file"});
     folder.writeLines("nan.path", "-60 0 0 0 0 0 1\n-60 nan 0 0 0 0 1\n");

@@ -171,7 +171,7 @@ BOOST_AUTO_TEST_CASE(wrong_usage_is_refused_in_one_line) {
     requireRefused(folder, added("--target abacus"), {"abacus", "scalar"});
 }
 
-BOOST_AUTO_TEST_CASE(a_report_of_the_path_is_written_beside_it) {
+BOOST_AUTO_TEST_CASE(a_report_and_an_animation_of_the_path_are_written_beside_it) {
     const WindowFolder folder;
     const Outcome outcome = runIn(folder, added("--report out.html"));
     BOOST_TEST(outcome.code == 0, outcome.err);
@@ -184,8 +184,13 @@ BOOST_AUTO_TEST_CASE(a_report_of_the_path_is_written_beside_it) {
         runIn(folder, "plan window.cfg --path other.path --report other.html --time 0.3 --margin 12").code !=
         0);
     BOOST_TEST(readText(folder.file("other.html")) == "");
+    BOOST_TEST(runIn(folder, added("--export out.glb")).code == 0);
+    BOOST_TEST(readText(folder.file("out.glb")).substr(0, 4) == "glTF");
+    requireRefused(folder, added("--export out.obj"), {"out.obj", "expected .glb"});
+    requireRefused(folder, added("--export out.glb --report out.glb"),
+                   {"--export is 'out.glb'", "another file"});
     requireRefused(folder, added("--report nowhere/out.html"), {"nowhere/out.html"});
-    requireRefused(folder, added("--report out.path"), {"--report is 'out.path'", "--path"});
+    requireRefused(folder, added("--report out.path"), {"--report is 'out.path'", "another file"});
     requireRefused(folder, added("--report ./wall.obj"), {"--report is './wall.obj'", "input file"});
 }
 
