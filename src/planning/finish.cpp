@@ -32,11 +32,22 @@ PathAudit shortenBySteps(const Setup& setup, og::PathGeometric& path, const std:
     return found;
 }
 
-/// The clearance that shortening keeps.
-double floorOf(const Setup& setup, const og::PathGeometric& path) {
+/// By the objective, if there is one.
+PathAudit shortenUnlessWorse(const Setup& setup, og::PathGeometric& path,
+                             const std::function<bool()>& isSpent) {
+    og::PathGeometric shorter = path;
+    const PathAudit found = setup.discrete ? shortenBySteps(setup, shorter, isSpent)
+                                           : simplify(shorter, *setup.auditor, {setup.floor, isSpent});
     const auto& objective = setup.definition->getOptimizationObjective();
-    if (dynamic_cast<const MinClearanceObjective*>(objective.get()) == nullptr) return setup.floor;
-    return std::max(setup.floor, audit(path, *setup.auditor).lowerClearance);
+    if (objective && objective->isCostBetterThan(path.cost(objective), shorter.cost(objective))) {
+        return audit(path, *setup.auditor);
+    }
+    path = shorter;
+    return found;
+}
+
+bool isLeastClearance(const ob::OptimizationObjectivePtr& objective) {
+    return dynamic_cast<const MinClearanceObjective*>(objective.get()) != nullptr;
 }
 
 }  // namespace
@@ -53,17 +64,11 @@ og::PathGeometric pathOf(const Setup& setup, const ob::PlannerSolution& solution
 }
 
 PathAudit finish(const Setup& setup, og::PathGeometric& path, const std::function<bool()>& isSpent) {
-    og::PathGeometric shorter = path;
-    const double floor = floorOf(setup, path);
-    const PathAudit found = setup.discrete ? shortenBySteps(setup, shorter, isSpent)
-                                           : simplify(shorter, *setup.auditor, {floor, isSpent});
+    if (setup.discrete) return shortenUnlessWorse(setup, path, isSpent);
     const auto& objective = setup.definition->getOptimizationObjective();
-    const bool isKept = !setup.discrete && floor > setup.floor;  // but for the resolution of costs
-    if (objective && !isKept && objective->isCostBetterThan(path.cost(objective), shorter.cost(objective))) {
-        return audit(path, *setup.auditor);
-    }
-    path = shorter;
-    return found;
+    if (!isLeastClearance(objective)) return shortenUnlessWorse(setup, path, isSpent);
+    const double floor = std::max(setup.floor, audit(path, *setup.auditor).lowerClearance);
+    return simplify(path, *setup.auditor, {floor, isSpent});
 }
 
 }  // namespace clearway::planning

@@ -20,6 +20,7 @@ namespace {
 using Parameters = AnytimePlanner::Parameters;
 
 constexpr const char* kObjective = "max_min_clearance";
+constexpr const char* kObjectiveOfFmt = "clearance_integral";
 constexpr int kHalvings = 4;
 
 struct Contender {
@@ -30,12 +31,14 @@ struct Contender {
 /// The parameters are OMPL's and those of `clearway plan`, but for what is written.
 const std::vector<Contender> kAnytime = {
     {"RRTstar", {}},
+    {"RRTstar", {{"range", "60"}}},
     {"PRMstar", {}},
     {"AnytimePathShortening", {}},
     {"AnytimePathShortening", {{"shortcut", "0"}, {"hybridize", "0"}}},
     {"BITstar", {}},
 };
-constexpr int kSamples[] = {250, 500, 1000, 2000, 4000};
+constexpr int kSamples[] = {100, 200, 400, 800};
+constexpr double kSecondsOfFmt = 4;  ///< times those of the others, at most
 
 struct Place {
     std::string name;
@@ -67,9 +70,9 @@ class Table {
         const std::optional<double> best = planner.best();
         const std::string row =
             place.name + "," + contender.planner + "," + joined(contender.parameters) + "," +
-            std::to_string(seed) + "," + shortNumber(seconds) + "," + (best ? shortNumber(*best) : "") + "," +
-            (best ? shortNumber(planner.certifiedClearance()) : "") + "," + std::to_string(counters.motions) +
-            "," + std::to_string(counters.queries) + "\n";
+            objective.getDescription() + "," + std::to_string(seed) + "," + shortNumber(seconds) + "," +
+            (best ? shortNumber(*best) : "") + "," + (best ? shortNumber(planner.certifiedClearance()) : "") +
+            "," + std::to_string(counters.motions) + "," + std::to_string(counters.queries) + "\n";
         std::cout << row << std::flush;
         text_ += row;
     }
@@ -77,13 +80,14 @@ class Table {
 
   private:
     std::string text_ =
-        "scene,planner,parameters,seed,seconds,cost,certified_clearance,objective_motions,objective_"
+        "scene,planner,parameters,objective,seed,seconds,cost,certified_clearance,objective_motions,"
+        "objective_"
         "queries\n";
 };
 
 void measure(const Place& place, std::uint32_t seed, double seconds, Table& table) {
-    const auto plannerFor = [&](const Contender& contender) {
-        return AnytimePlanner(place.problem, place.scene, contender.planner, contender.parameters, kObjective,
+    const auto plannerFor = [&](const Contender& contender, const char* objective = kObjective) {
+        return AnytimePlanner(place.problem, place.scene, contender.planner, contender.parameters, objective,
                               seed);
     };
     for (const Contender& contender : kAnytime) {
@@ -98,8 +102,8 @@ void measure(const Place& place, std::uint32_t seed, double seconds, Table& tabl
     }
     for (const int samples : kSamples) {
         const Contender fmt{"FMT", {{"num_samples", std::to_string(samples)}}};
-        AnytimePlanner planner = plannerFor(fmt);
-        table.add(place, fmt, seed, planner.planSeconds(seconds), planner);
+        AnytimePlanner planner = plannerFor(fmt, kObjectiveOfFmt);
+        table.add(place, fmt, seed, planner.planSeconds(kSecondsOfFmt * seconds), planner);
     }
     const Contender first{"RRTConnect", {}};
     AnytimePlanner planner = plannerFor(first);

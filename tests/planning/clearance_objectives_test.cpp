@@ -16,6 +16,7 @@
 #include "support/motion_scene.h"
 #include "support/motion_window.h"
 #include "support/ompl_log.h"
+#include "support/part_in_space.h"
 #include "support/random_meshes.h"
 
 namespace clearway::planning {
@@ -286,6 +287,28 @@ BOOST_AUTO_TEST_CASE(another_space_works_through_callbacks) {
                    "stateToPose is empty");
     requireRefused([&] { ClearanceIntegralObjective(si, window.scene, pose, DisplacementBound()); },
                    "displacement bound is empty");
+}
+
+/// A plate at rest on a tray that is ignored until the plate has moved by 4.
+BOOST_AUTO_TEST_CASE(obstacles_count_where_no_contact_zone_leaves_them_out) {
+    const Mesh plate = testing::box({30, 20, 5}, 2);
+    const Mesh tray = testing::transformed(testing::box({40, 30, 5}, 2), {Matrix3::Identity(), {0, 0, -10}});
+    Scene scene(Model::build(plate), Model::build(tray));
+    scene.obstacles[0].isIgnoredAtStart = true;
+    scene.startContact = ContactZone{Pose{}, 4};
+    const testing::PartInSpace f(scene);
+    const MinClearanceObjective least(f.si, scene);
+    const LengthWithClearanceObjective wanted(f.si, scene);
+    const auto rest = f.at({0, 0, 0}), lifted = f.at({0, 0, 3}), up = f.at({0, 0, 30}), in = f.at({0, 0, -5});
+    const double found = cost(least, rest, up);
+    BOOST_TEST(found <= 4);
+    BOOST_TEST(found >= 4 - resolutionOf(4, kDiagonal));
+    BOOST_TEST(cost(least, up, rest) == found);
+    BOOST_TEST(cost(least, rest, lifted) == least.cap());
+    BOOST_TEST(cost(least, up, in) == -kInvalidMotionCost);
+    BOOST_TEST(cost(wanted, rest, up) >= 30);
+    BOOST_TEST(cost(wanted, rest, up) <= 30 * 11);
+    BOOST_TEST(cost(wanted, up, in) == kInvalidMotionCost);
 }
 
 BOOST_AUTO_TEST_CASE(a_reach_bounds_the_clearance_told) {

@@ -30,8 +30,9 @@ struct ObjectiveCounters {
     std::uint64_t queries = 0;   ///< of distances
 };
 
-/// What the objectives here have in common. The clearance is the distance less the scene's margin; an
-/// environment's reach bounds it (see ValidityChecker::clearance). They may be used before si->setup().
+/// What the objectives here have in common. The clearance is the least distance less margin of the obstacles
+/// that count at a pose; a reach bounds it (see ValidityChecker::clearance). They may be used before
+/// si->setup().
 ///
 /// Where OMPL interpolates the same way in both directions, as in SE(3) and SE(2), a motion and its reverse
 /// cost exactly the same, for both are looked at in one direction. (A space without OMPL's serialisation
@@ -116,6 +117,9 @@ class MinClearanceObjective : public ClearanceObjective {
 /// translation plus that of the rotation times its subspace weight. At every pose it counts 1 + extra times,
 /// extra >= 0 depending on the clearance there, so that length is an admissible heuristic for the cost, and
 /// for the cost to go when the goal is a state or several.
+///
+/// Where a contact zone ignores obstacles, the clearance is how far the part may move until they count, if
+/// that is more than they leave.
 ///
 /// A motion is divided where what is certain of the clearance between the poses looked at leaves its cost
 /// less sure than the resolution, and nowhere else. Poses within 1e-5 of the part's diagonal of contact may
