@@ -6,14 +6,17 @@ namespace {
 namespace ob = ompl::base;
 
 constexpr double kWantedPerDiagonal = 0.01;
-constexpr int kHalvings = 6;        ///< between a state that collides and a valid one
-constexpr int kMoves = 5;           ///< away from contact
-constexpr double kMoveMore = 1.05;  ///< than is lacking: the next obstacle takes some
+constexpr double kBesidePerExtent = 0.1;  ///< of the space, as OMPL's Gaussian sampler
+constexpr int kHalvings = 6;              ///< between a state that collides and a valid one
+constexpr int kMoves = 5;                 ///< away from contact
+constexpr double kMoveMore = 1.05;        ///< than is lacking: the next obstacle takes some
 
 }  // namespace
 
 ContactNormalSampler::ContactNormalSampler(const ob::SpaceInformation* si)
-    : WitnessSampler(si, "contact_normal"), wanted_(kWantedPerDiagonal * partDiagonal()) {
+    : WitnessSampler(si, "contact_normal"),
+      wanted_(kWantedPerDiagonal * partDiagonal()),
+      beside_(kBesidePerExtent * si->getMaximumExtent()) {
     free_ = si->allocState();
     params_.declareParam<double>(
         "clearance", [this](double clearance) { wanted_ = clearance; }, [this] { return wanted_; });
@@ -41,12 +44,9 @@ bool ContactNormalSampler::sampleNear(ob::State* state, const ob::State* near, d
 
 /// The state as drawn, or one beside what it touches.
 bool ContactNormalSampler::settle(ob::State* state) {
-    if (checker_->isValid(state)) {
-        si_->copyState(free_, state);
-        hasFree_ = true;
-        return pushAway(state);
-    }
-    if (!hasFree_) return false;
+    if (checker_->isValid(state)) return pushAway(state);
+    sampler_->sampleGaussian(free_, state, beside_);
+    if (!checker_->isValid(free_)) return false;
     double blocked = 0, valid = 1;  // of the motion from the state to free_
     for (int i = 0; i < kHalvings; ++i) {
         const double middle = 0.5 * (blocked + valid);

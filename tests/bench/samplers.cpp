@@ -1,6 +1,6 @@
 // What a valid-state sampler is worth to a roadmap: plans problems by PRM with each sampler and seeds 1 to N,
 // and writes how many paths were found and how soon.
-//   bench_samplers PROBLEM.cfg SEEDS SECONDS OUT.csv
+//   bench_samplers PROBLEM.cfg SEEDS SECONDS OUT.csv [SAMPLER...]
 #include <algorithm>
 #include <exception>
 #include <iostream>
@@ -16,7 +16,8 @@ namespace {
 
 using planning::PlanReport;
 
-constexpr const char* kSamplers[] = {"uniform", "gaussian", "bridge_test", "contact_normal", "narrow_gap"};
+const std::vector<std::string> kSamplers = {"uniform", "gaussian", "bridge_test", "contact_normal",
+                                            "narrow_gap"};
 
 double median(std::vector<double> values) {
     std::sort(values.begin(), values.end());
@@ -24,8 +25,8 @@ double median(std::vector<double> values) {
 }
 
 int run(int count, char** words) {
-    if (count != 5) {
-        std::cerr << "usage: bench_samplers PROBLEM.cfg SEEDS SECONDS OUT.csv\n";
+    if (count < 5) {
+        std::cerr << "usage: bench_samplers PROBLEM.cfg SEEDS SECONDS OUT.csv [SAMPLER...]\n";
         return 2;
     }
     Problem problem = readProblem(words[1]);
@@ -37,7 +38,8 @@ int run(int count, char** words) {
     options.seconds = parseNumber(words[3]);
 
     std::string table = "sampler,seed,found,planning_seconds,checks,length,least_clearance\n";
-    for (const std::string sampler : kSamplers) {
+    const std::vector<std::string> asked(words + 5, words + count);
+    for (const std::string& sampler : asked.empty() ? kSamplers : asked) {
         problem.sampler = sampler;
         std::vector<double> seconds;
         int found = 0;

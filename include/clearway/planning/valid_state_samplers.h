@@ -36,9 +36,9 @@ class WitnessSampler : public ompl::base::ValidStateSampler {
     bool isPlanar_;
 };
 
-/// A state as it is drawn when it is valid and has the wanted clearance. Else one from beside the obstacle
-/// that it touches or is too near to, found between it and the last valid state drawn, and moved along the
-/// witness normal until it has the wanted clearance, or as much of it as a few moves give.
+/// A state as it is drawn when it is valid and has the wanted clearance. One that is too near is moved along
+/// the witness normal until it has that clearance, or as much of it as a few moves give. One that collides is
+/// first moved towards a valid one beside it, as far as it collides.
 /// Its parameter "clearance" is that length, in environment units; a hundredth of the part's diagonal at
 /// first.
 class ContactNormalSampler : public WitnessSampler {
@@ -57,8 +57,8 @@ class ContactNormalSampler : public WitnessSampler {
     bool pushAway(ompl::base::State* state) const;
 
     double wanted_;
-    ompl::base::State* free_;  ///< the last valid state drawn
-    bool hasFree_ = false;
+    double beside_;
+    ompl::base::State* free_;  ///< scratch
 };
 
 /// Only states in gaps: the part, moved away from its nearest obstacle, comes near another one on the far
