@@ -4,15 +4,18 @@
 #include <algorithm>
 #include <boost/algorithm/string/classification.hpp>
 #include <boost/algorithm/string/split.hpp>
+#include <limits>
 #include <stdexcept>
 
 #include "cli/command_line.h"
 #include "cli/elapsed_line.h"
 #include "cli/load_guard.h"
+#include "cli/planning_scene.h"
 #include "cli/print.h"
 #include "cli/tree_options.h"
 #include "core/number.h"
 #include "core/replace_file.h"
+#include "planning/mesh_names.h"
 #include "planning/scene_clearance.h"
 #include "problem/path_line.h"
 #include "render/camera.h"
@@ -160,15 +163,6 @@ std::vector<double> sharesOf(const Options& options, bool hasPath) {
                                            : kUsualPoses);
 }
 
-std::string betweenOf(const Scene& scene, const SceneDistance& nearest) {
-    if (nearest.partComponent < 0) return "";
-    const std::string part = scene.part.components()[static_cast<std::size_t>(nearest.partComponent)].name;
-    const Model& obstacle = scene.obstacles[static_cast<std::size_t>(nearest.obstacle)].model;
-    const std::string other =
-        obstacle.components()[static_cast<std::size_t>(nearest.environmentComponent)].name;
-    return ", between '" + part + "' and '" + other + "'";
-}
-
 /// The tightest pose is drawn solid, and the others are unless they run through one that is.
 void chooseGhosts(const Model& part, std::vector<PosedPart>& poses) {
     const auto tightest =
@@ -186,16 +180,30 @@ void chooseGhosts(const Model& part, std::vector<PosedPart>& poses) {
     }
 }
 
+void printPose(double share, const Scene& scene, const planning::PoseClearance& at) {
+    const SceneDistance& nearest = at.nearest;
+    const std::string between = nearest.partTriangle < 0
+                                    ? " or more"
+                                    : ", between '" + planning::meshName(scene.part, nearest.partComponent) +
+                                          "' and '" + planning::obstacleName(scene, nearest) + "'";
+    printRow("pose at " + readable(share), "clearance " + readable(at.lower) + between);
+}
+
+/// A pose out of the problem's bounds has all the clearance there is.
 std::vector<PosedPart> posesAt(const PathLine& line, const std::vector<double>& shares,
                                const planning::SceneClearance& clearance, bool isPrinted) {
     std::vector<PosedPart> poses;
     for (const double share : shares) {
         const PartState state = line.at(share);
-        const planning::PoseClearance at = clearance.at(poseOf(state));
+        const Pose X_environmentPart = poseOf(state);
+        if (clearance.isOutOfReach(X_environmentPart)) {
+            poses.push_back({state, std::numeric_limits<double>::infinity()});
+            if (isPrinted) printRow("pose at " + readable(share), "out of the problem's bounds");
+            continue;
+        }
+        const planning::PoseClearance at = clearance.at(X_environmentPart);
         poses.push_back({state, at.lower});
-        if (!isPrinted) continue;
-        printRow("pose at " + readable(share),
-                 "clearance " + readable(at.lower) + betweenOf(clearance.scene(), at.nearest));
+        if (isPrinted) printPose(share, clearance.scene(), at);
     }
     return poses;
 }
@@ -222,8 +230,8 @@ int render(const Arguments& arguments) {
     if (hasPath) options.requireOtherFile("out", {options.text("[IN.path]")});
     const ElapsedLine elapsed("rendering");
     const Mesh part = guardedLoadPart(problem), environment = guardedLoadEnvironment(problem);
-    const BuildOptions tree = buildPreset("fast");  // a few hundred queries: built sooner than asked
-    const Scene scene(buildModel(part, tree, cache), buildModel(environment, tree, cache), problem.margin);
+    // A few hundred queries: trees that are built sooner than they are asked.
+    const Scene scene = buildScene(problem, {}, buildPreset("fast"), cache);
     const planning::SceneClearance clearance(scene);
     const PathLine line(states, scene.part.radiusAboutOrigin());
     auto poses = posesAt(line, shares, clearance, true);

@@ -9,6 +9,7 @@
 #include "render/light.h"
 #include "render/outlines.h"
 #include "render/samples.h"
+#include "render/smooth_light.h"
 
 namespace clearway {
 
@@ -24,6 +25,33 @@ std::uint32_t maskFor(int samples) {
     return mask;
 }
 
+/// Sums over the rays of a pixel.
+struct Mean {
+    PixelLight sums;
+    float along = 0;
+    int count = 0;
+    bool isPlain = true;
+
+    void add(const RayHit& hit, const SeenPoint& seen, float light) {
+        if (count++ == 0) sums.body = hit.body;
+        isPlain &= sums.body == hit.body;
+        sums.light += light;
+        sums.point += seen.point;
+        sums.normal += seen.normal;
+        along += hit.along;
+    }
+    PixelLight over(int samples, float focal) const {
+        PixelLight mean = sums;
+        const float share = 1 / static_cast<float>(samples);
+        mean.isPlain = isPlain && count == samples;
+        mean.light *= share;
+        mean.point *= share;
+        mean.normal.stableNormalize();
+        mean.size = share * along / focal;
+        return mean;
+    }
+};
+
 /// The samples of one pixel.
 class Pixel {
   public:
@@ -32,12 +60,15 @@ class Pixel {
                 mixed(static_cast<std::uint32_t>(y) * 0x9e3779b9u + static_cast<std::uint32_t>(x)),
                 maskFor(exposure.samples)) {}
 
-    Colour colour(const Camera& camera) const {
+    /// met: filled with what the rays met.
+    Colour colour(const Camera& camera, PixelLight& met) const {
         Colour sum = Colour::Zero();
+        Mean mean;
         for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(exposure_.samples); ++i) {
             const auto [dx, dy] = place_(i);
-            sum += colourAlong(camera.rayThrough(x_ + dx, y_ + dy), i);
+            sum += colourAlong(camera.rayThrough(x_ + dx, y_ + dy), i, mean);
         }
+        met = mean.over(exposure_.samples, camera.focal);
         return sum / static_cast<float>(exposure_.samples);
     }
 
@@ -53,19 +84,20 @@ class Pixel {
           sky_(seed + 1, mask),
           key_(seed + 2, mask) {}
 
-    Colour lit(const Stage& stage, const Ray& ray, const RayHit& hit, std::uint32_t i) const {
-        const SeenPoint seen = stage.seenAt(ray, hit);
-        return light_.at(seen, sky_(i), key_(i)) * seen.colour;
-    }
-
-    Colour colourAlong(const Ray& ray, std::uint32_t i) const {
+    Colour colourAlong(const Ray& ray, std::uint32_t i, Mean& mean) const {
         const RayHit hit = stages_.solids.rays().nearest(ray);
-        const Colour behind = hit.isHit ? lit(stages_.solids, ray, hit, i) : exposure_.background;
-        return stages_.ghosts.isEmpty() ? behind : throughGhosts(ray, hit, behind, i);
+        Colour behind = exposure_.background;
+        if (hit.isHit) {
+            const SeenPoint seen = stages_.solids.seenAt(ray, hit);
+            const float light = light_.at(seen, sky_(i), key_(i));
+            behind = light * seen.colour;
+            mean.add(hit, seen, light);
+        }
+        return stages_.ghosts.isEmpty() ? behind : throughGhosts(ray, hit, behind, mean);
     }
 
     /// Of each ghost the wall nearest to the camera counts, so that what is inside does not blur it.
-    Colour throughGhosts(Ray ray, const RayHit& end, Colour behind, std::uint32_t i) const {
+    Colour throughGhosts(Ray ray, const RayHit& end, Colour behind, Mean& mean) const {
         std::array<RayHit, kMostGhosts> met;
         int count = 0;
         for (int wall = 0; wall < kMostWalls && count < kMostGhosts; ++wall) {
@@ -75,8 +107,10 @@ class Pixel {
             if (std::none_of(met.begin(), met.begin() + count, isSame)) met[count++] = hit;
             ray.least = hit.along + kPast;
         }
+        mean.isPlain &= count == 0;
         while (count-- > 0) {
-            const Colour ghost = lit(stages_.ghosts, ray, met[count], i);
+            const SeenPoint seen = stages_.ghosts.seenAt(ray, met[count]);
+            const Colour ghost = light_.unshaded(seen) * seen.colour;
             behind += exposure_.ghostShare * (ghost - behind);
         }
         return behind;
@@ -93,15 +127,20 @@ class Pixel {
 
 Image expose(const Stages& stages, const Camera& camera, const Exposure& exposure) {
     Image image(exposure.width, exposure.height, exposure.background);
+    std::vector<PixelLight> lights(image.pixels.size());
     const Light light(stages.solids, camera, exposure.lightReach);
     constexpr int kTile = 16;
     tbb::parallel_for(tbb::blocked_range2d<int>(0, image.height, kTile, 0, image.width, kTile),
                       [&](const tbb::blocked_range2d<int>& tile) {
                           for (int y = tile.rows().begin(); y < tile.rows().end(); ++y) {
-                              for (int x = tile.cols().begin(); x < tile.cols().end(); ++x)
-                                  image.at(x, y) = Pixel(stages, light, exposure, x, y).colour(camera);
+                              for (int x = tile.cols().begin(); x < tile.cols().end(); ++x) {
+                                  PixelLight& met =
+                                      lights[std::size_t(y) * std::size_t(image.width) + std::size_t(x)];
+                                  image.at(x, y) = Pixel(stages, light, exposure, x, y).colour(camera, met);
+                              }
                           }
                       });
+    smoothLight(lights, image);
     if (exposure.lineWidth > 0) drawOutlines(stages, camera, exposure.lineWidth, image);
     return image;
 }

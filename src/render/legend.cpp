@@ -18,7 +18,7 @@ struct Layout {
     double left, width, top, bottom;
 
     Layout(int pictureWidth, int pictureHeight)
-        : letters(std::max(6.0, 0.02 * std::min<double>(pictureHeight, 0.7 * pictureWidth))),
+        : letters(std::max(6.0, 0.024 * std::min<double>(pictureHeight, 0.7 * pictureWidth))),
           left(pictureWidth - 8 * letters),
           width(1.4 * letters),
           top(0.30 * pictureHeight),

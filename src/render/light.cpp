@@ -30,6 +30,11 @@ Light::Light(const Stage& stage, const Camera& camera, float reach)
       camera_(-camera.forward),
       reach_(reach) {}
 
+float Light::unshaded(const SeenPoint& seen) const {
+    return kFromCamera * std::max(0.0f, seen.normal.dot(camera_)) + kSky +
+           kKey * std::max(0.0f, seen.normal.dot(key_));
+}
+
 float Light::at(const SeenPoint& seen, std::pair<float, float> skySample,
                 std::pair<float, float> keySample) const {
     const Vector3f start = seen.point + kStep * seen.facet;

@@ -18,6 +18,9 @@ class Light {
     float at(const SeenPoint& seen, std::pair<float, float> skySample,
              std::pair<float, float> keySample) const;
 
+    /// The same without anything in its way: what is seen through takes no shade.
+    float unshaded(const SeenPoint& seen) const;
+
   private:
     const Stage& stage_;
     Vector3f key_;  ///< towards it
