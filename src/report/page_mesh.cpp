@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <unordered_map>
 
 #include "mesh/clean.h"
@@ -28,18 +27,22 @@ std::vector<std::uint32_t> representatives(const std::vector<Vector3>& vertices,
     return result;
 }
 
+/// Those that still have three vertices.
 std::vector<TriangleIndices> thinned(const CleanMesh& mesh, const Box& box, double cell) {
     const std::vector<std::uint32_t> standIns = representatives(mesh.vertices, box, cell);
     std::vector<TriangleIndices> triangles;
-    std::set<TriangleIndices> seen;
     for (const TriangleIndices& triangle : mesh.triangles) {
-        TriangleIndices made{standIns[triangle[0]], standIns[triangle[1]], standIns[triangle[2]]};
-        if (made[0] == made[1] || made[1] == made[2] || made[2] == made[0]) continue;
-        TriangleIndices sorted = made;
-        std::sort(sorted.begin(), sorted.end());
-        if (seen.insert(sorted).second) triangles.push_back(made);
+        const TriangleIndices made{standIns[triangle[0]], standIns[triangle[1]], standIns[triangle[2]]};
+        if (made[0] != made[1] && made[1] != made[2] && made[2] != made[0]) triangles.push_back(made);
     }
     return triangles;
+}
+
+/// One of each set of triangles on the same three vertices, in no order.
+void dropRepeated(std::vector<TriangleIndices>& triangles) {
+    for (TriangleIndices& triangle : triangles) std::sort(triangle.begin(), triangle.end());
+    std::sort(triangles.begin(), triangles.end());
+    triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
 }
 
 /// The largest number of cells along the diagonal, but for a few percent, that leaves few enough triangles.
@@ -63,6 +66,7 @@ PageMesh pageMeshOf(const Mesh& mesh, std::size_t mostTriangles) {
     if (triangles.size() > mostTriangles) {
         const double cell = cellFor(welded, page.box, mostTriangles);
         triangles = thinned(welded, page.box, cell);
+        dropRepeated(triangles);
         page.error = cell * std::sqrt(3.0);
     }
     const Vector3 extent = page.box.diagonal();

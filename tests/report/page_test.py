@@ -1,6 +1,7 @@
 """Looks at a report page in headless Chromium: page_test.py CLEARWAY PROBLEM.cfg IN.path [SECONDS]
 
-Fails with a line that says what was expected. SECONDS: the longest a redraw may take, with all pixels there."""
+Fails with a line that says what was expected. SECONDS: the longest a redraw may take, with all pixels there. With
+CLEARWAY_FULL in the environment it also looks at two scenes of full size."""
 
 import base64
 import os
@@ -9,7 +10,8 @@ import subprocess
 import sys
 import tempfile
 
-import browser
+sys.dont_write_bytecode = True  # the sources' folder stays as it is
+import browser  # noqa: E402
 
 kMostBytes = 20e6
 kMostSeconds = 0.2
@@ -121,25 +123,37 @@ def testSpeed(page, most):
     require(quick < most, f"a redraw takes {quick:.3f} s, expected less than {most}")
 
 
+def testPage(program, problem, path, folder, most):
+    file = os.path.join(folder, "report.html")
+    subprocess.run([program, "check", problem, path, "--report", file], check=True, stdout=subprocess.DEVNULL)
+    size = os.path.getsize(file)
+    print(f"page: {size / 1e6:.1f} MB")
+    require(size <= kMostBytes, f"the page has {size} bytes, expected at most {kMostBytes:.0f}")
+    page = browser.Page(file)
+    try:
+        testLoading(page)
+        testSlider(page)
+        testPlaying(page)
+        testProfileAndButtons(page)
+        testSpeed(page, most)
+        require(not page.errors, f"the console shows {page.errors}")
+    finally:
+        page.close()
+
+
 def main():
     program, problem, path = sys.argv[1:4]
-    require(browser.find_chromium(), "no chromium, expected the package cmake/packages_tests.txt names")
+    most = float(sys.argv[4]) if len(sys.argv) > 4 else kMostSeconds
+    require(browser.find_chromium(), "no chromium, expected the package that cmake/packages_tests.txt names")
     with tempfile.TemporaryDirectory() as folder:
-        file = os.path.join(folder, "report.html")
-        subprocess.run([program, "check", problem, path, "--report", file], check=True, stdout=subprocess.DEVNULL)
-        size = os.path.getsize(file)
-        print(f"page: {size / 1e6:.1f} MB")
-        require(size <= kMostBytes, f"the page has {size} bytes, expected at most {kMostBytes:.0f}")
-        page = browser.Page(file)
-        try:
-            testLoading(page)
-            testSlider(page)
-            testPlaying(page)
-            testProfileAndButtons(page)
-            testSpeed(page, float(sys.argv[4]) if len(sys.argv) > 4 else kMostSeconds)
-            require(not page.errors, f"the console shows {page.errors}")
-        finally:
-            page.close()
+        testPage(program, problem, path, folder, most)
+        if not os.environ.get("CLEARWAY_FULL"):
+            return
+        for name, part, environment in (("tunnel-console", 73425, 300401), ("large-environment", 100000, 1700000)):
+            scene = os.path.join(folder, name)
+            subprocess.run([program, "scene", name, "--out", scene, "--part-triangles", str(part),
+                            "--environment-triangles", str(environment)], check=True, stdout=subprocess.DEVNULL)
+            testPage(program, os.path.join(scene, name + ".cfg"), os.path.join(scene, name + ".path"), folder, most)
 
 
 main()
