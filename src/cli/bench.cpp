@@ -120,7 +120,7 @@ void requireOptions(const Options& options) {
 
 /// Refuses one that would replace what is read.
 std::string logFile(const Options& options, const Problem& problem) {
-    const std::vector<std::string> inputs = {problem.file, problem.robot, problem.world};
+    const std::vector<std::string> inputs = inputsOf(problem);
     if (options.has("log")) {
         options.requireOtherFile("log", inputs);
         return options.text("log");

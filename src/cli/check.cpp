@@ -43,7 +43,8 @@ CommandLine checkCommandLine() {
 Problem readProblemFor(const Options& options) {
     Problem problem = readProblem(options.text("PROBLEM.cfg"));
     if (options.has("margin")) problem.margin = options.nonNegative("margin");
-    std::vector<std::string> files = {problem.file, problem.robot, problem.world, options.text("IN.path")};
+    std::vector<std::string> files = inputsOf(problem);
+    files.push_back(options.text("IN.path"));
     if (options.has("csv")) {
         options.requireOtherFile("csv", files);
         files.push_back(options.text("csv"));
@@ -58,10 +59,9 @@ void warnOfEnd(const char* verb, double off, double tolerance, const char* end) 
               << end << ", expected at most " << readable(tolerance) << "\n";
 }
 
-void print(const Problem& problem, const Scene& scene, const planning::PathCheck& check) {
+void print(const Scene& scene, const planning::PathCheck& check) {
     printMesh("part", scene.part);
-    for (const Obstacle& obstacle : scene.obstacles) printMesh("environment", obstacle.model);
-    printRow("margin", readable(problem.margin));
+    printObstacles(scene);
     printRow("length", readable(check.audit.length));
     printRow("turned", readable(check.audit.turned * 180 / M_PI) + " degrees");
     printRow("queries", std::to_string(check.audit.queries));
@@ -95,7 +95,7 @@ int check(const Arguments& arguments) {
     printWarnings(problem.warnings);
     warnOfEnd("begins", found.offStart, found.tolerance, "start");
     warnOfEnd("ends", found.offGoal, found.tolerance, "goal");
-    print(problem, scene, found);
+    print(scene, found);
     if (options.has("csv")) writeProfile(found.audit, options.text("csv"));
     writePathOutputs(options, problem, scene, path, found.audit, {});
     requirePrinted();

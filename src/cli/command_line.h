@@ -16,9 +16,10 @@ namespace clearway {
 /// What a subcommand takes. Options that carry a value are declared as strings (optionValue) and read as
 /// numbers through Options, so that every wrong number is refused in the same words.
 struct CommandLine {
-    std::string usage;                    ///< "clearway info MESH [options]"
-    std::string purpose;                  ///< printed under the usage by --help
-    /// Names of the positional arguments; the last ones may be left out when they stand in brackets: "[IN.path]".
+    std::string usage;    ///< "clearway info MESH [options]"
+    std::string purpose;  ///< printed under the usage by --help
+    /// Names of the positional arguments; the last ones may be left out when they stand in brackets:
+    /// "[IN.path]".
     std::vector<std::string> positional;
     boost::program_options::options_description options{"Options", 110};
 };

@@ -19,6 +19,10 @@ std::string description(const PlannerChoice& planner) {
     return text;
 }
 
+void printContact(const char* where, const std::optional<ContactRule>& contact) {
+    if (contact) printRow(where, readable(contact->distance));
+}
+
 }  // namespace
 
 void describeProblem(const Problem& problem, const Box& environmentBox) {
@@ -36,6 +40,8 @@ void describeProblem(const Problem& problem, const Box& environmentBox) {
     if (problem.goalThreshold) printRow("goal threshold", readable(*problem.goalThreshold));
     for (const auto& [name, value] : problem.settings) printRow("setting", name + " = " + value);
     printRow("margin", readable(problem.margin));
+    printContact("contact at start", problem.rules.startContact);
+    printContact("contact at goal", problem.rules.goalContact);
     printRow("step", problem.step ? readable(*problem.step) : "not stated");
     printRow("planners", problem.planners.empty() ? "not stated" : std::to_string(problem.planners.size()));
     for (const PlannerChoice& planner : problem.planners) printRow("  planner", description(planner));

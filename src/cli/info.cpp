@@ -8,6 +8,7 @@
 #include "cli/describe_mesh.h"
 #include "cli/describe_problem.h"
 #include "cli/load_guard.h"
+#include "cli/planning_scene.h"
 #include "cli/tree_options.h"
 #include "planning/planning_reach.h"
 
@@ -28,8 +29,11 @@ void describeProblemFile(const std::string& file, const Options& options, const 
     }
     const Problem problem = readProblem(file);
     const Mesh part = guardedLoadPart(problem);
-    const Mesh environment = guardedLoadEnvironment(problem);
+    const std::vector<Mesh> worlds = guardedLoadWorlds(problem);
+    const Mesh environment = joinedEnvironment(worlds);
+    const ObstacleGroups obstacles = obstaclesOf(problem, worlds);
     describeProblem(problem, boundingBox(environment));
+    printObstacles(obstacles);
     std::cout << "\nPart\n";
     const Model partModel =
         describeMesh(part, problem.asOmplApp ? "as OMPL.app reads a robot" : "as stored", tree);

@@ -106,9 +106,16 @@ Mesh guardedLoadPart(const Problem& problem) {
     return loadPart(problem);
 }
 
-Mesh guardedLoadEnvironment(const Problem& problem) {
-    const LoadGuard guard(problem.world, secondsToLoad(problem.world));
-    return loadEnvironment(problem);
+std::vector<Mesh> guardedLoadWorlds(const Problem& problem) {
+    std::vector<Mesh> worlds;
+    for (const std::string& file : worldFiles(problem)) {
+        Problem one = problem;
+        one.world = file;
+        one.furtherWorlds.clear();
+        const LoadGuard guard(file, secondsToLoad(file));
+        worlds.push_back(std::move(loadWorlds(one)[0]));
+    }
+    return worlds;
 }
 
 }  // namespace clearway

@@ -39,9 +39,9 @@ class LoadGuard {
 /// Of the processor's time: far more than a file of that size takes to read, 20 for small ones.
 int secondsToLoad(const std::string& file);
 
-/// loadMesh, loadPart and loadEnvironment behind a LoadGuard.
+/// loadMesh, loadPart and loadWorlds behind a LoadGuard.
 Mesh guardedLoadMesh(const std::string& file, const LoadOptions& options);
 Mesh guardedLoadPart(const Problem& problem);
-Mesh guardedLoadEnvironment(const Problem& problem);
+std::vector<Mesh> guardedLoadWorlds(const Problem& problem);
 
 }  // namespace clearway

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "clearway/obstacle_groups.h"
 #include "cli/load_guard.h"
 #include "cli/print.h"
 #include "core/replace_file.h"
@@ -28,11 +29,12 @@ std::string shortName(const std::string& file) {
 }
 
 Rows problemRows(const Problem& problem, const Mesh& part, const Mesh& environment) {
-    return {
-        {"problem", shortName(problem.file)},
-        {"part", shortName(problem.robot) + ", " + counted(part.triangles.size(), "triangle")},
-        {"environment", shortName(problem.world) + ", " + counted(environment.triangles.size(), "triangle")},
-        {"margin", readable(problem.margin)}};
+    std::string worlds;
+    for (const std::string& file : worldFiles(problem)) worlds += shortName(file) + ", ";
+    return {{"problem", shortName(problem.file)},
+            {"part", shortName(problem.robot) + ", " + counted(part.triangles.size(), "triangle")},
+            {"environment", worlds + counted(environment.triangles.size(), "triangle")},
+            {"margin", readable(problem.margin)}};
 }
 
 Rows pathRows(const std::vector<PartState>& path, const planning::PathAudit& audit) {
@@ -111,7 +113,8 @@ void writePathOutputs(const Options& options, const Problem& problem, const Scen
                       const std::vector<PartState>& path, const planning::PathAudit& audit,
                       const Rows& planner) {
     if (!options.has("report") && !options.has("export")) return;
-    const Mesh part = guardedLoadPart(problem), environment = guardedLoadEnvironment(problem);
+    const Mesh part = guardedLoadPart(problem);
+    const Mesh environment = joinedEnvironment(guardedLoadWorlds(problem));
     if (options.has("report"))
         writePage(problem, part, environment, scene, path, audit, planner, options.text("report"));
     if (!options.has("export")) return;

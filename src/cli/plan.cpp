@@ -100,12 +100,14 @@ PlanOptions planOptions(const Options& options) {
 Problem readProblemFor(const Options& options) {
     Problem problem = readProblem(options.text("PROBLEM.cfg"));
     if (options.has("margin")) problem.margin = options.nonNegative("margin");
-    options.requireOtherFile("path", {problem.file, problem.robot, problem.world});
-    requirePathOutputs(options, {problem.file, problem.robot, problem.world, options.text("path")});
+    std::vector<std::string> files = inputsOf(problem);
+    options.requireOtherFile("path", files);
+    files.push_back(options.text("path"));
+    requirePathOutputs(options, files);
     return problem;
 }
 
-Rows settingsRows(const Scene& scene, const PlanOptions& options, const PlanReport& report) {
+Rows settingsRows(const PlanOptions& options, const PlanReport& report) {
     std::string planners;
     for (const std::string& name : report.planners) planners += (planners.empty() ? "" : ", ") + name;
     Rows rows = {{"planner", planners + ", seed " + std::to_string(options.seed)}};
@@ -113,7 +115,6 @@ Rows settingsRows(const Scene& scene, const PlanOptions& options, const PlanRepo
         rows.push_back({"repeatable",
                         report.isRepeatable ? "yes" : "no: this planner does not give the same path again"});
     }
-    rows.push_back({"margin", readable(scene.largestMargin())});
     rows.push_back({"motions", report.isCertified ? "certified along their whole length"
                                                   : "checked every " + readable(report.step)});
     if (report.isCertified) rows.push_back({"floor", readable(report.floor)});
@@ -186,8 +187,8 @@ int plan(const Arguments& arguments) {
     printWarnings(problem.warnings);
     printWarnings(report.warnings);
     printMesh("part", scene.part);
-    for (const Obstacle& obstacle : scene.obstacles) printMesh("environment", obstacle.model);
-    const Rows settings = settingsRows(scene, planOptionsGiven, report);
+    printObstacles(scene);
+    const Rows settings = settingsRows(planOptionsGiven, report);
     printRows(settings);
     const int code = printOutcome(report, problem, file);
     if (code == kDone) writeOutputs(options, problem, scene, report, settings);

@@ -5,15 +5,30 @@
 #include <vector>
 
 #include "clearway/build_options.h"
+#include "clearway/obstacle_groups.h"
 #include "clearway/problem.h"
 #include "clearway/scene.h"
 #include "planning/plan.h"
 
 namespace clearway {
 
-/// Throws what loading the meshes and building their models throw. cache: as buildModel takes it.
+/// Throws what loading the meshes, grouping them by the problem's rules and building their models throw.
+/// Warns on stderr of solids turned over and of a part that cannot be solid. cache: as buildModel takes it.
 Scene buildScene(const Problem& problem, const planning::PlanOptions& options, const BuildOptions& tree,
                  const std::string& cache);
+
+/// groupObstacles by the problem's rules; what it throws names the file.
+ObstacleGroups obstaclesOf(const Problem& problem, const std::vector<Mesh>& worlds);
+
+/// Of all of the environment, what is ignored included: where bounds come from.
+Box boxOf(const ObstacleGroups& obstacles);
+
+/// Rows: the obstacles, with names when rules tell them apart, the margin and the contact zones.
+void printObstacles(const Scene& scene);
+void printObstacles(const ObstacleGroups& obstacles);
+
+/// The files a problem is read from, which no output may replace.
+std::vector<std::string> inputsOf(const Problem& problem);
 
 /// A row: the model's file, its triangles, and how many were left out.
 void printMesh(const std::string& label, const Model& model);

@@ -226,10 +226,11 @@ int render(const Arguments& arguments) {
     if (options.has("margin")) problem.margin = options.nonNegative("margin");
     const std::vector<PartState> states = hasPath ? readPath(options.text("[IN.path]"), problem.space)
                                                   : std::vector<PartState>{problem.start, problem.goal};
-    options.requireOtherFile("out", {problem.file, problem.robot, problem.world});
+    options.requireOtherFile("out", inputsOf(problem));
     if (hasPath) options.requireOtherFile("out", {options.text("[IN.path]")});
     const ElapsedLine elapsed("rendering");
-    const Mesh part = guardedLoadPart(problem), environment = guardedLoadEnvironment(problem);
+    const Mesh part = guardedLoadPart(problem);
+    const Mesh environment = joinedEnvironment(guardedLoadWorlds(problem));
     // A few hundred queries: trees that are built sooner than they are asked.
     const Scene scene = buildScene(problem, {}, buildPreset("fast"), cache);
     const planning::SceneClearance clearance(scene);

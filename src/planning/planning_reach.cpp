@@ -32,7 +32,8 @@ std::optional<Reach> planningReach(const Problem& problem, const PlanOptions& op
     const double radius = part.radiusAboutOrigin();
     const auto objective = chooseObjective(problem, options);
     const double clearance = objective ? largestClearance(*objective, part) : 0;
-    const double cap = problem.margin + std::max(stepOf(problem, options, part), clearance) + 2 * radius;
+    const double told = std::max(stepOf(problem, options, part), clearance);
+    const double cap = largestMargin(problem) + told + 2 * radius;
     return Reach{Box(bounds.min() - slack, bounds.max() + slack), radius, cap};
 }
 

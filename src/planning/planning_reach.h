@@ -11,10 +11,10 @@
 namespace clearway::planning {
 
 /// What plan() needs an environment's model to hold: all positions within the problem's bounds, and distances
-/// up to the problem's margin and the step (as plan() finds it), or what an objective of clearance asks for,
-/// with the part's diameter on top, so that clearances are told that far. Nothing when clearances of any size
-/// decide what is found (the sampler max_clearance). environmentBox: of the whole environment. Throws
-/// std::invalid_argument as boundsOf does.
+/// up to the problem's largest margin and the step (as plan() finds it), or what an objective of clearance
+/// asks for, with the part's diameter on top, so that clearances are told that far. Nothing when clearances
+/// of any size decide what is found (the sampler max_clearance). environmentBox: of the whole environment.
+/// Throws std::invalid_argument as boundsOf does.
 std::optional<Reach> planningReach(const Problem& problem, const PlanOptions& options, const Model& part,
                                    const Box& environmentBox);
 

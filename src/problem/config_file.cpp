@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "core/lines.h"
+#include "problem/name_lists.h"
 
 namespace clearway {
 
@@ -12,15 +13,19 @@ std::vector<ConfigEntry> readConfigFile(const std::string& file) {
     int number = 0;
     for (const std::string& whole : readLines(file, "a problem file (.cfg)")) {
         ++number;
-        const std::string_view line = trimmed(std::string_view(whole).substr(0, whole.find('#')));
+        const bool hasQuotes = prefix == "clearway.";
+        const auto before = [&](std::string_view text, char character) {
+            return hasQuotes ? beforeUnquoted(text, character) : text.substr(0, text.find(character));
+        };
+        const std::string_view line = trimmed(before(whole, '#'));
         if (line.empty()) continue;
         if (line.front() == '[' && line.back() == ']') {
             prefix = std::string(trimmed(line.substr(1, line.size() - 2))) + ".";
             continue;
         }
-        const std::size_t equals = line.find('=');
+        const std::size_t equals = before(line, '=').size();
         const std::string_view key = trimmed(line.substr(0, equals));
-        if (equals == std::string_view::npos || key.empty()) {
+        if (equals == line.size() || key.empty()) {
             throw std::invalid_argument(place(file, number) + "the line is " + quote(line) +
                                         ", expected [section] or key = value");
         }

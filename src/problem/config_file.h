@@ -1,4 +1,5 @@
-// The lines of a .cfg: sections in brackets, key = value, # begins a comment anywhere in a line.
+// The lines of a .cfg: sections in brackets, key = value, # begins a comment anywhere in a line; in
+// [clearway] not within quotes.
 #pragma once
 
 #include <string>

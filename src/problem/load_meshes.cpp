@@ -1,4 +1,5 @@
 // A problem's meshes, read the way the problem says.
+#include "clearway/obstacle_groups.h"
 #include "clearway/problem.h"
 
 namespace clearway {
@@ -19,8 +20,16 @@ Mesh loadPart(const Problem& problem) {
                   isSpatial ? MeshReading::kOmplAppRobot : MeshReading::kOmplAppPlanarRobot);
 }
 
+std::vector<Mesh> loadWorlds(const Problem& problem) {
+    std::vector<Mesh> worlds;
+    for (const std::string& file : worldFiles(problem)) {
+        worlds.push_back(loadAs(problem, file, MeshReading::kOmplAppEnvironment));
+    }
+    return worlds;
+}
+
 Mesh loadEnvironment(const Problem& problem) {
-    return loadAs(problem, problem.world, MeshReading::kOmplAppEnvironment);
+    return joinedEnvironment(loadWorlds(problem));
 }
 
 }  // namespace clearway

@@ -1,6 +1,7 @@
 // What a problem's values stand for: poses and bounds.
 #include "clearway/problem.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "core/number.h"
@@ -48,6 +49,18 @@ Pose poseOf(const PartState& state) {
             "the state's quaternion has length 0 or is not finite, expected one of length 1");
     }
     return {*rotation, state.position};
+}
+
+std::vector<std::string> worldFiles(const Problem& problem) {
+    std::vector<std::string> files = {problem.world};
+    files.insert(files.end(), problem.furtherWorlds.begin(), problem.furtherWorlds.end());
+    return files;
+}
+
+double largestMargin(const Problem& problem) {
+    double largest = problem.margin;
+    for (const auto& [name, margin] : problem.rules.margins) largest = std::max(largest, margin);
+    return largest;
 }
 
 Box boundsOf(const Problem& problem, const Box& environmentBox) {

@@ -10,6 +10,8 @@
 #include "core/lines.h"
 #include "core/number.h"
 #include "problem/config_values.h"
+#include "problem/name_lists.h"
+#include "problem/obstacle_rules.h"
 #include "problem/planner_choices.h"
 #include "problem/rotation.h"
 
@@ -18,7 +20,8 @@ namespace clearway {
 namespace {
 
 constexpr const char* kAxisNames[] = {"x", "y", "z"};
-constexpr const char* kClearwayKeys = "margin, reading, step";
+constexpr const char* kClearwayKeys =
+    "contact.goal, contact.start, ignore, margin, margin.NAME, reading, solid, step";
 
 /// The .cfg's folder first. OMPL.app looks in the current folder as well (and before); so that one problem is
 /// not two things in two places, that is the second choice here, and said.
@@ -32,6 +35,28 @@ std::string meshFile(const std::string& name, const std::string& config, std::ve
         return name;
     }
     return beside.string();
+}
+
+bool isThere(const std::string& name, const std::string& config) {
+    namespace fs = std::filesystem;
+    std::error_code ignored;
+    return fs::exists(fs::path(config).parent_path() / name, ignored) || fs::exists(name, ignored);
+}
+
+/// OMPL.app's key holds one file, whatever its name: so does one without a comma, or that is there.
+void readWorlds(ConfigValues& values, Problem& problem) {
+    const std::string key = "problem.world";
+    const std::string text = values.requiredText(key, "the environment's mesh file");
+    std::vector<std::string> names = {text};
+    const bool isList = text.find(',') != std::string::npos || (text.front() == '"' && text.back() == '"');
+    if (isList && !isThere(text, problem.file)) {
+        const std::optional<std::vector<std::string>> split = splitNames(text);
+        if (!split) values.refuse(key, "mesh files, with commas between them");
+        names = *split;
+    }
+    for (std::string& name : names) name = meshFile(name, problem.file, problem.warnings);
+    problem.world = names[0];
+    problem.furtherWorlds.assign(names.begin() + 1, names.end());
 }
 
 /// SE(3) when all z and axis keys are there, SE(2) when none is; between, the first missing key will be
@@ -134,6 +159,7 @@ void readClearway(ConfigValues& values, Problem& problem) {
     const std::string margin = "clearway.margin";
     problem.margin = values.number(margin).value_or(0);
     if (!(problem.margin >= 0)) values.refuse(margin, "a number of at least 0");
+    problem.rules = readObstacleRules(values);
     problem.step = readPositive(values, "clearway.step");
     const std::string reading = "clearway.reading";
     const std::string how = values.text(reading).value_or("omplapp");
@@ -184,8 +210,7 @@ Problem readProblem(const std::string& file) {
     problem.name = values.text("problem.name").value_or("");
     problem.robot =
         meshFile(values.requiredText("problem.robot", "the part's mesh file"), file, problem.warnings);
-    problem.world =
-        meshFile(values.requiredText("problem.world", "the environment's mesh file"), file, problem.warnings);
+    readWorlds(values, problem);
     problem.space = spaceOf(values);
     problem.start = readState(values, "problem.start.", problem.space);
     problem.goal = readState(values, "problem.goal.", problem.space);

@@ -1,6 +1,7 @@
 // Writes a problem so that readProblem gives back the same values.
 #include <cmath>
 #include <filesystem>
+#include <optional>
 #include <ostream>
 #include <sstream>
 #include <stdexcept>
@@ -9,6 +10,8 @@
 #include "core/lines.h"
 #include "core/number.h"
 #include "core/replace_file.h"
+#include "problem/name_lists.h"
+#include "problem/obstacle_rules.h"
 #include "problem/rotation.h"
 
 namespace clearway {
@@ -36,6 +39,11 @@ class ConfigText {
                                         ", expected text without #, line ends or white space at its ends");
         }
         text_ << key << (value.empty() ? " =" : " = ") << value << "\n";
+    }
+
+    /// Of names that have been put in quotes where need be.
+    void quotedLine(const std::string& key, const std::string& value) {
+        text_ << key << " = " << value << "\n";
     }
 
     void line(const std::string& key, double value) {
@@ -68,6 +76,18 @@ std::string relativeTo(const std::string& folder, const std::string& mesh) {
     return fs::proximate(mesh, folder.empty() ? fs::path(".") : fs::path(folder)).generic_string();
 }
 
+std::string writtenWorlds(const Problem& problem, const std::string& folder) {
+    std::vector<std::string> names;
+    for (const std::string& file : worldFiles(problem)) names.push_back(relativeTo(folder, file));
+    const std::string& only = names[0];
+    const bool isPlain =
+        only.empty() || (only.find(',') == std::string::npos && (only.front() != '"' || only.back() != '"'));
+    if (names.size() == 1 && isPlain) return only;
+    const std::optional<std::string> written = writtenNames(names);
+    if (written) return *written;
+    throw std::invalid_argument("world is " + quote(only) + ", expected a name without quotes");
+}
+
 /// what: for the message when a key cannot be written.
 void writeTexts(ConfigText& text, const std::string& what, const std::string& prefix,
                 const NamedTexts& texts) {
@@ -82,7 +102,7 @@ void writeProblemSection(ConfigText& text, const Problem& problem, const std::st
     text.section("problem");
     if (!problem.name.empty()) text.line("name", problem.name);
     text.line("robot", relativeTo(folder, problem.robot));
-    text.line("world", relativeTo(folder, problem.world));
+    text.line("world", writtenWorlds(problem, folder));
     writeState(text, "start", problem.start, problem.space);
     writeState(text, "goal", problem.goal, problem.space);
     if (problem.volume) {
@@ -128,6 +148,7 @@ void writePlannerSection(ConfigText& text, const Problem& problem) {
 void writeClearwaySection(ConfigText& text, const Problem& problem) {
     text.section("clearway");
     text.line("margin", problem.margin);
+    for (const auto& [key, value] : writtenRules(problem.rules)) text.quotedLine(key, value);
     if (problem.step) text.line("step", *problem.step);
     text.line("reading", std::string(problem.asOmplApp ? "omplapp" : "stored"));
 }

@@ -131,7 +131,7 @@ BOOST_AUTO_TEST_CASE(a_problem_is_described_with_both_meshes_as_omplapp_reads_th
     BOOST_TEST(row(outcome, "step") == "not stated");
     BOOST_TEST(row(outcome, "planners") == "1");
     BOOST_TEST(row(outcome, "  planner") == "rrt, range = 5");
-    BOOST_TEST(row(outcome, "warning") == "a.cfg:19: [problem] threshold = '3' has no effect here");
+    BOOST_TEST(row(outcome, "goal threshold") == "3");
     const std::size_t part = outcome.out.find("\nPart\n");
     const std::size_t environment = outcome.out.find("\nEnvironment\n");
     BOOST_TEST_REQUIRE((part != std::string::npos && part < environment && environment != std::string::npos));
@@ -199,7 +199,8 @@ BOOST_AUTO_TEST_CASE(problems_with_wrong_values_are_refused) {
         "volume.min.x = 6\nvolume.min.y = -9\nvolume.min.z = -9\n"
         "volume.max.x = 9\nvolume.max.y = 9\nvolume.max.z = 9\n",
         {"a.cfg", "start.x is 5", "from 6 to 9"});
-    requireTailRefused("[clearway]\nsolid = wall\n", {"a.cfg:20", "solid", "margin, reading, step"});
+    requireTailRefused("[clearway]\nsolids = wall\n",
+                       {"a.cfg:20", "solids", "margin.NAME, reading, solid, step"});
     requireTailRefused("[clearway]\nmargin = -1\n", {"a.cfg:20", "margin", "'-1'", "at least 0"});
     requireTailRefused("what is this\n", {"a.cfg:19", "'what is this'", "key = value"});
 }

@@ -26,6 +26,19 @@ void requireSame(const PartState& a, const PartState& b, const char* promise) {
     require(a.position == b.position && turned <= kRotationRounding, promise);
 }
 
+void requireSame(const std::optional<ContactRule>& a, const std::optional<ContactRule>& b) {
+    require(a.has_value() == b.has_value(), "contacts survive");
+    if (a) require(a->names == b->names && a->distance == b->distance, "contacts survive");
+}
+
+void requireSameRules(const ObstacleRules& a, const ObstacleRules& b) {
+    require(a.margins == b.margins, "margins by name survive");
+    require(a.ignored == b.ignored, "ignored obstacles survive");
+    require(a.isAllSolid == b.isAllSolid && a.solid == b.solid, "solids survive");
+    requireSame(a.startContact, b.startContact);
+    requireSame(a.goalContact, b.goalContact);
+}
+
 void requireSameAgain(const Problem& problem) {
     const std::string file = folder().file("again.cfg");
     try {
@@ -46,6 +59,8 @@ void requireSameAgain(const Problem& problem) {
                 back.runCount == problem.runCount,
             "numbers survive");
     require(back.asOmplApp == problem.asOmplApp, "the reading survives");
+    requireSameRules(back.rules, problem.rules);
+    require(worldFiles(back).size() == worldFiles(problem).size(), "worlds survive");
     require(back.volume.has_value() == problem.volume.has_value(), "bounds survive");
     if (back.volume) {
         require(back.volume->min() == problem.volume->min() && back.volume->max() == problem.volume->max(),
@@ -111,7 +126,7 @@ void fuzzOne(std::string_view input) {
 
 std::vector<std::string> seeds() {
     const std::string meshes =
-        "[problem]\nname = a\nrobot = p.stl\nworld = w.stl\nstart.x = 1\nstart.y = 2\n";
+        "[problem]\nname = a\nrobot = p.stl\nworld = w.stl, \"v, u.stl\"\nstart.x = 1\nstart.y = 2\n";
     const std::string spatial =
         "start.z = 3\nstart.axis.x = 0\nstart.axis.y = 0.6\nstart.axis.z = 1\nstart.theta = 1.5\ngoal.x = 1\n"
         "goal.y = 2\ngoal.z = 3\ngoal.axis.x = 0\ngoal.axis.y = 0\ngoal.axis.z = 1\ngoal.theta = -1e-3\n"
@@ -120,7 +135,8 @@ std::vector<std::string> seeds() {
     const std::string rest =
         "[benchmark]\ntime_limit = 2.5\nmem_limit = 1000\nrun_count = 5\n[planner]\nrrt=\nrrt.range = "
         "5\nprm=\n"
-        "[clearway]\nmargin = 0.1\nstep = 2\nreading = stored\n";
+        "[clearway]\nmargin = 0.1\nstep = 2\nreading = stored\nmargin.a b = 2\nmargin.\"c#2\" = 0 # d\n"
+        "ignore = e, \"f, g\"\nsolid = all\ncontact.start = h, 3\ncontact.goal = i, j, 0.5\n";
     return {'\0' + meshes + spatial + rest,
             '\0' + meshes + "start.theta = 0.5\ngoal.x = 4\ngoal.y = 5\ngoal.theta = 6\n" + rest,
             "\1"

@@ -224,8 +224,10 @@ BOOST_AUTO_TEST_CASE(lines_that_are_neither_section_nor_key_are_refused) {
 }
 
 BOOST_AUTO_TEST_CASE(an_unknown_clearway_key_is_an_error_for_it_may_decide_what_is_valid) {
-    BOOST_TEST(refusalOf(kSpatial + "[clearway]\nsolid = wall\n") ==
-               ":20: [clearway] solid = 'wall' is an unknown key, expected one of margin, reading, step");
+    BOOST_TEST(
+        refusalOf(kSpatial + "[clearway]\nsolids = wall\n") ==
+        ":20: [clearway] solids = 'wall' is an unknown key, expected one of contact.goal, contact.start, "
+        "ignore, margin, margin.NAME, reading, solid, step");
     BOOST_TEST(refusalOf(kSpatial + "[Clearway]\nmargin = 2\n") ==
                ":20: the section is [Clearway], expected [clearway]");
 }

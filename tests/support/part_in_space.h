@@ -35,6 +35,7 @@ struct PartInSpace {
         state.rotation = Eigen::AngleAxisd(angle, axis);
         return at(state);
     }
+    PartState stateOf(const ompl::base::State* state) const { return planning::fromOmpl(spaceKind, state); }
     bool isValid(const Vector3& position) const { return checker->isValid(at(position).get()); }
     bool check(const Vector3& from, const Vector3& to) const {
         return validator->checkMotion(at(from).get(), at(to).get());

@@ -1,0 +1,146 @@
+// The keys of [clearway] about obstacles, and worlds of several files: read as written, written as read.
+#define BOOST_TEST_MODULE obstacle_rules
+#include <boost/test/unit_test.hpp>
+#include <stdexcept>
+
+#include "clearway/problem.h"
+#include "support/temporary_folder.h"
+
+namespace clearway::testing {
+namespace {
+
+using Names = std::vector<std::string>;
+
+std::string problemText(const std::string& world, const std::string& rules) {
+    return "[problem]\nrobot = part.stl\nworld = " + world +
+           "\nstart.x = 1\nstart.y = 2\nstart.theta = 0\ngoal.x = 3\ngoal.y = 4\ngoal.theta = "
+           "0\n[clearway]\n" +
+           rules;
+}
+
+Problem read(const TemporaryFolder& folder, const std::string& world, const std::string& rules) {
+    folder.write("a.cfg", problemText(world, rules));
+    return readProblem(folder.file("a.cfg"));
+}
+
+std::string refusal(const std::string& rules) {
+    const TemporaryFolder folder;
+    try {
+        read(folder, "w.stl", rules);
+    } catch (const std::invalid_argument& error) {
+        return std::string(error.what()).substr(folder.file("a.cfg").size());
+    }
+    return "";
+}
+
+BOOST_AUTO_TEST_CASE(rules_are_read_with_names_of_any_kind) {
+    const TemporaryFolder folder;
+    const Problem problem = read(folder, "w.stl",
+                                 "margin = 1\n"
+                                 "margin.Left Door = 2.5   # a comment\n"
+                                 "margin.\"bolt#2\" = 0\n"
+                                 "margin.\"a = b, c\" = 3\n"
+                                 "ignore = floor/steel, \"seat, rear\", \"bolt#3\"\n"
+                                 "solid = engine\n"
+                                 "contact.start = tray, left rail, 5\n"
+                                 "contact.goal = \"12\", 0.5\n");
+    BOOST_TEST(problem.margin == 1);
+    BOOST_TEST((problem.rules.margins ==
+                std::map<std::string, double>{{"Left Door", 2.5}, {"bolt#2", 0}, {"a = b, c", 3}}));
+    BOOST_TEST(largestMargin(problem) == 3);
+    BOOST_TEST(problem.rules.ignored == (Names{"floor/steel", "seat, rear", "bolt#3"}),
+               boost::test_tools::per_element());
+    BOOST_TEST(!problem.rules.isAllSolid);
+    BOOST_TEST(problem.rules.solid == Names{"engine"}, boost::test_tools::per_element());
+    BOOST_TEST(problem.rules.startContact->names == (Names{"tray", "left rail"}),
+               boost::test_tools::per_element());
+    BOOST_TEST(problem.rules.startContact->distance == 5);
+    BOOST_TEST(problem.rules.goalContact->names == Names{"12"}, boost::test_tools::per_element());
+    BOOST_TEST(read(folder, "w.stl", "solid = all\n").rules.isAllSolid);
+    BOOST_TEST(read(folder, "w.stl", "solid = \"all\"\n").rules.solid == Names{"all"},
+               boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(wrong_rules_are_refused_with_their_line) {
+    BOOST_TEST(refusal("margin.door = -1\n") ==
+               ":11: [clearway] margin.door is '-1', expected a number of at least 0");
+    BOOST_TEST(refusal("margin.door = nan\n").find("expected a finite number") != std::string::npos);
+    BOOST_TEST(refusal("margin.a = 1\nmargin.\"a\" = 2\n").find("each name once") != std::string::npos);
+    BOOST_TEST(refusal("margin. = 1\n").find("expected margin.NAME = M") != std::string::npos);
+    BOOST_TEST(refusal("ignore = a,, b\n").find("expected names, with commas") != std::string::npos);
+    BOOST_TEST(refusal("ignore = a\"b\"\n").find("expected names, with commas") != std::string::npos);
+    for (const char* wrong : {"tray", "5", "tray, 0", "tray, -1", "tray, far", "tray, nan"}) {
+        BOOST_TEST(refusal(std::string("contact.start = ") + wrong + "\n")
+                           .find("expected names and a length above 0") != std::string::npos,
+                   wrong);
+    }
+    BOOST_TEST(refusal("contact.gaol = tray, 1\n").find("is an unknown key, expected one of contact.goal") !=
+               std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(a_world_may_be_several_files) {
+    const TemporaryFolder folder;
+    Problem problem = read(folder, "tray.stl, the wall.obj,\"a, b.stl\"", "");
+    BOOST_TEST(worldFiles(problem) ==
+                   (Names{folder.file("tray.stl"), folder.file("the wall.obj"), folder.file("a, b.stl")}),
+               boost::test_tools::per_element());
+    folder.write("c, d.stl", "solid x\nendsolid x\n");
+    problem = read(folder, "c, d.stl", "");  // there as a whole
+    BOOST_TEST(worldFiles(problem) == Names{folder.file("c, d.stl")}, boost::test_tools::per_element());
+    BOOST_CHECK_THROW(read(folder, "a.stl,,b.stl", ""), std::invalid_argument);
+    BOOST_CHECK_THROW(read(folder, "a.stl,\"b.stl", ""), std::invalid_argument);
+}
+
+BOOST_AUTO_TEST_CASE(rules_and_worlds_written_read_back_the_same) {
+    const TemporaryFolder folder;
+    Problem problem;
+    problem.robot = folder.file("part.stl");
+    problem.world = folder.file("tray.stl");
+    problem.furtherWorlds = {folder.file("a, b.stl"), folder.file("c.obj")};
+    problem.rules.margins = {{"door", 0.1}, {" spaced ", 2}, {"a=b#c,d", 1.0 / 3}, {"x.y", 4}};
+    problem.rules.ignored = {"one", "[two]", "three, four"};
+    problem.rules.solid = {"all"};
+    problem.rules.startContact = ContactRule{{"tray", "5"}, 1.0 / 3};
+    problem.rules.goalContact = ContactRule{{"shelf #2"}, 7};
+    for (const bool isAllSolid : {false, true}) {
+        problem.rules.isAllSolid = isAllSolid;
+        writeProblem(problem, folder.file("b.cfg"));
+        const Problem back = readProblem(folder.file("b.cfg"));
+        BOOST_TEST(back.warnings.empty());
+        BOOST_TEST(worldFiles(back) == worldFiles(problem), boost::test_tools::per_element());
+        BOOST_TEST((back.rules.margins == problem.rules.margins));
+        BOOST_TEST(back.rules.ignored == problem.rules.ignored, boost::test_tools::per_element());
+        BOOST_TEST(back.rules.isAllSolid == isAllSolid);
+        if (!isAllSolid)
+            BOOST_TEST(back.rules.solid == problem.rules.solid, boost::test_tools::per_element());
+        BOOST_TEST(back.rules.startContact->names == problem.rules.startContact->names,
+                   boost::test_tools::per_element());
+        BOOST_TEST(back.rules.startContact->distance == problem.rules.startContact->distance);
+        BOOST_TEST(back.rules.goalContact->names == problem.rules.goalContact->names,
+                   boost::test_tools::per_element());
+    }
+    problem.furtherWorlds.clear();
+    problem.world = folder.file("a, b.stl");
+    writeProblem(problem, folder.file("b.cfg"));
+    BOOST_TEST(worldFiles(readProblem(folder.file("b.cfg"))) == Names{folder.file("a, b.stl")},
+               boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(names_that_no_file_can_hold_are_not_written) {
+    const TemporaryFolder folder;
+    Problem problem;
+    problem.robot = problem.world = folder.file("part.stl");
+    for (const char* wrong : {"", "a\"b", "a\nb"}) {
+        problem.rules.ignored = {wrong};
+        BOOST_CHECK_THROW(writeProblem(problem, folder.file("b.cfg")), std::invalid_argument);
+    }
+    problem.rules.ignored.clear();
+    problem.rules.startContact = ContactRule{{}, 1};
+    BOOST_CHECK_THROW(writeProblem(problem, folder.file("b.cfg")), std::invalid_argument);
+    problem.rules.startContact = ContactRule{{"a"}, 0};
+    BOOST_CHECK_THROW(writeProblem(problem, folder.file("b.cfg")), std::invalid_argument);
+    BOOST_TEST(folder.names().empty());
+}
+
+}  // namespace
+}  // namespace clearway::testing
