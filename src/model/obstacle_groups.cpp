@@ -85,11 +85,27 @@ class Rules {
     std::vector<Treatment> treatments_;
 };
 
-void requireSolid(const std::vector<std::string>& refusals) {
-    if (refusals.empty()) return;
-    const std::string more =
-        refusals.size() == 1 ? "" : "; nor do " + std::to_string(refusals.size() - 1) + " more of the solids";
-    throw std::invalid_argument("solid: " + refusals[0] + more);
+void makeSolid(ObstacleGroup& group, std::vector<std::string>& notes) {
+    const MadeSolids made = makeSolids(group.mesh);
+    if (!made.refusals.empty()) {
+        const std::size_t others = made.refusals.size() - 1;
+        throw std::invalid_argument(
+            "solid: " + made.refusals[0] +
+            (others == 0 ? "" : "; nor do " + std::to_string(others) + " more of the solids"));
+    }
+    group.solids = made.solids;
+    for (const std::string& name : made.turnedOver) {
+        notes.push_back("the solid '" + name + "' faces inwards: it is taken turned over");
+    }
+}
+
+/// Of each component, in its own file.
+std::vector<std::uint32_t> firstTrianglesOf(const std::vector<Mesh>& files) {
+    std::vector<std::uint32_t> first;
+    for (const Mesh& file : files) {
+        for (const Component& component : componentsOf(file)) first.push_back(component.firstTriangle);
+    }
+    return first;
 }
 
 }  // namespace
@@ -135,12 +151,8 @@ ObstacleGroups groupObstacles(const std::vector<Mesh>& files, double margin, con
     const ObstacleNames names(files);
     Rules applied(names, margin);
     applied.apply(rules);
-    std::vector<std::uint32_t> fileTriangles;
-    for (const Mesh& file : files) {
-        for (const Component& component : componentsOf(file))
-            fileTriangles.push_back(component.firstTriangle);
-    }
     const Mesh all = joinedEnvironment(files);
+    const std::vector<std::uint32_t> fileTriangles = firstTrianglesOf(files);
     std::map<decltype(Treatment().key()), std::vector<std::size_t>> members;
     std::vector<std::size_t> ignored;
     ObstacleGroups result;
@@ -158,14 +170,7 @@ ObstacleGroups groupObstacles(const std::vector<Mesh>& files, double margin, con
         group.mesh = isAll ? all : meshOfComponents(all, components);
         if (group.mesh.triangles.empty()) continue;
         for (const std::size_t i : components) group.fileTriangles.push_back(fileTriangles[i]);
-        if (isSolid) {
-            const MadeSolids made = makeSolids(group.mesh);
-            requireSolid(made.refusals);
-            group.solids = made.solids;
-            for (const std::string& name : made.turnedOver) {
-                result.notes.push_back("the solid '" + name + "' faces inwards: it is taken turned over");
-            }
-        }
+        if (isSolid) makeSolid(group, result.notes);
         result.groups.push_back(std::move(group));
     }
     return result;
