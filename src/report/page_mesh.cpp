@@ -27,22 +27,19 @@ std::vector<std::uint32_t> representatives(const std::vector<Vector3>& vertices,
     return result;
 }
 
-/// Those that still have three vertices.
+/// Those that still have three vertices, one of each set on the same three, in no order.
 std::vector<TriangleIndices> thinned(const CleanMesh& mesh, const Box& box, double cell) {
     const std::vector<std::uint32_t> standIns = representatives(mesh.vertices, box, cell);
     std::vector<TriangleIndices> triangles;
     for (const TriangleIndices& triangle : mesh.triangles) {
-        const TriangleIndices made{standIns[triangle[0]], standIns[triangle[1]], standIns[triangle[2]]};
-        if (made[0] != made[1] && made[1] != made[2] && made[2] != made[0]) triangles.push_back(made);
+        TriangleIndices made{standIns[triangle[0]], standIns[triangle[1]], standIns[triangle[2]]};
+        if (made[0] == made[1] || made[1] == made[2] || made[2] == made[0]) continue;
+        std::sort(made.begin(), made.end());
+        triangles.push_back(made);
     }
-    return triangles;
-}
-
-/// One of each set of triangles on the same three vertices, in no order.
-void dropRepeated(std::vector<TriangleIndices>& triangles) {
-    for (TriangleIndices& triangle : triangles) std::sort(triangle.begin(), triangle.end());
     std::sort(triangles.begin(), triangles.end());
     triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+    return triangles;
 }
 
 /// The largest number of cells along the diagonal, but for a few percent, that leaves few enough triangles.
@@ -66,7 +63,6 @@ PageMesh pageMeshOf(const Mesh& mesh, std::size_t mostTriangles) {
     if (triangles.size() > mostTriangles) {
         const double cell = cellFor(welded, page.box, mostTriangles);
         triangles = thinned(welded, page.box, cell);
-        dropRepeated(triangles);
         page.error = cell * std::sqrt(3.0);
     }
     const Vector3 extent = page.box.diagonal();

@@ -144,7 +144,7 @@ class View {
     this.askRedrawOfAll();
   }
 
-  showAll() { this.lookAt(new THREE.Vector3(...data.middle), 0.66 * data.radius, new THREE.Vector3(0.62, -1, 0.62)); }
+  showAll() { this.lookAt(new THREE.Vector3(...data.middle), 0.72 * data.radius, new THREE.Vector3(0.62, -1, 0.62)); }
 
   // The closest pair in the middle, as far off as it takes to see where it is.
   lookCloser() {
