@@ -170,11 +170,10 @@ MotionSample Motion::sampleOf(double time, const PoseClearance& found) const {
     sample.always = sample.clearance = found.lowerAlways - floor;
     sample.upper = found.upperAlways - floor;
     for (std::size_t i = 0; i < zoneCount(); ++i) {
-        ZoneClearance& zone = sample.zones[i] = found.zones[i];
-        zone.clearance -= floor;
-        zone.upper -= floor;
-        sample.clearance = std::min(sample.clearance, std::max(zone.clearance, zone.spare));
-        sample.upper = std::min(sample.upper, std::max(zone.upper, zone.mostSpare));
+        const ZoneClearance& zone = found.zones[i];
+        sample.zones[i] = {zone.clearance - floor, zone.spare};
+        sample.clearance = std::min(sample.clearance, std::max(zone.clearance - floor, zone.spare));
+        sample.upper = std::min(sample.upper, std::max(zone.upper - floor, zone.mostSpare));
     }
     const bool isValid = sample.counting > 0;
     sample.clearance = isValid ? std::max(sample.clearance, std::numeric_limits<double>::denorm_min())

@@ -47,8 +47,8 @@ struct MotionSample {
 
     double counting = 0;  ///< lower bound of distance - margin - floor, of the obstacles that count here
     double countingUpper = std::numeric_limits<double>::infinity();
-    double always = 0;                                 ///< lower bound, of those that count everywhere
-    std::array<ZoneClearance, kMostZones> zones = {};  ///< of the others
+    double always = 0;                            ///< lower bound, of those that count everywhere
+    std::array<ZoneRoom, kMostZones> zones = {};  ///< of the others
 
     bool isValid() const { return clearance > 0 && !isOutOfBounds; }
 };

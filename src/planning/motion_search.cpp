@@ -74,7 +74,7 @@ MotionInterval MotionSearch::interval(const MotionSample& from, const MotionSamp
 
 /// Having moved by x, the part is at least from.clearance - x away, and no less than to.clearance - (way -
 /// x). It counts for x between what it is ignored for after one sample and before the other.
-double MotionSearch::lowerBetween(const ZoneClearance& from, const ZoneClearance& to, double way) const {
+double MotionSearch::lowerBetween(const ZoneRoom& from, const ZoneRoom& to, double way) const {
     const double low = std::max(from.spare, 0.0), high = way - std::max(to.spare, 0.0);
     const bool isIgnoredThroughout = low > high || (way == 0 && from.isIgnored());
     if (isIgnoredThroughout) return std::numeric_limits<double>::infinity();

@@ -82,7 +82,7 @@ class MotionSearch {
     bool isCertified(const MotionSample& from, const MotionSample& to) const {
         return interval(from, to).lower > 0;
     }
-    double lowerBetween(const ZoneClearance& from, const ZoneClearance& to, double way) const;
+    double lowerBetween(const ZoneRoom& from, const ZoneRoom& to, double way) const;
     double dividingTime(const MotionSample& from, const MotionSample& to) const;
     double profiledTime(const MotionSample& from, const MotionSample& to) const;
     double wantedFor(double open) const;

@@ -28,13 +28,6 @@ bool visitAll(std::size_t count, std::size_t first, const Visit& visit) {
     return true;
 }
 
-/// Whether the first is what reports are to tell of: less clearance, as far as it is told.
-bool isNearer(const PoseClearance& found, const PoseClearance& sofar) {
-    if (sofar.nearest.obstacle < 0) return true;
-    const bool isFar = std::isinf(found.upper) && std::isinf(sofar.upper);
-    return isFar ? found.lower < sofar.lower : found.upper < sofar.upper;
-}
-
 void requireContact(const char* name, const std::optional<ContactZone>& contact) {
     if (!contact) return;
     requirePose(contact->X_environmentPart);
@@ -111,7 +104,15 @@ bool SceneClearance::isFree(std::size_t i, const Pose& X_environmentPart) const 
 // What the nearest obstacle so far leaves caps what the next ones are asked for.
 PoseClearance SceneClearance::at(const Pose& X_environmentPart, const ClearanceOptions& options) const {
     PoseClearance answer;
-    answer.nearest = nowhere();
+    if (zoneOf_.size() == 1 && zoneOf_[0] < 0 && !hasSolids_) {  // most scenes: nothing to compare
+        const Asked found = ask(0, X_environmentPart, options);
+        answer.lower = answer.lowerAlways = found.lower;
+        answer.upper = answer.upperAlways = found.upper;
+        answer.nearest = found.nearest;
+        answer.queries = found.queries;
+        nameTriangle(answer.nearest);
+        return answer;
+    }
     findSpares(X_environmentPart, answer);
     ThreadScratch& mine = scratch();
     visitAll(scene_.obstacles.size(), mine.nearest, [&](std::size_t i) {
@@ -120,7 +121,7 @@ PoseClearance SceneClearance::at(const Pose& X_environmentPart, const ClearanceO
         if (asked.cap + scene_.obstacles[i].margin < 0) return true;
         ZoneClearance* zone = zoneOf_[i] < 0 ? nullptr : &answer.zones[static_cast<std::size_t>(zoneOf_[i])];
         if (zone && zone->isIgnored() && zone->spare >= options.leastSpare) return true;
-        const PoseClearance found = ask(i, X_environmentPart, asked);
+        const Asked found = ask(i, X_environmentPart, asked);
         answer.queries += found.queries;
         if (zone) {
             const bool isFirst = zone->clearance == kUnknownClearance;
@@ -139,39 +140,45 @@ PoseClearance SceneClearance::at(const Pose& X_environmentPart, const ClearanceO
         answer.upper = std::min(answer.upper, found.upper);
         return true;
     });
+    if (answer.nearest.obstacle < 0) answer.nearest = nowhere();
     if (hasSolids_) lookAtSolids(X_environmentPart, options.isOutside, answer);
     nameTriangle(answer.nearest);
     return answer;
 }
 
-PoseClearance SceneClearance::ask(std::size_t i, const Pose& X_environmentPart,
-                                  const ClearanceOptions& options) const {
+/// Whether it is what reports are to tell of: less clearance, as far as it is told.
+bool SceneClearance::isNearer(const Asked& found, const PoseClearance& sofar) {
+    if (sofar.nearest.obstacle < 0) return true;
+    const bool isFar = std::isinf(found.upper) && std::isinf(sofar.upper);
+    return isFar ? found.lower < sofar.lower : found.upper < sofar.upper;
+}
+
+SceneClearance::Asked SceneClearance::ask(std::size_t i, const Pose& X_environmentPart,
+                                          const ClearanceOptions& options) const {
+    Asked answer;
     DistanceOptions asked;
     asked.cap = options.cap + scene_.obstacles[i].margin;
-    if (!options.isRough) return ask(i, X_environmentPart, asked);
-    asked.relativeError = kRoughError;
-    PoseClearance answer = ask(i, X_environmentPart, asked);
-    const bool isBeyondCap = std::isinf(answer.upper) && answer.lower > 0;
-    if (answer.upper <= 0 || isBeyondCap || answer.lower >= kRoughEnough * answer.upper) return answer;
-    asked.relativeError = 0;
-    const std::uint64_t queries = answer.queries;
-    answer = ask(i, X_environmentPart, asked);
-    answer.queries += queries;
+    if (options.isRough) {
+        asked.relativeError = kRoughError;
+        ask(i, X_environmentPart, asked, answer);
+        const bool isBeyondCap = std::isinf(answer.upper) && answer.lower > 0;
+        if (answer.upper <= 0 || isBeyondCap || answer.lower >= kRoughEnough * answer.upper) return answer;
+        asked.relativeError = 0;
+    }
+    ask(i, X_environmentPart, asked, answer);
     return answer;
 }
 
 // lower > margin and upper <= margin decide at once; only an interval that holds the margin asks a second
 // time.
-PoseClearance SceneClearance::ask(std::size_t i, const Pose& X_environmentPart,
-                                  const DistanceOptions& options) const {
+void SceneClearance::ask(std::size_t i, const Pose& X_environmentPart, const DistanceOptions& options,
+                         Asked& answer) const {
     const Obstacle& obstacle = scene_.obstacles[i];
     const double margin = obstacle.margin;
-    PoseClearance answer;
-    static_cast<DistanceResult&>(answer.nearest) =
-        clearway::distance(scene_.part, obstacle.model, X_environmentPart, options, scratch().workspaces[i]);
+    DistanceResult& d = answer.nearest;
+    d = clearway::distance(scene_.part, obstacle.model, X_environmentPart, options, scratch().workspaces[i]);
     answer.nearest.obstacle = static_cast<int>(i);
-    const DistanceResult& d = answer.nearest;
-    answer.queries = 1;
+    ++answer.queries;
     bool valid = d.upper > margin;
     const bool isSure = margin == 0 || d.lower > margin || !valid;
     if (!isSure && (options.relativeError == 0 || std::isinf(d.upper))) {
@@ -181,7 +188,6 @@ PoseClearance SceneClearance::ask(std::size_t i, const Pose& X_environmentPart,
     const double above = d.lower - margin;
     answer.lower = valid ? std::max(above, std::numeric_limits<double>::denorm_min()) : std::min(above, 0.0);
     answer.upper = d.upper - margin;
-    return answer;
 }
 
 SceneDistance SceneClearance::distance(const Pose& X_environmentPart) const {

@@ -20,16 +20,19 @@ namespace clearway::planning {
 /// every pose and are no zone's.
 constexpr std::size_t kMostZones = 3;
 
-/// What is known of a zone's obstacles at a pose, environment units.
-struct ZoneClearance {
+/// How much room a zone's obstacles leave at a pose, environment units.
+struct ZoneRoom {
     /// Lower bound of distance - margin. At most 0 where a solid holds the other; kUnknownClearance when it
     /// was not asked.
     double clearance = 0;
-    double upper = std::numeric_limits<double>::infinity();  ///< infinite beyond the cap, or not asked
     /// How far any vertex of the part may move and the obstacles stay ignored for sure; below 0 they count.
     double spare = -1;
-    double mostSpare = -1;  ///< no further
     bool isIgnored() const { return spare >= 0; }
+};
+
+struct ZoneClearance : ZoneRoom {
+    double upper = std::numeric_limits<double>::infinity();  ///< infinite beyond the cap, or not asked
+    double mostSpare = -1;                                   ///< they stay ignored no further
 };
 constexpr double kUnknownClearance = -1e300;
 
@@ -118,10 +121,16 @@ class SceneClearance {
     std::string enclosure(const Pose& X_environmentPart) const;
     std::optional<Enclosure> enclosureBy(std::size_t obstacle, const Pose& X_environmentPart) const;
     void lookAtSolids(const Pose& X_environmentPart, bool isOutside, PoseClearance& answer) const;
-    PoseClearance ask(std::size_t obstacle, const Pose& X_environmentPart,
-                      const ClearanceOptions& options) const;
-    PoseClearance ask(std::size_t obstacle, const Pose& X_environmentPart,
-                      const DistanceOptions& options) const;
+    /// Of one obstacle, wherever it counts.
+    struct Asked {
+        double lower, upper;
+        SceneDistance nearest;
+        std::uint64_t queries = 0;
+    };
+    Asked ask(std::size_t obstacle, const Pose& X_environmentPart, const ClearanceOptions& options) const;
+    void ask(std::size_t obstacle, const Pose& X_environmentPart, const DistanceOptions& options,
+             Asked& answer) const;
+    static bool isNearer(const Asked& found, const PoseClearance& sofar);
     void nameTriangle(SceneDistance& nearest) const;
 
     Scene scene_;

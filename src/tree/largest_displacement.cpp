@@ -16,17 +16,26 @@ constexpr double kRoundedUp = 1 + 1e-12;  // a few 2^-53 for each step of the ar
 /// Of the lengths that are added: 3 products and as many sums for a row, the differences that A and b are.
 constexpr double kSumRounding = 0x1p-49;
 
-struct Map {
+/// Vectors from the axis turn by 90 degrees in a cross product with it, their lengths stay.
+struct AcrossAxis {
+    const Vector3& axis;
+    Vector3 shift = Vector3::Zero();
+    double stretch = 1;
+    Vector3 operator()(const Vector3& v) const { return axis.cross(v); }
+};
+
+struct Difference {
     Matrix3 a;
-    Vector3 b;
+    Vector3 shift;
     double stretch;  ///< at least |A x| / |x| for any x
+    Vector3 operator()(const Vector3& v) const { return a * v; }
 };
 
 /// Largest |origin + A x| for an x within one lane's volume, tree units. origin: of the tree, mapped.
-template <int kWidth>
+template <class Map, int kWidth>
 double largestWithin(const WideNode<kWidth>& node, int lane, const Map& map, const Vector3& origin) {
     const auto mapped = [&](const float(&rows)[3][kWidth]) {
-        return (map.a * Vector3(rows[0][lane], rows[1][lane], rows[2][lane])).eval();
+        return map(Vector3(rows[0][lane], rows[1][lane], rows[2][lane]));
     };
     const Vector3 centre = origin + mapped(node.centre);
     const Vector3 side0 = node.halfLength0[lane] * mapped(node.axis0);
@@ -38,7 +47,7 @@ double largestWithin(const WideNode<kWidth>& node, int lane, const Map& map, con
     return std::sqrt(std::max(0.0, squares + 2 * largest)) + map.stretch * node.radius[lane];
 }
 
-template <int kWidth>
+template <class Map, int kWidth>
 class Search {
   public:
     Search(const FlatTree& tree, const Map& map, double excess, double cap)
@@ -47,8 +56,8 @@ class Search {
           excess_(excess),
           cap_(cap),
           unit_(std::ldexp(1.0, tree.unitExponent)),
-          origin_((map.a * tree.origin + map.b) / unit_),
-          rounding_(kSumRounding * (map.stretch * tree.radiusAboutMeshOrigin + map.b.norm())) {}
+          origin_((map(tree.origin) + map.shift) / unit_),
+          rounding_(kSumRounding * (map.stretch * tree.radiusAboutMeshOrigin + map.shift.norm())) {}
 
     double run() {
         open(0);
@@ -92,7 +101,7 @@ class Search {
     void reach(const Leaf& leaf) {
         for (std::uint32_t i = 0; i < leaf.triangleCount; ++i) {
             for (const std::uint32_t vertex : tree_.triangles[leaf.firstTriangle + i]) {
-                reached_ = std::max(reached_, (map_.a * tree_.vertices[vertex] + map_.b).norm());
+                reached_ = std::max(reached_, (map_(tree_.vertices[vertex]) + map_.shift).norm());
             }
         }
     }
@@ -107,25 +116,22 @@ class Search {
     double leftOut_ = 0;  ///< largest bound of the volumes that were not opened, mesh units
 };
 
+template <class Map>
 double largest(const FlatTree& tree, const Map& map, double excess, double cap) {
-    if (tree.nodeWidth == 2) return Search<2>(tree, map, excess, cap).run();
-    return Search<8>(tree, map, excess, cap).run();
+    if (tree.nodeWidth == 2) return Search<Map, 2>(tree, map, excess, cap).run();
+    return Search<Map, 8>(tree, map, excess, cap).run();
 }
 
 }  // namespace
 
-// Vectors from the axis turn by 90 degrees in a cross product with it, their lengths stay.
 double radiusAboutAxis(const FlatTree& tree, const Vector3& unitDirection) {
-    Map across{Matrix3::Zero(), Vector3::Zero(), 1};
-    across.a << 0, -unitDirection.z(), unitDirection.y(),  //
-        unitDirection.z(), 0, -unitDirection.x(),          //
-        -unitDirection.y(), unitDirection.x(), 0;
-    return largest(tree, across, kAxisRadiusExcess, std::numeric_limits<double>::infinity());
+    return largest(tree, AcrossAxis{unitDirection}, kAxisRadiusExcess,
+                   std::numeric_limits<double>::infinity());
 }
 
 double largestDisplacement(const FlatTree& tree, const Pose& from, const Pose& to, double cap) {
-    const Map difference{to.rotation - from.rotation, to.translation - from.translation,
-                         (to.rotation - from.rotation).norm()};
+    const Difference difference{to.rotation - from.rotation, to.translation - from.translation,
+                                (to.rotation - from.rotation).norm()};
     return largest(tree, difference, kDisplacementExcess, cap);
 }
 
