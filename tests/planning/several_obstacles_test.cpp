@@ -146,8 +146,12 @@ BOOST_AUTO_TEST_CASE(without_obstacles_all_is_valid_within_the_bounds) {
     BOOST_TEST(report.closest.obstacle == -1);
 }
 
-BOOST_AUTO_TEST_CASE(eight_threads_among_several_obstacles_agree_with_one) {
-    const Yard yard;
+BOOST_AUTO_TEST_CASE(eight_threads_among_several_obstacles_solids_and_zones_agree_with_one) {
+    Yard yard;
+    yard.scene.partSolids = makeSolids(yard.part).solids;
+    yard.scene.obstacles[0].solids = makeSolids(yard.meshes[0]).solids;
+    yard.scene.obstacles[1].isIgnoredAtStart = true;
+    yard.scene.startContact = ContactZone{{Matrix3::Identity(), {10, 0, 0}}, 20};
     const PartInSpace space(yard.scene);
     Random random(83);
     std::vector<ompl::base::ScopedState<>> states;
