@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "planning/motion_callbacks.h"
+#include "planning/space_of.h"
 
 namespace clearway::planning {
 namespace {
@@ -30,7 +31,7 @@ double fraction(std::uint64_t i, std::uint64_t n) {
 
 DiscreteMotionValidator::DiscreteMotionValidator(const ob::SpaceInformationPtr& si, const Model& part,
                                                  double step)
-    : DiscreteMotionValidator(si, displacementBound(*si->getStateSpace(), part.radiusAboutOrigin()), step) {}
+    : DiscreteMotionValidator(si, displacementBound(spaceOf(si), part.radiusAboutOrigin()), step) {}
 
 DiscreteMotionValidator::DiscreteMotionValidator(const ob::SpaceInformationPtr& si, DisplacementBound bound,
                                                  double step)

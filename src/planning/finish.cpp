@@ -67,7 +67,9 @@ PathAudit finish(const Setup& setup, og::PathGeometric& path, const std::functio
     if (setup.discrete) return shortenUnlessWorse(setup, path, isSpent);
     const auto& objective = setup.definition->getOptimizationObjective();
     if (!isLeastClearance(objective)) return shortenUnlessWorse(setup, path, isSpent);
-    const double floor = std::max(setup.floor, audit(path, *setup.auditor).lowerClearance);
+    // More than the cap is as good, and where nothing counts there is no end to it.
+    const double cap = static_cast<const MinClearanceObjective&>(*objective).cap();
+    const double floor = std::max(setup.floor, std::min(cap, audit(path, *setup.auditor).lowerClearance));
     return simplify(path, *setup.auditor, {floor, isSpent});
 }
 

@@ -1,6 +1,7 @@
 #include "planning/motion_search.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace clearway::planning {
 namespace {
@@ -154,17 +155,26 @@ MotionVerdict MotionSearch::goForward() {
         const bool isShort = stretch.open <= stop;
         if (!isBetween(stretch.time, reached_, next) || (isShort && !next.isValid())) {
             stopBefore(next, stop);
-            return next.isValid() ? MotionVerdict::kUndecided : MotionVerdict::kInvalid;
+            return verdictBefore(ahead);
         }
         const MotionSample middle = motion_.at(stretch.time, wantedFor(stretch.open));
         if (isShort && middle.isValid() && !(isCertified(reached_, middle) && isCertified(middle, next))) {
             if (isCertified(reached_, middle)) advance(middle);
             stopBefore(next, stop);
-            return MotionVerdict::kUndecided;
+            return verdictBefore(ahead);
         }
         ahead.push_back(middle);
     }
     return MotionVerdict::kValid;
+}
+
+/// Where the part comes near by grazing, it may be too close to tell before it collides.
+MotionVerdict MotionSearch::verdictBefore(const std::vector<MotionSample>& ahead) {
+    const auto invalid = std::find_if(ahead.rbegin(), ahead.rend(),
+                                      [](const MotionSample& sample) { return !sample.isValid(); });
+    if (invalid == ahead.rend()) return MotionVerdict::kUndecided;
+    blocked_ = *invalid;
+    return MotionVerdict::kInvalid;
 }
 
 /// Before a pose in collision only the last sample's clearance certifies anything; how far the bounds reach
@@ -218,7 +228,12 @@ std::optional<double> MotionSearch::leastClearance(double cap, const ClearanceRe
 /// clearance. A pose is asked for as much as certifies that clearance in both halves. False when one is
 /// invalid.
 bool MotionSearch::refine(double least, const ClearanceResolution& resolution) {
-    while (intervals_.front().lower < least - std::max(resolution.of(least), leastInterval_)) {
+    // Infinite: nothing counts at the poses looked at so far, but between them something may.
+    const auto isKnown = [&](double lower) {
+        if (std::isinf(least)) return std::isinf(lower);
+        return lower >= least - std::max(resolution.of(least), leastInterval_);
+    };
+    while (!isKnown(intervals_.front().lower)) {
         const MotionSample from = intervals_.front().from, to = intervals_.front().to;
         const double time = profiledTime(from, to);
         if (!isBetween(time, from, to)) break;

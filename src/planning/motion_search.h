@@ -93,6 +93,7 @@ class MotionSearch {
     Stretch stretchBefore(const MotionSample& next) const;
     void advance(const MotionSample& next);
     void stopBefore(const MotionSample& blocked, double stop);
+    MotionVerdict verdictBefore(const std::vector<MotionSample>& ahead);
 
     Motion& motion_;
     double leastInterval_;

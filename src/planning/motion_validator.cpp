@@ -13,6 +13,7 @@
 #include "planning/motion_callbacks.h"
 #include "planning/motion_search.h"
 #include "planning/scene_clearance.h"
+#include "planning/space_of.h"
 
 namespace clearway::planning {
 namespace {
@@ -62,8 +63,8 @@ struct MotionValidator::Outcome {
 };
 
 MotionValidator::MotionValidator(const ob::SpaceInformationPtr& si, Scene scene, const MotionOptions& options)
-    : MotionValidator(si, scene, planning::stateToPose(*si->getStateSpace()),
-                      displacementBound(*si->getStateSpace(), scene.part), options) {
+    : MotionValidator(si, scene, planning::stateToPose(spaceOf(si)),
+                      displacementBound(spaceOf(si), scene.part), options) {
     areBoundsConvex_ = true;
 }
 

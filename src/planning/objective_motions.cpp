@@ -7,16 +7,12 @@
 #include "clearway/planning/validity_checker.h"
 #include "core/number.h"
 #include "planning/motion_search.h"
+#include "planning/space_of.h"
 
 namespace clearway::planning {
 namespace {
 
 namespace ob = ompl::base;
-
-const ob::StateSpace& spaceOf(const ob::SpaceInformationPtr& si) {
-    if (si) return *si->getStateSpace();
-    throw std::invalid_argument("the space information is null, expected that of the planner");
-}
 
 /// An order of any two states, the same whichever comes first.
 bool isInOrder(const ob::StateSpace& space, const ob::State* a, const ob::State* b) {

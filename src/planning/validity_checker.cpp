@@ -7,13 +7,14 @@
 #include <stdexcept>
 
 #include "planning/scene_clearance.h"
+#include "planning/space_of.h"
 
 namespace clearway::planning {
 
 namespace ob = ompl::base;
 
 ValidityChecker::ValidityChecker(const ob::SpaceInformationPtr& si, Scene scene)
-    : ValidityChecker(si, std::move(scene), planning::stateToPose(*si->getStateSpace())) {}
+    : ValidityChecker(si, std::move(scene), planning::stateToPose(spaceOf(si))) {}
 
 ValidityChecker::ValidityChecker(const ob::SpaceInformationPtr& si, Scene scene, StateToPose stateToPose)
     : StateValidityChecker(si),

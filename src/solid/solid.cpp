@@ -180,6 +180,28 @@ int Solid::winding(const Pose& X_aMesh, const Pose& X_aPoint, const Vector3& poi
     return isTurnedOver_ ? -sum : sum;
 }
 
+/// Whether some vertex of the shell is in no other one: shells may pierce each other.
+bool Solid::isOutermost(const Shells& shells, std::uint32_t shell) const {
+    if (shells.count == 1) return true;
+    std::vector<bool> isSeen(vertices_.size(), false);
+    std::vector<int> windings(shells.count);
+    for (std::size_t t = 0; t < triangles_.size(); ++t) {
+        if (shells.ofTriangle[t] != shell) continue;
+        for (const std::uint32_t corner : triangles_[t]) {
+            if (isSeen[corner]) continue;
+            isSeen[corner] = true;
+            std::fill(windings.begin(), windings.end(), 0);
+            eachCrossing({}, {}, vertices_[corner], [&](std::uint32_t crossed, int sign) {
+                windings[shells.ofTriangle[crossed]] += sign;
+            });
+            windings[shell] = 0;  // of itself, on which the vertex lies
+            const auto isZero = [](int winding) { return winding == 0; };
+            if (std::all_of(windings.begin(), windings.end(), isZero)) return true;
+        }
+    }
+    return false;
+}
+
 void Solid::orient(const std::string& name) {
     const Shells shells = findShells(triangles_);
     const std::vector<double> volumes = signedVolumes(vertices_, triangles_, shells);
@@ -190,13 +212,7 @@ void Solid::orient(const std::string& name) {
     }
     std::size_t outward = 0, inward = 0;
     for (std::uint32_t shell = 0; shell < shells.count; ++shell) {
-        std::vector<int> windings(shells.count, 0);
-        eachCrossing({}, {}, shellVertices_[shell],
-                     [&](std::uint32_t t, int sign) { windings[shells.ofTriangle[t]] += sign; });
-        windings[shell] = 0;  // of itself, on which the vertex lies
-        const bool isOutermost =
-            std::all_of(windings.begin(), windings.end(), [](int winding) { return winding == 0; });
-        if (isOutermost) ++(volumes[shell] > 0 ? outward : inward);
+        if (isOutermost(shells, shell)) ++(volumes[shell] > 0 ? outward : inward);
     }
     if (outward > 0 && inward > 0) {
         refuse(name, "of its outermost shells " + std::to_string(outward) + " face outwards and " +

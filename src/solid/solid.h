@@ -12,6 +12,8 @@
 
 namespace clearway {
 
+struct Shells;
+
 class Solid {
   public:
     /// Of all the mesh's shells together: an inner shell that faces the other way bounds a cavity. A mesh
@@ -44,6 +46,7 @@ class Solid {
     template <class Take>
     void eachCrossing(const Pose& X_aMesh, const Pose& X_aPoint, const Vector3& point,
                       const Take& take) const;
+    bool isOutermost(const Shells& shells, std::uint32_t shell) const;
     void orient(const std::string& name);
 
     std::vector<Vector3> vertices_;

@@ -224,6 +224,25 @@ BOOST_AUTO_TEST_CASE(a_part_is_lifted_off_its_tray_and_not_slid_along_it) {
     BOOST_TEST(!report.goalContact.has_value());
 }
 
+BOOST_AUTO_TEST_CASE(between_two_zones_the_least_clearance_is_found) {
+    Scene scene{Model::build(box({1, 1, 1}))};
+    Obstacle floor{Model::build(at(box({20, 20, 1}), {0, 0, -1}))};
+    floor.isIgnoredAtStart = floor.isIgnoredAtGoal = true;
+    scene.obstacles.push_back(floor);
+    scene.startContact = ContactZone{{Matrix3::Identity(), {0, 0, 7}}, 1};
+    scene.goalContact = ContactZone{{Matrix3::Identity(), {4, 0, 7}}, 1};
+    const PartInSpace space(scene);
+    const auto s1 = space.at({0, 0, 7}), s2 = space.at({4, 0, 7});
+    const MotionReport report = space.validator->report(s1.get(), s2.get());
+    BOOST_TEST((report.verdict == MotionVerdict::kValid));
+    BOOST_TEST(report.upperClearance == 6, boost::test_tools::tolerance(1e-9));
+    BOOST_TEST(report.lowerClearance <= 6);
+    BOOST_TEST(report.lowerClearance >= 0.98 * 6);
+    BOOST_TEST(report.closest.obstacle == 0);
+    const auto near = space.at({0.5, 0, 7});
+    BOOST_TEST(std::isinf(space.validator->report(s1.get(), near.get()).lowerClearance));
+}
+
 BOOST_AUTO_TEST_CASE(in_the_plane_zones_count_too) {
     Assembly assembly;
     assembly.obstacles.clear();

@@ -61,6 +61,21 @@ BOOST_AUTO_TEST_CASE(what_comes_closer_than_the_least_interval_can_tell_is_undec
     BOOST_TEST(fine.validator->counters().undecided == 0u);
 }
 
+BOOST_AUTO_TEST_CASE(a_collision_reached_by_grazing_is_told_as_one) {
+    const Fixture f;
+    for (const double depth : {1e-4, 0.01, 0.1}) {
+        const auto s1 = f.at({-32.1, -20, 30}), s2 = f.at({-32 + depth, 20, 30});
+        BOOST_TEST(!f.check(s1, s2));
+        const MotionReport report = f.report(s1, s2);
+        BOOST_TEST((report.verdict == MotionVerdict::kInvalid));
+        BOOST_TEST(report.upperClearance <= 0);
+        BOOST_TEST(report.certifiedTime > 0);
+        BOOST_TEST(report.certifiedTime < report.blockedTime);
+        BOOST_TEST(report.blockedTime >= 0.1 / (0.1 + depth));
+    }
+    BOOST_TEST(f.validator->counters().undecided == 0u);
+}
+
 BOOST_AUTO_TEST_CASE(a_motion_that_stays_is_valid_however_close_it_is) {
     const Fixture f;
     const auto close = f.at({-32 - 1e-9, 0, 30}, M_PI, Vector3::UnitX());

@@ -99,9 +99,9 @@ BOOST_AUTO_TEST_CASE(case_25_meshes_that_are_both_one_point_have_any_scale) {
     }
 }
 
-BOOST_AUTO_TEST_CASE(case_31_meshes_of_denormal_size_are_answered_like_any) {
+BOOST_AUTO_TEST_CASE(case_31_meshes_of_tiny_size_are_answered_like_any_or_refused_by_name) {
     Random random(kSeed);
-    for (const double unit : {0x1p-1074, 0x1p-1060, 0x1p-1040, 0x1p-1022}) {
+    for (const double unit : {0x1p-1074, 0x1p-1060, 0x1p-1022, 0x1p-1000, 0x1p-985}) {
         const auto pointIn = [&](int end) {
             return Vector3(random.below(end), random.below(end), random.below(end));
         };
@@ -116,7 +116,17 @@ BOOST_AUTO_TEST_CASE(case_31_meshes_of_denormal_size_are_answered_like_any) {
         const Mesh part = soup(6), environment = soup(9);
         for (int draw = 0; draw < 6; ++draw) {
             const Vector3 way = unit * (3 * pointIn(9) - Vector3::Constant(12));
-            checkAt("denormal", part, environment, {Matrix3::Identity(), way});
+            const Pose pose{Matrix3::Identity(), way};
+            if (unit == 0x1p-985) {
+                checkAt("tiny", part, environment, pose);
+                continue;
+            }
+            Workspace workspace;
+            BOOST_CHECK_EXCEPTION(collides(Model::build(part), Model::build(environment), pose, workspace),
+                                  std::invalid_argument, [](const std::invalid_argument& error) {
+                                      return std::string(error.what()).find("largest coordinate") !=
+                                             std::string::npos;
+                                  });
         }
     }
 }

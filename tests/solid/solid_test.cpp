@@ -73,6 +73,25 @@ BOOST_AUTO_TEST_CASE(a_cavity_is_outside_and_what_stands_in_it_is_inside) {
     }
 }
 
+BOOST_AUTO_TEST_CASE(shells_that_pierce_each_other_are_oriented_by_what_sticks_out) {
+    for (int corner = 0; corner < 8; ++corner) {
+        const Vector3 way(corner & 1 ? 0.9 : -0.9, corner & 2 ? 0.8 : -0.8, corner & 4 ? 0.7 : -0.7);
+        const Mesh first = box({1, 1, 1}, 2), second = at(box({1, 1, 1}, 2), way);
+        const Mesh both = joined(first, second);
+        for (const bool isReversed : {false, true}) {
+            const Solid solid(isReversed ? reversed(both) : both, "two");
+            BOOST_TEST(solid.isTurnedOver() == isReversed);
+            BOOST_TEST(holds(solid, -0.9 * way));
+            BOOST_TEST(holds(solid, 0.5 * way));
+            BOOST_TEST(holds(solid, 1.9 * way));
+            BOOST_TEST(!holds(solid, 2.5 * way));
+        }
+        for (const Mesh& mixed : {joined(first, reversed(second)), joined(reversed(first), second)}) {
+            BOOST_TEST(refusalOf(mixed).find("1 face outwards and 1 inwards") != std::string::npos);
+        }
+    }
+}
+
 BOOST_AUTO_TEST_CASE(what_encloses_nothing_is_refused_by_name) {
     Mesh open = box({1, 1, 1});
     open.triangles.pop_back();
