@@ -131,4 +131,8 @@ struct PoseFile {
 /// Throws as readPath does.
 PoseFile readPoses(const std::string& file);
 
+/// Lines of 12 numbers with 17 digits: readPoses gives back the same poses. Written to a temporary name, then
+/// renamed.
+void writePoses(const std::vector<Pose>& poses, const std::string& file);
+
 }  // namespace clearway

@@ -1,21 +1,19 @@
 // clearway render: a picture of a problem, and of the part on its way.
 #include "render/render.h"
 
-#include <algorithm>
 #include <boost/algorithm/string/classification.hpp>
 #include <boost/algorithm/string/split.hpp>
-#include <limits>
 #include <stdexcept>
 
 #include "cli/command_line.h"
 #include "cli/elapsed_line.h"
 #include "cli/load_guard.h"
+#include "cli/path_poses.h"
 #include "cli/planning_scene.h"
 #include "cli/print.h"
 #include "cli/tree_options.h"
 #include "core/number.h"
 #include "core/replace_file.h"
-#include "planning/mesh_names.h"
 #include "planning/scene_clearance.h"
 #include "problem/path_line.h"
 #include "render/camera.h"
@@ -26,8 +24,6 @@ namespace {
 
 constexpr int kLargestSide = 16384;  ///< pixels
 constexpr std::size_t kMostPoses = 200;
-constexpr std::size_t kUsualPoses = 4;
-constexpr std::size_t kWayPoses = 240;  ///< that the line along the path is drawn through
 
 std::string viewList() {
     std::string all = "inside (cut open beside the path, close up)";
@@ -161,51 +157,6 @@ std::vector<double> sharesOf(const Options& options, bool hasPath) {
     if (!hasPath) return {0, 1};
     return evenShares(options.has("poses") ? static_cast<std::size_t>(options.integer("poses", 1, kMostPoses))
                                            : kUsualPoses);
-}
-
-/// The tightest pose is drawn solid, and the others are unless they run through one that is.
-void chooseGhosts(const Model& part, std::vector<PosedPart>& poses) {
-    const auto tightest =
-        std::min_element(poses.begin(), poses.end(),
-                         [](const PosedPart& a, const PosedPart& b) { return a.clearance < b.clearance; });
-    Workspace workspace;
-    std::vector<Pose> solid{poseOf(tightest->state)};
-    for (PosedPart& pose : poses) {
-        if (&pose == &*tightest) continue;
-        const Pose X_part = poseOf(pose.state);
-        pose.isGhost = std::any_of(solid.begin(), solid.end(), [&](const Pose& X_other) {
-            return collides(part, part, nearestPose(inverse(X_other) * X_part), workspace);
-        });
-        if (!pose.isGhost) solid.push_back(X_part);
-    }
-}
-
-void printPose(double share, const Scene& scene, const planning::PoseClearance& at) {
-    const SceneDistance& nearest = at.nearest;
-    const std::string between = nearest.partTriangle < 0
-                                    ? " or more"
-                                    : ", between '" + planning::meshName(scene.part, nearest.partComponent) +
-                                          "' and '" + planning::obstacleName(scene, nearest) + "'";
-    printRow("pose at " + readable(share), "clearance " + readable(at.lower) + between);
-}
-
-/// A pose out of the problem's bounds has all the clearance there is.
-std::vector<PosedPart> posesAt(const PathLine& line, const std::vector<double>& shares,
-                               const planning::SceneClearance& clearance, bool isPrinted) {
-    std::vector<PosedPart> poses;
-    for (const double share : shares) {
-        const PartState state = line.at(share);
-        const Pose X_environmentPart = poseOf(state);
-        if (clearance.isOutOfReach(X_environmentPart)) {
-            poses.push_back({state, std::numeric_limits<double>::infinity()});
-            if (isPrinted) printRow("pose at " + readable(share), "out of the problem's bounds");
-            continue;
-        }
-        const planning::PoseClearance at = clearance.at(X_environmentPart);
-        poses.push_back({state, at.lower});
-        if (isPrinted) printPose(share, clearance.scene(), at);
-    }
-    return poses;
 }
 
 }  // namespace

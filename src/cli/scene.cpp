@@ -1,9 +1,12 @@
-// clearway scene: makes a demo scene and writes its meshes, its problem and a path that solves it.
+// clearway scene: makes a demo scene and writes its meshes, its problem, a path that solves it, poses to
+// replay and a picture.
 #include <filesystem>
 #include <stdexcept>
 
 #include "cli/command_line.h"
+#include "cli/elapsed_line.h"
 #include "cli/print.h"
+#include "cli/scene_record.h"
 #include "scenes/generated_scene.h"
 #include "scenes/scenes.h"
 
@@ -49,8 +52,10 @@ CommandLine sceneCommandLine() {
     CommandLine commandLine;
     commandLine.usage = "clearway scene NAME --out DIR [options]";
     commandLine.purpose =
-        "Makes a demo scene and writes its two meshes, the problem (.cfg) and a path that solves it (.path) "
-        "into DIR.\nScenes, and what they are made with unless options say otherwise:\n" +
+        "Makes a demo scene and writes into DIR its two meshes, the problem (.cfg), a path that solves it "
+        "(.path), audited,\nposes beside the path to measure queries at (_replay.poses), so many of them "
+        "colliding, and a picture (.png).\nScenes, and what they are made with unless options say "
+        "otherwise:\n" +
         sceneList() +
         "A name without its version means the newest. The same options make the same files. Lengths are "
         "millimetres.";
@@ -60,7 +65,8 @@ CommandLine sceneCommandLine() {
         ("seed", optionValue("N"), "varies the details")                                     //
         ("part-triangles", optionValue("N"), "triangles of the part, to 5 %")                //
         ("environment-triangles", optionValue("N"), "triangles of the environment, to 5 %")  //
-        ("clearance", optionValue("D"), "least distance along the path that is written");
+        ("clearance", optionValue("D"), "least distance along the path that is written")     //
+        ("no-preview", "leaves the picture out");
     return commandLine;
 }
 
@@ -72,7 +78,9 @@ int scene(const Arguments& arguments) {
     const NamedScene& named = sceneNamed(options->text("NAME"));
     const std::string folder = options->text("out");
     requireFolderOrNothing(folder);
-    const GeneratedScene made = named.make(sceneOptions(*options, named.defaults));
+    const SceneOrigin origin{named, sceneOptions(*options, named.defaults)};
+    const ElapsedLine elapsed("making the scene");
+    const GeneratedScene made = named.make(origin.options);
     const SceneFiles files = writeScene(made, folder);
 
     printRow("part", files.part + ", " + counted(made.part.triangles.size(), "triangle"));
@@ -80,7 +88,9 @@ int scene(const Arguments& arguments) {
              files.environment + ", " + counted(made.environment.triangles.size(), "triangle"));
     printRow("problem", files.problem);
     printRow("path", files.path + ", " + counted(made.path.size(), "state"));
-    return kDone;
+    const bool isKept = recordScene(origin, files, made.environment, !options->has("no-preview"));
+    requirePrinted();
+    return isKept ? kDone : kAnswerIsNo;
 }
 
 }  // namespace clearway

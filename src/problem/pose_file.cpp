@@ -1,9 +1,11 @@
 // Pose files: 12 numbers a line (rotation row-major, translation) or 7 (x y z qx qy qz qw).
+#include <ostream>
 #include <stdexcept>
 
 #include "clearway/problem.h"
 #include "core/lines.h"
 #include "core/number.h"
+#include "core/replace_file.h"
 #include "problem/state_lines.h"
 
 namespace clearway {
@@ -50,6 +52,18 @@ PoseFile readPoses(const std::string& file) {
         }
     }
     return result;
+}
+
+void writePoses(const std::vector<Pose>& poses, const std::string& file) {
+    replaceFile(file, [&](std::ostream& stream) {
+        for (const Pose& pose : poses) {
+            for (int row = 0; row < 3; ++row) {
+                for (int k = 0; k < 3; ++k) stream << formatNumber(pose.rotation(row, k)) << " ";
+            }
+            const Vector3& p = pose.translation;
+            stream << formatNumber(p.x()) << " " << formatNumber(p.y()) << " " << formatNumber(p.z()) << "\n";
+        }
+    });
 }
 
 }  // namespace clearway

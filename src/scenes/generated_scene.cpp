@@ -1,8 +1,10 @@
 #include "scenes/generated_scene.h"
 
 #include <filesystem>
+#include <ostream>
 #include <stdexcept>
 
+#include "core/lines.h"
 #include "core/replace_file.h"
 
 namespace clearway {
@@ -50,9 +52,10 @@ SceneFiles writeScene(const GeneratedScene& scene, const std::string& folder) {
         return (std::filesystem::path(folder) / (scene.name + ending)).string();
     };
     const SceneFiles files{inFolder("_part.obj"), inFolder("_environment.obj"), inFolder(".cfg"),
-                           inFolder(".path")};
-    // All four or none: what stands in the way of the last is found before the first is written.
-    for (const std::string& file : {files.part, files.environment, files.problem, files.path})
+                           inFolder(".path"),     inFolder("_replay.poses"),    inFolder(".png")};
+    // All or none: what stands in the way of the last is found before the first is written.
+    for (const std::string& file :
+         {files.part, files.environment, files.problem, files.path, files.replay, files.preview})
         requireReplaceable(file);
 
     const Vector3 moved = writeCentred(scene.part, files.part);
@@ -74,6 +77,14 @@ SceneFiles writeScene(const GeneratedScene& scene, const std::string& folder) {
     for (const PartState& state : scene.path) path.push_back(afterMove(state, moved));
     writePath(path, problem.space, files.path);
     return files;
+}
+
+void addComment(const std::string& file, const std::vector<std::string>& lines) {
+    const std::vector<std::string> before = readLines(file, "a file to comment on");
+    replaceFile(file, [&](std::ostream& stream) {
+        for (const std::string& line : lines) stream << "# " << line << "\n";
+        for (const std::string& line : before) stream << line << "\n";
+    });
 }
 
 }  // namespace clearway

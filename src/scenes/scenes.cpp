@@ -23,16 +23,22 @@ std::string allNames() {
     return all;
 }
 
+/// Three quarters of the poses collide, and keep to where the part is in the tunnel.
+constexpr Replay kInTunnel{0.75, 0.75, true};
+/// Faces stay parallel.
+constexpr Replay kParallel{0.1, 1, false};
+
 }  // namespace
 
 /// Of one scene's versions the newest comes last.
 const std::vector<NamedScene>& namedScenes() {
     static const std::vector<NamedScene> kScenes = {
         {"tunnel-console-1", "a centre console to be threaded out of a bent tunnel", kTunnelConsole,
-         makeTunnelConsole1},
-        {"tunnel-console-2", "the same, near its tunnel in places only", kTunnelConsole, makeTunnelConsole2},
+         makeTunnelConsole1, kInTunnel, "inside"},
+        {"tunnel-console-2", "the same, near its tunnel in places only", kTunnelConsole, makeTunnelConsole2,
+         kInTunnel, "inside"},
         {"cembox-1", "a control module to be drawn out of its rails in an engine bay", kCembox, makeCembox},
-        {"boxes-1", "a box that slides along two others, face to face", kBoxes, makeBoxes},
+        {"boxes-1", "a box that slides along two others, face to face", kBoxes, makeBoxes, kParallel},
         {"large-environment-1", "an instrument carrier on its way into a car body of fine sheets in layers",
          kLargeEnvironment, makeLargeEnvironment},
         {"puzzle-1", "two interlocked bent bars, one to be slid through the eye of the other", kPuzzle,

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "scenes/generated_scene.h"
+#include "scenes/replay.h"
 #include "scenes/scene_options.h"
 
 namespace clearway {
@@ -17,6 +18,8 @@ struct NamedScene {
     /// Throws std::invalid_argument, naming the option, its value and what was expected, when the scene
     /// cannot be made so.
     GeneratedScene (*make)(const SceneOptions& options);
+    Replay replay{};              ///< what its benchmarks are like
+    const char* preview = "iso";  ///< the view its picture is taken in
 };
 
 const std::vector<NamedScene>& namedScenes();

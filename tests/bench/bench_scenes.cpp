@@ -1,6 +1,5 @@
 #include "bench/bench_scenes.h"
 
-#include <cmath>
 #include <stdexcept>
 
 #include "core/number.h"
@@ -49,11 +48,8 @@ BenchTask makeTask(const BenchScene& scene, const BenchSize& size, int poses, st
 
     BenchTask task;
     task.name = scene.name;
-    const auto states =
-        static_cast<std::size_t>(std::ceil(scene.pathEnd * static_cast<double>(made.path.size())));
-    const PoseTask poseTask{Model::build(made.part),
-                            Model::build(made.environment),
-                            {made.path.begin(), made.path.begin() + static_cast<std::ptrdiff_t>(states)}};
+    const PoseTask poseTask{Model::build(made.part), Model::build(made.environment),
+                            beginningOf(made.path, scene.pathEnd)};
     if (scene.collidingShare > 0) {
         task.poses = posesColliding(poseTask, scene.collidingShare, poses, seed, scene.turns);
         task.about =

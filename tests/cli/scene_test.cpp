@@ -1,7 +1,9 @@
 #define BOOST_TEST_MODULE scene
 #include <set>
 
+#include "clearway/model.h"
 #include "clearway/problem.h"
+#include "clearway/query.h"
 #include "cli/run_program.h"
 
 namespace clearway::testing {
@@ -43,11 +45,11 @@ BOOST_AUTO_TEST_CASE(a_scene_is_written_with_a_path_from_its_start_to_its_goal_t
     BOOST_TEST_REQUIRE(made.code == 0, made.err);
     BOOST_TEST(made.err == "");
     std::set<std::string> written;
-    for (const char* label : {"part", "environment", "problem", "path"}) {
+    for (const char* label : {"part", "environment", "problem", "path", "replay", "preview"}) {
         written.insert(std::filesystem::path(fileOf(made, label)).filename().string());
     }
     const std::vector<std::string> expected(written.begin(), written.end());
-    BOOST_TEST(expected.size() == 4);
+    BOOST_TEST(expected.size() == 6);
     BOOST_TEST(namesIn(folder.file("made")) == expected, boost::test_tools::per_element());
     BOOST_TEST(std::abs(triangles(made, "part") - 2000) <= 100);
     BOOST_TEST(std::abs(triangles(made, "environment") - 8000) <= 400);
@@ -68,29 +70,61 @@ BOOST_AUTO_TEST_CASE(a_scene_is_written_with_a_path_from_its_start_to_its_goal_t
     BOOST_TEST(runIn(folder, "info " + fileOf(made, "problem")).code == 0);
 }
 
+BOOST_AUTO_TEST_CASE(what_is_said_of_the_path_and_of_the_poses_holds) {
+    const TemporaryFolder folder;
+    const Outcome made = runIn(folder, kScene + std::string("--no-preview --out made"));
+    BOOST_TEST_REQUIRE(made.code == 0, made.err);
+    BOOST_TEST(made.out.find("preview") == std::string::npos);
+    const std::string problem = folder.file(fileOf(made, "problem")),
+                      path = folder.file(fileOf(made, "path")), replay = folder.file(fileOf(made, "replay"));
+    const double least = std::stod(row(made, "least clearance"));
+    BOOST_TEST(least >= 10);
+    const std::string stated = row(made, "least clearance");
+    for (const std::string& file : {problem, path}) {
+        BOOST_TEST(readText(file).find(stated) != std::string::npos, file);
+        BOOST_TEST(readText(file).find(row(made, "near")) != std::string::npos, file);
+    }
+    const Outcome checked = runIn(folder, "check " + problem + " " + path);
+    BOOST_TEST_REQUIRE(checked.code == 0, checked.err);
+    const std::string bounds = row(checked, "least clearance");  // lower to upper
+    BOOST_TEST(std::stod(bounds.substr(bounds.find(" to ") + 4)) >= least);
+
+    const std::vector<Pose> poses = readPoses(replay).poses;
+    BOOST_TEST(poses.size() == 1000);
+    const Problem read = readProblem(problem);
+    const Model part = Model::build(loadPart(read)), environment = Model::build(loadEnvironment(read));
+    Workspace workspace;
+    int colliding = 0;
+    for (const Pose& pose : poses) colliding += collides(part, environment, pose, workspace);
+    BOOST_TEST(std::abs(colliding - 750) <= 20);
+    const std::string said = row(made, "replay");
+    BOOST_TEST(std::stod(said.substr(said.find("path, ") + 6)) == colliding / 10.0);
+}
+
 BOOST_AUTO_TEST_CASE(the_same_options_make_the_same_files_and_another_seed_others) {
     const TemporaryFolder folder;
     const std::string sizes = "scene tunnel-console --seed ";
-    BOOST_TEST_REQUIRE(runIn(folder, sizes + "5 --out a").code == 0);
-    BOOST_TEST_REQUIRE(runIn(folder, sizes + "5 --out b").code == 0);
-    BOOST_TEST_REQUIRE(runIn(folder, sizes + "6 --out c").code == 0);
+    BOOST_TEST_REQUIRE(runIn(folder, sizes + "5 --no-preview --out a").code == 0);
+    BOOST_TEST_REQUIRE(runIn(folder, sizes + "5 --no-preview --out b").code == 0);
+    BOOST_TEST_REQUIRE(runIn(folder, sizes + "6 --no-preview --out c").code == 0);
     int different = 0;
     for (const std::string& name : namesIn(folder.file("a"))) {
         BOOST_TEST(readText(folder.file("a/" + name)) == readText(folder.file("b/" + name)), name);
         if (readText(folder.file("a/" + name)) != readText(folder.file("c/" + name))) ++different;
     }
-    BOOST_TEST(different >= 3);  // both meshes and the path at least
+    BOOST_TEST(different >= 4);  // both meshes, the path and the poses at least
 }
 
 BOOST_AUTO_TEST_CASE(what_else_is_in_the_folder_stays_as_it_is) {
     const TemporaryFolder folder;
     folder.write("notes.txt", "mine");
-    const Outcome made = runIn(folder, kScene + std::string("--out ."));
+    const Outcome made = runIn(folder, kScene + std::string("--no-preview --out ."));
     BOOST_TEST_REQUIRE(made.code == 0, made.err);
     BOOST_TEST(readText(folder.file("notes.txt")) == "mine");
-    BOOST_TEST(folder.names().size() == 5);
-    BOOST_TEST_REQUIRE(runIn(folder, kScene + std::string("--out .")).code == 0);  // over its own files
-    BOOST_TEST(folder.names().size() == 5);
+    BOOST_TEST(folder.names().size() == 6);
+    const Outcome again = runIn(folder, kScene + std::string("--no-preview --out ."));  // over its own files
+    BOOST_TEST_REQUIRE(again.code == 0, again.err);
+    BOOST_TEST(folder.names().size() == 6);
 }
 
 BOOST_AUTO_TEST_CASE(wrong_usage_is_refused_and_makes_nothing) {

@@ -33,6 +33,21 @@ const std::string kIdentity = "1 0 0 0 1 0 0 0 1 7 8 9\n";
 
 }  // namespace
 
+BOOST_AUTO_TEST_CASE(written_poses_read_back_to_the_same_numbers) {
+    const TemporaryFolder folder;
+    const Eigen::AngleAxisd turn(0.3, Vector3(1, -2, 3).normalized());
+    const std::vector<Pose> poses{{Matrix3::Identity(), Vector3(0, -1e-17, 1e300)},
+                                  {turn.toRotationMatrix(), Vector3(1.0 / 3, 2, -7)}};
+    writePoses(poses, folder.file("out.poses"));
+    const PoseFile back = readPoses(folder.file("out.poses"));
+    BOOST_TEST_REQUIRE(back.poses.size() == poses.size());
+    BOOST_TEST(back.projected == 0);
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+        BOOST_TEST((back.poses[i].rotation == poses[i].rotation));
+        BOOST_TEST((back.poses[i].translation == poses[i].translation));
+    }
+}
+
 BOOST_AUTO_TEST_CASE(twelve_numbers_are_a_rotation_by_rows_and_a_translation) {
     const PoseFile file = read("# poses\n\n0 -1 0  1 0 0  0 0 1   7.5 8 9\r\n");
     BOOST_TEST_REQUIRE(file.poses.size() == 1);
