@@ -84,6 +84,10 @@ Mesh loadMesh(const std::string& file, const LoadOptions& options = {});
 /// beyond float's range, and std::runtime_error when the file cannot be written.
 void saveMesh(const Mesh& mesh, const std::string& file);
 
+/// The closed surface of a box as one component: 12 triangles that face outwards. A keep-out region, say.
+/// Throws std::invalid_argument, naming the box, when it is empty or not finite.
+Mesh boxMesh(const Box& box, const std::string& name = "box");
+
 /// The smallest box that holds every vertex a triangle uses; empty for a mesh without triangles.
 Box boundingBox(const Mesh& mesh);
 
