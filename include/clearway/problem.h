@@ -9,6 +9,7 @@
 
 #include "clearway/mesh.h"
 #include "clearway/obstacle_rules.h"
+#include "clearway/scene.h"
 #include "clearway/types.h"
 
 namespace clearway {
@@ -106,6 +107,18 @@ double largestMargin(const Problem& problem);
 Mesh loadPart(const Problem& problem);
 std::vector<Mesh> loadWorlds(const Problem& problem);
 Mesh loadEnvironment(const Problem& problem);
+
+/// A problem's scene, and one line each about what its user should know of it: components turned over because
+/// all their triangles faced inwards, and those of the part that enclose nothing.
+struct LoadedScene {
+    Scene scene;
+    std::vector<std::string> notes;
+};
+
+/// Loads the meshes and builds their models: the part, and the obstacles with their margins, solids and
+/// contact zones as the problem has them. Throws as loadPart, groupObstacles (naming the problem's file) and
+/// Model::build do.
+LoadedScene loadScene(const Problem& problem, const BuildOptions& options = {});
 
 /// problem.volume, else OMPL.app's rule: the environment's box grown to hold start and goal. Throws
 /// std::invalid_argument when the bounds leave the start or the goal out, or have no extent along an axis. In
