@@ -37,6 +37,8 @@ const std::vector<NamedScene>& namedScenes() {
          makeTunnelConsole1, kInTunnel, "inside"},
         {"tunnel-console-2", "the same, near its tunnel in places only", kTunnelConsole, makeTunnelConsole2,
          kInTunnel, "inside"},
+        {"tunnel-console-3", "the same, with all that a car has there", kTunnelConsole3, makeTunnelConsole3,
+         kInTunnel},
         {"cembox-1", "a control module to be drawn out of its rails in an engine bay", kCembox, makeCembox},
         {"boxes-1", "a box that slides along two others, face to face", kBoxes, makeBoxes, kParallel},
         {"large-environment-1", "an instrument carrier on its way into a car body of fine sheets in layers",

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "scenes/path_to_problem.h"
+#include "scenes/tunnel_body.h"
 #include "scenes/tunnel_console_design.h"
 
 namespace clearway {
@@ -38,18 +39,50 @@ PartState outside(const PartState& exit, double drift) {
     return goal;
 }
 
-GeneratedScene makeVersion(int version, const SceneOptions& options) {
-    const TunnelConsoleDesign design = designTunnelConsole(options, version >= 2);
+/// A mesh that counts its triangles before it is made. build(detail, studs, onlyCount): a SheetMetal.
+template <class Build>
+Mesh sheetMetalTo(std::size_t triangles, const std::string& option, const FinenessRange& range,
+                  const Build& build) {
+    const auto countAt = [&](const Detail& detail, int studs) {
+        return build(detail, studs, true).triangleCount();
+    };
+    const Detail detail =
+        finestDetail(triangles, option, range, [&](const Detail& tried) { return countAt(tried, 0); });
+    const std::size_t without = countAt(detail, 0), stud = countAt(detail, 1) - without;
+    return build(detail, static_cast<int>((triangles - without) / stud), false).assembly().mesh();
+}
+
+/// Versions 1 and 2 share their build.
+void buildMeshes(GeneratedScene& scene, const TunnelConsoleDesign& design, int version,
+                 const SceneOptions& options) {
     const Random partRandom(options.seed ^ 0xC0501Eu), tunnelRandom(options.seed ^ 0x7A22E1u);
+    const FinenessRange range{design.longestStep};
+    const char *const part = "part-triangles", *const environment = "environment-triangles";
+    if (version >= 3) {
+        scene.part = sheetMetalTo(options.partTriangles, part, range,
+                                  [&](const Detail& detail, int studs, bool onlyCount) {
+                                      return buildConsoleBody(design, detail, partRandom, studs, onlyCount);
+                                  });
+        scene.environment =
+            sheetMetalTo(options.environmentTriangles, environment, range,
+                         [&](const Detail& detail, int studs, bool onlyCount) {
+                             return buildTunnelBody(design, detail, tunnelRandom, studs, onlyCount);
+                         });
+        return;
+    }
+    scene.part = buildTo(options.partTriangles, part, range, [&](const Detail& detail, int studs) {
+        return buildConsole(design, detail, partRandom, studs);
+    });
+    scene.environment = buildTo(
+        options.environmentTriangles, environment, range,
+        [&](const Detail& detail, int studs) { return buildTunnel(design, detail, tunnelRandom, studs); });
+}
+
+GeneratedScene makeVersion(int version, const SceneOptions& options) {
+    const TunnelConsoleDesign design = designTunnelConsole(options, version);
     GeneratedScene scene;
     scene.name = "tunnel-console";
-    scene.part = buildTo(
-        options.partTriangles, "part-triangles", {design.longestStep},
-        [&](const Detail& detail, int studs) { return buildConsole(design, detail, partRandom, studs); });
-    scene.environment = buildTo(
-        options.environmentTriangles, "environment-triangles", {design.longestStep},
-        [&](const Detail& detail, int studs) { return buildTunnel(design, detail, tunnelRandom, studs); });
-
+    buildMeshes(scene, design, version, options);
     scene.path = constructedPath(design);
     centrePart(scene);
     scene.path.push_back(outside(scene.path.back(), design.screw.drift));
@@ -68,6 +101,10 @@ GeneratedScene makeTunnelConsole1(const SceneOptions& options) {
 
 GeneratedScene makeTunnelConsole2(const SceneOptions& options) {
     return makeVersion(2, options);
+}
+
+GeneratedScene makeTunnelConsole3(const SceneOptions& options) {
+    return makeVersion(3, options);
 }
 
 }  // namespace clearway

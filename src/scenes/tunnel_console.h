@@ -9,6 +9,8 @@ namespace clearway {
 
 /// A size that planners solve in seconds. The clearance can be 1 to 25 mm.
 constexpr SceneOptions kTunnelConsole{1, 2000, 8000, 10};
+/// As large as a car maker's.
+constexpr SceneOptions kTunnelConsole3{1, 73425, 300401, 10};
 
 /// The part and the environment in millimetres, all coordinates representable in float, every component a
 /// closed solid.
@@ -23,9 +25,14 @@ constexpr SceneOptions kTunnelConsole{1, 2000, 8000, 10};
 /// clearance (four times at 10 mm), and the gap is left in places: by mounts on the floor, guides on the
 /// walls and some ribs, each on one side. Others of these kinds keep farther off, by different lengths.
 ///
+/// Version 3 is version 2 with all that a car has there: sheets with beads, flanges and holes, flanged ribs,
+/// bolts, brackets, pipes, hoses, cables, propeller shaft and exhaust; a console with bin, lid, gear lever,
+/// vents, ribs and cables. At narrow clearances its sheets keep farther off.
+///
 /// Throws std::invalid_argument, naming the option, its value and what was expected, when the clearance is
 /// out of range or a number of triangles is less than the shape needs at this clearance, or above 4 million.
 GeneratedScene makeTunnelConsole1(const SceneOptions& options);
 GeneratedScene makeTunnelConsole2(const SceneOptions& options);
+GeneratedScene makeTunnelConsole3(const SceneOptions& options);
 
 }  // namespace clearway

@@ -19,8 +19,8 @@ constexpr double kEase = 0.15;
 /// Each sweep's chords may eat this much of the clearance.
 constexpr double kChordShare = 0.08;
 
-/// The room beyond the gap, in gaps; in mm no more than there is beside the tunnel.
-constexpr double kRoom = 2.5, kMostRoom = 28;
+/// The room beyond the gap, in gaps; in mm no more than there is beside the tunnel, in version 3 no less than the last.
+constexpr double kRoom = 2.5, kMostRoom = 28, kLeastRoom3 = 14;
 
 /// The length along s that gives the bent console's box the diagonal kDiagonal.
 double lengthFor(const TunnelConsoleDesign& design) {
@@ -38,7 +38,7 @@ double lengthFor(const TunnelConsoleDesign& design) {
 
 }  // namespace
 
-TunnelConsoleDesign designTunnelConsole(const SceneOptions& options, bool roomy) {
+TunnelConsoleDesign designTunnelConsole(const SceneOptions& options, int version) {
     const double clearance = options.clearance;
     requireClearance(clearance, kLeastClearance, kMostClearance);
     Random random(options.seed);
@@ -61,7 +61,8 @@ TunnelConsoleDesign designTunnelConsole(const SceneOptions& options, bool roomy)
     const double inSpace = clearance * (1 + kEase + (1 + 1.0 / 3) * kChordShare) + 0.01;
     design.gap = inSpace * design.screw.obliquity(radius - design.height - inSpace);
 
-    if (roomy) design.room = std::min(kRoom * design.gap, kMostRoom);
+    if (version >= 2) design.room = std::min(kRoom * design.gap, kMostRoom);
+    if (version >= 3) design.room = std::max(design.room, kLeastRoom3);
     design.wallHalfWidth = design.flangeHalfWidth + design.gap + design.room + random.between(12, 20);
     design.roofHeight = design.height + design.gap + design.room + random.between(20, 30);
     design.startAt = 60;

@@ -50,9 +50,9 @@ struct TunnelConsoleDesign {
     double thinnestSheet() const { return skinThickness; }
 };
 
-/// The measures for the options; throws std::invalid_argument for a clearance that cannot be. roomy: the
-/// sheets keep farther off than the gap (version 2).
-TunnelConsoleDesign designTunnelConsole(const SceneOptions& options, bool roomy);
+/// The measures for the options; throws std::invalid_argument for a clearance that cannot be. From version 2
+/// on the sheets keep farther off than the gap, from version 3 on also when the gap is narrow.
+TunnelConsoleDesign designTunnelConsole(const SceneOptions& options, int version);
 
 /// What a rib leaves beside the console on the right, on the left and over it; each at least the gap.
 struct RibGaps {

@@ -11,7 +11,7 @@ namespace clearway::testing {
 namespace {
 
 constexpr const char* kScene =
-    "scene tunnel-console --seed 3 --part-triangles 2000 --environment-triangles 8000 --clearance 10 ";
+    "scene tunnel-console-2 --seed 3 --part-triangles 2000 --environment-triangles 8000 --clearance 10 ";
 
 /// The file's name, which a row names first.
 std::string fileOf(const Outcome& outcome, const std::string& label) {
@@ -103,7 +103,7 @@ BOOST_AUTO_TEST_CASE(what_is_said_of_the_path_and_of_the_poses_holds) {
 
 BOOST_AUTO_TEST_CASE(the_same_options_make_the_same_files_and_another_seed_others) {
     const TemporaryFolder folder;
-    const std::string sizes = "scene tunnel-console --seed ";
+    const std::string sizes = "scene tunnel-console-2 --seed ";
     BOOST_TEST_REQUIRE(runIn(folder, sizes + "5 --no-preview --out a").code == 0);
     BOOST_TEST_REQUIRE(runIn(folder, sizes + "5 --no-preview --out b").code == 0);
     BOOST_TEST_REQUIRE(runIn(folder, sizes + "6 --no-preview --out c").code == 0);

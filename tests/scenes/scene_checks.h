@@ -8,6 +8,7 @@
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "clearway/model.h"
 #include "clearway/problem.h"
@@ -88,8 +89,8 @@ struct PathClearance {
 
 /// Walks along the path in steps no longer than the clearance above `never` at their beginning allows any
 /// point of the part to move, nor than `longestStep`: the distance cannot fall to `never` in between.
-inline PathClearance walkPath(const GeneratedScene& scene, double never, double tight, double longestStep) {
-    const Model part = Model::build(scene.part), environment = Model::build(scene.environment);
+inline PathClearance walkPath(const Model& part, const Model& environment, const std::vector<PartState>& path,
+                              double never, double tight, double longestStep) {
     Workspace workspace;
     PathClearance result;
     const auto lowerAt = [&](const PartState& state) {
@@ -98,8 +99,8 @@ inline PathClearance walkPath(const GeneratedScene& scene, double never, double 
         ++result.samples;
         return lower;
     };
-    for (std::size_t i = 0; i + 1 < scene.path.size(); ++i) {
-        const PartState &from = scene.path[i], &to = scene.path[i + 1];
+    for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+        const PartState &from = path[i], &to = path[i + 1];
         const double motion = longestMotion(from, to, part.radiusAboutOrigin());
         for (double done = 0; done < motion;) {
             const double lower = lowerAt(between(from, to, done / motion));
@@ -113,8 +114,13 @@ inline PathClearance walkPath(const GeneratedScene& scene, double never, double 
             result.length += step;
         }
     }
-    result.proven = lowerAt(scene.path.back()) > never;
+    result.proven = lowerAt(path.back()) > never;
     return result;
+}
+
+inline PathClearance walkPath(const GeneratedScene& scene, double never, double tight, double longestStep) {
+    return walkPath(Model::build(scene.part), Model::build(scene.environment), scene.path, never, tight,
+                    longestStep);
 }
 
 }  // namespace clearway::testing
