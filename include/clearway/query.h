@@ -19,6 +19,10 @@ struct QueryCounters {
     std::uint64_t refinedPairs = 0;       ///< pairs of triangles resolved in double
     std::uint64_t doubleDoublePairs = 0;  ///< of these, pairs that double left open or too wide
     std::uint64_t exactPairs = 0;         ///< of these, pairs that double-double left open or too wide
+    /// Places for pairs in the blocks of 16 that triangleTests were laid out in: how full leaves make them.
+    std::uint64_t triangleLanes = 0;
+    std::uint64_t kernelPairs = 0;  ///< of triangleTests, pairs that cheap bounds left to the full kernel
+    std::uint64_t kernelLanes = 0;  ///< of the registers these were in; depends on the instruction set
 
     QueryCounters& operator+=(const QueryCounters& other) {
         nodeVisits += other.nodeVisits;
@@ -27,6 +31,9 @@ struct QueryCounters {
         refinedPairs += other.refinedPairs;
         doubleDoublePairs += other.doubleDoublePairs;
         exactPairs += other.exactPairs;
+        triangleLanes += other.triangleLanes;
+        kernelPairs += other.kernelPairs;
+        kernelLanes += other.kernelLanes;
         return *this;
     }
 };

@@ -89,12 +89,23 @@ class LeafPairs {
 
     int total() const { return int(part_->triangleCount * environment_->triangleCount); }
 
+    /// Places for pairs in the blocks that these leaves take.
+    int lanes() const {
+        return int((part_->triangleCount + kBlock - 1) / kBlock *
+                   ((environment_->triangleCount + kBlock - 1) / kBlock)) *
+               kBlockPairs;
+    }
+
+    /// Of all leaves that met: pairs that came to the visitor's kernel, and the lanes of their registers.
+    std::uint64_t kernelPairs() const { return kernelPairs_; }
+    std::uint64_t kernelLanes() const { return kernelLanes_; }
+
     /// Hands the visitor every pair whose distance may be below its dropFrom(), until it is done().
     /// A visitor also has
     ///   bounds(d, pair, lower)   TriangleBounds of a register of pairs that are known to be lower apart
     ///   take(lower, upper, triangles)   a pair with proved bounds of its distance
     template <class Visitor>
-    HWY_INLINE void visit(Visitor& visitor) const {
+    HWY_INLINE void visit(Visitor& visitor) {
         int block = 0;
         for (std::uint32_t i = 0; i < part_->triangleCount; i += kBlock) {
             for (std::uint32_t j = 0; j < environment_->triangleCount; j += kBlock) {
@@ -238,12 +249,14 @@ class LeafPairs {
     }
 
     template <class Visitor>
-    HWY_INLINE void visitBlock(std::uint32_t near, std::uint32_t i, std::uint32_t j, Visitor& visitor) const {
+    HWY_INLINE void visitBlock(std::uint32_t near, std::uint32_t i, std::uint32_t j, Visitor& visitor) {
         const PairTag d;
         using V = hn::Vec<PairTag>;
         for (size_t first = 0; near >> first != 0; first += hn::Lanes(d)) {
             std::uint32_t left = (near >> first) & ((1u << hn::Lanes(d)) - 1);
             if (left == 0) continue;
+            kernelPairs_ += std::uint64_t(hwy::PopCount(std::uint64_t(left)));
+            kernelLanes_ += hn::Lanes(d);
             Triangles<V> a, b;
             load(i, j, first, a, b);
             const TrianglePair<V> pair(a, b);
@@ -283,6 +296,8 @@ class LeafPairs {
     float offset_[3];
     float roundingError_;
     float volumesBound_;
+    std::uint64_t kernelPairs_ = 0;
+    std::uint64_t kernelLanes_ = 0;
 };
 
 }  // namespace HWY_NAMESPACE

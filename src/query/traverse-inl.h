@@ -133,6 +133,7 @@ HWY_INLINE void Traverse(const PairQuery& query, Workspace::State& state, Visito
             leaves.meet(query, part.leaves[~a.child], environment.leaves[~b.child], entry.bound,
                         visitor.dropFrom());
             state.counters.triangleTests += std::uint64_t(leaves.total());
+            state.counters.triangleLanes += std::uint64_t(leaves.lanes());
             leaves.visit(visitor);
         } else {
             Open(query, entry, a, b, visitor.dropFrom(), opening);
@@ -141,6 +142,8 @@ HWY_INLINE void Traverse(const PairQuery& query, Workspace::State& state, Visito
             PushNear(opening, stack);
         }
     }
+    state.counters.kernelPairs += leaves.kernelPairs();
+    state.counters.kernelLanes += leaves.kernelLanes();
 }
 
 }  // namespace HWY_NAMESPACE
