@@ -10,6 +10,7 @@
 
 #include "clearway/problem.h"
 #include "clearway/scene.h"
+#include "planning/calls.h"
 
 namespace clearway::planning {
 
@@ -41,6 +42,7 @@ struct BenchmarkRun {
     bool isSolved = false;
     double length = 0;            ///< of the path, as OMPL's space measures it
     std::vector<PartState> path;  ///< the last one there was: simplified, if it was; empty unless solved
+    std::vector<CallBlock> calls;  ///< a sample, if one was asked for
 };
 
 struct PlannerBenchmark {

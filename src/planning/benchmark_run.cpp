@@ -10,6 +10,7 @@
 #include "core/number.h"
 #include "planning/finish.h"
 #include "planning/planning_space.h"
+#include "planning/run_trace.h"
 #include "planning/run_watch.h"
 #include "planning/setup.h"
 
@@ -28,6 +29,48 @@ double secondsSince(Clock::time_point begin) {
     return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
+/// When a planner that goes on improving its solution found one, and its last.
+class Improvements {
+  public:
+    Improvements(ob::ProblemDefinition& definition, Clock::time_point begin) : definition_(definition) {
+        definition.setIntermediateSolutionCallback(
+            [this, begin](const ob::Planner*, const std::vector<const ob::State*>&, const ob::Cost) {
+                last_ = secondsSince(begin);
+                if (!first_) first_ = last_;
+            });
+    }
+    ~Improvements() { definition_.setIntermediateSolutionCallback(nullptr); }
+    Improvements(const Improvements&) = delete;
+    Improvements& operator=(const Improvements&) = delete;
+
+    /// Nothing of planners that end with their first solution.
+    const std::optional<double>& first() const { return first_; }
+    const std::optional<double>& last() const { return last_; }
+
+  private:
+    ob::ProblemDefinition& definition_;
+    std::optional<double> first_, last_;
+};
+
+void describeQueries(const RunTrace& trace, double seconds, BenchmarkRun& run) {
+    const QueryTally& tally = trace.tally();
+    const auto put = [&](const char* name, std::uint64_t count) {
+        run.properties[name] = std::to_string(count);
+    };
+    put("motion checks INTEGER", trace.calls(CallKind::kMotion) + trace.calls(CallKind::kForwardMotion));
+    put("motion costs INTEGER", trace.calls(CallKind::kMotionCost));
+    put("distance queries INTEGER", tally.distances);
+    put("within queries INTEGER", tally.withins);
+    put("volume tests INTEGER", tally.work.volumeTests);
+    put("triangle tests INTEGER", tally.work.triangleTests);
+    put("triangle lanes INTEGER", tally.work.triangleLanes);
+    put("kernel pairs INTEGER", tally.work.kernelPairs);
+    put("kernel lanes INTEGER", tally.work.kernelLanes);
+    run.properties["query time REAL"] = shortNumber(tally.seconds);
+    run.properties["query share REAL"] = shortNumber(seconds > 0 ? tally.seconds / seconds : 0);
+    run.calls = trace.sample();
+}
+
 std::string flag(bool value) {
     return value ? "1" : "0";
 }
@@ -37,7 +80,10 @@ ob::PlannerStatus solve(const Setup& setup, const RunLimits& limits, BenchmarkRu
     ob::Planner& planner = *setup.planners[0];
     const double period = std::max(kLeastPeriod, limits.seconds / kLooksPerRun);
     RunWatch watch(planner, limits.bytes, period);
+    std::optional<RunTrace> trace;
+    if (limits.trace) trace.emplace(setup.si->getStateSpace(), *limits.trace);
     const Clock::time_point begin = Clock::now();
+    const Improvements improvements(*setup.definition, begin);
     const ob::PlannerTerminationCondition isSpent([&] {
         return secondsSince(begin) >= limits.seconds || watch.isOutOfMemory() ||
                (limits.isStopped && limits.isStopped());
@@ -48,8 +94,14 @@ ob::PlannerStatus solve(const Setup& setup, const RunLimits& limits, BenchmarkRu
     } catch (const std::exception& error) {
         warnings.push_back("planner " + planner.getName() + " ended with an exception: " + error.what());
     }
-    run.properties["time REAL"] = shortNumber(secondsSince(begin));
+    const double seconds = secondsSince(begin);
+    run.properties["time REAL"] = shortNumber(seconds);
     run.progress = watch.finish();
+    if (trace) describeQueries(*trace, seconds, run);
+    if (setup.definition->hasExactSolution()) {
+        run.properties["time to first solution REAL"] = shortNumber(improvements.first().value_or(seconds));
+        run.properties["time to final solution REAL"] = shortNumber(improvements.last().value_or(seconds));
+    }
     return status;
 }
 

@@ -15,6 +15,8 @@ struct RunLimits {
     unsigned long long bytes = 0;  ///< of the whole process
     bool simplify = true;
     std::function<bool()> isStopped;
+    std::optional<CallSampling> trace =
+        {};  ///< counts and times the planner's queries, and samples its calls
 };
 
 /// Plans the problem, which names one planner, with that planner and the options' seed. Nothing when it was

@@ -12,6 +12,7 @@
 #include "planning/motion.h"
 #include "planning/motion_callbacks.h"
 #include "planning/motion_search.h"
+#include "planning/run_trace.h"
 #include "planning/scene_clearance.h"
 #include "planning/space_of.h"
 
@@ -93,11 +94,13 @@ const Scene& MotionValidator::scene() const {
 }
 
 bool MotionValidator::checkMotion(const ob::State* s1, const ob::State* s2) const {
+    noteCall(CallKind::kMotion, s1, s2);
     return count(judge(s1, s2, {}));
 }
 
 bool MotionValidator::checkMotion(const ob::State* s1, const ob::State* s2,
                                   std::pair<ob::State*, double>& lastValid) const {
+    noteCall(CallKind::kForwardMotion, s1, s2);
     const Outcome outcome = judge(s1, s2, {true});
     if (outcome.verdict != MotionVerdict::kValid) {
         setLastValid(*si_, s1, s2, timeWithinBounds(s1, s2, outcome.certifiedTime), lastValid);

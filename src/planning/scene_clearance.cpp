@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/number.h"
+#include "planning/run_trace.h"
 
 namespace clearway::planning {
 namespace {
@@ -97,8 +98,10 @@ bool SceneClearance::isFree(const Pose& X_environmentPart) const {
 bool SceneClearance::isFree(std::size_t i, const Pose& X_environmentPart) const {
     const Obstacle& obstacle = scene_.obstacles[i];
     Workspace& workspace = scratch().workspaces[i];
-    if (obstacle.margin == 0) return !collides(scene_.part, obstacle.model, X_environmentPart, workspace);
-    return !isWithin(scene_.part, obstacle.model, X_environmentPart, obstacle.margin, workspace);
+    return !traced(RunTrace::Query::kWithin, workspace, [&] {
+        if (obstacle.margin == 0) return collides(scene_.part, obstacle.model, X_environmentPart, workspace);
+        return isWithin(scene_.part, obstacle.model, X_environmentPart, obstacle.margin, workspace);
+    });
 }
 
 // What the nearest obstacle so far leaves caps what the next ones are asked for.
@@ -176,7 +179,10 @@ void SceneClearance::ask(std::size_t i, const Pose& X_environmentPart, const Dis
     const Obstacle& obstacle = scene_.obstacles[i];
     const double margin = obstacle.margin;
     DistanceResult& d = answer.nearest;
-    d = clearway::distance(scene_.part, obstacle.model, X_environmentPart, options, scratch().workspaces[i]);
+    Workspace& workspace = scratch().workspaces[i];
+    d = traced(RunTrace::Query::kDistance, workspace, [&] {
+        return clearway::distance(scene_.part, obstacle.model, X_environmentPart, options, workspace);
+    });
     answer.nearest.obstacle = static_cast<int>(i);
     ++answer.queries;
     bool valid = d.upper > margin;

@@ -6,6 +6,7 @@
 #include <exception>
 #include <stdexcept>
 
+#include "planning/run_trace.h"
 #include "planning/scene_clearance.h"
 #include "planning/space_of.h"
 
@@ -30,6 +31,7 @@ const Scene& ValidityChecker::scene() const {
 }
 
 bool ValidityChecker::isValid(const ob::State* state) const {
+    noteCall(CallKind::kState, state);
     Pose X_environmentPart;
     const Usable usable = findPose(state, X_environmentPart);
     if (usable != Usable::kYes) return count(false, usable);
@@ -42,6 +44,7 @@ bool ValidityChecker::isValid(const ob::State* state) const {
 }
 
 bool ValidityChecker::isValid(const ob::State* state, double& clearance) const {
+    noteCall(CallKind::kClearance, state);
     Pose X_environmentPart;
     const Usable usable = findPose(state, X_environmentPart);
     clearance = 0;
