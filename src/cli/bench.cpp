@@ -12,6 +12,7 @@
 #include "cli/interrupts.h"
 #include "cli/planning_scene.h"
 #include "cli/print.h"
+#include "cli/study.h"
 #include "cli/tree_options.h"
 #include "core/replace_file.h"
 #include "planning/benchmark_log.h"
@@ -32,7 +33,8 @@ CommandLine benchCommandLine() {
     commandLine.purpose =
         "Runs every planner the problem names (without any: RRTConnect, RRT, EST, KPIECE1 and PRM) several "
         "times\nand writes OMPL's benchmark log, for ompl_benchmark_statistics.py and Planner Arena.\n"
-        "Ctrl-C leaves a log of the runs that have ended; exit code 1 then.";
+        "Ctrl-C leaves a log of the runs that have ended; exit code 1 then.\n"
+        "`clearway bench --study leaf-strategies --help` is about studies.";
     commandLine.positional = {"PROBLEM.cfg"};
     commandLine.options.add_options()                                                                  //
         ("log", optionValue("FILE"), "the log (PROBLEM.log, in the problem's output folder)")          //
@@ -214,6 +216,8 @@ Benchmark runShown(const Problem& problem, const Scene& scene, BenchmarkOptions 
 }  // namespace
 
 int bench(const Arguments& arguments) {
+    const auto isStudy = [](const std::string& argument) { return argument.rfind("--study", 0) == 0; };
+    if (std::any_of(arguments.begin(), arguments.end(), isStudy)) return study(arguments);
     const std::optional<Options> given = parse(benchCommandLine(), arguments);
     if (!given) return kDone;
     const Options& options = *given;

@@ -25,9 +25,13 @@ bool isHelp(const std::string& argument) {
     return argument == "--help" || argument == "-h";
 }
 
+bool takesAll(const CommandLine& commandLine) {
+    return !commandLine.positional.empty() && commandLine.positional.back().find("...") != std::string::npos;
+}
+
 void requirePositional(const CommandLine& commandLine, const Arguments& given) {
     const auto& expected = commandLine.positional;
-    if (given.size() > expected.size()) {
+    if (given.size() > expected.size() && !takesAll(commandLine)) {
         throw std::invalid_argument("unexpected argument '" + given[expected.size()] +
                                     "', expected: " + commandLine.usage);
     }
@@ -50,10 +54,16 @@ po::variables_map parseStrictly(const CommandLine& commandLine, const Arguments&
     const Arguments given = values.count("positional") ? values["positional"].as<Arguments>() : Arguments{};
     requirePositional(commandLine, given);
     for (std::size_t i = 0; i < given.size(); ++i) {
+        const std::string& name = commandLine.positional[std::min(i, commandLine.positional.size() - 1)];
         if (given[i].empty()) {
-            throw std::invalid_argument(commandLine.positional[i] + " is '', expected: " + commandLine.usage);
+            throw std::invalid_argument(name + " is '', expected: " + commandLine.usage);
         }
-        values.insert({commandLine.positional[i], po::variable_value(given[i], false)});
+        if (takesAll(commandLine) && i + 1 >= commandLine.positional.size()) {
+            const Arguments rest(given.begin() + static_cast<std::ptrdiff_t>(i), given.end());
+            values.insert({name, po::variable_value(rest, false)});
+            break;
+        }
+        values.insert({name, po::variable_value(given[i], false)});
     }
     return values;
 }

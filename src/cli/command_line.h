@@ -19,7 +19,8 @@ struct CommandLine {
     std::string usage;    ///< "clearway info MESH [options]"
     std::string purpose;  ///< printed under the usage by --help
     /// Names of the positional arguments; the last ones may be left out when they stand in brackets:
-    /// "[IN.path]".
+    /// "[IN.path]"; the last one takes all that follow when it ends with dots: "[PROBLEM.cfg...]", read by
+    /// Options::texts.
     std::vector<std::string> positional;
     boost::program_options::options_description options{"Options", 110};
 };

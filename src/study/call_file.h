@@ -1,0 +1,26 @@
+// Files of recorded calls, and of what they answered.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "planning/calls.h"
+#include "planning/replayer.h"
+
+namespace clearway {
+
+/// One call a line, its kind and its reals with 17 digits; an empty line ends a block. Throws
+/// std::runtime_error when it cannot be written.
+void writeCalls(const std::vector<planning::CallBlock>& blocks, const std::string& file);
+
+/// Throws std::runtime_error when it cannot be read, std::invalid_argument naming the file and the line that
+/// is wrong.
+std::vector<planning::CallBlock> readCalls(const std::string& file);
+
+using Answers = std::vector<std::vector<planning::CallAnswer>>;  ///< of each block's calls
+
+/// A line a block, a character a call.
+void writeAnswers(const Answers& answers, const std::string& file);
+Answers readAnswers(const std::string& file);
+
+}  // namespace clearway

@@ -1,0 +1,21 @@
+// The thesis's claims about its strategies, judged by what is measured here.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "study/growing_table.h"
+
+namespace clearway {
+
+/// By which claims are judged, for people to read.
+std::string claimRule();
+
+/// scene, node_width, claim, thesis_ratio (empty where the thesis has no such scene), ratio, low, high,
+/// verdict.
+std::vector<std::string> claimColumns();
+
+/// trees: rows as measureTrees writes them. A verdict is "holds", "no difference" or "the opposite".
+std::vector<TableRow> judgeClaims(const std::vector<TableRow>& trees);
+
+}  // namespace clearway

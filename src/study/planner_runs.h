@@ -1,0 +1,30 @@
+// The study's planner runs: every planner with every strategy and seed, each once.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "planning/benchmark.h"
+#include "study/growing_table.h"
+#include "study/study_options.h"
+#include "study/study_problem.h"
+
+namespace clearway {
+
+/// scene, planner, general_split, leaf_split, seed; then what runs are measured by.
+std::vector<std::string> runColumns();
+
+/// Of runs the properties that OMPL's logs have, by OMPL's names.
+planning::Properties propertiesOf(const TableRow& run);
+
+/// Does the runs that the table lacks, seed by seed, and appends each as it ends. One run of each planner and
+/// seed leaves a sample of its calls in the folder, the strategies taking turns. False when it was stopped:
+/// then the run at hand is not in the table. Warnings are told.
+bool runPlanners(const StudyProblem& problem, const StudyOptions& options, const std::string& folder,
+                 GrowingTable& runs);
+
+/// The file of a run's sample.
+std::string callsFile(const std::string& folder, const std::string& scene, const std::string& planner,
+                      int seed);
+
+}  // namespace clearway
