@@ -11,6 +11,8 @@
 #include "cli/load_guard.h"
 #include "cli/planning_scene.h"
 #include "cli/print.h"
+#include "cli/print_study.h"
+#include "cli/scene_record.h"
 #include "cli/tree_options.h"
 #include "core/lines.h"
 #include "core/replace_file.h"
@@ -58,10 +60,9 @@ CommandLine studyCommandLine() {
          "in place of RRTConnect, KPIECE1, PRM, RRTstar and BITstar:max_min_clearance (short: RRTConnect and "
          "that); may be repeated")                                                            //
         ("general-split", optionValues("NAME"), "in place of axis and sah; may be repeated")  //
-        (
-            "leaf-split", optionValues("NAME"),
-            "in place of none, chain, edge and all; the first is what others are compared with; may be "
-            "repeated")                                          //
+        ("leaf-split", optionValues("NAME"),
+         "in place of none, chain, edge and all; the first is what others are compared with; may be "
+         "repeated")                                             //
         ("repetitions", optionValue("N"), "of each replay (3)")  //
         ("short", "small scenes, few and short runs, fewer replays: to see that all works");
     addCacheOption(commandLine);
@@ -136,8 +137,11 @@ std::vector<std::string> makeScenes(bool isShort, const std::string& folder) {
         if (wanted.environmentTriangles > 0) options.environmentTriangles = wanted.environmentTriangles;
         const std::string kept = at + "/complete";  // named in it: the problem's file
         if (!fs::exists(kept)) {
-            const std::string file = writeScene(named.make(options), at).problem;
-            replaceFile(kept, [&](std::ostream& out) { out << fs::path(file).filename().string() << "\n"; });
+            const GeneratedScene made = named.make(options);
+            const SceneFiles files = writeScene(made, at);
+            recordScene({named, options}, files, made.environment, false);
+            const std::string problem = fs::path(files.problem).filename().string();
+            replaceFile(kept, [&](std::ostream& out) { out << problem << "\n"; });
         }
         problems.push_back(at + "/" + readLines(kept, "the name of a problem's file").at(0));
     }
@@ -156,19 +160,6 @@ StudyProblem loadProblem(const std::string& file) {
     return study;
 }
 
-void printResult(const StudyResult& result) {
-    for (const TableRow& row : result.statistics) {
-        const std::string& measure = row.at("measure");
-        if (row.at("planner") != "all" || measure == "cost") continue;
-        std::cout << row.at("scene") << " " << row.at("source") << " " << row.at("general_split")
-                  << " leaves of " << row.at("leaf_size") << " width " << row.at("node_width") << " "
-                  << row.at("instructions") << ": " << measure << " " << row.at("leaf_split") << " / "
-                  << row.at("baseline") << " = " << readable(std::stod(row.at("ratio"))) << " ("
-                  << readable(std::stod(row.at("low"))) << " to " << readable(std::stod(row.at("high")))
-                  << ", " << row.at("pairs") << " pairs)\n";
-    }
-}
-
 }  // namespace
 
 int study(const Arguments& arguments) {
@@ -185,7 +176,6 @@ int study(const Arguments& arguments) {
     options.cache = cacheFolder(*given);
     heedInterrupts();
 
-    makeFolder(folder);
     if (files.empty()) files = makeScenes(options.isShort, folder);
     std::vector<StudyProblem> problems;
     for (const std::string& file : files) problems.push_back(loadProblem(file));
@@ -195,7 +185,7 @@ int study(const Arguments& arguments) {
         requirePrinted();
         return kAnswerIsNo;
     }
-    printResult(result);
+    printStudy(result);
     printRow("study", folder);
     requirePrinted();
     return kDone;
