@@ -92,6 +92,16 @@ Vector3 CarBody::dash(double u, double v) const {
     return {point.x(), u, point.z()};
 }
 
+void addFloorStuds(const CarBody& body, SheetMetal& metal, int studs) {
+    const Polyline dome = domeOutline(4, 5, metal.detail().segmentsPerQuarter);
+    for (int i = 0; i < studs; ++i) {
+        // Rows between the underlay and the sills.
+        const double side = i % 2 == 0 ? 1 : -1, x = 1190 + 12 * (i / 2 % 90) + 6 * (i / 360 % 2),
+                     y = 623 + 9 * (i / 180 % 2);
+        metal.turnedPart("stud", dome, {x, side * y, body.floorZ(x, y) + 0.9}, Vector3::UnitZ());
+    }
+}
+
 SheetMetal buildCarBody(const CarBody& body, const Detail& detail, Random random, int studs, bool onlyCount) {
     SheetMetal metal(detail, onlyCount);
     addFloor(body, metal, random);
@@ -102,13 +112,7 @@ SheetMetal buildCarBody(const CarBody& body, const Detail& detail, Random random
     addFrontEnd(body, metal, random);
     addRoof(body, metal);
     addRear(body, metal, random);
-    const Polyline dome = domeOutline(4, 5, detail.segmentsPerQuarter);
-    for (int i = 0; i < studs; ++i) {
-        // Rows between the underlay and the sills.
-        const double side = i % 2 == 0 ? 1 : -1, x = 1190 + 12 * (i / 2 % 90) + 6 * (i / 360 % 2),
-                     y = 623 + 9 * (i / 180 % 2);
-        metal.turnedPart("stud", dome, {x, side * y, body.floorZ(x, y) + 0.9}, Vector3::UnitZ());
-    }
+    addFloorStuds(body, metal, studs);
     return metal;
 }
 

@@ -64,5 +64,9 @@ void addMountings(const CarBody& body, SheetMetal& metal);
 void addFrontEnd(const CarBody& body, SheetMetal& metal, Random& random);
 void addRoof(const CarBody& body, SheetMetal& metal);
 void addRear(const CarBody& body, SheetMetal& metal, Random& random);
+void addFloorStuds(const CarBody& body, SheetMetal& metal, int studs);
+
+/// Only in version 2: seats, springs and brakes, exhaust and tank, steering, bolts and lines.
+void addFittings(const CarBody& body, SheetMetal& metal, Random& random);
 
 }  // namespace clearway

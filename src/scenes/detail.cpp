@@ -20,6 +20,18 @@ Detail detailFor(double fineness, double step) {
     return detail;
 }
 
+void requireTriangles(std::size_t triangles, const std::string& option, std::size_t least) {
+    if (triangles >= least && triangles <= kMostTriangles) return;
+    throw std::invalid_argument(option + " is " + std::to_string(triangles) + ", expected " +
+                                std::to_string(least) + " to " + std::to_string(kMostTriangles) +
+                                " at this clearance and seed");
+}
+
+bool beginsWithAny(const std::string& name, const std::vector<std::string>& stems) {
+    return std::any_of(stems.begin(), stems.end(),
+                       [&](const std::string& stem) { return name.rfind(stem, 0) == 0; });
+}
+
 }  // namespace
 
 int Detail::count(double atRichnessOne) const {
@@ -30,11 +42,7 @@ Detail finestDetail(std::size_t triangles, const std::string& option, const Fine
                     const std::function<std::size_t(const Detail&)>& countAt) {
     double low = range.coarsest, high = kFineness;
     const std::size_t least = countAt(detailFor(low, range.step));
-    if (triangles < least || triangles > kMostTriangles) {
-        throw std::invalid_argument(option + " is " + std::to_string(triangles) + ", expected " +
-                                    std::to_string(least) + " to " + std::to_string(kMostTriangles) +
-                                    " at this clearance and seed");
-    }
+    requireTriangles(triangles, option, least);
     for (int i = 0; i < 24; ++i) {
         const double middle = (low + high) / 2;
         (countAt(detailFor(middle, range.step)) <= triangles ? low : high) = middle;
@@ -49,6 +57,44 @@ Mesh buildTo(std::size_t triangles, const std::string& option, const FinenessRan
     const std::size_t without = build(detail, 0).triangleCount(),
                       studTriangles = build(detail, 1).triangleCount() - without;
     return build(detail, static_cast<int>((triangles - without) / studTriangles)).mesh();
+}
+
+Detail coarsestDetail(const FinenessRange& range) {
+    return detailFor(range.coarsest, range.step);
+}
+
+Assembly leavingOutSmall(const Assembly& whole, std::size_t triangles, const std::string& option,
+                         const std::vector<std::string>& kept) {
+    const std::vector<Component>& components = whole.components();
+    std::vector<std::pair<double, std::size_t>> bySize;
+    std::size_t least = 0, remaining = whole.triangleCount();
+    for (std::size_t i = 0; i < components.size(); ++i) {
+        if (beginsWithAny(components[i].name, kept)) {
+            least += components[i].triangleCount;
+        } else {
+            bySize.emplace_back(whole.boxOf(i).diagonal().norm(), i);
+        }
+    }
+    requireTriangles(triangles, option, least);
+    std::sort(bySize.begin(), bySize.end());
+    std::vector<bool> isKept(components.size(), true);
+    for (const auto& [size, i] : bySize) {
+        if (remaining <= triangles) break;
+        isKept[i] = false;
+        remaining -= components[i].triangleCount;
+    }
+    return whole.keeping(isKept);
+}
+
+Mesh buildTo(std::size_t triangles, const std::string& option, const FinenessRange& range,
+             const std::vector<std::string>& kept, const BuildAssembly& build) {
+    const Detail coarsest = coarsestDetail(range);
+    const Assembly least = build(coarsest, 0);
+    if (triangles >= least.triangleCount()) return buildTo(triangles, option, range, build);
+    const std::size_t remaining = leavingOutSmall(least, triangles, option, kept).triangleCount(),
+                      studTriangles = build(coarsest, 1).triangleCount() - least.triangleCount();
+    const Assembly filled = build(coarsest, static_cast<int>((triangles - remaining) / studTriangles));
+    return leavingOutSmall(filled, triangles, option, kept).mesh();
 }
 
 }  // namespace clearway

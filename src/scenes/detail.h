@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "scenes/piece.h"
 
@@ -31,11 +32,24 @@ struct FinenessRange {
 Detail finestDetail(std::size_t triangles, const std::string& option, const FinenessRange& range,
                     const std::function<std::size_t(const Detail&)>& countAt);
 
+/// The coarsest of the range.
+Detail coarsestDetail(const FinenessRange& range);
+
+/// Small components left out, the one with the smallest box first, until at most so many triangles remain.
+/// kept: how names of those begin that stay. Throws likewise when they have more.
+Assembly leavingOutSmall(const Assembly& whole, std::size_t triangles, const std::string& option,
+                         const std::vector<std::string>& kept);
+
 /// A mesh's pieces at that detail and so many studs beside them, all studs of the same number of triangles.
 using BuildAssembly = std::function<Assembly(const Detail& detail, int studs)>;
 
 /// The build at the finest detail, filled up with studs. Throws likewise.
 Mesh buildTo(std::size_t triangles, const std::string& option, const FinenessRange& range,
              const BuildAssembly& build);
+
+/// Where the coarsest build has more triangles, small components are left out, except those whose names begin
+/// as `kept` says; studs do.
+Mesh buildTo(std::size_t triangles, const std::string& option, const FinenessRange& range,
+             const std::vector<std::string>& kept, const BuildAssembly& build);
 
 }  // namespace clearway

@@ -8,6 +8,8 @@ namespace clearway {
 
 namespace {
 
+constexpr double kSame = 1e-3;      // mm; nearer lines are one
+constexpr double kSharp = 1e6;      // squareness of a rectangle; beyond, no point is moved
 constexpr double kLeastGap = 0.12;  // of the step, between two lines; but
 constexpr double kAtLarge = 5;      // mm, no more, at openings of
 constexpr double kLarge = 100;      // mm half width or more, which are never left out for coarseness
@@ -48,6 +50,7 @@ Panel::Panel(PanelShape shape, const PanelDetail& detail) : shape_(std::move(sha
     for (int axis = 0; axis < 2; ++axis) {
         assert(shape_.low[axis] < shape_.high[axis]);
         std::vector<double> lines{shape_.low[axis], shape_.high[axis]};
+        for (const double at : axis == 0 ? shape_.keptULines : shape_.keptVLines) addLine(lines, at, kSame);
         for (const Opening& opening : shape_.openings) {
             const double middle = opening.centre[axis], half = opening.half[axis];
             const double atEdges = opening.half.minCoeff() < kLarge ? leastGap : std::min(leastGap, kAtLarge);
@@ -79,6 +82,12 @@ void Panel::place(const Opening& opening) {
         if (block.low[axis] >= block.high[axis]) return;
         if (block.outerLow[axis] < 0 || block.outerHigh[axis] > cells(axis)) return;
     }
+    // Between two lines that are kept straight, no point may leave them.
+    const double from = lines_[1][block.outerLow[1]], to = lines_[1][block.outerHigh[1]];
+    const auto isBent = [&](double at) { return at > from + kSame && at < to - kSame; };
+    if (opening.squareness < kSharp &&
+        std::any_of(shape_.keptVLines.begin(), shape_.keptVLines.end(), isBent))
+        return;
     const auto meets = [&](const Block& other) {
         return block.outerLow[0] < other.outerHigh[0] && other.outerLow[0] < block.outerHigh[0] &&
                block.outerLow[1] < other.outerHigh[1] && other.outerLow[1] < block.outerHigh[1];

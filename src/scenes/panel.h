@@ -13,7 +13,7 @@ namespace clearway {
 struct Opening {
     Vector2 centre;
     Vector2 half;           ///< of its width in each parameter
-    double squareness = 2;  ///< 2 is an ellipse; the larger, the nearer to a rectangle
+    double squareness = 2;  ///< 2 is an ellipse; the larger, the nearer to a rectangle, 1e6 is one
 };
 
 struct PanelShape {
@@ -24,6 +24,9 @@ struct PanelShape {
     double offset = 0;  ///< of the sheet's middle from the surface, towards its upper side
     std::vector<Opening> openings{};
     std::vector<double> uLines{}, vLines{};  ///< wanted among the grid's lines: where beads begin and end
+    /// Among them however coarse they are. Openings that would bend one of v are left out.
+    std::vector<double> keptULines{}, keptVLines{};
+    double finer = 1;  ///< its grid's step is that of others over this
 };
 
 /// How finely a panel is cut.

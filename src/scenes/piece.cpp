@@ -38,6 +38,52 @@ void Assembly::add(const std::string& name, const Piece& piece) {
     mesh_.components.push_back({name, firstTriangle, static_cast<std::uint32_t>(piece.triangles.size())});
 }
 
+void Assembly::include(const std::string& prefix, const Assembly& other) {
+    const auto firstVertex = static_cast<std::uint32_t>(mesh_.vertices.size());
+    const auto firstTriangle = static_cast<std::uint32_t>(mesh_.triangles.size());
+    mesh_.vertices.insert(mesh_.vertices.end(), other.mesh_.vertices.begin(), other.mesh_.vertices.end());
+    for (const TriangleIndices& t : other.mesh_.triangles)
+        mesh_.triangles.push_back({t[0] + firstVertex, t[1] + firstVertex, t[2] + firstVertex});
+    for (Component component : other.mesh_.components) {
+        component.name = prefix + component.name;
+        component.firstTriangle += firstTriangle;
+        mesh_.components.push_back(component);
+    }
+}
+
+Box Assembly::boxOf(std::size_t component) const {
+    const Component& of = mesh_.components[component];
+    Box box;
+    for (std::uint32_t i = 0; i < of.triangleCount; ++i)
+        for (const std::uint32_t corner : mesh_.triangles[of.firstTriangle + i])
+            box.extend(mesh_.vertices[corner]);
+    return box;
+}
+
+/// Components' vertices follow each other as their triangles do.
+Assembly Assembly::keeping(const std::vector<bool>& isKept) const {
+    Assembly kept;
+    kept.counts_ = counts_;
+    for (std::size_t c = 0; c < mesh_.components.size(); ++c) {
+        if (!isKept[c]) continue;
+        const Component& of = mesh_.components[c];
+        std::uint32_t first = UINT32_MAX, last = 0;
+        Piece piece;
+        for (std::uint32_t i = 0; i < of.triangleCount; ++i) {
+            piece.triangles.push_back(mesh_.triangles[of.firstTriangle + i]);
+            for (const std::uint32_t corner : piece.triangles.back()) {
+                first = std::min(first, corner);
+                last = std::max(last, corner);
+            }
+        }
+        piece.vertices.assign(mesh_.vertices.begin() + first, mesh_.vertices.begin() + last + 1);
+        for (TriangleIndices& t : piece.triangles)
+            for (std::uint32_t& corner : t) corner -= first;
+        kept.add(of.name, piece);
+    }
+    return kept;
+}
+
 std::string Assembly::nextName(const std::string& stem) {
     auto found = std::find_if(counts_.begin(), counts_.end(), [&](const auto& c) { return c.first == stem; });
     if (found == counts_.end()) found = counts_.insert(counts_.end(), {stem, 0});

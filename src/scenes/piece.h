@@ -33,6 +33,9 @@ class Assembly {
   public:
     void add(const std::string& name, const Piece& piece);
 
+    /// Adds the other's components, the prefix before their names.
+    void include(const std::string& prefix, const Assembly& other);
+
     /// The number of components whose name is `stem` or begins with `stem` and an underscore, plus one, in
     /// two digits: "rib" gives "rib_01", "rib_02", ...
     std::string nextName(const std::string& stem);
@@ -40,6 +43,13 @@ class Assembly {
     void addNumbered(const std::string& stem, const Piece& piece) { add(nextName(stem), piece); }
 
     std::size_t triangleCount() const { return mesh_.triangles.size(); }
+    const std::vector<Component>& components() const { return mesh_.components; }
+
+    /// Only the components of which `isKept` is true, by their places.
+    Assembly keeping(const std::vector<bool>& isKept) const;
+
+    /// Of a component.
+    Box boxOf(std::size_t component) const;
 
     /// The mesh moved by `shift`, its coordinates rounded to float: mesh files hold no more.
     Mesh mesh(const Vector3& shift = Vector3::Zero()) const;

@@ -43,6 +43,8 @@ const std::vector<NamedScene>& namedScenes() {
         {"boxes-1", "a box that slides along two others, face to face", kBoxes, makeBoxes, kParallel},
         {"large-environment-1", "an instrument carrier on its way into a car body of fine sheets in layers",
          kLargeEnvironment, makeLargeEnvironment},
+        {"large-environment-2", "the tray of a sliding roof between two sheets that follow it, in a car body",
+         kLargeEnvironment2, makeLargeEnvironment2},
         {"puzzle-1", "two interlocked bent bars, one to be slid through the eye of the other", kPuzzle,
          makePuzzle},
     };

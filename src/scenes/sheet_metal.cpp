@@ -22,7 +22,7 @@ void SheetMetal::add(const std::string& name, Piece piece) {
 }
 
 void SheetMetal::panel(const std::string& name, const PanelShape& shape) {
-    const Panel panel(shape, {detail_.step, std::max(2, detail_.segmentsPerQuarter)});
+    const Panel panel(shape, {detail_.step / shape.finer, std::max(2, detail_.segmentsPerQuarter)});
     triangles_ += panel.triangleCount();
     if (!onlyCount_) add(name + ending_, panel.piece());
 }
@@ -45,8 +45,29 @@ void SheetMetal::turnedPart(const std::string& stem, const Polyline& outline, co
     part(stem, placed(turned(outline, detail_.segmentsPerTurn), standingAt(at, axis)));
 }
 
+void SheetMetal::include(const std::string& prefix, const SheetMetal& other) {
+    triangles_ += other.triangles_;
+    if (!onlyCount_) assembly_.include(prefix, other.assembly_);
+}
+
 Polyline SheetMetal::rounded(const Polyline& line, double radius) const {
     return filleted(line, std::vector<double>(line.size() - 2, radius), detail_.segmentsPerQuarter);
+}
+
+Mesh sheetMetalTo(std::size_t triangles, const std::string& option, const FinenessRange& range,
+                  const std::vector<std::string>& kept, const BuildSheetMetal& build) {
+    const auto countAt = [&](const Detail& detail, int studs) {
+        return build(detail, studs, true).triangleCount();
+    };
+    if (triangles < countAt(coarsestDetail(range), 0)) {
+        return buildTo(triangles, option, range, kept, [&](const Detail& detail, int studs) {
+            return build(detail, studs, false).assembly();
+        });
+    }
+    const Detail detail =
+        finestDetail(triangles, option, range, [&](const Detail& tried) { return countAt(tried, 0); });
+    const std::size_t without = countAt(detail, 0), stud = countAt(detail, 1) - without;
+    return build(detail, static_cast<int>((triangles - without) / stud), false).assembly().mesh();
 }
 
 Polyline hatLine(double width, double height, double flange) {

@@ -30,6 +30,9 @@ class SheetMetal {
     /// An outline turned about z (see turned), its foot at `at`, its axis along `axis`.
     void turnedPart(const std::string& stem, const Polyline& outline, const Vector3& at, const Vector3& axis);
 
+    /// All that the other has, its names with the prefix before them. Both only count, or neither does.
+    void include(const std::string& prefix, const SheetMetal& other);
+
     /// Runs `build` twice: as it is, for the side of positive y, its names ending in _right, then mirrored at
     /// y = 0, ending in _left.
     template <class Build>
@@ -59,6 +62,14 @@ class SheetMetal {
     std::size_t triangles_ = 0;
     Assembly assembly_;
 };
+
+/// A mesh's sheet metal at that detail with so many studs beside it, all of the same number of triangles.
+using BuildSheetMetal = std::function<SheetMetal(const Detail& detail, int studs, bool onlyCount)>;
+
+/// The build at the finest detail, filled up with studs. Where the coarsest has more triangles, small
+/// components are left out, except those whose names begin as `kept` says; studs do. Throws as finestDetail.
+Mesh sheetMetalTo(std::size_t triangles, const std::string& option, const FinenessRange& range,
+                  const std::vector<std::string>& kept, const BuildSheetMetal& build);
 
 /// A hat open below, `width` and `height` at the top, its flanges standing out by `flange` on the line z = 0.
 Polyline hatLine(double width, double height, double flange);

@@ -18,6 +18,8 @@ const std::vector<BenchScene>& benchScenes() {
         {"F", "boxes-1", {100, 700}, {100, 700}, 0.1, 0, 0, 1, false},
         {"G", "tunnel-console-1", {73000, 300000}, {2000, 8000}, 0.75, 0, 0, 0.75, true},
         {"H", "tunnel-console-1", {73000, 300000}, {2000, 8000}, 0, 1e-3, 0.1, 1, true},
+        {"I", "cembox-2", {30000, 500000}, {4000, 42000}, 0.1, 0, 0, 1, true},
+        {"J", "large-environment-2", {120000, 1700000}, {10000, 80000}, 0.1, 0, 0, 1, true},
     };
     return kScenes;
 }

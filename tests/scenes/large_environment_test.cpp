@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <stdexcept>
 
+#include "scenes/component_checks.h"
 #include "scenes/scene_checks.h"
 #include "support/convex_hull.h"
 #include "support/oracle.h"
@@ -45,40 +46,6 @@ std::string refusal(const SceneOptions& options) {
 
 bool begins(const std::string& text, const std::string& with) {
     return text.rfind(with, 0) == 0;
-}
-
-/// Without the vertices of others.
-Mesh only(const Mesh& mesh, const Component& component) {
-    Mesh alone;
-    std::map<std::uint32_t, std::uint32_t> moved;
-    for (std::uint32_t i = 0; i < component.triangleCount; ++i) {
-        TriangleIndices triangle = mesh.triangles[component.firstTriangle + i];
-        for (std::uint32_t& corner : triangle) {
-            const auto [at, isNew] = moved.emplace(corner, static_cast<std::uint32_t>(alone.vertices.size()));
-            if (isNew) alone.vertices.push_back(mesh.vertices[corner]);
-            corner = at->second;
-        }
-        alone.triangles.push_back(triangle);
-    }
-    return alone;
-}
-
-/// "a x b" for the components that touch.
-std::vector<std::string> touchingComponents(const Mesh& mesh) {
-    std::vector<Model> models;
-    for (const Component& component : mesh.components) {
-        models.push_back(Model::build(only(mesh, component), buildPreset("fast")));
-    }
-    Workspace workspace;
-    std::vector<std::string> touching;
-    for (std::size_t i = 0; i < models.size(); ++i) {
-        for (std::size_t k = i + 1; k < models.size(); ++k) {
-            if (!models[i].box().intersects(models[k].box())) continue;
-            if (!collides(models[i], models[k], {}, workspace)) continue;
-            touching.push_back(mesh.components[i].name + " x " + mesh.components[k].name);
-        }
-    }
-    return touching;
 }
 
 }  // namespace
