@@ -69,7 +69,7 @@ void Fittings::addSeat() {
         metal.part("seat_side", plate);
         addBoltRow({1440, y + side * 227.5, low + 60}, {1870, y + side * 227.5, low + 60}, {0, side, 0}, 2);
         metal.part("head_rest_post",
-                   rod({{2004, y + side * 60, 1026}, {2030, y + side * 60, 1120}}, 6, turn()));
+                   rod({{2004, y + side * 60, 1026}, {2028, y + side * 60, 1114}}, 6, turn()));
     }
     metal.part("head_rest", roundedBox({2002, y - 120, 1121}, {2066, y + 120, 1190}, 28, 18, quarter()));
     const auto cushion = [=](double u, double v) {
@@ -85,7 +85,7 @@ void Fittings::addSeat() {
                  1.2,
                  0,
                  {{{1560, y - 90}, {30, 40}, 3}, {{1560, y + 90}, {30, 40}, 3}, {{1720, y}, {40, 60}, 3}}});
-    metal.panel("seat_foam", {cushion, {1426, y - 206}, {1826, y + 206}, 34, 20});
+    metal.panel("seat_foam", {cushion, {1426, y - 206}, {1826, y + 206}, 34, 22});
 }
 
 void Fittings::addBench() {
@@ -117,7 +117,7 @@ void Fittings::addBench() {
 
 /// Spring, damper, brake disc and arm of a wheel.
 void Fittings::addSuspension(const Vector3& wheel) {
-    const Vector3 foot = wheel + Vector3(0, -150, 20);
+    const Vector3 foot = wheel + Vector3(0, -105, 20);
     Line coil;
     const int around = std::max(8, turn()), turns = 6;
     for (int i = 0; i <= turns * around; ++i) {
@@ -139,7 +139,7 @@ void Fittings::addSuspension(const Vector3& wheel) {
                       standingAt(wheel + Vector3(0, -50, 0), Vector3::UnitY())));
     metal.part("caliper",
                roundedBox(wheel + Vector3(80, -60, -50), wheel + Vector3(150, -47, 50), 12, 4, quarter()));
-    metal.part("lower_arm", rod(smooth({wheel + Vector3(0, -60, -60), wheel + Vector3(10, -130, -74),
+    metal.part("lower_arm", rod(smooth({wheel + Vector3(0, -100, -60), wheel + Vector3(10, -130, -74),
                                         wheel + Vector3(40, -270, -70)},
                                        fine()),
                                 14, turn()));
@@ -159,14 +159,12 @@ void Fittings::addExhaust() {
         pipe(bent({{1868, 0, z}, {2200, 0, z - 8}, {2420, 20, z - 20}, {2700, 60, 290}, {2990, 100, 180}},
                   120, quarter()),
              25, 2, turn()));
-    metal.part("fuel_tank", roundedBox({2490, -430, 196}, {2880, -30, 318}, 50, 28, quarter()));
-    metal.part(
-        "fuel_tank_strap",
-        sweep(sheetSection({{-400, 322}, {-434, 300}, {-434, 192}, {-26, 192}, {-26, 300}, {-40, 322}}, 1.5),
-              {2600.0, 2640.0}));
-    metal.part("rear_silencer", roundedBox({3480, -330, 200}, {3700, 330, 316}, 54, 26, quarter()));
+    metal.part("fuel_tank", roundedBox({2490, -430, 196}, {2880, -30, 310}, 50, 28, quarter()));
+    metal.part("fuel_tank_strap", sweep(sheetSection({{-434, 318}, {-434, 192}, {-26, 192}, {-26, 318}}, 1.5),
+                                        {2700.0, 2740.0}));
+    metal.part("rear_silencer", roundedBox({3600, -330, 200}, {3760, 330, 296}, 54, 26, quarter()));
     for (int i = 0; i < 6; ++i)
-        metal.part("silencer_rib", roundedBox({3500, -270.0 + 108 * i, 316.4}, {3680, -266.0 + 108 * i, 321},
+        metal.part("silencer_rib", roundedBox({3620, -270.0 + 108 * i, 296.4}, {3740, -266.0 + 108 * i, 301},
                                               1.5, 1, quarter()));
 }
 
@@ -185,12 +183,11 @@ void Fittings::addSteering() {
 
 /// A harness along each sill and pipes on the dash panel.
 void Fittings::addLines() {
-    const int cables = metal.detail().count(2);
+    const int cables = std::min(metal.detail().count(2), 6);
     for (int i = 0; i < cables; ++i) {
         Line line;
         for (double x = 1180; x <= 2340; x += 145)
-            line.push_back(
-                {x, 606 + 3.0 * random.between(-1, 1), body.floorZ(x, 606) + 20 + 9.0 * i / cables * 4});
+            line.push_back({x, 606 + 3.0 * random.between(-1, 1), body.floorZ(x, 606) + 20 + 9.0 * i});
         const double wave = 8 / std::sqrt(metal.detail().richness), radius = 3.4;
         metal.part("sill_cable",
                    variedRod(

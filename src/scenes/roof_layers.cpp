@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kSheet = 0.7;      // mm, of the facing sheet above
 constexpr double kLining = 1.2;     // of the facing sheet below
-constexpr double kFinerThan = 1.5;  // the facing sheets' grids are finer than others by
+constexpr double kFinerThan = 1.2;  // the facing sheets' grids are finer than others by
 
 struct Layers {
     const RoofSlot& roof;
@@ -106,7 +106,7 @@ void Layers::addBows() {
     for (const double u : {1690.0, 1950.0, 2210.0, 2470.0, 2730.0}) {
         Polyline hat = hatLine(44, 20, 16);
         for (Vector2& p : hat) p = {u - p.x(), -12 - p.y()};
-        add("roof_bow", sweepAlongY(sheetSection(metal.rounded(hat, 5), 1), cut(-530, 530)));
+        add("roof_bow", sweepAlongY(sheetSection(metal.rounded(hat, 5), 1), cut(-515, 515)));
         const int bolts = std::max(2, metal.detail().count(2));
         for (int i = 0; i < 2 * bolts; ++i) {
             BoltShape shape;
@@ -173,7 +173,7 @@ void Layers::addLines() {
                           smooth(bag, fine), [](double at) { return 10 + 1.2 * std::sin(at / 9); }, turn()));
         Line drain;
         for (double u = 1500; u <= 2900; u += 200)
-            drain.push_back({u, side * 520, -30 + random.between(-2, 2)});
+            drain.push_back({u, side * 531, -36 + random.between(-2, 2)});
         add("drain_hose", pipe(smooth(drain, fine), 5, 1.3, turn()));
         Line harness;
         for (double u = 1530; u <= 2900; u += 120)

@@ -75,7 +75,7 @@ RoofSlot designRoofSlot(const SceneOptions& options) {
     const double chords =
         sagitta(kStretch * kLongestCell, 0.97 * roof.radius) + sagitta(kChord, 0.97 * roof.radius);
     roof.gap = roof.clearance * (1 + kEase) + chords + kRounding;
-    roof.lower = roof.upper + 40 + roof.gap;
+    roof.lower = roof.upper + 55 + roof.gap;
     roof.profile = profileOf(roof.crown, roof.beadDepth, roundingChords(options));
     const Polyline offset = offsetLine(roof.profile, 1);
     for (std::size_t i = 0; i < offset.size(); ++i) roof.mitre.push_back(offset[i] - roof.profile[i]);
@@ -103,6 +103,12 @@ Vector3 RoofSlot::smoothAt(double u, double v, double depth, double height) cons
 double RoofSlot::embossed(double u, double v) const {
     const double turn = 2 * M_PI / kEmbossingPitch;
     return embossing * smoothStep(std::sin(turn * u) * std::sin(turn * v), 0.25, 0.7);
+}
+
+/// By a bow in each direction; of faces that are as near everywhere, all pairs of triangles are the nearest.
+double RoofSlot::receding(double u, double v) const {
+    const double most = 1.8 + 0.17 * gap;
+    return most * (squared((u - 2350) / (trayRear - trayFront)) + squared(v / trayHalf));
 }
 
 PartState RoofSlot::moved(double along) const {

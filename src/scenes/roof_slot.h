@@ -25,7 +25,7 @@ struct RoofSlot {
 
     // Depths below the skin of the middles of both gaps, above and below the tray.
     double upper = 52;
-    double lower = 103;
+    double lower = 113;
 
     // The tray in its place, along the car and across it; and the slot.
     double trayFront = 1590, trayRear = 2470, trayHalf = 440;
@@ -45,6 +45,10 @@ struct RoofSlot {
 
     /// 0 or up to `embossing`.
     double embossed(double u, double v) const;
+
+    /// How much farther the tray's sheets are from those that face them than where they are nearest, on a line
+    /// behind its opening.
+    double receding(double u, double v) const;
 
     /// The tray moved along the roof to the rear.
     PartState moved(double along) const;

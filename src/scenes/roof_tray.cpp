@@ -11,10 +11,11 @@ namespace clearway {
 
 namespace {
 
-constexpr double kSheet = 0.8;  // mm, thickness
-constexpr double kRoom = 24;    // height of what lies between the sheets
-constexpr double kInset = 14;   // of what lies between from the sheets' edges
-constexpr double kSlit = 0.3;   // between neighbours
+constexpr double kSheet = 0.8;      // mm, thickness
+constexpr double kRoom = 24;        // height of what lies between the sheets
+constexpr double kLowerMore = 0.5;  // mm farther from what faces it than the upper sheet
+constexpr double kInset = 14;       // of what lies between from the sheets' edges
+constexpr double kSlit = 0.3;       // between neighbours
 constexpr double kOpenFrom = 1760, kOpenTo = 2150, kOpenHalf = 210;  // the opening, along and across
 
 struct Tray {
@@ -25,7 +26,7 @@ struct Tray {
     /// x is u, y is v, z is the height above the room's floor.
     Placement inside() const {
         return [this](const Vector3& p) -> Vector3 {
-            return roof.smoothAt(p.x(), p.y(), roof.lower, roof.gap / 2 + 4 + p.z());
+            return roof.smoothAt(p.x(), p.y(), roof.lower, roof.gap / 2 + 12 + p.z());
         };
     }
     void add(const std::string& stem, const Piece& piece) { metal.part(stem, placed(piece, inside())); }
@@ -53,8 +54,9 @@ struct Tray {
 void Tray::addSheet(bool isUpper) {
     PanelShape shape;
     const double side = isUpper ? -1 : 1, depth = isUpper ? roof.upper : roof.lower;
-    shape.surface = [this, side, depth](double u, double v) {
-        return roof.at(u, v, depth, side * (roof.gap / 2 + kSheet / 2 + roof.embossed(u, v)));
+    const double away = roof.gap / 2 + kSheet / 2 + (isUpper ? 0 : kLowerMore);
+    shape.surface = [this, side, depth, away](double u, double v) {
+        return roof.at(u, v, depth, side * (away + roof.embossed(u, v) + roof.receding(u, v)));
     };
     shape.low = {roof.trayFront, -roof.trayHalf};
     shape.high = {roof.trayRear, roof.trayHalf};
@@ -86,17 +88,17 @@ void Tray::addFrame() {
     }
     for (const double u : {kOpenFrom - 20, kOpenTo + 20}) {
         add("frame",
-            sweepAlongY(hollow({u - 12, 1}, {u + 12, kRoom - 2}), along(-kOpenHalf - 10, kOpenHalf + 10)));
+            sweepAlongY(hollow({u - 12, 1}, {u + 12, kRoom - 9}), along(-kOpenHalf - 10, kOpenHalf + 10)));
     }
     // A seal on the front and the rear bar.
     for (const double u : {kOpenFrom - 20, kOpenTo + 20}) {
-        const Polyline bulb = circle({u, kRoom - 2 + 3.1 + kSlit}, 3, turn());
+        const Polyline bulb = circle({u, kRoom - 9 + 3.1 + kSlit}, 3, turn());
         add("seal", sweepAlongY(fullSection(bulb), along(-kOpenHalf, kOpenHalf)));
     }
 }
 
 void Tray::addCrossBeams() {
-    for (const double u : {1640.0, 2230.0, 2410.0}) {
+    for (const double u : {1660.0, 2230.0, 2410.0}) {
         Polyline hat = hatLine(34, 17, 14);
         for (Vector2& p : hat) p += Vector2(u, 1.5);
         add("cross_beam", sweepAlongY(sheetSection(metal.rounded(hat, 4), 1.2), along(-370, 370)));
@@ -124,7 +126,7 @@ void Tray::addRibs() {
     const int pairs = metal.detail().count(1);
     for (int i = 0; i < 2 * pairs; ++i) {
         const double side = i % 2 == 0 ? 1 : -1, v = side * (270 + 90 * (i / 2 + 0.5) / pairs);
-        const std::vector<double> us = stationsBetween(1690, 2180, std::max(20.0, 0.5 * step()));
+        const std::vector<double> us = stationsBetween(1700, 2180, std::max(20.0, 0.5 * step()));
         const double radius = 0.3 * std::min(us[1] - us[0], kRoom - 3);
         const auto hole = [radius](std::size_t column, std::size_t) {
             return column % 2 == 1 ? radius : 0.0;
@@ -155,7 +157,7 @@ void Tray::addCables() {
     const double fine = std::max(3.0, 0.5 * metal.detail().step);
     for (const double side : {-1.0, 1.0}) {
         const double v = side * (half() - 42);
-        const Line drive = smooth({{2330, side * 60, 12},
+        const Line drive = smooth({{2338, side > 0 ? 60.0 : -100.0, 12},
                                    {2345, side * 170, 12},
                                    {2335, side * 330, 12},
                                    {2290, v, 12},
@@ -175,7 +177,7 @@ void Tray::addCables() {
                                   fine);
         add("drain_hose", pipe(drain, 5, 1.2, turn()));
     }
-    add("motor_cable", rod(smooth({{2330, 40, 16}, {2300, 90, 13}, {2290, 180, 15}, {2275, 250, 12}}, fine),
+    add("motor_cable", rod(smooth({{2330, 44, 16}, {2300, 90, 13}, {2290, 180, 15}, {2275, 250, 12}}, fine),
                            2.4, turn() / 2));
     add("plug", roundedBox({2262, 254, 5}, {2284, 276, 19}, 3, 2, quarter()));
 }
@@ -185,7 +187,7 @@ void Tray::addMotor() {
         filleted({{0, 0}, {10.5, 0}, {10.5, 62}, {6, 66}, {6, 76}, {0, 76}}, {2, 3, 2, 1}, quarter());
     add("motor", placed(turned(can, turn()), standingAt({2322, -6, 12}, -Vector3::UnitY())));
     add("gear_box", roundedBox({2296, 0, 1}, {2352, 40, kRoom - 1}, 8, 3, quarter()));
-    add("control_unit", roundedBox({2290, 190 - 340, 2}, {2360, 190 - 280, 18}, 5, 2, quarter()));
+    add("control_unit", roundedBox({2286, -330, 2}, {2316, -270, 18}, 5, 2, quarter()));
     for (int i = 0; i < 4; ++i) addBolt(2300 + 48 * (i % 2), 6 + 28 * (i / 2), kRoom - 6.0);
 }
 
@@ -210,9 +212,9 @@ void Tray::addBosses() {
 /// Spot welds in rows, in front of the opening.
 void Tray::addStuds(int studs) {
     const Piece dome = turned(domeOutline(2, 1.6, quarter()), turn());
-    constexpr int kColumns = 108, kRows = 8;
+    constexpr int kColumns = 84, kRows = 4;
     for (int i = 0; i < studs; ++i) {
-        const double v = 6 * (i % kColumns - 0.5 * (kColumns - 1)), u = 1672 + 6 * (i / kColumns % kRows);
+        const double v = 6 * (i % kColumns - 0.5 * (kColumns - 1)), u = 1702 + 6 * (i / kColumns % kRows);
         add("spot_weld", placed(dome, standingAt({u, v, 0.8}, Vector3::UnitZ())));
     }
 }
