@@ -26,10 +26,15 @@ struct Claim {
     std::string_view measure;
     Trees a, b;
     bool isEqual = false;
+    /// Where the thesis's own figures say so: in scenes of this family alone, or in all but these.
+    const char* onlyIn = "";
+    const char* notIn = "";
 };
 
 constexpr std::string_view kDistances = "distances_per_second";
 constexpr std::string_view kCollisions = "collisions_per_second";
+
+constexpr const char* kLargeEnvironment = "large-environment";
 
 constexpr Claim kClaims[] = {
     {"AxisSplit answers distances faster than MeanSplit", kDistances, {"axis", "chain"}, {"mean", "chain"}},
@@ -42,7 +47,15 @@ constexpr Claim kClaims[] = {
      kCollisions,
      {"axis", "chain"},
      {"axis", "none"},
-     true},
+     true,
+     "",
+     kLargeEnvironment},
+    {"ChainSplit answers collisions faster than NoSplit",
+     kCollisions,
+     {"axis", "chain"},
+     {"axis", "none"},
+     false,
+     kLargeEnvironment},
     {"EdgeSplit answers collisions as fast as ChainSplit",
      kCollisions,
      {"axis", "edge"},
@@ -57,6 +70,13 @@ constexpr Claim kClaims[] = {
     {"EdgeSplit makes more leaves than ChainSplit", "leaves", {"axis", "edge"}, {"axis", "chain"}},
     {"AllSplit makes more leaves than EdgeSplit", "leaves", {"axis", "all"}, {"axis", "edge"}},
 };
+
+bool isAbout(const Claim& claim, const std::string& scene) {
+    const auto isOf = [&](const std::string& family) {
+        return !family.empty() && scene.rfind(family, 0) == 0;
+    };
+    return (*claim.onlyIn == 0 || isOf(claim.onlyIn)) && !isOf(claim.notIn);
+}
 
 std::vector<double> numbersIn(const std::string& text) {
     std::istringstream in(text);
@@ -91,7 +111,8 @@ std::string verdictOn(const Claim& claim, const PairedRatio& ratio) {
     const double least = claim.measure == "build_seconds" ? kLeastBuildDifference : kLeastDifference;
     const bool isMore = ratio.low > 1 && ratio.median >= least;
     const bool isLess = ratio.high < 1 && ratio.median <= 1 / least;
-    if (claim.isEqual) return isMore ? "the first is faster" : isLess ? "the first is slower" : "holds";
+    if (claim.isEqual)
+        return isMore ? "the first is faster" : isLess ? "the first is slower" : "holds: no difference";
     return isMore ? "holds" : isLess ? "the opposite" : "no difference";
 }
 
@@ -127,6 +148,7 @@ std::vector<TableRow> judgeClaims(const std::vector<TableRow>& trees) {
     std::vector<TableRow> verdicts;
     for (const auto& [engine, rows] : byEngine) {
         for (const Claim& claim : kClaims) {
+            if (!isAbout(claim, engine.first)) continue;
             const auto a = rows.find(std::string(claim.a.general) + "/" + claim.a.leaf);
             const auto b = rows.find(std::string(claim.b.general) + "/" + claim.b.leaf);
             if (a == rows.end() || b == rows.end()) continue;

@@ -15,7 +15,9 @@ std::string claimRule();
 /// verdict.
 std::vector<std::string> claimColumns();
 
-/// trees: rows as measureTrees writes them. A verdict is "holds", "no difference" or "the opposite".
+/// trees: rows as measureTrees writes them. Of a claim that one is faster or more the verdict is "holds", "no
+/// difference" or "the opposite", of one that both are alike "holds: no difference", "the first is faster" or
+/// "the first is slower".
 std::vector<TableRow> judgeClaims(const std::vector<TableRow>& trees);
 
 }  // namespace clearway

@@ -160,6 +160,23 @@ BOOST_AUTO_TEST_CASE(other_options_than_those_of_the_folder_are_refused) {
     requireRefused(folder, command, {"scene window"});
 }
 
+BOOST_AUTO_TEST_CASE(without_a_problem_a_short_study_makes_its_scenes_and_replays_their_poses) {
+    const TemporaryFolder folder;
+    const std::string command = "bench --study leaf-strategies --short --seeds 1 --time 0.2 --out study";
+    const Outcome outcome = runIn(folder, command);
+    BOOST_TEST_REQUIRE(outcome.code == 0, outcome.err);
+    std::set<std::string> scenes;
+    for (const auto& row : readRows(folder.file("study/trees.csv"))) {
+        scenes.insert(row[0]);
+        if (row[0] == "tunnel-console")
+            BOOST_TEST(std::stod(row[14]) >= 50, row[14] << " of 100 poses collide");
+    }
+    BOOST_TEST(scenes == std::set<std::string>({"puzzle", "tunnel-console"}),
+               boost::test_tools::per_element());
+    BOOST_TEST(readRows(folder.file("study/runs.csv")).size() == 32u);
+    BOOST_TEST(outcome.out.find("in brackets the thesis's TunnelConsole") != std::string::npos);
+}
+
 BOOST_AUTO_TEST_CASE(bad_input_is_one_line_and_exit_code_2) {
     const StudyFolder folder;
     const auto refused = [&](const std::string& arguments, const std::vector<std::string>& words) {
