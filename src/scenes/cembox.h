@@ -27,4 +27,9 @@ constexpr SceneOptions kCembox{1, 30000, 500000, 4};
 /// out of range or a number of triangles is less than the shape needs, or above 4 million.
 GeneratedScene makeCembox(const SceneOptions& options);
 
+/// Version 2: the same module, rails and path in a bay with more to it: bumper and grille, subframe, steering
+/// and drive shafts, insulation in layers, sheets with lightening holes, wipers. Where fewer triangles are
+/// asked for than all components have when coarsest, small ones are left out.
+GeneratedScene makeCembox2(const SceneOptions& options);
+
 }  // namespace clearway

@@ -58,4 +58,6 @@ void addAggregates(Bay& bay);  // battery, tanks, boxes, brakes
 void addLines(Bay& bay);       // hoses, pipes, cables
 void addWeldStuds(Bay& bay, int studs);
 
+void addBayFittings(Bay& bay);  // only in version 2
+
 }  // namespace clearway

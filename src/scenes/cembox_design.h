@@ -50,8 +50,8 @@ CemboxDesign designCembox(const SceneOptions& options);
 /// The module, with `studs` solder points inside it.
 Assembly buildModule(const CemboxDesign& design, const Detail& detail, Random random, int studs);
 
-/// Everything around it, with `studs` weld studs on the bulkhead.
+/// Everything around it, with `studs` weld studs on the bulkhead. withFittings: what version 2 adds.
 Assembly buildEngineBay(const CemboxDesign& design, const KeptFree& keptFree, const Detail& detail,
-                        Random random, int studs);
+                        Random random, int studs, bool withFittings);
 
 }  // namespace clearway

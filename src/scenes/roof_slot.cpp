@@ -108,7 +108,7 @@ double RoofSlot::embossed(double u, double v) const {
 /// By a bow in each direction; of faces that are as near everywhere, all pairs of triangles are the nearest.
 double RoofSlot::receding(double u, double v) const {
     const double most = 1.8 + 0.17 * gap;
-    return most * (squared((u - 2350) / (trayRear - trayFront)) + squared(v / trayHalf));
+    return most * (squared((u - 1690) / (trayRear - trayFront)) + squared(v / trayHalf));
 }
 
 PartState RoofSlot::moved(double along) const {

@@ -46,8 +46,8 @@ struct RoofSlot {
     /// 0 or up to `embossing`.
     double embossed(double u, double v) const;
 
-    /// How much farther the tray's sheets are from those that face them than where they are nearest, on a line
-    /// behind its opening.
+    /// How much farther the tray's sheets are from those that face them than in the middle before the opening,
+    /// where they are nearest.
     double receding(double u, double v) const;
 
     /// The tray moved along the roof to the rear.

@@ -40,6 +40,7 @@ const std::vector<NamedScene>& namedScenes() {
         {"tunnel-console-3", "the same, with all that a car has there", kTunnelConsole3, makeTunnelConsole3,
          kInTunnel},
         {"cembox-1", "a control module to be drawn out of its rails in an engine bay", kCembox, makeCembox},
+        {"cembox-2", "the same in a fuller engine bay, at any size", kCembox, makeCembox2},
         {"boxes-1", "a box that slides along two others, face to face", kBoxes, makeBoxes, kParallel},
         {"large-environment-1", "an instrument carrier on its way into a car body of fine sheets in layers",
          kLargeEnvironment, makeLargeEnvironment},
