@@ -21,7 +21,7 @@ namespace clearway {
 namespace {
 
 constexpr char kMagic[8] = {'c', 'l', 'e', 'a', 'r', 'w', 'a', 'y'};
-constexpr std::uint64_t kVersion = 4;
+constexpr std::uint64_t kVersion = 5;
 constexpr std::uint64_t kByteOrderMark = 0x0102030405060708u;
 
 [[noreturn]] void refuse(const std::string& file, const std::string& reason) {

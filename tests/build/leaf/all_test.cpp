@@ -2,6 +2,7 @@
 #include "build/leaf/all.h"
 
 #include <boost/test/unit_test.hpp>
+#include <chrono>
 
 #include "build/leaf/groups.h"
 
@@ -17,6 +18,25 @@ BOOST_AUTO_TEST_CASE(the_general_split_goes_on_to_single_triangles) {
         BOOST_TEST((leaves == leavesOf(expected)));
         BOOST_TEST(leaves.size() == 5u);
         for (const auto& leaf : leaves) BOOST_TEST(leaf.size() == 1u);
+    }
+}
+
+/// Sah and Embree once looked at the whole mesh for each group: 80 s for 300,000 triangles.
+BOOST_AUTO_TEST_CASE(a_group_costs_no_more_in_a_large_mesh_than_in_a_small_one) {
+    std::vector<TriangleIndices> triangles;
+    for (std::uint32_t i = 0; i < 300000; ++i) triangles.push_back({i % 60, i % 60 + 1, i % 60 + 2});
+    const CleanMesh large = meshOf(triangles);
+    triangles.resize(4);
+    const CleanMesh small = meshOf(triangles);
+    const auto secondsOf = [](const CleanMesh& mesh, GeneralSplit general) {
+        const auto begin = std::chrono::steady_clock::now();
+        for (int i = 0; i < 500; ++i) splitIntoSingles(mesh, {0, 1, 2, 3}, general);
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    };
+    for (const NamedGeneralSplit& general : kGeneralSplits) {
+        const double inSmall = secondsOf(small, general.build), inLarge = secondsOf(large, general.build);
+        BOOST_TEST(inLarge < 10 * inSmall + 0.1,
+                   general.name << ": " << inLarge << " s, " << inSmall << " s");
     }
 }
 
