@@ -14,7 +14,7 @@ namespace clearway::testing {
 /// What the demo finds; nothing when it ran out of its ten seconds.
 std::vector<PartState> runDemo(const std::string& part, const std::string& wall) {
     const TemporaryFolder folder;
-    const std::string command = CLEARWAY_DEMO " '" + part + "' '" + wall + "' > '" + folder.file("out") +
+    const std::string command = CLEARWAY_DEMOS "/demo_smallest_checker '" + part + "' '" + wall + "' > '" + folder.file("out") +
                                 "' 2> '" + folder.file("err") + "'";
     BOOST_TEST(std::system(command.c_str()) == 0);
 

@@ -1,0 +1,192 @@
+#define BOOST_TEST_MODULE stories
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <boost/test/unit_test.hpp>
+#include <cstdlib>
+#include <filesystem>
+#include <regex>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "clearway/problem.h"
+#include "support/oracle.h"
+#include "support/path_check.h"
+#include "support/temporary_folder.h"
+
+namespace clearway::testing {
+namespace {
+
+const std::string kGates = CLEARWAY_DATA_DIR "/gates/gates.cfg";
+const std::string kConsole = CLEARWAY_DATA_DIR "/tunnel-console-small/tunnel-console.cfg";
+
+struct Story {
+    int code = -1;
+    std::string out, err;
+};
+
+Story run(const TemporaryFolder& folder, const std::string& command) {
+    const int status = std::system(
+        (command + " > '" + folder.file("out") + "' 2> '" + folder.file("err") + "' < /dev/null").c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, readText(folder.file("out")),
+            readText(folder.file("err"))};
+}
+
+Story tell(const TemporaryFolder& folder, const std::string& demo, const std::string& arguments) {
+    Story story = run(folder, CLEARWAY_DEMOS "/demo_" + demo + " " + arguments);
+    BOOST_TEST_MESSAGE(story.out);
+    BOOST_TEST(story.code == 0, demo << " ended with " << story.code << ": " << story.err);
+    return story;
+}
+
+/// The numbers that the pattern's groups hold in the first place of the text that it fits.
+std::vector<double> numbers(const std::string& text, const std::string& pattern) {
+    std::smatch found;
+    BOOST_TEST_REQUIRE(std::regex_search(text, found, std::regex(pattern)),
+                       "no " << pattern << " in " << text);
+    std::vector<double> values;
+    for (std::size_t i = 1; i < found.size(); ++i) values.push_back(std::stod(found[i]));
+    return values;
+}
+
+const std::string kNumber = "(-?[0-9.]+)";
+
+/// No more than the oracle finds along the path in a file.
+void requireClearance(double claimed, const std::string& problemFile, const std::string& pathFile) {
+    const Problem problem = readProblem(problemFile);
+    const std::vector<PartState> path = readPath(pathFile, problem.space);
+    BOOST_TEST_REQUIRE(path.size() >= 2u);
+    BOOST_TEST((path.front().position - problem.start.position).norm() < 1e-9);
+    BOOST_TEST((path.back().position - problem.goal.position).norm() < 1e-9);
+    const MeshOracle oracle(loadPart(problem), loadEnvironment(problem));
+    BOOST_TEST(leastDistance(oracle, path, problem, 300) > claimed - 0.006);  // less printed digits
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(console_is_planned_with_certified_motions_and_comes_no_closer_than_it_says) {
+    const TemporaryFolder folder;
+    const Story story = tell(folder, "console", "'" + kConsole + "' '" + folder.file("console.path") + "'");
+    const auto counts = numbers(
+        story.out, "path found after .*: " + kNumber + " motions asked about, " + kNumber + " certified");
+    BOOST_TEST(counts[0] > counts[1]);
+    BOOST_TEST(counts[1] > 0);
+    const std::size_t shortened = story.out.find("shortened");
+    BOOST_TEST_REQUIRE(shortened != std::string::npos);
+    const std::string least = "valid along the whole path\n  least clearance " + kNumber;
+    const double planned = numbers(story.out, least)[0];
+    const double kept = numbers(story.out.substr(shortened), least)[0];
+    BOOST_TEST(kept >= planned);
+    requireClearance(kept, kConsole, folder.file("console.path"));
+}
+
+BOOST_AUTO_TEST_CASE(certificate_refuses_what_checks_at_states_pass_and_bounds_what_is_valid) {
+    const TemporaryFolder folder;
+    const std::string out = tell(folder, "certificate", "").out;
+    BOOST_TEST(out.find("1 % of the space apart:  valid (") != std::string::npos);
+    BOOST_TEST(std::regex_search(out, std::regex("checked every 10 mm: +valid \\(")));
+    BOOST_TEST(std::regex_search(out, std::regex("certified: +not valid \\(")));
+    // The cover's front meets the panel's side after 150 of 304.
+    const auto blocked =
+        numbers(out, "Valid up to t = " + kNumber + "\\. At t = " + kNumber + " it is in collision");
+    BOOST_TEST(blocked[0] < 150. / 304);
+    BOOST_TEST(blocked[0] > 150. / 304 - 1e-4);
+    BOOST_TEST(blocked[1] > 150. / 304 - 1e-6);
+    BOOST_TEST(out.find("'cover'") != std::string::npos);
+    BOOST_TEST(out.find("'panel'") != std::string::npos);
+    const auto bounds = numbers(out, "certified: valid.* between " + kNumber + " and " + kNumber);
+    BOOST_TEST(bounds[0] <= 1);  // at the middle, where the cover stands straight
+    BOOST_TEST(bounds[0] > 0.9);
+    BOOST_TEST(bounds[1] >= bounds[0]);
+}
+
+BOOST_AUTO_TEST_CASE(clearance_optimal_gains_clearance_and_keeps_what_it_says) {
+    const TemporaryFolder folder;
+    const Story story =
+        tell(folder, "clearance_optimal", "'" + kGates + "' '" + folder.file("gates.path") + "'");
+    std::vector<double> gained;
+    std::istringstream lines(story.out);
+    for (std::string line; std::getline(lines, line);) {
+        std::istringstream words(line);
+        double iterations, seconds, clearance;
+        if (words >> iterations >> seconds >> clearance) gained.push_back(clearance);
+    }
+    BOOST_TEST_REQUIRE(gained.size() >= 2u);
+    BOOST_TEST(std::is_sorted(gained.begin(), gained.end()));
+    BOOST_TEST(gained.back() > gained.front());
+    BOOST_TEST(gained.back() > 6);  // through the widest gate
+    const double audited = numbers(story.out, "valid along the whole path, least clearance " + kNumber)[0];
+    BOOST_TEST(audited > 0.98 * gained.back());
+    requireClearance(audited, kGates, folder.file("gates.path"));
+}
+
+BOOST_AUTO_TEST_CASE(leaf_strategies_give_every_split_the_same_states_and_get_the_same_answers) {
+    const TemporaryFolder folder;
+    const Story story = tell(folder, "leaf_strategies", "'" + kConsole + "'");
+    std::vector<std::string> names;
+    std::vector<double> leaves, colliding;
+    std::istringstream lines(story.out);
+    for (std::string line; std::getline(lines, line);) {
+        std::istringstream words(line);
+        std::string name;
+        double value[9];
+        if (!(words >> name)) continue;
+        int read = 0;
+        while (read < 9 && words >> value[read]) ++read;
+        if (read < 9) continue;
+        names.push_back(name);
+        leaves.push_back(value[1]);
+        colliding.push_back(value[8]);
+    }
+    BOOST_TEST(names == leafSplitNames(), boost::test_tools::per_element());
+    BOOST_TEST(std::count(colliding.begin(), colliding.end(), colliding.at(0)) ==
+               static_cast<long>(colliding.size()));
+    BOOST_TEST(*std::max_element(leaves.begin(), leaves.end()) > 2 * leaves.at(0));
+}
+
+BOOST_AUTO_TEST_CASE(replan_says_where_the_old_path_is_blocked_and_finds_another) {
+    const TemporaryFolder folder;
+    const Story story = tell(folder, "replan", "'" + kGates + "' '" + folder.path() + "'");
+    BOOST_TEST(std::regex_search(story.out,
+                                 std::regex("old path's segment [0-9]+ is valid up to .*'forgotten box'")));
+    const std::string with = folder.file("with_box.cfg");
+    BOOST_TEST(readProblem(with).furtherWorlds.size() == 1u);
+    const std::size_t appeared = story.out.find("a box appears");
+    BOOST_TEST_REQUIRE(appeared != std::string::npos);
+    requireClearance(numbers(story.out.substr(appeared), "certified least clearance " + kNumber)[0], with,
+                     folder.file("new.path"));
+    BOOST_CHECK_NE(readText(folder.file("old.path")), readText(folder.file("new.path")));
+}
+
+BOOST_AUTO_TEST_CASE(demos_without_their_arguments_say_what_is_expected) {
+    const TemporaryFolder folder;
+    for (const std::string demo : {"console", "clearance_optimal", "leaf_strategies", "replan"}) {
+        const Story story = run(folder, CLEARWAY_DEMOS "/demo_" + demo);
+        BOOST_TEST(story.code == 2);
+        BOOST_TEST(story.err.find("expected") != std::string::npos, story.err);
+    }
+}
+
+/// demos/run builds before it runs a demo; what it refuses or lists it says at once.
+BOOST_AUTO_TEST_CASE(the_runner_lists_every_demo_and_refuses_others) {
+    const TemporaryFolder folder;
+    const std::string runner = "'" CLEARWAY_DEMO_SOURCES "/run'";
+    const Story help = run(folder, runner + " --help"), unknown = run(folder, runner + " nobody"),
+                tooMany = run(folder, runner + " console replan");
+    BOOST_TEST(help.code == 0);
+    BOOST_TEST(unknown.code == 2);
+    BOOST_TEST(tooMany.code == 2);
+    BOOST_TEST(unknown.err.find("'nobody'") != std::string::npos, unknown.err);
+    int demos = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(CLEARWAY_DEMO_SOURCES)) {
+        if (entry.path().extension() != ".cpp") continue;
+        ++demos;
+        const std::string name = entry.path().stem().string();
+        BOOST_TEST(help.out.find("    " + name + " ") != std::string::npos, name << " in " << help.out);
+        BOOST_TEST(unknown.err.find(name) != std::string::npos, name << " in " << unknown.err);
+    }
+    BOOST_TEST(demos == std::count(help.out.begin(), help.out.end(), '\n') - 2);
+}
+
+}  // namespace clearway::testing
