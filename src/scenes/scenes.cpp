@@ -2,9 +2,11 @@
 
 #include <stdexcept>
 
+#include "scenes/apartment.h"
 #include "scenes/boxes.h"
 #include "scenes/cembox.h"
 #include "scenes/large_environment.h"
+#include "scenes/peg_in_hole.h"
 #include "scenes/puzzle.h"
 #include "scenes/tunnel_console.h"
 
@@ -48,6 +50,14 @@ const std::vector<NamedScene>& namedScenes() {
          kLargeEnvironment2, makeLargeEnvironment2},
         {"puzzle-1", "two interlocked bent bars, one to be slid through the eye of the other", kPuzzle,
          makePuzzle},
+        {"peg-in-hole-1", "a round peg to be put into a hole, as narrow as the clearance says", kPegInHole,
+         makePegInHole},
+        {"apartment-1",
+         "a piano to be carried through two doors and a corridor",
+         kApartment,
+         makeApartment,
+         {},
+         "top"},
     };
     return kScenes;
 }
