@@ -14,7 +14,8 @@
 namespace clearway {
 
 /// Meshes of several files as one. Of more than one file the components are called FILE/NAME, after the
-/// file's name without its ending; equal names get #2, #3, ...
+/// file's name without its ending, or with as much of its path as tells it from others of that name; equal
+/// names get #2, #3, ...
 Mesh joinedEnvironment(const std::vector<Mesh>& files);
 
 /// Components that share a margin and count alike: what an Obstacle is built from.
@@ -38,7 +39,7 @@ struct ObstacleGroups {
 
 /// Each component of the files is in one group, or ignored. margin: of those that no rule names. Throws
 /// std::invalid_argument that says which rule names no obstacle (and lists them), or several in different
-/// files; which margin is none, or stands against another one; and which solids enclose nothing, and why.
+/// files, or several files; which margin is none, or stands against another one; and which solids enclose nothing, and why.
 ObstacleGroups groupObstacles(const std::vector<Mesh>& files, double margin, const ObstacleRules& rules);
 
 /// The scene of a part among the groups, each built as `build` builds it. The contact zones are those of the

@@ -1,8 +1,9 @@
 // How the obstacles of an environment count, by their names.
 //
 // A name stands for the component that is called so; or else for the components whose names begin with it
-// and a '/', as all meshes of a node do, and all of a file by its name, with or without its ending. Of
-// several files, components are called FILE/NAME, and NAME alone will do where it is in one file only.
+// and a '/', as all meshes of a node do, and all of a file by its name, with or without its ending, and with
+// its last folders where several files have that name. Of several files, components are called FILE/NAME, and
+// NAME alone will do where it is in one file only.
 #pragma once
 
 #include <map>

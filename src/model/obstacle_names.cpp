@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <set>
 #include <stdexcept>
 
@@ -12,8 +13,37 @@ namespace {
 
 constexpr std::size_t kMostListed = 30;
 
-std::string stemOf(const std::string& file) {
-    return std::filesystem::path(file).stem().string();
+using Path = std::filesystem::path;
+
+/// The last `depth` names of a path, with or without the file's ending.
+std::string tailOf(const Path& path, int depth, bool hasEnding) {
+    Path tail = hasEnding ? path.filename() : path.stem();
+    Path folder = path.parent_path();
+    for (int i = 1; i < depth && folder.has_relative_path(); ++i, folder = folder.parent_path()) {
+        tail = folder.filename() / tail;
+    }
+    return tail.generic_string();
+}
+
+bool areDifferent(const std::vector<std::string>& names) {
+    return std::set<std::string>(names.begin(), names.end()).size() == names.size();
+}
+
+/// What tells files apart that have one name but for their endings: these, or the ends of their paths.
+std::vector<std::string> labelsOf(const std::vector<Path>& files) {
+    const auto tails = [&](int depth, bool hasEnding) {
+        std::vector<std::string> all;
+        for (const Path& file : files) all.push_back(tailOf(file, depth, hasEnding));
+        return all;
+    };
+    if (files.size() == 1) return tails(1, false);
+    if (areDifferent(tails(1, true))) return tails(1, true);
+    std::ptrdiff_t deepest = 2;
+    for (const Path& file : files) deepest = std::max(deepest, std::distance(file.begin(), file.end()));
+    for (int depth = 2; depth < deepest; ++depth) {
+        if (areDifferent(tails(depth, false))) return tails(depth, false);
+    }
+    return tails(static_cast<int>(deepest), true);
 }
 
 std::string unique(std::set<std::string>& taken, const std::string& name) {
@@ -43,23 +73,45 @@ std::string listed(const std::vector<std::string>& names) {
 }
 
 ObstacleNames::ObstacleNames(const std::vector<Mesh>& files) {
+    for (const Mesh& file : files) {
+        const std::string& name = file.origin.file;
+        files_.push_back(name.empty() ? Path() : std::filesystem::absolute(name).lexically_normal());
+    }
+    labelFiles();
     std::set<std::string> taken;
     for (std::size_t f = 0; f < files.size(); ++f) {
-        files_.push_back(std::filesystem::path(files[f].origin.file).filename().string());
-        const std::string stem = files_[f].empty() ? "obstacle" : stemOf(files_[f]);
+        const std::string stem = files_[f].empty() ? "obstacle" : files_[f].stem().string();
         for (const clearway::Component& component : componentsOf(files[f])) {
             const std::string bare = component.name.empty() ? stem : component.name;
-            const std::string full = files.size() == 1 || bare == stem ? bare : stem + "/" + bare;
-            components_.push_back({unique(taken, full), bare, f});
+            const std::string ofOne = files.size() == 1 ? bare : labels_[f] + "/" + bare;
+            components_.push_back({unique(taken, bare == stem ? labels_[f] : ofOne), bare, f});
         }
     }
 }
 
-std::vector<std::size_t> ObstacleNames::ofFile(const std::string& name) const {
-    return where(components_, [&](const Component& component) {
-        const std::string& file = files_[component.file];
-        return file == name || (!file.empty() && stemOf(file) == name);
-    });
+void ObstacleNames::labelFiles() {
+    std::map<std::string, std::vector<std::size_t>> namesakes;
+    for (std::size_t f = 0; f < files_.size(); ++f) namesakes[files_[f].stem().string()].push_back(f);
+    labels_.assign(files_.size(), "obstacle");
+    for (const auto& [stem, members] : namesakes) {
+        if (stem.empty()) continue;
+        std::vector<Path> paths;
+        for (const std::size_t f : members) paths.push_back(files_[f]);
+        const std::vector<std::string> labels = labelsOf(paths);
+        for (std::size_t i = 0; i < members.size(); ++i) labels_[members[i]] = labels[i];
+    }
+}
+
+std::vector<std::size_t> ObstacleNames::filesCalled(const std::string& name) const {
+    const auto depth = static_cast<int>(std::count(name.begin(), name.end(), '/')) + 1;
+    std::vector<std::size_t> found;
+    for (std::size_t f = 0; f < files_.size(); ++f) {
+        if (files_[f].empty()) continue;
+        if (tailOf(files_[f], depth, false) == name || tailOf(files_[f], depth, true) == name) {
+            found.push_back(f);
+        }
+    }
+    return found;
 }
 
 std::vector<std::size_t> ObstacleNames::find(const std::string& rule, const std::string& name) const {
@@ -67,10 +119,20 @@ std::vector<std::size_t> ObstacleNames::find(const std::string& rule, const std:
         where(components_, [&](const Component& component) { return component.name == name; });
     if (!found.empty()) return found;
     found = where(components_, [&](const Component& component) {
-        return component.name.compare(0, name.size() + 1, name + "/") == 0;
+        const bool isFolder = files_.size() > 1 && name.size() < labels_[component.file].size();
+        return !isFolder && component.name.compare(0, name.size() + 1, name + "/") == 0;
     });
-    if (found.empty()) found = ofFile(name);
+    const std::vector<std::size_t> called = filesCalled(name);
+    if (found.empty() && called.size() == 1) {
+        found = where(components_, [&](const Component& component) { return component.file == called[0]; });
+    }
     if (!found.empty()) return found;
+    if (called.size() > 1) {
+        std::vector<std::string> labels;
+        for (const std::size_t f : called) labels.push_back(labels_[f]);
+        throw std::invalid_argument(rule + " names '" + name + "', which is several files, expected one of " +
+                                    listed(labels));
+    }
     found = where(components_, [&](const Component& component) { return component.bare == name; });
     if (found.size() == 1) return found;
     std::vector<std::string> names;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -25,9 +26,13 @@ class ObstacleNames {
     std::vector<std::size_t> find(const std::string& rule, const std::string& name) const;
 
   private:
-    std::vector<std::size_t> ofFile(const std::string& name) const;
+    void labelFiles();
 
-    std::vector<std::string> files_;  ///< names without folders
+    /// By the end of its path, with or without its ending.
+    std::vector<std::size_t> filesCalled(const std::string& name) const;
+
+    std::vector<std::filesystem::path> files_;  ///< empty: a mesh that is of none
+    std::vector<std::string> labels_;           ///< unlike each other's, of those of files
     std::vector<Component> components_;
 };
 

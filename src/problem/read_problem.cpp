@@ -43,6 +43,23 @@ bool isThere(const std::string& name, const std::string& config) {
     return fs::exists(fs::path(config).parent_path() / name, ignored) || fs::exists(name, ignored);
 }
 
+bool isOneFile(const std::string& a, const std::string& b) {
+    namespace fs = std::filesystem;
+    std::error_code isMissing;
+    if (fs::equivalent(a, b, isMissing)) return true;
+    return fs::absolute(a).lexically_normal() == fs::absolute(b).lexically_normal();
+}
+
+void requireEachOnce(const ConfigValues& values, const std::string& key,
+                     const std::vector<std::string>& files) {
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+            if (isOneFile(files[i], files[j]))
+                values.refuse(key, "each file once, but " + files[i] + " is twice");
+        }
+    }
+}
+
 /// OMPL.app's key holds one file, whatever its name: so does one without a comma, or that is there.
 void readWorlds(ConfigValues& values, Problem& problem) {
     const std::string key = "problem.world";
@@ -55,6 +72,7 @@ void readWorlds(ConfigValues& values, Problem& problem) {
         names = *split;
     }
     for (std::string& name : names) name = meshFile(name, problem.file, problem.warnings);
+    requireEachOnce(values, key, names);
     problem.world = names[0];
     problem.furtherWorlds.assign(names.begin() + 1, names.end());
 }

@@ -171,5 +171,31 @@ BOOST_AUTO_TEST_CASE(a_scene_has_the_groups_as_obstacles_and_its_zones_at_both_e
     BOOST_TEST((scene.partSolids != nullptr));
 }
 
+BOOST_AUTO_TEST_CASE(
+    files_of_one_name_are_told_apart_by_their_folders_and_a_rule_that_may_mean_either_refused) {
+    const std::vector<Mesh> files = {file("wall.obj", {"left", "right"}), file("sub/wall.obj", {"left"})};
+    ObstacleRules rules;
+    rules.margins = {{"somewhere/wall/left", 2}, {"sub/wall", 3}};
+    const ObstacleGroups groups = groupObstacles(files, 1, rules);
+    BOOST_TEST(groupOf(groups, "somewhere/wall/left").margin == 2);
+    BOOST_TEST(groupOf(groups, "somewhere/wall/right").margin == 1);
+    BOOST_TEST(groupOf(groups, "sub/wall/left").margin == 3);
+    for (const std::string name : {"wall", "wall.obj"}) {
+        rules.margins = {{name, 2}};
+        BOOST_TEST(refusal(files, rules) == "margin." + name + " names '" + name +
+                                                "', which is several files, expected one of "
+                                                "'somewhere/wall', 'sub/wall'");
+    }
+    rules.margins = {{"left", 2}};
+    BOOST_TEST(refusal(files, rules).find("which is in several files") != std::string::npos);
+    rules.margins = {{"sub", 2}};
+    BOOST_TEST(refusal(files, rules).find("which is no obstacle") != std::string::npos);
+
+    const ObstacleGroups endings =
+        groupObstacles({file("wall.obj", {"wall"}), file("wall.stl", {""})}, 1, {});
+    BOOST_TEST(namesOf(endings.groups.at(0)) == (Names{"wall.obj", "wall.stl"}),
+               boost::test_tools::per_element());
+}
+
 }  // namespace
 }  // namespace clearway::testing

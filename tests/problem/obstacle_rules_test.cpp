@@ -88,6 +88,10 @@ BOOST_AUTO_TEST_CASE(a_world_may_be_several_files) {
     problem = read(folder, "c, d.stl", "");  // there as a whole
     BOOST_TEST(worldFiles(problem) == Names{folder.file("c, d.stl")}, boost::test_tools::per_element());
     BOOST_CHECK_THROW(read(folder, "a.stl,,b.stl", ""), std::invalid_argument);
+    BOOST_CHECK_EXCEPTION(
+        read(folder, "a.stl, b.stl, ./a.stl", ""), std::invalid_argument, [](const std::exception& error) {
+            return std::string(error.what()).find("expected each file once, but ") != std::string::npos;
+        });
     BOOST_CHECK_THROW(read(folder, "a.stl,\"b.stl", ""), std::invalid_argument);
 }
 
