@@ -197,5 +197,16 @@ BOOST_AUTO_TEST_CASE(
                boost::test_tools::per_element());
 }
 
+BOOST_AUTO_TEST_CASE(the_window_of_data_is_made_of_closed_boxes_that_face_outwards) {
+    ObstacleRules rules;
+    rules.isAllSolid = true;
+    for (const char* name : {"wall.obj", "plate.obj"}) {
+        const ObstacleGroups groups =
+            groupObstacles({loadMesh(std::string(CLEARWAY_DATA_DIR "/window/") + name)}, 0, rules);
+        BOOST_TEST(groups.hasSolids(), name);
+        BOOST_TEST(groups.notes.empty(), name);
+    }
+}
+
 }  // namespace
 }  // namespace clearway::testing
