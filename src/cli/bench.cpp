@@ -43,9 +43,10 @@ CommandLine benchCommandLine() {
          "by which the program may grow, in place of the problem's mem_limit (4096)")            //
         ("runs", optionValue("N"), "of each planner, in place of the problem's run_count (10)")  //
         ("planner", optionValues("NAME"),
-         "only this one, with the problem's parameters for it if it names it; may be repeated")           //
-        ("seed", optionValue("N"), "of the first run of each planner; each next run's is one more (1)")   //
-        ("margin", optionValue("M"), "distance to keep from the environment, in place of the problem's")  //
+         "only this one, with the problem's parameters for it if it names it; may be repeated")          //
+        ("seed", optionValue("N"), "of the first run of each planner; each next run's is one more (1)")  //
+        ("margin", optionValue("M"),
+         "distance to keep from the environment, in place of the problem's margin; its margin.NAME stay")  //
         ("step", optionValue("S"),
          "checks motions at states no farther apart than this, instead of certifying them")  //
         ("ompl-weights", "rotation weighted as OMPL does, not by the part's radius")         //

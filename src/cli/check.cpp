@@ -30,8 +30,9 @@ CommandLine checkCommandLine() {
     commandLine.positional = {"PROBLEM.cfg", "IN.path"};
     commandLine.options.add_options()  //
         ("csv", optionValue("FILE"),
-         "writes the profile: segment, t, travel, clearance there and certain up to the next line")       //
-        ("margin", optionValue("M"), "distance to keep from the environment, in place of the problem's")  //
+         "writes the profile: segment, t, travel, clearance there and certain up to the next line")  //
+        ("margin", optionValue("M"),
+         "distance to keep from the environment, in place of the problem's margin; its margin.NAME stay")  //
         ("target", optionValue("NAME"), "instruction set, of those this machine runs (best)");
     addPathOutputs(commandLine);
     addTreeOptions(commandLine);

@@ -9,6 +9,7 @@
 #include "clearway/obstacle_groups.h"
 #include "cli/load_guard.h"
 #include "cli/print.h"
+#include "cli/print_audit.h"
 #include "core/replace_file.h"
 #include "report/export_motion.h"
 #include "report/report.h"
@@ -42,10 +43,7 @@ Rows pathRows(const std::vector<PartState>& path, const planning::PathAudit& aud
     Rows rows = {{"states", std::to_string(path.size())},
                  {"length", readable(audit.length)},
                  {"turned", readable(audit.turned * 180 / M_PI) + " degrees"},
-                 {"least clearance", readable(audit.lowerClearance) + " or more"}};
-    if (!std::isinf(audit.upperClearance)) {
-        rows.back().second = readable(audit.lowerClearance) + " to " + readable(audit.upperClearance);
-    }
+                 {"least clearance", leastClearanceOf(audit)}};
     if (!closest.partMesh.empty()) {
         rows.push_back({"there", closest.partMesh + " and " + closest.environmentMesh + ", segment " +
                                      std::to_string(audit.closest + 1)});

@@ -30,8 +30,8 @@ CommandLine planCommandLine() {
     commandLine.purpose =
         "Finds a path from the problem's start to its goal, shortens it, audits it along its whole length "
         "and writes it.\n"
-        "Exit code 1 when none was found. With --step the audit may find a path that is not valid: it is "
-        "written all the same, with a warning.";
+        "Exit code 1 when none was found. With --step the audit may find that the path is not valid: it is "
+        "written all the same, with a warning, and the exit code is 1.";
     commandLine.positional = {"PROBLEM.cfg"};
     commandLine.options.add_options()                                                 //
         ("path", optionValue("FILE"), "where the path is written, one state a line")  //
@@ -47,9 +47,10 @@ CommandLine planCommandLine() {
         ("time", optionValue("S"), "seconds for planning and shortening (30)")                  //
         ("iterations", optionValue("N"), "in place of --time: repeatable, with the same seed")  //
         ("threads", optionValue("N"),
-         "planners side by side, the first path ends them (one a core, at most 4)")                       //
-        ("seed", optionValue("N"), "of OMPL's random numbers (1)")                                        //
-        ("margin", optionValue("M"), "distance to keep from the environment, in place of the problem's")  //
+         "planners side by side, the first path ends them (one a core, at most 4)")  //
+        ("seed", optionValue("N"), "of OMPL's random numbers (1)")                   //
+        ("margin", optionValue("M"),
+         "distance to keep from the environment, in place of the problem's margin; its margin.NAME stay")  //
         ("step", optionValue("S"),
          "checks motions at states no farther apart than this, instead of certifying them")  //
         ("floor", optionValue("D"),
@@ -148,8 +149,7 @@ void writeOutputs(const Options& options, const Problem& problem, const Scene& s
     writePathOutputs(options, problem, scene, report.path, checked.audit, figures);
 }
 
-/// The exit code.
-int printOutcome(const PlanReport& report, const Problem& problem, const std::string& file) {
+void printOutcome(const PlanReport& report, const Problem& problem, const std::string& file) {
     if (report.outcome == PlanReport::Outcome::kFound) {
         printRows(pathRows(report));
         printAudit(report.audit);
@@ -159,7 +159,6 @@ int printOutcome(const PlanReport& report, const Problem& problem, const std::st
         printRow("path",
                  report.outcome == PlanReport::Outcome::kStopped ? "none, interrupted" : "none found");
     }
-    return report.outcome == PlanReport::Outcome::kFound ? kDone : kAnswerIsNo;
 }
 
 }  // namespace
@@ -190,10 +189,11 @@ int plan(const Arguments& arguments) {
     printObstacles(scene);
     const Rows settings = settingsRows(planOptionsGiven, report);
     printRows(settings);
-    const int code = printOutcome(report, problem, file);
-    if (code == kDone) writeOutputs(options, problem, scene, report, settings);
+    printOutcome(report, problem, file);
+    const bool isFound = report.outcome == PlanReport::Outcome::kFound;
+    if (isFound) writeOutputs(options, problem, scene, report, settings);
     requirePrinted();
-    return code;
+    return isFound && report.audit.isValid() ? kDone : kAnswerIsNo;
 }
 
 }  // namespace clearway

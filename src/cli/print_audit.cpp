@@ -78,6 +78,12 @@ void printContact(const char* label, const PathAudit& audit,
 
 }  // namespace
 
+std::string leastClearanceOf(const PathAudit& audit) {
+    if (std::isinf(audit.lowerClearance)) return "nothing to keep clear of";
+    if (std::isinf(audit.upperClearance)) return readable(audit.lowerClearance) + " or more";
+    return readable(audit.lowerClearance) + " to " + readable(audit.upperClearance);
+}
+
 void printAudit(const PathAudit& audit) {
     const std::size_t count = audit.segments.size();
     if (audit.isValid()) {
@@ -98,10 +104,7 @@ void printAudit(const PathAudit& audit) {
                                         " at t = " + shortened(closest.motion.closestTime) + ", " +
                                         readable(closest.X_environmentPart.translation) + ", between " +
                                         pairOf(closest);
-    const std::string bounds = std::isinf(audit.upperClearance)
-                                   ? readable(audit.lowerClearance) + " or more"
-                                   : readable(audit.lowerClearance) + " to " + readable(audit.upperClearance);
-    printRow("least clearance", bounds + where);
+    printRow("least clearance", leastClearanceOf(audit) + where);
 }
 
 void printSegments(const PathAudit& audit) {

@@ -10,6 +10,9 @@ namespace clearway {
 /// Two rows: whether the path is valid, and where it is closest.
 void printAudit(const planning::PathAudit& audit);
 
+/// "1.2 to 1.25".
+std::string leastClearanceOf(const planning::PathAudit& audit);
+
 /// One line for each segment.
 void printSegments(const planning::PathAudit& audit);
 

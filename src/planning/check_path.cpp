@@ -8,6 +8,7 @@
 
 #include "clearway/planning/displacement_bound.h"
 #include "clearway/planning/validity_checker.h"
+#include "core/number.h"
 #include "planning/motion_options.h"
 #include "planning/planning_reach.h"
 #include "planning/planning_space.h"
@@ -20,12 +21,33 @@ namespace ob = ompl::base;
 /// Of the part's diagonal: paths written with 6 digits are off by less.
 constexpr double kTolerancePerDiagonal = 1e-4;
 
+/// Of the largest coordinate of the scene: queries tell nothing of positions that far.
+constexpr double kFarthest = 1e12;
+
+double largestCoordinate(const Box& box) {
+    return box.isEmpty() ? 0 : std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
+}
+
+void requirePositions(const std::vector<PartState>& path, const Scene& scene, const Box& bounds) {
+    const double farthest =
+        kFarthest * std::max({largestCoordinate(bounds), largestCoordinate(scene.environmentBox()),
+                              largestCoordinate(scene.part.box())});
+    for (std::size_t i = 0; i < path.size(); ++i) {
+        const double largest = path[i].position.cwiseAbs().maxCoeff();
+        if (largest <= farthest) continue;
+        throw std::invalid_argument("state " + std::to_string(i + 1) + " of the path has a coordinate of " +
+                                    shortNumber(largest) + ", expected at most " + shortNumber(farthest) +
+                                    ", 1e12 times the scene's largest");
+    }
+}
+
 }  // namespace
 
 PathCheck checkPath(const Problem& problem, const Scene& scene, const std::vector<PartState>& path) {
     if (path.empty()) throw std::invalid_argument("the path has no state, expected at least one");
     const Box bounds = boundsOf(problem, scene.environmentBox());
     requireReachOf(scene, bounds, stepOf(problem, PlanOptions(), scene.part));
+    requirePositions(path, scene, bounds);
     const auto si = std::make_shared<ob::SpaceInformation>(
         makeSpace(problem.space, bounds, scene.part.radiusAboutOrigin()));
     const auto checker = std::make_shared<ValidityChecker>(si, scene);

@@ -200,7 +200,7 @@ BOOST_AUTO_TEST_CASE(what_plan_writes_passes_check_and_what_steps_jump_does_not)
     const Outcome jumped = runIn(folder,
                                  "plan window.cfg --path jumped.path --iterations 5000 --planner-param "
                                  "range=200 --step 90");
-    BOOST_TEST(jumped.code == 0, jumped.err);  // found, and told that it is not valid
+    BOOST_TEST(jumped.code == 1, jumped.err);  // found and written, and told that it is not valid
     BOOST_TEST(contains(jumped.err, "motions were checked in steps, and the path is not valid along"),
                jumped.err);
     BOOST_TEST(contains(row(jumped, "audit"), "NOT valid: "));
@@ -229,6 +229,15 @@ BOOST_AUTO_TEST_CASE(wrong_input_is_refused_in_one_line) {
     requireRefused(folder, "check window.cfg zero.path", {"zero.path", "quaternion is 0 0 0 0"});
     folder.writeLines("empty.path", "# nothing\n");
     requireRefused(folder, "check window.cfg empty.path", {"empty.path", "no line with numbers"});
+}
+
+BOOST_AUTO_TEST_CASE(states_too_far_for_any_query_are_refused_in_one_line) {
+    const CheckFolder folder;
+    folder.writeLines("far.path", "-60 0 0 0 0 0 1\n1e300 0 0 0 0 0 1\n");
+    requireRefused(folder, "check window.cfg far.path",
+                   {"state 2 of the path", "1e+300", "expected at most 1e+14"});
+    folder.writeLines("far.path", "-60 0 0 0 0 0 1\n1e9 0 0 0 0 0 1\n");
+    BOOST_TEST(runIn(folder, "check window.cfg far.path").code == 1);  // outside
 }
 
 }  // namespace clearway::testing
