@@ -45,8 +45,12 @@ ClearanceResolution usualResolution(const Scene& scene, double leastInterval) {
     return {kUsualShare, kUsualLargestShare, kUsualDiagonal * diagonalOf(scene.part.box()), leastInterval};
 }
 
-MotionSearch::MotionSearch(Motion& motion, double leastInterval, double contactInterval)
-    : motion_(motion), leastInterval_(leastInterval), contactInterval_(contactInterval) {}
+MotionSearch::MotionSearch(Motion& motion, double leastInterval, double contactInterval,
+                           std::function<bool()> isStopped)
+    : motion_(motion),
+      leastInterval_(leastInterval),
+      contactInterval_(contactInterval),
+      isStopped_(std::move(isStopped)) {}
 
 /// A slack is rounding: what is shorter is not looked into.
 void MotionSearch::measure() {
@@ -117,6 +121,7 @@ MotionVerdict MotionSearch::certify() {
     if (!end.isValid() || !lookAtStart(wantedAtEnds())) return MotionVerdict::kInvalid;
     keepOpen(interval(reached_, end));
     while (!intervals_.empty()) {
+        if (isStopped_ && isStopped_()) return MotionVerdict::kUndecided;
         const MotionSample from = intervals_.front().from, to = intervals_.front().to;
         const double open = -spare(from, to), time = dividingTime(from, to);
         if (!isBetween(time, from, to)) return MotionVerdict::kUndecided;
@@ -145,6 +150,7 @@ MotionVerdict MotionSearch::goForward() {
     std::vector<MotionSample> ahead{motion_.atEnd(wantedAtEnds())};
     while (!ahead.empty()) {
         const MotionSample next = ahead.back();
+        if (isStopped_ && isStopped_()) return blocked_ = next, MotionVerdict::kUndecided;
         if (next.isValid() && isCertified(reached_, next)) {
             advance(next);
             ahead.pop_back();

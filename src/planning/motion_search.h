@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -36,8 +37,9 @@ ClearanceResolution usualResolution(const Scene& scene, double leastInterval);
 class MotionSearch {
   public:
     /// leastInterval, contactInterval: what is not certified is given up when it is this short; the latter
-    /// where an invalid pose is at its end.
-    MotionSearch(Motion& motion, double leastInterval, double contactInterval);
+    /// where an invalid pose is at its end. isStopped, unless empty: of MotionOptions.
+    MotionSearch(Motion& motion, double leastInterval, double contactInterval,
+                 std::function<bool()> isStopped = {});
 
     /// The far end first, then the middle of the widest stretch that is not certified.
     MotionVerdict certify();
@@ -98,6 +100,7 @@ class MotionSearch {
     Motion& motion_;
     double leastInterval_;
     double contactInterval_;
+    std::function<bool()> isStopped_;
     MotionSample reached_;
     MotionSample blocked_;
     bool isStartInvalid_ = false;

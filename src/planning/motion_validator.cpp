@@ -75,7 +75,8 @@ MotionValidator::MotionValidator(const ob::SpaceInformationPtr& si, Scene scene,
       clearance_(std::make_shared<const SceneClearance>(std::move(scene))),
       stateToPose_(std::move(stateToPose)),
       bound_(std::move(bound)),
-      leastInterval_(chooseLeastInterval(clearance_->scene(), options)) {
+      leastInterval_(chooseLeastInterval(clearance_->scene(), options)),
+      isStopped_(options.isStopped) {
     if (!stateToPose_) throw std::invalid_argument("stateToPose is empty, expected a function");
     if (!bound_) throw std::invalid_argument("the displacement bound is empty, expected a function");
     if (clearance_->mostClearance() < leastInterval_) {
@@ -140,7 +141,7 @@ MotionValidator::Outcome MotionValidator::judge(const ob::State* s1, const ob::S
     Outcome outcome;
     try {
         Motion looked = motion(s1, s2, false, judging.floor);
-        MotionSearch search(looked, leastInterval_, kContactIntervals * leastInterval_);
+        MotionSearch search(looked, leastInterval_, kContactIntervals * leastInterval_, isStopped_);
         outcome.verdict = judging.forward ? search.goForward() : search.certify();
         outcome.certifiedTime = search.certifiedTime();
         outcome.isStartInvalid = search.isStartInvalid();
@@ -170,7 +171,7 @@ MotionReport MotionValidator::report(const ob::State* s1, const ob::State* s2,
     report.upperClearance = std::numeric_limits<double>::infinity();
     try {
         Motion looked = motion(s1, s2, true, 0);
-        MotionSearch search(looked, leastInterval_, leastInterval_);
+        MotionSearch search(looked, leastInterval_, leastInterval_, isStopped_);
         report.verdict = search.goForward();
         report.certifiedTime = search.certifiedTime();
         if (report.verdict == MotionVerdict::kValid) {

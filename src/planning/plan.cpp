@@ -30,18 +30,21 @@ constexpr double kImprovingShare = 0.75;
 /// When the planner has to end. Asked from several threads by some planners.
 class Budget {
   public:
-    Budget(const PlanOptions& options, bool isImproving) : options_(options), begin_(Clock::now()) {
-        if (options.iterations) return;
-        seconds_ = options.seconds.value_or(kDefaultSeconds);
+    explicit Budget(const PlanOptions& options) : options_(options) {}
+
+    void begin(bool isImproving) {
+        begin_ = Clock::now();
+        if (options_.iterations) return;
+        seconds_ = options_.seconds.value_or(kDefaultSeconds);
         planningSeconds_ = (isImproving ? kImprovingShare : 1) * *seconds_;
     }
 
     void end() { isEnded_ = true; }
+    bool isPlanningOver() const { return isEnded_ || isStopped() || isOver(planningSeconds_); }
     bool isStopped() const { return options_.isStopped && options_.isStopped(); }
     bool isOutOfTime() const { return isStopped() || isOver(seconds_); }
     bool spendIteration() {
-        return isEnded_ || isStopped() || isOver(planningSeconds_) ||
-               (options_.iterations && ++asked_ > *options_.iterations);
+        return isPlanningOver() || (options_.iterations && ++asked_ > *options_.iterations);
     }
 
   private:
@@ -120,11 +123,12 @@ std::uint64_t checksOf(const Setup& setup) {
 PlanReport plan(const Problem& problem, const Scene& scene, const PlanOptions& options) {
     PlanReport report;
     const OmplMessages messages;
-    const Setup setup = prepare(problem, scene, options, report);
+    Budget budget(options);
+    const Setup setup = prepare(problem, scene, options, report, [&] { return budget.isPlanningOver(); });
     report.isCertified = setup.certified != nullptr;
 
     const Clock::time_point begin = Clock::now();
-    Budget budget(options, !report.objective.empty());
+    budget.begin(!report.objective.empty());
     solve(setup, budget);
     report.planningSeconds = secondsSince(begin);
 

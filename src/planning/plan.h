@@ -50,7 +50,7 @@ struct PlanOptions {
     std::optional<double> wantedClearance;  ///< see LengthWithClearanceOptions
     bool omplWeights = false;               ///< rotation as OMPL weights it, instead of by the part's radius
 
-    /// Asked often, also from other threads; true ends the planning without a path.
+    /// Asked often, also from other threads and within motions; true ends the planning without a path.
     std::function<bool()> isStopped;
 };
 

@@ -177,8 +177,10 @@ void useSteps(Setup& setup, const Scene& scene, const PlanOptions& options, doub
     setup.si->setMotionValidator(setup.discrete);
 }
 
-void useCertified(Setup& setup, const Scene& scene, double spare, PlanReport& report) {
-    const MotionOptions motions = planningMotions(scene, spare);
+void useCertified(Setup& setup, const Scene& scene, double spare, const std::function<bool()>& isOver,
+                  PlanReport& report) {
+    MotionOptions motions = planningMotions(scene, spare);
+    motions.isStopped = isOver;
     if (spare < *motions.leastInterval) {
         std::ostringstream warning;
         warning << "start or goal have only " << spare
@@ -225,7 +227,8 @@ ob::PlannerPtr preparePlanner(const Setup& setup, const std::string& name, const
 
 }  // namespace
 
-Setup prepare(const Problem& stated, const Scene& scene, const PlanOptions& options, PlanReport& report) {
+Setup prepare(const Problem& stated, const Scene& scene, const PlanOptions& options, PlanReport& report,
+              const std::function<bool()>& isOver) {
     requireOptions(stated, options);
     const std::optional<ObjectiveChoice> objective = chooseObjective(stated, options);
     report.planners = choosePlanners(stated, options, asksForClearance(objective, scene.part));
@@ -255,10 +258,12 @@ Setup prepare(const Problem& stated, const Scene& scene, const PlanOptions& opti
     if (options.step) {
         useSteps(setup, scene, options, leastSpare, report);
     } else {
-        useCertified(setup, scene, leastSpare, report);
+        useCertified(setup, scene, leastSpare, isOver, report);
     }
     setup.floor = report.floor;
-    setup.auditor = std::make_shared<MotionValidator>(setup.si, scene, auditMotions(scene, leastSpare));
+    MotionOptions audits = auditMotions(scene, leastSpare);
+    audits.isStopped = options.isStopped;
+    setup.auditor = std::make_shared<MotionValidator>(setup.si, scene, audits);
     setup.si->setStateValidityChecker(setup.checker);
     setUp(*setup.si, problem, report.warnings);
 

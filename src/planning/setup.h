@@ -5,6 +5,7 @@
 #include <ompl/base/Planner.h>
 #include <ompl/base/SpaceInformation.h>
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -29,7 +30,9 @@ struct Setup {
     std::vector<ompl::base::PlannerPtr> planners;  ///< as report.planners names them
 };
 
-/// Fills the report's settings and warnings as it goes. Throws std::invalid_argument as plan() does.
-Setup prepare(const Problem& problem, const Scene& scene, const PlanOptions& options, PlanReport& report);
+/// Fills the report's settings and warnings as it goes. isOver: asked within the planners' certified motions,
+/// true leaves them undecided. Throws std::invalid_argument as plan() does.
+Setup prepare(const Problem& problem, const Scene& scene, const PlanOptions& options, PlanReport& report,
+              const std::function<bool()>& isOver = {});
 
 }  // namespace clearway::planning

@@ -61,6 +61,18 @@ BOOST_AUTO_TEST_CASE(what_comes_closer_than_the_least_interval_can_tell_is_undec
     BOOST_TEST(fine.validator->counters().undecided == 0u);
 }
 
+BOOST_AUTO_TEST_CASE(a_motion_that_would_take_long_is_undecided_as_soon_as_it_is_stopped) {
+    MotionOptions options = withLeastInterval(1e-5);
+    int asked = 0;
+    options.isStopped = [&] { return ++asked > 50; };
+    const Fixture f(0, options);
+    const auto s1 = f.at({-32 - 1e-4, -20, 30}), s2 = f.at({-32 - 1e-4, 20, 30});
+    BOOST_TEST(!f.check(s1, s2));  // 400,000 queries of it
+    BOOST_TEST(f.validator->counters().undecided == 1u);
+    BOOST_TEST(f.validator->counters().queries < 60u);
+    BOOST_TEST((f.report(s1, s2).verdict == MotionVerdict::kUndecided));
+}
+
 BOOST_AUTO_TEST_CASE(a_collision_reached_by_grazing_is_told_as_one) {
     const Fixture f;
     for (const double depth : {1e-4, 0.01, 0.1}) {

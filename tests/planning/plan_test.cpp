@@ -11,6 +11,7 @@
 #include "planning/planning_space.h"
 #include "support/oracle.h"
 #include "support/path_check.h"
+#include "support/random_meshes.h"
 #include "support/window_scene.h"
 
 namespace clearway::planning {
@@ -179,6 +180,21 @@ BOOST_AUTO_TEST_CASE(a_stop_ends_the_planning_without_a_path) {
     const PlanReport report = plan(window.problem, window.scene, options);
     BOOST_TEST((report.outcome == Outcome::kStopped));
     BOOST_TEST(report.path.empty());
+}
+
+BOOST_AUTO_TEST_CASE(time_ends_a_motion_that_slides_along_a_face_too) {
+    const Pose below{Matrix3::Identity(), {0, -10 - 1e-4, 0}};
+    const Mesh plate = testing::transformed(testing::box({200, 5, 20}), below);
+    const Scene scene(Model::build(testing::box({10, 5, 5})), Model::build(plate));
+    Problem problem;
+    problem.space = Space::kSe2;
+    problem.start.position = {-80, 0, 0};
+    problem.goal.position = {80, 0, 0};
+    problem.volume = Box(Vector3(-100, -1, 0), Vector3(100, 50, 0));
+    PlanOptions options;
+    options.planner = "PRM";  // tries the motion from start to goal at once: two million queries
+    options.seconds = 0.3;
+    BOOST_TEST(plan(problem, scene, options).planningSeconds < 4);
 }
 
 BOOST_AUTO_TEST_CASE(a_start_in_collision_is_refused_with_the_meshes_and_triangles) {

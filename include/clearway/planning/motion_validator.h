@@ -8,6 +8,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -29,6 +30,10 @@ struct MotionOptions {
     /// there the part comes closer to the margin than about half of it. Environment units, finite, > 0. The
     /// default is 1e-5 of the diagonal of the part's box.
     std::optional<double> leastInterval;
+
+    /// Asked between queries, also from other threads; true leaves the motion undecided. One that slides
+    /// along a face may take seconds.
+    std::function<bool()> isStopped;
 };
 
 /// Of all motions since the validator was made.
@@ -166,6 +171,7 @@ class MotionValidator : public ompl::base::MotionValidator {
     StateToPose stateToPose_;
     DisplacementBound bound_;
     double leastInterval_;
+    std::function<bool()> isStopped_;
     bool areBoundsConvex_ = false;
     mutable std::atomic<std::uint64_t> validMotions_{0}, invalidMotions_{0}, undecided_{0}, invalidStarts_{0},
         unusable_{0}, queries_{0};
