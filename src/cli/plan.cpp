@@ -36,7 +36,8 @@ CommandLine planCommandLine() {
     commandLine.options.add_options()                                                 //
         ("path", optionValue("FILE"), "where the path is written, one state a line")  //
         ("planner", optionValue("NAME"),
-         "OMPL's class name, in any case (RRTConnect and RRT side by side)")                             //
+         "OMPL's class name, in any case, or RisingFloor (RRTConnect and RRT side by side; for "
+         "max_min_clearance RisingFloor)")                                                               //
         ("planner-param", optionValues("K=V"), "sets one of the planner's parameters; may be repeated")  //
         ("objective", optionValue("NAME"),
          "what planners that can go on improving a path for, until the time is up: length, "

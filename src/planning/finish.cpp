@@ -1,6 +1,7 @@
 #include "planning/finish.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "clearway/planning/clearance_objectives.h"
 #include "clearway/planning/simplify.h"
@@ -46,6 +47,23 @@ PathAudit shortenUnlessWorse(const Setup& setup, og::PathGeometric& path,
     return found;
 }
 
+bool keepsAll(const Setup& setup, const og::PathGeometric& path, double clearance) {
+    for (unsigned int i = 1; i < path.getStateCount(); ++i) {
+        if (!setup.auditor->keepsClearance(path.getState(i - 1), path.getState(i), clearance)) return false;
+    }
+    return true;
+}
+
+/// What all motions of the path keep, to 1 %: an audit tells of small clearances to 10 %.
+double keptBy(const Setup& setup, const og::PathGeometric& path, const PathAudit& found) {
+    double kept = std::max(0.0, found.lowerClearance), most = found.upperClearance;
+    while (std::isfinite(most) && most - kept > 0.01 * most) {
+        const double middle = kept + 0.5 * (most - kept);
+        (keepsAll(setup, path, middle) ? kept : most) = middle;
+    }
+    return kept;
+}
+
 bool isLeastClearance(const ob::OptimizationObjectivePtr& objective) {
     return dynamic_cast<const MinClearanceObjective*>(objective.get()) != nullptr;
 }
@@ -69,7 +87,8 @@ PathAudit finish(const Setup& setup, og::PathGeometric& path, const std::functio
     if (!isLeastClearance(objective)) return shortenUnlessWorse(setup, path, isSpent);
     // More than the cap is as good, and where nothing counts there is no end to it.
     const double cap = static_cast<const MinClearanceObjective&>(*objective).cap();
-    const double floor = std::max(setup.floor, std::min(cap, audit(path, *setup.auditor).lowerClearance));
+    const double kept = keptBy(setup, path, audit(path, *setup.auditor));
+    const double floor = std::max(setup.floor, std::min(cap, kept));
     return simplify(path, *setup.auditor, {floor, isSpent});
 }
 

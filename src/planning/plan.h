@@ -19,8 +19,8 @@ constexpr double kDefaultSeconds = 30;
 
 struct PlanOptions {
     /// OMPL's class name in any case. Empty: the problem's planner when it names exactly one, else
-    /// RRTConnect and RRT side by side; with an objective of clearance AnytimePathShortening of the two, or
-    /// RRTstar with iterations.
+    /// RRTConnect and RRT side by side; for the least clearance RisingFloor, for other objectives of
+    /// clearance AnytimePathShortening of the two, or RRTstar with iterations.
     std::string planner;
     /// On top of the problem's for this planner. An unknown one is refused; the problem's unknown ones are
     /// warned of.

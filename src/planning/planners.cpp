@@ -44,6 +44,8 @@
 #include <type_traits>
 
 #include "core/number.h"
+#include "planning/marching_tree.h"
+#include "planning/rising_floor.h"
 
 namespace clearway::planning {
 namespace {
@@ -76,14 +78,14 @@ constexpr NamedPlanner kPlanners[] = {
     {"ABITstar", makeNearest<og::ABITstar>, true},
     {"AITstar", make<og::AITstar>, true},
     {"AnytimePathShortening", make<og::AnytimePathShortening>, false},
-    {"BFMT", make<og::BFMT>, true},
+    {"BFMT", make<MarchingTree<og::BFMT>>, true},
     {"BITstar", makeNearest<og::BITstar>, true},
     {"BKPIECE1", make<og::BKPIECE1>, true},
     {"BiEST", make<og::BiEST>, true},
     {"BiTRRT", make<og::BiTRRT>, true},
     {"CForest", make<og::CForest>, false},
     {"EST", make<og::EST>, true},
-    {"FMT", make<og::FMT>, true},
+    {"FMT", make<MarchingTree<og::FMT>>, true},
     {"InformedRRTstar", make<og::InformedRRTstar>, true},
     {"KPIECE1", make<og::KPIECE1>, true},
     {"LBKPIECE1", make<og::LBKPIECE1>, true},
@@ -100,6 +102,7 @@ constexpr NamedPlanner kPlanners[] = {
     {"RRTXstatic", make<og::RRTXstatic>, true},
     {"RRTsharp", make<og::RRTsharp>, true},
     {"RRTstar", make<og::RRTstar>, true},
+    {"RisingFloor", make<RisingFloor>, false},
     {"SBL", make<og::SBL>, true},
     {"SORRTstar", make<og::SORRTstar>, true},
     {"SPARS", make<og::SPARS>, false},

@@ -27,8 +27,9 @@ namespace ob = ompl::base;
 /// Side by side, for each is quick where the other is not: RRTConnect when both ends are free to move, RRT
 /// when the part is shut in at its start only (bench/plan_success). Alone, the first.
 constexpr const char* kDefaultPlanners[] = {"RRTConnect", "RRT"};
-/// With an objective of clearance, an anytime one that finds paths through tight places, where RRTstar and
-/// PRMstar find none in its time (bench/anytime_clearance). The second with iterations: it is repeatable.
+/// With an objective of clearance, anytime ones that find paths through tight places, where RRTstar and
+/// PRMstar find none in their time (bench/anytime_clearance). The last with iterations: it is repeatable.
+constexpr const char* kLeastClearancePlanner = "RisingFloor";
 constexpr const char* kClearancePlanner = "AnytimePathShortening";
 constexpr const char* kRepeatableClearancePlanner = "RRTstar";
 constexpr std::size_t kMostThreads = 4;  ///< unless more are asked for
@@ -86,16 +87,24 @@ std::size_t planCount(const PlanOptions& options, std::size_t kinds) {
     return std::clamp(cores, kinds, std::max(kinds, kMostThreads));
 }
 
+/// Unless one is named; null when clearance is not asked for.
+const char* clearancePlanner(const std::optional<ObjectiveChoice>& objective, const PlanOptions& options,
+                             const Model& part) {
+    if (!asksForClearance(objective, part)) return nullptr;
+    if (options.iterations) return kRepeatableClearancePlanner;
+    return objective->name == "max_min_clearance" ? kLeastClearancePlanner : kClearancePlanner;
+}
+
 /// The planners to run side by side.
 std::vector<std::string> choosePlanners(const Problem& problem, const PlanOptions& options,
-                                        bool asksForClearance) {
+                                        const char* clearancePlanner) {
     std::vector<std::string> kinds;
     if (!options.planner.empty()) {
         kinds = {plannerClassName(options.planner)};
     } else if (problem.planners.size() == 1) {
         kinds = {plannerClassName(problem.planners[0].name)};
-    } else if (asksForClearance) {
-        kinds = {options.iterations ? kRepeatableClearancePlanner : kClearancePlanner};
+    } else if (clearancePlanner != nullptr) {
+        kinds = {clearancePlanner};
     } else {
         kinds.assign(std::begin(kDefaultPlanners), std::end(kDefaultPlanners));
     }
@@ -218,6 +227,9 @@ ob::PlannerPtr preparePlanner(const Setup& setup, const std::string& name, const
     if (hasParameter(*planner, "range")) setParameter(*planner, "range", formatNumber(report.range));
     if (hasParameter(*planner, "planners"))
         setParameter(*planner, "planners", innerPlanners(options, report));
+    if (hasParameter(*planner, "threads")) {
+        setParameter(*planner, "threads", std::to_string(planCount(options, std::size(kDefaultPlanners))));
+    }
     setFileParameters(*planner, name, problem, report.warnings);
     for (const auto& [parameter, value] : options.parameters) setParameter(*planner, parameter, value);
     planner->setProblemDefinition(setup.definition);
@@ -231,7 +243,7 @@ Setup prepare(const Problem& stated, const Scene& scene, const PlanOptions& opti
               const std::function<bool()>& isOver) {
     requireOptions(stated, options);
     const std::optional<ObjectiveChoice> objective = chooseObjective(stated, options);
-    report.planners = choosePlanners(stated, options, asksForClearance(objective, scene.part));
+    report.planners = choosePlanners(stated, options, clearancePlanner(objective, options, scene.part));
     const Problem problem = problemFor(report.planners[0], stated);
     report.isRepeatable = options.iterations && isRepeatable(report.planners[0]);
     if (objective) report.objective = objective->name;

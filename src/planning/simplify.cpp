@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/number.h"
+#include "planning/floor_validator.h"
 #include "planning/shorten.h"
 
 namespace clearway::planning {
@@ -20,31 +21,6 @@ constexpr double kNextFloor = 0.25;
 
 /// As long as a path does not keep the floor all along: shortcuts are random, and others may.
 constexpr int kTries = 3;
-
-/// Answers for a validator whose margins are larger by a floor.
-class FloorValidator : public ob::MotionValidator {
-  public:
-    FloorValidator(const ob::SpaceInformationPtr& si, const planning::MotionValidator& validator,
-                   double floor)
-        : ob::MotionValidator(si), validator_(validator), floor_(floor) {}
-
-    bool checkMotion(const ob::State* s1, const ob::State* s2) const override {
-        return validator_.keepsClearance(s1, s2, floor_);
-    }
-
-    /// OMPL's shortcuts never ask it.
-    bool checkMotion(const ob::State* s1, const ob::State* s2,
-                     std::pair<ob::State*, double>& lastValid) const override {
-        if (checkMotion(s1, s2)) return true;
-        lastValid.second = 0;
-        if (lastValid.first) si_->copyState(lastValid.first, s1);
-        return false;
-    }
-
-  private:
-    const planning::MotionValidator& validator_;
-    double floor_;
-};
 
 class Simplifier {
   public:

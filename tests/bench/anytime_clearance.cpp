@@ -1,7 +1,8 @@
 // How the best certified least clearance grows with the time that planners have, or with FMT's samples.
 //   bench_anytime_clearance SECONDS SEEDS OUT.csv [SCENE...]
-// SCENE: gates, window, or a problem's .cfg; without any, these two and tunnel-console-small. Rows are
-// written at SECONDS and at halves of it, down to a sixteenth. RRTConnect's are of its first path.
+// SCENE: posts, gates, window, or a problem's .cfg; without any, the first three and tunnel-console-small.
+// Rows are written at SECONDS and at halves of it, down to an eighth, of processor time. RRTConnect's are of
+// its first path.
 #include <exception>
 #include <iostream>
 #include <string>
@@ -12,6 +13,7 @@
 #include "core/replace_file.h"
 #include "support/anytime_planner.h"
 #include "support/gates_scene.h"
+#include "support/posts_scene.h"
 #include "support/window_scene.h"
 
 namespace clearway::testing {
@@ -20,8 +22,7 @@ namespace {
 using Parameters = AnytimePlanner::Parameters;
 
 constexpr const char* kObjective = "max_min_clearance";
-constexpr const char* kObjectiveOfFmt = "clearance_integral";
-constexpr int kHalvings = 4;
+constexpr int kHalvings = 3;
 
 struct Contender {
     const char* planner;
@@ -30,15 +31,21 @@ struct Contender {
 
 /// The parameters are OMPL's and those of `clearway plan`, but for what is written.
 const std::vector<Contender> kAnytime = {
-    {"RRTstar", {}},
     {"RRTstar", {{"range", "60"}}},
     {"PRMstar", {}},
     {"AnytimePathShortening", {}},
-    {"AnytimePathShortening", {{"shortcut", "0"}, {"hybridize", "0"}}},
     {"BITstar", {}},
+    {"RisingFloor", {}},
 };
-constexpr int kSamples[] = {100, 200, 400, 800};
-constexpr double kSecondsOfFmt = 4;  ///< times those of the others, at most
+
+struct Marching {
+    const char* objective;
+    std::vector<int> samples;
+};
+
+const std::vector<Marching> kMarching = {{"clearance_integral", {250, 500, 1000, 2000, 4000}},
+                                         {kObjective, {250, 500, 1000}}};
+constexpr double kMostSecondsOfFmt = 60;
 
 struct Place {
     std::string name;
@@ -47,6 +54,7 @@ struct Place {
 };
 
 Place placeOf(const std::string& name) {
+    if (name == "posts") return {name, postsScene().problem, postsScene().scene};
     if (name == "gates") return {name, gatesScene().problem, gatesScene().scene};
     if (name == "window") return {name, windowScene().problem, windowScene().scene};
     Problem problem = readProblem(name);
@@ -81,9 +89,20 @@ class Table {
   private:
     std::string text_ =
         "scene,planner,parameters,objective,seed,seconds,cost,certified_clearance,objective_motions,"
-        "objective_"
-        "queries\n";
+        "objective_queries\n";
 };
+
+/// In the plane: in space FMT's neighbourhoods have hundreds of states.
+template <class PlannerFor>
+void measureFmt(const Place& place, std::uint32_t seed, const PlannerFor& plannerFor, Table& table) {
+    for (const Marching& marching : kMarching) {
+        for (const int samples : marching.samples) {
+            const Contender fmt{"FMT", {{"num_samples", std::to_string(samples)}}};
+            AnytimePlanner planner = plannerFor(fmt, marching.objective);
+            table.add(place, fmt, seed, planner.planSeconds(kMostSecondsOfFmt), planner);
+        }
+    }
+}
 
 void measure(const Place& place, std::uint32_t seed, double seconds, Table& table) {
     const auto plannerFor = [&](const Contender& contender, const char* objective = kObjective) {
@@ -100,11 +119,7 @@ void measure(const Place& place, std::uint32_t seed, double seconds, Table& tabl
             table.add(place, contender, seed, spent, planner);
         }
     }
-    for (const int samples : kSamples) {
-        const Contender fmt{"FMT", {{"num_samples", std::to_string(samples)}}};
-        AnytimePlanner planner = plannerFor(fmt, kObjectiveOfFmt);
-        table.add(place, fmt, seed, planner.planSeconds(kSecondsOfFmt * seconds), planner);
-    }
+    if (place.problem.space == Space::kSe2) measureFmt(place, seed, plannerFor, table);
     const Contender first{"RRTConnect", {}};
     AnytimePlanner planner = plannerFor(first);
     table.add(place, first, seed, planner.planSeconds(seconds), planner);
@@ -119,7 +134,7 @@ int run(int count, char** words) {
     const auto seeds = static_cast<std::uint32_t>(parseInteger(words[2]).value());
     std::vector<std::string> scenes(words + 4, words + count);
     if (scenes.empty()) {
-        scenes = {"gates", "window", CLEARWAY_DATA_DIR "/tunnel-console-small/tunnel-console.cfg"};
+        scenes = {"posts", "gates", "window", CLEARWAY_DATA_DIR "/tunnel-console-small/tunnel-console.cfg"};
     }
     Table table;
     for (const std::string& scene : scenes) {

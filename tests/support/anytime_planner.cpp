@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
+#include <ctime>
 #include <limits>
 
 #include "clearway/planning/planners.h"
@@ -19,6 +19,11 @@ namespace clearway::testing {
 namespace {
 
 namespace ob = ompl::base;
+
+/// Of all threads of this process.
+double processorSeconds() {
+    return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
 
 /// As `clearway plan` has it.
 double rangeOf(const Problem& problem, const Model& part) {
@@ -58,9 +63,9 @@ AnytimePlanner::AnytimePlanner(const Problem& problem, const Scene& scene, const
 }
 
 double AnytimePlanner::planSeconds(double seconds) {
-    const auto begin = std::chrono::steady_clock::now();
-    plan(ob::timedPlannerTerminationCondition(seconds));
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    const double begin = processorSeconds();
+    plan(ob::PlannerTerminationCondition([=] { return processorSeconds() - begin >= seconds; }));
+    return processorSeconds() - begin;
 }
 
 void AnytimePlanner::planIterations(std::uint64_t iterations) {

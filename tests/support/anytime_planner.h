@@ -25,7 +25,8 @@ class AnytimePlanner {
     AnytimePlanner(const Problem& problem, const Scene& scene, const std::string& planner,
                    const Parameters& parameters, const std::string& objective, std::uint32_t seed);
 
-    /// Plans on. Returns how long it took: less when the planner ended by itself.
+    /// Plans on, for seconds of processor time, of all its threads: so that it is the same on a machine that
+    /// is busy. Returns how long it took: less when the planner ended by itself.
     double planSeconds(double seconds);
 
     /// As long as the planner asks no more often whether to end: once an iteration for most.

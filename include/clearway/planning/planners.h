@@ -1,4 +1,4 @@
-// OMPL's geometric planners by name, with parameters as text.
+// OMPL's geometric planners by name, and one of ours, with parameters as text.
 #pragma once
 
 #include <ompl/base/Planner.h>
@@ -11,7 +11,9 @@
 
 namespace clearway::planning {
 
-/// OMPL's class names ("RRTConnect", "BITstar", ...), in alphabetical order.
+/// OMPL's class names ("RRTConnect", "BITstar", ...), in alphabetical order, and RisingFloor, which plans for
+/// paths of more and more least clearance. That one needs a clearway::planning::ValidityChecker, and an
+/// environment with no lesser reach than that objective asks for.
 std::vector<std::string> plannerNames();
 
 /// OMPL's class name for a planner written in any case, or for one of OMPL.app's short names ("kpiece",

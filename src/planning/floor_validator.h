@@ -1,0 +1,34 @@
+// Answers about motions as a certified validator whose margins are larger by a floor.
+#pragma once
+
+#include "clearway/planning/motion_validator.h"
+
+namespace clearway::planning {
+
+class FloorValidator : public ompl::base::MotionValidator {
+  public:
+    /// The validator must outlive this one.
+    FloorValidator(const ompl::base::SpaceInformationPtr& si, const planning::MotionValidator& validator,
+                   double floor)
+        : ompl::base::MotionValidator(si), validator_(validator), floor_(floor) {}
+
+    bool checkMotion(const ompl::base::State* s1, const ompl::base::State* s2) const override {
+        return validator_.keepsClearance(s1, s2, floor_);
+    }
+
+    /// Of a motion that is not valid no more than s1 is told. The planners and short cuts that are given this
+    /// validator do not ask for more.
+    bool checkMotion(const ompl::base::State* s1, const ompl::base::State* s2,
+                     std::pair<ompl::base::State*, double>& lastValid) const override {
+        if (checkMotion(s1, s2)) return true;
+        lastValid.second = 0;
+        if (lastValid.first) si_->copyState(lastValid.first, s1);
+        return false;
+    }
+
+  private:
+    const planning::MotionValidator& validator_;
+    double floor_;
+};
+
+}  // namespace clearway::planning
