@@ -62,8 +62,8 @@ CommandLine studyCommandLine() {
         ("general-split", optionValues("NAME"), "in place of axis and sah; may be repeated")  //
         ("leaf-split", optionValues("NAME"),
          "in place of none, chain, edge and all; the first is what others are compared with; may be "
-         "repeated")                                             //
-        ("repetitions", optionValue("N"), "of each replay (3)")  //
+         "repeated")                                                      //
+        ("repetitions", optionValue("N"), "of each replay (7; short 1)")  //
         ("short", "small scenes, few and short runs, fewer replays: to see that all works");
     addCacheOption(commandLine);
     return commandLine;
@@ -96,6 +96,7 @@ StudyOptions studyOptions(const Options& options) {
         result.seconds = 0.5;
         result.seeds = 2;
         result.repetitions = 1;
+        result.sampling = {8, 25, 1};
         result.tablePoses = 100;
         result.planners = {{"RRTConnect", ""}, {"BITstar", "max_min_clearance"}};
     }

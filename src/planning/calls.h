@@ -30,8 +30,8 @@ using CallBlock = std::vector<Call>;
 /// Blocks drawn evenly from all that a run calls, in its order: so that a replay begins each query of a block
 /// as warm as the planner did, but for the first.
 struct CallSampling {
-    std::size_t blocks = 8;
-    std::size_t callsPerBlock = 25;
+    std::size_t blocks = 32;
+    std::size_t callsPerBlock = 32;
     std::uint64_t seed = 1;
 };
 

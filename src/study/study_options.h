@@ -25,7 +25,7 @@ struct StudyOptions {
     double seconds = 20;                            ///< for each run
     double megabytes = 8192;
     planning::CallSampling sampling;
-    int repetitions = 3;  ///< of each replay
+    int repetitions = 7;  ///< of each replay
     bool isShort =
         false;  ///< replays the leaves of other sizes and the other instruction sets with one general split
     int tablePoses = 1000;
