@@ -29,8 +29,9 @@ constexpr SceneOptions kLargeEnvironment2{1, 120000, 1700000, 10};  // clearance
 /// representable in float, every component a closed solid.
 ///
 /// The tray lies under the car's roof. The path begins there: to the rear along the roof's curve, between two
-/// beaded sheets that follow the tray's own over all of its area, at least `clearance` away and less than
-/// half as much more, until the tray has left them behind the car; then up and away. problem.step is half the
+/// beaded sheets that follow the tray's own over all of its area, until the tray has left them behind the
+/// car; then up and away. Before the tray's opening they are at least `clearance` and less than half as much
+/// more away from it all along the slot, towards its edges a few millimetres more. problem.step is half the
 /// thinnest sheet.
 ///
 /// Where fewer triangles are asked for than all components have when coarsest, small ones are left out.

@@ -10,8 +10,8 @@
 namespace clearway {
 
 /// All sheets of the roof are one profile across the car, turned about an axis parallel to y far below it.
-/// So the tray can follow the roof along the car, its beads in the beads of the sheets above and below it,
-/// and stay as near to them.
+/// So the tray can follow the roof along the car, its beads in those of the sheets above and below it,
+/// without coming nearer to them.
 struct RoofSlot {
     double clearance = 10;
     double gap = 11.2;  ///< between the tray's sheets and those that face them, so that `clearance` is left
@@ -46,8 +46,8 @@ struct RoofSlot {
     /// 0 or up to `embossing`.
     double embossed(double u, double v) const;
 
-    /// How much farther the tray's sheets are from those that face them than in the middle before the opening,
-    /// where they are nearest.
+    /// How much farther the tray's sheets are from those that face them than in the middle before the
+    /// opening, where they are nearest.
     double receding(double u, double v) const;
 
     /// The tray moved along the roof to the rear.
