@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <ctime>
 
 #include "core/number.h"
 #include "planning/finish.h"
@@ -82,6 +83,7 @@ ob::PlannerStatus solve(const Setup& setup, const RunLimits& limits, BenchmarkRu
     RunWatch watch(planner, limits.bytes, period);
     std::optional<RunTrace> trace;
     if (limits.trace) trace.emplace(setup.si->getStateSpace(), *limits.trace);
+    const std::clock_t processorBegin = std::clock();
     const Clock::time_point begin = Clock::now();
     const Improvements improvements(*setup.definition, begin);
     const ob::PlannerTerminationCondition isSpent([&] {
@@ -96,6 +98,8 @@ ob::PlannerStatus solve(const Setup& setup, const RunLimits& limits, BenchmarkRu
     }
     const double seconds = secondsSince(begin);
     run.properties["time REAL"] = shortNumber(seconds);
+    run.properties["processor time REAL"] =
+        shortNumber(static_cast<double>(std::clock() - processorBegin) / CLOCKS_PER_SEC);
     run.progress = watch.finish();
     if (trace) describeQueries(*trace, seconds, run);
     if (setup.definition->hasExactSolution()) {

@@ -26,6 +26,7 @@ constexpr RunColumn kRunColumns[] = {
     {"solved", "solved BOOLEAN"},
     {"status", "status ENUM"},
     {"seconds", "time REAL"},
+    {"processor_seconds", "processor time REAL"},  // less than the time: the machine was at other work
     {"first_solution_seconds", "time to first solution REAL"},
     {"final_solution_seconds", "time to final solution REAL"},
     {"cost", "solution cost REAL"},
