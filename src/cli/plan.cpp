@@ -44,8 +44,9 @@ CommandLine planCommandLine() {
          "max_min_clearance (the least clearance of the path), clearance_integral (length weighted by "
          "closeness), length_with_clearance, mechanical_work (the problem's)")  //
         ("wanted-clearance", optionValue("D"),
-         "what length_with_clearance keeps where it can (5 % of the part's diagonal)")          //
-        ("time", optionValue("S"), "seconds for planning and shortening (30)")                  //
+         "what length_with_clearance keeps where it can (5 % of the part's diagonal)")  //
+        ("time", optionValue("S"),
+         "seconds in all (30); shortening takes as many as planning at most, or 5")             //
         ("iterations", optionValue("N"), "in place of --time: repeatable, with the same seed")  //
         ("threads", optionValue("N"),
          "planners side by side, the first path ends them (one a core, at most 4)")  //

@@ -1,19 +1,25 @@
 // Answers about motions as a certified validator whose margins are larger by a floor.
 #pragma once
 
+#include <functional>
+#include <utility>
+
 #include "clearway/planning/motion_validator.h"
 
 namespace clearway::planning {
 
 class FloorValidator : public ompl::base::MotionValidator {
   public:
-    /// The validator must outlive this one.
+    /// The validator must outlive this one. isStopped: as MotionOptions has it.
     FloorValidator(const ompl::base::SpaceInformationPtr& si, const planning::MotionValidator& validator,
-                   double floor)
-        : ompl::base::MotionValidator(si), validator_(validator), floor_(floor) {}
+                   double floor, std::function<bool()> isStopped = {})
+        : ompl::base::MotionValidator(si),
+          validator_(validator),
+          floor_(floor),
+          isStopped_(std::move(isStopped)) {}
 
     bool checkMotion(const ompl::base::State* s1, const ompl::base::State* s2) const override {
-        return validator_.keepsClearance(s1, s2, floor_);
+        return validator_.keepsClearance(s1, s2, floor_, isStopped_);
     }
 
     /// Of a motion that is not valid no more than s1 is told. The planners and short cuts that are given this
@@ -29,6 +35,7 @@ class FloorValidator : public ompl::base::MotionValidator {
   private:
     const planning::MotionValidator& validator_;
     double floor_;
+    std::function<bool()> isStopped_;
 };
 
 }  // namespace clearway::planning

@@ -35,6 +35,12 @@ double chooseLeastInterval(const Scene& scene, const MotionOptions& options) {
                                 ", expected a finite length above 0");
 }
 
+/// Whether one of the two says so; each may be empty.
+std::function<bool()> either(const std::function<bool()>& a, const std::function<bool()>& b) {
+    if (!a || !b) return a ? a : b;
+    return [a, b] { return a() || b(); };
+}
+
 /// What is certified, and a look at the rest.
 std::vector<ProfilePoint> pointsOf(MotionSearch& search, const MotionReport& report) {
     std::vector<ProfilePoint> points;
@@ -102,7 +108,7 @@ bool MotionValidator::checkMotion(const ob::State* s1, const ob::State* s2) cons
 bool MotionValidator::checkMotion(const ob::State* s1, const ob::State* s2,
                                   std::pair<ob::State*, double>& lastValid) const {
     noteCall(CallKind::kForwardMotion, s1, s2);
-    const Outcome outcome = judge(s1, s2, {true});
+    const Outcome outcome = judge(s1, s2, {true, 0, {}});
     if (outcome.verdict != MotionVerdict::kValid) {
         setLastValid(*si_, s1, s2, timeWithinBounds(s1, s2, outcome.certifiedTime), lastValid);
     }
@@ -114,12 +120,13 @@ std::string MotionValidator::whyInvalid(const ob::State* state) const {
     return clearance_->whyInvalid(pose(state));
 }
 
-bool MotionValidator::keepsClearance(const ob::State* s1, const ob::State* s2, double more) const {
+bool MotionValidator::keepsClearance(const ob::State* s1, const ob::State* s2, double more,
+                                     const std::function<bool()>& isStopped) const {
     if (!(more >= 0) || !std::isfinite(more)) {
         throw std::invalid_argument("the clearance to keep is " + shortNumber(more) +
                                     ", expected a finite number >= 0");
     }
-    return count(judge(s1, s2, {false, more}));
+    return count(judge(s1, s2, {false, more, isStopped}));
 }
 
 /// Interpolated between two states on the bounds' border, a state may be outside by rounding.
@@ -141,7 +148,8 @@ MotionValidator::Outcome MotionValidator::judge(const ob::State* s1, const ob::S
     Outcome outcome;
     try {
         Motion looked = motion(s1, s2, false, judging.floor);
-        MotionSearch search(looked, leastInterval_, kContactIntervals * leastInterval_, isStopped_);
+        MotionSearch search(looked, leastInterval_, kContactIntervals * leastInterval_,
+                            either(judging.isStopped, isStopped_));
         outcome.verdict = judging.forward ? search.goForward() : search.certify();
         outcome.certifiedTime = search.certifiedTime();
         outcome.isStartInvalid = search.isStartInvalid();

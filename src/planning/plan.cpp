@@ -2,6 +2,7 @@
 
 #include <ompl/geometric/PathGeometric.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <future>
@@ -27,6 +28,10 @@ double secondsSince(Clock::time_point begin) {
 /// Of the time, for planners that would use all of it: the rest is for shortening.
 constexpr double kImprovingShare = 0.75;
 
+/// Seconds for shortening, or as many as the planning took: where there is hardly room it could go on for
+/// ever.
+constexpr double kLeastFinishing = 5;
+
 /// When the planner has to end. Asked from several threads by some planners.
 class Budget {
   public:
@@ -37,6 +42,12 @@ class Budget {
         if (options_.iterations) return;
         seconds_ = options_.seconds.value_or(kDefaultSeconds);
         planningSeconds_ = (isImproving ? kImprovingShare : 1) * *seconds_;
+    }
+
+    void beginFinishing() {
+        if (!seconds_) return;
+        const double planned = secondsSince(begin_);
+        seconds_ = std::min(*seconds_, planned + std::max(kLeastFinishing, planned));
     }
 
     void end() { isEnded_ = true; }
@@ -133,6 +144,7 @@ PlanReport plan(const Problem& problem, const Scene& scene, const PlanOptions& o
     report.planningSeconds = secondsSince(begin);
 
     const Clock::time_point planned = Clock::now();
+    budget.beginFinishing();
     if (budget.isStopped()) {
         report.outcome = PlanReport::Outcome::kStopped;
     } else if (setup.definition->hasExactSolution()) {

@@ -54,7 +54,8 @@ class Raiser {
     bool isOver() const { return kept_ >= options_.enough || (options_.isSpent && options_.isSpent()); }
 
     bool keeps(std::size_t motion, double clearance) const {
-        return validator_.keepsClearance(path_.getState(motion), path_.getState(motion + 1), clearance);
+        return validator_.keepsClearance(path_.getState(motion), path_.getState(motion + 1), clearance,
+                                         options_.isSpent);
     }
 
     /// The first motion that does not keep so much, beginning with the one that was it last.

@@ -33,7 +33,7 @@ class Simplifier {
     /// motions that keep a lower one, down to what the run keeps.
     void shortenKeeping(double floor, double least, og::PathGeometric& path) const {
         shortenBy(floor, path);
-        if (least >= floor) return;
+        if (least >= floor || isSpent()) return;
         og::PathGeometric result(path.getSpaceInformation());
         const auto count = static_cast<unsigned int>(path.getStateCount());
         result.append(path.getState(0));
@@ -57,7 +57,8 @@ class Simplifier {
     };
 
     bool keeps(double floor, const og::PathGeometric& path, unsigned int motion) const {
-        return validator_.keepsClearance(path.getState(motion), path.getState(motion + 1), floor);
+        return validator_.keepsClearance(path.getState(motion), path.getState(motion + 1), floor,
+                                         options_.isSpent);
     }
 
     /// OMPL asks the path's own space information.
@@ -65,7 +66,7 @@ class Simplifier {
         const ob::SpaceInformationPtr& given = path.getSpaceInformation();
         const auto si = std::make_shared<ob::SpaceInformation>(given->getStateSpace());
         si->setStateValidityChecker(given->getStateValidityChecker());
-        si->setMotionValidator(std::make_shared<FloorValidator>(si, validator_, floor));
+        si->setMotionValidator(std::make_shared<FloorValidator>(si, validator_, floor, options_.isSpent));
         si->setup();
         og::PathGeometric shorter(si);
         for (const ob::State* state : path.getStates()) shorter.append(state);
@@ -78,8 +79,10 @@ class Simplifier {
                          og::PathGeometric& result) const {
         og::PathGeometric tight(path.getSpaceInformation());
         for (unsigned int k = run.first; k <= run.last; ++k) tight.append(path.getState(k));
-        const double least = std::max(0.0, audit(tight, validator_).lowerClearance);
-        shortenKeeping(std::max(least, kNextFloor * floor), least, tight);
+        if (!isSpent()) {
+            const double least = std::max(0.0, audit(tight, validator_).lowerClearance);
+            shortenKeeping(std::max(least, kNextFloor * floor), least, tight);
+        }
         for (unsigned int k = 1; k < tight.getStateCount(); ++k) result.append(tight.getState(k));
     }
 

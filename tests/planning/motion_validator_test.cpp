@@ -71,6 +71,12 @@ BOOST_AUTO_TEST_CASE(a_motion_that_would_take_long_is_undecided_as_soon_as_it_is
     BOOST_TEST(f.validator->counters().undecided == 1u);
     BOOST_TEST(f.validator->counters().queries < 60u);
     BOOST_TEST((f.report(s1, s2).verdict == MotionVerdict::kUndecided));
+
+    const Fixture unstopped(0, withLeastInterval(1e-5));
+    asked = 0;
+    BOOST_TEST(!unstopped.validator->keepsClearance(s1.get(), s2.get(), 0, [&] { return ++asked > 50; }));
+    BOOST_TEST(unstopped.validator->counters().undecided == 1u);
+    BOOST_TEST(unstopped.validator->counters().queries < 60u);
 }
 
 BOOST_AUTO_TEST_CASE(a_collision_reached_by_grazing_is_told_as_one) {

@@ -137,8 +137,10 @@ class MotionValidator : public ompl::base::MotionValidator {
     MotionProfile profile(const ompl::base::State* s1, const ompl::base::State* s2) const;
 
     /// What checkMotion would answer if all margins were larger by `more`, in environment units. Counted as a
-    /// motion checked. Throws std::invalid_argument when `more` is negative or not finite.
-    bool keepsClearance(const ompl::base::State* s1, const ompl::base::State* s2, double more) const;
+    /// motion checked. isStopped: as MotionOptions has it, besides the validator's own. Throws
+    /// std::invalid_argument when `more` is negative or not finite.
+    bool keepsClearance(const ompl::base::State* s1, const ompl::base::State* s2, double more,
+                        const std::function<bool()>& isStopped = {}) const;
 
     MotionCounters counters() const;
     double leastInterval() const { return leastInterval_; }
@@ -156,7 +158,8 @@ class MotionValidator : public ompl::base::MotionValidator {
     struct Outcome;
     struct Judging {
         bool forward = false;
-        double floor = 0;  ///< on top of the margins
+        double floor = 0;                 ///< on top of the margins
+        std::function<bool()> isStopped;  ///< besides the validator's own
     };
     Outcome judge(const ompl::base::State* s1, const ompl::base::State* s2, const Judging& judging) const;
     MotionReport report(const ompl::base::State* s1, const ompl::base::State* s2,

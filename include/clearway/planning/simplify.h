@@ -12,7 +12,7 @@ namespace clearway::planning {
 struct SimplifyOptions {
     /// Clearance (distance - margin) that new motions keep, in environment units.
     double floor = 0;
-    std::function<bool()> isSpent;  ///< asked often; true ends the shortening
+    std::function<bool()> isSpent;  ///< asked often, also within motions; true ends the shortening
 };
 
 /// Rounds of OMPL's vertex removal and shortcuts, until they stop paying. A new motion is certified to keep
