@@ -54,10 +54,11 @@ bool keepsAll(const Setup& setup, const og::PathGeometric& path, double clearanc
     return true;
 }
 
-/// What all motions of the path keep, to 1 %: an audit tells of small clearances to 10 %.
-double keptBy(const Setup& setup, const og::PathGeometric& path, const PathAudit& found) {
+/// What all motions of the path keep, to 1 % if time allows: an audit tells of small clearances to 10 %.
+double keptBy(const Setup& setup, const og::PathGeometric& path, const PathAudit& found,
+              const std::function<bool()>& isSpent) {
     double kept = std::max(0.0, found.lowerClearance), most = found.upperClearance;
-    while (std::isfinite(most) && most - kept > 0.01 * most) {
+    while (std::isfinite(most) && most - kept > 0.01 * most && !isSpent()) {
         const double middle = kept + 0.5 * (most - kept);
         (keepsAll(setup, path, middle) ? kept : most) = middle;
     }
@@ -87,7 +88,9 @@ PathAudit finish(const Setup& setup, og::PathGeometric& path, const std::functio
     if (!isLeastClearance(objective)) return shortenUnlessWorse(setup, path, isSpent);
     // More than the cap is as good, and where nothing counts there is no end to it.
     const double cap = static_cast<const MinClearanceObjective&>(*objective).cap();
-    const double kept = keptBy(setup, path, audit(path, *setup.auditor));
+    const PathAudit found = audit(path, *setup.auditor);
+    if (isSpent()) return found;
+    const double kept = keptBy(setup, path, found, isSpent);
     const double floor = std::max(setup.floor, std::min(cap, kept));
     return simplify(path, *setup.auditor, {floor, isSpent});
 }

@@ -103,10 +103,10 @@ PathAudit simplify(og::PathGeometric& path, const MotionValidator& validator,
     og::PathGeometric shorter = path;
     const Simplifier simplifier(validator, options);
     PathAudit after = before;
-    for (int i = 0; i < kTries; ++i) {
+    for (int i = 0; i < kTries && !simplifier.isSpent(); ++i) {
         simplifier.shortenKeeping(options.floor, after.lowerClearance, shorter);
         after = audit(shorter, validator);
-        if (!after.isValid() || after.upperClearance >= options.floor || simplifier.isSpent()) break;
+        if (!after.isValid() || after.upperClearance >= options.floor) break;
     }
     // What is left of an old motion is a motion of its own for OMPL, which leaves out turns below 1.6e-4 rad.
     const double kept = std::min(options.floor, before.lowerClearance);

@@ -7,6 +7,7 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "support/motion_scene.h"
 #include "support/motion_window.h"
@@ -151,6 +152,23 @@ BOOST_AUTO_TEST_CASE(a_spent_budget_leaves_a_valid_path) {
     options.isSpent = [] { return true; };
     BOOST_TEST(simplify(path, *f.validator, options).isValid());
     BOOST_TEST(path.getStateCount() == 3u);
+}
+
+/// An audit of a path that slides along a face may take tens of seconds.
+BOOST_AUTO_TEST_CASE(a_spent_budget_costs_one_audit) {
+    const Fixture f;
+    auto path = pathOf(f, {f.at({-60, 0, 0}), f.at({-60, 10, 0}), f.at({-60, 20, 0})});
+    int asked = 0;
+    MotionOptions motions;
+    motions.isStopped = [&] { return ++asked < 0; };
+    const MotionValidator counting(f.si, f.validator->scene(), motions);
+    audit(path, counting);
+    const int once = std::exchange(asked, 0);
+    SimplifyOptions options = withFloor(1e3);
+    options.isSpent = [] { return true; };
+    BOOST_TEST(simplify(path, counting, options).isValid());
+    BOOST_TEST(once > 0);
+    BOOST_TEST(asked == once);
 }
 
 BOOST_AUTO_TEST_CASE(wrong_floors_and_paths_are_refused) {
