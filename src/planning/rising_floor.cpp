@@ -3,6 +3,7 @@
 #include <ompl/base/goals/GoalState.h>
 #include <ompl/geometric/planners/rrt/RRT.h>
 #include <ompl/geometric/planners/rrt/RRTConnect.h>
+#include <ompl/util/Console.h>
 
 #include <algorithm>
 #include <atomic>
@@ -139,8 +140,21 @@ void RisingFloor::raise(const ob::PlannerTerminationCondition& isSpent, double s
     best_->clearance = raiseClearance(*best_->path, *validator_, options);
 }
 
+/// Without a valid start every round would end at once, with as many words.
+bool RisingFloor::hasValidStart() const {
+    for (unsigned int i = 0; i < pdef_->getStartStateCount(); ++i) {
+        const ob::State* start = pdef_->getStartState(i);
+        if (si_->satisfiesBounds(start) && si_->isValid(start)) return true;
+    }
+    return false;
+}
+
 ob::PlannerStatus RisingFloor::solve(const ob::PlannerTerminationCondition& isSpent) {
     checkValidity();
+    if (!hasValidStart()) {
+        OMPL_ERROR("%s: There are no valid initial states!", getName().c_str());
+        return ob::PlannerStatus::INVALID_START;
+    }
     validator_ = std::dynamic_pointer_cast<const MotionValidator>(si_->getMotionValidator());
     if (!validator_) validator_ = std::make_shared<MotionValidator>(si_, sceneOf(si_));
     const double most = mostClearance();

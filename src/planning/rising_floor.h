@@ -41,6 +41,7 @@ class RisingFloor : public ompl::base::Planner {
     };
     class Round;
 
+    bool hasValidStart() const;
     double mostClearance() const;
     bool isSatisfied(const Found& found, double most) const;
     std::optional<Found> planKeeping(double floor,

@@ -13,6 +13,7 @@
 #include "clearway/types.h"
 #include "planning/ompl_messages.h"
 #include "planning/planning_space.h"
+#include "support/motion_window.h"
 
 namespace clearway::planning {
 namespace {
@@ -105,6 +106,19 @@ BOOST_AUTO_TEST_CASE(a_parameter_is_set_and_a_wrong_one_refused) {
         contains(refusal([&] { setParameter(*prm, "max_nearest_neighbors", "2.5"); }), "whole number"));
     BOOST_TEST(contains(refusal([&] { setParameter(*prm, "max_nearest_neighbors", "99999999999999999999"); }),
                         "99999"));
+}
+
+BOOST_AUTO_TEST_CASE(rising_floor_ends_at_once_without_a_valid_start) {
+    const testing::MotionWindow f;
+    const auto definition = std::make_shared<ompl::base::ProblemDefinition>(f.si);
+    definition->setStartAndGoalStates(f.at({0, 35, 0}), f.at({60, 0, 0}));
+    const auto planner = makePlanner(f.si, "RisingFloor");
+    planner->setProblemDefinition(definition);
+    int asked = 0;
+    const ompl::base::PlannerTerminationCondition isSpent([&] { return ++asked > 100; });
+    const ompl::base::PlannerStatus status = planner->solve(isSpent);
+    BOOST_TEST((status == ompl::base::PlannerStatus::INVALID_START));
+    BOOST_TEST(asked <= 100);
 }
 
 }  // namespace
