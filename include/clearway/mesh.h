@@ -85,7 +85,7 @@ Mesh loadMesh(const std::string& file, const LoadOptions& options = {});
 void saveMesh(const Mesh& mesh, const std::string& file);
 
 /// The closed surface of a box as one component: 12 triangles that face outwards. A keep-out region, say.
-/// Throws std::invalid_argument, naming the box, when it is empty or not finite.
+/// Throws std::invalid_argument, naming the box, when it is empty, flat or not finite.
 Mesh boxMesh(const Box& box, const std::string& name = "box");
 
 /// The smallest box that holds every vertex a triangle uses; empty for a mesh without triangles.

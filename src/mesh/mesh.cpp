@@ -7,7 +7,8 @@
 namespace clearway {
 
 Mesh boxMesh(const Box& box, const std::string& name) {
-    if (box.isEmpty() || !box.min().allFinite() || !box.max().allFinite()) {
+    const bool isFinite = box.min().allFinite() && box.max().allFinite();
+    if (!isFinite || !(box.min().array() < box.max().array()).all()) {
         std::ostringstream message;
         message << "box '" << name << "' is from (" << box.min().transpose() << ") to ("
                 << box.max().transpose() << "), expected finite corners, the first one below the other";

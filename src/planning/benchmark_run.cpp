@@ -76,7 +76,23 @@ std::string flag(bool value) {
     return value ? "1" : "0";
 }
 
-ob::PlannerStatus solve(const Setup& setup, const RunLimits& limits, BenchmarkRun& run,
+/// When a run's planner has to end. Asked within its motions too, maybe from several threads.
+class RunEnd {
+  public:
+    explicit RunEnd(const RunLimits& limits) : limits_(limits) {}
+
+    void begin() { begin_ = Clock::now(); }
+    double seconds() const { return secondsSince(begin_.value()); }
+    bool isReached() const {
+        return (begin_ && seconds() >= limits_.seconds) || (limits_.isStopped && limits_.isStopped());
+    }
+
+  private:
+    const RunLimits& limits_;
+    std::optional<Clock::time_point> begin_;
+};
+
+ob::PlannerStatus solve(const Setup& setup, const RunLimits& limits, RunEnd& end, BenchmarkRun& run,
                         std::vector<std::string>& warnings) {
     ob::Planner& planner = *setup.planners[0];
     const double period = std::max(kLeastPeriod, limits.seconds / kLooksPerRun);
@@ -84,19 +100,16 @@ ob::PlannerStatus solve(const Setup& setup, const RunLimits& limits, BenchmarkRu
     std::optional<RunTrace> trace;
     if (limits.trace) trace.emplace(setup.si->getStateSpace(), *limits.trace);
     const std::clock_t processorBegin = std::clock();
-    const Clock::time_point begin = Clock::now();
-    const Improvements improvements(*setup.definition, begin);
-    const ob::PlannerTerminationCondition isSpent([&] {
-        return secondsSince(begin) >= limits.seconds || watch.isOutOfMemory() ||
-               (limits.isStopped && limits.isStopped());
-    });
+    end.begin();
+    const Improvements improvements(*setup.definition, Clock::now());
+    const ob::PlannerTerminationCondition isSpent([&] { return end.isReached() || watch.isOutOfMemory(); });
     ob::PlannerStatus status = ob::PlannerStatus::CRASH;
     try {
         status = planner.solve(isSpent);
     } catch (const std::exception& error) {
         warnings.push_back("planner " + planner.getName() + " ended with an exception: " + error.what());
     }
-    const double seconds = secondsSince(begin);
+    const double seconds = end.seconds();
     run.properties["time REAL"] = shortNumber(seconds);
     run.properties["processor time REAL"] =
         shortNumber(static_cast<double>(std::clock() - processorBegin) / CLOCKS_PER_SEC);
@@ -179,9 +192,10 @@ void describeSolution(const Setup& setup, const Problem& problem, const RunLimit
 std::optional<BenchmarkRun> runOnce(const Problem& problem, const Scene& scene, const PlanOptions& options,
                                     const RunLimits& limits, std::vector<std::string>& warnings) {
     PlanReport settings;
-    const Setup setup = prepare(problem, scene, options, settings);
+    RunEnd end(limits);
+    const Setup setup = prepare(problem, scene, options, settings, [&] { return end.isReached(); });
     BenchmarkRun run;
-    const ob::PlannerStatus status = solve(setup, limits, run, warnings);
+    const ob::PlannerStatus status = solve(setup, limits, end, run, warnings);
     const auto isStopped = [&] { return limits.isStopped && limits.isStopped(); };
     if (isStopped()) return std::nullopt;
 

@@ -32,9 +32,9 @@ BOOST_AUTO_TEST_CASE(a_box_is_closed_faces_outwards_and_fills_its_corners) {
 
 BOOST_AUTO_TEST_CASE(a_box_that_is_none_is_refused_by_name) {
     const double infinity = std::numeric_limits<double>::infinity();
-    const Box wrong[] = {Box(), Box(Vector3(0, 0, 0), Vector3(1, -1, 1)),
-                         Box(Vector3(0, 0, 0), Vector3(1, infinity, 1)),
-                         Box(Vector3(0, std::nan(""), 0), Vector3(1, 1, 1))};
+    const Box wrong[] = {
+        Box(), Box(Vector3(0, 0, 0), Vector3(1, -1, 1)), Box(Vector3(0, 0, 0), Vector3(1, infinity, 1)),
+        Box(Vector3(0, 0, 0), Vector3(1, 1, 0)), Box(Vector3(0, std::nan(""), 0), Vector3(1, 1, 1))};
     for (const Box& box : wrong) {
         BOOST_CHECK_EXCEPTION(boxMesh(box, "tool"), std::invalid_argument, [](const std::exception& error) {
             return std::string(error.what()).find("'tool'") != std::string::npos;
