@@ -6,12 +6,20 @@
 #include "planning/objectives.h"
 #include "planning/plan.h"
 #include "support/gates_scene.h"
+#include "support/oracle.h"
+#include "support/path_check.h"
 
 namespace clearway::planning {
 namespace {
 
 using testing::gatesScene;
 using Outcome = PlanReport::Outcome;
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr double kTunnelSeconds = 150;  // a sanitizer's
+#else
+constexpr double kTunnelSeconds = 12;
+#endif
 
 PlanOptions withObjective(const std::string& objective, double seconds) {
     PlanOptions options;
@@ -37,6 +45,18 @@ BOOST_AUTO_TEST_CASE(the_least_clearance_is_the_cost_and_shortening_keeps_it) {
     BOOST_TEST(report.cost >= 0.9 * report.audit.lowerClearance);
     BOOST_TEST(report.cost <= testing::kWideGates);
     BOOST_TEST(report.path.size() <= report.statesBefore);
+}
+
+BOOST_AUTO_TEST_CASE(the_least_clearance_claimed_is_there_by_the_oracle) {
+    const Problem problem = readProblem(CLEARWAY_DATA_DIR "/tunnel-console-small/tunnel-console.cfg");
+    const Mesh part = loadPart(problem), environment = loadEnvironment(problem);
+    const Scene scene{Model::build(part), Model::build(environment), problem.margin};
+    const PlanReport report = found(problem, scene, withObjective("max_min_clearance", kTunnelSeconds));
+    const testing::MeshOracle oracle(part, environment);
+    const double least = testing::leastDistance(oracle, report.path, problem, 500) - problem.margin;
+    BOOST_TEST(report.audit.lowerClearance > 0);
+    BOOST_TEST(report.audit.lowerClearance <= least);
+    BOOST_TEST(report.cost <= least);
 }
 
 BOOST_AUTO_TEST_CASE(the_problem_names_the_objective_unless_the_options_do) {
