@@ -125,12 +125,13 @@ std::string plainName(const std::string& problemFile) {
     return name;
 }
 
-/// The scenes' problems, made in the folder unless they are there.
+/// The scenes' problems, made in the folder unless they are there. Fewer when it was interrupted.
 std::vector<std::string> makeScenes(bool isShort, const std::string& folder) {
     std::vector<MadeScene> scenes(std::begin(kFullScenes), std::end(kFullScenes));
     if (isShort) scenes.assign(std::begin(kShortScenes), std::end(kShortScenes));
     std::vector<std::string> problems;
     for (const MadeScene& wanted : scenes) {
+        if (isInterrupted()) break;
         const NamedScene& named = sceneNamed(wanted.name);
         const std::string at = folder + "/scenes/" + named.name;
         SceneOptions options = named.defaults;
@@ -161,6 +162,12 @@ StudyProblem loadProblem(const std::string& file) {
     return study;
 }
 
+int tellInterrupted(const std::string& folder) {
+    printRow("study", folder + ", interrupted: the same command goes on with it");
+    requirePrinted();
+    return kAnswerIsNo;
+}
+
 }  // namespace
 
 int study(const Arguments& arguments) {
@@ -179,13 +186,12 @@ int study(const Arguments& arguments) {
 
     if (files.empty()) files = makeScenes(options.isShort, folder);
     std::vector<StudyProblem> problems;
-    for (const std::string& file : files) problems.push_back(loadProblem(file));
-    const StudyResult result = studyLeafStrategies(problems, options, folder);
-    if (!result.isComplete) {
-        printRow("study", folder + ", interrupted: the same command goes on with it");
-        requirePrinted();
-        return kAnswerIsNo;
+    for (const std::string& file : files) {
+        if (!isInterrupted()) problems.push_back(loadProblem(file));
     }
+    if (isInterrupted()) return tellInterrupted(folder);
+    const StudyResult result = studyLeafStrategies(problems, options, folder);
+    if (!result.isComplete) return tellInterrupted(folder);
     printStudy(result);
     printRow("study", folder);
     requirePrinted();

@@ -3,13 +3,17 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cassert>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <ostream>
 #include <sstream>
 #include <stdexcept>
+
+#include "core/replace_file.h"
 
 namespace clearway {
 namespace {
@@ -58,6 +62,11 @@ std::string wholeLines(const std::string& file) {
     return text;
 }
 
+/// Some of the rows, as a full disk leaves them, must not pass for all.
+void cutBack(int file, off_t size) {
+    if (::ftruncate(file, size) != 0) return;  // what failed first is told
+}
+
 }  // namespace
 
 GrowingTable::GrowingTable(std::string file, std::vector<std::string> columns)
@@ -95,9 +104,15 @@ void GrowingTable::append(const std::vector<TableRow>& rows) {
     }
 }
 
+void GrowingTable::remove(const std::function<bool(const TableRow&)>& isUnwanted) {
+    rows_.erase(std::remove_if(rows_.begin(), rows_.end(), isUnwanted), rows_.end());
+    replaceFile(file_, [&](std::ostream& out) { out << tableText(columns_, rows_); });
+}
+
 void GrowingTable::write(const std::string& text) const {
     const int out = ::open(file_.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, 0666);
-    bool isWritten = out >= 0;
+    const off_t before = out >= 0 ? ::lseek(out, 0, SEEK_END) : -1;
+    bool isWritten = before >= 0;
     for (std::size_t done = 0; isWritten && done < text.size();) {
         const ssize_t count = ::write(out, text.data() + done, text.size() - done);
         if (count < 0 && errno == EINTR) continue;
@@ -106,6 +121,7 @@ void GrowingTable::write(const std::string& text) const {
     }
     isWritten = isWritten && ::fsync(out) == 0;
     const int reason = errno;
+    if (before >= 0 && !isWritten) cutBack(out, before);
     if (out >= 0) ::close(out);
     if (!isWritten) throw std::runtime_error(file_ + " cannot be written: " + std::strerror(reason));
 }

@@ -1,6 +1,7 @@
 // A table that is kept as a CSV file while it grows: what was added is there after any end of the program.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -19,8 +20,12 @@ class GrowingTable {
     const std::vector<TableRow>& rows() const { return rows_; }
 
     /// Writes the rows at once and makes sure that they are on the disk. Values hold neither commas nor line
-    /// ends. Throws std::runtime_error when it cannot.
+    /// ends. Throws std::runtime_error when it cannot; then the file is as it was. An end of the program in
+    /// the midst of it may leave some of the rows.
     void append(const std::vector<TableRow>& rows);
+
+    /// Takes rows away, from the file too, which is replaced as a whole. Throws as append does.
+    void remove(const std::function<bool(const TableRow&)>& isUnwanted);
 
     const std::string& file() const { return file_; }
 

@@ -129,7 +129,8 @@ class Runner {
             if (options_.tell) {
                 options_.tell(problem_.name + ": run " + std::to_string(left.done() + 1) + " of " +
                               std::to_string(left.all()) + ", " + run.planner.name + " " +
-                              nameOf(run.engine) + " seed " + std::to_string(run.seed) + ", " + left.text());
+                              nameOf(run.engine) + " seed " + std::to_string(run.seed) + ", " + left.text() +
+                              " for its runs");
             }
             if (!runOnce(run)) return false;
             left.step();

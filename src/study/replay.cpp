@@ -12,6 +12,7 @@
 #include "study/call_file.h"
 #include "study/paired_ratio.h"
 #include "study/planner_runs.h"
+#include "study/replayed_blocks.h"
 #include "study/time_left.h"
 
 namespace clearway {
@@ -22,11 +23,12 @@ using planning::CallBlock;
 using planning::QueryTally;
 using planning::Replayer;
 
-/// What one run of a planner recorded.
+/// What one run of a planner recorded, or as much of it as is replayed.
 struct Sample {
     std::string planner;
     int seed = 1;
     std::vector<CallBlock> blocks;
+    std::vector<std::size_t> places;  ///< of the blocks, among those recorded
     std::string answersFile;
     Answers answers;       ///< of the first engine that was asked
     std::string answered;  ///< by this one
@@ -48,14 +50,26 @@ class TargetInUse {
 };
 
 std::string placeOf(const Sample& sample, std::size_t block, std::size_t call) {
-    return "call " + std::to_string(call + 1) + " of block " + std::to_string(block + 1) + " of " +
-           sample.planner + " seed " + std::to_string(sample.seed);
+    return "call " + std::to_string(call + 1) + " of block " + std::to_string(sample.places[block] + 1) +
+           " of " + sample.planner + " seed " + std::to_string(sample.seed);
+}
+
+/// As much of a run's sample as is replayed.
+void readBlocks(const std::string& file, std::size_t callsPerBlock, double secondsPerCall, Sample& sample) {
+    const std::vector<CallBlock> all = readCalls(file);
+    sample.places = replayedBlocks(all.size(), callsPerBlock, secondsPerCall);
+    for (const std::size_t place : sample.places) sample.blocks.push_back(all[place]);
+}
+
+bool areAnswersTo(const std::vector<CallBlock>& blocks, const Answers& answers) {
+    return std::equal(blocks.begin(), blocks.end(), answers.begin(), answers.end(),
+                      [](const CallBlock& block, const auto& of) { return block.size() == of.size(); });
 }
 
 class Replay {
   public:
     Replay(const StudyProblem& problem, const StudyOptions& options, const std::string& folder,
-           GrowingTable& table)
+           const std::vector<TableRow>& runs, GrowingTable& table)
         : problem_(problem), options_(options), table_(table) {
         for (const StudyPlanner& planner : options.planners) {
             for (int seed = 1; seed <= options.seeds; ++seed) {
@@ -63,33 +77,48 @@ class Replay {
                 sample.planner = planner.name;
                 sample.seed = seed;
                 const std::string file = callsFile(folder, problem.name, planner.name, seed);
-                sample.blocks = readCalls(file);
+                readBlocks(file, options.sampling.callsPerBlock,
+                           querySecondsPerCall(runs, problem.name, planner.name, seed), sample);
                 sample.answersFile = file + ".answers";
                 if (std::filesystem::exists(sample.answersFile)) {
                     sample.answers = readAnswers(sample.answersFile);
-                    sample.answered = "an earlier engine";
+                    // else they are those of another choice of blocks, and written anew
+                    if (areAnswersTo(sample.blocks, sample.answers)) sample.answered = "an earlier engine";
                 }
                 samples_.push_back(std::move(sample));
             }
         }
     }
 
-    bool isDone(const EngineGroup& group) const {
-        TableRow key = engineRow(group.front());
-        key["scene"] = problem_.name;
-        return std::any_of(table_.rows().begin(), table_.rows().end(), [&](const TableRow& row) {
-            return std::all_of(key.begin(), key.end(),
-                               [&](const auto& wanted) { return row.at(wanted.first) == wanted.second; });
-        });
+    /// True when the table has all of the group's rows. Fewer, which the program's end cut short, are taken
+    /// away.
+    bool isDone(const EngineGroup& group) {
+        std::vector<TableRow> keys;
+        for (const Engine& engine : group) {
+            keys.push_back(engineRow(engine));
+            keys.back()["scene"] = problem_.name;
+        }
+        const auto isOfGroup = [&](const TableRow& row) {
+            return std::any_of(keys.begin(), keys.end(), [&](const TableRow& key) {
+                return std::all_of(key.begin(), key.end(),
+                                   [&](const auto& wanted) { return row.at(wanted.first) == wanted.second; });
+            });
+        };
+        const auto there =
+            static_cast<std::size_t>(std::count_if(table_.rows().begin(), table_.rows().end(), isOfGroup));
+        std::size_t blocks = 0;
+        for (const Sample& sample : samples_) blocks += sample.blocks.size();
+        if (there >= blocks * group.size()) return true;
+        if (there > 0) table_.remove(isOfGroup);
+        return false;
     }
 
     bool replay(const EngineGroup& group) {
-        prepare(group);
+        if (!prepare(group)) return false;
         const TargetInUse target(group.front().target);
         std::vector<TableRow> rows;
         for (Sample& sample : samples_) {
-            if (options_.isStopped && options_.isStopped()) return false;
-            replay(sample, rows);
+            if (!replay(sample, rows)) return false;
         }
         table_.append(rows);
         return true;
@@ -101,42 +130,52 @@ class Replay {
     }
 
   private:
-    void prepare(const EngineGroup& group) {
+    bool isStopped() const { return options_.isStopped && options_.isStopped(); }
+
+    /// False when it was stopped.
+    bool prepare(const EngineGroup& group) {
         forget(group);
         if (!built_.empty()) {
             for (std::size_t i = 0; i < group.size(); ++i) built_[i].engine = group[i];
-            return;
+            return true;
         }
         for (const Engine& engine : group) {
+            if (isStopped()) return false;
             BuiltEngine made;
             made.engine = engine;
             made.scene = std::make_unique<Scene>(buildScene(problem_, engine, options_.cache));
             made.replayer = std::make_unique<Replayer>(problem_.problem, *made.scene);
             built_.push_back(std::move(made));
         }
+        return true;
     }
 
-    void replay(Sample& sample, std::vector<TableRow>& rows) {
+    /// False when it was stopped.
+    bool replay(Sample& sample, std::vector<TableRow>& rows) {
         std::vector<std::vector<QueryTally>> tallies;
         for (BuiltEngine& each : built_) {
+            if (isStopped()) return false;
             planning::ReplayedCalls replayed = each.replayer->replay(sample.blocks);
             compare(sample, replayed.answers, each.engine);
             tallies.push_back(std::move(replayed.tallies));
         }
         const std::vector<std::vector<double>> seconds = timeAll(sample);
+        if (seconds.empty()) return false;
         for (std::size_t i = 0; i < built_.size(); ++i) {
             for (std::size_t block = 0; block < sample.blocks.size(); ++block) {
                 rows.push_back(rowOf(sample, built_[i].engine, block, seconds[i][block], tallies[i][block]));
             }
         }
+        return true;
     }
 
-    /// [engine][block]
+    /// [engine][block]. Empty when it was stopped.
     std::vector<std::vector<double>> timeAll(const Sample& sample) {
         const std::size_t engines = built_.size(), blocks = sample.blocks.size();
         std::vector<std::vector<std::vector<double>>> all(engines, std::vector<std::vector<double>>(blocks));
         for (int repetition = 0; repetition < options_.repetitions; ++repetition) {
             for (std::size_t turn = 0; turn < engines; ++turn) {
+                if (isStopped()) return {};
                 const std::size_t i = (turn + static_cast<std::size_t>(repetition)) % engines;
                 const std::vector<double> seconds = built_[i].replayer->time(sample.blocks);
                 for (std::size_t block = 0; block < blocks; ++block) all[i][block].push_back(seconds[block]);
@@ -179,7 +218,7 @@ class Replay {
         row["scene"] = problem_.name;
         row["planner"] = sample.planner;
         row["seed"] = std::to_string(sample.seed);
-        put("block", block);
+        put("block", sample.places[block]);
         put("calls", sample.blocks[block].size());
         row["seconds"] = shortNumber(seconds);
         put("distance_queries", tally.distances);
@@ -213,8 +252,8 @@ std::vector<std::string> replayColumns() {
 }
 
 bool replayCalls(const StudyProblem& problem, const StudyOptions& options, const std::string& folder,
-                 GrowingTable& replays) {
-    Replay replay(problem, options, folder, replays);
+                 const std::vector<TableRow>& runs, GrowingTable& replays) {
+    Replay replay(problem, options, folder, runs, replays);
     std::vector<EngineGroup> groups;
     for (const EngineGroup& group : replayedGroups(options)) {
         if (!replay.isDone(group)) groups.push_back(group);
@@ -225,7 +264,7 @@ bool replayCalls(const StudyProblem& problem, const StudyOptions& options, const
         if (options.tell) {
             options.tell(problem.name + ": replay " + std::to_string(left.done() + 1) + " of " +
                          std::to_string(left.all()) + ", " + nameOf(group.front()) + " and others" +
-                         (left.done() > 0 ? ", " + left.text() : ""));
+                         (left.done() > 0 ? ", " + left.text() + " for its replays" : ""));
         }
         if (!replay.replay(group)) return false;
         left.step();

@@ -10,6 +10,7 @@
 #include "core/replace_file.h"
 #include "study/call_file.h"
 #include "study/claims.h"
+#include "study/folder_lock.h"
 #include "study/machine.h"
 #include "study/planner_runs.h"
 #include "study/replay.h"
@@ -128,14 +129,20 @@ StudyResult studyLeafStrategies(const std::vector<StudyProblem>& problems, const
                                 const std::string& folder) {
     requireOptions(problems, options);
     makeFolder(folder);
+    const FolderLock lock(folder);
     requireSame(settingsOf(problems, options), folder);
     GrowingTable runs(folder + "/runs.csv", runColumns());
     GrowingTable replays(folder + "/replay.csv", replayColumns());
     GrowingTable trees(folder + "/trees.csv", treeColumns());
     StudyResult result;
-    for (const StudyProblem& problem : problems) {
+    for (std::size_t i = 0; i < problems.size(); ++i) {
+        const StudyProblem& problem = problems[i];
+        if (options.tell) {
+            options.tell("scene " + std::to_string(i + 1) + " of " + std::to_string(problems.size()) + ", " +
+                         problem.name + ": runs, then replays, then the trees' tables");
+        }
         if (!runPlanners(problem, options, folder, runs)) return result;
-        if (!replayCalls(problem, options, folder, replays)) return result;
+        if (!replayCalls(problem, options, folder, runs.rows(), replays)) return result;
         if (!measureTrees(problem, tablePoses(problem, options, folder), options, trees)) return result;
         writeStudyLogs(problem, options, runs.rows(), folder);
     }

@@ -24,7 +24,8 @@ struct StudyResult {
 ///   claims.csv and logs/*.log at the end.
 /// A folder that holds part of a study is gone on with: what is in its tables is not done again. Throws
 /// std::invalid_argument when the folder's study has other options, problems, processor or instructions,
-/// naming the setting and both values; std::runtime_error when a file cannot be written.
+/// naming the setting and both values; std::runtime_error when a file cannot be written, or another program
+/// is at the folder's study.
 StudyResult studyLeafStrategies(const std::vector<StudyProblem>& problems, const StudyOptions& options,
                                 const std::string& folder);
 

@@ -40,6 +40,12 @@ std::string StudyProblem::fingerprint() const {
                 std::to_string(group.isIgnoredAtStart) + std::to_string(group.isIgnoredAtGoal) +
                 std::to_string(group.solids != nullptr);
     }
+    for (const PlannerChoice& choice : problem.planners) {
+        for (const NamedTexts* texts : {&choice.parameters, &choice.settings}) {
+            for (const auto& [key, value] : *texts) text += " " + choice.name + "." + key + "=" + value;
+        }
+    }
+    for (const auto& [key, value] : problem.settings) text += " " + key + "=" + value;
     const Box bounds = boundsOf(problem, boxOf(obstacles));
     text += textOf(problem.start) + textOf(problem.goal);
     for (const Vector3& corner : {bounds.min(), bounds.max()}) {

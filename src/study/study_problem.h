@@ -22,7 +22,8 @@ struct StudyProblem {
 
     std::size_t environmentTriangles() const;
 
-    /// Tells whether it is the same problem again: of its meshes, ends, bounds and margins.
+    /// Tells whether it is the same problem again: of its meshes, ends, bounds and margins, and what it says
+    /// to planners.
     std::string fingerprint() const;
 };
 

@@ -239,9 +239,10 @@ std::vector<std::string> treeColumns() {
 
 bool measureTrees(const StudyProblem& problem, const std::vector<Pose>& poses, const StudyOptions& options,
                   GrowingTable& trees) {
-    const bool isDone = std::any_of(trees.rows().begin(), trees.rows().end(),
-                                    [&](const TableRow& row) { return row.at("scene") == problem.name; });
-    if (isDone) return true;
+    const auto isOfScene = [&](const TableRow& row) { return row.at("scene") == problem.name; };
+    const auto there = std::count_if(trees.rows().begin(), trees.rows().end(), isOfScene);
+    if (static_cast<std::size_t>(there) >= measuredTrees().size()) return true;
+    if (there > 0) trees.remove(isOfScene);  // the program's end cut them short
     if (poses.empty())
         throw std::invalid_argument(problem.name + " has no poses to measure at, expected at least one");
     std::vector<TableRow> rows;

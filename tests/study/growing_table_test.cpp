@@ -1,11 +1,15 @@
 #define BOOST_TEST_MODULE growing_table
 #include "study/growing_table.h"
 
+#include <sys/resource.h>
+
 #include <boost/test/unit_test.hpp>
+#include <csignal>
 #include <fstream>
 #include <stdexcept>
 
 #include "study/call_file.h"
+#include "study/folder_lock.h"
 #include "support/temporary_folder.h"
 
 namespace clearway::testing {
@@ -48,6 +52,62 @@ BOOST_AUTO_TEST_CASE(a_line_that_was_cut_short_is_taken_away) {
     const std::string cutHead = folder.write("head.csv", "a,");
     GrowingTable table(cutHead, {"a", "b"});
     BOOST_TEST(readText(cutHead) == "a,b\n");
+}
+
+/// Files may not grow beyond so many bytes while it lives, as on a disk that is full.
+class FullDisk {
+  public:
+    explicit FullDisk(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+        ::getrlimit(RLIMIT_FSIZE, &before_);
+        const rlimit full = {bytes, before_.rlim_max};
+        ::setrlimit(RLIMIT_FSIZE, &full);
+    }
+    ~FullDisk() {
+        ::setrlimit(RLIMIT_FSIZE, &before_);
+        std::signal(SIGXFSZ, handler_);
+    }
+
+  private:
+    void (*handler_)(int);
+    rlimit before_ = {};
+};
+
+BOOST_AUTO_TEST_CASE(rows_that_do_not_all_find_room_are_not_there_at_all) {
+    const TemporaryFolder folder;
+    const std::string file = folder.file("runs.csv");
+    GrowingTable table(file, {"a", "b"});
+    table.append({{{"a", "1"}, {"b", "2"}}});
+    const std::vector<TableRow> rows(10, {{"a", "3"}, {"b", "4"}});
+    {
+        const FullDisk full(20);
+        BOOST_CHECK_THROW(table.append(rows), std::runtime_error);
+    }
+    BOOST_TEST(table.rows().size() == 1u);
+    BOOST_TEST(readText(file) == "a,b\n1,2\n");
+    table.append(rows);
+    BOOST_TEST(GrowingTable(file, {"a", "b"}).rows().size() == 11u);
+}
+
+BOOST_AUTO_TEST_CASE(rows_that_are_removed_are_gone_from_the_file) {
+    const TemporaryFolder folder;
+    const std::string file = folder.write("runs.csv", "a,b\n1,x\n2,y\n1,z\n");
+    GrowingTable table(file, {"a", "b"});
+    table.remove([](const TableRow& row) { return row.at("a") == "1"; });
+    table.append({{{"a", "3"}}});
+    BOOST_TEST(readText(file) == "a,b\n2,y\n3,\n");
+    BOOST_TEST(table.rows().size() == 2u);
+}
+
+BOOST_AUTO_TEST_CASE(a_folder_is_held_by_one_at_a_time) {
+    const TemporaryFolder folder;
+    {
+        const FolderLock lock(folder.path());
+        BOOST_CHECK_EXCEPTION(FolderLock second(folder.path()), std::runtime_error,
+                              [&](const std::runtime_error& error) {
+                                  return std::string(error.what()).find(folder.path()) != std::string::npos;
+                              });
+    }
+    BOOST_CHECK_NO_THROW(FolderLock again(folder.path()));
 }
 
 BOOST_AUTO_TEST_CASE(another_table_is_refused_and_left_as_it_is) {
