@@ -55,52 +55,121 @@ std::string value(const TableRow& row, const std::string& column) {
     return found == row.end() ? "" : found->second;
 }
 
-std::string treeName(const TableRow& row) {
-    return value(row, "general_split") + ", leaves of " + value(row, "leaf_size") + ", width " +
-           value(row, "node_width") + ", " + value(row, "instructions");
-}
-
-void printRuns(const StudyResult& result, const std::string& scene) {
-    Lines lines = {{"planner", "strategy", "solved", "first solution s", "calls/s", "in queries",
-                    "volumes/query", "triangles/query", "blocks full", "kernels full"}};
+/// Of a scene's runs a line for each planner and strategy.
+template <class Cells>
+void printRuns(const StudyResult& result, const std::string& scene, const std::string& title,
+               const std::vector<std::string>& head, const Cells& cells) {
+    Lines lines = {{"planner", "strategy"}};
+    lines[0].insert(lines[0].end(), head.begin(), head.end());
     for (const TableRow& row : result.summary) {
         if (row.at("scene") != scene || row.at("source") != "runs" || row.at("planner") == "all") continue;
-        lines.push_back({row.at("planner"), value(row, "general_split") + "/" + value(row, "leaf_split"),
-                         value(row, "solved") + " of " + value(row, "runs"),
-                         short3(value(row, "first_solution_seconds")), short3(value(row, "calls_per_second")),
-                         percent(value(row, "query_share")), short3(value(row, "volume_tests")),
-                         short3(value(row, "triangle_tests")), percent(value(row, "block_fill")),
-                         percent(value(row, "kernel_fill"))});
+        lines.push_back({row.at("planner"), value(row, "general_split") + "/" + value(row, "leaf_split")});
+        const std::vector<std::string> more = cells(row);
+        lines.back().insert(lines.back().end(), more.begin(), more.end());
     }
     std::stable_sort(lines.begin() + 1, lines.end(),
                      [](const auto& a, const auto& b) { return a[0] < b[0]; });
-    printTable(scene + ": planner runs", lines);
-}
-
-/// A line for each tree and planner, a column for each leaf split.
-void printRatios(const StudyResult& result, const std::string& scene, const std::string& source,
-                 const std::string& measure, const std::string& title) {
-    std::vector<std::string> splits;
-    std::map<std::pair<std::string, std::string>, std::map<std::string, std::string>> ratios;
-    std::string baseline;
-    for (const TableRow& row : result.statistics) {
-        if (row.at("scene") != scene || row.at("source") != source || row.at("measure") != measure) continue;
-        const std::string& split = row.at("leaf_split");
-        if (std::find(splits.begin(), splits.end(), split) == splits.end()) splits.push_back(split);
-        ratios[{treeName(row), row.at("planner")}][split] = ratioText(row);
-        baseline = row.at("baseline");
-    }
-    Lines lines = {{"tree", "planner"}};
-    for (const std::string& split : splits) lines[0].push_back(split + " / " + baseline);
-    for (const auto& [key, of] : ratios) {
-        lines.push_back({key.first, key.second});
-        for (const std::string& split : splits) {
-            const auto found = of.find(split);
-            lines.back().push_back(found == of.end() ? "-" : found->second);
-        }
-    }
     printTable(scene + ": " + title, lines);
 }
+
+void printAnswers(const StudyResult& result, const std::string& scene) {
+    printRuns(result, scene, "what planners found (medians), and what they asked about (means of a run)",
+              {"solved", "first solution s", "last one s", "cost", "states", "motions", "motion costs",
+               "distance queries", "within queries"},
+              [](const TableRow& row) {
+                  std::vector<std::string> cells = {value(row, "solved") + " of " + value(row, "runs")};
+                  for (const char* column :
+                       {"first_solution_seconds", "final_solution_seconds", "cost", "state_checks",
+                        "motion_checks", "motion_costs", "distance_queries", "within_queries"}) {
+                      cells.push_back(short3(value(row, column)));
+                  }
+                  return cells;
+              });
+}
+
+void printWork(const StudyResult& result, const std::string& scene) {
+    printRuns(result, scene, "what answers took",
+              {"calls/s", "of its time in queries", "volumes/query", "triangles/query", "blocks full",
+               "kernels full"},
+              [](const TableRow& row) -> std::vector<std::string> {
+                  return {short3(value(row, "calls_per_second")), percent(value(row, "query_share")),
+                          short3(value(row, "volume_tests")),     short3(value(row, "triangle_tests")),
+                          percent(value(row, "block_fill")),      percent(value(row, "kernel_fill"))};
+              });
+}
+
+/// Runs of which times say nothing.
+void printDisturbed(const StudyResult& result, const std::string& scene) {
+    double disturbed = 0, runs = 0;
+    for (const TableRow& row : result.summary) {
+        if (row.at("scene") != scene || row.at("source") != "runs" || row.at("planner") != "all") continue;
+        disturbed += parseNumber(value(row, "disturbed")).value_or(0);
+        runs += parseNumber(value(row, "runs")).value_or(0);
+    }
+    if (disturbed == 0) return;
+    std::cout << "\n"
+              << shortNumber(disturbed) << " of " << shortNumber(runs) << " runs of " << scene
+              << " had less than 95 % of a processor: the machine was at other work. They are left out of "
+                 "medians and ratios of times.\n";
+}
+
+bool isUsual(const TableRow& row) {
+    return row.at("leaf_size") == "4" && row.at("node_width") == "8" && row.at("instructions") == "best";
+}
+
+std::string treeName(const TableRow& row) {
+    std::string name = row.at("general_split");
+    if (row.at("leaf_size") != "4") name += ", leaves of " + row.at("leaf_size");
+    if (row.at("node_width") != "8") name += ", width " + row.at("node_width");
+    if (row.at("instructions") != "best") name += ", " + row.at("instructions");
+    return name;
+}
+
+struct Ratios {
+    const char* title;
+    const char* source;
+    const char* measure;
+    bool isByPlanner;  ///< of the usual trees; else of all trees, by all planners' calls
+};
+
+/// A line for each tree or planner, a column for each leaf split.
+void printRatios(const StudyResult& result, const std::string& scene, const Ratios& of) {
+    std::vector<std::string> splits, names;
+    std::map<std::string, std::map<std::string, std::string>> ratios;
+    std::string baseline;
+    for (const TableRow& row : result.statistics) {
+        if (row.at("scene") != scene || row.at("source") != of.source || row.at("measure") != of.measure)
+            continue;
+        if ((row.at("planner") == "all") == of.isByPlanner || (of.isByPlanner && !isUsual(row))) continue;
+        const std::string& split = row.at("leaf_split");
+        if (std::find(splits.begin(), splits.end(), split) == splits.end()) splits.push_back(split);
+        const std::string name = (of.isByPlanner ? row.at("planner") + ", " : "") + treeName(row);
+        if (ratios.count(name) == 0) names.push_back(name);
+        ratios[name][split] = ratioText(row);
+        baseline = row.at("baseline");
+    }
+    if (of.isByPlanner) std::sort(names.begin(), names.end());
+    Lines lines = {{of.isByPlanner ? "planner, tree" : "tree"}};
+    for (const std::string& split : splits) lines[0].push_back(split + " / " + baseline);
+    for (const std::string& name : names) {
+        lines.push_back({name});
+        for (const std::string& split : splits) {
+            const auto found = ratios[name].find(split);
+            lines.back().push_back(found == ratios[name].end() ? "-" : found->second);
+        }
+    }
+    printTable(scene + ": " + of.title, lines);
+}
+
+constexpr Ratios kRatios[] = {
+    {"seconds to the first solution, pairs of runs", "runs", "first_solution_seconds", true},
+    {"planners' seconds for each call, pairs of runs", "runs", "seconds_per_call", true},
+    {"seconds in queries for each call, pairs of runs", "runs", "query_seconds_per_call", true},
+    {"seconds of the same calls, replayed", "replay", "seconds", true},
+    {"seconds of the same calls, replayed, all planners'", "replay", "seconds", false},
+    {"triangle tests of the same calls, replayed", "replay", "triangle_tests", false},
+    {"share of blocks in use, replayed", "replay", "block_fill", false},
+};
 
 /// Ours, then the thesis's in brackets.
 std::string beside(const TableRow& row, const std::string& measure) {
@@ -143,16 +212,17 @@ void printStudy(const StudyResult& result) {
             scenes.push_back(row.at("scene"));
     }
     for (const std::string& scene : scenes) {
-        printRuns(result, scene);
-        printRatios(result, scene, "runs", "first_solution_seconds",
-                    "seconds to the first solution, by pairs of runs");
-        printRatios(result, scene, "runs", "seconds_per_call",
-                    "seconds per call of planners, by pairs of runs");
-        printRatios(result, scene, "replay", "seconds", "seconds of the same calls, replayed");
+        printAnswers(result, scene);
+        printWork(result, scene);
+        printDisturbed(result, scene);
+        for (const Ratios& ratios : kRatios) printRatios(result, scene, ratios);
         printTrees(result, scene);
         printClaims(result, scene);
     }
-    std::cout << "\n" << claimRule() << "\n\n";
+    std::cout
+        << "\nRatios are medians, with intervals of 95 in 100 bootstrap resamples of runs; of seconds, one "
+           "below 1 is quicker.\n"
+        << claimRule() << "\n\n";
 }
 
 }  // namespace clearway

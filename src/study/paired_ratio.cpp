@@ -11,14 +11,6 @@ constexpr std::size_t kResamples = 2000;
 constexpr double kOutside = 0.025;  ///< of the resamples, at each end
 constexpr std::uint64_t kSeed = 20131;
 
-using Clusters = std::vector<std::vector<double>>;
-
-double medianOfAll(const Clusters& clusters, const std::vector<std::size_t>& drawn) {
-    std::vector<double> values;
-    for (const std::size_t i : drawn) values.insert(values.end(), clusters[i].begin(), clusters[i].end());
-    return median(std::move(values));
-}
-
 }  // namespace
 
 double median(std::vector<double> values) {
@@ -29,25 +21,23 @@ double median(std::vector<double> values) {
     return (*middle + *std::max_element(values.begin(), middle)) / 2;
 }
 
-PairedRatio pairedRatio(const Clusters& all) {
-    Clusters clusters;
+PairedRatio pairedRatio(const std::vector<std::vector<double>>& clusters) {
     PairedRatio result;
-    for (const auto& cluster : all) {
+    std::vector<double> ofClusters;
+    for (const auto& cluster : clusters) {
         if (cluster.empty()) continue;
-        clusters.push_back(cluster);
+        ofClusters.push_back(median(cluster));
         result.pairs += cluster.size();
     }
-    result.clusters = clusters.size();
-    if (clusters.empty()) return result;
-    std::vector<std::size_t> drawn(clusters.size());
-    for (std::size_t i = 0; i < drawn.size(); ++i) drawn[i] = i;
-    result.median = medianOfAll(clusters, drawn);
+    result.clusters = ofClusters.size();
+    if (ofClusters.empty()) return result;
+    result.median = median(ofClusters);
 
     std::mt19937_64 random(kSeed);  // used as it is: the standard's distributions differ between libraries
-    std::vector<double> medians;
+    std::vector<double> medians, drawn(ofClusters.size());
     for (std::size_t i = 0; i < kResamples; ++i) {
-        for (std::size_t& cluster : drawn) cluster = random() % clusters.size();
-        medians.push_back(medianOfAll(clusters, drawn));
+        for (double& cluster : drawn) cluster = ofClusters[random() % ofClusters.size()];
+        medians.push_back(median(drawn));
     }
     std::sort(medians.begin(), medians.end());
     const auto outside = static_cast<std::size_t>(kOutside * kResamples);

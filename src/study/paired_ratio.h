@@ -1,6 +1,6 @@
 // How much more or less one strategy takes than another, told apart from luck: ratios of pairs, and how sure
 // their median is. Source: Efron, Bootstrap Methods, 1979; clusters are drawn whole, for what belongs to one
-// run is not independent.
+// run is not independent, and count alike, for how many pairs a run has says nothing of its worth.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 namespace clearway {
 
 struct PairedRatio {
-    double median = 0;
+    double median = 0;  ///< of the clusters' medians
     double low = 0, high = 0;  ///< the interval's ends: of 95 in 100 resamples the median is within
     std::size_t pairs = 0;
     std::size_t clusters = 0;

@@ -3,78 +3,71 @@
 #include <functional>
 #include <map>
 #include <optional>
-#include <tuple>
 
 #include "core/number.h"
-#include "study/engine.h"
 #include "study/paired_ratio.h"
+#include "study/study_rows.h"
 
 namespace clearway {
 namespace {
 
-using Measure = std::optional<double>;
-
-std::optional<double> numberIn(const TableRow& row, const std::string& column) {
-    const auto found = row.find(column);
-    return found == row.end() ? std::nullopt : parseNumber(found->second);
-}
-
-double sumIn(const TableRow& row, std::initializer_list<const char*> columns) {
-    double sum = 0;
-    for (const char* column : columns) sum += numberIn(row, column).value_or(0);
-    return sum;
-}
-
+/// What is compared of two rows.
 struct NamedMeasure {
     const char* name;
-    std::function<Measure(const TableRow&)> of;
+    std::function<Measure(const TableRow& mine, const TableRow& other)> ratio;
+    bool isOfAllPlanners = true;  ///< means the same whichever planner it is
 };
 
-Measure firstSolution(const TableRow& row) {
-    return row.at("solved") == "1" ? numberIn(row, "first_solution_seconds") : std::nullopt;
-}
-
-Measure costOf(const TableRow& row) {
-    return row.at("solved") == "1" ? numberIn(row, "cost") : std::nullopt;
-}
-
-double callsOf(const TableRow& run) {
-    return sumIn(run, {"state_checks", "motion_checks", "motion_costs"});
-}
-
-Measure secondsPerCall(const TableRow& row) {
-    const double calls = callsOf(row);
-    return calls > 0 ? Measure(sumIn(row, {"seconds"}) / calls) : std::nullopt;
+/// Of values that both rows have, none below 0.
+NamedMeasure ratioOf(const char* name, const std::function<Measure(const TableRow&)>& of) {
+    return {name, [of](const TableRow& row, const TableRow& with) -> Measure {
+                const Measure mine = of(row), other = of(with);
+                if (!mine || !other || !(*mine >= 0) || !(*other > 0)) return std::nullopt;
+                return *mine / *other;
+            }};
 }
 
 NamedMeasure column(const char* name) {
-    return {name, [name](const TableRow& row) { return numberIn(row, name); }};
+    return ratioOf(name, [name](const TableRow& row) { return numberIn(row, name); });
 }
 
-/// Of rows the values of some columns, joined: equal for rows that agree in them.
-std::vector<std::string> keyOf(const TableRow& row, const std::vector<std::string>& columns) {
-    std::vector<std::string> key;
-    for (const std::string& name : columns) {
-        const auto found = row.find(name);
-        key.push_back(found == row.end() ? "" : found->second);
-    }
-    return key;
+/// The first column's value, or the sum of some, for each of the second's.
+NamedMeasure quotient(const char* name, const char* of, std::initializer_list<const char*> per) {
+    const std::vector<std::string> columns(per.begin(), per.end());
+    return ratioOf(name, [of, columns](const TableRow& row) -> Measure {
+        double each = 0;
+        for (const std::string& column : columns) each += numberIn(row, column).value_or(0);
+        return each > 0 ? Measure(numberIn(row, of).value_or(0) / each) : std::nullopt;
+    });
 }
 
-/// Runs are of the usual trees and the best instructions.
-std::vector<TableRow> withEngine(std::vector<TableRow> runs) {
-    for (TableRow& row : runs) {
-        Engine engine;
-        engine.build.generalSplit = row.at("general_split");
-        engine.build.leafSplit = row.at("leaf_split");
-        for (const auto& [name, value] : engineRow(engine)) row[name] = value;
-        row["block"] = "0";
-    }
-    return runs;
+/// Seconds for each of a run's calls.
+NamedMeasure perCall(const char* name, const char* seconds) {
+    return ratioOf(name, [seconds](const TableRow& run) -> Measure {
+        const double calls = callsOf(run);
+        return calls > 0 ? Measure(numberIn(run, seconds).value_or(0) / calls) : std::nullopt;
+    });
 }
 
-const std::vector<std::string> kTreeColumns = {"scene", "general_split", "leaf_size", "node_width",
-                                               "instructions"};
+/// Times of a run that was disturbed tell of the machine.
+NamedMeasure undisturbed(const NamedMeasure& measure) {
+    return {measure.name, [ratio = measure.ratio](const TableRow& mine, const TableRow& other) -> Measure {
+                if (wasDisturbed(mine) || wasDisturbed(other)) return std::nullopt;
+                return ratio(mine, other);
+            }};
+}
+
+/// A run that ended unsolved would have taken longer than it did. Without such pairs only those would count
+/// in which a slower strategy was quick enough.
+Measure firstSolutionRatio(const TableRow& mine, const TableRow& other) {
+    const Measure ofMine = firstSolution(mine), ofOther = firstSolution(other);
+    if (!ofMine && !ofOther) return std::nullopt;
+    const double first = ofMine.value_or(sumIn(mine, {"seconds"})),
+                 with = ofOther.value_or(sumIn(other, {"seconds"}));
+    const bool isKnown = ofMine && ofOther, isLonger = ofMine ? with > first : first > with;
+    if (!(first > 0) || !(with > 0) || !(isKnown || isLonger)) return std::nullopt;
+    return first / with;
+}
 
 class Pairing {
   public:
@@ -89,14 +82,15 @@ class Pairing {
         // of each tree, leaf split and planner the clusters, by seed
         std::map<std::vector<std::string>, std::map<std::string, std::vector<double>>> found;
         for (const TableRow& row : rows_) {
-            const auto ratio = ratioOf(row, measure);
+            const auto ratio = pairRatio(row, measure);
             if (!ratio) continue;
-            std::vector<std::string> key = keyOf(row, kTreeColumns);
+            std::vector<std::string> key = keyOf(row, treeKeyColumns());
             key.push_back(row.at("leaf_split"));
             const std::string cluster = row.at("planner") + "/" + row.at("seed");
-            key.push_back("all");
+            key.push_back(row.at("planner"));
             found[key][cluster].push_back(*ratio);
-            key.back() = row.at("planner");
+            if (!measure.isOfAllPlanners) continue;
+            key.back() = "all";
             found[key][cluster].push_back(*ratio);
         }
         for (const auto& [key, clusters] : found) statistics.push_back(statisticOf(key, clusters, measure));
@@ -104,18 +98,15 @@ class Pairing {
 
   private:
     static std::vector<std::string> pairKey(const TableRow& row) {
-        std::vector<std::string> columns = kTreeColumns;
+        std::vector<std::string> columns = treeKeyColumns();
         columns.insert(columns.end(), {"planner", "seed", "block"});
         return keyOf(row, columns);
     }
 
-    std::optional<double> ratioOf(const TableRow& row, const NamedMeasure& measure) const {
+    Measure pairRatio(const TableRow& row, const NamedMeasure& measure) const {
         if (row.at("leaf_split") == baseline_) return std::nullopt;
         const auto with = baselines_.find(pairKey(row));
-        if (with == baselines_.end()) return std::nullopt;
-        const Measure mine = measure.of(row), other = measure.of(*with->second);
-        if (!mine || !other || !(*other > 0)) return std::nullopt;
-        return *mine / *other;
+        return with == baselines_.end() ? std::nullopt : measure.ratio(row, *with->second);
     }
 
     TableRow statisticOf(const std::vector<std::string>& key,
@@ -125,8 +116,8 @@ class Pairing {
         for (const auto& cluster : clusters) ratios.push_back(cluster.second);
         const PairedRatio ratio = pairedRatio(ratios);
         TableRow row;
-        for (std::size_t i = 0; i < kTreeColumns.size(); ++i) row[kTreeColumns[i]] = key[i];
-        row["leaf_split"] = key[kTreeColumns.size()];
+        for (std::size_t i = 0; i < treeKeyColumns().size(); ++i) row[treeKeyColumns()[i]] = key[i];
+        row["leaf_split"] = key[treeKeyColumns().size()];
         row["planner"] = key.back();
         row["source"] = source_;
         row["measure"] = measure.name;
@@ -144,66 +135,6 @@ class Pairing {
     std::map<std::vector<std::string>, const TableRow*> baselines_;
 };
 
-/// Sums over the runs, or blocks, of one engine and planner.
-struct Sums {
-    std::size_t rows = 0, solved = 0;
-    std::vector<double> firstSolutions;
-    double calls = 0, seconds = 0, querySeconds = 0, queries = 0, volumes = 0, triangles = 0, lanes = 0,
-           kernelPairs = 0, kernelLanes = 0;
-
-    void add(const TableRow& row, bool isRun) {
-        ++rows;
-        if (isRun && row.at("solved") == "1") ++solved;
-        if (isRun && firstSolution(row)) firstSolutions.push_back(*firstSolution(row));
-        calls += isRun ? callsOf(row) : sumIn(row, {"calls"});
-        seconds += sumIn(row, {"seconds"});
-        querySeconds += sumIn(row, {"query_seconds"});
-        queries += sumIn(row, {"distance_queries", "within_queries"});
-        volumes += sumIn(row, {"volume_tests"});
-        triangles += sumIn(row, {"triangle_tests"});
-        lanes += sumIn(row, {"triangle_lanes"});
-        kernelPairs += sumIn(row, {"kernel_pairs"});
-        kernelLanes += sumIn(row, {"kernel_lanes"});
-    }
-
-    void write(bool isRun, TableRow& row) const {
-        const auto put = [&](const char* name, double value, double per) {
-            if (per > 0) row[name] = shortNumber(value / per);
-        };
-        if (isRun) {
-            row["runs"] = std::to_string(rows);
-            row["solved"] = std::to_string(solved);
-            if (!firstSolutions.empty()) row["first_solution_seconds"] = shortNumber(median(firstSolutions));
-            put("query_share", querySeconds, seconds);
-        }
-        put("calls_per_second", calls, seconds);
-        put("volume_tests", volumes, queries);
-        put("triangle_tests", triangles, queries);
-        put("block_fill", triangles, lanes);
-        put("kernel_fill", kernelPairs, kernelLanes);
-    }
-};
-
-void addSummary(const std::vector<TableRow>& rows, const char* source, std::vector<TableRow>& summary) {
-    std::vector<std::string> columns = kTreeColumns;
-    columns.push_back("leaf_split");
-    columns.push_back("planner");
-    std::map<std::vector<std::string>, Sums> sums;
-    const bool isRun = std::string(source) == "runs";
-    for (const TableRow& row : rows) {
-        std::vector<std::string> key = keyOf(row, columns);
-        sums[key].add(row, isRun);
-        key.back() = "all";
-        sums[key].add(row, isRun);
-    }
-    for (const auto& [key, of] : sums) {
-        TableRow row = {{"source", source}};
-        for (std::size_t i = 0; i < columns.size(); ++i) row[columns[i]] = key[i];
-        of.write(isRun, row);
-        summary.push_back(row);
-    }
-}
-
 }  // namespace
 
 std::vector<std::string> statisticsColumns() {
@@ -215,42 +146,23 @@ std::vector<std::string> statisticsColumns() {
 std::vector<TableRow> statisticsOf(const std::vector<TableRow>& runs, const std::vector<TableRow>& replays,
                                    const std::string& baseline) {
     std::vector<TableRow> statistics;
-    const std::vector<TableRow> planned = withEngine(runs);
+    const std::vector<TableRow> planned = withTree(runs);
     const Pairing ofRuns(planned, "runs", baseline);
-    ofRuns.add({"first_solution_seconds", firstSolution}, statistics);
-    ofRuns.add({"seconds_per_call", secondsPerCall}, statistics);
-    ofRuns.add({"cost", costOf}, statistics);
+    const auto perQuery = {"distance_queries", "within_queries"};
+    ofRuns.add(undisturbed({"first_solution_seconds", firstSolutionRatio}), statistics);
+    ofRuns.add(undisturbed(perCall("seconds_per_call", "seconds")), statistics);
+    ofRuns.add(undisturbed(perCall("query_seconds_per_call", "query_seconds")), statistics);
+    ofRuns.add({"cost", ratioOf("cost", costOf).ratio, false}, statistics);
+    ofRuns.add(quotient("volume_tests_per_query", "volume_tests", perQuery), statistics);
+    ofRuns.add(quotient("triangle_tests_per_query", "triangle_tests", perQuery), statistics);
     const Pairing ofReplays(replays, "replay", baseline);
     for (const char* name : {"seconds", "volume_tests", "triangle_tests"})
         ofReplays.add(column(name), statistics);
+    for (const Pairing* of : {&ofRuns, &ofReplays}) {
+        of->add(quotient("block_fill", "triangle_tests", {"triangle_lanes"}), statistics);
+        of->add(quotient("kernel_fill", "kernel_pairs", {"kernel_lanes"}), statistics);
+    }
     return statistics;
-}
-
-std::vector<std::string> summaryColumns() {
-    return {"scene",
-            "source",
-            "general_split",
-            "leaf_size",
-            "node_width",
-            "instructions",
-            "leaf_split",
-            "planner",
-            "runs",
-            "solved",
-            "first_solution_seconds",
-            "calls_per_second",
-            "query_share",
-            "volume_tests",
-            "triangle_tests",
-            "block_fill",
-            "kernel_fill"};
-}
-
-std::vector<TableRow> summaryOf(const std::vector<TableRow>& runs, const std::vector<TableRow>& replays) {
-    std::vector<TableRow> summary;
-    addSummary(withEngine(runs), "runs", summary);
-    addSummary(replays, "replay", summary);
-    return summary;
 }
 
 }  // namespace clearway

@@ -16,6 +16,7 @@
 #include "study/replay.h"
 #include "study/statistics.h"
 #include "study/study_logs.h"
+#include "study/summary.h"
 #include "study/tree_tables.h"
 
 namespace clearway {

@@ -33,8 +33,8 @@ struct StudyFolder : TemporaryFolder {
 using Rows = std::vector<std::vector<std::string>>;
 
 /// Without the head.
-Rows readRows(const std::string& file) {
-    std::istringstream in(readText(file));
+Rows rowsOf(const std::string& table) {
+    std::istringstream in(table);
     Rows rows;
     for (std::string line; std::getline(in, line);) {
         std::istringstream values(line);
@@ -43,6 +43,10 @@ Rows readRows(const std::string& file) {
     }
     if (!rows.empty()) rows.erase(rows.begin());
     return rows;
+}
+
+Rows readRows(const std::string& file) {
+    return rowsOf(readText(file));
 }
 
 /// Scene, planner, strategy and seed.
@@ -60,6 +64,18 @@ std::vector<std::string> decided(const Rows& rows) {
         if (row[1] == "RRTConnect") all.push_back(row[5] + " " + row[11] + " " + row[14] + " " + row[15]);
     }
     return all;
+}
+
+/// The first columns of replays and of trees: what each row is of.
+std::multiset<std::string> trees(const Rows& rows) {
+    std::multiset<std::string> all;
+    for (const auto& row : rows)
+        all.insert(row[0] + " " + row[1] + " " + row[2] + " " + row[3] + " " + row[4]);
+    return all;
+}
+
+void overwrite(const std::string& file, const std::string& text) {
+    std::ofstream(file, std::ios::binary) << text;
 }
 
 /// Ends the study by the signal when so many runs are in its table.
@@ -97,8 +113,22 @@ BOOST_AUTO_TEST_CASE(a_study_that_was_stopped_or_killed_goes_on_without_losing_o
     const Rows rows = readRows(stopped.file("study/runs.csv"));
     BOOST_TEST(keys(rows) == keys(expected), boost::test_tools::per_element());
     BOOST_TEST(decided(rows) == decided(expected), boost::test_tools::per_element());
-    BOOST_TEST(readRows(stopped.file("study/replay.csv")).size() ==
-               readRows(whole.file("study/replay.csv")).size());
+    const auto replayed = [](const StudyFolder& folder) {
+        const auto all = trees(readRows(folder.file("study/replay.csv")));
+        return std::set<std::string>(all.begin(), all.end());
+    };
+    BOOST_TEST(replayed(stopped) == replayed(whole), boost::test_tools::per_element());
+
+    for (const char* table : {"study/replay.csv", "study/trees.csv"}) {  // as if it had been killed there
+        const std::string text = readText(stopped.file(table));
+        const std::size_t cut = text.rfind('\n', text.size() - 2) + 1;
+        overwrite(stopped.file(table), text.substr(0, cut));
+        BOOST_TEST(runIn(stopped, std::string(kStudy) + " --out study").code == 0);
+        const std::string again = readText(stopped.file(table));
+        BOOST_TEST(std::count(again.begin(), again.end(), '\n') ==
+                   std::count(text.begin(), text.end(), '\n'));
+        BOOST_TEST(trees(rowsOf(again)) == trees(rowsOf(text)), boost::test_tools::per_element());
+    }
 
     const std::string before =
         readText(stopped.file("study/replay.csv")) + readText(stopped.file("study/runs.csv"));
@@ -112,8 +142,8 @@ BOOST_AUTO_TEST_CASE(a_study_leaves_tables_and_logs_with_the_strategy_as_paramet
     const Outcome outcome = runIn(folder, std::string(kStudy) + " --out study");
     BOOST_TEST_REQUIRE(outcome.code == 0, outcome.err);
     for (const char* words :
-         {"planner runs", "seconds to the first solution", "seconds of the same calls, replayed",
-          "the thesis's claims", "95 % interval"}) {
+         {"what answers took", "seconds of the same calls, replayed", "the thesis's claims", "95 % interval",
+          "what planners found", "triangle tests of the same calls"}) {
         BOOST_TEST(outcome.out.find(words) != std::string::npos, words);
     }
     BOOST_TEST(outcome.err.find("run 1 of 8, RRTConnect sah/none seed 1, at most ") != std::string::npos,
@@ -156,6 +186,10 @@ BOOST_AUTO_TEST_CASE(other_options_than_those_of_the_folder_are_refused) {
                    {"leaf splits 'none all', not 'none edge'"});
     Problem problem = readProblem(folder.file("window.cfg"));
     problem.start.position.x() += 1;
+    writeProblem(problem, folder.file("window.cfg"));
+    requireRefused(folder, command, {"scene window"});
+    problem.start.position.x() -= 1;
+    problem.planners = {{"RRTConnect", {{"range", "7"}}}};
     writeProblem(problem, folder.file("window.cfg"));
     requireRefused(folder, command, {"scene window"});
 }

@@ -8,6 +8,8 @@
 #include "core/number.h"
 #include "study/claims.h"
 #include "study/paired_ratio.h"
+#include "study/study_rows.h"
+#include "study/summary.h"
 #include "study/thesis.h"
 
 namespace clearway::testing {
@@ -105,6 +107,13 @@ BOOST_AUTO_TEST_CASE(pairs_of_one_run_are_drawn_together) {
     BOOST_TEST((b.high - b.low) > 0.7 * (a.high - a.low));
 }
 
+BOOST_AUTO_TEST_CASE(runs_count_alike_however_many_pairs_they_have) {
+    const PairedRatio ratio = pairedRatio({std::vector<double>(100, 1), {2, 2, 9}, {3}});
+    BOOST_TEST(ratio.median == 2);
+    BOOST_TEST(ratio.pairs == 104u);
+    BOOST_TEST(ratio.clusters == 3u);
+}
+
 BOOST_AUTO_TEST_CASE(runs_are_compared_with_those_of_their_seed) {
     std::vector<TableRow> runs;
     for (int seed = 1; seed <= 5; ++seed) {  // seeds differ by luck tenfold, strategies by half
@@ -132,6 +141,69 @@ BOOST_AUTO_TEST_CASE(runs_are_compared_with_those_of_their_seed) {
     BOOST_TEST(in(chain, "volume_tests") == 20);
     BOOST_TEST(in(chain, "block_fill") == 0.5);
     BOOST_TEST(in(chain, "kernel_fill") == 0.25);
+}
+
+/// Leaving such pairs out would leave those in which the slower strategy was quick.
+BOOST_AUTO_TEST_CASE(a_run_that_found_nothing_counts_as_one_that_found_at_its_end) {
+    const auto ratioOfFirst = [](const std::vector<TableRow>& runs) -> std::string {
+        for (const TableRow& row : statisticsOf(runs, {}, "none")) {
+            if (row.at("measure") == "first_solution_seconds") return row.at("ratio");
+        }
+        return "none";
+    };
+    BOOST_TEST(ratioOfFirst({run("none", 1, 4), run("all", 1, 20, false)}) == "5");
+    BOOST_TEST(ratioOfFirst({run("none", 1, 20, false), run("all", 1, 5)}) == "0.25");
+    BOOST_TEST(ratioOfFirst({run("none", 1, 20, false), run("all", 1, 20, false)}) == "none");
+    // one that gave up before tells nothing
+    BOOST_TEST(ratioOfFirst({run("none", 1, 4), run("all", 1, 3, false)}) == "none");
+    BOOST_TEST(ratioOfFirst({run("none", 1, 3, false), run("all", 1, 4)}) == "none");
+}
+
+BOOST_AUTO_TEST_CASE(times_of_runs_that_had_no_whole_processor_are_left_out) {
+    std::vector<TableRow> runs;
+    for (int seed = 1; seed <= 3; ++seed) {
+        for (const char* leaf : {"none", "all"}) {
+            runs.push_back(run(leaf, seed, 10));
+            runs.back()["processor_seconds"] = "9.6";
+        }
+    }
+    runs[1]["processor_seconds"] = "6";
+    runs[1]["state_checks"] = "10";
+    runs[1]["triangle_tests"] = "150";
+    BOOST_TEST(wasDisturbed(runs[1]));
+    BOOST_TEST(!wasDisturbed(runs[0]));
+    BOOST_TEST(!wasDisturbed(run("none", 1, 10)));  // nothing is known of it
+    const auto statistics = statisticsOf(runs, {}, "none");
+    for (const char* time : {"first_solution_seconds", "seconds_per_call", "query_seconds_per_call"}) {
+        const TableRow& row = find(statistics, {{"measure", time}, {"planner", "P"}});
+        BOOST_TEST(row.at("pairs") == "2", time);
+        BOOST_TEST(in(row, "ratio") == 1, time);
+    }
+    const TableRow& triangles = find(statistics, {{"measure", "triangle_tests_per_query"}, {"planner", "P"}});
+    BOOST_TEST(triangles.at("pairs") == "3");
+    BOOST_TEST(in(triangles, "high") == 1.5);
+    const auto summary = summaryOf(runs, {});
+    const TableRow& all = find(summary, {{"planner", "P"}, {"leaf_split", "all"}});
+    BOOST_TEST(all.at("disturbed") == "1");
+    BOOST_TEST(in(all, "calls_per_second") == 10);
+    BOOST_TEST(in(all, "state_checks") == 130 / 3.0, boost::test_tools::tolerance(1e-12));
+}
+
+/// A path's length is the better the less it is, its clearance the more it is.
+BOOST_AUTO_TEST_CASE(costs_of_different_planners_are_not_mixed) {
+    std::vector<TableRow> runs;
+    for (const char* leaf : {"none", "all"}) {
+        runs.push_back(run(leaf, 1, 10));
+        runs.back()["cost"] = *leaf == 'n' ? "2" : "3";
+    }
+    int found = 0;
+    for (const TableRow& row : statisticsOf(runs, {}, "none")) {
+        if (row.at("measure") != "cost") continue;
+        BOOST_TEST(row.at("planner") == "P");
+        BOOST_TEST(in(row, "ratio") == 1.5);
+        ++found;
+    }
+    BOOST_TEST(found == 1);
 }
 
 BOOST_AUTO_TEST_CASE(replays_are_compared_block_by_block_within_one_tree) {
