@@ -8,6 +8,7 @@
 #include "clearway/query.h"
 #include "cli/path_poses.h"
 #include "cli/print.h"
+#include "core/number.h"
 #include "planning/check_path.h"
 
 namespace clearway {
@@ -52,11 +53,12 @@ struct Recorder {
     void writePreview() const;
 };
 
+/// Makes the same files again.
 std::string Recorder::command() const {
     const SceneOptions& options = origin.options;
     return "clearway scene " + std::string(origin.row.name) + " --seed " + std::to_string(options.seed) +
            " --part-triangles " + std::to_string(options.partTriangles) + " --environment-triangles " +
-           std::to_string(options.environmentTriangles) + " --clearance " + readable(options.clearance);
+           std::to_string(options.environmentTriangles) + " --clearance " + shortNumber(options.clearance);
 }
 
 std::string Recorder::contents() const {

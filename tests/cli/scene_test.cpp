@@ -1,5 +1,6 @@
 #define BOOST_TEST_MODULE scene
 #include <set>
+#include <sstream>
 
 #include "clearway/model.h"
 #include "clearway/problem.h"
@@ -113,6 +114,21 @@ BOOST_AUTO_TEST_CASE(the_same_options_make_the_same_files_and_another_seed_other
         if (readText(folder.file("a/" + name)) != readText(folder.file("c/" + name))) ++different;
     }
     BOOST_TEST(different >= 4);  // both meshes, the path and the poses at least
+}
+
+BOOST_AUTO_TEST_CASE(the_command_that_the_files_state_makes_them_again) {
+    const TemporaryFolder folder;
+    BOOST_TEST_REQUIRE(
+        runIn(folder, "scene tunnel-console-2 --seed 3 --clearance 10.1234567890123 --no-preview --out a")
+            .code == 0);
+    std::istringstream problem(readText(folder.file("a/tunnel-console.cfg")));
+    std::string line;
+    const std::string begin = "# clearway ";
+    while (line.rfind(begin, 0) != 0) BOOST_TEST_REQUIRE(!std::getline(problem, line).fail());
+    const Outcome again = runIn(folder, line.substr(begin.size()) + " --no-preview --out b");
+    BOOST_TEST_REQUIRE(again.code == 0, again.err);
+    for (const std::string& name : namesIn(folder.file("a")))
+        BOOST_TEST(readText(folder.file("a/" + name)) == readText(folder.file("b/" + name)), name);
 }
 
 BOOST_AUTO_TEST_CASE(what_else_is_in_the_folder_stays_as_it_is) {
