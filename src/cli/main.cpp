@@ -65,7 +65,9 @@ int run(const Arguments& words) {
 }  // namespace clearway
 
 int main(int argc, char** argv) {
-    std::signal(SIGPIPE, SIG_IGN);  // a reader that has gone is an error to report, not to die of half-way
+    // A reader that has gone and a file that may not grow are errors to report, not to die of half-way.
+    std::signal(SIGPIPE, SIG_IGN);
+    std::signal(SIGXFSZ, SIG_IGN);
     const clearway::Arguments words(argv + 1, argv + argc);
     try {
         const int code = clearway::run(words);

@@ -54,9 +54,11 @@ SceneFiles writeScene(const GeneratedScene& scene, const std::string& folder) {
     const SceneFiles files{inFolder("_part.obj"), inFolder("_environment.obj"), inFolder(".cfg"),
                            inFolder(".path"),     inFolder("_replay.poses"),    inFolder(".png")};
     // All or none: what stands in the way of the last is found before the first is written.
-    for (const std::string& file :
-         {files.part, files.environment, files.problem, files.path, files.replay, files.preview})
-        requireReplaceable(file);
+    const std::string all[] = {files.part, files.environment, files.problem,
+                               files.path, files.replay,      files.preview};
+    for (const std::string& file : all) requireReplaceable(file);
+    // Whatever ends this early: files of two scenes never stand side by side.
+    for (const std::string& file : all) std::filesystem::remove(file);
 
     const Vector3 moved = writeCentred(scene.part, files.part);
     saveMesh(scene.environment, files.environment);

@@ -31,7 +31,8 @@ struct SceneFiles {
 /// be. OMPL.app moves a part so that the mean of its vertices, as assimp counts them, becomes its origin. The
 /// part is written moved by that mean, and start, goal and path are changed with it: they then hold for the
 /// part as the file has it, and for the part as OMPL.app reads it, which differ by float rounding alone.
-/// replay and preview are written by nobody here, but are known to be writable.
+/// replay and preview are written by nobody here, but are known to be writable. Files of these names that
+/// were there, of another scene maybe, are removed first.
 /// Throws std::runtime_error when a file or the folder cannot be written.
 SceneFiles writeScene(const GeneratedScene& scene, const std::string& folder);
 

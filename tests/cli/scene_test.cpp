@@ -143,6 +143,25 @@ BOOST_AUTO_TEST_CASE(what_else_is_in_the_folder_stays_as_it_is) {
     BOOST_TEST(folder.names().size() == 6);
 }
 
+BOOST_AUTO_TEST_CASE(a_picture_of_another_scene_does_not_stay) {
+    const TemporaryFolder folder;
+    BOOST_TEST_REQUIRE(runIn(folder, "scene peg-in-hole-1 --out .").code == 0);
+    BOOST_TEST(folder.names().size() == 6);
+    BOOST_TEST_REQUIRE(runIn(folder, "scene peg-in-hole-1 --clearance 2 --no-preview --out .").code == 0);
+    BOOST_TEST(folder.names().size() == 5);
+}
+
+BOOST_AUTO_TEST_CASE(files_that_may_not_grow_are_named_and_leave_no_half_and_no_other_scene) {
+    const TemporaryFolder folder;
+    BOOST_TEST_REQUIRE(runIn(folder, "scene peg-in-hole-1 --no-preview --out .").code == 0);
+    const Outcome outcome = runIn(folder, "--version > /dev/null; ulimit -f 60; " CLEARWAY_PROGRAM
+                                          " scene peg-in-hole-1 --clearance 2 --out . 2> said");
+    BOOST_TEST(outcome.code == 2);
+    const std::string said = readText(folder.file("said"));
+    BOOST_TEST(said.find("cannot write './peg-in-hole_part.obj'") != std::string::npos, said);
+    BOOST_TEST(folder.names() == std::vector<std::string>{"said"});
+}
+
 BOOST_AUTO_TEST_CASE(wrong_usage_is_refused_and_makes_nothing) {
     const TemporaryFolder folder;
     folder.write("file", "x");
