@@ -3,11 +3,12 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <cstdio>
 #include <limits>
 #include <ostream>
 #include <sstream>
 #include <stdexcept>
+
+#include "core/json_text.h"
 
 namespace clearway {
 
@@ -18,22 +19,9 @@ constexpr int kUnsigned = 5125;
 constexpr int kVertexBuffer = 34962;  // and targets of buffer views
 constexpr int kIndexBuffer = 34963;
 
-std::string quoted(const std::string& text) {
-    std::string json = "\"";
-    for (const char character : text) {
-        if (character == '"' || character == '\\') {
-            json += '\\';
-            json += character;
-        } else if (static_cast<unsigned char>(character) < 0x20) {
-            char escape[7];
-            std::snprintf(escape, sizeof escape, "\\u%04x", static_cast<unsigned>(character));
-            json += escape;
-        } else {
-            json += character;
-        }
-    }
-    return json + '"';
-}
+/// z to y and y to -z, column by column. No quaternion of floats turns by exactly 90 degrees: far from the
+/// origin readers would find coordinates other than those of the meshes.
+constexpr char kUpright[] = "[1,0,0,0,0,0,-1,0,0,1,0,0,0,0,0,1]";
 
 template <class Numbers>
 std::string list(const Numbers& values) {
@@ -81,10 +69,10 @@ class Document {
             addAccessor(part.vertices, kFloat, "VEC3", bounds(part.vertices), kVertexBuffer);
         const std::size_t indices = addAccessor(part.triangles, kUnsigned, "SCALAR", "", kIndexBuffer);
         const std::size_t mesh =
-            meshes_.add("{\"name\":" + quoted(part.name) +
+            meshes_.add("{\"name\":" + jsonText(part.name) +
                         ",\"primitives\":[{\"attributes\":{\"POSITION\":" + std::to_string(positions) +
                         "},\"indices\":" + std::to_string(indices) + material + "}]}");
-        return addNode("{\"name\":" + quoted(part.name) + ",\"mesh\":" + std::to_string(mesh) + '}');
+        return addNode("{\"name\":" + jsonText(part.name) + ",\"mesh\":" + std::to_string(mesh) + '}');
     }
 
     std::size_t addNode(const std::string& json) { return nodes_.add(json); }
@@ -218,14 +206,13 @@ void writeMovingGlb(const GlbMotion& motion, std::ostream& stream) {
     const std::string movingNodes =
         addParts(motion.moving, document.addMaterial(materialOf("part", "[0.95,0.45,0.05,1]")));
     const GlbKey& first = motion.keys.front();
-    const std::string name = quoted(motion.name);
+    const std::string name = jsonText(motion.name);
     const std::size_t mover =
         document.addNode("{\"name\":" + name + ",\"translation\":" + list(first.position) +
                          ",\"rotation\":" + list(first.rotation) + ",\"children\":[" + movingNodes + "]}");
     if (!stillNodes.empty()) stillNodes += ',';
-    document.addRoot(
-        document.addNode("{\"name\":\"scene\",\"rotation\":[-0.70710678,0,0,0.70710678],\"children\":[" +
-                         stillNodes + std::to_string(mover) + "]}"));
+    document.addRoot(document.addNode("{\"name\":\"scene\",\"matrix\":" + std::string(kUpright) +
+                                      ",\"children\":[" + stillNodes + std::to_string(mover) + "]}"));
     const Samples samples(motion.keys);
     const std::array<float, 1> last{samples.times.back()};
     const std::size_t times =

@@ -6,23 +6,6 @@
 
 namespace clearway {
 
-std::string jsonText(const std::string& text) {
-    std::string json = "\"";
-    for (const char character : text) {
-        if (character == '"' || character == '\\') {
-            json += '\\';
-            json += character;
-        } else if (static_cast<unsigned char>(character) < 0x20 || character == '<') {
-            char escape[7];
-            std::snprintf(escape, sizeof escape, "\\u%04x", static_cast<unsigned>(character));
-            json += escape;
-        } else {
-            json += character;
-        }
-    }
-    return json + '"';
-}
-
 std::string jsonNumber(double value) {
     if (!std::isfinite(value)) return "null";
     char text[32];

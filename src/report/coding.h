@@ -10,8 +10,6 @@
 
 namespace clearway {
 
-/// A JSON string, with < escaped, so that no tag can end the script it stands in.
-std::string jsonText(const std::string& text);
 /// null for what is not finite; else so many digits that a float reads back the same.
 std::string jsonNumber(double value);
 std::string jsonPoint(const Vector3& point);

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "core/colour.h"
+#include "core/json_text.h"
 #include "core/replace_file.h"
 #include "report/coding.h"
 #include "report/frames.h"

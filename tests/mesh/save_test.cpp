@@ -166,6 +166,12 @@ BOOST_AUTO_TEST_CASE(glb_keeps_names_of_any_characters) {
     requireSameComponents(savedAndLoaded(mesh, "a.glb"), mesh);
 }
 
+BOOST_AUTO_TEST_CASE(glb_names_are_utf8_whatever_the_bytes_they_came_in) {
+    Mesh mesh = tetrahedron();
+    mesh.components = {{"Tr\xe4ger", 0, 4}};  // Latin-1
+    BOOST_TEST(savedAndLoaded(mesh, "a.glb").components.at(0).name == "Träger");
+}
+
 BOOST_AUTO_TEST_CASE(empty_components_are_left_out) {
     Mesh mesh = tetrahedron();
     mesh.components = {{"a", 0, 1}, {"none", 1, 0}, {"b", 1, 3}};
