@@ -1,6 +1,7 @@
 #include "cli/path_poses.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "clearway/query.h"
@@ -34,7 +35,8 @@ void printPose(double share, const Scene& scene, const planning::PoseClearance& 
                                     ? " or more"
                                     : ", between '" + planning::meshName(scene.part, nearest.partComponent) +
                                           "' and '" + planning::obstacleName(scene, nearest) + "'";
-    printRow("pose at " + readable(share), "clearance " + readable(at.lower) + between);
+    printRow("pose at " + readable(share),
+             std::isinf(at.lower) ? "nothing to keep clear of" : "clearance " + readable(at.lower) + between);
 }
 
 }  // namespace

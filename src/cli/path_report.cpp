@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "clearway/obstacle_groups.h"
 #include "cli/load_guard.h"
+#include "cli/planning_scene.h"
 #include "cli/print.h"
 #include "cli/print_audit.h"
 #include "core/replace_file.h"
@@ -82,6 +82,15 @@ void writePage(const Problem& problem, const Mesh& part, const Mesh& environment
     printRow("report", file + ", " + megabytes(written.bytes));
 }
 
+/// Whether both would be the same file, which need not be there yet: ./a.html and a.html.
+bool isSameName(const std::string& a, const std::string& b) {
+    namespace fs = std::filesystem;
+    std::error_code unknown;
+    const fs::path wholeA = fs::weakly_canonical(fs::absolute(a, unknown), unknown);
+    const fs::path wholeB = fs::weakly_canonical(fs::absolute(b, unknown), unknown);
+    return a == b || (!unknown && wholeA == wholeB);
+}
+
 }  // namespace
 
 void addPathOutputs(CommandLine& commandLine) {
@@ -96,7 +105,8 @@ void requirePathOutputs(const Options& options, const std::vector<std::string>& 
     for (const char* name : {"report", "export"}) {
         if (!options.has(name)) continue;
         const std::string file = options.text(name);
-        if (std::find(taken.begin(), taken.end(), file) != taken.end()) {
+        if (std::any_of(taken.begin(), taken.end(),
+                        [&](const std::string& other) { return isSameName(file, other); })) {
             throw std::invalid_argument(std::string("--") + name + " is '" + file +
                                         "', which is read or written otherwise, expected another file");
         }
@@ -112,7 +122,7 @@ void writePathOutputs(const Options& options, const Problem& problem, const Scen
                       const Rows& planner) {
     if (!options.has("report") && !options.has("export")) return;
     const Mesh part = guardedLoadPart(problem);
-    const Mesh environment = joinedEnvironment(guardedLoadWorlds(problem));
+    const Mesh environment = shownEnvironment(problem);
     if (options.has("report"))
         writePage(problem, part, environment, scene, path, audit, planner, options.text("report"));
     if (!options.has("export")) return;

@@ -30,6 +30,16 @@ Scene buildScene(const Problem& problem, const planning::PlanOptions& options, c
                      [&](const Mesh& mesh) { return buildModel(mesh, tree, cache, reach); });
 }
 
+Mesh shownEnvironment(const Problem& problem) {
+    Problem allAlike = problem;
+    allAlike.margin = 0;
+    allAlike.rules = ObstacleRules();
+    allAlike.rules.ignored = problem.rules.ignored;
+    const std::vector<Mesh> worlds = guardedLoadWorlds(problem);
+    const ObstacleGroups obstacles = obstaclesOf(allAlike, worlds);
+    return obstacles.groups.empty() ? joinedEnvironment(worlds) : obstacles.groups[0].mesh;
+}
+
 ObstacleGroups obstaclesOf(const Problem& problem, const std::vector<Mesh>& worlds) {
     try {
         return groupObstacles(worlds, problem.margin, problem.rules);

@@ -17,6 +17,9 @@ namespace clearway {
 Scene buildScene(const Problem& problem, const planning::PlanOptions& options, const BuildOptions& tree,
                  const std::string& cache);
 
+/// What to show of the worlds, as one mesh: not what the problem ignores, unless it ignores all of it.
+Mesh shownEnvironment(const Problem& problem);
+
 /// groupObstacles by the problem's rules; what it throws names the file.
 ObstacleGroups obstaclesOf(const Problem& problem, const std::vector<Mesh>& worlds);
 

@@ -181,7 +181,7 @@ int render(const Arguments& arguments) {
     if (hasPath) options.requireOtherFile("out", {options.text("[IN.path]")});
     const ElapsedLine elapsed("rendering");
     const Mesh part = guardedLoadPart(problem);
-    const Mesh environment = joinedEnvironment(guardedLoadWorlds(problem));
+    const Mesh environment = shownEnvironment(problem);
     // A few hundred queries: trees that are built sooner than they are asked.
     const Scene scene = buildScene(problem, {}, buildPreset("fast"), cache);
     const planning::SceneClearance clearance(scene);

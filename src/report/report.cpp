@@ -54,6 +54,7 @@ std::string jsonFrame(const ReportFrame& frame, const Vector3& partMiddle, const
         field("rotation",
               jsonList({jsonNumber(q.x()), jsonNumber(q.y()), jsonNumber(q.z()), jsonNumber(q.w())})),
         field("clearance", frame.isInReach ? jsonNumber(frame.clearance.lower) : "null")};
+    if (frame.isInReach && std::isinf(frame.clearance.lower)) fields.push_back(field("isFree", "true"));
     if (!frame.partMesh.empty()) {
         const SceneDistance& nearest = frame.clearance.nearest;
         fields.push_back(field("distance", jsonNumber(nearest.distance)));

@@ -218,6 +218,8 @@ BOOST_AUTO_TEST_CASE(wrong_input_is_refused_in_one_line) {
     requireRefused(folder, "check window.cfg free.path --report nowhere/x.html", {"nowhere/x.html"});
     requireRefused(folder, "check window.cfg free.path --csv x --report x",
                    {"--report is 'x'", "another file"});
+    requireRefused(folder, "check window.cfg free.path --report x.glb --export ./x.glb",
+                   {"--export is './x.glb'", "another file"});
     requireRefused(folder, "check window.cfg free.path --export free.path", {"--export is 'free.path'"});
     requireRefused(folder, "check window.cfg free.path --csv free.path",
                    {"--csv is 'free.path'", "input file"});

@@ -106,6 +106,45 @@ BOOST_AUTO_TEST_CASE(info_tells_how_obstacles_count) {
     BOOST_TEST(row(outcome, "contact at goal") == "6");
 }
 
+BOOST_AUTO_TEST_CASE(what_is_ignored_is_not_shown) {
+    AssemblyFolder folder;
+    folder.problem.rules = {};
+    folder.problem.rules.ignored = {"wall"};
+    folder.write(folder.problem);
+    writePath({folder.problem.start, folder.problem.goal}, Space::kSe3, folder.file("in.path"));
+    runIn(folder, "check a.cfg in.path --report page.html --export motion.glb");
+    BOOST_TEST(
+        readText(folder.file("page.html")).find("The environment is drawn with all of its 24 triangles") !=
+        std::string::npos);
+    std::string names;
+    for (const Component& component : loadMesh(folder.file("motion.glb")).components)
+        names += component.name + " ";
+    BOOST_TEST(names == "blocks/tray blocks/shelf plate ");
+
+    const std::string render = "render a.cfg in.path --size 160x90 --samples 1 --out ";
+    BOOST_TEST(runIn(folder, render + "ignored.png").code == 0);
+    folder.problem.world = folder.file("blocks.obj");
+    folder.problem.furtherWorlds.clear();
+    folder.problem.rules = {};
+    folder.write(folder.problem);
+    BOOST_TEST(runIn(folder, render + "absent.png").code == 0);
+    BOOST_TEST((readText(folder.file("ignored.png")) == readText(folder.file("absent.png"))));
+}
+
+BOOST_AUTO_TEST_CASE(where_all_is_ignored_no_clearance_is_told) {
+    AssemblyFolder folder;
+    folder.problem.rules = {};
+    folder.problem.rules.ignored = {"wall", "blocks"};
+    folder.write(folder.problem);
+    writePath({folder.problem.start, folder.problem.goal}, Space::kSe3, folder.file("in.path"));
+    const Outcome drawn = runIn(folder, "render a.cfg in.path --size 160x90 --samples 1 --out a.png");
+    BOOST_TEST(drawn.code == 0, drawn.err);
+    BOOST_TEST(row(drawn, "pose at 0") == "nothing to keep clear of");
+    BOOST_TEST(runIn(folder, "check a.cfg in.path --report page.html").code == 0);
+    BOOST_TEST(readText(folder.file("page.html")).find("\"clearance\":null,\"isFree\":true") !=
+               std::string::npos);
+}
+
 BOOST_AUTO_TEST_CASE(names_that_are_none_are_refused_with_those_there_are) {
     AssemblyFolder folder;
     folder.problem.rules.ignored = {"roof"};

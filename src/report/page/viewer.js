@@ -8,7 +8,7 @@ const element = (id) => document.getElementById(id);
 const frames = data.frames;
 const state = { frame: 0, isPlaying: false };
 
-const digits = (value) => value === null ? 'out of reach' : Number(value.toPrecision(5)).toString();
+const digits = (value) => Number(value.toPrecision(5)).toString();
 
 // ---- the view ----
 
@@ -370,7 +370,8 @@ function showReadout(frame) {
   const readout = element('readout');
   readout.replaceChildren();
   const big = document.createElement('b');
-  big.textContent = 'clearance ' + digits(frame.clearance);
+  big.textContent = frame.isFree ? 'nothing to keep clear of' :
+    'clearance ' + (frame.clearance === null ? 'out of reach' : digits(frame.clearance));
   readout.append(big, document.createElement('br'), `at ${digits(100 * frame.share)} % of the way`);
   if (frame.between) readout.append(document.createElement('br'), `${frame.between[0]} to ${frame.between[1]}`);
 }
