@@ -28,9 +28,10 @@ ReportFrame frameAt(double share, const PartState& state, const planning::SceneC
 }  // namespace
 
 std::vector<ReportFrame> framesAlong(const PathLine& line, const planning::SceneClearance& clearance,
-                                     std::size_t count) {
+                                     std::size_t count, const std::vector<double>& places) {
     std::vector<double> shares = evenShares(count);
     shares.insert(shares.end(), line.shares().begin(), line.shares().end());
+    shares.insert(shares.end(), places.begin(), places.end());
     std::sort(shares.begin(), shares.end());
     shares.erase(std::unique(shares.begin(), shares.end()), shares.end());
     std::vector<ReportFrame> frames;
@@ -38,14 +39,29 @@ std::vector<ReportFrame> framesAlong(const PathLine& line, const planning::Scene
     return frames;
 }
 
+double shareIn(const PathLine& line, std::size_t segment, double time) {
+    const std::vector<double>& shares = line.shares();
+    const std::size_t next = std::min(segment + 1, shares.size() - 1);  // of one state there is one segment
+    return shares[segment] + time * (shares[next] - shares[segment]);
+}
+
+std::vector<double> tightPlaces(const PathLine& line, const planning::PathAudit& audit, std::size_t most) {
+    if (audit.segments.empty()) return {};
+    const auto placeOf = [&](std::size_t segment) {
+        return shareIn(line, segment, audit.segments[segment].motion.closestTime);
+    };
+    std::vector<double> places = {placeOf(audit.closest)};
+    for (std::size_t i = 0; i < std::min(most, audit.notValid.size()); ++i)
+        places.push_back(placeOf(audit.notValid[i]));
+    return places;
+}
+
 std::vector<double> certifiedStretches(const PathLine& line, const planning::PathAudit& audit,
                                        std::size_t count) {
     if (audit.profile.empty()) return {};
     std::vector<double> least(count, std::numeric_limits<double>::infinity());
-    const std::vector<double>& shares = line.shares();
     const auto shareOf = [&](const planning::PathProfilePoint& point) {
-        const std::size_t next = std::min(point.segment + 1, shares.size() - 1);
-        return shares[point.segment] + point.time * (shares[next] - shares[point.segment]);
+        return shareIn(line, point.segment, point.time);
     };
     for (std::size_t i = 0; i + 1 < audit.profile.size(); ++i) {
         const double from = shareOf(audit.profile[i]), to = shareOf(audit.profile[i + 1]);

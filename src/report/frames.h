@@ -18,9 +18,16 @@ struct ReportFrame {
     std::string partMesh, environmentMesh;  ///< the two closest; empty when none is known
 };
 
-/// At every state of the path and, evenly, at so many places at least.
+/// At every state of the path, at the given shares and, evenly, at so many places at least.
 std::vector<ReportFrame> framesAlong(const PathLine& line, const planning::SceneClearance& clearance,
-                                     std::size_t count);
+                                     std::size_t count, const std::vector<double>& places = {});
+
+/// The share of the way at a time, 0 to 1, of a segment of an audit of the line.
+double shareIn(const PathLine& line, std::size_t segment, double time);
+
+/// The share of the way where the audit's path is closest, then where its segments that are not valid are, so
+/// many of these at most.
+std::vector<double> tightPlaces(const PathLine& line, const planning::PathAudit& audit, std::size_t most);
 
 /// For each of so many equally long stretches of the way: what is certified of clearance everywhere on it; 0
 /// or less for nothing. Empty when the audit has no profile.

@@ -23,7 +23,7 @@ namespace {
 /// that stays well below 0.2 s. The environment is drawn when the camera moves; what counts is the size of
 /// the page.
 constexpr std::size_t kMostPartTriangles = 100000, kMostEnvironmentTriangles = 600000;
-constexpr std::size_t kFrames = 401, kStretches = 600, kColours = 33;
+constexpr std::size_t kFrames = 401, kStretches = 600, kColours = 33, kMostTroubles = 200;
 
 using Places = std::vector<std::pair<std::string, std::string>>;
 
@@ -119,7 +119,8 @@ class PageData {
           environment_(pageMeshOf(input.environment, kMostEnvironmentTriangles)),
           origin_(environment_.box.center()),
           line_(input.path, input.scene.part.radiusAboutOrigin()),
-          frames_(framesAlong(line_, planning::SceneClearance(input.scene), kFrames)) {
+          frames_(framesAlong(line_, planning::SceneClearance(input.scene), kFrames,
+                              tightPlaces(line_, input.audit, kMostTroubles))) {
         for (const ReportFrame& frame : frames_) {
             if (!frame.isInReach || !std::isfinite(frame.clearance.lower)) continue;
             least_ = std::min(least_, frame.clearance.lower);

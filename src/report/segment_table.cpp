@@ -1,7 +1,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "problem/path_line.h"
+#include "report/frames.h"
 #include "report/report.h"
 
 namespace clearway {
@@ -44,9 +44,7 @@ ReportTable segmentTable(const planning::PathAudit& audit, const std::vector<Par
             segment.partMesh.empty() ? "" : segment.partMesh + " and " + segment.environmentMesh;
         table.rows.push_back({std::to_string(i + 1), verdictOf(segment), shortened(segment.length),
                               shortened(clearance), pair});
-        const double from = line.shares()[i];
-        const double to = line.shares()[std::min(i + 1, line.shares().size() - 1)];
-        table.shares.push_back(from + segment.motion.closestTime * (to - from));
+        table.shares.push_back(shareIn(line, i, segment.motion.closestTime));
     }
     return table;
 }

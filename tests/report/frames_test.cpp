@@ -41,6 +41,30 @@ BOOST_AUTO_TEST_CASE(every_state_of_the_path_is_a_frame_and_frames_are_in_order)
     BOOST_TEST(states == 3u);
 }
 
+BOOST_AUTO_TEST_CASE(where_a_path_is_tightest_and_where_it_collides_are_frames) {
+    Way way;
+    const planning::SceneClearance clearance(way.window.scene);
+    const auto leastOf = [&](const std::vector<ReportFrame>& frames) {
+        double least = std::numeric_limits<double>::infinity();
+        for (const ReportFrame& frame : frames) least = std::min(least, frame.clearance.lower);
+        return least;
+    };
+    way.path.erase(way.path.begin() + 1);  // no state within the wall
+    auto audit = planning::checkPath(way.window.problem, way.window.scene, way.path).audit;
+    BOOST_TEST_REQUIRE(audit.isValid());
+    const auto fits = framesAlong(way.line(), clearance, 2, tightPlaces(way.line(), audit, 9));
+    BOOST_TEST(fits.size() == 3u);
+    BOOST_TEST(leastOf(fits) <= audit.upperClearance + 1e-9);
+    BOOST_TEST(leastOf(framesAlong(way.line(), clearance, 2)) > 2 * audit.upperClearance);
+
+    for (PartState& state : way.path) state.rotation = Eigen::AngleAxisd(1.5, Vector3::UnitX());
+    audit = planning::checkPath(way.window.problem, way.window.scene, way.path).audit;
+    BOOST_TEST_REQUIRE(!audit.isValid());
+    BOOST_TEST(leastOf(framesAlong(way.line(), clearance, 2, tightPlaces(way.line(), audit, 9))) <= 0);
+    BOOST_TEST(tightPlaces(way.line(), audit, 0).size() == 1u);
+    BOOST_TEST(tightPlaces(way.line(), {}, 9).empty());
+}
+
 BOOST_AUTO_TEST_CASE(a_frame_knows_the_clearance_and_the_pair_of_its_pose) {
     const Way way;
     const auto frames = framesAlong(way.line(), planning::SceneClearance(way.window.scene), 20);
