@@ -36,6 +36,13 @@ int stepsTo(double most) {
     return 2;
 }
 
+/// Height of the figures beside the ticks: as the legend's, but that the longest of them has room.
+double tickHeight(const std::vector<std::string>& ticks, double room, double letters) {
+    double widest = 0;
+    for (const std::string& tick : ticks) widest = std::max(widest, widthOfText(tick, letters));
+    return widest > room ? letters * room / widest : letters;
+}
+
 /// "7.5" of 7.500000000000001.
 std::string tickText(double value) {
     const double power = std::pow(10.0, 3 - std::floor(std::log10(std::max(value, 1e-300))));
@@ -66,11 +73,14 @@ void drawLegend(double most, const std::vector<double>& clearances, Image& image
                 {layout.left, layout.top}},
                thin, kInk, image);
     const int steps = stepsTo(most);
+    std::vector<std::string> ticks;
+    for (int i = 0; i <= steps; ++i) ticks.push_back(tickText(most * i / steps));
+    const double tickLeft = right + 0.9 * layout.letters;
+    const double figures = tickHeight(ticks, image.width - tickLeft - 0.3 * layout.letters, layout.letters);
     for (int i = 0; i <= steps; ++i) {
         const double y = layout.yOf(double(i) / steps);
         drawStroke({{right, y}, {right + 0.5 * layout.letters, y}}, thin, kInk, image);
-        drawText(tickText(most * i / steps), {right + 0.9 * layout.letters, y + 0.5 * layout.letters},
-                 layout.letters, kInk, image);
+        drawText(ticks[i], {tickLeft, y + 0.5 * figures}, figures, kInk, image);
     }
     for (const double clearance : clearances) {
         const double y = layout.yOf(clearance / most), x = layout.left - 0.35 * layout.letters;

@@ -72,6 +72,18 @@ BOOST_AUTO_TEST_CASE(the_part_is_seen_in_the_colour_of_its_clearance) {
     BOOST_TEST(count(free, isYellow) == 0);
 }
 
+BOOST_AUTO_TEST_CASE(the_legends_figures_are_in_the_picture_however_long) {
+    for (const double most : {5.0, 0.00025, 123456.0, 2.5e-8, 1.23456e-30}) {
+        for (const auto& [width, height] : {std::pair(1280, 720), std::pair(480, 270), std::pair(100, 400)}) {
+            Image image(width, height, Colour::Ones());
+            drawLegend(most, {0}, image);
+            for (int y = 0; y < height; ++y)
+                BOOST_TEST_REQUIRE(isWhite(image.at(width - 1, y)),
+                                   most << " in " << width << " x " << height);
+        }
+    }
+}
+
 BOOST_AUTO_TEST_CASE(all_of_the_scene_is_in_the_picture_beside_the_legend) {
     Shot shot;
     shot.poses = {{shot.upright(-60), 0}, {shot.upright(60), 10}};
