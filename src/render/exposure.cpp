@@ -141,6 +141,7 @@ Image expose(const Stages& stages, const Camera& camera, const Exposure& exposur
                           }
                       });
     smoothLight(lights, image);
+    lights = {};  // of a large picture gigabytes
     if (exposure.lineWidth > 0) drawOutlines(stages, camera, exposure.lineWidth, image);
     return image;
 }

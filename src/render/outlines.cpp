@@ -26,18 +26,21 @@ struct Look {
     float slope = 0;  ///< cosine of the angle between facet and ray
 };
 
-/// A value for each place of a fine grid over the picture.
+/// A value for each place of some rows of a fine grid over the picture.
 template <class Value>
 struct Grid {
-    int width, height;
+    int width, top, bottom;  ///< bottom: the first row that it has no more
     std::vector<Value> values;
 
-    Grid(int w, int h) : width(w), height(h), values(std::size_t(w) * std::size_t(h)) {}
-    std::size_t indexOf(int x, int y) const { return std::size_t(y) * std::size_t(width) + std::size_t(x); }
+    Grid(int w, int from, int to)
+        : width(w), top(from), bottom(to), values(std::size_t(w) * std::size_t(to - from)) {}
+    std::size_t indexOf(int x, int y) const {
+        return std::size_t(y - top) * std::size_t(width) + std::size_t(x);
+    }
     const Value& at(int x, int y) const { return values[indexOf(x, y)]; }
     template <class Function>
     void fill(const Function& valueAt) {
-        tbb::parallel_for(0, height, [&](int y) {
+        tbb::parallel_for(top, bottom, [&](int y) {
             for (int x = 0; x < width; ++x) values[indexOf(x, y)] = valueAt(x, y);
         });
     }
@@ -71,23 +74,28 @@ float lineBetween(const Look& a, const Look& b) {
 
 /// The darkest line beside each place, to its right and below.
 Grid<float> linesOf(const Grid<Look>& looks) {
-    Grid<float> lines(looks.width, looks.height);
+    Grid<float> lines(looks.width, looks.top, looks.bottom);
     lines.fill([&](int x, int y) {
         float line = 0;
         if (x + 1 < looks.width) line = lineBetween(looks.at(x, y), looks.at(x + 1, y));
-        if (y + 1 < looks.height) line = std::max(line, lineBetween(looks.at(x, y), looks.at(x, y + 1)));
+        if (y + 1 < looks.bottom) line = std::max(line, lineBetween(looks.at(x, y), looks.at(x, y + 1)));
         return line;
     });
     return lines;
 }
 
+/// In places of the grid: how far beside a pixel a line of that width, in pixels, may lie and reach into it.
+int reachOf(float width) {
+    return static_cast<int>(std::ceil(0.5f * width * kPerPixel + 1));
+}
+
 /// How dark a pixel's lines make it: those within half a width of its middle do, softly.
 float inkAt(const Grid<float>& lines, int x, int y, float width) {
     const float half = 0.5f * width * kPerPixel;
-    const int reach = static_cast<int>(std::ceil(half + 1));
-    const int left = std::max(0, kPerPixel * x - reach), top = std::max(0, kPerPixel * y - reach);
+    const int reach = reachOf(width);
+    const int left = std::max(0, kPerPixel * x - reach), top = std::max(lines.top, kPerPixel * y - reach);
     const int right = std::min(lines.width, kPerPixel * (x + 1) + reach);
-    const int bottom = std::min(lines.height, kPerPixel * (y + 1) + reach);
+    const int bottom = std::min(lines.bottom, kPerPixel * (y + 1) + reach);
     const float middleX = (static_cast<float>(x) + 0.5f) * kPerPixel,
                 middleY = (static_cast<float>(y) + 0.5f) * kPerPixel;
     float most = 0;
@@ -103,21 +111,30 @@ float inkAt(const Grid<float>& lines, int x, int y, float width) {
     return most;
 }
 
-}  // namespace
-
-void drawOutlines(const Stages& stages, const Camera& camera, float width, Image& image) {
-    Grid<Look> looks(kPerPixel * image.width, kPerPixel * image.height);
+/// Draws those of the pixels' rows from top to bottom.
+void drawBand(const Stages& stages, const Camera& camera, float width, int top, int bottom, Image& image) {
+    const int beside = reachOf(width) + 1;  // a line lies between a row and the next one
+    Grid<Look> looks(kPerPixel * image.width, std::max(0, kPerPixel * top - beside),
+                     std::min(kPerPixel * image.height, kPerPixel * bottom + beside));
     looks.fill([&](int x, int y) {
         return lookAlong(stages, camera.rayThrough((static_cast<float>(x) + 0.5f) / kPerPixel,
                                                    (static_cast<float>(y) + 0.5f) / kPerPixel));
     });
     const Grid<float> lines = linesOf(looks);
-    tbb::parallel_for(0, image.height, [&](int y) {
+    tbb::parallel_for(top, bottom, [&](int y) {
         for (int x = 0; x < image.width; ++x) {
             const float ink = inkAt(lines, x, y, width);
             image.at(x, y) = (1 - ink) * image.at(x, y) + ink * kInk;
         }
     });
+}
+
+}  // namespace
+
+void drawOutlines(const Stages& stages, const Camera& camera, float width, Image& image) {
+    const int rows = std::max(64, 8 * reachOf(width));  // what a grid holds of all would be gigabytes
+    for (int top = 0; top < image.height; top += rows)
+        drawBand(stages, camera, width, top, std::min(top + rows, image.height), image);
 }
 
 }  // namespace clearway
