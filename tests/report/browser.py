@@ -3,9 +3,12 @@
 import base64
 import json
 import os
+import select
 import shutil
 import subprocess
 import tempfile
+
+kMostSilence = 120  # seconds; a browser that says nothing for so long has hung
 
 
 def find_chromium():
@@ -40,6 +43,7 @@ class Page:
         os.close(to_browser)
         os.close(from_browser)
         self.buffer, self.last_id, self.errors, self.requests = b"", 0, [], []
+        self.loaded, self.asked = set(), "nothing"
         self.session = None
         targets = self.ask("Target.getTargets")["targetInfos"]
         target = next(t["targetId"] for t in targets if t["type"] == "page")
@@ -48,24 +52,20 @@ class Page:
             self.ask(domain + ".enable")
         self.ask("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=False)
         self.ask("Network.emulateNetworkConditions", offline=True, latency=0, downloadThroughput=-1, uploadThroughput=-1)
-        self.ask("Page.navigate", url="file://" + os.path.abspath(file))
-        while self.read()["method"] != "Page.loadEventFired":
-            pass
+        self.ask("Page.setLifecycleEventsEnabled", enabled=True)
+        loader = self.ask("Page.navigate", url="file://" + os.path.abspath(file))["loaderId"]
+        while loader not in self.loaded:  # which may have come before the answer
+            self.next_message()
 
     def close(self):
         self.process.kill()
         self.process.wait()
         shutil.rmtree(self.profile, ignore_errors=True)
 
-    def read(self):
-        """The next message that is an event; answers are left to `ask`."""
-        while True:
-            message = self.next_message()
-            if "method" in message:
-                return message
-
     def next_message(self):
         while b"\0" not in self.buffer:
+            if not select.select([self.from_browser], [], [], kMostSilence)[0]:
+                raise RuntimeError(f"the browser has said nothing for {kMostSilence} s, expected an answer to {self.asked}")
             piece = os.read(self.from_browser, 1 << 20)
             if not piece:
                 raise RuntimeError("the browser has gone")
@@ -83,6 +83,8 @@ class Page:
             self.errors.append(" ".join(str(a.get("value", a.get("description"))) for a in params["args"]))
         if method == "Log.entryAdded" and params["entry"]["level"] == "error":
             self.errors.append(params["entry"]["text"])
+        if method == "Page.lifecycleEvent" and params["name"] == "load":
+            self.loaded.add(params["loaderId"])
         if method == "Network.requestWillBeSent":
             self.requests.append(params["request"]["url"])
 
@@ -91,6 +93,7 @@ class Page:
         message = {"id": self.last_id, "method": method, "params": params}
         if self.session:
             message["sessionId"] = self.session
+        self.asked = method
         os.write(self.to_browser, json.dumps(message).encode() + b"\0")
         while True:
             answer = self.next_message()
