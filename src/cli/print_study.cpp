@@ -4,8 +4,9 @@
 #include <cstdio>
 #include <iostream>
 #include <map>
-#include <set>
+#include <tuple>
 
+#include "clearway/build_options.h"
 #include "core/number.h"
 #include "study/claims.h"
 
@@ -55,6 +56,12 @@ std::string value(const TableRow& row, const std::string& column) {
     return found == row.end() ? "" : found->second;
 }
 
+/// Leaf splits from the fewest leaves to the most.
+std::size_t placeOf(const std::string& leafSplit) {
+    const std::vector<std::string> all = leafSplitNames();
+    return static_cast<std::size_t>(std::find(all.begin(), all.end(), leafSplit) - all.begin());
+}
+
 /// Of a scene's runs a line for each planner and strategy.
 template <class Cells>
 void printRuns(const StudyResult& result, const std::string& scene, const std::string& title,
@@ -67,8 +74,11 @@ void printRuns(const StudyResult& result, const std::string& scene, const std::s
         const std::vector<std::string> more = cells(row);
         lines.back().insert(lines.back().end(), more.begin(), more.end());
     }
-    std::stable_sort(lines.begin() + 1, lines.end(),
-                     [](const auto& a, const auto& b) { return a[0] < b[0]; });
+    const auto key = [](const std::vector<std::string>& line) {
+        const std::size_t slash = line[1].find('/');
+        return std::tuple(line[0], line[1].substr(0, slash), placeOf(line[1].substr(slash + 1)));
+    };
+    std::sort(lines.begin() + 1, lines.end(), [&](const auto& a, const auto& b) { return key(a) < key(b); });
     printTable(scene + ": " + title, lines);
 }
 
@@ -88,14 +98,14 @@ void printAnswers(const StudyResult& result, const std::string& scene) {
 }
 
 void printWork(const StudyResult& result, const std::string& scene) {
-    printRuns(result, scene, "what answers took",
-              {"calls/s", "of its time in queries", "volumes/query", "triangles/query", "blocks full",
-               "kernels full"},
-              [](const TableRow& row) -> std::vector<std::string> {
-                  return {short3(value(row, "calls_per_second")), percent(value(row, "query_share")),
-                          short3(value(row, "volume_tests")),     short3(value(row, "triangle_tests")),
-                          percent(value(row, "block_fill")),      percent(value(row, "kernel_fill"))};
-              });
+    printRuns(
+        result, scene, "what answers took",
+        {"calls/s", "time in queries", "volumes/query", "triangles/query", "blocks full", "kernels full"},
+        [](const TableRow& row) -> std::vector<std::string> {
+            return {short3(value(row, "calls_per_second")), percent(value(row, "query_share")),
+                    short3(value(row, "volume_tests")),     short3(value(row, "triangle_tests")),
+                    percent(value(row, "block_fill")),      percent(value(row, "kernel_fill"))};
+        });
 }
 
 /// Runs of which times say nothing.
@@ -110,7 +120,7 @@ void printDisturbed(const StudyResult& result, const std::string& scene) {
     std::cout << "\n"
               << shortNumber(disturbed) << " of " << shortNumber(runs) << " runs of " << scene
               << " had less than 95 % of a processor: the machine was at other work. They are left out of "
-                 "medians and ratios of times.\n";
+                 "ratios of seconds\nto the first solution and in queries.\n";
 }
 
 bool isUsual(const TableRow& row) {
@@ -136,6 +146,7 @@ struct Ratios {
 void printRatios(const StudyResult& result, const std::string& scene, const Ratios& of) {
     std::vector<std::string> splits, names;
     std::map<std::string, std::map<std::string, std::string>> ratios;
+    std::map<std::string, std::tuple<std::string, std::string, bool, int, int>> keys;  // of names, to sort by
     std::string baseline;
     for (const TableRow& row : result.statistics) {
         if (row.at("scene") != scene || row.at("source") != of.source || row.at("measure") != of.measure)
@@ -145,10 +156,16 @@ void printRatios(const StudyResult& result, const std::string& scene, const Rati
         if (std::find(splits.begin(), splits.end(), split) == splits.end()) splits.push_back(split);
         const std::string name = (of.isByPlanner ? row.at("planner") + ", " : "") + treeName(row);
         if (ratios.count(name) == 0) names.push_back(name);
+        keys[name] = {of.isByPlanner ? row.at("planner") : "", row.at("general_split"),
+                      row.at("instructions") != "best", -std::stoi(row.at("node_width")),
+                      std::stoi(row.at("leaf_size"))};
         ratios[name][split] = ratioText(row);
         baseline = row.at("baseline");
     }
-    if (of.isByPlanner) std::sort(names.begin(), names.end());
+    std::sort(splits.begin(), splits.end(),
+              [](const auto& a, const auto& b) { return placeOf(a) < placeOf(b); });
+    std::sort(names.begin(), names.end(),
+              [&](const auto& a, const auto& b) { return keys.at(a) < keys.at(b); });
     Lines lines = {{of.isByPlanner ? "planner, tree" : "tree"}};
     for (const std::string& split : splits) lines[0].push_back(split + " / " + baseline);
     for (const std::string& name : names) {
@@ -180,17 +197,18 @@ std::string beside(const TableRow& row, const std::string& measure) {
 void printTrees(const StudyResult& result, const std::string& scene) {
     Lines lines = {{"width", "strategy", "build s", "MB", "leaves of 1", "2", "3", "4", "leaves",
                     "collisions/s", "distances/s"}};
-    std::string poses, thesis;
+    std::string about, thesis;
     for (const TableRow& row : result.trees) {
         if (row.at("scene") != scene) continue;
         lines.push_back({row.at("node_width"), row.at("general_split") + "/" + row.at("leaf_split"),
                          beside(row, "build_seconds"), beside(row, "megabytes"), row.at("leaves_1"),
                          row.at("leaves_2"), row.at("leaves_3"), row.at("leaves_4"), beside(row, "leaves"),
                          beside(row, "collisions_per_second"), beside(row, "distances_per_second")});
-        poses = row.at("colliding") + " of " + row.at("poses") + " poses collide";
+        about = row.at("triangles") + " triangles, " + row.at("colliding") + " of " + row.at("poses") +
+                " poses collide";
         if (!row.at("thesis_scene").empty()) thesis = "; in brackets the thesis's " + row.at("thesis_scene");
     }
-    printTable(scene + ": trees, " + poses + thesis, lines);
+    printTable(scene + ": trees of the environment, " + about + thesis, lines);
 }
 
 void printClaims(const StudyResult& result, const std::string& scene) {
@@ -221,7 +239,7 @@ void printStudy(const StudyResult& result) {
     }
     std::cout
         << "\nRatios are medians, with intervals of 95 in 100 bootstrap resamples of runs; of seconds, one "
-           "below 1 is quicker.\n"
+           "below 1 is quicker.\nPlanners' seconds for each call are the processor's.\n"
         << claimRule() << "\n\n";
 }
 

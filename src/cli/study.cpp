@@ -35,7 +35,7 @@ struct MadeScene {
     std::size_t partTriangles, environmentTriangles;  ///< 0: the scene's own
 };
 constexpr MadeScene kFullScenes[] = {{"tunnel-console", 0, 0}, {"cembox", 0, 0}, {"large-environment", 0, 0}};
-constexpr MadeScene kShortScenes[] = {{"tunnel-console-2", 2000, 8000}, {"puzzle", 0, 0}};
+constexpr MadeScene kShortScenes[] = {{"tunnel-console-2", 2000, 8000}, {"cembox-2", 2000, 8000}};
 
 CommandLine studyCommandLine() {
     CommandLine commandLine;
@@ -139,6 +139,7 @@ std::vector<std::string> makeScenes(bool isShort, const std::string& folder) {
         if (wanted.environmentTriangles > 0) options.environmentTriangles = wanted.environmentTriangles;
         const std::string kept = at + "/complete";  // named in it: the problem's file
         if (!fs::exists(kept)) {
+            printRow("scene", at);
             const GeneratedScene made = named.make(options);
             const SceneFiles files = writeScene(made, at);
             recordScene({named, options}, files, made.environment, false);

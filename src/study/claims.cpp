@@ -1,5 +1,7 @@
 #include "study/claims.h"
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 #include <optional>
 #include <sstream>
@@ -14,6 +16,7 @@ namespace {
 
 constexpr double kLeastDifference = 1.02;       ///< of speeds, memory and leaves; less is none
 constexpr double kLeastBuildDifference = 1.10;  ///< of build seconds, which are measured once
+constexpr double kAlike = 1.05;  ///< an interval no further off than this tells of no difference
 
 struct Trees {
     const char* general;
@@ -33,12 +36,13 @@ struct Claim {
 
 constexpr std::string_view kDistances = "distances_per_second";
 constexpr std::string_view kCollisions = "collisions_per_second";
+constexpr std::string_view kBuildSeconds = "build_seconds";
 
 constexpr const char* kLargeEnvironment = "large-environment";
 
 constexpr Claim kClaims[] = {
     {"AxisSplit answers distances faster than MeanSplit", kDistances, {"axis", "chain"}, {"mean", "chain"}},
-    {"AxisSplit takes longer to build than MeanSplit", "build_seconds", {"axis", "chain"}, {"mean", "chain"}},
+    {"AxisSplit takes longer to build than MeanSplit", kBuildSeconds, {"axis", "chain"}, {"mean", "chain"}},
     {"MeanSplit takes more memory than AxisSplit", "megabytes", {"mean", "chain"}, {"axis", "chain"}},
     {"ChainSplit answers distances faster than NoSplit", kDistances, {"axis", "chain"}, {"axis", "none"}},
     {"ChainSplit answers distances faster than EdgeSplit", kDistances, {"axis", "chain"}, {"axis", "edge"}},
@@ -108,12 +112,13 @@ PairedRatio ratioOf(const Claim& claim, const TableRow& a, const TableRow& b) {
 }
 
 std::string verdictOn(const Claim& claim, const PairedRatio& ratio) {
-    const double least = claim.measure == "build_seconds" ? kLeastBuildDifference : kLeastDifference;
-    const bool isMore = ratio.low > 1 && ratio.median >= least;
-    const bool isLess = ratio.high < 1 && ratio.median <= 1 / least;
-    if (claim.isEqual)
-        return isMore ? "the first is faster" : isLess ? "the first is slower" : "holds: no difference";
-    return isMore ? "holds" : isLess ? "the opposite" : "no difference";
+    const double least = claim.measure == kBuildSeconds ? kLeastBuildDifference : kLeastDifference,
+                 alike = std::max(least, kAlike);
+    if (ratio.low > 1 && ratio.median >= least) return claim.isEqual ? "the first is faster" : "holds";
+    if (ratio.high < 1 && ratio.median <= 1 / least)
+        return claim.isEqual ? "the first is slower" : "the opposite";
+    if (ratio.low < 1 / alike || ratio.high > alike) return "undecided";
+    return claim.isEqual ? "holds" : "no difference";
 }
 
 std::optional<double> thesisRatio(const Claim& claim, const std::string& scene) {
@@ -124,14 +129,20 @@ std::optional<double> thesisRatio(const Claim& claim, const std::string& scene) 
     return a && b ? std::optional<double>(*a / *b) : std::nullopt;
 }
 
+std::string percentOff(double ratio) {
+    return std::to_string(std::lround(100 * (ratio - 1))) + " %";
+}
+
 }  // namespace
 
 std::string claimRule() {
-    return "A ratio is the median over 20 blocks of poses (of build seconds, memory and leaves the one "
-           "value). It counts as a "
-           "difference when its whole 95 % interval is on one side of 1 and it is at least " +
-           shortNumber(100 * (kLeastDifference - 1)) + " % off (build seconds " +
-           shortNumber(100 * (kLeastBuildDifference - 1)) + " %).";
+    return "Claims: a ratio is the median over 20 blocks of poses (of build seconds, memory and leaves the "
+           "one "
+           "value). The first has\nmore, or less, when the whole 95 % interval says so and the ratio is at "
+           "least " +
+           percentOff(kLeastDifference) + " off (build seconds " + percentOff(kLeastBuildDifference) +
+           "). There is no\ndifference when the interval reaches no further than " + percentOff(kAlike) +
+           " (build seconds " + percentOff(kLeastBuildDifference) + "). Else it is undecided.";
 }
 
 std::vector<std::string> claimColumns() {

@@ -9,7 +9,7 @@
 namespace clearway {
 
 struct PairedRatio {
-    double median = 0;  ///< of the clusters' medians
+    double median = 0;         ///< of the clusters' medians
     double low = 0, high = 0;  ///< the interval's ends: of 95 in 100 resamples the median is within
     std::size_t pairs = 0;
     std::size_t clusters = 0;

@@ -1,11 +1,10 @@
 #include "study/planner_runs.h"
 
 #include <chrono>
-#include <filesystem>
 #include <set>
+#include <stdexcept>
 
 #include "clearway/planning/planners.h"
-#include "core/number.h"
 #include "core/replace_file.h"
 #include "planning/benchmark_run.h"
 #include "planning/ompl_messages.h"
@@ -96,6 +95,18 @@ bool isDone(const GrowingTable& runs, const TableRow& key) {
         if (isSame) return true;
     }
     return false;
+}
+
+/// Two programs at once, or a hand, may have left a run twice; it would count twice.
+void requireOnce(const GrowingTable& runs) {
+    std::set<std::vector<std::string>> seen;
+    for (const TableRow& row : runs.rows()) {
+        const std::vector<std::string> key = {row.at("scene"), row.at("planner"), row.at("general_split"),
+                                              row.at("leaf_split"), row.at("seed")};
+        if (seen.insert(key).second) continue;
+        throw std::runtime_error(runs.file() + " has the run of " + key[1] + " " + key[2] + "/" + key[3] +
+                                 " seed " + key[4] + " in " + key[0] + " twice, expected once");
+    }
 }
 
 /// The problem with that planner alone, and its parameters if the problem has some.
@@ -216,6 +227,7 @@ std::string callsFile(const std::string& folder, const std::string& scene, const
 
 bool runPlanners(const StudyProblem& problem, const StudyOptions& options, const std::string& folder,
                  GrowingTable& runs) {
+    requireOnce(runs);
     makeFolder(folder + "/calls");
     std::vector<PlannedRun> left;
     for (const PlannedRun& run : schedule(options)) {

@@ -19,7 +19,8 @@ planning::Properties propertiesOf(const TableRow& run);
 
 /// Does the runs that the table lacks, seed by seed, and appends each as it ends. One run of each planner and
 /// seed leaves a sample of its calls in the folder, the strategies taking turns. False when it was stopped:
-/// then the run at hand is not in the table. Warnings are told.
+/// then the run at hand is not in the table. Warnings are told. Throws
+/// std::runtime_error when the table has a run twice.
 bool runPlanners(const StudyProblem& problem, const StudyOptions& options, const std::string& folder,
                  GrowingTable& runs);
 

@@ -42,14 +42,14 @@ NamedMeasure quotient(const char* name, const char* of, std::initializer_list<co
 }
 
 /// Seconds for each of a run's calls.
-NamedMeasure perCall(const char* name, const char* seconds) {
+NamedMeasure perCall(const char* name, const std::function<Measure(const TableRow&)>& seconds) {
     return ratioOf(name, [seconds](const TableRow& run) -> Measure {
         const double calls = callsOf(run);
-        return calls > 0 ? Measure(numberIn(run, seconds).value_or(0) / calls) : std::nullopt;
+        return calls > 0 ? Measure(seconds(run).value_or(0) / calls) : std::nullopt;
     });
 }
 
-/// Times of a run that was disturbed tell of the machine.
+/// Times by the clock of a run that was disturbed tell of the machine.
 NamedMeasure undisturbed(const NamedMeasure& measure) {
     return {measure.name, [ratio = measure.ratio](const TableRow& mine, const TableRow& other) -> Measure {
                 if (wasDisturbed(mine) || wasDisturbed(other)) return std::nullopt;
@@ -150,8 +150,9 @@ std::vector<TableRow> statisticsOf(const std::vector<TableRow>& runs, const std:
     const Pairing ofRuns(planned, "runs", baseline);
     const auto perQuery = {"distance_queries", "within_queries"};
     ofRuns.add(undisturbed({"first_solution_seconds", firstSolutionRatio}), statistics);
-    ofRuns.add(undisturbed(perCall("seconds_per_call", "seconds")), statistics);
-    ofRuns.add(undisturbed(perCall("query_seconds_per_call", "query_seconds")), statistics);
+    ofRuns.add(perCall("seconds_per_call", processorSeconds), statistics);
+    const auto querySeconds = [](const TableRow& run) { return numberIn(run, "query_seconds"); };
+    ofRuns.add(undisturbed(perCall("query_seconds_per_call", querySeconds)), statistics);
     ofRuns.add({"cost", ratioOf("cost", costOf).ratio, false}, statistics);
     ofRuns.add(quotient("volume_tests_per_query", "volume_tests", perQuery), statistics);
     ofRuns.add(quotient("triangle_tests_per_query", "triangle_tests", perQuery), statistics);

@@ -33,6 +33,11 @@ Measure costOf(const TableRow& row) {
     return row.at("solved") == "1" ? numberIn(row, "cost") : std::nullopt;
 }
 
+Measure processorSeconds(const TableRow& run) {
+    const Measure processor = numberIn(run, "processor_seconds");
+    return processor ? processor : numberIn(run, "seconds");
+}
+
 bool wasDisturbed(const TableRow& run) {
     const auto processor = numberIn(run, "processor_seconds"), seconds = numberIn(run, "seconds");
     return processor && seconds && *processor < kLeastShare * *seconds;

@@ -23,8 +23,11 @@ double callsOf(const TableRow& run);
 Measure firstSolution(const TableRow& run);
 Measure costOf(const TableRow& run);
 
-/// True when a run had less than 95 % of a processor: the machine was at other work, and the run's times tell
-/// of that.
+/// Of a run's planner; by the clock where they are not told.
+Measure processorSeconds(const TableRow& run);
+
+/// True when a run had less than 95 % of a processor: the machine was at other work, and the run's times by
+/// the clock tell of that.
 bool wasDisturbed(const TableRow& run);
 
 /// What tells trees and instructions apart, but for the leaf split: the scene, then engineColumns() without

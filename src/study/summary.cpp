@@ -16,16 +16,15 @@ constexpr const char* kMeansOfRuns[] = {"state_checks", "motion_checks", "motion
 struct Sums {
     std::size_t rows = 0, solved = 0, disturbed = 0;
     std::vector<double> firstSolutions, finalSolutions, costs;
-    double seconds = 0, timedCalls = 0, timedSeconds = 0, querySeconds = 0, queries = 0, volumes = 0,
+    double seconds = 0, calls = 0, askingSeconds = 0, querySeconds = 0, queries = 0, volumes = 0,
            triangles = 0, lanes = 0, kernelPairs = 0, kernelLanes = 0;
     std::map<std::string, double> ofRuns;
 
     void add(const TableRow& row, bool isRun) {
         ++rows;
         if (isRun) addRun(row);
-        const bool isTimed = !isRun || !wasDisturbed(row);
-        if (isTimed) timedCalls += isRun ? callsOf(row) : sumIn(row, {"calls"});
-        if (isTimed) timedSeconds += sumIn(row, {"seconds"});
+        calls += isRun ? callsOf(row) : sumIn(row, {"calls"});
+        askingSeconds += isRun ? processorSeconds(row).value_or(0) : sumIn(row, {"seconds"});
         queries += sumIn(row, {"distance_queries", "within_queries"});
         volumes += sumIn(row, {"volume_tests"});
         triangles += sumIn(row, {"triangle_tests"});
@@ -44,10 +43,8 @@ struct Sums {
         const auto keep = [](const Measure& value, std::vector<double>& all) {
             if (value) all.push_back(*value);
         };
-        if (!wasDisturbed(run)) {
-            keep(firstSolution(run), firstSolutions);
-            keep(numberIn(run, "final_solution_seconds"), finalSolutions);
-        }
+        keep(firstSolution(run), firstSolutions);
+        keep(numberIn(run, "final_solution_seconds"), finalSolutions);
         keep(costOf(run), costs);
     }
 
@@ -68,7 +65,7 @@ struct Sums {
             for (const auto& [name, sum] : ofRuns) put(name.c_str(), sum, static_cast<double>(rows));
             put("query_share", querySeconds, seconds);
         }
-        put("calls_per_second", timedCalls, timedSeconds);
+        put("calls_per_second", calls, askingSeconds);
         put("volume_tests", volumes, queries);
         put("triangle_tests", triangles, queries);
         put("block_fill", triangles, lanes);

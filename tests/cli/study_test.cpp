@@ -137,6 +137,19 @@ BOOST_AUTO_TEST_CASE(a_study_that_was_stopped_or_killed_goes_on_without_losing_o
                before);
 }
 
+BOOST_AUTO_TEST_CASE(a_run_that_is_there_twice_is_refused) {
+    const StudyFolder folder;
+    const std::string command =
+        "bench --study leaf-strategies window.cfg --short --planner RRTConnect --seeds 1 --time 2 "
+        "--general-split sah --leaf-split none --leaf-split all --out study";
+    BOOST_TEST_REQUIRE(runIn(folder, command).code == 0);
+    const std::string runs = readText(folder.file("study/runs.csv"));
+    overwrite(folder.file("study/runs.csv"), runs + runs.substr(runs.rfind('\n', runs.size() - 2) + 1));
+    const Outcome twice = runIn(folder, command);
+    BOOST_TEST(twice.code == 2);
+    BOOST_TEST(twice.err.find("RRTConnect sah/all seed 1 in window twice") != std::string::npos, twice.err);
+}
+
 BOOST_AUTO_TEST_CASE(a_study_leaves_tables_and_logs_with_the_strategy_as_parameter) {
     const StudyFolder folder;
     const Outcome outcome = runIn(folder, std::string(kStudy) + " --out study");
@@ -205,7 +218,7 @@ BOOST_AUTO_TEST_CASE(without_a_problem_a_short_study_makes_its_scenes_and_replay
         if (row[0] == "tunnel-console")
             BOOST_TEST(std::stod(row[14]) >= 50, row[14] << " of 100 poses collide");
     }
-    BOOST_TEST(scenes == std::set<std::string>({"puzzle", "tunnel-console"}),
+    BOOST_TEST(scenes == std::set<std::string>({"cembox", "tunnel-console"}),
                boost::test_tools::per_element());
     BOOST_TEST(readRows(folder.file("study/runs.csv")).size() == 32u);
     BOOST_TEST(outcome.out.find("in brackets the thesis's TunnelConsole") != std::string::npos);

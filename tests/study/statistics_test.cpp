@@ -159,7 +159,7 @@ BOOST_AUTO_TEST_CASE(a_run_that_found_nothing_counts_as_one_that_found_at_its_en
     BOOST_TEST(ratioOfFirst({run("none", 1, 3, false), run("all", 1, 4)}) == "none");
 }
 
-BOOST_AUTO_TEST_CASE(times_of_runs_that_had_no_whole_processor_are_left_out) {
+BOOST_AUTO_TEST_CASE(clock_times_of_runs_that_had_no_whole_processor_are_left_out) {
     std::vector<TableRow> runs;
     for (int seed = 1; seed <= 3; ++seed) {
         for (const char* leaf : {"none", "all"}) {
@@ -174,7 +174,7 @@ BOOST_AUTO_TEST_CASE(times_of_runs_that_had_no_whole_processor_are_left_out) {
     BOOST_TEST(!wasDisturbed(runs[0]));
     BOOST_TEST(!wasDisturbed(run("none", 1, 10)));  // nothing is known of it
     const auto statistics = statisticsOf(runs, {}, "none");
-    for (const char* time : {"first_solution_seconds", "seconds_per_call", "query_seconds_per_call"}) {
+    for (const char* time : {"first_solution_seconds", "query_seconds_per_call"}) {
         const TableRow& row = find(statistics, {{"measure", time}, {"planner", "P"}});
         BOOST_TEST(row.at("pairs") == "2", time);
         BOOST_TEST(in(row, "ratio") == 1, time);
@@ -185,7 +185,7 @@ BOOST_AUTO_TEST_CASE(times_of_runs_that_had_no_whole_processor_are_left_out) {
     const auto summary = summaryOf(runs, {});
     const TableRow& all = find(summary, {{"planner", "P"}, {"leaf_split", "all"}});
     BOOST_TEST(all.at("disturbed") == "1");
-    BOOST_TEST(in(all, "calls_per_second") == 10);
+    BOOST_TEST(in(all, "calls_per_second") == 250 / 25.2, boost::test_tools::tolerance(1e-12));
     BOOST_TEST(in(all, "state_checks") == 130 / 3.0, boost::test_tools::tolerance(1e-12));
 }
 
@@ -261,7 +261,7 @@ BOOST_AUTO_TEST_CASE(claims_are_judged_by_the_rule) {
     BOOST_TEST(verdict("AxisSplit answers distances faster than MeanSplit") == "holds");
     BOOST_TEST(verdict("ChainSplit answers distances faster than NoSplit") == "the opposite");
     BOOST_TEST(verdict("ChainSplit answers distances faster than EdgeSplit") == "no difference");
-    BOOST_TEST(verdict("EdgeSplit answers collisions as fast as ChainSplit") == "holds: no difference");
+    BOOST_TEST(verdict("EdgeSplit answers collisions as fast as ChainSplit") == "holds");
     BOOST_TEST(verdict("ChainSplit answers collisions as fast as NoSplit") == "the first is slower");
     BOOST_TEST(verdict("AxisSplit takes longer to build than MeanSplit") == "no difference");
     BOOST_TEST(verdict("ChainSplit makes more leaves than NoSplit") == "holds");
@@ -279,6 +279,20 @@ BOOST_AUTO_TEST_CASE(claims_are_judged_by_the_rule) {
     const auto elsewhere =
         judgeClaims({tree("window", "mean", "chain", 2, 1), tree("window", "axis", "chain", 1, 1)});
     BOOST_TEST(elsewhere.at(0).at("thesis_ratio") == "");
+}
+
+/// That nothing was shown is no proof that both are alike.
+BOOST_AUTO_TEST_CASE(a_claim_about_which_poses_disagree_is_undecided) {
+    std::vector<TableRow> trees = {tree("cembox", "axis", "chain", 1, 200),
+                                   tree("cembox", "axis", "edge", 1, 300)};
+    std::string blocks;
+    for (int i = 0; i < 20; ++i) blocks += i % 2 == 0 ? "0.8 " : "1.25 ";
+    trees[1]["collisions_block_seconds"] = trees[1]["distances_block_seconds"] = blocks;
+    const auto claims = judgeClaims(trees);
+    for (const char* claim : {"EdgeSplit answers collisions as fast as ChainSplit",
+                              "ChainSplit answers distances faster than EdgeSplit"}) {
+        BOOST_TEST(find(claims, {{"claim", claim}}).at("verdict") == "undecided", claim);
+    }
 }
 
 BOOST_AUTO_TEST_CASE(thesis_values_are_looked_up_by_scene_and_strategy) {
