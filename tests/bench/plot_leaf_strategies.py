@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 """Draws what `clearway bench --study leaf-strategies` wrote: what each leaf split takes over the first one, with intervals.
 
-    plot_leaf_strategies.py STUDY_FOLDER/statistics.csv PLOT.svg
+    plot_leaf_strategies.py STUDY... PLOT.svg
 
-A panel for each scene: above by planner, from pairs of runs (hollow) and by replay of the same calls (full); below by tree
-and instruction set, by replay alone. Needs matplotlib (Debian: python3-matplotlib).
+STUDY: a study's folder, or its statistics.csv; scenes may have been studied in folders of their own.
+A column for each scene: above by planner, the planner's own seconds for each call (hollow) and those of the same calls replayed
+(full); below by tree and instruction set, replayed calls of all planners. Needs matplotlib (Debian: python3-matplotlib).
 """
 import csv
 import os
@@ -14,16 +15,21 @@ import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
+import matplotlib.ticker
 
 COLOURS = {"chain": "#1b9e77", "edge": "#d95f02", "all": "#7570b3", "none": "#666666"}
 SHIFTS = 0.22  # between the leaf splits of a line
+TICKS = (0.1, 0.2, 0.3, 0.5, 0.7, 1, 1.4, 2, 3, 5, 7, 10, 20)
 
 
-def read(path):
-    with open(path, newline="") as table:
-        rows = list(csv.DictReader(table))
+def read(paths):
+    rows = []
+    for path in paths:
+        file = os.path.join(path, "statistics.csv") if os.path.isdir(path) else path
+        with open(file, newline="") as table:
+            rows += csv.DictReader(table)
     if not rows:
-        sys.exit(f"{path} has no rows, expected the table that a study writes")
+        sys.exit(f"{', '.join(paths)}: no rows, expected the table that a study writes")
     return rows
 
 
@@ -54,11 +60,14 @@ def lines_by_planner(rows):
 
 
 def lines_by_tree(rows):
+    """Of a general split the usual tree first, then leaves of other sizes, other widths and other instructions."""
+    replayed = [row for row in rows if row["source"] == "replay" and row["measure"] == "seconds" and row["planner"] == "all"]
+    replayed.sort(key=lambda row: (row["general_split"], row["instructions"] != "best", -int(row["node_width"]),
+                                   int(row["leaf_size"]), row["instructions"]))
     lines = {}
-    for row in rows:
-        if row["source"] == "replay" and row["measure"] == "seconds" and row["planner"] == "all":
-            lines.setdefault(tree(row), []).append(row)
-    return dict(sorted(lines.items()))
+    for row in replayed:
+        lines.setdefault(tree(row), []).append(row)
+    return lines
 
 
 def draw(axes, lines, splits):
@@ -76,18 +85,20 @@ def draw(axes, lines, splits):
     axes.set_yticklabels(lines.keys(), fontsize=7)
     axes.set_ylim(len(lines) - 0.4, -0.6)
     axes.set_xscale("log")
+    axes.xaxis.set_major_locator(matplotlib.ticker.FixedLocator(TICKS))
+    axes.xaxis.set_minor_locator(matplotlib.ticker.NullLocator())
     axes.xaxis.set_major_formatter(matplotlib.ticker.FormatStrFormatter("%g"))
-    axes.xaxis.set_minor_formatter(matplotlib.ticker.FormatStrFormatter("%g"))
-    axes.tick_params(labelsize=7, which="both", length=2)
+    axes.tick_params(labelsize=7, length=2)
     axes.grid(True, axis="x", color="#e4e4e4", linewidth=0.6)
     for side in ("top", "right"):
         axes.spines[side].set_visible(False)
 
 
 def main():
-    if len(sys.argv) != 3:
-        sys.exit("usage: plot_leaf_strategies.py statistics.csv PLOT.svg")
-    rows = read(sys.argv[1])
+    if len(sys.argv) < 3:
+        sys.exit("usage: plot_leaf_strategies.py STUDY... PLOT.svg")
+    *studies, plot = sys.argv[1:]
+    rows = read(studies)
     scenes = sorted({row["scene"] for row in rows})
     splits = [split for split in ("none", "chain", "edge", "all") if any(row["leaf_split"] == split for row in rows)]
     baseline = rows[0]["baseline"]
@@ -95,20 +106,26 @@ def main():
     drawn = [(lines_by_planner([r for r in rows if r["scene"] == s]), lines_by_tree([r for r in rows if r["scene"] == s]))
              for s in scenes]
     heights = [max(1, max(len(pair[i]) for pair in drawn)) for i in (0, 1)]
-    figure, grid = plt.subplots(2, len(scenes), figsize=(4.6 * len(scenes), 0.42 * sum(heights) + 1.6), squeeze=False,
-                                gridspec_kw={"height_ratios": heights})
+    figure, grid = plt.subplots(2, len(scenes), figsize=(max(7.5, 4.6 * len(scenes)), 0.42 * sum(heights) + 1.9), squeeze=False,
+                                sharex=True, gridspec_kw={"height_ratios": heights})
     for column, scene in enumerate(scenes):
         for line in (0, 1):
             draw(grid[line][column], drawn[column][line], splits)
-        grid[0][column].set_title(f"{scene}: by planner (hollow: pairs of runs)", fontsize=8, loc="left")
-        grid[1][column].set_title("by tree and instructions", fontsize=8, loc="left")
-        grid[1][column].set_xlabel(f"seconds over those of '{baseline}'", fontsize=8)
+        grid[0][column].set_title(f"{scene}: by planner", fontsize=8, loc="left")
+        grid[1][column].set_title(f"{scene}: by tree and instructions", fontsize=8, loc="left")
+        for line in (0, 1):
+            grid[line][column].tick_params(labelbottom=True)
+            grid[line][column].set_xlabel(f"seconds over those of '{baseline}'", fontsize=7)
     handles = [plt.Line2D([], [], color=COLOURS[split], marker="o", linestyle="-", label=split) for split in splits]
-    figure.legend(handles=handles, loc="lower center", ncol=len(splits), fontsize=8, frameon=False)
+    handles.append(plt.Line2D([], [], color="#666666", marker="o", linestyle="", label="the same calls, replayed"))
+    handles.append(plt.Line2D([], [], color="#666666", marker="o", markerfacecolor="white", linestyle="",
+                              label="a planner's own seconds for each call"))
+    note = plt.Line2D([], [], linestyle="", label="bars: 95 % intervals")
+    figure.legend(handles=handles + [note], loc="lower center", ncol=len(handles) + 1, fontsize=7, frameon=False)
     figure.tight_layout(rect=(0, 0.05, 1, 1))
-    temporary = sys.argv[2] + ".tmp.svg"
+    temporary = plot + ".tmp.svg"
     figure.savefig(temporary, metadata={"Date": None})
-    os.replace(temporary, sys.argv[2])
+    os.replace(temporary, plot)
 
 
 if __name__ == "__main__":

@@ -1,16 +1,23 @@
 #!/usr/bin/env python3
-"""Writes what `clearway bench --study leaf-strategies` found as Markdown tables, to standard output.
+"""Writes what `clearway bench --study leaf-strategies` found as Markdown, for docs/leaf_strategies.md, to standard output.
 
-    tabulate_leaf_strategies.py STUDY_FOLDER > tables.md
+    tabulate_leaf_strategies.py STUDY_FOLDER... > results.md
+
+Scenes may have been studied in folders of their own.
 """
 import csv
 import os
 import sys
 
+SPLITS = ("none", "chain", "edge", "all")
 
-def read(folder, name):
-    with open(os.path.join(folder, name), newline="") as table:
-        return list(csv.DictReader(table))
+
+def read(folders, name):
+    rows = []
+    for folder in folders:
+        with open(os.path.join(folder, name), newline="") as table:
+            rows += csv.DictReader(table)
+    return rows
 
 
 def short(value):
@@ -21,11 +28,11 @@ def short(value):
 
 
 def percent(value):
-    return "-" if value == "" else f"{100 * float(value):.3g} %"
+    return "-" if value == "" else f"{100 * float(value):.2g} %"
 
 
 def ratio(row):
-    return f"{short(row['ratio'])} ({short(row['low'])} to {short(row['high'])})"
+    return "-" if row is None else f"{short(row['ratio'])} ({short(row['low'])} to {short(row['high'])})"
 
 
 def table(head, rows):
@@ -39,33 +46,61 @@ def table(head, rows):
 
 
 def tree(row):
-    parts = [row["general_split"], f"leaves of {row['leaf_size']}", f"width {row['node_width']}", row["instructions"]]
+    parts = [row["general_split"]]
+    if row["leaf_size"] != "4":
+        parts.append(f"leaves of {row['leaf_size']}")
+    if row["node_width"] != "8":
+        parts.append(f"width {row['node_width']}")
+    if row["instructions"] != "best":
+        parts.append(row["instructions"])
     return ", ".join(parts)
 
 
-def ratios(statistics, source, measure, planners):
-    """A line for each tree and planner, a column for each leaf split."""
-    found, splits, baseline = {}, [], ""
-    for row in statistics:
-        if (row["source"], row["measure"]) != (source, measure) or (row["planner"] == "all") == planners:
+def found_by(rows, names):
+    """The row with these values in the columns of those names."""
+    return {tuple(row[name] for name in names): row for row in rows}
+
+
+def planners(summary, statistics):
+    """A line for each planner, general and leaf split, with the ratios of pairs of runs."""
+    columns = ("planner", "general_split", "leaf_split")
+    of_runs = found_by([row for row in summary if row["source"] == "runs" and row["planner"] != "all"], columns)
+    ratios = found_by([row for row in statistics if row["source"] == "runs"], ("measure",) + columns)
+    baseline = statistics[0]["baseline"]
+    measures = ("first_solution_seconds", "seconds_per_call", "query_seconds_per_call", "triangle_tests_per_query", "block_fill")
+    lines = []
+    for key in sorted(of_runs, key=lambda key: (key[0], key[1], SPLITS.index(key[2]))):
+        row, with_baseline = of_runs[key], of_runs.get((key[0], key[1], baseline))
+        if key[2] == baseline or with_baseline is None:
             continue
-        if row["leaf_split"] not in splits:
-            splits.append(row["leaf_split"])
-        found.setdefault((row["planner"], tree(row)), {})[row["leaf_split"]] = ratio(row)
-        baseline = row["baseline"]
-    table(["planner", "tree"] + [f"{split} / {baseline}" for split in splits],
-          [[planner, name] + [of.get(split, "-") for split in splits] for (planner, name), of in sorted(found.items())])
+        lines.append([f"{key[0]}, {key[1]}/{key[2]}", f"{row['solved']} ({with_baseline['solved']}) of {row['runs']}",
+                      f"{percent(row['query_share'])} ({percent(with_baseline['query_share'])})"] +
+                     [ratio(ratios.get((name,) + key)) for name in measures])
+    table(["planner, tree", f"solved (`{baseline}`)", f"in queries (`{baseline}`)", "first solution", "planner's time",
+           "query time", "triangle tests", "blocks in use"], lines)
+    everything = [row for row in summary if row["source"] == "runs" and row["planner"] == "all"]
+    disturbed, runs = (sum(int(row[name]) for row in everything) for name in ("disturbed", "runs"))
+    if disturbed:
+        print(f"{disturbed} of {runs} runs had less than 95 % of a processor and are left out of the ratios of first solution and "
+              "query time.\n")
 
 
-def runs(summary):
-    rows = [row for row in summary if row["source"] == "runs" and row["planner"] != "all"]
-    rows.sort(key=lambda row: (row["planner"], row["general_split"]))
-    table(["planner", "strategy", "solved", "first solution, s", "calls/s", "in queries", "volumes/query", "triangles/query",
-           "blocks full", "kernels full"],
-          [[row["planner"], f"{row['general_split']}/{row['leaf_split']}", f"{row['solved']} of {row['runs']}",
-            short(row["first_solution_seconds"]), short(row["calls_per_second"]), percent(row["query_share"]),
-            short(row["volume_tests"]), short(row["triangle_tests"]), percent(row["block_fill"]), percent(row["kernel_fill"])]
-           for row in rows])
+def replays(statistics):
+    """A line for each tree, with ratios of the same calls of all planners."""
+    rows = [row for row in statistics if row["source"] == "replay" and row["planner"] == "all"]
+    rows.sort(key=lambda row: (row["general_split"], row["instructions"] != "best", -int(row["node_width"]),
+                               int(row["leaf_size"]), row["instructions"]))
+    splits = [split for split in SPLITS if any(row["leaf_split"] == split for row in rows)]
+    found = found_by([dict(row, tree=tree(row)) for row in rows], ("tree", "measure", "leaf_split"))
+
+    def short_ratios(name, measure):
+        of = [found.get((name, measure, split)) for split in splits]
+        return ", ".join("-" if row is None else short(row["ratio"]) for row in of)
+
+    lines = [[name] + [ratio(found.get((name, "seconds", split))) for split in splits] +
+             [short_ratios(name, "triangle_tests"), short_ratios(name, "block_fill")]
+             for name in dict.fromkeys(tree(row) for row in rows)]
+    table(["tree"] + [f"{split}: seconds" for split in splits] + ["triangle tests", "blocks in use"], lines)
 
 
 def beside(row, measure):
@@ -74,39 +109,45 @@ def beside(row, measure):
 
 
 def trees(rows):
-    table(["width", "strategy", "build, s", "MB", "leaves of 1 / 2 / 3 / 4", "leaves", "collisions/s", "distances/s"],
-          [[row["node_width"], f"{row['general_split']}/{row['leaf_split']}", beside(row, "build_seconds"),
+    table(["tree", "build, s", "MB", "leaves of 1 / 2 / 3 / 4", "leaves", "collisions/s", "distances/s"],
+          [[f"{row['general_split']}/{row['leaf_split']}, width {row['node_width']}", beside(row, "build_seconds"),
             beside(row, "megabytes"), " / ".join(row[f"leaves_{size}"] for size in (1, 2, 3, 4)), beside(row, "leaves"),
             beside(row, "collisions_per_second"), beside(row, "distances_per_second")] for row in rows])
 
 
 def claims(rows):
-    table(["width", "claim", "thesis", "here", "verdict"],
-          [[row["node_width"], row["claim"], short(row["thesis_ratio"]), ratio(row), row["verdict"]] for row in rows])
+    """A line for each claim and scene, a column for each engine."""
+    widths = sorted({row["node_width"] for row in rows}, key=int)
+    found = found_by(rows, ("claim", "scene", "node_width"))
+    lines = []
+    for claim, scene in dict.fromkeys((row["claim"], row["scene"]) for row in rows):
+        of = [found.get((claim, scene, width)) for width in widths]
+        thesis = short(next(row for row in of if row)["thesis_ratio"])
+        lines.append([claim, scene, thesis] + [f"{row['verdict']}: {short(row['ratio'])}" if row else "-" for row in of])
+    lines.sort(key=lambda line: list(dict.fromkeys(row["claim"] for row in rows)).index(line[0]))
+    table(["claim", "scene", "thesis"] + [f"width {width}" for width in widths], lines)
 
 
 def main():
-    if len(sys.argv) != 2:
-        sys.exit("usage: tabulate_leaf_strategies.py STUDY_FOLDER")
+    if len(sys.argv) < 2:
+        sys.exit("usage: tabulate_leaf_strategies.py STUDY_FOLDER...")
     names = ("summary.csv", "statistics.csv", "trees.csv", "claims.csv")
-    summary, statistics, built, judged = (read(sys.argv[1], name) for name in names)
+    summary, statistics, built, judged = (read(sys.argv[1:], name) for name in names)
+    baseline = statistics[0]["baseline"]
+    print(f"Ratios are to `{baseline}`: medians, and in brackets the interval of 95 in 100 bootstrap resamples. Below 1 is "
+          f"quicker, or less. Shares of `{baseline}` are in brackets too.\n")
     for scene in dict.fromkeys(row["scene"] for row in built):
-        of = [[row for row in rows if row["scene"] == scene] for rows in (summary, statistics, built, judged)]
-        print(f"## {scene}\n\nPlanner runs:\n")
-        runs(of[0])
-        print("Seconds to the first solution, by pairs of runs:\n")
-        ratios(of[1], "runs", "first_solution_seconds", True)
-        print("Seconds for each call, by pairs of runs:\n")
-        ratios(of[1], "runs", "seconds_per_call", True)
-        print("Costs of solutions, by pairs of runs:\n")
-        ratios(of[1], "runs", "cost", True)
-        print("Seconds of the same calls, replayed:\n")
-        ratios(of[1], "replay", "seconds", False)
-        print(f"Trees; {of[2][0]['colliding']} of {of[2][0]['poses']} poses collide; in brackets the thesis's "
-              f"{of[2][0]['thesis_scene'] or '(none)'}:\n")
+        of = [[row for row in rows if row["scene"] == scene] for rows in (summary, statistics, built)]
+        print(f"### {scene}\n\nPlanner runs; the planner's and query time are of each call, triangle tests of each query:\n")
+        planners(of[0], of[1])
+        print("The same calls of all planners, replayed; triangle tests and blocks in use of the same splits in turn:\n")
+        replays(of[1])
+        first = of[2][0]
+        thesis = f"; in brackets the thesis's {first['thesis_scene']}" if first["thesis_scene"] else ""
+        print(f"Trees of the environment, {int(first['triangles']):,} triangles; {first['colliding']} of {first['poses']} poses collide{thesis}:\n")
         trees(of[2])
-        print("The thesis's claims:\n")
-        claims(of[3])
+    print("### The thesis's claims\n\nThe ratio by which the first has more than the second:\n")
+    claims(judged)
 
 
 if __name__ == "__main__":
