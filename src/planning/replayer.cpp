@@ -1,11 +1,11 @@
 #include "planning/replayer.h"
 
-#include <chrono>
 #include <stdexcept>
 #include <string>
 
 #include "clearway/planning/clearance_objectives.h"
 #include "clearway/planning/state_to_pose.h"
+#include "core/thread_clock.h"
 #include "planning/ompl_messages.h"
 #include "planning/planning_space.h"
 #include "planning/run_trace.h"
@@ -16,7 +16,6 @@ namespace clearway::planning {
 namespace {
 
 namespace ob = ompl::base;
-using Clock = std::chrono::steady_clock;
 
 Setup setupFor(const Problem& problem, const Scene& scene) {
     const OmplMessages unheard;
@@ -137,12 +136,12 @@ ReplayedCalls Replayer::replay(const std::vector<CallBlock>& blocks) {
 std::vector<double> Replayer::time(const std::vector<CallBlock>& blocks) {
     std::vector<double> seconds;
     for (const CallBlock& block : blocks) {
-        const Clock::time_point begin = Clock::now();
+        const double begin = threadSeconds();
         for (const Call& call : block) {
             tools_->set(call);
             tools_->ask(call.kind);
         }
-        seconds.push_back(std::chrono::duration<double>(Clock::now() - begin).count());
+        seconds.push_back(threadSeconds() - begin);
     }
     return seconds;
 }

@@ -33,7 +33,7 @@ class Replayer {
     /// Throws std::invalid_argument when a state has not as many reals as the problem's space.
     ReplayedCalls replay(const std::vector<CallBlock>& blocks);
 
-    /// The same without a look at the work. returns the seconds of each block.
+    /// The same without a look at the work. returns the processor's seconds of each block.
     std::vector<double> time(const std::vector<CallBlock>& blocks);
 
   private:

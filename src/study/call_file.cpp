@@ -1,5 +1,6 @@
 #include "study/call_file.h"
 
+#include <filesystem>
 #include <ostream>
 #include <stdexcept>
 
@@ -52,7 +53,13 @@ Call parseCall(const std::vector<std::string_view>& parts, const std::string& wh
 
 }  // namespace
 
+std::string answersFile(const std::string& callsFile) {
+    return callsFile + ".answers";
+}
+
 void writeCalls(const std::vector<CallBlock>& blocks, const std::string& file) {
+    std::error_code ignored;
+    std::filesystem::remove(answersFile(file), ignored);
     replaceFile(file, [&](std::ostream& out) {
         for (const CallBlock& block : blocks) {
             for (const Call& call : block) {

@@ -9,8 +9,8 @@
 
 namespace clearway {
 
-/// One call a line, its kind and its reals with 17 digits; an empty line ends a block. Throws
-/// std::runtime_error when it cannot be written.
+/// One call a line, its kind and its reals with 17 digits; an empty line ends a block. The answers to what
+/// the file held before are taken away. Throws std::runtime_error when it cannot be written.
 void writeCalls(const std::vector<planning::CallBlock>& blocks, const std::string& file);
 
 /// Throws std::runtime_error when it cannot be read, std::invalid_argument naming the file and the line that
@@ -18,6 +18,9 @@ void writeCalls(const std::vector<planning::CallBlock>& blocks, const std::strin
 std::vector<planning::CallBlock> readCalls(const std::string& file);
 
 using Answers = std::vector<std::vector<planning::CallAnswer>>;  ///< of each block's calls
+
+/// Beside the file of the calls.
+std::string answersFile(const std::string& callsFile);
 
 /// A line a block, a character a call.
 void writeAnswers(const Answers& answers, const std::string& file);

@@ -16,8 +16,8 @@ std::string claimRule();
 std::vector<std::string> claimColumns();
 
 /// trees: rows as measureTrees writes them. Of a claim that one is faster or more the verdict is "holds", "no
-/// difference", "the opposite" or "undecided", of one that both are alike "holds", "the first is faster", "the
-/// first is slower" or "undecided".
+/// difference", "the opposite" or "undecided", of one that both are alike "holds", "the first is faster",
+/// "the first is slower" or "undecided".
 std::vector<TableRow> judgeClaims(const std::vector<TableRow>& trees);
 
 }  // namespace clearway

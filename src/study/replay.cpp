@@ -79,7 +79,7 @@ class Replay {
                 const std::string file = callsFile(folder, problem.name, planner.name, seed);
                 readBlocks(file, options.sampling.callsPerBlock,
                            querySecondsPerCall(runs, problem.name, planner.name, seed), sample);
-                sample.answersFile = file + ".answers";
+                sample.answersFile = answersFile(file);
                 if (std::filesystem::exists(sample.answersFile)) {
                     sample.answers = readAnswers(sample.answersFile);
                     // else they are those of another choice of blocks, and written anew

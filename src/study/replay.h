@@ -15,8 +15,8 @@ std::vector<std::string> replayColumns();
 
 /// Replays the folder's samples, of slow planners a part (see replayedBlocks), with the groups of engines
 /// that the table lacks, a group at a time. Within a group the engines take turns, sample by sample, and each
-/// block's time is the median of the repetitions. runs: of the planners, all of them. False when it was
-/// stopped: then the group at hand is not in the table.
+/// block's time is the median of the repetitions, the processor's. runs: of the planners, all of them. False
+/// when it was stopped: then the group at hand is not in the table.
 ///
 /// Every call must answer alike everywhere; that a motion is undecided with one engine is no contradiction,
 /// and is told. Throws std::logic_error that names engines and call when one says yes and another says no.

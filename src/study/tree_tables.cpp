@@ -1,20 +1,18 @@
 #include "study/tree_tables.h"
 
 #include <algorithm>
-#include <chrono>
 #include <limits>
 #include <memory>
 #include <numeric>
 #include <stdexcept>
 
 #include "core/number.h"
+#include "core/thread_clock.h"
 #include "study/paired_ratio.h"
 #include "study/thesis.h"
 
 namespace clearway {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t kBlocks = 20;
 constexpr std::size_t kLeafSizes = 4;
@@ -155,12 +153,12 @@ class Measuring {
     template <class Ask>
     void timeBlocks(const Ask& ask, std::vector<std::vector<double>>& times) const {
         for (std::size_t block = 0; block < kBlocks; ++block) {
-            const Clock::time_point begin = Clock::now();
+            const double begin = threadSeconds();
             for (std::size_t i = poses_.size() * block / kBlocks; i < poses_.size() * (block + 1) / kBlocks;
                  ++i) {
                 ask(poses_[i]);
             }
-            times[block].push_back(std::chrono::duration<double>(Clock::now() - begin).count());
+            times[block].push_back(threadSeconds() - begin);
         }
     }
 

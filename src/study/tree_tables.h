@@ -19,9 +19,9 @@ namespace clearway {
 std::vector<std::string> treeColumns();
 
 /// Measures the scene unless the table has it. Trees are built by one thread; all are asked at the same poses
-/// in turn, each warm from the pose before; a block's time is the median of the repetitions. poses: the
-/// problem's replay poses, or those of recorded calls. False when it was stopped: then the table is as
-/// before. Throws std::logic_error when two engines contradict each other.
+/// in turn, each warm from the pose before; a block's time is the median of the repetitions, the processor's.
+/// poses: the problem's replay poses, or those of recorded calls. False when it was stopped: then the table
+/// is as before. Throws std::logic_error when two engines contradict each other.
 bool measureTrees(const StudyProblem& problem, const std::vector<Pose>& poses, const StudyOptions& options,
                   GrowingTable& trees);
 

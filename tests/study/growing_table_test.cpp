@@ -143,6 +143,10 @@ BOOST_AUTO_TEST_CASE(calls_and_answers_read_back_as_they_were) {
     const Answers answers = {{CallAnswer::kYes, CallAnswer::kNo}, {CallAnswer::kUndecided}};
     writeAnswers(answers, folder.file("a.answers"));
     BOOST_TEST((readAnswers(folder.file("a.answers")) == answers));
+    // other calls have other answers
+    writeAnswers(answers, answersFile(folder.file("a.calls")));
+    writeCalls(blocks, folder.file("a.calls"));
+    BOOST_CHECK_THROW(readAnswers(answersFile(folder.file("a.calls"))), std::runtime_error);
     BOOST_CHECK_THROW(readCalls(folder.write("b.calls", "motion 1 2 3\n")), std::invalid_argument);
     BOOST_CHECK_THROW(readCalls(folder.write("b.calls", "motion 1 x\n")), std::invalid_argument);
     BOOST_CHECK_THROW(readCalls(folder.write("b.calls", "jump 1 2\n")), std::invalid_argument);
