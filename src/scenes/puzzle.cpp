@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <limits>
 #include <stdexcept>
 
 #include "scenes/path_to_problem.h"
@@ -93,9 +95,37 @@ Piece bar(const Spine& spine, const BarDetail& detail) {
     return sweptAlong(spine, fullSection(circle(Vector2::Zero(), kBar, detail.segments)), stations, scales);
 }
 
-/// How much of a turn a loop of that radius leaves out, so that its gap is kLoopGap.
+/// How much of a turn a loop of that radius leaves out, so that its ends are kLoopGap apart.
 double loopGapAngle(double radius) {
     return 2 * std::asin((2 + kLoopGap) * kBar / (2 * radius));
+}
+
+/// A spine that begins with a loop, by how much of a turn the loop leaves out.
+using LoopSpine = std::function<Spine(double gapAngle)>;
+
+/// Between the middle lines of the loop's first quarter and of its last one with all that follows.
+double distanceAtLoop(const Spine& spine) {
+    constexpr double kApart = 0.5;  // mm, from one point to the next
+    const double loop = spine.pieces()[0].length;
+    std::vector<Vector3> beginning, rest;
+    for (double at = 0; at < loop / 4; at += kApart) beginning.push_back(spine.frameAt(at).translation);
+    for (double at = 0.75 * loop; at < spine.length(); at += kApart)
+        rest.push_back(spine.frameAt(at).translation);
+    double least = std::numeric_limits<double>::infinity();
+    for (const Vector3& a : beginning) {
+        for (const Vector3& b : rest) least = std::min(least, (a - b).squaredNorm());
+    }
+    return std::sqrt(least);
+}
+
+/// The spine whose loop begins kLoopGap away from what follows its end, too.
+Spine withOpenLoop(const LoopSpine& spineWith) {
+    double low = 0.1, high = 2.6;
+    for (int i = 0; i < 20; ++i) {
+        const double middle = (low + high) / 2;
+        (distanceAtLoop(spineWith(middle)) < (2 + kLoopGap) * kBar ? low : high) = middle;
+    }
+    return spineWith(high);
 }
 
 struct Measures {
@@ -124,29 +154,35 @@ struct Measures {
 };
 
 /// From the loop that serves as a handle through three bends to the free end.
-Spine partSpine(const Measures& m) {
-    Spine spine;
-    spine.bend(m.handleRadius, 2 * M_PI - loopGapAngle(m.handleRadius), M_PI).straight(m.lead);
-    for (int i = 0; i < 3; ++i) {
-        spine.bend(m.partBend[i], m.partTurn[i], m.partTowards[i]).straight(m.partStraight[i]);
-    }
-    return spine;
+Spine partSpine(const Measures& m, int version) {
+    const auto spineWith = [&](double gapAngle) {
+        Spine spine;
+        spine.bend(m.handleRadius, 2 * M_PI - gapAngle, M_PI).straight(m.lead);
+        for (int i = 0; i < 3; ++i) {
+            spine.bend(m.partBend[i], m.partTurn[i], m.partTowards[i]).straight(m.partStraight[i]);
+        }
+        return spine;
+    };
+    return version == 1 ? spineWith(loopGapAngle(m.handleRadius)) : withOpenLoop(spineWith);
 }
 
 /// From the eye, about the origin with its axis along x, down the stem and to one side along the foot.
-Spine environmentSpine(const Measures& m, double eyeRadius) {
+Spine environmentSpine(const Measures& m, double eyeRadius, int version) {
     constexpr double kOutward = 1.2;  // radians, from the eye's circle to the stem
-    const double loop = 2 * M_PI - loopGapAngle(eyeRadius);
-    const double first = kOutward - M_PI - loop;  // where on its circle, so that the stem points down
-    Pose start;
-    start.rotation.col(0) = Vector3(0, -std::sin(first), std::cos(first));
-    start.rotation.col(1) = Vector3(0, -std::cos(first), -std::sin(first));
-    start.rotation.col(2) = Vector3::UnitX();
-    start.translation = -eyeRadius * start.rotation.col(1);
-    Spine spine(start);
-    spine.bend(eyeRadius, loop).bend(kLeastBend, kOutward, M_PI).straight(m.stem);
-    spine.bend(kLeastBend, M_PI_2, m.footTowards).straight(m.foot);
-    return spine;
+    const auto spineWith = [&](double gapAngle) {
+        const double loop = 2 * M_PI - gapAngle;
+        const double first = kOutward - M_PI - loop;  // where on its circle, so that the stem points down
+        Pose start;
+        start.rotation.col(0) = Vector3(0, -std::sin(first), std::cos(first));
+        start.rotation.col(1) = Vector3(0, -std::cos(first), -std::sin(first));
+        start.rotation.col(2) = Vector3::UnitX();
+        start.translation = -eyeRadius * start.rotation.col(1);
+        Spine spine(start);
+        spine.bend(eyeRadius, loop).bend(kLeastBend, kOutward, M_PI).straight(m.stem);
+        spine.bend(kLeastBend, M_PI_2, m.footTowards).straight(m.foot);
+        return spine;
+    };
+    return version == 1 ? spineWith(loopGapAngle(eyeRadius)) : withOpenLoop(spineWith);
 }
 
 /// What a chord cuts off the inside of a bend.
@@ -178,13 +214,11 @@ std::vector<PartState> constructedPath(const Spine& part, double from, double cl
     return path;
 }
 
-}  // namespace
-
-GeneratedScene makePuzzle(const SceneOptions& options) {
+GeneratedScene makeVersion(int version, const SceneOptions& options) {
     const double clearance = options.clearance;
     requireClearance(clearance, kLeastClearance, kMostClearance);
     const Measures measures{Random(options.seed)};
-    const Spine part = partSpine(measures);
+    const Spine part = partSpine(measures, version);
     const BarDetail partDetail = detailFor(part, options.partTriangles, "part-triangles");
 
     // As long as no bend is narrower than the eye, the eye's middle line is just its radius away from the
@@ -192,10 +226,10 @@ GeneratedScene makePuzzle(const SceneOptions& options) {
     // both bars, what their chords cut off, and what the path's chords and rounding take are left out.
     double eyeRadius = 2 * kBar + clearance * (1 + kEase + kPathShare) + 0.01;
     eyeRadius += sagitta(kMostBend, partDetail.largestAngle);
-    const BarDetail roughly = detailFor(environmentSpine(measures, eyeRadius), options.environmentTriangles,
-                                        "environment-triangles");
+    const BarDetail roughly = detailFor(environmentSpine(measures, eyeRadius, version),
+                                        options.environmentTriangles, "environment-triangles");
     eyeRadius += 1.2 * sagitta(eyeRadius, roughly.largestAngle);  // it grows by that, too
-    const Spine environment = environmentSpine(measures, eyeRadius);
+    const Spine environment = environmentSpine(measures, eyeRadius, version);
 
     GeneratedScene scene;
     scene.name = "puzzle";
@@ -208,9 +242,19 @@ GeneratedScene makePuzzle(const SceneOptions& options) {
     const double lead = part.pieces()[1].start + measures.lead / 2;
     scene.path = constructedPath(part, lead, clearance);
     statePathAsProblem(scene, kRoom);
-    scene.problem.name = "puzzle v1";
+    scene.problem.name = "puzzle v" + std::to_string(version);
     scene.problem.step = kBar / 2;
     return scene;
+}
+
+}  // namespace
+
+GeneratedScene makePuzzle(const SceneOptions& options) {
+    return makeVersion(1, options);
+}
+
+GeneratedScene makePuzzle2(const SceneOptions& options) {
+    return makeVersion(2, options);
 }
 
 }  // namespace clearway

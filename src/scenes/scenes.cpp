@@ -50,6 +50,7 @@ const std::vector<NamedScene>& namedScenes() {
          kLargeEnvironment2, makeLargeEnvironment2},
         {"puzzle-1", "two interlocked bent bars, one to be slid through the eye of the other", kPuzzle,
          makePuzzle},
+        {"puzzle-2", "the same, with loops that are open", kPuzzle, makePuzzle2},
         {"peg-in-hole-1", "a round peg to be put into a hole, as narrow as the clearance says", kPegInHole,
          makePegInHole},
         {"apartment-1",

@@ -32,7 +32,7 @@ std::ostream& operator<<(std::ostream& out, const Classic& classic) {
 
 const std::vector<Classic> kClassics{{"peg-in-hole", "peg-in-hole-1", {1, 2000, 2000, 1}},
                                      {"apartment", "apartment-1", {1, 3000, 8000, 60}},
-                                     {"puzzle", "puzzle-1", {1, 2000, 2000, 4}}};
+                                     {"puzzle", "puzzle-2", {1, 2000, 2000, 4}}};
 
 std::string fileIn(const Classic& classic, const std::string& ending) {
     return std::string(CLEARWAY_DATA_DIR) + "/" + classic.folder + "/" + classic.folder + ending;
