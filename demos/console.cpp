@@ -26,8 +26,10 @@ int main(int argc, char** argv) try {
 
     const clearway::Problem problem = clearway::readProblem(argv[1]);
     const clearway::Scene scene = clearway::loadScene(problem).scene;
-    std::printf("part: %zu triangles; environment: %zu; margin %g\n", scene.part.report().triangles,
-                scene.obstacles.at(0).model.report().triangles, scene.largestMargin());
+    std::printf("part: %zu triangles\n", scene.part.report().triangles);
+    for (const clearway::Obstacle& obstacle : scene.obstacles)  // one for each margin that the problem has
+        std::printf("environment: %zu triangles, margin %g\n", obstacle.model.report().triangles,
+                    obstacle.margin);
 
     // OMPL's space, with our checker and motion validator, and the problem's start and goal.
     ompl::geometric::SimpleSetup setup = cp::makeSetup(problem, scene);

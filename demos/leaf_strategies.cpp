@@ -74,6 +74,9 @@ int main(int argc, char** argv) try {
         clearway::BuildOptions options;
         options.leafSplit = name;
         const clearway::Scene scene = clearway::loadScene(problem, options).scene;
+        if (scene.obstacles.size() != 1)
+            throw std::invalid_argument(
+                "the problem's obstacles do not all count alike, expected one margin");
         const clearway::Model &part = scene.part, &environment = scene.obstacles.at(0).model;
         const Replay c =
             replay(poses, [&](const auto& X, auto& w) { return collides(part, environment, X, w); });

@@ -44,9 +44,10 @@ int main(int argc, char** argv) try {
     ompl::RNG::setSeed(1);
     clearway::Problem problem = clearway::readProblem(argv[1]);
     clearway::Scene scene = clearway::loadScene(problem).scene;
-    std::printf("environment: %zu triangles, built in %.2f ms\n",
-                scene.obstacles.at(0).model.report().triangles,
-                1e3 * scene.obstacles[0].model.report().seconds);
+    for (const clearway::Obstacle& obstacle : scene.obstacles) {  // one for each margin that the problem has
+        const clearway::BuildReport& report = obstacle.model.report();
+        std::printf("environment: %zu triangles, built in %.2f ms\n", report.triangles, 1e3 * report.seconds);
+    }
     const ompl::geometric::SimpleSetup before = cp::makeSetup(problem, scene);
     const PathGeometric old = plan(before, problem);
     if (old.getStateCount() == 0) return 1;

@@ -159,6 +159,27 @@ BOOST_AUTO_TEST_CASE(replan_says_where_the_old_path_is_blocked_and_finds_another
     BOOST_CHECK_NE(readText(folder.file("old.path")), readText(folder.file("new.path")));
 }
 
+BOOST_AUTO_TEST_CASE(demos_take_problems_whose_obstacles_count_apart_or_not_at_all) {
+    const TemporaryFolder folder;
+    Problem problem = readProblem(CLEARWAY_DATA_DIR "/window/window.cfg");
+    const std::string file = folder.file("window.cfg");
+    const std::string console = "'" + file + "' '" + folder.file("a.path") + "'";
+    problem.rules.margins["left"] = 0.5;
+    writeProblem(problem, file);
+    const std::string both = tell(folder, "console", console).out;
+    BOOST_TEST(both.find("environment: 324 triangles, margin 0\n") != std::string::npos);
+    BOOST_TEST(both.find("environment: 108 triangles, margin 0.5\n") != std::string::npos);
+    problem.rules.ignored = {"left", "right", "above", "below"};
+    writeProblem(problem, file);
+    tell(folder, "console", console);
+    // Of a straight way nothing is closest, so the box may stand at the goal: no path is an answer then.
+    const Story again = run(folder, CLEARWAY_DEMOS "/demo_replan '" + file + "' '" + folder.path() + "'");
+    BOOST_TEST((again.code == 0 || again.out.find("no path found") != std::string::npos), again.err);
+    const Story splits = run(folder, CLEARWAY_DEMOS "/demo_leaf_strategies '" + file + "'");
+    BOOST_TEST(splits.code == 2);
+    BOOST_TEST(splits.err.find("expected one margin") != std::string::npos, splits.err);
+}
+
 BOOST_AUTO_TEST_CASE(demos_without_their_arguments_say_what_is_expected) {
     const TemporaryFolder folder;
     for (const std::string demo : {"console", "clearance_optimal", "leaf_strategies", "replan"}) {
