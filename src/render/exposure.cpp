@@ -108,10 +108,11 @@ class Pixel {
             ray.least = hit.along + kPast;
         }
         mean.isPlain &= count == 0;
+        const bool isVeil = stages_.solids.isOnScale(end);  // orange behind blue would be the scale's red
         while (count-- > 0) {
             const SeenPoint seen = stages_.ghosts.seenAt(ray, met[count]);
-            const Colour ghost = light_.unshaded(seen) * seen.colour;
-            behind += exposure_.ghostShare * (ghost - behind);
+            const Colour ghost = light_.unshaded(seen) * (isVeil ? Colour(Colour::Ones()) : seen.colour);
+            behind += (isVeil ? exposure_.veilShare : exposure_.ghostShare) * (ghost - behind);
         }
         return behind;
     }

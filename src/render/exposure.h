@@ -15,6 +15,7 @@ struct Exposure {
     Colour background{1, 1, 1};
     float lightReach = 0.12f;  ///< see Light
     float ghostShare = 0.5f;   ///< of the light, what comes from a ghost and not from behind it
+    float veilShare = 0.3f;    ///< likewise before what has a colour of the scale, which a ghost only pales
     float lineWidth = 1.4f;    ///< of outlines, pixels; 0 for none
 };
 

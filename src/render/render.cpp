@@ -180,6 +180,7 @@ class Arrangement {
         const float radius = static_cast<float>(pixels) * depth / camera_.focal;
         body.shape = stages_.solids.addShape(tubeAlong(points, radius));
         body.hasSeams = false;
+        body.isOnScale = true;
         stages_.solids.addBody(body);
     }
 
@@ -192,6 +193,7 @@ class Arrangement {
         const std::size_t part = stages_.solids.addShape(std::move(partSurface_));
         for (const PosedPart& pose : poses_) {
             Body body{part, placementOf(pose), {clearanceColour(pose.clearance / most_)}};
+            body.isOnScale = true;
             if (pose.isGhost) body.shape = 0;
             (pose.isGhost ? stages_.ghosts : stages_.solids).addBody(body);
         }

@@ -15,6 +15,7 @@ struct Body {
     Placement placement;
     std::vector<Colour> colours;  ///< of each component of the shape, the last one for all that follow
     bool hasSeams = true;         ///< whether lines are drawn where two of its components meet
+    bool isOnScale = false;       ///< its colours are places on a scale, that no other colour may tint
 };
 
 /// A point that a ray met.
@@ -36,6 +37,7 @@ class Stage {
     SeenPoint seenAt(const Ray& ray, const RayHit& hit) const;
     /// Of the triangle that was met, in whichever direction its corners give it; unit length.
     Vector3f facetOf(const RayHit& hit) const;
+    bool isOnScale(const RayHit& hit) const { return hit.isHit && bodies_[hit.body].isOnScale; }
     /// 0 for nothing; the same for all components of a body without seams.
     std::uint32_t seamKey(const RayHit& hit) const;
 

@@ -162,6 +162,26 @@ BOOST_AUTO_TEST_CASE(a_ghost_lets_the_wall_behind_it_through) {
     BOOST_TEST(count(shot.taken(), isPale) < solid / 4);
 }
 
+/// Blue before orange would be a red that the scale has for another clearance.
+BOOST_AUTO_TEST_CASE(a_ghost_pales_what_has_a_clearance_and_never_tints_it) {
+    Shot shot;
+    shot.options.view = "left";
+    shot.options.isClose = true;
+    shot.poses = {{shot.upright(-30), 2.5}};
+    const auto isWarm = [](const Colour& pixel) { return pixel[0] - pixel[2] > 0.05f; };
+    const auto isOrange = [&](const Colour& pixel) {  // paled or not: as much red to green, white taken away
+        return isWarm(pixel) && pixel[1] - pixel[2] > 0.2f * (pixel[0] - pixel[2]);
+    };
+    BOOST_TEST(count(shot.taken(), isOrange) > 0.95 * count(shot.taken(), isWarm));
+    const int solid = count(shot.taken(), isOrange);
+    shot.poses.push_back({shot.upright(-60), 10, true});
+    const Image image = shot.taken();
+    BOOST_TEST(count(image, isOrange) > 0.95 * count(image, isWarm));
+    BOOST_TEST(count(image, isOrange) > solid / 2);
+    BOOST_TEST(count(image, [&](const Colour& pixel) { return isOrange(pixel) && pixel[2] > 0.1f; }) >
+               solid / 2);
+}
+
 BOOST_AUTO_TEST_CASE(the_way_is_a_line_in_the_colours_of_its_clearances) {
     Shot shot;
     shot.options.view = "top";
