@@ -42,7 +42,7 @@ constexpr std::size_t kFirst = 100;  // motions
 constexpr double kAnyLength = 1e5;   // a range that limits no edge
 
 std::uint32_t seedCount() {
-    return isFull() ? 1000 : 60;
+    return isFull() ? 300 : 60;
 }
 
 struct Quiet {
