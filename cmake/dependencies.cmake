@@ -10,6 +10,7 @@ if(CLEARWAY_TESTS)
 endif()
 find_package(TBB 2021 REQUIRED CONFIG COMPONENTS tbb)
 find_package(Threads REQUIRED)
+find_package(nlohmann_json 3.11 REQUIRED CONFIG)
 
 # assimp and OMPL 1.5 export variables or targets by version; both end up behind one name each here. Their headers are
 # system headers: their warnings are not ours.

@@ -51,6 +51,7 @@ expect_refusal(src/model/x.cpp "#include \"hwy/highway.h\"" "only files that mat
 expect_refusal(src/mesh/clean.cpp "#include <assimp/scene.h>" "only files that match")
 expect_refusal(src/model/x.cpp "#include <ompl/base/State.h>" "only files that match")
 expect_refusal(include/clearway/x.h "#include <ompl/base/State.h>" "only files that match")
+expect_refusal(include/clearway/x.h "#include <nlohmann/json_fwd.hpp>" "only files that match")
 expect_refusal(include/clearway/planning/x.h "#include <assimp/scene.h>" "only files that match")
 expect_refusal(include/clearway/x.h "#include \"tree/flat_tree.h\"" "public headers include only public headers")
 expect_refusal(include/clearway/x.h "#include \"clearway/planning/c.h\"" "only the planning headers")

@@ -4,11 +4,12 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <ostream>
 #include <string_view>
 
 #include "core/colour.h"
-#include "core/json_text.h"
+#include "core/json.h"
 #include "core/replace_file.h"
 #include "report/coding.h"
 #include "report/frames.h"
@@ -27,43 +28,32 @@ constexpr std::size_t kFrames = 401, kStretches = 600, kColours = 33, kMostTroub
 
 using Places = std::vector<std::pair<std::string, std::string>>;
 
-std::string field(const std::string& name, const std::string& json) {
-    return jsonText(name) + ":" + json;
+Json pointOf(const Vector3& point) {
+    return {point.x(), point.y(), point.z()};
 }
 
-std::string object(const std::vector<std::string>& fields) {
-    std::string list = jsonList(fields);
-    list.front() = '{';
-    list.back() = '}';
-    return list;
-}
-
-std::string jsonMesh(const PageMesh& mesh, const Vector3& origin) {
-    return object(
-        {field("low", jsonPoint(mesh.box.min() - origin)), field("extent", jsonPoint(mesh.box.diagonal())),
-         field("positions", '"' + base64(mesh.positions.data(), 6 * mesh.positions.size()) + '"'),
-         field("triangles", '"' + base64(mesh.triangles.data(), 12 * mesh.triangles.size()) + '"')});
+Json jsonOf(const PageMesh& mesh, const Vector3& origin) {
+    return {{"low", pointOf(mesh.box.min() - origin)},
+            {"extent", pointOf(mesh.box.diagonal())},
+            {"positions", base64(mesh.positions.data(), 6 * mesh.positions.size())},
+            {"triangles", base64(mesh.triangles.data(), 12 * mesh.triangles.size())}};
 }
 
 /// position: of the middle of the part's box.
-std::string jsonFrame(const ReportFrame& frame, const Vector3& partMiddle, const Vector3& origin) {
+Json jsonOf(const ReportFrame& frame, const Vector3& partMiddle, const Vector3& origin) {
     const Eigen::Quaterniond q(frame.X_environmentPart.rotation);
-    std::vector<std::string> fields = {
-        field("share", jsonNumber(frame.share)),
-        field("position", jsonPoint(frame.X_environmentPart * partMiddle - origin)),
-        field("rotation",
-              jsonList({jsonNumber(q.x()), jsonNumber(q.y()), jsonNumber(q.z()), jsonNumber(q.w())})),
-        field("clearance", frame.isInReach ? jsonNumber(frame.clearance.lower) : "null")};
-    if (frame.isInReach && std::isinf(frame.clearance.lower)) fields.push_back(field("isFree", "true"));
+    Json json = {{"share", frame.share},
+                 {"position", pointOf(frame.X_environmentPart * partMiddle - origin)},
+                 {"rotation", {q.x(), q.y(), q.z(), q.w()}},
+                 {"clearance", frame.isInReach ? Json(frame.clearance.lower) : Json()}};
+    if (frame.isInReach && std::isinf(frame.clearance.lower)) json["isFree"] = true;
     if (!frame.partMesh.empty()) {
         const SceneDistance& nearest = frame.clearance.nearest;
-        fields.push_back(field("distance", jsonNumber(nearest.distance)));
-        fields.push_back(field("pair", jsonList({jsonPoint(nearest.pointOnPart - origin),
-                                                 jsonPoint(nearest.pointOnEnvironment - origin)})));
-        fields.push_back(
-            field("between", jsonList({jsonText(frame.partMesh), jsonText(frame.environmentMesh)})));
+        json["distance"] = nearest.distance;
+        json["pair"] = {pointOf(nearest.pointOnPart - origin), pointOf(nearest.pointOnEnvironment - origin)};
+        json["between"] = {frame.partMesh, frame.environmentMesh};
     }
-    return object(fields);
+    return json;
 }
 
 std::size_t nearestFrame(const std::vector<ReportFrame>& frames, double share) {
@@ -74,26 +64,17 @@ std::size_t nearestFrame(const std::vector<ReportFrame>& frames, double share) {
                                     frames.begin());
 }
 
-std::string jsonTable(const ReportTable& table, const std::vector<ReportFrame>& frames) {
-    const auto texts = [](const std::vector<std::string>& cells) {
-        std::vector<std::string> items;
-        for (const std::string& cell : cells) items.push_back(jsonText(cell));
-        return jsonList(items);
-    };
-    std::vector<std::string> rows, jumps;
-    for (const auto& row : table.rows) rows.push_back(texts(row));
-    for (const double share : table.shares) jumps.push_back(std::to_string(nearestFrame(frames, share)));
-    return object({field("title", jsonText(table.title)), field("header", texts(table.header)),
-                   field("rows", jsonList(rows)), field("frames", jumps.empty() ? "null" : jsonList(jumps))});
+Json jsonOf(const ReportTable& table, const std::vector<ReportFrame>& frames) {
+    Json jumps;
+    for (const double share : table.shares) jumps.push_back(nearestFrame(frames, share));
+    return {{"title", table.title}, {"header", table.header}, {"rows", table.rows}, {"frames", jumps}};
 }
 
-std::string jsonColours() {
-    std::vector<std::string> colours;
-    for (std::size_t i = 0; i < kColours; ++i) {
-        const auto rgb = toSRgb(clearanceColour(double(i) / double(kColours - 1)));
-        colours.push_back(jsonList({std::to_string(rgb[0]), std::to_string(rgb[1]), std::to_string(rgb[2])}));
-    }
-    return jsonList(colours);
+Json colourScale() {
+    Json colours;
+    for (std::size_t i = 0; i < kColours; ++i)
+        colours.push_back(toSRgb(clearanceColour(double(i) / double(kColours - 1))));
+    return colours;
 }
 
 std::string shortly(double value) {
@@ -128,22 +109,24 @@ class PageData {
         }
     }
 
-    std::string json() const {
-        std::vector<std::string> frames, tables, certified;
-        for (const ReportFrame& frame : frames_)
-            frames.push_back(jsonFrame(frame, part_.box.center(), origin_));
-        for (const ReportTable& table : input_.tables) tables.push_back(jsonTable(table, frames_));
-        for (const double clearance : certifiedStretches(line_, input_.audit, kStretches))
-            certified.push_back(jsonNumber(clearance));
-        const std::string scaleMost = jsonNumber(scaleFor(least_, most_));
-        return object({field("verdict", jsonText(input_.verdict)), field("note", jsonText(note())),
-                       field("radius", jsonNumber(environment_.box.diagonal().norm() / 2)),
-                       field("middle", "[0,0,0]"), field("scale", jsonColours()),
-                       field("scaleMost", scaleMost), field("profileMost", scaleMost),
-                       field("tightest", std::to_string(tightest())), field("certified", jsonList(certified)),
-                       field("tables", jsonList(tables)), field("frames", jsonList(frames)),
-                       field("part", jsonMesh(part_, part_.box.center())),
-                       field("environment", jsonMesh(environment_, origin_))});
+    Json json() const {
+        Json frames = Json::array(), tables = Json::array();
+        for (const ReportFrame& frame : frames_) frames.push_back(jsonOf(frame, part_.box.center(), origin_));
+        for (const ReportTable& table : input_.tables) tables.push_back(jsonOf(table, frames_));
+        const double scaleMost = scaleFor(least_, most_);
+        return {{"verdict", input_.verdict},
+                {"note", note()},
+                {"radius", environment_.box.diagonal().norm() / 2},
+                {"middle", {0, 0, 0}},
+                {"scale", colourScale()},
+                {"scaleMost", scaleMost},
+                {"profileMost", scaleMost},
+                {"tightest", tightest()},
+                {"certified", certifiedStretches(line_, input_.audit, kStretches)},
+                {"tables", std::move(tables)},
+                {"frames", std::move(frames)},
+                {"part", jsonOf(part_, part_.box.center())},
+                {"environment", jsonOf(environment_, origin_)}};
     }
 
     std::size_t partTriangles() const { return part_.triangles.size(); }
@@ -202,7 +185,7 @@ WrittenReport writeReport(const ReportInput& input, const std::string& file) {
     const std::string page = filled(kPageHtml, {{"title", htmlText(input.title)},
                                                 {"three", moduleAddress(kThreeModule)},
                                                 {"controls", moduleAddress(kOrbitControls)},
-                                                {"data", data.json()},
+                                                {"data", jsonText(data.json())},
                                                 {"viewer", kPageViewer}});
     replaceFile(file, [&](std::ostream& stream) { stream << page; });
     return {page.size(), data.partTriangles(), data.environmentTriangles()};

@@ -2,7 +2,9 @@
 #include "report/report.h"
 
 #include <boost/test/unit_test.hpp>
+#include <nlohmann/json.hpp>
 
+#include "core/json.h"
 #include "planning/check_path.h"
 #include "support/temporary_folder.h"
 #include "support/window_scene.h"
@@ -21,7 +23,8 @@ struct Written {
         const std::vector<PartState> path = {window.problem.start, window.problem.start};
         const auto audit = planning::checkPath(window.problem, window.scene, path).audit;
         ReportInput input{title, "fine", window.partMesh, window.wallMesh, window.scene, path, audit, {}};
-        input.tables = {{"Figures", {}, {{"time", "3 </script> s"}}, {}}, segmentTable(audit, path, 1)};
+        input.tables = {{"Figures", {}, {{"time", "3 </script> s"}, {"part", "Tr\xe4ger"}}, {}},
+                        segmentTable(audit, path, 1)};
         report = writeReport(input, folder.file("out.html"));
         page = readText(folder.file("out.html"));
     }
@@ -29,6 +32,11 @@ struct Written {
         std::size_t found = 0;
         for (auto at = page.find(text); at != std::string::npos; at = page.find(text, at + 1)) ++found;
         return found;
+    }
+    Json data() const {
+        const std::string opening = "<script id=\"data\" type=\"application/json\">";
+        const auto begin = page.find(opening) + opening.size();
+        return Json::parse(page.substr(begin, page.find("</script>", begin) - begin));
     }
 };
 
@@ -57,6 +65,9 @@ BOOST_AUTO_TEST_CASE(names_and_figures_cannot_break_the_page) {
     BOOST_TEST(written.count("<script>alert") == 0u);
     BOOST_TEST(written.count("</script>") == 3u);  // the page's own
     BOOST_TEST(written.count("3 \\u003c/script> s") == 1u);
+    const Json rows = written.data()["tables"][0]["rows"];
+    BOOST_TEST(rows[0][1].get<std::string>() == "3 </script> s");
+    BOOST_TEST(rows[1][1].get<std::string>() == "Träger");  // whose bytes came in as Latin-1
 }
 
 BOOST_AUTO_TEST_CASE(a_folder_that_is_not_there_is_told_by_name) {

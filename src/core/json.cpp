@@ -1,0 +1,42 @@
+#include "core/json.h"
+
+#include <boost/algorithm/string/replace.hpp>
+#include <boost/locale/utf.hpp>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+namespace clearway {
+
+namespace {
+
+std::string utf8Of(const std::string& text) {
+    namespace utf = boost::locale::utf;
+    std::string result;
+    for (auto at = text.begin(); at != text.end();) {
+        const auto start = at;
+        utf::code_point character = utf::utf_traits<char>::decode(at, text.end());
+        if (character == utf::illegal || character == utf::incomplete) {
+            character = static_cast<unsigned char>(*start);  // which Latin-1 and Unicode have in common
+            at = start + 1;
+        }
+        utf::utf_traits<char>::encode(character, std::back_inserter(result));
+    }
+    return result;
+}
+
+void makeUtf8(Json& value) {
+    if (value.is_string()) value = utf8Of(value.get_ref<const std::string&>());
+    if (!value.is_structured()) return;
+    for (Json& item : value) makeUtf8(item);
+}
+
+}  // namespace
+
+std::string jsonText(Json value) {
+    makeUtf8(value);
+    std::string text = value.dump();
+    boost::replace_all(text, "<", "\\u003c");  // only strings can hold one
+    return text;
+}
+
+}  // namespace clearway
