@@ -43,7 +43,8 @@ void requirePositions(const std::vector<PartState>& path, const Scene& scene, co
 
 }  // namespace
 
-PathCheck checkPath(const Problem& problem, const Scene& scene, const std::vector<PartState>& path) {
+PathCheck checkPath(const Problem& problem, const Scene& scene, const std::vector<PartState>& path,
+                    const AuditOptions& options) {
     if (path.empty()) throw std::invalid_argument("the path has no state, expected at least one");
     const Box bounds = boundsOf(problem, scene.environmentBox());
     requireReachOf(scene, bounds, stepOf(problem, PlanOptions(), scene.part));
@@ -69,8 +70,6 @@ PathCheck checkPath(const Problem& problem, const Scene& scene, const std::vecto
     check.offStart = off(first, problem.start);
     check.offGoal = off(last, problem.goal);
     const double spare = std::max(0.0, std::min(checker->clearance(first), checker->clearance(last)));
-    AuditOptions options;
-    options.profile = true;
     check.audit = audit(states, MotionValidator(si, scene, auditMotions(scene, spare)), options);
     return check;
 }

@@ -10,7 +10,7 @@
 namespace clearway::planning {
 
 struct PathCheck {
-    PathAudit audit;  ///< with its profile
+    PathAudit audit;
     /// No point of the part is farther than this from where the problem has it.
     double offStart = 0, offGoal = 0;
     double tolerance = 0;  ///< what of that is taken for rounding in the file: a share of the part's diagonal
@@ -22,6 +22,7 @@ struct PathCheck {
 /// Audits the path in the problem's space, by its bounds and the scene's margin. Throws std::invalid_argument
 /// when the path has no state, the bounds leave out the problem's start or goal, or the environment was built
 /// with too small a reach (see planningReach).
-PathCheck checkPath(const Problem& problem, const Scene& scene, const std::vector<PartState>& path);
+PathCheck checkPath(const Problem& problem, const Scene& scene, const std::vector<PartState>& path,
+                    const AuditOptions& options = {/*profile*/ true});
 
 }  // namespace clearway::planning
