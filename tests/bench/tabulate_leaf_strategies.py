@@ -61,6 +61,23 @@ def found_by(rows, names):
     return {tuple(row[name] for name in names): row for row in rows}
 
 
+def unsplit(summary, baseline):
+    """A line for each planner and general split with the leaf split that the others are compared with: medians of its runs."""
+    checks = ("state_checks", "motion_checks", "motion_costs")
+    queries = ("distance_queries", "within_queries")
+    lines = []
+    for row in summary:
+        if row["source"] != "runs" or row["planner"] == "all" or row["leaf_split"] != baseline:
+            continue
+        lines.append([f"{row['planner']}, {row['general_split']}", f"{row['solved']} of {row['runs']}",
+                      short(row["first_solution_seconds"]), short(row["final_solution_seconds"]), short(row["calls_per_second"]),
+                      " / ".join(short(row[name]) for name in checks), " / ".join(short(row[name]) for name in queries),
+                      short(row["volume_tests"]), short(row["triangle_tests"]), percent(row["block_fill"]),
+                      percent(row["kernel_fill"])])
+    table(["planner, tree", "solved", "first solution, s", "final, s", "calls/s", "states / motions / costs asked",
+           "distances / withins", "volume tests", "triangle tests", "blocks in use", "kernel in use"], sorted(lines))
+
+
 def planners(summary, statistics):
     """A line for each planner, general and leaf split, with the ratios of pairs of runs."""
     columns = ("planner", "general_split", "leaf_split")
@@ -138,7 +155,9 @@ def main():
           f"quicker, or less. Shares of `{baseline}` are in brackets too.\n")
     for scene in dict.fromkeys(row["scene"] for row in built):
         of = [[row for row in rows if row["scene"] == scene] for rows in (summary, statistics, built)]
-        print(f"### {scene}\n\nPlanner runs; the planner's and query time are of each call, triangle tests of each query:\n")
+        print(f"### {scene}\n\nPlanner runs with `{baseline}`, medians; tests are of each query:\n")
+        unsplit(of[0], baseline)
+        print(f"The other splits over it; the planner's and query time are of each call, triangle tests of each query:\n")
         planners(of[0], of[1])
         print("The same calls of all planners, replayed; triangle tests and blocks in use of the same splits in turn:\n")
         replays(of[1])
