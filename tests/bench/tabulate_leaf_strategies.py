@@ -8,6 +8,7 @@ Scenes may have been studied in folders of their own.
 import csv
 import os
 import sys
+from statistics import median
 
 SPLITS = ("none", "chain", "edge", "all")
 
@@ -78,6 +79,29 @@ def unsplit(summary, baseline):
            "distances / withins", "volume tests", "triangle tests", "blocks in use", "kernel in use"], sorted(lines))
 
 
+def seconds_per_call(run, column):
+    calls = sum(int(run[name]) for name in ("state_checks", "motion_checks", "motion_costs"))
+    return float(run[column]) / calls if calls > 0 else None
+
+
+def general_splits(runs, baseline):
+    """A line for each planner: what other general splits take over the last one, pair by pair of runs with one seed."""
+    by_seed = found_by([run for run in runs if run["leaf_split"] == baseline], ("planner", "general_split", "seed"))
+    *others, best = sorted({run["general_split"] for run in runs})
+    lines = []
+    for planner in sorted({run["planner"] for run in runs}):
+        for other in others:
+            cells = [f"{planner}, {other} over {best}"]
+            for column in ("processor_seconds", "query_seconds"):
+                pairs = [(seconds_per_call(run, column), seconds_per_call(by_seed[planner, best, seed], column))
+                         for (name, split, seed), run in by_seed.items()
+                         if (name, split) == (planner, other) and (planner, best, seed) in by_seed]
+                ratios = [here / there for here, there in pairs if here is not None and there]
+                cells.append(short(median(ratios)) if ratios else "-")
+            lines.append(cells)
+    table(["planner, trees", "planner's time", "query time"], lines)
+
+
 def planners(summary, statistics):
     """A line for each planner, general and leaf split, with the ratios of pairs of runs."""
     columns = ("planner", "general_split", "leaf_split")
@@ -102,8 +126,10 @@ def planners(summary, statistics):
               "query time.\n")
 
 
-def replays(statistics):
+def replays(statistics, summary, baseline):
     """A line for each tree, with ratios of the same calls of all planners."""
+    speeds = {tree(row): row["calls_per_second"] for row in summary
+              if (row["source"], row["planner"], row["leaf_split"]) == ("replay", "all", baseline)}
     rows = [row for row in statistics if row["source"] == "replay" and row["planner"] == "all"]
     rows.sort(key=lambda row: (row["general_split"], row["instructions"] != "best", -int(row["node_width"]),
                                int(row["leaf_size"]), row["instructions"]))
@@ -114,10 +140,10 @@ def replays(statistics):
         of = [found.get((name, measure, split)) for split in splits]
         return ", ".join("-" if row is None else short(row["ratio"]) for row in of)
 
-    lines = [[name] + [ratio(found.get((name, "seconds", split))) for split in splits] +
+    lines = [[name, short(speeds[name])] + [ratio(found.get((name, "seconds", split))) for split in splits] +
              [short_ratios(name, "triangle_tests"), short_ratios(name, "block_fill")]
              for name in dict.fromkeys(tree(row) for row in rows)]
-    table(["tree"] + [f"{split}: seconds" for split in splits] + ["triangle tests", "blocks in use"], lines)
+    table(["tree", f"{baseline}: calls/s"] + [f"{split}: seconds" for split in splits] + ["triangle tests", "blocks in use"], lines)
 
 
 def beside(row, measure):
@@ -148,8 +174,8 @@ def claims(rows):
 def main():
     if len(sys.argv) < 2:
         sys.exit("usage: tabulate_leaf_strategies.py STUDY_FOLDER...")
-    names = ("summary.csv", "statistics.csv", "trees.csv", "claims.csv")
-    summary, statistics, built, judged = (read(sys.argv[1:], name) for name in names)
+    names = ("runs.csv", "summary.csv", "statistics.csv", "trees.csv", "claims.csv")
+    runs, summary, statistics, built, judged = (read(sys.argv[1:], name) for name in names)
     baseline = statistics[0]["baseline"]
     print(f"Ratios are to `{baseline}`: medians, and in brackets the interval of 95 in 100 bootstrap resamples. Below 1 is "
           f"quicker, or less. Shares of `{baseline}` are in brackets too.\n")
@@ -157,10 +183,12 @@ def main():
         of = [[row for row in rows if row["scene"] == scene] for rows in (summary, statistics, built)]
         print(f"### {scene}\n\nPlanner runs with `{baseline}`, medians; tests are of each query:\n")
         unsplit(of[0], baseline)
-        print(f"The other splits over it; the planner's and query time are of each call, triangle tests of each query:\n")
+        print("The general splits of these; times of each call, medians of pairs of runs:\n")
+        general_splits([run for run in runs if run["scene"] == scene], baseline)
+        print(f"The other leaf splits over `{baseline}`; the planner's and query time are of each call, triangle tests of each query:\n")
         planners(of[0], of[1])
         print("The same calls of all planners, replayed; triangle tests and blocks in use of the same splits in turn:\n")
-        replays(of[1])
+        replays(of[1], of[0], baseline)
         first = of[2][0]
         thesis = f"; in brackets the thesis's {first['thesis_scene']}" if first["thesis_scene"] else ""
         print(f"Trees of the environment, {int(first['triangles']):,} triangles; {first['colliding']} of {first['poses']} poses collide{thesis}:\n")
