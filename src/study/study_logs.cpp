@@ -5,6 +5,7 @@
 #include "study/engine.h"
 #include "study/machine.h"
 #include "study/planner_runs.h"
+#include "study/study_rows.h"
 
 namespace clearway {
 namespace {
@@ -46,7 +47,7 @@ std::vector<std::string> writeStudyLogs(const StudyProblem& problem, const Study
                         continue;
                     }
                     of.runs.push_back({propertiesOf(row), {}, row.at("solved") == "1", 0, {}, {}});
-                    benchmark.seconds += std::stod(row.at("seconds"));
+                    benchmark.seconds += sumIn(row, {"seconds"});
                 }
                 benchmark.planners.push_back(of);
             }

@@ -18,6 +18,12 @@ Box boxOf(const ObstacleGroups& obstacles) {
     return box;
 }
 
+/// The same wherever the mesh's file lies, and however its name was given.
+std::string keyOf(Mesh mesh) {
+    mesh.origin.file.clear();
+    return std::to_string(modelKey(mesh, {}));
+}
+
 std::string textOf(const PartState& state) {
     std::string text;
     for (int i = 0; i < 3; ++i) text += " " + formatNumber(state.position[i]);
@@ -34,9 +40,9 @@ std::size_t StudyProblem::environmentTriangles() const {
 }
 
 std::string StudyProblem::fingerprint() const {
-    std::string text = std::to_string(modelKey(part, {}));
+    std::string text = keyOf(part);
     for (const ObstacleGroup& group : obstacles.groups) {
-        text += " " + std::to_string(modelKey(group.mesh, {})) + " " + formatNumber(group.margin) + " " +
+        text += " " + keyOf(group.mesh) + " " + formatNumber(group.margin) + " " +
                 std::to_string(group.isIgnoredAtStart) + std::to_string(group.isIgnoredAtGoal) +
                 std::to_string(group.solids != nullptr);
     }

@@ -29,7 +29,10 @@ def short(value):
 
 
 def percent(value):
-    return "-" if value == "" else f"{100 * float(value):.2g} %"
+    if value == "":
+        return "-"
+    share = 100 * float(value)
+    return f"{share:.0f} %" if share >= 10 else f"{share:.2g} %"
 
 
 def ratio(row):

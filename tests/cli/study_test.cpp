@@ -1,4 +1,5 @@
 #define BOOST_TEST_MODULE study
+#include <filesystem>
 #include <fstream>
 #include <set>
 #include <sstream>
@@ -198,6 +199,10 @@ BOOST_AUTO_TEST_CASE(other_options_than_those_of_the_folder_are_refused) {
     requireRefused(folder, other(command, "split none --leaf-split all", "split none --leaf-split edge"),
                    {"leaf splits 'none all', not 'none edge'"});
     Problem problem = readProblem(folder.file("window.cfg"));
+    std::filesystem::rename(folder.file("plate.obj"), folder.file("moved.obj"));
+    problem.robot = folder.file("moved.obj");
+    writeProblem(problem, folder.file("window.cfg"));
+    BOOST_TEST(runIn(folder, command).code == 0, "the same scene in another file is taken for another");
     problem.start.position.x() += 1;
     writeProblem(problem, folder.file("window.cfg"));
     requireRefused(folder, command, {"scene window"});
