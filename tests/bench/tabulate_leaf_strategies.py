@@ -65,26 +65,53 @@ def found_by(rows, names):
     return {tuple(row[name] for name in names): row for row in rows}
 
 
-def unsplit(summary, baseline):
+CHECKS = ("state_checks", "motion_checks", "motion_costs")
+QUERIES = ("distance_queries", "within_queries")
+LEAST_SHARE = 0.95  # of a processor; a run with less was disturbed, as in src/study/study_rows.cpp
+
+
+def total(run, columns):
+    return sum(int(run[name]) for name in columns)
+
+
+def share(part, whole):
+    return part / whole if whole > 0 else None
+
+
+def medians(runs, value):
+    """Of the runs that have such a value; None when none has."""
+    values = [v for v in map(value, runs) if v is not None]
+    return median(values) if values else None
+
+
+def shown(value, form=short):
+    return form("" if value is None else value)
+
+
+def unsplit(runs, baseline):
     """A line for each planner and general split with the leaf split that the others are compared with: medians of its runs."""
-    checks = ("state_checks", "motion_checks", "motion_costs")
-    queries = ("distance_queries", "within_queries")
+    groups = {}
+    for run in runs:
+        if run["leaf_split"] == baseline:
+            groups.setdefault(f"{run['planner']}, {run['general_split']}", []).append(run)
     lines = []
-    for row in summary:
-        if row["source"] != "runs" or row["planner"] == "all" or row["leaf_split"] != baseline:
-            continue
-        lines.append([f"{row['planner']}, {row['general_split']}", f"{row['solved']} of {row['runs']}",
-                      short(row["first_solution_seconds"]), short(row["final_solution_seconds"]), short(row["calls_per_second"]),
-                      " / ".join(short(row[name]) for name in checks), " / ".join(short(row[name]) for name in queries),
-                      short(row["volume_tests"]), short(row["triangle_tests"]), percent(row["block_fill"]),
-                      percent(row["kernel_fill"])])
+    for name, of in sorted(groups.items()):
+        solved = [run for run in of if run["solved"] == "1"]
+        seconds = [shown(medians(solved, lambda run: float(run[column])))
+                   for column in ("first_solution_seconds", "final_solution_seconds")]
+        asked = [" / ".join(shown(medians(of, lambda run: int(run[column]))) for column in columns) for columns in (CHECKS, QUERIES)]
+        tests = [shown(medians(of, lambda run: share(float(run[column]), total(run, QUERIES))))
+                 for column in ("volume_tests", "triangle_tests")]
+        fills = [shown(medians(of, lambda run: share(float(run[part]), float(run[whole]))), percent)
+                 for part, whole in (("triangle_tests", "triangle_lanes"), ("kernel_pairs", "kernel_lanes"))]
+        calls = shown(medians(of, lambda run: share(total(run, CHECKS), float(run["processor_seconds"]))))
+        lines.append([name, f"{len(solved)} of {len(of)}"] + seconds + [calls] + asked + tests + fills)
     table(["planner, tree", "solved", "first solution, s", "final, s", "calls/s", "states / motions / costs asked",
-           "distances / withins", "volume tests", "triangle tests", "blocks in use", "kernel in use"], sorted(lines))
+           "distances / withins", "volume tests", "triangle tests", "blocks in use", "kernel in use"], lines)
 
 
-def seconds_per_call(run, column):
-    calls = sum(int(run[name]) for name in ("state_checks", "motion_checks", "motion_costs"))
-    return float(run[column]) / calls if calls > 0 else None
+def was_disturbed(run):
+    return float(run["processor_seconds"]) < LEAST_SHARE * float(run["seconds"])
 
 
 def general_splits(runs, baseline):
@@ -94,13 +121,14 @@ def general_splits(runs, baseline):
     lines = []
     for planner in sorted({run["planner"] for run in runs}):
         for other in others:
+            pairs = [(run, by_seed[planner, best, seed]) for (name, split, seed), run in by_seed.items()
+                     if (name, split) == (planner, other) and (planner, best, seed) in by_seed]
+            calm = [pair for pair in pairs if not any(map(was_disturbed, pair))]
             cells = [f"{planner}, {other} over {best}"]
-            for column in ("processor_seconds", "query_seconds"):
-                pairs = [(seconds_per_call(run, column), seconds_per_call(by_seed[planner, best, seed], column))
-                         for (name, split, seed), run in by_seed.items()
-                         if (name, split) == (planner, other) and (planner, best, seed) in by_seed]
-                ratios = [here / there for here, there in pairs if here is not None and there]
-                cells.append(short(median(ratios)) if ratios else "-")
+            for column, of in (("processor_seconds", pairs), ("query_seconds", calm)):
+                each = [[share(float(run[column]), total(run, CHECKS)) for run in pair] for pair in of]
+                ratios = [here / there for here, there in each if here is not None and there]
+                cells.append(f"{short(median(ratios))} ({short(min(ratios))} to {short(max(ratios))})" if ratios else "-")
             lines.append(cells)
     table(["planner, trees", "planner's time", "query time"], lines)
 
@@ -184,10 +212,12 @@ def main():
           f"quicker, or less. Shares of `{baseline}` are in brackets too.\n")
     for scene in dict.fromkeys(row["scene"] for row in built):
         of = [[row for row in rows if row["scene"] == scene] for rows in (summary, statistics, built)]
-        print(f"### {scene}\n\nPlanner runs with `{baseline}`, medians; tests are of each query:\n")
-        unsplit(of[0], baseline)
-        print("The general splits of these; times of each call, medians of pairs of runs:\n")
-        general_splits([run for run in runs if run["scene"] == scene], baseline)
+        here = [run for run in runs if run["scene"] == scene]
+        print(f"### {scene}\n\nPlanner runs with `{baseline}`, medians of all runs (of times to solutions: of those solved); tests are of "
+              "each query:\n")
+        unsplit(here, baseline)
+        print("The general splits of these; times of each of the planner's calls, medians (least to largest) of pairs of runs:\n")
+        general_splits(here, baseline)
         print(f"The other leaf splits over `{baseline}`; the planner's and query time are of each call, triangle tests of each query:\n")
         planners(of[0], of[1])
         print("The same calls of all planners, replayed; triangle tests and blocks in use of the same splits in turn:\n")
