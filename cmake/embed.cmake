@@ -1,9 +1,9 @@
 # Makes a C++ file of text files: cmake -DOUT=F.cpp -DHEADER=path/of/header.h "-DTEXTS=name=file;..." -P embed.cmake
-# For each text it defines `const char NAME[]`, which the header declares in namespace clearway. Done by CMake, so that
+# For each text it defines `const char NAME[]`, which the header declares in namespace clearway::report. Done by CMake, so that
 # no other program is needed to build.
 cmake_minimum_required(VERSION 3.25)
 
-file(WRITE ${OUT}.tmp "#include \"${HEADER}\"\n\nnamespace clearway {\n\n")
+file(WRITE ${OUT}.tmp "#include \"${HEADER}\"\n\nnamespace clearway::report {\n\n")
 foreach(pair IN LISTS TEXTS)
   string(REGEX MATCH "^([^=]+)=(.+)$" matched "${pair}")
   set(name ${CMAKE_MATCH_1})
@@ -16,5 +16,5 @@ foreach(pair IN LISTS TEXTS)
   file(APPEND ${OUT}.tmp "${text}")
   file(APPEND ${OUT}.tmp ")embedded\";\n\n")
 endforeach()
-file(APPEND ${OUT}.tmp "}  // namespace clearway\n")
+file(APPEND ${OUT}.tmp "}  // namespace clearway::report\n")
 file(RENAME ${OUT}.tmp ${OUT})

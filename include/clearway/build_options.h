@@ -11,8 +11,8 @@ struct BuildOptions {
     std::string generalSplit = "sah";  ///< see generalSplitNames()
     std::string leafSplit = "none";    ///< see leafSplitNames()
     int leafSize = 4;                  ///< most triangles a leaf may hold, 1 to 16
-    int nodeWidth = 8;                 ///< children of a node: 8, or 2 for the binary engine with exact rectangle distances
-    std::string fit = "frames";        ///< see fitNames()
+    int nodeWidth = 8;  ///< children of a node: 8, or 2 for the binary engine with exact rectangle distances
+    std::string fit = "frames";  ///< see fitNames()
     /// Most threads to build with, 0 to 1024; 0: as many as oneTBB gives the caller. The tree is the same for all.
     int threads = 0;
 };

@@ -2,8 +2,8 @@
 
 #include <tbb/parallel_invoke.h>
 
-#include "bounds/normalisation.h"
 #include "build/tasks.h"
+#include "tree/normalisation.h"
 
 namespace clearway {
 

@@ -5,7 +5,7 @@
 
 #include "mesh/clean.h"
 #include "mesh/component_mesh.h"
-#include "solid/shells.h"
+#include "model/shells.h"
 
 namespace clearway {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "clearway/scene.h"
-#include "solid/solid.h"
+#include "model/solid.h"
 
 namespace clearway {
 

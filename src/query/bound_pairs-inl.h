@@ -47,8 +47,8 @@ HWY_INLINE void FillPair(const PairVertices& pair, int lane, PairRows& rows) {
 
 /// lower[k] <= the distance of pair k, query units, for k < count <= kPairsTogether; 0 at worst. Close to the
 /// distance unless the triangles are flat or touch.
-HWY_NOINLINE void BoundPairs(const PairQuery& query, const Candidate* pairs, int count,
-                             double (&lower)[kPairsTogether]) {
+inline HWY_NOINLINE void BoundPairs(const PairQuery& query, const Candidate* pairs, int count,
+                                    double (&lower)[kPairsTogether]) {
     const hn::CappedTag<double, kPairsTogether> d;
     using V = hn::Vec<decltype(d)>;
     PairRows rows;

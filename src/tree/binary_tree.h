@@ -4,13 +4,13 @@
 #include <cstdint>
 #include <vector>
 
-#include "bounds/rss.h"
+#include "tree/rss.h"
 
 namespace clearway {
 
 struct BinaryNode {
     Rss volume;
-    std::int32_t left = -1;   ///< index into BinaryTree::nodes; -1 for a leaf
+    std::int32_t left = -1;  ///< index into BinaryTree::nodes; -1 for a leaf
     std::int32_t right = -1;
     std::uint32_t firstTriangle = 0;  ///< into BinaryTree::order, for inner nodes too
     std::uint32_t triangleCount = 0;
@@ -19,8 +19,8 @@ struct BinaryNode {
 };
 
 struct BinaryTree {
-    std::vector<BinaryNode> nodes;      ///< [0] is the root; children come after their parent
-    std::vector<std::uint32_t> order;   ///< positions of the triangles, leaf after leaf
+    std::vector<BinaryNode> nodes;     ///< [0] is the root; children come after their parent
+    std::vector<std::uint32_t> order;  ///< positions of the triangles, leaf after leaf
 };
 
 }  // namespace clearway

@@ -26,7 +26,8 @@ struct alignas(kWidth * 4) WideNode {
     float halfLength0[kWidth];
     float halfLength1[kWidth];
     float radius[kWidth];
-    float size[kWidth];          ///< side of a square as large as the rectangle grown by the radius; says which side to open
+    float size
+        [kWidth];  ///< side of a square as large as the rectangle grown by the radius; says which side to open
     std::int32_t child[kWidth];  ///< >= 0 a node, < 0 the leaf ~child; used lanes come first
 };
 static_assert(sizeof(WideNode<8>) == 8 * 56 && sizeof(WideNode<2>) == 2 * 56);
@@ -47,20 +48,20 @@ struct FlatTree {
     int nodeWidth = 8;
     Vector3 origin = Vector3::Zero();  ///< mesh coordinates; what node floats are relative to
     int unitExponent = 0;
-    float radius = 0;                  ///< of the vertices about the origin, tree units, rounded up; <= 1
+    float radius = 0;  ///< of the vertices about the origin, tree units, rounded up; <= 1
 
-    std::vector<WideNode<2>> nodes2;   ///< one of the two is empty
+    std::vector<WideNode<2>> nodes2;  ///< one of the two is empty
     std::vector<WideNode<8>> nodes8;
     std::vector<Leaf> leaves;
     /// For a leaf of n triangles, 9 n floats from 9 * firstTriangle: x of the n first corners, their y, their z, then the
     /// second corners and the third. (vertex - leaf centre) / unit, rounded. Ends with padding for whole-vector loads.
     std::vector<float> leafVertices;
 
-    std::vector<Vector3> vertices;                          ///< exact, mesh coordinates
-    std::vector<std::array<std::uint32_t, 3>> triangles;    ///< into vertices, in leaf order
-    std::vector<std::uint32_t> triangleIds;                 ///< the loader's id of each, in leaf order
-    Box box;                                                ///< of the mesh, triangles left out of the tree included
-    double radiusAboutMeshOrigin = 0;                       ///< largest |vertex|, rounded up
+    std::vector<Vector3> vertices;                        ///< exact, mesh coordinates
+    std::vector<std::array<std::uint32_t, 3>> triangles;  ///< into vertices, in leaf order
+    std::vector<std::uint32_t> triangleIds;               ///< the loader's id of each, in leaf order
+    Box box;                           ///< of the mesh, triangles left out of the tree included
+    double radiusAboutMeshOrigin = 0;  ///< largest |vertex|, rounded up
 
     template <int kWidth>
     const WideNode<kWidth>* nodes() const {

@@ -3,9 +3,11 @@
 #include <stdexcept>
 
 #include "core/number.h"
-#include "scenes/scenes.h"
+#include "program/scenes/scenes.h"
 
 namespace clearway::testing {
+
+using namespace scenes;
 
 /// A's and G's poses stay where the console is in the tunnel; B's and H's go on into the free room.
 const std::vector<BenchScene>& benchScenes() {

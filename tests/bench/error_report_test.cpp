@@ -1,5 +1,4 @@
 // The figures are what the answers were.
-#define BOOST_TEST_MODULE bench_error_report
 #include "bench/error_report.h"
 
 #include <boost/test/unit_test.hpp>

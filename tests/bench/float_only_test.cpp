@@ -1,6 +1,5 @@
 // What is measured as "float only" keeps the promise that the measurement states: its interval holds the
 // truth.
-#define BOOST_TEST_MODULE bench_float_only
 #include "bench/float_only.h"
 
 #include <boost/test/data/test_case.hpp>

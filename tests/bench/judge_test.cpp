@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE judge
 #include "bench/judge.h"
 
 #include <boost/test/unit_test.hpp>

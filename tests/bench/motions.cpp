@@ -15,9 +15,11 @@
 #include "clearway/planning/discrete_motion_validator.h"
 #include "clearway/planning/motion_validator.h"
 #include "core/number.h"
-#include "scenes/scenes.h"
+#include "program/scenes/scenes.h"
 
 namespace clearway::testing {
+
+using namespace scenes;
 namespace {
 
 namespace ob = ompl::base;

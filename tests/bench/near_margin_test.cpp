@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE bench_near_margin
 #include "bench/near_margin.h"
 
 #include <boost/test/data/monomorphic.hpp>

@@ -7,7 +7,7 @@
 
 #include "core/number.h"
 #include "core/replace_file.h"
-#include "planning/plan.h"
+#include "planning/setup/plan.h"
 #include "support/oracle.h"
 #include "support/path_check.h"
 

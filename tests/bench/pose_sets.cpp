@@ -7,10 +7,12 @@
 #include <stdexcept>
 
 #include "clearway/query.h"
-#include "scenes/path_curve.h"
+#include "program/scenes/path_curve.h"
 #include "support/random_meshes.h"
 
 namespace clearway::testing {
+
+using namespace scenes;
 namespace {
 
 /// Where a walk is: how far along the path, and how far beside it.

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "scenes/replay.h"
+#include "program/scenes/replay.h"
 
 namespace clearway::testing {
 
@@ -16,7 +16,8 @@ namespace clearway::testing {
 /// drawn anew every eight steps, evenly in its logarithm, and of four possible steps the one nearest to it is
 /// taken. Where no step is possible the walk turns round. None collides. Throws std::runtime_error when the
 /// walk is stuck.
-std::vector<Pose> posesFree(const PoseTask& task, double from, double to, int count, std::uint64_t seed);
+std::vector<Pose> posesFree(const scenes::PoseTask& task, double from, double to, int count,
+                            std::uint64_t seed);
 
 /// How far consecutive poses are apart: the largest way a corner of the part's box moves, over the box's
 /// diagonal; one value a step.

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE pose_sets
 #include "bench/pose_sets.h"
 
 #include <algorithm>

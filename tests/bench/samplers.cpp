@@ -9,7 +9,7 @@
 
 #include "core/number.h"
 #include "core/replace_file.h"
-#include "planning/plan.h"
+#include "planning/setup/plan.h"
 
 namespace clearway::testing {
 namespace {

@@ -1,5 +1,4 @@
 // What is measured as "scalar double" and "root volumes" keeps what the measurement says of it.
-#define BOOST_TEST_MODULE bench_scalar_double
 #include "bench/scalar_double.h"
 
 #include <boost/test/unit_test.hpp>

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE build_options
 #include "clearway/build_options.h"
 
 #include <boost/test/unit_test.hpp>

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE build
 #include "build/build.h"
 
 #include <boost/test/data/monomorphic.hpp>

@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "bounds/stored_volume.h"
 #include "mesh/clean.h"
 #include "tree/flat_tree.h"
+#include "tree/stored_volume.h"
 
 namespace clearway::testing {
 

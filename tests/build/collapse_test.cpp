@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE collapse
 #include "build/collapse.h"
 
 #include <boost/test/unit_test.hpp>

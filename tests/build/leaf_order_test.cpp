@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE leaf_order
 #include "build/leaf_order.h"
 
 #include <boost/test/unit_test.hpp>

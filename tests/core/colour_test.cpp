@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE colour
 #include "core/colour.h"
 
 #include <Eigen/LU>

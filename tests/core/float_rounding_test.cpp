@@ -1,6 +1,5 @@
 // The compiler must keep the rounding of a double to float when the float becomes a double again: g++ 12
 // drops it for neighbouring values unless it is told not to make vectors of them (see CMakeLists.txt).
-#define BOOST_TEST_MODULE float_rounding
 #include <boost/test/unit_test.hpp>
 
 namespace {

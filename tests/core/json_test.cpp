@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE json
 #include "core/json.h"
 
 #include <boost/test/unit_test.hpp>

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE lines
 #include "core/lines.h"
 
 #include <boost/test/unit_test.hpp>

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE number
 #include "core/number.h"
 
 #include <boost/test/unit_test.hpp>

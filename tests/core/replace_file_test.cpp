@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE replace_file
 #include "core/replace_file.h"
 
 #include <sys/stat.h>

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE round
 #include "core/round.h"
 
 #include <boost/test/unit_test.hpp>

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE smallest_checker
 #include <boost/test/unit_test.hpp>
 #include <cstdlib>
 #include <sstream>
@@ -14,8 +13,8 @@ namespace clearway::testing {
 /// What the demo finds; nothing when it ran out of its ten seconds.
 std::vector<PartState> runDemo(const std::string& part, const std::string& wall) {
     const TemporaryFolder folder;
-    const std::string command = CLEARWAY_DEMOS "/demo_smallest_checker '" + part + "' '" + wall + "' > '" + folder.file("out") +
-                                "' 2> '" + folder.file("err") + "'";
+    const std::string command = CLEARWAY_DEMOS "/demo_smallest_checker '" + part + "' '" + wall + "' > '" +
+                                folder.file("out") + "' 2> '" + folder.file("err") + "'";
     BOOST_TEST(std::system(command.c_str()) == 0);
 
     // OMPL prints one state a line among its messages.

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE stories
 #include <sys/wait.h>
 
 #include <algorithm>

@@ -1,5 +1,4 @@
 // A ball holds the exact value, says 0 error only when it is that value, and never decides a sign wrongly.
-#define BOOST_TEST_MODULE exact_ball
 #include "exact/ball.h"
 
 #include <boost/test/unit_test.hpp>

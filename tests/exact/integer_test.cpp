@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE exact_integer
 #include "exact/integer.h"
 
 #include <boost/test/unit_test.hpp>

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE exact_moved_point
 #include "exact/moved_point.h"
 
 #include <boost/test/unit_test.hpp>

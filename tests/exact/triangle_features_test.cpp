@@ -1,6 +1,5 @@
 // The least of all features is the triangles' distance, for triangles of no area and no length too, and the
 // places named are that far apart.
-#define BOOST_TEST_MODULE exact_triangle_features
 #include "exact/triangle_features.h"
 
 #include <algorithm>

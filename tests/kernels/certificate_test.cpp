@@ -1,6 +1,5 @@
 // A direction proves no more than is true, whatever the direction and on any instruction set, and finds most
 // pairs that are clearly apart.
-#define BOOST_TEST_MODULE kernels_certificate
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <limits>

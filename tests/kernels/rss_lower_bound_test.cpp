@@ -1,5 +1,4 @@
 // No lower bound between two volumes exceeds the distance of the triangles in them, on any instruction set.
-#define BOOST_TEST_MODULE kernels_rss_lower_bound
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>

@@ -1,6 +1,5 @@
 // Slabs across a direction are judged by their width over its length, never by what overflows or vanishes,
 // and go through the extreme corners; on any instruction set.
-#define BOOST_TEST_MODULE kernels_slabs
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <limits>

@@ -1,6 +1,5 @@
 // No lower bound between two volumes exceeds their distance, by long double from the rectangles as they are
 // stored: nearly parallel, crossing, coplanar, without width, far away; on any instruction set.
-#define BOOST_TEST_MODULE kernels_stored_volumes
 #include <algorithm>
 #include <array>
 #include <boost/test/unit_test.hpp>

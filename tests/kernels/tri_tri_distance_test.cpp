@@ -1,6 +1,5 @@
 // What the triangle kernels say of a pair's distance is true but for the rounding of sums and products, in
 // float and in double, on any instruction set, whatever the triangles' shape.
-#define BOOST_TEST_MODULE kernels_tri_tri_distance
 #include <boost/test/unit_test.hpp>
 #include <limits>
 #include <map>

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE bad_files
 #include <sys/stat.h>
 
 #include <boost/test/unit_test.hpp>
@@ -43,8 +42,6 @@ std::string replaced(std::string text, const std::string& from, const std::strin
     BOOST_REQUIRE(at != std::string::npos);
     return text.replace(at, from.size(), to);
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(a_missing_file_a_folder_and_an_empty_file_are_refused) {
     const TemporaryFolder folder;
@@ -187,4 +184,5 @@ BOOST_AUTO_TEST_CASE(coordinates_that_the_scale_makes_infinite_are_refused) {
     BOOST_CHECK_THROW(loadMesh(file, options), std::runtime_error);
 }
 
+}  // namespace
 }  // namespace clearway

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE box_mesh
 #include <boost/test/unit_test.hpp>
 #include <limits>
 #include <stdexcept>

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE clean
 #include "mesh/clean.h"
 
 #include <algorithm>

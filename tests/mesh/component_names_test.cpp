@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE component_names
 #include "mesh/component_names.h"
 
 #include <boost/test/unit_test.hpp>

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE degenerate
 #include "mesh/degenerate.h"
 
 #include <boost/test/unit_test.hpp>

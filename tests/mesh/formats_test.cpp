@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE formats
 #include <assimp/scene.h>
 
 #include <assimp/Exporter.hpp>

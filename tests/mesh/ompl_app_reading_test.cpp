@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE ompl_app_reading
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 

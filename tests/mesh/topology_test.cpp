@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE topology
 #include "mesh/topology.h"
 
 #include <algorithm>

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE batch
 #include "clearway/batch.h"
 
 #include <tbb/task_arena.h>

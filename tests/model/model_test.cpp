@@ -1,5 +1,4 @@
 // What a model says about itself, and which meshes make none.
-#define BOOST_TEST_MODULE model_model
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <limits>

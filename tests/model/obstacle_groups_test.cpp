@@ -1,5 +1,4 @@
 // Obstacles by name: which rules stand for which meshes, how they are grouped, and what is refused.
-#define BOOST_TEST_MODULE obstacle_groups
 #include "clearway/obstacle_groups.h"
 
 #include <boost/test/unit_test.hpp>

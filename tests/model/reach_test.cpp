@@ -1,5 +1,4 @@
 // A model without its unreachable triangles answers as the whole one does, or says why it cannot.
-#define BOOST_TEST_MODULE model_reach
 #include "clearway/reach.h"
 
 #include <boost/test/unit_test.hpp>

@@ -1,5 +1,4 @@
 // Which triangles are left out: against the distance from the box of positions, triangle by triangle.
-#define BOOST_TEST_MODULE model_unreachable
 #include "model/unreachable.h"
 
 #include <boost/test/unit_test.hpp>

@@ -1,6 +1,5 @@
 // The rational oracle against CGAL's exact one, wherever CGAL takes the pair: it asks for triangles with an
 // area.
-#define BOOST_TEST_MODULE oracle_cgal
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/squared_distance_3.h>
 

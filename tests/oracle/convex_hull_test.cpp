@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE convex_hull
 #include "support/convex_hull.h"
 
 #include <boost/test/unit_test.hpp>

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE exact_distance
 #include "support/exact_distance.h"
 
 #include <boost/test/unit_test.hpp>

@@ -1,5 +1,4 @@
 // The oracle's tree against every triangle with every other, and against answers known by geometry.
-#define BOOST_TEST_MODULE oracle_mesh_oracle
 #include <boost/test/unit_test.hpp>
 
 #include "support/hard_triangles.h"

@@ -1,5 +1,4 @@
 // The oracle's own foundations: long double against rationals, rationals against closed forms.
-#define BOOST_TEST_MODULE oracle_triangle_distance
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 

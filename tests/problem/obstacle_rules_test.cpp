@@ -1,5 +1,4 @@
 // The keys of [clearway] about obstacles, and worlds of several files: read as written, written as read.
-#define BOOST_TEST_MODULE obstacle_rules
 #include <boost/test/unit_test.hpp>
 #include <stdexcept>
 

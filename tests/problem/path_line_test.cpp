@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE path_line
 #include "problem/path_line.h"
 
 #include <boost/test/unit_test.hpp>

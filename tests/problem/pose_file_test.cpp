@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE pose_file
 #include <boost/test/unit_test.hpp>
 #include <stdexcept>
 
@@ -30,8 +29,6 @@ std::string refusalOf(const std::string& text) {
 }
 
 const std::string kIdentity = "1 0 0 0 1 0 0 0 1 7 8 9\n";
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(written_poses_read_back_to_the_same_numbers) {
     const TemporaryFolder folder;
@@ -110,4 +107,5 @@ BOOST_AUTO_TEST_CASE(a_file_that_cannot_be_read_is_named) {
                           });
 }
 
+}  // namespace
 }  // namespace clearway

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE problem
 #include "clearway/problem.h"
 
 #include <boost/test/unit_test.hpp>

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE write_problem
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <limits>

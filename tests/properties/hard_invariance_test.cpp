@@ -1,6 +1,5 @@
 // What must not change an answer, and what may change it only one way, held against exact arithmetic on the
 // hard pairs of triangles.
-#define BOOST_TEST_MODULE properties_hard_invariance
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -63,8 +62,6 @@ bool isWithinOf(const ModelPair& models, const Pose& pose, double d) {
     Workspace workspace;
     return isWithin(models.part, models.environment, pose, d, workspace);
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(exchanging_part_and_environment_keeps_distance_and_verdicts) {
     for (const ExactCase& exact : cases()) {
@@ -224,3 +221,5 @@ BOOST_DATA_TEST_CASE(a_million_away_the_interval_holds_the_distance_of_what_is_s
         BOOST_TEST(result.upper - result.lower <= 32 * kUnitRoundoff * exact.largestCoordinate, exact.name);
     }
 }
+
+}  // namespace

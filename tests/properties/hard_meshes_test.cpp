@@ -1,6 +1,5 @@
 // The hard cases of meshes, one test a case (see hard_cases.md), on every instruction set, with every leaf
 // split and node width, in all three queries.
-#define BOOST_TEST_MODULE properties_hard_meshes
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <limits>

@@ -1,6 +1,5 @@
 // The hard cases of triangles, one test a case (see hard_cases.md): pairs alone and together in two meshes,
 // on every instruction set, with every leaf split and node width, in all three queries; and in double alone.
-#define BOOST_TEST_MODULE properties_hard_triangles
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>

@@ -1,6 +1,5 @@
 // What must not change an answer: who is called the part, the order of triangles, the scale, the place, the
 // workspace's past.
-#define BOOST_TEST_MODULE query_invariance
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 

@@ -1,5 +1,4 @@
 // A query that has met its like before takes nothing from the heap.
-#define BOOST_TEST_MODULE query_allocation
 #include <atomic>
 #include <boost/test/unit_test.hpp>
 #include <cstdlib>

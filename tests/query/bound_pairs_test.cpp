@@ -1,6 +1,5 @@
 // Bounds of several pairs in double never exceed the distance of their exact vertices, and come near it for
 // triangles of a good shape; far from the origin, at any scale, on any instruction set.
-#define BOOST_TEST_MODULE query_bound_pairs
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>

@@ -1,6 +1,5 @@
 // What double leaves open is decided exactly: the interval holds the truth and is as narrow as promised, and
 // isWithin turns from no to yes between the two doubles that enclose the distance.
-#define BOOST_TEST_MODULE query_decide
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <limits>

@@ -1,6 +1,5 @@
 // Every strategy, node width and instruction set gives the oracle's distance, with everything else a result
 // promises.
-#define BOOST_TEST_MODULE query_distance
 #include <boost/test/unit_test.hpp>
 #include <map>
 #include <sstream>

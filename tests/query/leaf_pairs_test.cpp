@@ -1,6 +1,5 @@
 // Of all pairs of two leaves, whatever their numbers of triangles, those that are near are taken, once each,
 // with bounds that hold their distance; on any instruction set.
-#define BOOST_TEST_MODULE query_leaf_pairs
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <limits>

@@ -1,5 +1,4 @@
 // Caps, tolerances, and what is refused.
-#define BOOST_TEST_MODULE query_options
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <limits>

@@ -1,5 +1,4 @@
 // Which instruction sets queries run on, and how one is chosen.
-#define BOOST_TEST_MODULE query_targets
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <set>

@@ -1,5 +1,4 @@
 // Models are shared, workspaces are not: four threads get what one gets.
-#define BOOST_TEST_MODULE query_threads
 #include <boost/test/unit_test.hpp>
 #include <thread>
 

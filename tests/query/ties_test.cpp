@@ -1,6 +1,5 @@
 // Parallel faces, where hundreds of pairs of triangles are equally close: the interval stays narrow and holds
 // the distance, for every leaf size and leaf split, on any instruction set.
-#define BOOST_TEST_MODULE query_ties
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <map>

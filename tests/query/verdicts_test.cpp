@@ -1,5 +1,4 @@
 // collides, isWithin and distance never contradict one another, nor the oracle.
-#define BOOST_TEST_MODULE query_verdicts
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <limits>

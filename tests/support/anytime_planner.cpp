@@ -11,9 +11,9 @@
 #include "clearway/planning/planners.h"
 #include "clearway/planning/validity_checker.h"
 #include "core/number.h"
-#include "planning/objectives.h"
-#include "planning/ompl_messages.h"
-#include "planning/planning_space.h"
+#include "planning/objectives/objectives.h"
+#include "planning/setup/planning_space.h"
+#include "planning/validity/ompl_messages.h"
 
 namespace clearway::testing {
 namespace {

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "planning/planning_space.h"
-#include "scenes/boxes.h"
-#include "scenes/puzzle.h"
+#include "planning/setup/planning_space.h"
+#include "program/scenes/boxes.h"
+#include "program/scenes/puzzle.h"
 #include "support/window_scene.h"
 
 namespace clearway::testing {
+
+using namespace scenes;
 namespace {
 
 namespace ob = ompl::base;

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE statistics
 #include "tree/statistics.h"
 
 #include <boost/test/data/monomorphic.hpp>

@@ -1,6 +1,6 @@
 #include "build/fit/covariance.h"
 
-#include "bounds/covariance.h"
+#include "build/fit/point_covariance.h"
 
 namespace clearway {
 

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "bounds/area_moments.h"
-#include "bounds/frame_search.h"
+#include "build/fit/area_moments.h"
+#include "build/fit/frame_search.h"
 #include "build/leaf_order.h"
 
 namespace clearway {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "bounds/covariance.h"
+#include "build/fit/point_covariance.h"
 
 namespace clearway {
 

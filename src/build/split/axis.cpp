@@ -3,10 +3,10 @@
 #include <limits>
 #include <utility>
 
-#include "bounds/covariance.h"
-#include "bounds/rss.h"
+#include "build/fit/point_covariance.h"
 #include "build/split/plane.h"
 #include "build/top_down.h"
+#include "tree/rss.h"
 
 namespace clearway {
 

@@ -14,7 +14,7 @@
 #include <string>
 #include <utility>
 
-#include "bounds/normalisation.h"
+#include "tree/normalisation.h"
 
 namespace clearway {
 

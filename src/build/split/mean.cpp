@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "bounds/covariance.h"
+#include "build/fit/point_covariance.h"
 #include "build/split/plane.h"
 #include "build/top_down.h"
 

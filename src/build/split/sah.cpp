@@ -5,11 +5,11 @@
 #include <memory>
 #include <utility>
 
-#include "bounds/covariance.h"
-#include "bounds/normalisation.h"
+#include "build/fit/point_covariance.h"
 #include "build/split/bins.h"
 #include "build/split/plane.h"
 #include "build/top_down.h"
+#include "tree/normalisation.h"
 
 namespace clearway {
 

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE frames
 #include "build/fit/frames.h"
 
 #include <boost/test/unit_test.hpp>

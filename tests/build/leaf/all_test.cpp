@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE all
 #include "build/leaf/all.h"
 
 #include <boost/test/unit_test.hpp>

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE chain
 #include "build/leaf/chain.h"
 
 #include <boost/test/unit_test.hpp>

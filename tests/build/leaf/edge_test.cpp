@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE edge
 #include "build/leaf/edge.h"
 
 #include <boost/test/unit_test.hpp>

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE none
 #include "build/leaf/none.h"
 
 #include <boost/test/unit_test.hpp>

@@ -1,13 +1,12 @@
-#define BOOST_TEST_MODULE axis
 #include "build/split/axis.h"
 
 #include <boost/test/unit_test.hpp>
 
-#include "bounds/covariance.h"
-#include "bounds/rss.h"
+#include "build/fit/point_covariance.h"
 #include "build/sample_meshes.h"
 #include "build/split/children.h"
 #include "build/split/mean.h"
+#include "tree/rss.h"
 
 namespace clearway::testing {
 namespace {

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE embree
 #include "build/split/embree.h"
 
 #include <tbb/global_control.h>

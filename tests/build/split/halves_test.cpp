@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE halves
 #include "build/split/halves.h"
 
 #include <boost/test/unit_test.hpp>

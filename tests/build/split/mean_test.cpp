@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE mean
 #include "build/split/mean.h"
 
 #include <boost/test/unit_test.hpp>

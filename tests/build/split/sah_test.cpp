@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE sah
 #include "build/split/sah.h"
 
 #include <boost/test/unit_test.hpp>

@@ -1,0 +1,129 @@
+#include "planning/objectives/objectives.h"
+
+#include <ompl/base/objectives/MechanicalWorkOptimizationObjective.h>
+#include <ompl/base/objectives/PathLengthOptimizationObjective.h>
+#include <ompl/geometric/PathGeometric.h>
+
+#include <boost/algorithm/string/predicate.hpp>
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+
+#include "clearway/planning/clearance_objectives.h"
+#include "planning/objectives/objective_length.h"
+
+namespace clearway::planning {
+namespace {
+
+namespace ob = ompl::base;
+
+template <class Objective>
+ob::OptimizationObjectivePtr make(const ob::SpaceInformationPtr& si, const Scene&, const ObjectiveChoice&) {
+    return std::make_shared<Objective>(si);
+}
+
+template <class Objective>
+ob::OptimizationObjectivePtr makeInScene(const ob::SpaceInformationPtr& si, const Scene& scene,
+                                         const ObjectiveChoice&) {
+    return std::make_shared<Objective>(si, scene);
+}
+
+LengthWithClearanceOptions wantedOf(const ObjectiveChoice& choice) {
+    LengthWithClearanceOptions options;
+    options.wanted = choice.wantedClearance;
+    return options;
+}
+
+ob::OptimizationObjectivePtr makeWanted(const ob::SpaceInformationPtr& si, const Scene& scene,
+                                        const ObjectiveChoice& choice) {
+    return std::make_shared<LengthWithClearanceObjective>(si, scene, wantedOf(choice));
+}
+
+double none(const ObjectiveChoice&, const Model&) {
+    return 0;
+}
+
+double diagonal(const ObjectiveChoice&, const Model& part) {
+    return part.box().diagonal().norm();
+}
+
+double wanted(const ObjectiveChoice& choice, const Model& part) {
+    return wantedClearance(wantedOf(choice), part);
+}
+
+struct NamedObjective {
+    const char* name;
+    ob::OptimizationObjectivePtr (*make)(const ob::SpaceInformationPtr&, const Scene&,
+                                         const ObjectiveChoice&);
+    double (*largestClearance)(const ObjectiveChoice&, const Model&);
+};
+
+constexpr NamedObjective kObjectives[] = {
+    {"length", make<ob::PathLengthOptimizationObjective>, none},
+    {"max_min_clearance", makeInScene<MinClearanceObjective>, diagonal},
+    {"clearance_integral", makeInScene<ClearanceIntegralObjective>, diagonal},
+    {"length_with_clearance", makeWanted, wanted},
+    {"mechanical_work", make<ob::MechanicalWorkOptimizationObjective>, none},
+};
+
+const NamedObjective& findObjective(const std::string& name) {
+    const std::string asked = boost::iequals(name, "min_clearance") ? "max_min_clearance" : name;
+    std::string known;
+    for (const NamedObjective& row : kObjectives) {
+        if (boost::iequals(row.name, asked)) return row;
+        known += (known.empty() ? "" : ", ") + std::string(row.name);
+    }
+    throw std::invalid_argument("unknown objective '" + name + "', expected one of " + known);
+}
+
+/// Nothing as soon as the motions so far cost no less than the best: there may be thousands of paths.
+std::optional<double> costBetterThan(const std::optional<BestSolution>& best,
+                                     const ob::OptimizationObjective& objective,
+                                     const std::vector<ob::State*>& states) {
+    const auto isWorse = [&](ob::Cost cost) {
+        return best && !objective.isCostBetterThan(cost, ob::Cost(best->cost));
+    };
+    ob::Cost cost =
+        objective.combineCosts(objective.initialCost(states.front()), objective.terminalCost(states.back()));
+    for (std::size_t i = 1; i < states.size() && !isWorse(cost); ++i) {
+        cost = objective.combineCosts(cost, objective.motionCost(states[i - 1], states[i]));
+    }
+    if (isWorse(cost)) return std::nullopt;
+    return cost.value();
+}
+
+}  // namespace
+
+std::vector<std::string> objectiveNames() {
+    std::vector<std::string> names;
+    for (const NamedObjective& row : kObjectives) names.push_back(row.name);
+    return names;
+}
+
+std::string objectiveName(const std::string& name) {
+    return findObjective(name).name;
+}
+
+ob::OptimizationObjectivePtr makeObjective(const ob::SpaceInformationPtr& si, const Scene& scene,
+                                           const ObjectiveChoice& choice) {
+    return findObjective(choice.name).make(si, scene, choice);
+}
+
+double largestClearance(const ObjectiveChoice& choice, const Model& part) {
+    return findObjective(choice.name).largestClearance(choice, part);
+}
+
+std::optional<BestSolution> bestSolution(const ob::ProblemDefinition& definition) {
+    const ob::OptimizationObjectivePtr& objective = definition.getOptimizationObjective();
+    std::optional<BestSolution> best;
+    for (const ob::PlannerSolution& solution : definition.getSolutions()) {
+        if (solution.approximate_) continue;
+        if (!objective) return BestSolution{solution, std::nan("")};
+        auto& path = *solution.path_->as<ompl::geometric::PathGeometric>();
+        const auto cost = costBetterThan(best, *objective, path.getStates());
+        if (cost) best = BestSolution{solution, *cost};
+    }
+    return best;
+}
+
+}  // namespace clearway::planning

@@ -1,0 +1,225 @@
+#include "clearway/planning/planners.h"
+
+#include <ompl/geometric/planners/AnytimePathShortening.h>
+#include <ompl/geometric/planners/cforest/CForest.h>
+#include <ompl/geometric/planners/est/BiEST.h>
+#include <ompl/geometric/planners/est/EST.h>
+#include <ompl/geometric/planners/est/ProjEST.h>
+#include <ompl/geometric/planners/fmt/BFMT.h>
+#include <ompl/geometric/planners/fmt/FMT.h>
+#include <ompl/geometric/planners/informedtrees/ABITstar.h>
+#include <ompl/geometric/planners/informedtrees/AITstar.h>
+#include <ompl/geometric/planners/informedtrees/BITstar.h>
+#include <ompl/geometric/planners/kpiece/BKPIECE1.h>
+#include <ompl/geometric/planners/kpiece/KPIECE1.h>
+#include <ompl/geometric/planners/kpiece/LBKPIECE1.h>
+#include <ompl/geometric/planners/pdst/PDST.h>
+#include <ompl/geometric/planners/prm/LazyPRM.h>
+#include <ompl/geometric/planners/prm/LazyPRMstar.h>
+#include <ompl/geometric/planners/prm/PRM.h>
+#include <ompl/geometric/planners/prm/PRMstar.h>
+#include <ompl/geometric/planners/prm/SPARS.h>
+#include <ompl/geometric/planners/prm/SPARStwo.h>
+#include <ompl/geometric/planners/rrt/BiTRRT.h>
+#include <ompl/geometric/planners/rrt/InformedRRTstar.h>
+#include <ompl/geometric/planners/rrt/LBTRRT.h>
+#include <ompl/geometric/planners/rrt/LazyRRT.h>
+#include <ompl/geometric/planners/rrt/RRT.h>
+#include <ompl/geometric/planners/rrt/RRTConnect.h>
+#include <ompl/geometric/planners/rrt/RRTXstatic.h>
+#include <ompl/geometric/planners/rrt/RRTsharp.h>
+#include <ompl/geometric/planners/rrt/RRTstar.h>
+#include <ompl/geometric/planners/rrt/SORRTstar.h>
+#include <ompl/geometric/planners/rrt/TRRT.h>
+#include <ompl/geometric/planners/rrt/pRRT.h>
+#include <ompl/geometric/planners/sbl/SBL.h>
+#include <ompl/geometric/planners/sbl/pSBL.h>
+#include <ompl/geometric/planners/sst/SST.h>
+#include <ompl/geometric/planners/stride/STRIDE.h>
+
+#include <algorithm>
+#include <boost/algorithm/string/predicate.hpp>
+#include <memory>
+#include <stdexcept>
+#include <type_traits>
+
+#include "core/number.h"
+#include "planning/planners/marching_tree.h"
+#include "planning/planners/rising_floor.h"
+
+namespace clearway::planning {
+namespace {
+
+namespace ob = ompl::base;
+namespace og = ompl::geometric;
+
+template <class PlannerClass>
+ob::PlannerPtr make(const ob::SpaceInformationPtr& si) {
+    return std::make_shared<PlannerClass>(si);
+}
+
+/// OMPL renames these, with a warning, unless they are given the name of the variant that they are.
+template <class PlannerClass>
+ob::PlannerPtr makeNearest(const ob::SpaceInformationPtr& si) {
+    return std::make_shared<PlannerClass>(
+        si, std::is_same_v<PlannerClass, og::BITstar> ? "kBITstar" : "kABITstar");
+}
+
+struct NamedPlanner {
+    const char* name;
+    ob::PlannerPtr (*make)(const ob::SpaceInformationPtr&);
+    bool isRepeatable;
+};
+
+// Not repeatable: several threads (AnytimePathShortening, CForest, pRRT, pSBL; PRM, PRMstar, SPARS and
+// SPARStwo look for the solution in a thread of their own, and take turns by the clock), and costs that are
+// read before they are set (LBTRRT).
+constexpr NamedPlanner kPlanners[] = {
+    {"ABITstar", makeNearest<og::ABITstar>, true},
+    {"AITstar", make<og::AITstar>, true},
+    {"AnytimePathShortening", make<og::AnytimePathShortening>, false},
+    {"BFMT", make<MarchingTree<og::BFMT>>, true},
+    {"BITstar", makeNearest<og::BITstar>, true},
+    {"BKPIECE1", make<og::BKPIECE1>, true},
+    {"BiEST", make<og::BiEST>, true},
+    {"BiTRRT", make<og::BiTRRT>, true},
+    {"CForest", make<og::CForest>, false},
+    {"EST", make<og::EST>, true},
+    {"FMT", make<MarchingTree<og::FMT>>, true},
+    {"InformedRRTstar", make<og::InformedRRTstar>, true},
+    {"KPIECE1", make<og::KPIECE1>, true},
+    {"LBKPIECE1", make<og::LBKPIECE1>, true},
+    {"LBTRRT", make<og::LBTRRT>, false},
+    {"LazyPRM", make<og::LazyPRM>, true},
+    {"LazyPRMstar", make<og::LazyPRMstar>, true},
+    {"LazyRRT", make<og::LazyRRT>, true},
+    {"PDST", make<og::PDST>, true},
+    {"PRM", make<og::PRM>, false},
+    {"PRMstar", make<og::PRMstar>, false},
+    {"ProjEST", make<og::ProjEST>, true},
+    {"RRT", make<og::RRT>, true},
+    {"RRTConnect", make<og::RRTConnect>, true},
+    {"RRTXstatic", make<og::RRTXstatic>, true},
+    {"RRTsharp", make<og::RRTsharp>, true},
+    {"RRTstar", make<og::RRTstar>, true},
+    {"RisingFloor", make<RisingFloor>, false},
+    {"SBL", make<og::SBL>, true},
+    {"SORRTstar", make<og::SORRTstar>, true},
+    {"SPARS", make<og::SPARS>, false},
+    {"SPARStwo", make<og::SPARStwo>, false},
+    {"SST", make<og::SST>, true},
+    {"STRIDE", make<og::STRIDE>, true},
+    {"TRRT", make<og::TRRT>, true},
+    {"pRRT", make<og::pRRT>, false},
+    {"pSBL", make<og::pSBL>, false},
+};
+
+struct ShortName {
+    const char* shortName;
+    const char* name;
+};
+
+constexpr ShortName kShortNames[] = {
+    {"kpiece", "KPIECE1"},  {"bkpiece", "BKPIECE1"},          {"lbkpiece", "LBKPIECE1"},
+    {"spars2", "SPARStwo"}, {"aps", "AnytimePathShortening"},
+};
+
+std::string listed(const std::vector<std::string>& names) {
+    std::string all;
+    for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
+    return all.empty() ? "none" : all;
+}
+
+const NamedPlanner& findPlanner(const std::string& name) {
+    std::string wanted = name;
+    for (const ShortName& row : kShortNames) {
+        if (boost::iequals(row.shortName, name)) wanted = row.name;
+    }
+    for (const NamedPlanner& row : kPlanners) {
+        if (boost::iequals(row.name, wanted)) return row;
+    }
+    throw std::invalid_argument("unknown planner '" + name + "', expected one of " + listed(plannerNames()));
+}
+
+template <class Value>
+bool holds(const ob::GenericParam& parameter) {
+    return dynamic_cast<const ob::SpecificParam<Value>*>(&parameter) != nullptr;
+}
+
+bool isWhole(const ob::GenericParam& parameter) {
+    return holds<int>(parameter) || holds<unsigned int>(parameter) || holds<long>(parameter) ||
+           holds<unsigned long>(parameter) || holds<long long>(parameter) ||
+           holds<unsigned long long>(parameter);
+}
+
+/// What is wrong with the value: what was expected instead, or nothing. OMPL's own conversion reads "1x"
+/// as 1.
+std::string expectedInstead(const ob::GenericParam& parameter, const std::string& value) {
+    if (holds<std::string>(parameter) || holds<char>(parameter)) return "";
+    if (holds<bool>(parameter)) return value == "0" || value == "1" ? "" : "0 or 1";
+    const std::optional<double> number = parseNumber(value);
+    if (!number) return isWhole(parameter) ? "a whole number" : "a number";
+    if (isWhole(parameter) && !parseInteger(value)) return "a whole number";
+    const bool isUnsigned = holds<unsigned int>(parameter) || holds<unsigned long>(parameter) ||
+                            holds<unsigned long long>(parameter);
+    if (isUnsigned && *number < 0) return "a whole number of at least 0";
+    // "least:step:most" or "least:most". The most is a mere suggestion: it knows nothing of millimetres.
+    const std::string& range = parameter.getRangeSuggestion();
+    const std::size_t colon = range.find(':');
+    if (colon == std::string::npos) return "";
+    std::string least = range.substr(0, colon);
+    if (!least.empty() && least.back() == '.') least += '0';
+    const std::optional<double> leastNumber = parseNumber(least);
+    return leastNumber && *number < *leastNumber ? "at least " + least : "";
+}
+
+}  // namespace
+
+std::vector<std::string> plannerNames() {
+    std::vector<std::string> names;
+    for (const NamedPlanner& row : kPlanners) names.push_back(row.name);
+    return names;
+}
+
+std::string plannerClassName(const std::string& name) {
+    return findPlanner(name).name;
+}
+
+bool isRepeatable(const std::string& name) {
+    return findPlanner(name).isRepeatable;
+}
+
+ob::PlannerPtr makePlanner(const ob::SpaceInformationPtr& si, const std::string& name) {
+    return findPlanner(name).make(si);
+}
+
+bool hasParameter(const ob::Planner& planner, const std::string& parameter) {
+    return planner.params().hasParam(parameter);
+}
+
+void setParameter(ob::Planner& planner, const std::string& parameter, const std::string& value) {
+    const auto& known = planner.params().getParams();
+    const auto found = known.find(parameter);
+    if (found == known.end()) {
+        std::vector<std::string> names;
+        for (const auto& entry : known) names.push_back(entry.first);
+        throw std::invalid_argument("planner " + planner.getName() + " has no parameter '" + parameter +
+                                    "', expected one of " + listed(names));
+    }
+    const std::string problem =
+        "parameter " + parameter + " of planner " + planner.getName() + " is '" + value + "'";
+    const std::string expected = expectedInstead(*found->second, value);
+    if (!expected.empty()) throw std::invalid_argument(problem + ", expected " + expected);
+    bool isSet = false;
+    try {
+        isSet = planner.params().setParam(parameter, value);
+    } catch (const std::exception&) {  // a number that OMPL's type cannot hold
+    }
+    if (!isSet) {
+        const std::string& range = found->second->getRangeSuggestion();
+        throw std::invalid_argument(problem + ", which OMPL refuses" +
+                                    (range.empty() ? "" : "; it suggests " + range));
+    }
+}
+
+}  // namespace clearway::planning

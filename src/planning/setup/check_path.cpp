@@ -1,0 +1,77 @@
+#include "planning/setup/check_path.h"
+
+#include <ompl/geometric/PathGeometric.h>
+
+#include <algorithm>
+#include <memory>
+#include <stdexcept>
+
+#include "clearway/planning/displacement_bound.h"
+#include "clearway/planning/validity_checker.h"
+#include "core/number.h"
+#include "planning/motion/motion_options.h"
+#include "planning/setup/planning_reach.h"
+#include "planning/setup/planning_space.h"
+
+namespace clearway::planning {
+namespace {
+
+namespace ob = ompl::base;
+
+/// Of the part's diagonal: paths written with 6 digits are off by less.
+constexpr double kTolerancePerDiagonal = 1e-4;
+
+/// Of the largest coordinate of the scene: queries tell nothing of positions that far.
+constexpr double kFarthest = 1e12;
+
+double largestCoordinate(const Box& box) {
+    return box.isEmpty() ? 0 : std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
+}
+
+void requirePositions(const std::vector<PartState>& path, const Scene& scene, const Box& bounds) {
+    const double farthest =
+        kFarthest * std::max({largestCoordinate(bounds), largestCoordinate(scene.environmentBox()),
+                              largestCoordinate(scene.part.box())});
+    for (std::size_t i = 0; i < path.size(); ++i) {
+        const double largest = path[i].position.cwiseAbs().maxCoeff();
+        if (largest <= farthest) continue;
+        throw std::invalid_argument("state " + std::to_string(i + 1) + " of the path has a coordinate of " +
+                                    shortNumber(largest) + ", expected at most " + shortNumber(farthest) +
+                                    ", 1e12 times the scene's largest");
+    }
+}
+
+}  // namespace
+
+PathCheck checkPath(const Problem& problem, const Scene& scene, const std::vector<PartState>& path,
+                    const AuditOptions& options) {
+    if (path.empty()) throw std::invalid_argument("the path has no state, expected at least one");
+    const Box bounds = boundsOf(problem, scene.environmentBox());
+    requireReachOf(scene, bounds, stepOf(problem, PlanOptions(), scene.part));
+    requirePositions(path, scene, bounds);
+    const auto si = std::make_shared<ob::SpaceInformation>(
+        makeSpace(problem.space, bounds, scene.part.radiusAboutOrigin()));
+    const auto checker = std::make_shared<ValidityChecker>(si, scene);
+    si->setStateValidityChecker(checker);
+    si->setup();
+
+    ompl::geometric::PathGeometric states(si);
+    for (const PartState& state : path)
+        states.append(toOmpl(si->getStateSpace(), problem.space, state).get());
+    const ob::State* first = states.getState(0);
+    const ob::State* last = states.getState(states.getStateCount() - 1);
+
+    const DisplacementBound bound = displacementBound(*si->getStateSpace(), scene.part);
+    const auto off = [&](const ob::State* state, const PartState& wanted) {
+        return bound(state, toOmpl(si->getStateSpace(), problem.space, wanted).get());
+    };
+    PathCheck check;
+    check.tolerance = kTolerancePerDiagonal * scene.part.box().diagonal().norm();
+    check.offStart = off(first, problem.start);
+    check.offGoal = off(last, problem.goal);
+    const double spare = std::max(0.0, std::min(checker->clearance(first), checker->clearance(last)));
+    check.audit = audit(states, MotionValidator(si, scene, auditMotions(scene, spare)), options);
+    return check;
+}
+
+}  // namespace clearway::planning

@@ -1,0 +1,78 @@
+#include "clearway/planning/problem_setup.h"
+
+#include <ompl/base/spaces/SE2StateSpace.h>
+#include <ompl/base/spaces/SE3StateSpace.h>
+#include <ompl/util/Console.h>
+
+#include <limits>
+#include <memory>
+#include <stdexcept>
+
+#include "clearway/planning/validity_checker.h"
+#include "planning/setup/end_states.h"
+#include "planning/setup/planning_space.h"
+#include "planning/setup/problem_settings.h"
+#include "planning/validity/space_of.h"
+
+namespace clearway::planning {
+namespace {
+
+namespace ob = ompl::base;
+namespace og = ompl::geometric;
+
+Space kindOf(const ob::StateSpace& space) {
+    if (dynamic_cast<const ob::SE3StateSpace*>(&space)) return Space::kSe3;
+    if (dynamic_cast<const ob::SE2StateSpace*>(&space)) return Space::kSe2;
+    throw std::invalid_argument("state space '" + space.getName() +
+                                "' is neither SE(3) nor SE(2), expected one of them");
+}
+
+}  // namespace
+
+og::SimpleSetup makeSetup(const Problem& problem, const Scene& scene) {
+    const Box bounds = boundsOf(problem, scene.environmentBox());
+    og::SimpleSetup setup(makeSpace(problem.space, bounds, scene.part.radiusAboutOrigin()));
+    const ob::SpaceInformationPtr& si = setup.getSpaceInformation();
+    const auto checker = std::make_shared<ValidityChecker>(si, scene);
+    si->setStateValidityChecker(checker);
+    si->setMotionValidator(std::make_shared<MotionValidator>(si, scene));
+
+    const auto start = toOmpl(si->getStateSpace(), problem.space, problem.start);
+    const auto goal = toOmpl(si->getStateSpace(), problem.space, problem.goal);
+    requireValid(*checker, start.get(), "start");
+    requireValid(*checker, goal.get(), "goal");
+    setup.setStartAndGoalStates(start, goal,
+                                problem.goalThreshold.value_or(std::numeric_limits<double>::epsilon()));
+
+    std::vector<std::string> warnings;
+    setUp(*si, problem, warnings);
+    for (const std::string& warning : warnings) OMPL_WARN("%s", warning.c_str());
+    return setup;
+}
+
+const MotionValidator& motionValidatorOf(const ob::SpaceInformationPtr& si) {
+    spaceOf(si);
+    const auto* validator = dynamic_cast<const MotionValidator*>(si->getMotionValidator().get());
+    if (validator != nullptr) return *validator;
+    throw std::invalid_argument(
+        "the space information's motion validator certifies nothing, expected a "
+        "clearway::planning::MotionValidator to be set before");
+}
+
+std::vector<PartState> partStates(const og::PathGeometric& path) {
+    const Space kind = kindOf(*path.getSpaceInformation()->getStateSpace());
+    std::vector<PartState> states;
+    for (std::size_t i = 0; i < path.getStateCount(); ++i) {
+        states.push_back(fromOmpl(kind, path.getState(static_cast<unsigned int>(i))));
+    }
+    return states;
+}
+
+og::PathGeometric pathThrough(const ob::SpaceInformationPtr& si, const std::vector<PartState>& states) {
+    const Space kind = kindOf(spaceOf(si));
+    og::PathGeometric path(si);
+    for (const PartState& state : states) path.append(toOmpl(si->getStateSpace(), kind, state).get());
+    return path;
+}
+
+}  // namespace clearway::planning

@@ -1,0 +1,149 @@
+#include "planning/setup/replayer.h"
+
+#include <stdexcept>
+#include <string>
+
+#include "clearway/planning/clearance_objectives.h"
+#include "clearway/planning/state_to_pose.h"
+#include "core/thread_clock.h"
+#include "planning/setup/planning_space.h"
+#include "planning/setup/setup.h"
+#include "planning/validity/ompl_messages.h"
+#include "planning/validity/run_trace.h"
+#include "planning/validity/scratch_state.h"
+
+namespace clearway::planning {
+namespace {
+
+namespace ob = ompl::base;
+
+Setup setupFor(const Problem& problem, const Scene& scene) {
+    const OmplMessages unheard;
+    PlanOptions options;
+    options.planner = "RRTConnect";
+    options.objective = "max_min_clearance";
+    options.threads = 1;
+    PlanReport report;
+    return prepare(problem, scene, options, report);
+}
+
+void setState(const ob::StateSpace& space, ob::State* state, const std::vector<double>& reals) {
+    const std::size_t expected = space.getValueLocations().size();
+    if (reals.size() != expected) {
+        throw std::invalid_argument("a recorded state has " + std::to_string(reals.size()) +
+                                    " numbers, expected " + std::to_string(expected));
+    }
+    space.copyFromReals(state, reals);
+}
+
+}  // namespace
+
+std::vector<Pose> posesOf(const Problem& problem, const std::vector<CallBlock>& blocks) {
+    const ob::StateSpacePtr space = makeSpace(problem.space, Box(Vector3::Zero(), Vector3::Ones()), 1);
+    space->setup();
+    const StateToPose toPose = stateToPose(*space);
+    ob::ScopedState<> state(space);
+    std::vector<Pose> poses;
+    const auto add = [&](const std::vector<double>& reals) {
+        setState(*space, state.get(), reals);
+        poses.push_back(toPose(state.get()));
+    };
+    for (const CallBlock& block : blocks) {
+        for (const Call& call : block) {
+            add(call.from);
+            if (!call.to.empty()) add(call.to);
+        }
+    }
+    return poses;
+}
+
+struct Replayer::Tools {
+    Setup setup;
+    ScratchState from, to, lastValid;
+
+    Tools(const Problem& problem, const Scene& scene)
+        : setup(setupFor(problem, scene)), from(*setup.si), to(*setup.si), lastValid(*setup.si) {}
+
+    void set(const ScratchState& state, const std::vector<double>& reals) const {
+        setState(*setup.si->getStateSpace(), state.get(), reals);
+    }
+
+    void set(const Call& call) const {
+        set(from, call.from);
+        if (call.kind != CallKind::kState && call.kind != CallKind::kClearance) set(to, call.to);
+    }
+
+    /// A cost of at most 0 certifies nothing; the worst one tells of an invalid pose.
+    CallAnswer costAnswer() const {
+        const double cost =
+            setup.definition->getOptimizationObjective()->motionCost(from.get(), to.get()).value();
+        if (cost > 0) return CallAnswer::kYes;
+        return cost <= -kInvalidMotionCost ? CallAnswer::kNo : CallAnswer::kUndecided;
+    }
+
+    CallAnswer motionAnswer(bool isForward) const {
+        const std::uint64_t before = setup.certified->counters().undecided;
+        bool isValid = false;
+        if (isForward) {
+            std::pair<ob::State*, double> last(lastValid.get(), 0);
+            isValid = setup.si->checkMotion(from.get(), to.get(), last);
+        } else {
+            isValid = setup.si->checkMotion(from.get(), to.get());
+        }
+        if (isValid) return CallAnswer::kYes;
+        return setup.certified->counters().undecided > before ? CallAnswer::kUndecided : CallAnswer::kNo;
+    }
+
+    CallAnswer ask(CallKind kind) const {
+        double clearance = 0;
+        switch (kind) {
+            case CallKind::kState:
+                return setup.checker->isValid(from.get()) ? CallAnswer::kYes : CallAnswer::kNo;
+            case CallKind::kClearance:
+                return setup.checker->isValid(from.get(), clearance) ? CallAnswer::kYes : CallAnswer::kNo;
+            case CallKind::kMotion:
+                return motionAnswer(false);
+            case CallKind::kForwardMotion:
+                return motionAnswer(true);
+            case CallKind::kMotionCost:
+                break;
+        }
+        return costAnswer();
+    }
+};
+
+Replayer::Replayer(const Problem& problem, const Scene& scene)
+    : tools_(std::make_unique<Tools>(problem, scene)) {}
+Replayer::~Replayer() = default;
+Replayer::Replayer(Replayer&&) noexcept = default;
+
+ReplayedCalls Replayer::replay(const std::vector<CallBlock>& blocks) {
+    CallSampling none;
+    none.blocks = 0;
+    ReplayedCalls result;
+    for (const CallBlock& block : blocks) {
+        const RunTrace trace(tools_->setup.si->getStateSpace(), none);
+        result.answers.emplace_back();
+        for (const Call& call : block) {
+            tools_->set(call);
+            result.answers.back().push_back(tools_->ask(call.kind));
+        }
+        result.tallies.push_back(trace.tally());
+    }
+    return result;
+}
+
+std::vector<double> Replayer::time(const std::vector<CallBlock>& blocks) {
+    std::vector<double> seconds;
+    for (const CallBlock& block : blocks) {
+        const double begin = threadSeconds();
+        for (const Call& call : block) {
+            tools_->set(call);
+            tools_->ask(call.kind);
+        }
+        seconds.push_back(threadSeconds() - begin);
+    }
+    return seconds;
+}
+
+}  // namespace clearway::planning

@@ -1,0 +1,293 @@
+#include "planning/setup/setup.h"
+
+#include <ompl/util/RandomNumbers.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+#include <thread>
+
+#include "clearway/planning/planners.h"
+#include "core/number.h"
+#include "planning/motion/motion_options.h"
+#include "planning/setup/end_states.h"
+#include "planning/setup/plan_objective.h"
+#include "planning/setup/planning_reach.h"
+#include "planning/setup/planning_space.h"
+#include "planning/setup/problem_settings.h"
+#include "planning/validity/ompl_messages.h"
+
+namespace clearway::planning {
+namespace {
+
+namespace ob = ompl::base;
+
+/// Side by side, for each is quick where the other is not: RRTConnect when both ends are free to move, RRT
+/// when the part is shut in at its start only (bench/plan_success). Alone, the first.
+constexpr const char* kDefaultPlanners[] = {"RRTConnect", "RRT"};
+/// With an objective of clearance, anytime ones that find paths through tight places, where RRTstar and
+/// PRMstar find none in their time (bench/anytime_clearance). The last with iterations: it is repeatable.
+constexpr const char* kLeastClearancePlanner = "RisingFloor";
+constexpr const char* kClearancePlanner = "AnytimePathShortening";
+constexpr const char* kRepeatableClearancePlanner = "RRTstar";
+constexpr std::size_t kMostThreads = 4;  ///< unless more are asked for
+constexpr double kMostRefinement = 8;    ///< times the step is divided for a tight start or goal
+/// Longest edge of a planner's tree: of a scene whose step is given, and so how fine it is, in steps; else by
+/// the part's diagonal. Measured on the tunnel-console (tests/bench/plan_success.cpp) and on OMPL.app's
+/// problems.
+constexpr double kRangeInSteps = 20;
+constexpr double kRangePerDiagonal = 0.25;
+/// Shortened paths keep this share of the part's diagonal where they can. On tunnel-console-small paths are
+/// no longer for it; of ten times as much they lose 2 %.
+constexpr double kFloorPerDiagonal = 1e-3;
+
+void requireOptions(const Problem& problem, const PlanOptions& options) {
+    if (options.floor && options.step) {
+        throw std::invalid_argument("both a floor and a step are given, expected one of them");
+    }
+    if (options.floor && !(*options.floor >= 0 && std::isfinite(*options.floor))) {
+        throw std::invalid_argument("floor is " + shortNumber(*options.floor) +
+                                    ", expected a finite number >= 0");
+    }
+    if (options.seed == 0) throw std::invalid_argument("seed is 0, expected a whole number above 0");
+    if (options.seconds && options.iterations) {
+        throw std::invalid_argument("both a time and a number of iterations are given, expected one of them");
+    }
+    if (options.seconds && !(*options.seconds > 0)) {
+        throw std::invalid_argument("time is " + std::to_string(*options.seconds) +
+                                    ", expected seconds above 0");
+    }
+    if (options.threads < 0 || (options.iterations && options.threads > 1)) {
+        throw std::invalid_argument("threads is " + std::to_string(options.threads) +
+                                    (options.iterations ? ", expected 1 with a number of iterations"
+                                                        : ", expected a whole number of at least 0"));
+    }
+    for (const PlannerChoice& choice : problem.planners) {
+        try {
+            plannerClassName(choice.name);
+        } catch (const std::invalid_argument& error) {
+            throw std::invalid_argument(problem.file + ": " + error.what());
+        }
+    }
+}
+
+/// A second call in a process makes OMPL complain: objects made before it would go on with their old seeds.
+/// Ours are made after it.
+void setSeed(std::uint32_t seed) {
+    const OmplMessages unheard;
+    ompl::RNG::setSeed(seed);
+}
+
+/// How many planners run side by side, of so many kinds.
+std::size_t planCount(const PlanOptions& options, std::size_t kinds) {
+    if (options.threads > 0) return static_cast<std::size_t>(options.threads);
+    const auto cores = static_cast<std::size_t>(std::thread::hardware_concurrency());
+    return std::clamp(cores, kinds, std::max(kinds, kMostThreads));
+}
+
+/// Unless one is named; null when clearance is not asked for.
+const char* clearancePlanner(const std::optional<ObjectiveChoice>& objective, const PlanOptions& options,
+                             const Model& part) {
+    if (!asksForClearance(objective, part)) return nullptr;
+    if (options.iterations) return kRepeatableClearancePlanner;
+    return objective->name == "max_min_clearance" ? kLeastClearancePlanner : kClearancePlanner;
+}
+
+/// The planners to run side by side.
+std::vector<std::string> choosePlanners(const Problem& problem, const PlanOptions& options,
+                                        const char* clearancePlanner) {
+    std::vector<std::string> kinds;
+    if (!options.planner.empty()) {
+        kinds = {plannerClassName(options.planner)};
+    } else if (problem.planners.size() == 1) {
+        kinds = {plannerClassName(problem.planners[0].name)};
+    } else if (clearancePlanner != nullptr) {
+        kinds = {clearancePlanner};
+    } else {
+        kinds.assign(std::begin(kDefaultPlanners), std::end(kDefaultPlanners));
+    }
+    std::size_t count = planCount(options, kinds.size());
+    if (options.iterations || !isRepeatable(kinds[0])) count = 1;
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < count; ++i) names.push_back(kinds[i % kinds.size()]);
+    return names;
+}
+
+void addOnce(std::vector<std::string>& warnings, const std::string& warning) {
+    if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end()) warnings.push_back(warning);
+}
+
+/// Unknown ones are warned of: old files carry dead ones.
+void setFileParameters(ob::Planner& planner, const std::string& plannerName, const Problem& problem,
+                       std::vector<std::string>& warnings) {
+    for (const PlannerChoice& choice : problem.planners) {
+        if (plannerClassName(choice.name) != plannerName) continue;
+        for (const auto& [name, value] : choice.parameters) {
+            if (name == "name") {
+                planner.setName(value);
+            } else if (hasParameter(planner, name)) {
+                setParameter(planner, name, value);
+            } else {
+                addOnce(warnings, problem.file + ": planner " + plannerName + " has no parameter '" + name +
+                                      "'; it is left out");
+            }
+        }
+        return;  // a planner named several times is several runs of a benchmark: the first one counts
+    }
+}
+
+void setRange(PlanReport& report, const Problem& problem, const Scene& scene, const PlanOptions& options) {
+    const bool isStepKnown = options.step || problem.step;
+    report.range = isStepKnown ? kRangeInSteps * stepOf(problem, options, scene.part)
+                               : kRangePerDiagonal * scene.part.box().diagonal().norm();
+}
+
+void setFloor(PlanReport& report, const Scene& scene, const PlanOptions& options) {
+    if (options.step) return;
+    report.floor = options.floor.value_or(kFloorPerDiagonal * scene.part.box().diagonal().norm());
+}
+
+std::shared_ptr<ValidityChecker> makeChecker(const ob::SpaceInformationPtr& si, const Scene& scene,
+                                             double guard) {
+    Scene guarded = scene;
+    for (Obstacle& obstacle : guarded.obstacles) obstacle.margin += guard;
+    return std::make_shared<ValidityChecker>(si, guarded);
+}
+
+/// Between two checked states no point is farther than half a step from where it is at one of them. So when
+/// the checked states keep half a step more than the margin, every state between them keeps the margin. Start
+/// and goal must have as much to spare: the step is shortened for them, within reason; beyond it the checked
+/// states alone are known to be valid.
+void setGuard(PlanReport& report, double spare) {
+    const double asked = report.step;
+    std::ostringstream warning;
+    warning << "start or goal have only " << spare << " to spare: ";
+    report.guard = std::min(0.5 * asked, 0.9 * spare);
+    if (report.guard == 0.5 * asked) return;
+    if (report.guard < 0.5 * asked / kMostRefinement) {
+        report.guard = 0;
+        warning << "the states checked are known to be valid, not those between them";
+    } else {
+        report.step = 2 * report.guard;
+        warning << "motions are checked every " << report.step << " instead of every " << asked;
+    }
+    report.warnings.push_back(warning.str());
+}
+
+/// Motions checked at states a step apart.
+void useSteps(Setup& setup, const Scene& scene, const PlanOptions& options, double spare,
+              PlanReport& report) {
+    report.step = *options.step;
+    setGuard(report, spare);
+    setup.checker = makeChecker(setup.si, scene, report.guard * (1 + 1e-6));
+    setup.discrete = std::make_shared<DiscreteMotionValidator>(setup.si, scene.part, report.step);
+    setup.si->setMotionValidator(setup.discrete);
+}
+
+void useCertified(Setup& setup, const Scene& scene, double spare, const std::function<bool()>& isOver,
+                  PlanReport& report) {
+    MotionOptions motions = planningMotions(scene, spare);
+    motions.isStopped = isOver;
+    if (spare < *motions.leastInterval) {
+        std::ostringstream warning;
+        warning << "start or goal have only " << spare
+                << " to spare: motions next to them may be too close to be certified";
+        report.warnings.push_back(warning.str());
+    }
+    setup.checker = setup.truth;
+    setup.certified = std::make_shared<MotionValidator>(setup.si, scene, motions);
+    setup.si->setMotionValidator(setup.certified);
+}
+
+ob::ProblemDefinitionPtr defineProblem(const Setup& setup, const Problem& problem) {
+    const ob::StateSpacePtr& space = setup.si->getStateSpace();
+    const auto definition = std::make_shared<ob::ProblemDefinition>(setup.si);
+    definition->setStartAndGoalStates(toOmpl(space, problem.space, problem.start),
+                                      toOmpl(space, problem.space, problem.goal),
+                                      problem.goalThreshold.value_or(std::numeric_limits<double>::epsilon()));
+    return definition;
+}
+
+/// Those that AnytimePathShortening runs.
+std::string innerPlanners(const PlanOptions& options, const PlanReport& report) {
+    const std::size_t kinds = std::size(kDefaultPlanners), count = planCount(options, kinds);
+    std::string all;
+    for (std::size_t i = 0; i < count; ++i) {
+        all += std::string(i > 0 ? "," : "") + kDefaultPlanners[i % kinds] +
+               "[range=" + formatNumber(report.range) + "]";
+    }
+    return all;
+}
+
+ob::PlannerPtr preparePlanner(const Setup& setup, const std::string& name, const Problem& problem,
+                              const PlanOptions& options, PlanReport& report) {
+    const ob::PlannerPtr planner = makePlanner(setup.si, name);
+    if (hasParameter(*planner, "range")) setParameter(*planner, "range", formatNumber(report.range));
+    if (hasParameter(*planner, "planners"))
+        setParameter(*planner, "planners", innerPlanners(options, report));
+    if (hasParameter(*planner, "threads")) {
+        setParameter(*planner, "threads", std::to_string(planCount(options, std::size(kDefaultPlanners))));
+    }
+    setFileParameters(*planner, name, problem, report.warnings);
+    for (const auto& [parameter, value] : options.parameters) setParameter(*planner, parameter, value);
+    planner->setProblemDefinition(setup.definition);
+    planner->setup();
+    return planner;
+}
+
+}  // namespace
+
+Setup prepare(const Problem& stated, const Scene& scene, const PlanOptions& options, PlanReport& report,
+              const std::function<bool()>& isOver) {
+    requireOptions(stated, options);
+    const std::optional<ObjectiveChoice> objective = chooseObjective(stated, options);
+    report.planners = choosePlanners(stated, options, clearancePlanner(objective, options, scene.part));
+    const Problem problem = problemFor(report.planners[0], stated);
+    report.isRepeatable = options.iterations && isRepeatable(report.planners[0]);
+    if (objective) report.objective = objective->name;
+    if (!objective && problem.objective != "length") {
+        report.warnings.push_back("objective '" + problem.objective +
+                                  "' is not known; paths are judged by length");
+    }
+    setRange(report, problem, scene, options);
+    setFloor(report, scene, options);
+    setSeed(options.seed);
+
+    Setup setup;
+    const double turnWeight = options.omplWeights ? 1.0 : scene.part.radiusAboutOrigin();
+    const Box bounds = boundsOf(problem, scene.environmentBox());
+    requireReachOf(scene, bounds, stepOf(problem, options, scene.part));
+    setup.si = std::make_shared<ob::SpaceInformation>(makeSpace(problem.space, bounds, turnWeight));
+    setup.truth = makeChecker(setup.si, scene, 0);
+    const auto spare = [&](const PartState& state, const char* what) {
+        const auto omplState = toOmpl(setup.si->getStateSpace(), problem.space, state);
+        return requireValid(*setup.truth, omplState.get(), what);
+    };
+    const double startSpare = spare(problem.start, "start");  // in this order: the start is refused first
+    const double leastSpare = std::min(startSpare, spare(problem.goal, "goal"));
+    if (options.step) {
+        useSteps(setup, scene, options, leastSpare, report);
+    } else {
+        useCertified(setup, scene, leastSpare, isOver, report);
+    }
+    setup.floor = report.floor;
+    MotionOptions audits = auditMotions(scene, leastSpare);
+    audits.isStopped = options.isStopped;
+    setup.auditor = std::make_shared<MotionValidator>(setup.si, scene, audits);
+    setup.si->setStateValidityChecker(setup.checker);
+    setUp(*setup.si, problem, report.warnings);
+
+    setup.definition = defineProblem(setup, problem);
+    if (objective) {
+        setup.definition->setOptimizationObjective(
+            makePlanObjective(setup.si, scene, *objective, problem.objectiveThreshold, leastSpare));
+    }
+    for (const std::string& name : report.planners) {
+        setup.planners.push_back(preparePlanner(setup, name, problem, options, report));
+    }
+    return setup;
+}
+
+}  // namespace clearway::planning

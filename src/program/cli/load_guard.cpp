@@ -1,0 +1,121 @@
+#include "program/cli/load_guard.h"
+
+#include <sys/time.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+
+#include "program/cli/print.h"
+#include "program/cli/subcommands.h"
+
+namespace clearway::cli {
+
+namespace {
+
+constexpr int kCrashes[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
+constexpr std::size_t kStackBytes = 1 << 16;
+constexpr int kLeastSeconds = 20;
+constexpr double kSlowestBytesPerSecond = 1e5;  ///< assimp reads text at a hundred times that
+
+// A signal handler may touch little: the two lines are made before.
+std::string crashLine;
+std::string overtimeLine;
+
+extern "C" void endProgram(int signal) {
+    const std::string& line = signal == SIGPROF ? overtimeLine : crashLine;
+    const char* from = line.data();
+    for (std::size_t left = line.size(); left > 0;) {
+        const ssize_t written = ::write(STDERR_FILENO, from, left);
+        if (written <= 0) break;
+        from += written;
+        left -= static_cast<std::size_t>(written);
+    }
+    ::_exit(kBadInput);
+}
+
+std::string lineAbout(const std::string& file, const std::string& fault) {
+    return oneLine("clearway: cannot read mesh '" + file + "': the reader (assimp) " + fault +
+                   ", expected a sound mesh file") +
+           "\n";
+}
+
+/// Takes all that is written and keeps nothing.
+class Sink : public std::streambuf {
+  protected:
+    int overflow(int character) override { return character; }
+    std::streamsize xsputn(const char*, std::streamsize count) override { return count; }
+};
+Sink sink;
+
+}  // namespace
+
+LoadGuard::LoadGuard(const std::string& file, int seconds) : stack_(kStackBytes) {
+    crashLine = lineAbout(file, "crashed");
+    overtimeLine = lineAbout(file, "had not ended after " + std::to_string(seconds) + " s of computing");
+    std::cout.flush();  // _exit would lose it
+    out_ = std::cout.rdbuf(&sink);
+    err_ = std::cerr.rdbuf(&sink);
+
+    stack_t stack = {};
+    stack.ss_sp = stack_.data();
+    stack.ss_size = stack_.size();
+    sigaltstack(&stack, &previousStack_);
+    struct sigaction action = {};
+    action.sa_handler = endProgram;
+    action.sa_flags = SA_ONSTACK;
+    const auto handle = [&](int signal) {
+        previous_.push_back({signal, {}});
+        sigaction(signal, &action, &previous_.back().action);
+    };
+    for (const int signal : kCrashes) handle(signal);
+    handle(SIGPROF);
+    setTimer(seconds);
+}
+
+LoadGuard::~LoadGuard() {
+    setTimer(0);
+    for (const Previous& before : previous_) sigaction(before.signal, &before.action, nullptr);
+    sigaltstack(&previousStack_, nullptr);
+    std::cerr.rdbuf(err_);
+    std::cout.rdbuf(out_);
+}
+
+void LoadGuard::setTimer(int seconds) {
+    itimerval timer = {};
+    timer.it_value.tv_sec = seconds;
+    setitimer(ITIMER_PROF, &timer, nullptr);
+}
+
+int secondsToLoad(const std::string& file) {
+    std::error_code error;
+    const auto bytes = std::filesystem::file_size(file, error);
+    if (error) return kLeastSeconds;
+    return kLeastSeconds +
+           static_cast<int>(std::min(static_cast<double>(bytes) / kSlowestBytesPerSecond, 1e8));
+}
+
+Mesh guardedLoadMesh(const std::string& file, const LoadOptions& options) {
+    const LoadGuard guard(file, secondsToLoad(file));
+    return loadMesh(file, options);
+}
+
+Mesh guardedLoadPart(const Problem& problem) {
+    const LoadGuard guard(problem.robot, secondsToLoad(problem.robot));
+    return loadPart(problem);
+}
+
+std::vector<Mesh> guardedLoadWorlds(const Problem& problem) {
+    std::vector<Mesh> worlds;
+    for (const std::string& file : worldFiles(problem)) {
+        Problem one = problem;
+        one.world = file;
+        one.furtherWorlds.clear();
+        const LoadGuard guard(file, secondsToLoad(file));
+        worlds.push_back(std::move(loadWorlds(one)[0]));
+    }
+    return worlds;
+}
+
+}  // namespace clearway::cli

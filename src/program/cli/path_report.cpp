@@ -1,0 +1,133 @@
+#include "program/cli/path_report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <stdexcept>
+
+#include "core/replace_file.h"
+#include "program/cli/load_guard.h"
+#include "program/cli/planning_scene.h"
+#include "program/cli/print.h"
+#include "program/cli/print_audit.h"
+#include "program/report/export_motion.h"
+#include "program/report/report.h"
+
+namespace clearway::cli {
+
+namespace {
+
+report::ReportTable tableOf(const std::string& title, const Rows& rows) {
+    report::ReportTable table;
+    table.title = title;
+    for (const auto& [label, value] : rows) table.rows.push_back({label, value});
+    return table;
+}
+
+std::string shortName(const std::string& file) {
+    return std::filesystem::path(file).filename().string();
+}
+
+Rows problemRows(const Problem& problem, const Mesh& part, const Mesh& environment) {
+    std::string worlds;
+    for (const std::string& file : worldFiles(problem)) worlds += shortName(file) + ", ";
+    return {{"problem", shortName(problem.file)},
+            {"part", shortName(problem.robot) + ", " + counted(part.triangles.size(), "triangle")},
+            {"environment", worlds + counted(environment.triangles.size(), "triangle")},
+            {"margin", readable(problem.margin)}};
+}
+
+Rows pathRows(const std::vector<PartState>& path, const planning::PathAudit& audit) {
+    const planning::SegmentAudit& closest = audit.segments[audit.closest];
+    Rows rows = {{"states", std::to_string(path.size())},
+                 {"length", readable(audit.length)},
+                 {"turned", readable(audit.turned * 180 / M_PI) + " degrees"},
+                 {"least clearance", leastClearanceOf(audit)}};
+    if (!closest.partMesh.empty()) {
+        rows.push_back({"there", closest.partMesh + " and " + closest.environmentMesh + ", segment " +
+                                     std::to_string(audit.closest + 1)});
+    }
+    return rows;
+}
+
+std::string verdictOf(const planning::PathAudit& audit) {
+    if (audit.isValid()) return "valid along the whole path, certified";
+    return "NOT valid: " + std::to_string(audit.notValid.size()) + " of " +
+           counted(audit.segments.size(), "segment");
+}
+
+std::string megabytes(std::size_t bytes) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.1f MB", double(bytes) * 1e-6);
+    return text;
+}
+
+void writePage(const Problem& problem, const Mesh& part, const Mesh& environment, const Scene& scene,
+               const std::vector<PartState>& path, const planning::PathAudit& audit, const Rows& planner,
+               const std::string& file) {
+    report::ReportInput input{problem.name.empty() ? shortName(problem.file) : problem.name,
+                              verdictOf(audit),
+                              part,
+                              environment,
+                              scene,
+                              path,
+                              audit,
+                              {}};
+    input.tables.push_back(tableOf("Problem", problemRows(problem, part, environment)));
+    if (!planner.empty()) input.tables.push_back(tableOf("Planner", planner));
+    input.tables.push_back(tableOf("Path", pathRows(path, audit)));
+    input.tables.push_back(report::segmentTable(audit, path, scene.part.radiusAboutOrigin()));
+    const report::WrittenReport written = writeReport(input, file);
+    printRow("report", file + ", " + megabytes(written.bytes));
+}
+
+/// Whether both would be the same file, which need not be there yet: ./a.html and a.html.
+bool isSameName(const std::string& a, const std::string& b) {
+    namespace fs = std::filesystem;
+    std::error_code unknown;
+    const fs::path wholeA = fs::weakly_canonical(fs::absolute(a, unknown), unknown);
+    const fs::path wholeB = fs::weakly_canonical(fs::absolute(b, unknown), unknown);
+    return a == b || (!unknown && wholeA == wholeB);
+}
+
+}  // namespace
+
+void addPathOutputs(CommandLine& commandLine) {
+    commandLine.options.add_options()  //
+        ("report", optionValue("FILE"),
+         "writes a page to look at the path in a browser: 3D view, clearance profile, tables")  //
+        ("export", optionValue("FILE"), "writes the motion as an animated .glb file, for Blender and others");
+}
+
+void requirePathOutputs(const Options& options, const std::vector<std::string>& otherFiles) {
+    std::vector<std::string> taken = otherFiles;
+    for (const char* name : {"report", "export"}) {
+        if (!options.has(name)) continue;
+        const std::string file = options.text(name);
+        if (std::any_of(taken.begin(), taken.end(),
+                        [&](const std::string& other) { return isSameName(file, other); })) {
+            throw std::invalid_argument(std::string("--") + name + " is '" + file +
+                                        "', which is read or written otherwise, expected another file");
+        }
+        options.requireOtherFile(name, otherFiles);
+        if (name == std::string("export")) report::requireMotionFile(file);
+        requireReplaceable(file);
+        taken.push_back(file);
+    }
+}
+
+void writePathOutputs(const Options& options, const Problem& problem, const Scene& scene,
+                      const std::vector<PartState>& path, const planning::PathAudit& audit,
+                      const Rows& planner) {
+    if (!options.has("report") && !options.has("export")) return;
+    const Mesh part = guardedLoadPart(problem);
+    const Mesh environment = shownEnvironment(problem);
+    if (options.has("report"))
+        writePage(problem, part, environment, scene, path, audit, planner, options.text("report"));
+    if (!options.has("export")) return;
+    report::exportMotion(part, environment, path, scene.part.radiusAboutOrigin(), options.text("export"));
+    printRow("export", options.text("export"));
+}
+
+}  // namespace clearway::cli

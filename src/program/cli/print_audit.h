@@ -1,0 +1,26 @@
+// How the program tells of an audited path: rows, a table of its segments, a plot of its clearance.
+#pragma once
+
+#include <string>
+
+#include "clearway/planning/audit.h"
+
+namespace clearway::cli {
+
+/// Two rows: whether the path is valid, and where it is closest.
+void printAudit(const planning::PathAudit& audit);
+
+/// "1.2 to 1.25".
+std::string leastClearanceOf(const planning::PathAudit& audit);
+
+/// One line for each segment.
+void printSegments(const planning::PathAudit& audit);
+
+/// The profile as a plot of less than 80 columns; nothing for a path that does not move.
+void printProfile(const planning::PathAudit& audit);
+
+/// The profile as lines of "segment,t,travel,clearance,clearance_to_next", numbers with 17 digits. Throws
+/// std::runtime_error when the file cannot be written.
+void writeProfile(const planning::PathAudit& audit, const std::string& file);
+
+}  // namespace clearway::cli

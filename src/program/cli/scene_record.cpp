@@ -1,0 +1,162 @@
+#include "program/cli/scene_record.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+#include <limits>
+
+#include "clearway/query.h"
+#include "core/number.h"
+#include "planning/setup/check_path.h"
+#include "program/cli/path_poses.h"
+#include "program/cli/print.h"
+
+namespace clearway::cli {
+
+namespace {
+
+constexpr double kNear = 1.5;               // clearances: what counts as near
+constexpr std::size_t kNearSamples = 2000;  // along the path
+constexpr int kReplayPoses = 1000;
+constexpr std::uint64_t kReplaySeed = 1;
+constexpr int kPreviewWidth = 960, kPreviewHeight = 540;
+
+/// So many decimals, never rounded up.
+std::string roundedDown(double value, int decimals) {
+    const double unit = std::pow(10.0, decimals);
+    char text[64];
+    std::snprintf(text, sizeof text, "%.*f", decimals, std::floor(value * unit) / unit);
+    return text;
+}
+
+std::string percent(double share) {
+    return readable(std::round(1000 * share) / 10) + " %";
+}
+
+struct Recorder {
+    const SceneOrigin& origin;
+    const scenes::SceneFiles& files;
+    const Mesh& environmentMesh;
+    Problem problem = readProblem(files.problem);
+    std::vector<PartState> path = readPath(files.path, problem.space);
+    Mesh partMesh = loadPart(problem);
+    // All of the environment: replayed poses may leave the problem's bounds.
+    Model part = Model::build(partMesh, buildPreset("fast")),
+          environment = Model::build(environmentMesh, buildPreset("fast"));
+    planning::SceneClearance clearance{Scene(part, environment)};
+
+    double stated() const { return origin.options.clearance; }
+    std::string command() const;
+    std::string contents() const;
+    double nearShare() const;
+    std::vector<planning::PathAudit> auditMotions() const;
+    std::string writeReplay() const;
+    void writePreview() const;
+};
+
+/// Makes the same files again.
+std::string Recorder::command() const {
+    const scenes::SceneOptions& options = origin.options;
+    return "clearway scene " + std::string(origin.row.name) + " --seed " + std::to_string(options.seed) +
+           " --part-triangles " + std::to_string(options.partTriangles) + " --environment-triangles " +
+           std::to_string(options.environmentTriangles) + " --clearance " + shortNumber(options.clearance);
+}
+
+std::string Recorder::contents() const {
+    const auto of = [](const Mesh& mesh) {
+        return counted(mesh.triangles.size(), "triangle") + " in " +
+               counted(mesh.components.size(), "component");
+    };
+    return "Part: " + of(partMesh) + "; environment: " + of(environmentMesh) + ".";
+}
+
+/// Of the path's length, where the environment is near.
+double Recorder::nearShare() const {
+    const PathLine line(path, part.radiusAboutOrigin());
+    std::size_t near = 0;
+    for (const double share : evenShares(kNearSamples))
+        near += clearance.at(poseOf(line.at(share))).lower <= kNear * stated();
+    return static_cast<double>(near) / kNearSamples;
+}
+
+/// Of each motion of the path, by all processors: it is most of the work. Of what is more than the margin the
+/// audit tells a share, so with all of the clearance as the margin it tells most.
+std::vector<planning::PathAudit> Recorder::auditMotions() const {
+    const Scene scene(part, environment, stated());
+    std::vector<planning::PathAudit> audits(path.size() - 1);
+    tbb::parallel_for(std::size_t(0), audits.size(), [&](std::size_t i) {
+        audits[i] = planning::checkPath(problem, scene, {path[i], path[i + 1]}, {/*profile*/ false}).audit;
+    });
+    return audits;
+}
+
+/// Returns what to say of it.
+std::string Recorder::writeReplay() const {
+    const scenes::Replay& replay = origin.row.replay;
+    const scenes::PoseTask task{part, environment, scenes::beginningOf(path, replay.pathEnd)};
+    const std::vector<Pose> poses =
+        scenes::posesColliding(task, replay.collidingShare, kReplayPoses, kReplaySeed, replay.turns);
+    Workspace workspace;
+    std::size_t colliding = 0;
+    for (const Pose& pose : poses) colliding += collides(task.part, task.environment, pose, workspace);
+    const std::string about = counted(poses.size(), "pose") + " beside the path, " +
+                              percent(static_cast<double>(colliding) / static_cast<double>(poses.size())) +
+                              " of them colliding";
+    writePoses(poses, files.replay);
+    scenes::addComment(files.replay, {about + "; made by", command()});
+    return about;
+}
+
+void Recorder::writePreview() const {
+    const PathLine line(path, part.radiusAboutOrigin());
+    std::vector<render::PosedPart> poses = posesAt(line, evenShares(kUsualPoses), clearance, false);
+    chooseGhosts(part, poses);
+    render::RenderOptions drawing;
+    drawing.view = origin.row.preview;
+    drawing.width = kPreviewWidth;
+    drawing.height = kPreviewHeight;
+    render::writePng(render::render(partMesh, environmentMesh, poses,
+                                    posesAt(line, evenShares(kWayPoses), clearance, false), drawing),
+                     files.preview);
+}
+
+}  // namespace
+
+bool recordScene(const SceneOrigin& origin, const scenes::SceneFiles& files, const Mesh& environment,
+                 bool wantsPreview) {
+    const Recorder recorder{origin, files, environment};
+    const double stated = recorder.stated();
+    double least = std::numeric_limits<double>::infinity();
+    for (const planning::PathAudit& motion : recorder.auditMotions()) {
+        if (!motion.isValid()) {
+            std::cerr << "clearway: the path does not keep the clearance " << readable(stated) << ": "
+                      << motion.segments[0].trouble << "\n";
+            return false;
+        }
+        least = std::min(least, stated + motion.lowerClearance);
+    }
+    const std::string kept = roundedDown(least, 3) + " (certified), expected " + readable(stated);
+    const std::string near =
+        percent(recorder.nearShare()) + " of the path is within " + readable(kNear * stated);
+    const std::string replay = recorder.writeReplay();
+
+    const std::string pathFile = std::filesystem::path(files.path).filename().string();
+    scenes::addComment(files.problem,
+                       {"Made by", recorder.command(), recorder.contents(),
+                        pathFile + " solves it; least clearance along it: " + kept + "; " + near + "."});
+    scenes::addComment(files.path,
+                       {"Made by", recorder.command(), "Least clearance: " + kept + "; " + near + "."});
+    printRow("least clearance", kept);
+    printRow("near", near);
+    printRow("replay", files.replay + ", " + replay);
+    if (!wantsPreview) return true;
+    recorder.writePreview();
+    printRow("preview", files.preview);
+    return true;
+}
+
+}  // namespace clearway::cli

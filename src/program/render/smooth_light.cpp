@@ -1,0 +1,50 @@
+#include "program/render/smooth_light.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace clearway::render {
+
+namespace {
+
+constexpr int kReach = 3;             ///< pixels to each side
+constexpr float kNear = 0.13f;        ///< how fast the weight falls with the squared distance, in pixels
+constexpr float kFlat = 40;           ///< and with 1 less the cosine between the normals
+constexpr float kGrain = 18;          ///< and with the squared difference of light: a shadow's edge stays
+constexpr float kOffPlane = 1.5f;     ///< pixels that a neighbour may be off the tangent plane
+constexpr float kLeastLight = 1e-4f;  ///< darker is not scaled
+
+float weightOf(const PixelLight& here, const PixelLight& there, int dx, int dy) {
+    if (!there.isPlain || there.body != here.body) return 0;
+    if (std::abs(here.normal.dot(there.point - here.point)) > kOffPlane * here.size) return 0;
+    const float bend = std::max(0.0f, 1 - here.normal.dot(there.normal));
+    const float grain = there.light - here.light;
+    return std::exp(-kNear * static_cast<float>(dx * dx + dy * dy) - kFlat * bend - kGrain * grain * grain);
+}
+
+}  // namespace
+
+void smoothLight(const std::vector<PixelLight>& lights, Image& image) {
+    const auto lightAt = [&](int x, int y) -> const PixelLight& {
+        return lights[std::size_t(y) * std::size_t(image.width) + std::size_t(x)];
+    };
+    tbb::parallel_for(0, image.height, [&](int y) {
+        for (int x = 0; x < image.width; ++x) {
+            const PixelLight& here = lightAt(x, y);
+            if (!here.isPlain || here.light < kLeastLight) continue;
+            float sum = 0, weights = 0;
+            for (int j = std::max(0, y - kReach); j <= std::min(image.height - 1, y + kReach); ++j) {
+                for (int i = std::max(0, x - kReach); i <= std::min(image.width - 1, x + kReach); ++i) {
+                    const float weight = weightOf(here, lightAt(i, j), i - x, j - y);
+                    sum += weight * lightAt(i, j).light;
+                    weights += weight;
+                }
+            }
+            image.at(x, y) *= sum / weights / here.light;  // weights is 1 or more: the pixel's own
+        }
+    });
+}
+
+}  // namespace clearway::render

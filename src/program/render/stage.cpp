@@ -1,0 +1,53 @@
+#include "program/render/stage.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+namespace clearway::render {
+
+std::size_t Stage::addShape(Surface surface) {
+    shapes_.push_back(std::move(surface));
+    return rays_.addShape(shapes_.back());
+}
+
+void Stage::addBody(Body body) {
+    rays_.addBody(body.shape, body.placement);
+    bodies_.push_back(std::move(body));
+}
+
+std::uint32_t Stage::componentOf(const RayHit& hit) const {
+    return shapeOf(bodies_[hit.body]).components[hit.triangle];
+}
+
+Vector3f Stage::facetOf(const RayHit& hit) const {
+    const Body& body = bodies_[hit.body];
+    const Surface& surface = shapeOf(body);
+    const TriangleIndices& triangle = surface.triangles[hit.triangle];
+    const Vector3f &a = surface.vertices[triangle[0]], &b = surface.vertices[triangle[1]],
+                   &c = surface.vertices[triangle[2]];
+    return body.placement.rotation * (b - a).cross(c - a).stableNormalized();
+}
+
+SeenPoint Stage::seenAt(const Ray& ray, const RayHit& hit) const {
+    const Body& body = bodies_[hit.body];
+    const auto& corners = shapeOf(body).normals[hit.triangle];
+    const Vector3f smooth = (1 - hit.u - hit.v) * corners[0] + hit.u * corners[1] + hit.v * corners[2];
+    SeenPoint seen;
+    seen.point = ray.origin + hit.along * ray.direction;
+    seen.facet = facetOf(hit);
+    seen.normal = (body.placement.rotation * smooth).stableNormalized();
+    if (seen.facet.dot(ray.direction) > 0) {
+        seen.facet = -seen.facet;
+        seen.normal = -seen.normal;
+    }
+    if (seen.normal.dot(ray.direction) >= 0) seen.normal = seen.facet;  // smoothed beyond the horizon
+    seen.colour = body.colours[std::min<std::size_t>(componentOf(hit), body.colours.size() - 1)];
+    return seen;
+}
+
+std::uint32_t Stage::seamKey(const RayHit& hit) const {
+    if (!hit.isHit) return 0;
+    return bodies_[hit.body].hasSeams ? componentOf(hit) + 1 : 1;
+}
+
+}  // namespace clearway::render

@@ -1,0 +1,77 @@
+#include "program/report/frames.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "planning/validity/mesh_names.h"
+
+namespace clearway::report {
+
+namespace {
+
+ReportFrame frameAt(double share, const PartState& state, const planning::SceneClearance& clearance) {
+    ReportFrame frame;
+    frame.share = share;
+    frame.X_environmentPart = poseOf(state);
+    frame.isInReach = !clearance.isOutOfReach(frame.X_environmentPart);
+    if (!frame.isInReach) return frame;
+    frame.clearance = clearance.at(frame.X_environmentPart);
+    const SceneDistance& nearest = frame.clearance.nearest;
+    if (nearest.partTriangle >= 0) {
+        frame.partMesh = planning::meshName(clearance.scene().part, nearest.partComponent);
+        frame.environmentMesh = planning::obstacleName(clearance.scene(), nearest);
+    }
+    return frame;
+}
+
+}  // namespace
+
+std::vector<ReportFrame> framesAlong(const PathLine& line, const planning::SceneClearance& clearance,
+                                     std::size_t count, const std::vector<double>& places) {
+    std::vector<double> shares = evenShares(count);
+    shares.insert(shares.end(), line.shares().begin(), line.shares().end());
+    shares.insert(shares.end(), places.begin(), places.end());
+    std::sort(shares.begin(), shares.end());
+    shares.erase(std::unique(shares.begin(), shares.end()), shares.end());
+    std::vector<ReportFrame> frames;
+    for (const double share : shares) frames.push_back(frameAt(share, line.at(share), clearance));
+    return frames;
+}
+
+double shareIn(const PathLine& line, std::size_t segment, double time) {
+    const std::vector<double>& shares = line.shares();
+    const std::size_t next = std::min(segment + 1, shares.size() - 1);  // of one state there is one segment
+    return shares[segment] + time * (shares[next] - shares[segment]);
+}
+
+std::vector<double> tightPlaces(const PathLine& line, const planning::PathAudit& audit, std::size_t most) {
+    if (audit.segments.empty()) return {};
+    const auto placeOf = [&](std::size_t segment) {
+        return shareIn(line, segment, audit.segments[segment].motion.closestTime);
+    };
+    std::vector<double> places = {placeOf(audit.closest)};
+    for (std::size_t i = 0; i < std::min(most, audit.notValid.size()); ++i)
+        places.push_back(placeOf(audit.notValid[i]));
+    return places;
+}
+
+std::vector<double> certifiedStretches(const PathLine& line, const planning::PathAudit& audit,
+                                       std::size_t count) {
+    if (audit.profile.empty()) return {};
+    std::vector<double> least(count, std::numeric_limits<double>::infinity());
+    const auto shareOf = [&](const planning::PathProfilePoint& point) {
+        return shareIn(line, point.segment, point.time);
+    };
+    for (std::size_t i = 0; i + 1 < audit.profile.size(); ++i) {
+        const double from = shareOf(audit.profile[i]), to = shareOf(audit.profile[i + 1]);
+        const auto first = static_cast<std::size_t>(from * double(count));
+        const auto last = static_cast<std::size_t>(std::ceil(to * double(count)));
+        for (std::size_t k = first; k < std::min(std::max(last, first + 1), count); ++k)
+            least[k] = std::min(least[k], audit.profile[i].lowerToNext);
+    }
+    for (double& value : least) value = std::isfinite(value) ? value : 0;
+    return least;
+}
+
+}  // namespace clearway::report

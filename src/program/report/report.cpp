@@ -1,0 +1,194 @@
+#include "program/report/report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <ostream>
+#include <string_view>
+
+#include "core/colour.h"
+#include "core/json.h"
+#include "core/replace_file.h"
+#include "program/report/coding.h"
+#include "program/report/frames.h"
+#include "program/report/page_mesh.h"
+#include "program/report/page_texts.h"
+
+namespace clearway::report {
+
+namespace {
+
+/// The part is drawn anew wherever the slider goes: measured in headless Chromium without a graphics card,
+/// that stays well below 0.2 s. The environment is drawn when the camera moves; what counts is the size of
+/// the page.
+constexpr std::size_t kMostPartTriangles = 100000, kMostEnvironmentTriangles = 600000;
+constexpr std::size_t kFrames = 401, kStretches = 600, kColours = 33, kMostTroubles = 200;
+
+using Places = std::vector<std::pair<std::string, std::string>>;
+
+Json pointOf(const Vector3& point) {
+    return {point.x(), point.y(), point.z()};
+}
+
+Json jsonOf(const PageMesh& mesh, const Vector3& origin) {
+    return {{"low", pointOf(mesh.box.min() - origin)},
+            {"extent", pointOf(mesh.box.diagonal())},
+            {"positions", base64(mesh.positions.data(), 6 * mesh.positions.size())},
+            {"triangles", base64(mesh.triangles.data(), 12 * mesh.triangles.size())}};
+}
+
+/// position: of the middle of the part's box.
+Json jsonOf(const ReportFrame& frame, const Vector3& partMiddle, const Vector3& origin) {
+    const Eigen::Quaterniond q(frame.X_environmentPart.rotation);
+    Json json = {{"share", frame.share},
+                 {"position", pointOf(frame.X_environmentPart * partMiddle - origin)},
+                 {"rotation", {q.x(), q.y(), q.z(), q.w()}},
+                 {"clearance", frame.isInReach ? Json(frame.clearance.lower) : Json()}};
+    if (frame.isInReach && std::isinf(frame.clearance.lower)) json["isFree"] = true;
+    if (!frame.partMesh.empty()) {
+        const SceneDistance& nearest = frame.clearance.nearest;
+        json["distance"] = nearest.distance;
+        json["pair"] = {pointOf(nearest.pointOnPart - origin), pointOf(nearest.pointOnEnvironment - origin)};
+        json["between"] = {frame.partMesh, frame.environmentMesh};
+    }
+    return json;
+}
+
+std::size_t nearestFrame(const std::vector<ReportFrame>& frames, double share) {
+    const auto isCloser = [&](const ReportFrame& a, const ReportFrame& b) {
+        return std::abs(a.share - share) < std::abs(b.share - share);
+    };
+    return static_cast<std::size_t>(std::min_element(frames.begin(), frames.end(), isCloser) -
+                                    frames.begin());
+}
+
+Json jsonOf(const ReportTable& table, const std::vector<ReportFrame>& frames) {
+    Json jumps;
+    for (const double share : table.shares) jumps.push_back(nearestFrame(frames, share));
+    return {{"title", table.title}, {"header", table.header}, {"rows", table.rows}, {"frames", jumps}};
+}
+
+Json colourScale() {
+    Json colours;
+    for (std::size_t i = 0; i < kColours; ++i)
+        colours.push_back(toSRgb(clearanceColour(double(i) / double(kColours - 1))));
+    return colours;
+}
+
+std::string shortly(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3g", value);
+    return text;
+}
+
+std::string noteOn(const char* what, const PageMesh& page, std::size_t all) {
+    const std::size_t shown = page.triangles.size();
+    return std::string("The ") + what + " is drawn with " +
+           (shown >= all ? "all of its " : std::to_string(shown) + " triangles in place of its ") +
+           std::to_string(all) + (shown >= all ? " triangles" : "") + ", no vertex more than " +
+           shortly(page.error) + " from its place. ";
+}
+
+/// All that the page shows.
+class PageData {
+  public:
+    explicit PageData(const ReportInput& input)
+        : input_(input),
+          part_(pageMeshOf(input.part, kMostPartTriangles)),
+          environment_(pageMeshOf(input.environment, kMostEnvironmentTriangles)),
+          origin_(environment_.box.center()),
+          line_(input.path, input.scene.part.radiusAboutOrigin()),
+          frames_(framesAlong(line_, planning::SceneClearance(input.scene), kFrames,
+                              tightPlaces(line_, input.audit, kMostTroubles))) {
+        for (const ReportFrame& frame : frames_) {
+            if (!frame.isInReach || !std::isfinite(frame.clearance.lower)) continue;
+            least_ = std::min(least_, frame.clearance.lower);
+            most_ = std::max(most_, frame.clearance.lower);
+        }
+    }
+
+    Json json() const {
+        Json frames = Json::array(), tables = Json::array();
+        for (const ReportFrame& frame : frames_) frames.push_back(jsonOf(frame, part_.box.center(), origin_));
+        for (const ReportTable& table : input_.tables) tables.push_back(jsonOf(table, frames_));
+        const double scaleMost = scaleFor(least_, most_);
+        return {{"verdict", input_.verdict},
+                {"note", note()},
+                {"radius", environment_.box.diagonal().norm() / 2},
+                {"middle", {0, 0, 0}},
+                {"scale", colourScale()},
+                {"scaleMost", scaleMost},
+                {"profileMost", scaleMost},
+                {"tightest", tightest()},
+                {"certified", certifiedStretches(line_, input_.audit, kStretches)},
+                {"tables", std::move(tables)},
+                {"frames", std::move(frames)},
+                {"part", jsonOf(part_, part_.box.center())},
+                {"environment", jsonOf(environment_, origin_)}};
+    }
+
+    std::size_t partTriangles() const { return part_.triangles.size(); }
+    std::size_t environmentTriangles() const { return environment_.triangles.size(); }
+
+  private:
+    std::size_t tightest() const {
+        const auto isTighter = [](const ReportFrame& a, const ReportFrame& b) {
+            return a.isInReach && (!b.isInReach || a.clearance.lower < b.clearance.lower);
+        };
+        return static_cast<std::size_t>(std::min_element(frames_.begin(), frames_.end(), isTighter) -
+                                        frames_.begin());
+    }
+
+    std::string note() const {
+        return noteOn("environment", environment_, input_.environment.triangles.size()) +
+               noteOn("part", part_, input_.part.triangles.size()) +
+               "Clearances are those of the whole meshes: distance less margin, lower bounds. The line "
+               "through the view "
+               "is the way of the middle of the part's box. Drawn with three.js (MIT licence), which this "
+               "page holds.";
+    }
+
+    const ReportInput& input_;
+    PageMesh part_, environment_;
+    Vector3 origin_;
+    PathLine line_;
+    std::vector<ReportFrame> frames_;
+    double least_ = std::numeric_limits<double>::infinity(), most_ = 0;
+};
+
+std::string moduleAddress(const char* text) {
+    const std::string_view view(text);
+    return "data:text/javascript;base64," + base64(view.data(), view.size());
+}
+
+/// The template with its {{places}} filled.
+std::string filled(std::string_view page, const Places& places) {
+    std::string result;
+    for (std::size_t at = page.find("{{"); at != std::string_view::npos; at = page.find("{{")) {
+        result += page.substr(0, at);
+        const std::size_t end = page.find("}}", at);
+        const std::string_view name = page.substr(at + 2, end - at - 2);
+        const auto place =
+            std::find_if(places.begin(), places.end(), [&](const auto& p) { return p.first == name; });
+        result += place->second;
+        page.remove_prefix(end + 2);
+    }
+    return result += page;
+}
+
+}  // namespace
+
+WrittenReport writeReport(const ReportInput& input, const std::string& file) {
+    const PageData data(input);
+    const std::string page = filled(kPageHtml, {{"title", htmlText(input.title)},
+                                                {"three", moduleAddress(kThreeModule)},
+                                                {"controls", moduleAddress(kOrbitControls)},
+                                                {"data", jsonText(data.json())},
+                                                {"viewer", kPageViewer}});
+    replaceFile(file, [&](std::ostream& stream) { stream << page; });
+    return {page.size(), data.partTriangles(), data.environmentTriangles()};
+}
+
+}  // namespace clearway::report

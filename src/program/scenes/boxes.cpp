@@ -1,0 +1,69 @@
+#include "program/scenes/boxes.h"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "program/scenes/grid_box.h"
+#include "program/scenes/path_to_problem.h"
+#include "program/scenes/random.h"
+
+namespace clearway::scenes {
+
+namespace {
+
+constexpr double kLeastClearance = 0.01, kMostClearance = 20;  // mm
+constexpr double kEase = 0.01;                                 // of the clearance that is left beyond it
+constexpr std::size_t kMostTriangles = 4000000;
+constexpr double kWallThickness = 16;
+constexpr double kSlit = 1;   // mm between floor and wall
+constexpr double kRoom = 60;  // mm about the path's positions that planners may use
+
+void requireTriangles(const char* option, std::size_t triangles, std::size_t least) {
+    if (triangles >= least && triangles <= kMostTriangles) return;
+    throw std::invalid_argument(std::string(option) + " is " + std::to_string(triangles) + ", expected " +
+                                std::to_string(least) + " to " + std::to_string(kMostTriangles));
+}
+
+/// In whole millimetres, which floats hold exactly.
+double wholeBetween(Random& random, double low, double high) {
+    return std::floor(random.between(low, high + 1));
+}
+
+}  // namespace
+
+GeneratedScene makeBoxes(const SceneOptions& options) {
+    requireClearance(options.clearance, kLeastClearance, kMostClearance);
+    requireTriangles("part-triangles", options.partTriangles, 12);
+    requireTriangles("environment-triangles", options.environmentTriangles, 24);
+    Random random(options.seed);
+    const Vector3 half{wholeBetween(random, 28, 34), wholeBetween(random, 18, 22),
+                       wholeBetween(random, 13, 16)};  // braces: in this order
+    const double length = wholeBetween(random, 140, 160);
+    const Box floor(Vector3(-length, -90, -24), Vector3(length, 50, 0));
+    const Box wall(Vector3(-length, 50 + kSlit, -24), Vector3(length, 50 + kSlit + kWallThickness, 110));
+
+    GeneratedScene scene;
+    scene.name = "boxes";
+    Assembly part, environment;
+    part.add("part", gridBox(Box(Vector3(-half), half), options.partTriangles));
+    const std::size_t ofWall = options.environmentTriangles / 2;
+    environment.add("floor", gridBox(floor, options.environmentTriangles - ofWall));
+    environment.add("wall", gridBox(wall, ofWall));
+    scene.part = part.mesh();
+    scene.environment = environment.mesh();
+
+    const double gap = options.clearance * (1 + kEase), reach = length - half.x() - 10;
+    PartState state;
+    state.position = Vector3(-reach, wall.min().y() - gap - half.y(), gap + half.z());
+    for (const Vector3& motion :
+         {Vector3(0, 0, 0), Vector3(2 * reach, 0, 0), Vector3(0, 0, 60), Vector3(-0.5 * reach, -60, 0)}) {
+        state.position += motion;
+        scene.path.push_back(state);
+    }
+    statePathAsProblem(scene, kRoom);
+    scene.problem.name = "boxes v1";
+    scene.problem.step = kWallThickness / 2;
+    return scene;
+}
+
+}  // namespace clearway::scenes

@@ -1,0 +1,29 @@
+// Random numbers that are the same on every machine: the standard's engines are, its distributions are not.
+#pragma once
+
+#include <cstdint>
+
+namespace clearway::scenes {
+
+/// SplitMix64. Source: Steele, Lea, Flood, Fast Splittable Pseudorandom Number Generators, OOPSLA 2014.
+class Random {
+  public:
+    explicit Random(std::uint64_t seed) : state_(seed) {}
+
+    std::uint64_t next() {
+        std::uint64_t z = state_ += 0x9E3779B97F4A7C15u;
+        z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
+        z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
+        return z ^ (z >> 31);
+    }
+
+    /// In [low, high).
+    double between(double low, double high) {
+        return low + (high - low) * (static_cast<double>(next() >> 11) * 0x1p-53);
+    }
+
+  private:
+    std::uint64_t state_;
+};
+
+}  // namespace clearway::scenes

@@ -1,0 +1,165 @@
+#include "program/study/study.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <ostream>
+#include <stdexcept>
+
+#include "clearway/targets.h"
+#include "core/number.h"
+#include "core/replace_file.h"
+#include "program/study/call_file.h"
+#include "program/study/claims.h"
+#include "program/study/folder_lock.h"
+#include "program/study/machine.h"
+#include "program/study/planner_runs.h"
+#include "program/study/replay.h"
+#include "program/study/statistics.h"
+#include "program/study/study_logs.h"
+#include "program/study/summary.h"
+#include "program/study/tree_tables.h"
+
+namespace clearway::study {
+namespace {
+
+using Settings = std::vector<std::pair<std::string, std::string>>;
+
+std::string joined(const std::vector<std::string>& words) {
+    std::string all;
+    for (const std::string& word : words) all += (all.empty() ? "" : " ") + word;
+    return all;
+}
+
+/// FNV-1a.
+std::string hashOf(const std::string& text) {
+    std::uint64_t hash = 14695981039346656037ull;
+    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ull;
+    return std::to_string(hash);
+}
+
+Settings settingsOf(const std::vector<StudyProblem>& problems, const StudyOptions& options) {
+    std::vector<std::string> planners;
+    for (const StudyPlanner& planner : options.planners) {
+        planners.push_back(planner.name + (planner.objective.empty() ? "" : ":" + planner.objective));
+    }
+    const planning::CallSampling& sampling = options.sampling;
+    Settings settings = {
+        {"planners", joined(planners)},
+        {"general splits", joined(options.generalSplits)},
+        {"leaf splits", joined(options.leafSplits)},
+        {"seeds", std::to_string(options.seeds)},
+        {"seconds", shortNumber(options.seconds)},
+        {"sampled blocks", std::to_string(sampling.blocks) + " of " + std::to_string(sampling.callsPerBlock)},
+        {"repetitions", std::to_string(options.repetitions)},
+        {"table poses", std::to_string(options.tablePoses)},
+        {"short", options.isShort ? "yes" : "no"},
+        {"processor", processorName()},
+        {"instructions", availableTargets().front()},
+    };
+    std::vector<std::string> names;
+    for (const StudyProblem& problem : problems) names.push_back(problem.name);
+    settings.emplace_back("scenes", joined(names));
+    for (const StudyProblem& problem : problems) {
+        settings.emplace_back("scene " + problem.name, hashOf(problem.fingerprint()));
+    }
+    for (auto& setting : settings) std::replace(setting.second.begin(), setting.second.end(), ',', ' ');
+    return settings;
+}
+
+void requireSame(const Settings& settings, const std::string& folder) {
+    GrowingTable kept(folder + "/settings.csv", {"setting", "value"});
+    std::vector<TableRow> rows;
+    for (const auto& [name, value] : settings) rows.push_back({{"setting", name}, {"value", value}});
+    if (kept.rows().empty()) {
+        kept.append(rows);
+        return;
+    }
+    const std::string expected = ", expected another folder or the options that it was begun with";
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const bool isThere = i < kept.rows().size() && kept.rows()[i].at("setting") == rows[i].at("setting");
+        const std::string before = isThere ? kept.rows()[i].at("value") : "not there";
+        if (before == rows[i].at("value")) continue;
+        throw std::invalid_argument("the study in '" + folder + "' has " + rows[i].at("setting") + " '" +
+                                    before + "', not '" + rows[i].at("value") + "'" + expected);
+    }
+    if (kept.rows().size() > rows.size())
+        throw std::invalid_argument("the study in '" + folder + "' has other scenes" + expected);
+}
+
+void requireOptions(const std::vector<StudyProblem>& problems, const StudyOptions& options) {
+    if (problems.empty()) throw std::invalid_argument("there is no problem to study, expected at least one");
+    for (std::size_t i = 0; i < problems.size(); ++i) {
+        for (std::size_t k = 0; k < i; ++k) {
+            if (problems[i].name != problems[k].name) continue;
+            throw std::invalid_argument("two problems are named '" + problems[i].name +
+                                        "', expected different names");
+        }
+    }
+    if (options.leafSplits.size() < 2) {
+        throw std::invalid_argument("there is one leaf split, expected at least two to compare");
+    }
+}
+
+constexpr std::size_t kPosesTogether = 25;  ///< that follow each other as they were recorded
+
+/// Those of the problem, or the states of its recorded calls. Of more than are wanted, runs that are evenly
+/// spread.
+std::vector<Pose> tablePoses(const StudyProblem& problem, const StudyOptions& options,
+                             const std::string& folder) {
+    std::vector<Pose> all = problem.replayPoses;
+    for (const StudyPlanner& planner : options.planners) {
+        if (!problem.replayPoses.empty()) break;
+        for (int seed = 1; seed <= options.seeds; ++seed) {
+            const auto blocks = readCalls(callsFile(folder, problem.name, planner.name, seed));
+            for (const Pose& pose : planning::posesOf(problem.problem, blocks)) all.push_back(pose);
+        }
+    }
+    const auto most = static_cast<std::size_t>(options.tablePoses);
+    if (all.size() <= std::max(most, kPosesTogether)) return all;
+    std::vector<Pose> some;
+    const std::size_t runs = (most + kPosesTogether - 1) / kPosesTogether;
+    for (std::size_t i = 0; i < most; ++i) {
+        some.push_back(all[(all.size() - kPosesTogether) * (i / kPosesTogether) / runs + i % kPosesTogether]);
+    }
+    return some;
+}
+
+}  // namespace
+
+StudyResult studyLeafStrategies(const std::vector<StudyProblem>& problems, const StudyOptions& options,
+                                const std::string& folder) {
+    requireOptions(problems, options);
+    makeFolder(folder);
+    const FolderLock lock(folder);
+    requireSame(settingsOf(problems, options), folder);
+    GrowingTable runs(folder + "/runs.csv", runColumns());
+    GrowingTable replays(folder + "/replay.csv", replayColumns());
+    GrowingTable trees(folder + "/trees.csv", treeColumns());
+    StudyResult result;
+    for (std::size_t i = 0; i < problems.size(); ++i) {
+        const StudyProblem& problem = problems[i];
+        if (options.tell) {
+            options.tell("scene " + std::to_string(i + 1) + " of " + std::to_string(problems.size()) + ", " +
+                         problem.name + ": runs, then replays, then the trees' tables");
+        }
+        if (!runPlanners(problem, options, folder, runs)) return result;
+        if (!replayCalls(problem, options, folder, runs.rows(), replays)) return result;
+        if (!measureTrees(problem, tablePoses(problem, options, folder), options, trees)) return result;
+        writeStudyLogs(problem, options, runs.rows(), folder);
+    }
+    result.statistics = statisticsOf(runs.rows(), replays.rows(), options.leafSplits.front());
+    result.summary = summaryOf(runs.rows(), replays.rows());
+    result.trees = trees.rows();
+    result.claims = judgeClaims(trees.rows());
+    const auto write = [&](const char* name, const std::vector<std::string>& columns,
+                           const std::vector<TableRow>& rows) {
+        replaceFile(folder + "/" + name, [&](std::ostream& out) { out << tableText(columns, rows); });
+    };
+    write("statistics.csv", statisticsColumns(), result.statistics);
+    write("summary.csv", summaryColumns(), result.summary);
+    write("claims.csv", claimColumns(), result.claims);
+    result.isComplete = true;
+    return result;
+}
+
+}  // namespace clearway::study

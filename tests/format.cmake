@@ -1,0 +1,14 @@
+# Every source file is laid out as .clang-format says. Run as `cmake -DROOT=<repository> -DCLANG_FORMAT=<program> -P format.cmake`.
+cmake_minimum_required(VERSION 3.25)
+
+file(GLOB_RECURSE files "${ROOT}/src/*.h" "${ROOT}/src/*.cpp" "${ROOT}/include/*.h" "${ROOT}/demos/*.h" "${ROOT}/demos/*.cpp"
+     "${ROOT}/tests/*.h" "${ROOT}/tests/*.cpp")
+list(LENGTH files count)
+if(count EQUAL 0)
+  message(FATAL_ERROR "ROOT is '${ROOT}', expected a folder with source files under src, include, demos or tests")
+endif()
+execute_process(COMMAND "${CLANG_FORMAT}" --dry-run -Werror ${files} RESULT_VARIABLE result ERROR_VARIABLE errors)
+if(NOT result EQUAL 0)
+  message(FATAL_ERROR "clang-format would change these files:\n${errors}")
+endif()
+message(STATUS "format: ${count} files are laid out as .clang-format says")

@@ -1,0 +1,161 @@
+// Inside and outside are what the signed crossings of closed shells say, exactly, wherever the ray goes.
+#include "model/solid.h"
+
+#include <algorithm>
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+
+#include "support/random_meshes.h"
+#include "support/winding.h"
+
+using namespace clearway;
+using namespace clearway::testing;
+
+namespace {
+
+constexpr std::uint64_t kSeed = 51;
+
+Mesh at(const Mesh& mesh, const Vector3& place) {
+    return transformed(mesh, {Matrix3::Identity(), place});
+}
+
+bool holds(const Solid& solid, const Vector3& point) {
+    return solid.winding({}, {}, point) > 0;
+}
+
+std::string refusalOf(const Mesh& mesh) {
+    try {
+        const Solid solid(mesh, "bracket");
+    } catch (const std::invalid_argument& error) {
+        return error.what();
+    }
+    return "";
+}
+
+}  // namespace
+
+// Rays from grid points run along edges and through corners of the box's triangles.
+BOOST_AUTO_TEST_CASE(a_box_holds_what_is_between_its_sides) {
+    const Solid solid(box({2, 3, 4}, 4), "box");
+    BOOST_TEST(!solid.isTurnedOver());
+    for (double x = -3; x <= 3; x += 0.5) {
+        for (double y = -4; y <= 4; y += 0.5) {
+            for (double z = -5; z <= 5; z += 0.5) {
+                const Vector3 outside = Vector3(std::abs(x) - 2, std::abs(y) - 3, std::abs(z) - 4);
+                if (outside.maxCoeff() == 0) continue;  // on the surface
+                BOOST_TEST(holds(solid, {x, y, z}) == (outside.maxCoeff() < 0), x << " " << y << " " << z);
+            }
+        }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(a_reversed_cube_is_turned_over_and_holds_the_same) {
+    const Solid solid(reversed(box({1, 1, 1}, 2)), "cube");
+    BOOST_TEST(solid.isTurnedOver());
+    BOOST_TEST(holds(solid, {0.25, 0.5, 0}));
+    BOOST_TEST(!holds(solid, {0.25, 0.5, -2}));
+}
+
+BOOST_AUTO_TEST_CASE(a_cavity_is_outside_and_what_stands_in_it_is_inside) {
+    const Mesh hollow = joined(box({3, 3, 3}), reversed(box({2, 2, 2}, 2)));
+    const Mesh filled = joined(hollow, box({1, 1, 1}));
+    for (const bool isReversed : {false, true}) {
+        const Solid cavity(isReversed ? reversed(hollow) : hollow, "hollow"),
+            island(isReversed ? reversed(filled) : filled, "filled");
+        BOOST_TEST(cavity.isTurnedOver() == isReversed);
+        BOOST_TEST(holds(cavity, {2.5, 0, 0}));
+        BOOST_TEST(!holds(cavity, {0, 0, 0}));
+        BOOST_TEST(!holds(cavity, {0, 0, -1.5}));
+        BOOST_TEST(holds(island, {0, 0, 0}));
+        BOOST_TEST(!holds(island, {0, 0, -1.5}));
+        BOOST_TEST(island.shellVertices().size() == 3u);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(shells_that_pierce_each_other_are_oriented_by_what_sticks_out) {
+    for (int corner = 0; corner < 8; ++corner) {
+        const Vector3 way(corner & 1 ? 0.9 : -0.9, corner & 2 ? 0.8 : -0.8, corner & 4 ? 0.7 : -0.7);
+        const Mesh first = box({1, 1, 1}, 2), second = at(box({1, 1, 1}, 2), way);
+        const Mesh both = joined(first, second);
+        for (const bool isReversed : {false, true}) {
+            const Solid solid(isReversed ? reversed(both) : both, "two");
+            BOOST_TEST(solid.isTurnedOver() == isReversed);
+            BOOST_TEST(holds(solid, -0.9 * way));
+            BOOST_TEST(holds(solid, 0.5 * way));
+            BOOST_TEST(holds(solid, 1.9 * way));
+            BOOST_TEST(!holds(solid, 2.5 * way));
+        }
+        for (const Mesh& mixed : {joined(first, reversed(second)), joined(reversed(first), second)}) {
+            BOOST_TEST(refusalOf(mixed).find("1 face outwards and 1 inwards") != std::string::npos);
+        }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(what_encloses_nothing_is_refused_by_name) {
+    Mesh open = box({1, 1, 1});
+    open.triangles.pop_back();
+    BOOST_TEST(refusalOf(open) ==
+               "'bracket' encloses nothing: 3 open edges, 0 where a triangle is turned over and 0 of "
+               "more than two triangles, expected a closed surface");
+    Mesh twisted = box({1, 1, 1});
+    std::swap(twisted.triangles[0][0], twisted.triangles[0][1]);
+    BOOST_TEST(refusalOf(twisted).find("3 where a triangle is turned over") != std::string::npos);
+    const Mesh mixed = joined(box({1, 1, 1}), reversed(at(box({1, 1, 1}), {5, 0, 0})));
+    BOOST_TEST(refusalOf(mixed) ==
+               "'bracket' encloses nothing: of its outermost shells 1 face outwards and 1 inwards, "
+               "expected all to face the same way");
+}
+
+// A point of the surface moved by as little as a double can tell is on that side, also with the mesh turned.
+BOOST_AUTO_TEST_CASE(points_a_rounding_from_the_surface_are_on_their_side) {
+    Random random(kSeed);
+    int tried = 0;
+    const Mesh mesh = sphere(3, 12);
+    const Solid solid(mesh, "sphere");
+    for (int round = 0; round < 300; ++round) {
+        const std::size_t t = std::size_t(random.uniform(0, double(mesh.triangles.size())));
+        const Vector3 &a = mesh.vertices[mesh.triangles[t][0]], &b = mesh.vertices[mesh.triangles[t][1]],
+                      &c = mesh.vertices[mesh.triangles[t][2]];
+        const Vector3 normal = (solid.isTurnedOver() ? -1.0 : 1.0) * (b - a).cross(c - a).normalized();
+        if (!((b - a).cross(c - a).norm() > 1e-3)) continue;  // a triangle at a pole may have no area
+        const double s = random.uniform(0.1, 0.5), u = random.uniform(0.1, 0.4);
+        const Vector3 on = a + s * (b - a) + u * (c - a);
+        const Pose X = random.pose(5);
+        ++tried;
+        BOOST_TEST_CONTEXT("seed " << kSeed << ", round " << round) {
+            for (const double away : {1e-14, 1e-9, 0.1}) {
+                BOOST_TEST(holds(solid, on - away * normal));
+                BOOST_TEST(!holds(solid, on + away * normal));
+                const double far = std::max(away, 1e-13);
+                BOOST_TEST(solid.winding(X, X, on - far * normal) == 1);
+                BOOST_TEST(solid.winding(X, X, on + far * normal) == 0);
+            }
+        }
+    }
+    BOOST_TEST(tried > 200);
+}
+
+BOOST_AUTO_TEST_CASE(windings_are_those_of_the_solid_angles_wherever_mesh_and_point_are_moved) {
+    Random random(kSeed);
+    const Mesh mesh = joined(joined(reversed(torus(4, 1.5, 12)), at(box({1, 2, 3}, 2), {9, 0, 0})),
+                             reversed(at(box({0.5, 1, 1.5}), {9, 0.1, 0})));
+    const Solid solid(mesh, "several shells");
+    const Component whole{"", 0, std::uint32_t(mesh.triangles.size())};
+    int inside = 0;
+    for (int round = 0; round < 500; ++round) {
+        const Vector3 point(random.uniform(-7, 12), random.uniform(-7, 7), random.uniform(-4, 4));
+        const double angles = windingBySolidAngles(mesh, whole, point) * (solid.isTurnedOver() ? -1 : 1);
+        if (std::abs(angles - std::round(angles)) > 1e-6) continue;
+        const Pose X_aMesh = random.pose(10);
+        const Vector3 seen = X_aMesh * point;
+        const Pose X_aPoint = random.pose(10);
+        BOOST_TEST_CONTEXT("seed " << kSeed << ", round " << round) {
+            BOOST_TEST(solid.winding({}, {}, point) == int(std::round(angles)));
+            BOOST_TEST(solid.winding(X_aMesh, {}, seen) == int(std::round(angles)));
+            BOOST_TEST(solid.winding(X_aMesh, X_aPoint, inverse(X_aPoint) * seen) == int(std::round(angles)));
+        }
+        inside += angles > 0.5;
+    }
+    BOOST_TEST(inside > 40);
+    BOOST_TEST(inside < 300);
+}

@@ -1,0 +1,66 @@
+#include "support/motion_validator_contract.h"
+
+#include <boost/test/unit_test.hpp>
+#include <memory>
+
+#include "clearway/planning/discrete_motion_validator.h"
+#include "clearway/planning/motion_validator.h"
+#include "clearway/planning/validity_checker.h"
+#include "planning/setup/planning_space.h"
+#include "support/window_scene.h"
+
+namespace clearway::planning {
+namespace {
+
+namespace ob = ompl::base;
+
+struct Fixture {
+    explicit Fixture(double margin) {
+        window.scene.obstacles[0].margin = margin;
+        si->setStateValidityChecker(std::make_shared<ValidityChecker>(si, window.scene));
+        si->setMotionValidator(std::make_shared<DiscreteMotionValidator>(si, window.scene.part, 1));
+        si->setup();
+    }
+
+    ob::ScopedState<> at(const Vector3& position, double angle = 0) const {
+        PartState state = window.problem.start;
+        state.position = position;
+        state.rotation = Eigen::AngleAxisd(angle, Vector3(1, 2, 2).normalized()) * state.rotation;
+        return toOmpl(space, Space::kSe3, state);
+    }
+
+    /// Upright on one side of the wall and on the other, through which the part does not fit.
+    testing::ContractMotions motions() const {
+        return {at({-60, 0, 0}), at({-50, 20, 5}, 0.3), at({60, 10, 0}, 0.5), at({0, 0, 0}, 0.1)};
+    }
+
+    testing::WindowScene window = testing::windowScene();
+    ob::StateSpacePtr space = makeSpace(Space::kSe3, *window.problem.volume, 1);
+    ob::SpaceInformationPtr si = std::make_shared<ob::SpaceInformation>(space);
+};
+
+BOOST_AUTO_TEST_CASE(the_certified_validator_keeps_the_contract) {
+    for (const double margin : {0.0, 2.0}) {
+        const Fixture f(margin);
+        MotionValidator validator(f.si, f.window.scene);
+        checkMotionValidatorContract(*f.si, validator, f.motions());
+    }
+}
+
+BOOST_AUTO_TEST_CASE(the_discrete_validator_keeps_the_contract) {
+    for (const double margin : {0.0, 2.0}) {
+        const Fixture f(margin);
+        DiscreteMotionValidator validator(f.si, f.window.scene.part, 1);
+        checkMotionValidatorContract(*f.si, validator, f.motions());
+    }
+}
+
+BOOST_AUTO_TEST_CASE(the_certified_validator_keeps_the_contract_through_callbacks) {
+    const Fixture f(2);
+    MotionValidator validator(f.si, f.window.scene, stateToPose(*f.space),
+                              displacementBound(*f.space, f.window.scene.part));
+    checkMotionValidatorContract(*f.si, validator, f.motions());
+}
+
+}  // namespace
+}  // namespace clearway::planning

@@ -1,0 +1,176 @@
+#include "clearway/planning/motion_validator.h"
+
+#include <ompl/base/ScopedState.h>
+
+#include <algorithm>
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+
+#include "clearway/planning/discrete_motion_validator.h"
+#include "clearway/planning/validity_checker.h"
+#include "support/motion_window.h"
+
+namespace clearway::planning {
+namespace {
+
+namespace ob = ompl::base;
+
+using Fixture = testing::MotionWindow;
+using testing::withLeastInterval;
+
+BOOST_AUTO_TEST_CASE(a_sheet_without_thickness_that_steps_jump_is_met) {
+    Mesh sheet;
+    sheet.vertices = {{0, -90, -90}, {0, 90, -90}, {0, 0, 90}};
+    sheet.triangles = {{0, 1, 2}};
+    const Fixture f;
+    const Scene scene{f.window.scene.part, Model::build(sheet), 0};
+    const auto si = std::make_shared<ob::SpaceInformation>(f.space);
+    si->setStateValidityChecker(std::make_shared<ValidityChecker>(si, scene));
+    const DiscreteMotionValidator discrete(si, scene.part, 80);
+    const MotionValidator certified(si, scene);
+    const auto s1 = f.at({-35, 0, 0}), s2 = f.at({35, 0, 0});
+    BOOST_TEST(discrete.checkMotion(s1.get(), s2.get()));
+    BOOST_TEST(!certified.checkMotion(s1.get(), s2.get()));
+    BOOST_TEST(certified.counters().invalid == 1u);
+    BOOST_TEST(certified.counters().undecided == 0u);
+}
+
+BOOST_AUTO_TEST_CASE(a_motion_with_little_clearance_all_along_is_valid) {
+    for (const double margin : {0.0, 1.5}) {
+        const Fixture f(margin);
+        const double x = -32 - margin - 0.02;
+        BOOST_TEST(f.check(f.at({x, -40, 20}), f.at({x, 30, -20})));
+        // Queries: the length in clearances is 80.6 / 0.02.
+        BOOST_TEST(f.validator->counters().queries < 2.5 * 80.7 / 0.02);
+        BOOST_TEST(f.check(f.at({x, -40, 20}), f.at({-80, 30, -20}, 0.3)));
+    }
+}
+
+BOOST_AUTO_TEST_CASE(what_comes_closer_than_the_least_interval_can_tell_is_undecided) {
+    const Fixture coarse(0, withLeastInterval(0.1)), fine(0, withLeastInterval(0.001));
+    const auto s1 = coarse.at({-32.01, -20, 30}), s2 = coarse.at({-32.01, 20, 30});
+    BOOST_TEST(!coarse.check(s1, s2));
+    BOOST_TEST(coarse.validator->counters().undecided == 1u);
+    BOOST_TEST((coarse.report(s1, s2).verdict == MotionVerdict::kUndecided));
+    BOOST_TEST(coarse.report(s1, s2).upperClearance == 0.01, boost::test_tools::tolerance(1e-9));
+    BOOST_TEST(fine.check(s1, s2));
+    const auto touching = fine.at({-32, 0, 30});
+    BOOST_TEST(!fine.check(s1, touching));
+    BOOST_TEST(fine.validator->counters().invalid == 1u);
+    BOOST_TEST(fine.validator->counters().undecided == 0u);
+}
+
+BOOST_AUTO_TEST_CASE(a_motion_that_would_take_long_is_undecided_as_soon_as_it_is_stopped) {
+    MotionOptions options = withLeastInterval(1e-5);
+    int asked = 0;
+    options.isStopped = [&] { return ++asked > 50; };
+    const Fixture f(0, options);
+    const auto s1 = f.at({-32 - 1e-4, -20, 30}), s2 = f.at({-32 - 1e-4, 20, 30});
+    BOOST_TEST(!f.check(s1, s2));  // 400,000 queries of it
+    BOOST_TEST(f.validator->counters().undecided == 1u);
+    BOOST_TEST(f.validator->counters().queries < 60u);
+    BOOST_TEST((f.report(s1, s2).verdict == MotionVerdict::kUndecided));
+
+    const Fixture unstopped(0, withLeastInterval(1e-5));
+    asked = 0;
+    BOOST_TEST(!unstopped.validator->keepsClearance(s1.get(), s2.get(), 0, [&] { return ++asked > 50; }));
+    BOOST_TEST(unstopped.validator->counters().undecided == 1u);
+    BOOST_TEST(unstopped.validator->counters().queries < 60u);
+}
+
+BOOST_AUTO_TEST_CASE(a_collision_reached_by_grazing_is_told_as_one) {
+    const Fixture f;
+    for (const double depth : {1e-4, 0.01, 0.1}) {
+        const auto s1 = f.at({-32.1, -20, 30}), s2 = f.at({-32 + depth, 20, 30});
+        BOOST_TEST(!f.check(s1, s2));
+        const MotionReport report = f.report(s1, s2);
+        BOOST_TEST((report.verdict == MotionVerdict::kInvalid));
+        BOOST_TEST(report.upperClearance <= 0);
+        BOOST_TEST(report.certifiedTime > 0);
+        BOOST_TEST(report.certifiedTime < report.blockedTime);
+        BOOST_TEST(report.blockedTime >= 0.1 / (0.1 + depth));
+    }
+    BOOST_TEST(f.validator->counters().undecided == 0u);
+}
+
+BOOST_AUTO_TEST_CASE(a_motion_that_stays_is_valid_however_close_it_is) {
+    const Fixture f;
+    const auto close = f.at({-32 - 1e-9, 0, 30}, M_PI, Vector3::UnitX());
+    BOOST_TEST(f.check(close, close));
+    auto negated = close;  // the same pose
+    for (int i = 3; i < 7; ++i) negated[static_cast<unsigned int>(i)] *= -1;
+    BOOST_TEST(f.check(close, negated));
+}
+
+BOOST_AUTO_TEST_CASE(a_turn_that_ompl_leaves_out_until_the_end_counts_at_the_end) {
+    // The plate's corner is 20 to the side: turned by 8e-5 it comes 0.0016 nearer.
+    const Fixture f(0, withLeastInterval(1e-6));
+    for (const double gap : {0.001, 0.01}) {
+        const auto s1 = f.at({-32 - gap, 0, 30}), s2 = f.at({-32 - gap, 0, 30}, 8e-5);
+        ob::ScopedState<> end(f.space);
+        f.space->interpolate(s1.get(), s2.get(), 1, end.get());
+        BOOST_TEST((end == s1));
+        BOOST_TEST(f.check(s1, s2) == (gap > 20 * 8e-5));
+        BOOST_TEST(f.check(s2, s1) == (gap > 20 * 8e-5));
+        // s2 is free, but what is interpolated up to it keeps the turn of s1.
+        const auto turned = f.at({-40, 0, 30}, 8e-5), straight = f.at({-32 - gap, 0, 30});
+        BOOST_TEST(f.si->isValid(straight.get()));
+        BOOST_TEST(f.check(turned, straight) == (gap > 20 * 8e-5));
+        const MotionReport report = f.report(turned, straight);
+        const double nearest = gap - 20 * 8e-5;
+        if (nearest > 0) {
+            BOOST_TEST(report.lowerClearance <= nearest * (1 + 1e-6));
+            BOOST_TEST(report.lowerClearance >= 0.8 * nearest);
+        } else {
+            BOOST_TEST(report.closest.collides());
+            BOOST_TEST(report.closestTime < 1);
+        }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(in_the_plane_the_shorter_turn_is_taken_across_the_seam) {
+    // In the plane z = 0 the window is 64 wide, the part 60 x 40: inside, it turns a little.
+    const Fixture f(0, {}, Space::kSe2);
+    BOOST_TEST(f.check(f.at({0, 0, 0}, M_PI - 0.1), f.at({0, 0, 0}, -M_PI + 0.1)));
+    BOOST_TEST(!f.check(f.at({0, 0, 0}, 0.1), f.at({0, 0, 0}, M_PI - 0.1)));
+    BOOST_TEST(f.check(f.at({-60, 60, 0}, 0.1), f.at({-60, 60, 0}, M_PI - 0.1)));
+    const MotionReport report = f.report(f.at({-60, 60, 0}, M_PI - 0.4), f.at({-60, 60, 0}, -M_PI + 0.4));
+    const double corner = std::hypot(30, 20);  // reaches its nearest at atan2(20, 30) = 0.588 > 0.4
+    const double nearest = 58 - corner * std::cos(std::atan2(20, 30) - 0.4);
+    BOOST_TEST(report.upperClearance == nearest, boost::test_tools::tolerance(1e-2));
+    BOOST_TEST(report.lowerClearance <= nearest);
+    BOOST_TEST(report.lowerClearance >= 0.98 * nearest);
+}
+
+BOOST_AUTO_TEST_CASE(last_valid_is_close_to_what_blocks_and_can_be_gone_on_from) {
+    for (const double margin : {0.0, 2.0}) {
+        const Fixture f(margin);
+        const auto s1 = f.at({-90, 0, 30}), s2 = f.at({0, 0, 30}, M_PI / 2);
+        ob::ScopedState<> reached(f.space);
+        std::pair<ob::State*, double> lastValid(reached.get(), -1);
+        BOOST_TEST(!f.validator->checkMotion(s1.get(), s2.get(), lastValid));
+        const double clearance = f.si->getStateValidityChecker()->clearance(reached.get());
+        BOOST_TEST(clearance > f.validator->leastInterval());
+        BOOST_TEST(clearance < 100 * f.validator->leastInterval());
+        BOOST_TEST(f.check(s1, reached));
+        BOOST_TEST(f.check(reached, s1));
+    }
+}
+
+BOOST_AUTO_TEST_CASE(the_bounds_end_a_motion_where_they_are) {
+    const Fixture f;
+    const auto s1 = f.at({-60, 0, 0}), inside = f.at({-100, 60, -60}, 1), outside = f.at({-160, 0, 0}, 1);
+    BOOST_TEST(f.check(s1, inside));
+    BOOST_TEST(!f.check(s1, outside));
+    BOOST_TEST(!f.check(outside, s1));
+    std::pair<ob::State*, double> lastValid(nullptr, -1);
+    BOOST_TEST(!f.validator->checkMotion(s1.get(), outside.get(), lastValid));
+    BOOST_TEST(lastValid.second <= 0.4);
+    BOOST_TEST(lastValid.second > 0.398);
+    BOOST_TEST(!f.validator->checkMotion(outside.get(), s1.get(), lastValid));
+    BOOST_TEST(lastValid.second == 0);
+    BOOST_TEST(f.validator->counters().invalidStarts == 2u);
+}
+
+}  // namespace
+}  // namespace clearway::planning

@@ -1,0 +1,131 @@
+// Plans for clearance.
+#include <boost/test/unit_test.hpp>
+#include <stdexcept>
+
+#include "planning/objectives/objectives.h"
+#include "planning/setup/plan.h"
+#include "support/gates_scene.h"
+#include "support/oracle.h"
+#include "support/path_check.h"
+
+namespace clearway::planning {
+namespace {
+
+using testing::gatesScene;
+using Outcome = PlanReport::Outcome;
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr double kTunnelSeconds = 150;  // a sanitizer's
+#else
+constexpr double kTunnelSeconds = 12;
+#endif
+
+PlanOptions withObjective(const std::string& objective, double seconds) {
+    PlanOptions options;
+    options.objective = objective;
+    options.seconds = seconds;
+    return options;
+}
+
+PlanReport found(const Problem& problem, const Scene& scene, const PlanOptions& options) {
+    PlanReport report = plan(problem, scene, options);
+    BOOST_REQUIRE((report.outcome == Outcome::kFound));
+    BOOST_TEST(report.audit.isValid());
+    return report;
+}
+
+BOOST_AUTO_TEST_CASE(the_least_clearance_is_the_cost_and_shortening_keeps_it) {
+    const auto gates = gatesScene();
+    const PlanReport report = found(gates.problem, gates.scene, withObjective("max_min_clearance", 1.5));
+    BOOST_TEST(report.planners == std::vector<std::string>{"RisingFloor"}, boost::test_tools::per_element());
+    BOOST_TEST(report.objective == "max_min_clearance");
+    BOOST_TEST(report.cost > 4);  // the first path of the same planners has less: see anytime_clearance
+    BOOST_TEST(report.cost <= report.audit.upperClearance);
+    BOOST_TEST(report.cost >= 0.9 * report.audit.lowerClearance);
+    BOOST_TEST(report.cost <= testing::kWideGates);
+    BOOST_TEST(report.path.size() <= report.statesBefore);
+}
+
+BOOST_AUTO_TEST_CASE(the_least_clearance_claimed_is_there_by_the_oracle) {
+    const Problem problem = readProblem(CLEARWAY_DATA_DIR "/tunnel-console-small/tunnel-console.cfg");
+    const Mesh part = loadPart(problem), environment = loadEnvironment(problem);
+    const Scene scene{Model::build(part), Model::build(environment), problem.margin};
+    const PlanReport report = found(problem, scene, withObjective("max_min_clearance", kTunnelSeconds));
+    const testing::MeshOracle oracle(part, environment);
+    const double least = testing::leastDistance(oracle, report.path, problem, 500) - problem.margin;
+    BOOST_TEST(report.audit.lowerClearance > 0);
+    BOOST_TEST(report.audit.lowerClearance <= least);
+    BOOST_TEST(report.cost <= least);
+}
+
+BOOST_AUTO_TEST_CASE(the_problem_names_the_objective_unless_the_options_do) {
+    auto gates = gatesScene();
+    gates.problem.objective = "max_min_clearance";
+    gates.problem.objectiveThreshold = 1;
+    PlanOptions options;
+    options.seconds = 20;
+    const PlanReport report = found(gates.problem, gates.scene, options);
+    BOOST_TEST(report.objective == "max_min_clearance");
+    BOOST_TEST(report.cost > 1);
+    BOOST_TEST(report.planningSeconds < 10);  // enough is enough
+
+    gates.problem.objectiveThreshold.reset();
+    options = withObjective("Length_With_Clearance", 1);
+    options.wantedClearance = 3;
+    const PlanReport wanted = found(gates.problem, gates.scene, options);
+    BOOST_TEST(wanted.objective == "length_with_clearance");
+    BOOST_TEST(wanted.cost >= wanted.length);
+    BOOST_TEST(wanted.warnings.empty());
+
+    gates.problem.objective = "beauty";
+    const PlanReport unknown = found(gates.problem, gates.scene, {});
+    BOOST_TEST(unknown.objective == "");
+    BOOST_REQUIRE(unknown.warnings.size() == 1u);
+    BOOST_TEST(unknown.warnings[0] == "objective 'beauty' is not known; paths are judged by length");
+}
+
+BOOST_AUTO_TEST_CASE(planning_ends_when_no_path_can_have_more_clearance_for_its_ends_have_not) {
+    auto gates = gatesScene();
+    gates.problem.start.position = {-43, 0, 0};  // 43 - 32 - 10 = 1 before the wall, or to the gate's side
+    gates.problem.start.position.y() = 18;
+    const PlanReport report = found(gates.problem, gates.scene, withObjective("max_min_clearance", 20));
+    BOOST_TEST(report.planningSeconds < 10);
+    BOOST_TEST(report.cost <= 1);
+    BOOST_TEST(report.cost >= 0.9);
+}
+
+BOOST_AUTO_TEST_CASE(with_iterations_the_path_for_an_objective_is_repeatable) {
+    const auto gates = gatesScene();
+    PlanOptions options;
+    options.iterations = 250;
+    options.parameters = {{"range", "60"}};
+    options.objective = "max_min_clearance";
+    const PlanReport first = found(gates.problem, gates.scene, options);
+    BOOST_TEST(first.planners.at(0) == "RRTstar");
+    BOOST_TEST(first.isRepeatable);
+    const PlanReport second = found(gates.problem, gates.scene, options);
+    BOOST_TEST(first.cost == second.cost);
+    BOOST_TEST(first.length == second.length);
+    BOOST_TEST(first.path.size() == second.path.size());
+}
+
+BOOST_AUTO_TEST_CASE(objectives_are_known_by_name_in_any_case) {
+    BOOST_TEST(objectiveName("MAX_MIN_CLEARANCE") == "max_min_clearance");
+    BOOST_TEST(objectiveName("min_clearance") == "max_min_clearance");
+    BOOST_CHECK_EXCEPTION(objectiveName("shortest"), std::invalid_argument, [](const std::exception& error) {
+        return std::string(error.what()) ==
+               "unknown objective 'shortest', expected one of length, max_min_clearance, clearance_integral, "
+               "length_with_clearance, mechanical_work";
+    });
+    const auto gates = gatesScene();
+    for (const std::string& name : objectiveNames()) {
+        PlanOptions options = withObjective(name, 0.5);
+        options.planner = "AnytimePathShortening";
+        const PlanReport report = found(gates.problem, gates.scene, options);
+        BOOST_TEST(report.objective == name);
+        BOOST_TEST(report.cost > 0, name);
+    }
+}
+
+}  // namespace
+}  // namespace clearway::planning

@@ -1,0 +1,364 @@
+#include "planning/setup/plan.h"
+
+#include <ompl/base/ScopedState.h>
+
+#include <boost/test/unit_test.hpp>
+#include <functional>
+#include <stdexcept>
+
+#include "clearway/planning/planners.h"
+#include "planning/setup/planning_space.h"
+#include "support/oracle.h"
+#include "support/path_check.h"
+#include "support/random_meshes.h"
+#include "support/window_scene.h"
+
+namespace clearway::planning {
+namespace {
+
+using testing::windowScene;
+using Outcome = PlanReport::Outcome;
+
+bool same(const std::vector<PartState>& a, const std::vector<PartState>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const PartState& x, const PartState& y) {
+        return x.position == y.position && x.rotation.coeffs() == y.rotation.coeffs();
+    });
+}
+
+std::string refusal(const std::function<void()>& call) {
+    try {
+        call();
+    } catch (const std::invalid_argument& error) {
+        return error.what();
+    }
+    return "nothing";
+}
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+PlanOptions withIterations(std::uint64_t iterations, std::uint32_t seed = 1) {
+    PlanOptions options;
+    options.iterations = iterations;
+    options.seed = seed;
+    return options;
+}
+
+BOOST_AUTO_TEST_CASE(the_path_keeps_the_margin_at_1000_interpolated_states_by_the_oracle) {
+    for (const double margin : {0.0, 2.0}) {
+        for (const std::uint32_t seed : {1u, 2u, 3u}) {
+            auto window = windowScene();
+            window.scene.obstacles[0].margin = margin;
+            const PlanReport report = plan(window.problem, window.scene, withIterations(200000, seed));
+            BOOST_TEST_CONTEXT("margin " << margin << ", seed " << seed) {
+                BOOST_REQUIRE((report.outcome == Outcome::kFound));
+                BOOST_TEST(report.isCertified);
+                BOOST_TEST(report.guard == 0);
+                BOOST_TEST(report.path.front().position == window.problem.start.position);
+                BOOST_TEST(report.path.back().position == window.problem.goal.position);
+                const testing::MeshOracle oracle(window.partMesh, window.wallMesh);
+                const double least = testing::leastDistance(oracle, report.path, window.problem, 1000);
+                BOOST_TEST(least > margin);
+                const PathAudit& audit = report.audit;
+                BOOST_TEST(audit.isValid());
+                BOOST_TEST(audit.lowerClearance > 0);
+                BOOST_TEST(audit.lowerClearance <= least - margin);
+                BOOST_TEST(audit.upperClearance >= audit.lowerClearance);
+                BOOST_TEST(audit.upperClearance <= audit.lowerClearance + 0.1 * audit.upperClearance + 1e-3);
+                BOOST_TEST(audit.queries > 10u);
+                BOOST_TEST(audit.segments.at(audit.closest).partMesh == "plate");
+                BOOST_TEST(audit.segments.size() + 1 == report.path.size());
+                BOOST_TEST(report.length >= 120);
+                BOOST_TEST(report.warnings.empty());
+            }
+        }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(with_a_step_the_path_keeps_the_margin_between_the_checked_states_too) {
+    for (const double margin : {0.0, 2.0}) {
+        auto window = windowScene();
+        window.scene.obstacles[0].margin = margin;
+        PlanOptions options = withIterations(200000);
+        options.step = 1;
+        const PlanReport report = plan(window.problem, window.scene, options);
+        BOOST_TEST_CONTEXT("margin " << margin) {
+            BOOST_REQUIRE((report.outcome == Outcome::kFound));
+            BOOST_TEST(!report.isCertified);
+            BOOST_TEST(report.step == 1);
+            BOOST_TEST(report.guard == 0.5);
+            const testing::MeshOracle oracle(window.partMesh, window.wallMesh);
+            BOOST_TEST(testing::leastDistance(oracle, report.path, window.problem, 1000) > margin);
+            BOOST_TEST(report.audit.isValid());
+            BOOST_TEST(report.audit.lowerClearance > 0);
+            BOOST_TEST(report.warnings.empty());
+        }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(a_sheet_without_thickness_is_not_planned_through) {
+    auto window = windowScene();
+    Mesh sheet;
+    sheet.vertices = {{0, -200, -200}, {0, 200, -200}, {0, 0, 400}};
+    sheet.triangles = {{0, 1, 2}};
+    window.scene.obstacles[0].model = Model::build(sheet);
+    window.problem.step = 100;  // nothing that a motion is checked by: edges are 20 times as long
+    BOOST_TEST((plan(window.problem, window.scene, withIterations(2000)).outcome == Outcome::kNotFound));
+}
+
+BOOST_AUTO_TEST_CASE(repeatable_planners_give_the_same_path_bit_by_bit_and_it_is_free) {
+    const auto window = windowScene();
+    const testing::MeshOracle oracle(window.partMesh, window.wallMesh);
+    int found = 0;
+    for (const std::string& name : plannerNames()) {
+        if (!isRepeatable(name)) continue;
+        PlanOptions options = withIterations(1000, 8);
+        options.planner = name;
+        const PlanReport first = plan(window.problem, window.scene, options);
+        const std::vector<char> elsewhere(1 << 20);  // so that the second run's memory lies elsewhere
+        const PlanReport second = plan(window.problem, window.scene, options);
+        BOOST_TEST_CONTEXT(name << ", " << elsewhere.size()) {
+            BOOST_TEST(first.planners.at(0) == name);
+            BOOST_TEST(first.isRepeatable);
+            BOOST_TEST((first.outcome == second.outcome));
+            BOOST_TEST(first.checks == second.checks);
+            BOOST_TEST(same(first.path, second.path));
+            if (first.outcome != Outcome::kFound) continue;
+            BOOST_TEST(testing::collisionsAlong(oracle, first.path, window.problem, 200) == 0);
+            ++found;
+        }
+    }
+    BOOST_TEST(found > 5);
+}
+
+BOOST_AUTO_TEST_CASE(planners_with_threads_end_in_time_and_what_they_find_is_free) {
+    const auto window = windowScene();
+    const testing::MeshOracle oracle(window.partMesh, window.wallMesh);
+    for (const std::string& name : plannerNames()) {
+        if (isRepeatable(name)) continue;
+        PlanOptions options;
+        options.planner = name;
+        options.seconds = 0.25;
+        const PlanReport report = plan(window.problem, window.scene, options);
+        BOOST_TEST_CONTEXT(name) {
+            BOOST_TEST(!report.isRepeatable);
+            BOOST_TEST(report.planningSeconds < 10);
+            if (report.outcome != Outcome::kFound) continue;
+            BOOST_TEST(testing::collisionsAlong(oracle, report.path, window.problem, 200) == 0);
+        }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(another_seed_gives_another_path) {
+    const auto window = windowScene();
+    const PlanReport first = plan(window.problem, window.scene, withIterations(200000, 1));
+    const PlanReport second = plan(window.problem, window.scene, withIterations(200000, 2));
+    BOOST_TEST(!first.path.empty());
+    BOOST_TEST(!second.path.empty());
+    BOOST_TEST(!same(first.path, second.path));
+}
+
+BOOST_AUTO_TEST_CASE(no_path_is_no_path) {
+    auto window = windowScene();
+    window.scene.obstacles[0].margin = 12;  // the window leaves 12 at the plate's sides, 11 above and below
+    PlanOptions options;
+    options.seconds = 0.5;
+    const PlanReport report = plan(window.problem, window.scene, options);
+    BOOST_TEST((report.outcome == Outcome::kNotFound));
+    BOOST_TEST(report.path.empty());
+    BOOST_TEST(report.planningSeconds < 3);
+}
+
+BOOST_AUTO_TEST_CASE(a_stop_ends_the_planning_without_a_path) {
+    auto window = windowScene();
+    window.scene.obstacles[0].margin = 12;
+    int asked = 0;
+    PlanOptions options;
+    options.isStopped = [&] { return ++asked > 100; };
+    const PlanReport report = plan(window.problem, window.scene, options);
+    BOOST_TEST((report.outcome == Outcome::kStopped));
+    BOOST_TEST(report.path.empty());
+}
+
+BOOST_AUTO_TEST_CASE(time_ends_a_motion_that_slides_along_a_face_too) {
+    const Pose below{Matrix3::Identity(), {0, -10 - 1e-4, 0}};
+    const Mesh plate = testing::transformed(testing::box({200, 5, 20}), below);
+    const Scene scene(Model::build(testing::box({10, 5, 5})), Model::build(plate));
+    Problem problem;
+    problem.space = Space::kSe2;
+    problem.start.position = {-80, 0, 0};
+    problem.goal.position = {80, 0, 0};
+    problem.volume = Box(Vector3(-100, -1, 0), Vector3(100, 50, 0));
+    PlanOptions options;
+    options.planner = "PRM";  // tries the motion from start to goal at once: two million queries
+    options.seconds = 0.3;
+    BOOST_TEST(plan(problem, scene, options).planningSeconds < 4);
+}
+
+BOOST_AUTO_TEST_CASE(a_start_in_collision_is_refused_with_the_meshes_and_triangles) {
+    auto window = windowScene();
+    window.problem.start.position.x() = 0;
+    const auto planIt = [&] { plan(window.problem, window.scene, withIterations(10)); };
+    const std::string touching = refusal(planIt);
+    BOOST_TEST(contains(touching, "start is in collision: triangle "));
+    BOOST_TEST(contains(touching, "'plate'"));
+    BOOST_TEST((contains(touching, "'above'") || contains(touching, "'below'")));
+    BOOST_TEST(contains(touching, "touching"));
+
+    window = windowScene();
+    window.problem.goal.position.x() = 36;  // 4 from the wall
+    window.scene.obstacles[0].margin = 5;
+    const std::string close = refusal(planIt);
+    BOOST_TEST(contains(close, "goal is too close: triangle "));
+    BOOST_TEST(contains(close, "4 apart, expected more than the margin 5"));
+}
+
+BOOST_AUTO_TEST_CASE(bounds_that_leave_out_the_start_are_refused) {
+    auto window = windowScene();
+    window.problem.volume = Box(Vector3(-50, -40, -40), Vector3(80, 40, 40));
+    BOOST_TEST(contains(refusal([&] { plan(window.problem, window.scene, withIterations(10)); }), "start"));
+}
+
+BOOST_AUTO_TEST_CASE(a_start_closer_than_half_a_step_shortens_the_step) {
+    auto window = windowScene();
+    window.problem.start.position.x() = -32.25;  // a quarter from the wall, half a step is a half
+    PlanOptions options = withIterations(200000);
+    options.step = 1;
+    const PlanReport report = plan(window.problem, window.scene, options);
+    BOOST_REQUIRE((report.outcome == Outcome::kFound));
+    BOOST_TEST(report.guard > 0.2);
+    BOOST_TEST(report.step < 0.5);
+    BOOST_REQUIRE(report.warnings.size() == 1u);
+    BOOST_TEST(
+        contains(report.warnings[0], "start or goal have only 0.25 to spare: motions are checked every"));
+    const testing::MeshOracle oracle(window.partMesh, window.wallMesh);
+    BOOST_TEST(testing::collisionsAlong(oracle, report.path, window.problem, 1000) == 0);
+}
+
+BOOST_AUTO_TEST_CASE(a_start_that_all_but_touches_is_planned_from) {
+    auto window = windowScene();
+    window.problem.start.position.x() = -32 - 1e-5;
+    const PlanReport report = plan(window.problem, window.scene, withIterations(200000));
+    BOOST_REQUIRE((report.outcome == Outcome::kFound));
+    BOOST_TEST(report.warnings.empty());
+    BOOST_TEST(report.audit.lowerClearance > 0);
+    BOOST_TEST(report.audit.lowerClearance <= 1.01e-5);
+    const testing::MeshOracle oracle(window.partMesh, window.wallMesh);
+    BOOST_TEST(testing::collisionsAlong(oracle, report.path, window.problem, 1000) == 0);
+
+    PlanOptions options = withIterations(200000);
+    options.step = 1;
+    const PlanReport stepped = plan(window.problem, window.scene, options);
+    BOOST_REQUIRE((stepped.outcome == Outcome::kFound));
+    BOOST_TEST(stepped.guard == 0);
+    BOOST_TEST(stepped.step == 1);
+    BOOST_TEST(contains(stepped.warnings.at(0), "known to be valid, not those between them"));
+    BOOST_TEST(stepped.audit.upperClearance > 0);
+}
+
+BOOST_AUTO_TEST_CASE(a_start_too_close_to_be_certified_is_warned_of) {
+    auto window = windowScene();
+    window.problem.start.position.x() = -32 - 1e-9;
+    const PlanReport report = plan(window.problem, window.scene, withIterations(100));
+    BOOST_REQUIRE(!report.warnings.empty());
+    BOOST_TEST(contains(report.warnings[0], "may be too close to be certified"));
+}
+
+BOOST_AUTO_TEST_CASE(edges_are_20_steps_of_the_problem_long_or_a_quarter_of_the_parts_diagonal) {
+    auto window = windowScene();
+    window.problem.step.reset();
+    const PlanReport report = plan(window.problem, window.scene, withIterations(10));
+    BOOST_TEST(report.isCertified);
+    BOOST_TEST(report.step == 0);
+    BOOST_TEST(report.warnings.empty());
+    BOOST_TEST(report.range == Vector3(60, 40, 10).norm() / 4, boost::test_tools::tolerance(1e-12));
+    window.problem.step = 0.75;
+    BOOST_TEST(plan(window.problem, window.scene, withIterations(10)).range == 15);
+    BOOST_TEST(plan(window.problem, window.scene, withIterations(10)).isCertified);
+}
+
+BOOST_AUTO_TEST_CASE(wrong_planners_and_parameters_are_refused_on_demand_and_warned_of_in_a_file) {
+    auto window = windowScene();
+    window.problem.file = "window.cfg";
+    PlanOptions options = withIterations(10);
+    const auto planIt = [&] { plan(window.problem, window.scene, options); };
+    options.planner = "RRTConect";
+    BOOST_TEST(contains(refusal(planIt), "unknown planner 'RRTConect'"));
+    options.planner = "RRTConnect";
+    options.parameters = {{"rnage", "3"}};
+    BOOST_TEST(contains(refusal(planIt), "no parameter 'rnage'"));
+    options.parameters = {{"range", "far"}};
+    BOOST_TEST(contains(refusal(planIt), "'far'"));
+
+    options.parameters.clear();
+    window.problem.planners = {{"rrtconnect", {{"name", "mine"}, {"max_failures", "3"}, {"range", "7"}}}};
+    const PlanReport report = plan(window.problem, window.scene, options);
+    BOOST_REQUIRE(report.warnings.size() == 1u);
+    BOOST_TEST(
+        contains(report.warnings[0], "window.cfg: planner RRTConnect has no parameter 'max_failures'"));
+
+    window.problem.planners = {{"nonesuch", {}}};
+    BOOST_TEST(contains(refusal(planIt), "window.cfg: unknown planner 'nonesuch'"));
+}
+
+BOOST_AUTO_TEST_CASE(the_problems_only_planner_is_used_unless_another_is_asked_for) {
+    auto window = windowScene();
+    window.problem.planners = {{"kpiece", {}}};
+    using Names = std::vector<std::string>;
+    BOOST_TEST((plan(window.problem, window.scene, withIterations(5)).planners == Names{"KPIECE1"}));
+    window.problem.planners.push_back({"est", {}});
+    BOOST_TEST((plan(window.problem, window.scene, withIterations(5)).planners == Names{"RRTConnect"}));
+    PlanOptions options = withIterations(5);
+    options.planner = "stride";
+    BOOST_TEST((plan(window.problem, window.scene, options).planners == Names{"STRIDE"}));
+}
+
+BOOST_AUTO_TEST_CASE(planners_run_side_by_side_until_one_has_a_path) {
+    const auto window = windowScene();
+    const testing::MeshOracle oracle(window.partMesh, window.wallMesh);
+    PlanOptions options;
+    options.threads = 3;
+    for (const std::uint32_t seed : {1u, 2u, 3u}) {
+        options.seed = seed;
+        const PlanReport report = plan(window.problem, window.scene, options);
+        BOOST_TEST((report.planners == std::vector<std::string>{"RRTConnect", "RRT", "RRTConnect"}));
+        BOOST_REQUIRE((report.outcome == Outcome::kFound));
+        BOOST_TEST((report.foundBy == "RRTConnect" || report.foundBy == "RRT"));
+        BOOST_TEST(!report.isRepeatable);
+        BOOST_TEST(report.planningSeconds < 20);
+        BOOST_TEST(testing::collisionsAlong(oracle, report.path, window.problem, 1000) == 0);
+    }
+    options.planner = "pRRT";  // has threads of its own
+    options.seconds = 0.1;
+    BOOST_TEST(plan(window.problem, window.scene, options).planners.size() == 1u);
+}
+
+BOOST_AUTO_TEST_CASE(a_planar_problem_is_planned_in_se2) {
+    auto window = windowScene();
+    window.problem.space = Space::kSe2;
+    window.scene.obstacles[0].margin = 3;
+    window.problem.start.rotation =
+        Eigen::AngleAxisd(M_PI / 2, Vector3::UnitZ());  // must turn: 60 across 64 leaves 2
+    window.problem.goal.rotation = window.problem.start.rotation;
+    window.problem.volume = Box(Vector3(-80, -80, 0), Vector3(80, 80, 0));
+    const PlanReport report = plan(window.problem, window.scene, withIterations(200000));
+    BOOST_REQUIRE((report.outcome == Outcome::kFound));
+    BOOST_TEST(report.turned > 1);
+    const testing::MeshOracle oracle(window.partMesh, window.wallMesh);
+    BOOST_TEST(testing::leastDistance(oracle, report.path, window.problem, 1000) > 3);
+    for (const PartState& state : report.path) BOOST_TEST(state.position.z() == 0);
+}
+
+BOOST_AUTO_TEST_CASE(options_that_contradict_are_refused) {
+    const auto window = windowScene();
+    PlanOptions options = withIterations(10);
+    options.seconds = 1;
+    BOOST_TEST(
+        contains(refusal([&] { plan(window.problem, window.scene, options); }), "expected one of them"));
+    BOOST_TEST(
+        contains(refusal([&] { plan(window.problem, window.scene, withIterations(10, 0)); }), "seed is 0"));
+}
+
+}  // namespace
+}  // namespace clearway::planning

@@ -1,0 +1,40 @@
+#include <boost/test/unit_test.hpp>
+
+#include "planning/setup/plan.h"
+#include "support/oracle.h"
+#include "support/path_check.h"
+
+namespace clearway::testing {
+
+using planning::PlanReport;
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr double kSeconds = 400;  // a sanitizer's
+#else
+constexpr double kSeconds = 30;
+#endif
+
+// Ten seeds: tests/bench/plan_success.cpp.
+BOOST_AUTO_TEST_CASE(the_small_tunnel_console_is_solved_in_30_seconds_and_the_path_is_free_by_the_oracle) {
+    const Problem problem = readProblem(CLEARWAY_DATA_DIR "/tunnel-console-small/tunnel-console.cfg");
+    const MeshOracle oracle(loadPart(problem), loadEnvironment(problem));
+    const Scene scene{Model::build(loadPart(problem)), Model::build(loadEnvironment(problem)),
+                      problem.margin};
+    planning::PlanOptions options;
+    options.seconds = kSeconds;
+    const PlanReport report = plan(problem, scene, options);
+    BOOST_TEST_CONTEXT("seed " << options.seed << ", found by " << report.foundBy) {
+        BOOST_REQUIRE((report.outcome == PlanReport::Outcome::kFound));
+        BOOST_TEST(report.planningSeconds + report.finishingSeconds < kSeconds);
+        BOOST_TEST(report.warnings.empty());
+        BOOST_TEST(report.path.front().position == problem.start.position);
+        BOOST_TEST(report.path.back().position == problem.goal.position);
+        BOOST_TEST(collisionsAlong(oracle, report.path, problem, 1000) == 0);
+        BOOST_TEST(report.audit.isValid());
+        const planning::SegmentAudit& closest = report.audit.segments[report.audit.closest];
+        BOOST_TEST(closest.partMesh != "");
+        BOOST_TEST(closest.environmentMesh != "");
+    }
+}
+
+}  // namespace clearway::testing

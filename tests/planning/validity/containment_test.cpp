@@ -1,0 +1,182 @@
+// A part inside a solid obstacle touches nothing, and is invalid all the same; so is one around it.
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+
+#include "support/oracle.h"
+#include "support/part_in_space.h"
+#include "support/random_meshes.h"
+#include "support/winding.h"
+
+namespace clearway::testing {
+namespace {
+
+namespace ob = ompl::base;
+using planning::MotionReport;
+using planning::MotionVerdict;
+
+Mesh at(const Mesh& mesh, const Vector3& place) {
+    return transformed(mesh, {Matrix3::Identity(), place});
+}
+
+Mesh named(Mesh mesh, const std::string& name) {
+    mesh.components = {{name, 0, static_cast<std::uint32_t>(mesh.triangles.size())}};
+    return mesh;
+}
+
+Scene solidScene(const Mesh& part, const Mesh& obstacle, double margin = 0) {
+    Scene scene(Model::build(part), Model::build(obstacle), margin);
+    scene.partSolids = makeSolids(part).solids;
+    scene.obstacles[0].solids = makeSolids(obstacle).solids;
+    return scene;
+}
+
+Scene withoutSolids(Scene scene) {
+    scene.obstacles[0].solids = nullptr;
+    return scene;
+}
+
+void checkEnclosed(const Scene& scene, const Vector3& inside, const std::string& why) {
+    const PartInSpace solid(scene), skin(withoutSolids(scene));
+    BOOST_TEST(skin.isValid(inside));
+    BOOST_TEST(!solid.isValid(inside));
+    BOOST_TEST(solid.checker->clearance(solid.at(inside).get()) == 0);
+    BOOST_TEST(solid.checker->whyInvalid(solid.at(inside).get()) == "in collision: " + why);
+    const Vector3 near = inside + Vector3(0.01, 0.02, 0.03);
+    BOOST_TEST(skin.check(inside, near));
+    BOOST_TEST(!solid.check(inside, near));
+    std::pair<ob::State*, double> lastValid(nullptr, -1);
+    BOOST_TEST(!solid.validator->checkMotion(solid.at(inside).get(), solid.at(near).get(), lastValid));
+    BOOST_TEST(lastValid.second == 0);
+    const MotionReport report = solid.validator->report(solid.at(inside).get(), solid.at(near).get());
+    BOOST_TEST((report.verdict == MotionVerdict::kInvalid));
+    BOOST_TEST(report.upperClearance <= 0);
+}
+
+BOOST_AUTO_TEST_CASE(a_part_inside_a_block_is_invalid_whichever_way_the_block_faces) {
+    const Mesh part = named(box({1, 1, 1}), "peg"), block = named(box({10, 10, 10}, 3), "block");
+    const std::string why = "the part's mesh 'peg' is inside the solid 'block'";
+    checkEnclosed(solidScene(part, block), {1, 2, 3}, why);
+    checkEnclosed(solidScene(part, reversed(block), 0.5), {1, 2, 3}, why);
+    BOOST_TEST(makeSolids(reversed(block)).turnedOver == std::vector<std::string>{"block"},
+               boost::test_tools::per_element());
+    const PartInSpace solid(solidScene(part, block));
+    BOOST_TEST(solid.isValid({12, 0, 0}));
+    BOOST_TEST(solid.check({12, 0, 0}, {12, 9, 9}));
+    BOOST_TEST(solid.checker->clearance(solid.at({14, 0, 0}).get()) == 3,
+               boost::test_tools::tolerance(1e-12));
+}
+
+BOOST_AUTO_TEST_CASE(a_cavity_is_free_and_its_wall_is_not) {
+    const Mesh part = named(box({1, 1, 1}), "peg");
+    const Mesh hollow = named(joined(box({10, 10, 10}), reversed(box({5, 5, 5}))), "tank");
+    for (const Mesh& tank : {hollow, reversed(hollow)}) {
+        const PartInSpace solid(solidScene(part, tank));
+        BOOST_TEST(solid.isValid({0, 0, 0}));
+        BOOST_TEST(solid.check({0, 0, 0}, {3, -3, 3}));
+        BOOST_TEST(!solid.isValid({5, 0, 0}));  // touches
+        checkEnclosed(solidScene(part, tank), {7, 0, 0}, "the part's mesh 'peg' is inside the solid 'tank'");
+    }
+}
+
+BOOST_AUTO_TEST_CASE(each_loose_piece_of_the_part_counts) {
+    const Mesh part = named(joined(box({1, 1, 1}), at(box({1, 1, 1}), {30, 0, 0})), "pair");
+    const Mesh block = named(box({10, 10, 10}), "block");
+    checkEnclosed(solidScene(part, block), {-30, 0, 0}, "the part's mesh 'pair' is inside the solid 'block'");
+    checkEnclosed(solidScene(part, block), {0, 0, 0}, "the part's mesh 'pair' is inside the solid 'block'");
+    BOOST_TEST(PartInSpace(solidScene(part, block)).isValid({-15, 0, 0}));  // one on each side
+}
+
+BOOST_AUTO_TEST_CASE(an_obstacle_inside_a_closed_part_counts_and_inside_an_open_one_cannot) {
+    const Mesh bolt = named(at(box({1, 1, 1}), {3, 3, 3}), "bolt");
+    Mesh part = named(box({10, 10, 10}), "cover");
+    checkEnclosed(solidScene(part, bolt), {0, 0, 0}, "the solid 'bolt' is inside the part's mesh 'cover'");
+    part.triangles.pop_back();
+    part = named(part, "cover");
+    const MadeSolids made = makeSolids(part);
+    BOOST_REQUIRE(made.refusals.size() == 1u);
+    BOOST_TEST(made.refusals[0].find("'cover' encloses nothing: 3 open edges") == 0u);
+    BOOST_TEST(PartInSpace(solidScene(part, bolt)).isValid({0, 0, 0}));
+    BOOST_TEST(!PartInSpace(solidScene(bolt, named(box({10, 10, 10}), "block"))).isValid({0, 0, 0}));
+}
+
+// By solid angles, for random poses of a part of two pieces among shells within shells.
+BOOST_AUTO_TEST_CASE(verdicts_are_those_of_distances_and_solid_angles) {
+    Mesh obstacle =
+        joined(reversed(torus(40, 15, 12)), joined(box({20, 20, 20}), reversed(box({15, 15, 15}))));
+    obstacle = joined(obstacle, at(box({8, 9, 10}), {70, 0, 0}));
+    const std::uint32_t torusTriangles = static_cast<std::uint32_t>(torus(40, 15, 12).triangles.size());
+    obstacle.components = {
+        {"ring", 0, torusTriangles}, {"tank", torusTriangles, 24}, {"block", torusTriangles + 24, 12}};
+    const Mesh part = joined(box({1, 2, 3}), at(sphere(2, 6), {9, 0, 0}));
+    for (const double margin : {0.0, 0.5}) {
+        const Scene scene = solidScene(part, obstacle, margin);
+        const PartInSpace solid(scene);
+        const MeshOracle oracle(part, obstacle);
+        Random random(61);
+        int enclosed = 0, valid = 0;
+        for (int i = 0; i < 800; ++i) {
+            PartState state;
+            state.position =
+                Vector3(random.uniform(-60, 85), random.uniform(-60, 60), random.uniform(-20, 20));
+            state.rotation = Eigen::Quaterniond(random.rotation());
+            const auto omplState = solid.at(state);
+            const Pose X = solid.checker->pose(omplState.get());
+            const bool isApart = oracle.distance(X).distance > margin;
+            bool isInside = false;
+            for (const Vector3& piece : {Vector3(1, 2, 3), Vector3(9, 0, 2)}) {
+                for (const Component& component : obstacle.components) {
+                    isInside =
+                        isInside || std::abs(windingBySolidAngles(obstacle, component, X * piece)) > 0.5;
+                }
+            }
+            BOOST_TEST_CONTEXT("seed 61, state " << i << ", margin " << margin) {
+                BOOST_TEST(solid.checker->isValid(omplState.get()) == (isApart && !isInside));
+                BOOST_TEST((solid.checker->clearance(omplState.get()) > 0) == (isApart && !isInside));
+            }
+            enclosed += isApart && isInside;
+            valid += isApart && !isInside;
+        }
+        BOOST_TEST(enclosed > 25);
+        BOOST_TEST(valid > 100);
+    }
+}
+
+// The peg is put half into the block, which its contact zone allows, and goes on until it is all inside.
+BOOST_AUTO_TEST_CASE(a_motion_that_leaves_a_contact_zone_into_a_solid_is_invalid) {
+    const Mesh part = named(box({1, 1, 1}), "peg"), block = named(box({10, 10, 10}), "block");
+    Scene scene = solidScene(part, block);
+    scene.obstacles[0].isIgnoredAtStart = true;
+    scene.startContact = ContactZone{{Matrix3::Identity(), {10, 0, 0}}, 3};
+    const PartInSpace solid(scene), skin(withoutSolids(scene));
+    const Vector3 start(10, 0, 0), inside(0, 0, 0), outside(30, 0, 0);
+    for (const Vector3& to : {inside, outside}) {
+        const bool isFree = to == outside;
+        BOOST_TEST(skin.check(start, to));
+        BOOST_TEST(skin.check(to, start));
+        BOOST_TEST(solid.check(start, to) == isFree);
+        BOOST_TEST(solid.check(to, start) == isFree);
+        const MotionReport report = solid.validator->report(solid.at(start).get(), solid.at(to).get());
+        BOOST_TEST((report.verdict == MotionVerdict::kValid) == isFree);
+        std::pair<ob::State*, double> lastValid(nullptr, 1);
+        BOOST_TEST(solid.validator->checkMotion(solid.at(start).get(), solid.at(to).get(), lastValid) ==
+                   isFree);
+        if (!isFree) BOOST_TEST(std::abs(lastValid.second - 0.3) < 1e-3);  // the zone's border
+    }
+    BOOST_TEST(solid.isValid({7.5, 0, 0}));  // inside, but within the zone
+    BOOST_TEST(!solid.isValid({6.5, 0, 0}));
+    // From inside the zone and the block to outside of both: through the block's face.
+    BOOST_TEST(solid.check({8, 0, 0}, {12.9, 0, 0}));
+    BOOST_TEST(!solid.check({8, 0, 0}, {8, 5, 0}));
+    BOOST_TEST(skin.check({8, 0, 0}, {8, 5, 0}));
+}
+
+BOOST_AUTO_TEST_CASE(solids_without_the_parts_are_refused) {
+    Scene scene = solidScene(box({1, 1, 1}), box({5, 5, 5}));
+    scene.partSolids = nullptr;
+    BOOST_CHECK_EXCEPTION(PartInSpace{scene}, std::invalid_argument, [](const std::exception& error) {
+        return std::string(error.what()).find("partSolids is null") != std::string::npos;
+    });
+}
+
+}  // namespace
+}  // namespace clearway::testing

@@ -1,0 +1,210 @@
+// Checkers, validators and objectives shared by threads.
+#include <ompl/geometric/PathGeometric.h>
+#include <ompl/util/RandomNumbers.h>
+
+#include <algorithm>
+#include <array>
+#include <boost/test/unit_test.hpp>
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#include "clearway/planning/clearance_objectives.h"
+#include "clearway/planning/planners.h"
+#include "planning/setup/planning_space.h"
+#include "planning/validity/ompl_messages.h"
+#include "planning/validity/thread_scratch.h"
+#include "support/gates_scene.h"
+#include "support/motion_window.h"
+#include "support/random_meshes.h"
+
+namespace clearway::planning {
+namespace {
+
+namespace ob = ompl::base;
+
+constexpr int kThreads = 8;
+
+void inThreads(const std::function<void(int thread)>& work) {
+    std::vector<std::thread> threads;
+    for (int t = 0; t < kThreads; ++t) threads.emplace_back(work, t);
+    for (std::thread& thread : threads) thread.join();
+}
+
+/// All that can be asked of a scene, for one pair of states.
+struct Asked {
+    explicit Asked(const ob::SpaceInformationPtr& theSi, const Scene& scene)
+        : si(theSi),
+          checker(si, scene),
+          validator(si, scene),
+          least(si, scene),
+          integral(si, scene),
+          wanted(si, scene) {}
+
+    std::array<double, 8> of(const ob::State* s1, const ob::State* s2) const {
+        return {static_cast<double>(checker.isValid(s1)),
+                static_cast<double>(checker.clearance(s1) > 0),
+                static_cast<double>(validator.checkMotion(s1, s2)),
+                least.motionCost(s1, s2).value(),
+                integral.motionCost(s1, s2).value(),
+                wanted.motionCost(s1, s2).value(),
+                least.motionCostHeuristic(s1, s2).value(),
+                wanted.motionCostHeuristic(s1, s2).value()};
+    }
+
+    ob::SpaceInformationPtr si;
+    ValidityChecker checker;
+    MotionValidator validator;
+    MinClearanceObjective least;
+    ClearanceIntegralObjective integral;
+    LengthWithClearanceObjective wanted;
+};
+
+BOOST_AUTO_TEST_CASE(eight_threads_are_told_what_one_is) {
+    const testing::MotionWindow f(0.5);
+    const Asked asked(f.si, f.window.scene);
+    testing::Random random(41);
+    std::vector<ob::ScopedState<>> states;
+    for (int i = 0; i < 32; ++i) {
+        states.push_back(
+            f.at(Vector3(-45, 0, 0) + random.inBox(25), random.uniform(0, 3), random.direction()));
+    }
+    using Answers = std::vector<std::array<double, 8>>;
+    Answers alone;
+    for (std::size_t i = 1; i < states.size(); ++i)
+        alone.push_back(asked.of(states[i - 1].get(), states[i].get()));
+    std::vector<Answers> found(kThreads, Answers(alone.size()));
+    inThreads([&](int t) {
+        for (std::size_t k = 0; k < alone.size(); ++k) {
+            // 31 is prime: each thread in an order of its own.
+            const std::size_t i = (k * static_cast<std::size_t>(t + 1)) % alone.size();
+            found[static_cast<std::size_t>(t)][i] = asked.of(states[i].get(), states[i + 1].get());
+        }
+    });
+    for (const Answers& answers : found) BOOST_TEST((answers == alone));
+    BOOST_TEST(asked.least.counters().motions == (kThreads + 1) * alone.size());
+    BOOST_TEST(std::any_of(alone.begin(), alone.end(), [](const auto& a) { return a[2] == 1; }));
+    BOOST_TEST(std::any_of(alone.begin(), alone.end(), [](const auto& a) { return a[2] == 0; }));
+}
+
+/// What threads work at one after the other, all of them at once, while they live on.
+class Rounds {
+  public:
+    Rounds() {
+        for (int t = 0; t < kThreads; ++t) threads_.emplace_back([this, t] { live(t); });
+    }
+    ~Rounds() {
+        run(nullptr);
+        for (std::thread& thread : threads_) thread.join();
+    }
+
+    /// Returns when every thread has done it.
+    void run(const std::function<void(int thread)>& work) {
+        std::unique_lock<std::mutex> lock(mutex_);
+        work_ = work;
+        left_ = kThreads;
+        ++round_;
+        changed_.notify_all();
+        changed_.wait(lock, [this] { return left_ == 0; });
+    }
+
+  private:
+    void live(int thread) {
+        for (int seen = 0;; ++seen) {
+            std::function<void(int)> work;
+            {
+                std::unique_lock<std::mutex> lock(mutex_);
+                changed_.wait(lock, [&] { return round_ > seen; });
+                work = work_;
+            }
+            if (work) work(thread);
+            const std::lock_guard<std::mutex> lock(mutex_);
+            if (--left_ == 0) changed_.notify_all();
+            if (!work) return;
+        }
+    }
+
+    std::vector<std::thread> threads_;
+    std::mutex mutex_;
+    std::condition_variable changed_;
+    std::function<void(int)> work_;
+    int round_ = 0, left_ = 0;
+};
+
+/// Two walls at other places have other closest pairs: one's warm start would be wrong for the other.
+BOOST_AUTO_TEST_CASE(threads_that_live_on_never_meet_the_scratch_of_a_scene_that_is_gone) {
+    const testing::MotionWindow f;
+    const auto s1 = f.at({-70, 0, 30}), s2 = f.at({-50, 10, 20}, 0.5);
+    Rounds rounds;
+    for (int round = 0; round < 12; ++round) {
+        const double shift = 2 * (round % 4);
+        const Mesh wall = testing::transformed(f.window.wallMesh, {Matrix3::Identity(), {shift, 0, 0}});
+        const Scene scene(f.window.scene.part, Model::build(wall));
+        const auto asked = std::make_unique<Asked>(f.si, scene);
+        const double clearance = 70 + shift - 30 - 2;
+        const std::array<double, 8> expected = Asked(f.si, scene).of(s1.get(), s2.get());
+        std::array<char, kThreads> isRight{};
+        std::array<std::size_t, kThreads> kept{};
+        rounds.run([&](int t) {
+            const auto mine = static_cast<std::size_t>(t);
+            isRight[mine] = std::abs(asked->checker.clearance(s1.get()) - clearance) < 1e-9 &&
+                            asked->of(s1.get(), s2.get()) == expected;
+            kept[mine] = threadScratchCount();
+        });
+        for (int t = 0; t < kThreads; ++t) {
+            BOOST_TEST(isRight[static_cast<std::size_t>(t)], "round " << round << ", thread " << t);
+            BOOST_TEST(kept[static_cast<std::size_t>(t)] <=
+                       5u);  // the scene's own: checker, validator, objectives
+        }
+    }
+}
+
+using Parameters = std::vector<std::pair<std::string, std::string>>;
+
+/// The planner's path, each motion of it certified.
+void planWith(const std::string& name, const Parameters& parameters, bool hasObjective) {
+    const auto gates = testing::gatesScene();
+    const OmplMessages unheard;
+    const auto space = makeSpace(Space::kSe2, *gates.problem.volume, gates.scene.part.radiusAboutOrigin());
+    const auto si = std::make_shared<ob::SpaceInformation>(space);
+    si->setStateValidityChecker(std::make_shared<ValidityChecker>(si, gates.scene));
+    const auto validator = std::make_shared<MotionValidator>(si, gates.scene);
+    si->setMotionValidator(validator);
+    si->setup();
+    const auto definition = std::make_shared<ob::ProblemDefinition>(si);
+    definition->setStartAndGoalStates(toOmpl(space, Space::kSe2, gates.problem.start),
+                                      toOmpl(space, Space::kSe2, gates.problem.goal));
+    const auto objective = std::make_shared<MinClearanceObjective>(si, gates.scene);
+    objective->setCostThreshold(ob::Cost(1));
+    if (hasObjective) definition->setOptimizationObjective(objective);
+    const ob::PlannerPtr planner = makePlanner(si, name);
+    for (const auto& [parameter, value] : parameters) setParameter(*planner, parameter, value);
+    planner->setProblemDefinition(definition);
+    planner->setup();
+    planner->solve(ob::timedPlannerTerminationCondition(20));
+    BOOST_TEST_REQUIRE(definition->hasExactSolution(), name);
+    auto& states = definition->getSolutionPath()->as<ompl::geometric::PathGeometric>()->getStates();
+    for (std::size_t i = 1; i < states.size(); ++i) {
+        BOOST_TEST((validator->report(states[i - 1], states[i]).verdict == MotionVerdict::kValid), name);
+    }
+    const MotionCounters counters = validator->counters();
+    BOOST_TEST(counters.valid == validator->getValidMotionCount());
+    BOOST_TEST(counters.invalid == validator->getInvalidMotionCount());
+    BOOST_TEST(counters.unusable == 0u);
+    if (hasObjective) BOOST_TEST(objective->counters().unusable == 0u);
+}
+
+BOOST_AUTO_TEST_CASE(planners_of_eight_threads_find_valid_paths) {
+    planWith("pRRT", {{"thread_count", "8"}, {"range", "60"}}, false);
+    planWith("pSBL", {{"thread_count", "8"}, {"range", "60"}}, false);
+    planWith("CForest", {{"num_threads", "8"}}, true);
+    const std::string inner = "RRTConnect[range=60]";
+    std::string eight = inner;
+    for (int i = 1; i < kThreads; ++i) eight += "," + inner;
+    planWith("AnytimePathShortening", {{"planners", eight}}, true);
+}
+
+}  // namespace
+}  // namespace clearway::planning

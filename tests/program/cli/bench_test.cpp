@@ -1,0 +1,135 @@
+#include "clearway/problem.h"
+#include "program/cli/run_program.h"
+#include "support/benchmark_log_reader.h"
+#include "support/window_scene.h"
+
+namespace clearway::testing {
+
+namespace {
+
+/// The wall with a window as files; two planners, one run each.
+struct WindowFolder : TemporaryFolder {
+    WindowFolder() {
+        saveMesh(window.partMesh, file("plate.obj"));
+        saveMesh(window.wallMesh, file("wall.obj"));
+        window.problem.robot = file("plate.obj");
+        window.problem.world = file("wall.obj");
+        window.problem.asOmplApp = false;
+        window.problem.planners = {{"rrtconnect"}, {"rrt", {{"name", "RRT*?"}}}};
+        window.problem.timeLimit = 20;
+        window.problem.runCount = 1;
+        rewrite();
+    }
+    void rewrite() const { writeProblem(window.problem, file("window.cfg")); }
+
+    WindowScene window = windowScene();
+};
+
+BOOST_AUTO_TEST_CASE(the_problems_planners_are_run_and_the_log_lies_beside_it) {
+    const WindowFolder folder;
+    const Outcome outcome = runIn(folder, "bench window.cfg");
+    BOOST_TEST(outcome.code == 0, outcome.err);
+    BOOST_TEST(outcome.err == "");
+    BOOST_TEST(row(outcome, "geometric_RRTConnect").find("1 of 1 run solved, ") == 0u);
+    BOOST_TEST(row(outcome, "geometric_RRT*?").find("1 of 1 run solved, ") == 0u);
+    BOOST_TEST(row(outcome, "log") == "window.log");
+    const ReadLog log = readBenchmarkLog(readText(folder.file("window.log")));
+    BOOST_TEST(log.experiment == "window");
+    BOOST_TEST(log.secondsPerRun == 20);
+    BOOST_TEST(log.runsPerPlanner == 1);
+    BOOST_TEST_REQUIRE(log.planners.size() == 2u);
+    BOOST_TEST(log.planners[0].runs.at(0).at("correct solution strict BOOLEAN") == "1");
+}
+
+BOOST_AUTO_TEST_CASE(options_go_before_what_the_problem_says) {
+    WindowFolder folder;
+    folder.window.problem.planners[0].parameters = {{"range", "13"}};
+    folder.rewrite();
+    const Outcome outcome =
+        runIn(folder,
+              "bench window.cfg --log sub.log --time 15 --memory 500 --runs 2 --planner "
+              "RRTConnect --planner pdst --seed 5 --margin 1 --no-simplify --save-paths all "
+              "--target scalar --leaf-split chain");
+    BOOST_TEST(outcome.code == 0, outcome.err);
+    const ReadLog log = readBenchmarkLog(readText(folder.file("sub.log")));
+    BOOST_TEST(log.secondsPerRun == 15);
+    BOOST_TEST(log.megabytesPerRun == 500);
+    BOOST_TEST(log.seed == 5);
+    BOOST_TEST(log.parameters.at("margin REAL") == "1");
+    BOOST_TEST(log.parameters.at("leaf_split VARCHAR") == "chain");
+    BOOST_TEST_REQUIRE(log.planners.size() == 2u);
+    BOOST_TEST(log.planners[0].settings.at("range") == "13");
+    BOOST_TEST(log.planners[1].name == "geometric_PDST");
+    BOOST_TEST_REQUIRE(log.planners[0].runs.size() == 2u);
+    BOOST_TEST(log.planners[0].runs[1].at("seed INTEGER") == "6");
+    BOOST_TEST(log.planners[0].runs[0].count("simplification time REAL") == 0u);
+    for (const char* path : {"window_geometric_RRTConnect_0.path", "window_geometric_RRTConnect_1.path"}) {
+        const auto states = readPath(folder.file(path), Space::kSe3);
+        BOOST_TEST(states.front().position == folder.window.problem.start.position);
+        BOOST_TEST(states.back().position == folder.window.problem.goal.position);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(the_problem_says_where_the_log_goes_and_which_paths_are_kept) {
+    WindowFolder folder;
+    folder.window.problem.outputFolder = "results";
+    folder.window.problem.savedPaths = SavedPaths::kShortest;
+    folder.window.problem.planners = {{"rrtconnect"}, {"rrtconnect"}};
+    folder.window.problem.runCount = 2;
+    folder.rewrite();
+    const Outcome outcome = runIn(folder, "bench window.cfg");
+    BOOST_TEST(outcome.code == 0, outcome.err);
+    BOOST_TEST(row(outcome, "paths") == "2, beside the log");
+    readBenchmarkLog(readText(folder.file("results/window.log")));
+    int paths = 0;
+    for (const char* planner : {"RRTConnect", "RRTConnect-2"}) {
+        for (const char* run : {"0", "1"}) {
+            const std::string name = std::string("results/window_geometric_") + planner + "_" + run + ".path";
+            paths += std::filesystem::exists(folder.file(name));
+        }
+    }
+    BOOST_TEST(paths == 2);
+}
+
+BOOST_AUTO_TEST_CASE(an_interrupt_leaves_a_log_of_the_runs_that_ended) {
+    WindowFolder folder;
+    folder.window.problem.planners = {{"rrtconnect"}, {"rrtstar"}};  // the second one takes all its time
+    folder.window.problem.timeLimit = 300;
+    folder.rewrite();
+    const Outcome outcome =
+        runIn(folder, "bench window.cfg & program=$!; sleep 4; kill -INT $program; wait $program");
+    BOOST_TEST(outcome.code == 1, outcome.err);
+    BOOST_TEST(row(outcome, "took").find("interrupted: the log has the runs that ended") !=
+               std::string::npos);
+    const ReadLog log = readBenchmarkLog(readText(folder.file("window.log")));
+    BOOST_TEST_REQUIRE(log.planners.size() == 2u);
+    BOOST_TEST(log.planners[1].runs.empty());
+}
+
+BOOST_AUTO_TEST_CASE(bad_input_is_one_line_and_exit_code_2) {
+    WindowFolder folder;
+    const auto refused = [&](const std::string& arguments, const std::vector<std::string>& words) {
+        requireRefused(folder, "bench window.cfg " + arguments, words);
+    };
+    refused("--runs 0", {"--runs is '0'", "1 to 1000000"});
+    refused("--time 0", {"--time is '0'", "above 0"});
+    refused("--memory -1", {"--memory is '-1'"});
+    refused("--seed 0", {"--seed is '0'"});
+    refused("--margin -1", {"--margin is '-1'"});
+    refused("--planner nonesuch", {"unknown planner 'nonesuch'", "RRTConnect"});
+    refused("--save-paths some", {"--save-paths is 'some'", "shortest"});
+    refused("--log window.cfg", {"--log is 'window.cfg'", "input file"});
+    refused("--log none/x.log", {"none/x.log", "a folder that exists"});
+    requireRefused(folder, "bench none.cfg", {"none.cfg", "No such file"});
+    std::filesystem::rename(folder.file("window.cfg"), folder.file("window.log"));
+    requireRefused(folder, "bench window.log", {"would replace the input file", "--log"});
+    folder.window.problem.planners.push_back({"lightning"});
+    folder.rewrite();
+    refused("", {"window.cfg", "unknown planner 'lightning'"});
+    folder.window.problem.planners.back() = {"rrt", {{"range", "far"}}};
+    folder.rewrite();
+    refused("", {"range", "'far'", "a number"});
+}
+
+}  // namespace
+}  // namespace clearway::testing

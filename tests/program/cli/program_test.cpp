@@ -1,0 +1,66 @@
+#include "program/cli/run_program.h"
+
+namespace clearway::testing {
+
+BOOST_AUTO_TEST_CASE(help_and_version_are_printed_and_done) {
+    const TemporaryFolder folder;
+    for (const char* help : {"--help", "-h"}) {
+        const Outcome outcome = runIn(folder, help);
+        BOOST_TEST(outcome.code == 0);
+        BOOST_TEST(outcome.err == "");
+        for (const char* name : {"info", "query"}) {
+            BOOST_TEST(outcome.out.find(std::string("\n  ") + name + " ") != std::string::npos, outcome.out);
+        }
+    }
+    const Outcome version = runIn(folder, "--version");
+    BOOST_TEST(version.code == 0);
+    BOOST_TEST(version.out.find("clearway ") == 0);
+}
+
+BOOST_AUTO_TEST_CASE(every_subcommand_that_help_lists_has_its_own_help) {
+    const TemporaryFolder folder;
+    const std::string help = runIn(folder, "--help").out;
+    int listed = 0;
+    for (std::size_t at = help.find("\n  "); at != std::string::npos; at = help.find("\n  ", at + 1)) {
+        const std::string name = help.substr(at + 3, help.find(' ', at + 3) - at - 3);
+        if (name == "clearway") break;  // the lines about --help and --version
+        ++listed;
+        const Outcome outcome = runIn(folder, name + " --help");
+        BOOST_TEST(outcome.code == 0, name);
+        BOOST_TEST(outcome.out.find("Usage: clearway " + name + " ") == 0, outcome.out);
+        BOOST_TEST(outcome.err == "");
+    }
+    BOOST_TEST(listed >= 2);
+}
+
+BOOST_AUTO_TEST_CASE(wrong_subcommands_are_refused_with_the_known_ones) {
+    const TemporaryFolder folder;
+    requireRefused(folder, "", {"no subcommand", "info, query", "--help"});
+    requireRefused(folder, "inform", {"'inform'", "info, query"});
+    requireRefused(folder, "--verbose", {"'--verbose'", "info, query"});
+}
+
+BOOST_AUTO_TEST_CASE(an_empty_argument_is_refused_by_its_name_in_the_usage) {
+    const TemporaryFolder folder;
+    requireRefused(folder, "info ''", {"clearway: MESH|PROBLEM.cfg is '', expected: clearway info"});
+    requireRefused(folder, "plan '' --path out.path",
+                   {"clearway: PROBLEM.cfg is '', expected: clearway plan"});
+    requireRefused(folder, "scene '' --out out", {"clearway: NAME is '', expected: clearway scene"});
+}
+
+BOOST_AUTO_TEST_CASE(output_that_cannot_be_written_is_an_error) {
+    const TemporaryFolder folder;
+    requireRefused(folder, "--help > /dev/full", {"standard output"});
+}
+
+BOOST_AUTO_TEST_CASE(a_reader_that_has_gone_is_an_error_and_not_a_signal) {
+    const TemporaryFolder folder;
+    // The program's own status, not the pipe's: it writes it to a file when the reader has long closed the
+    // pipe.
+    runIn(folder,
+          "--version > /dev/null; { sleep 0.3; " CLEARWAY_PROGRAM " --help 2> err; echo $? > code; } | true");
+    BOOST_TEST(readText(folder.file("code")) == "2\n");
+    BOOST_TEST(readText(folder.file("err")).find("standard output") != std::string::npos);
+}
+
+}  // namespace clearway::testing

@@ -1,0 +1,364 @@
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <sstream>
+
+#include "program/cli/run_program.h"
+
+namespace clearway::testing {
+
+namespace {
+
+/// Boxes: the part from -1 to 1, the environment from -2 to 2.
+struct BoxesFolder : TemporaryFolder {
+    BoxesFolder() {
+        write("part.obj", boxObj(-1, 1));
+        write("environment.obj", boxObj(-2, 2));
+    }
+};
+
+constexpr const char* kQuery =
+    "query --part part.obj --environment environment.obj --poses poses.txt --query ";
+
+/// Beside, touching, crossing, and turned by a right angle at a distance along z.
+constexpr const char* kPoses =
+    "# x = 7.5, 3, 2.5 and z = 10\n"
+    "1 0 0 0 1 0 0 0 1 7.5 0 0\n"
+    "1 0 0 0 1 0 0 0 1 3 0 0\n"
+    "\n"
+    "2.5 0 0 0 0 0 1\n"
+    "0 0 10 0 0 0.70710678118654757 0.70710678118654757\n";
+const std::vector<double> kDistances = {4.5, 0, 0, 7};
+
+using Table = std::vector<std::vector<std::string>>;
+
+Table tableOf(const std::string& csv) {
+    Table table;
+    std::istringstream lines(csv);
+    for (std::string line; std::getline(lines, line);) {
+        table.emplace_back();
+        std::istringstream cells(line);
+        for (std::string cell; std::getline(cells, cell, ',');) table.back().push_back(cell);
+    }
+    return table;
+}
+
+/// Runs the query with --csv and returns the rows below the header.
+Table answers(const TemporaryFolder& folder, const std::string& query, const std::string& header) {
+    const Outcome outcome = runIn(folder, kQuery + query + " --csv a.csv");
+    BOOST_TEST_REQUIRE(outcome.code == 0, outcome.err);
+    const std::string csv = readText(folder.file("a.csv"));
+    BOOST_TEST_REQUIRE(csv.substr(0, csv.find('\n')) == header);
+    Table table = tableOf(csv);
+    table.erase(table.begin());
+    return table;
+}
+
+constexpr const char* kDistanceHeader =
+    "pose,distance,lower,upper,part_triangle,environment_triangle,nanoseconds";
+constexpr const char* kVerdictHeader = "pose,verdict,nanoseconds";
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(distances_come_one_row_a_pose_with_their_interval_and_triangles) {
+    const BoxesFolder folder;
+    folder.write("poses.txt", kPoses);
+    const Table table = answers(folder, "distance", kDistanceHeader);
+    BOOST_TEST_REQUIRE(table.size() == 4);
+    for (std::size_t i = 0; i < 4; ++i) {
+        BOOST_TEST_REQUIRE(table[i].size() == 7);
+        BOOST_TEST(table[i][0] == std::to_string(i));
+        BOOST_TEST(std::abs(std::stod(table[i][1]) - kDistances[i]) <= 1e-12);
+        BOOST_TEST(std::stod(table[i][2]) <= kDistances[i]);
+        BOOST_TEST(std::stod(table[i][3]) >= kDistances[i]);
+        for (const int column : {4, 5}) {
+            BOOST_TEST(std::stoi(table[i][column]) >= 0);
+            BOOST_TEST(std::stoi(table[i][column]) < 12);
+        }
+        BOOST_TEST(std::stol(table[i][6]) > 0);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(numbers_of_the_table_have_17_digits) {
+    const BoxesFolder folder;
+    folder.write("poses.txt", "3.1 0 0 0 0 0 1\n");
+    const std::string distance = answers(folder, "distance", kDistanceHeader)[0][1];
+    BOOST_TEST(std::abs(std::stod(distance) - 0.1) <= 1e-14);
+    BOOST_TEST(distance.size() >= 18, distance);  // 0. and 16 or 17 digits
+}
+
+BOOST_AUTO_TEST_CASE(the_summary_ends_with_the_costs_one_line_each) {
+    const BoxesFolder folder;
+    folder.write("poses.txt", kPoses);
+    const Outcome outcome = runIn(folder, kQuery + std::string("distance"));
+    BOOST_TEST(outcome.code == 0);
+    BOOST_TEST(outcome.err == "");
+    BOOST_TEST(row(outcome, "part") == "12 triangles");
+    BOOST_TEST(row(outcome, "poses") == "4, 0 of them projected to the nearest rotation");
+    BOOST_TEST(row(outcome, "colliding") == "2 of 4");
+    BOOST_TEST(row(outcome, "least distance") == "0 at pose 1");
+    BOOST_TEST(row(outcome, "most distance") == "7 at pose 3");
+    BOOST_TEST(std::stod(row(outcome, "widest interval")) > 0);
+    BOOST_TEST(std::stod(row(outcome, "widest interval")) < 1e-10);
+    std::vector<std::string> lines;
+    std::istringstream stream(outcome.out);
+    for (std::string line; std::getline(stream, line);) lines.push_back(line);
+    BOOST_TEST_REQUIRE(lines.size() >= 8);
+    int line = static_cast<int>(lines.size()) - 8;
+    for (const char* label :
+         {"queries/s", "volume tests per query", "triangle tests per query", "pairs in double per query",
+          "  in double-double", "  exact", "bytes per triangle", "build seconds"}) {
+        BOOST_TEST(lines[line++].find(std::string(label) + ":") == 0);
+        BOOST_TEST(std::stod(row(outcome, label)) >= (label[0] == ' ' ? 0 : 1e-9), label);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(verdicts_are_1_or_0) {
+    const BoxesFolder folder;
+    folder.write("poses.txt", kPoses);
+    const std::vector<std::pair<std::string, std::vector<std::string>>> expected = {
+        {"collide", {"0", "1", "1", "0"}},
+        {"within=0", {"0", "1", "1", "0"}},
+        {"within=4.4", {"0", "1", "1", "0"}},
+        {"within=4.6", {"1", "1", "1", "0"}},
+        {"within=7.1", {"1", "1", "1", "1"}}};
+    for (const auto& [query, verdicts] : expected) {
+        const Table table = answers(folder, query, kVerdictHeader);
+        BOOST_TEST_REQUIRE(table.size() == 4);
+        for (std::size_t i = 0; i < 4; ++i) {
+            BOOST_TEST_REQUIRE(table[i].size() == 3);
+            BOOST_TEST(table[i][0] == std::to_string(i));
+            BOOST_TEST(table[i][1] == verdicts[i], query << " at pose " << i);
+            BOOST_TEST(std::stol(table[i][2]) > 0);
+        }
+    }
+    BOOST_TEST(row(runIn(folder, kQuery + std::string("collide")), "colliding") == "2 of 4");
+    BOOST_TEST(row(runIn(folder, kQuery + std::string("within=4.6")), "within 4.6") == "3 of 4");
+}
+
+BOOST_AUTO_TEST_CASE(order_warmth_strategy_and_instruction_set_change_no_answer) {
+    const BoxesFolder folder;
+    folder.write("poses.txt", kPoses);
+    for (const char* options :
+         {"--shuffle 0", "--shuffle 123", "--cold", "--cold --shuffle 1", "--target scalar", "--target best",
+          "--node-width 2", "--general-split mean --leaf-split chain --leaf-size 8"}) {
+        const Table table = answers(folder, std::string("distance ") + options, kDistanceHeader);
+        BOOST_TEST_REQUIRE(table.size() == 4);
+        for (std::size_t i = 0; i < 4; ++i) {
+            BOOST_TEST(table[i][0] == std::to_string(i));
+            BOOST_TEST(std::abs(std::stod(table[i][1]) - kDistances[i]) <= 1e-12,
+                       options << " at pose " << i);
+        }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(beyond_the_cap_are_inf_and_no_triangle) {
+    const BoxesFolder folder;
+    folder.write("poses.txt", kPoses);
+    const Table table = answers(folder, "distance --cap 5", kDistanceHeader);
+    BOOST_TEST(std::abs(std::stod(table[0][1]) - 4.5) <= 1e-12);
+    BOOST_TEST(table[3][1] == "inf");
+    BOOST_TEST(std::stod(table[3][2]) >= 5);
+    BOOST_TEST(std::stod(table[3][2]) <= 7);
+    BOOST_TEST(table[3][3] == "inf");
+    BOOST_TEST(table[3][4] == "-1");
+    BOOST_TEST(table[3][5] == "-1");
+    const Outcome outcome = runIn(folder, kQuery + std::string("distance --cap 5"));
+    BOOST_TEST(row(outcome, "beyond the cap") == "1 of 4");
+    BOOST_TEST(row(outcome, "most distance") == "4.5 at pose 0");
+}
+
+BOOST_AUTO_TEST_CASE(allowed_errors_widen_the_interval_and_never_leave_the_distance_out) {
+    const BoxesFolder folder;
+    folder.write("poses.txt", kPoses);
+    for (const char* options :
+         {"--relative-error 0.5", "--absolute-error 2", "--relative-error 0.1 --absolute-error 0.1"}) {
+        const Table table = answers(folder, std::string("distance ") + options, kDistanceHeader);
+        for (std::size_t i = 0; i < 4; ++i) {
+            BOOST_TEST(std::stod(table[i][2]) <= kDistances[i]);
+            BOOST_TEST(std::stod(table[i][3]) >= kDistances[i]);
+            const double width = std::stod(table[i][3]) - std::stod(table[i][2]);
+            BOOST_TEST(width <= std::max(2.0, 0.5 * std::stod(table[i][2])), options);
+        }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(the_scale_is_for_both_meshes_and_not_for_the_poses) {
+    const BoxesFolder folder;
+    folder.write("poses.txt", kPoses);
+    const Table table = answers(folder, "distance --scale 0.5", kDistanceHeader);
+    BOOST_TEST(std::abs(std::stod(table[0][1]) - 6) <= 1e-12);
+    BOOST_TEST(std::abs(std::stod(table[1][1]) - 1.5) <= 1e-12);
+}
+
+BOOST_AUTO_TEST_CASE(meshes_are_not_moved_to_their_centre) {
+    const BoxesFolder folder;
+    folder.write("part.obj", boxObj(10, 12));
+    folder.write("poses.txt", "0 -11 -11 0 0 0 1\n");
+    BOOST_TEST(std::abs(std::stod(answers(folder, "distance", kDistanceHeader)[0][1]) - 8) <= 1e-12);
+}
+
+BOOST_AUTO_TEST_CASE(what_a_file_declares_and_is_not_applied_is_said) {
+    const BoxesFolder folder;
+    folder.write("poses.txt", kPoses);
+    folder.write("part.dae", R"(<?xml version="1.0"?>
+<COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
+<asset><unit name="centimetre" meter="0.01"/><up_axis>Z_UP</up_axis></asset>
+<library_geometries><geometry id="g"><mesh>
+<source id="p"><float_array id="a" count="9">-1 0 0 1 0 0 0 1 0</float_array>
+<technique_common><accessor source="#a" count="3" stride="3">
+<param name="X" type="float"/><param name="Y" type="float"/><param name="Z" type="float"/>
+</accessor></technique_common></source>
+<vertices id="v"><input semantic="POSITION" source="#p"/></vertices>
+<triangles count="1"><input semantic="VERTEX" source="#v" offset="0"/><p>0 1 2</p></triangles>
+</mesh></geometry></library_geometries>
+<library_visual_scenes><visual_scene id="s"><node id="n"><instance_geometry url="#g"/></node></visual_scene>
+</library_visual_scenes><scene><instance_visual_scene url="#s"/></scene></COLLADA>
+)");
+    const std::string tail = "--environment environment.obj --poses poses.txt --query distance";
+    const Outcome outcome = runIn(folder, "query --part part.dae " + tail);
+    BOOST_TEST_REQUIRE(outcome.code == 0, outcome.err);
+    BOOST_TEST(row(outcome, "  note").find("not applied") != std::string::npos);
+    BOOST_TEST(row(outcome, "most distance") == "8 at pose 3");  // 10 less 2: neither scaled nor turned
+    BOOST_TEST(runIn(folder, "query --part part.obj " + tail).out.find("note") == std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(projected_rotations_are_counted_in_words) {
+    const BoxesFolder folder;
+    folder.write("poses.txt", "0.866025 -0.5 0 0.5 0.866025 0 0 0 1 9 0 0\n1 0 0 0 1 0 0 0 1 9 0 0\n");
+    const Outcome outcome = runIn(folder, kQuery + std::string("distance"));
+    BOOST_TEST(outcome.code == 0);
+    BOOST_TEST(row(outcome, "poses") == "2, 1 of them projected to the nearest rotation");
+}
+
+BOOST_AUTO_TEST_CASE(pose_files_that_are_wrong_are_refused_with_the_line) {
+    const BoxesFolder folder;
+    const auto requirePosesRefused = [&](const std::string& poses, const std::vector<std::string>& words) {
+        folder.write("poses.txt", poses);
+        requireRefused(folder, kQuery + std::string("distance --csv a.csv"), words);
+    };
+    const std::string good = "1 0 0 0 1 0 0 0 1 7.5 0 0\n";
+    requirePosesRefused(good + "1 0 0 0 1 0 0 0 1 7.5 0\n", {"poses.txt:2", "11 numbers", "expected 12"});
+    requirePosesRefused(good + good + "2 0 0 0 1 0 0 0 1 7.5 0 0\n",
+                        {"poses.txt:3", "rotation is none", "expected"});
+    requirePosesRefused(good + "1 2 3 0 0 0 0\n", {"poses.txt:2", "quaternion", "expected"});
+    requirePosesRefused(good + "1 2 3 0 0 0 one\n", {"poses.txt:2", "'one'", "finite number"});
+    requirePosesRefused(good + "1 2 3 0 0 0 inf\n", {"poses.txt:2", "'inf'", "finite number"});
+    requirePosesRefused("", {"poses.txt", "expected a pose file"});
+    std::filesystem::remove(folder.file("poses.txt"));
+    requireRefused(folder, kQuery + std::string("distance"), {"'poses.txt'", "expected a pose file"});
+}
+
+BOOST_AUTO_TEST_CASE(a_pose_too_far_away_is_refused_with_its_number) {
+    const BoxesFolder folder;
+    folder.write("poses.txt", "0 0 9 0 0 0 1\n0 0 1e30 0 0 0 1\n");
+    for (const char* query : {"distance", "collide", "within=1"}) {
+        requireRefused(folder, kQuery + std::string(query) + " --csv a.csv",
+                       {"pose 1: the way between part and environment", "expected"});
+    }
+}
+
+BOOST_AUTO_TEST_CASE(meshes_that_are_none_are_refused) {
+    const BoxesFolder folder;
+    folder.write("poses.txt", kPoses);
+    folder.write("empty.stl", "");
+    folder.write("points.obj", "v 0 0 0\n");
+    folder.write("nan.obj", "v 0 0 0\nv 1 0 0\nv 0 inf 0\nf 1 2 3\n");
+    for (const char* file : {"none.stl", "empty.stl", "points.obj", "nan.obj"}) {
+        const std::string tail = " --poses poses.txt --query collide --csv a.csv";
+        requireRefused(folder, std::string("query --environment environment.obj --part ") + file + tail,
+                       {file});
+        requireRefused(folder, std::string("query --part part.obj --environment ") + file + tail, {file});
+    }
+}
+
+BOOST_AUTO_TEST_CASE(wrong_usage_is_refused) {
+    const BoxesFolder folder;
+    folder.write("poses.txt", kPoses);
+    const auto requireQueryRefused = [&](const std::string& tail, const std::vector<std::string>& words) {
+        requireRefused(folder, kQuery + tail + " --csv a.csv", words);
+    };
+    for (const char* query :
+         {"near", "within", "within=", "within=abc", "within=-1", "within=nan", "Distance"}) {
+        requireQueryRefused(
+            query, {"--query is '" + std::string(query) + "', expected distance, collide or within=D"});
+    }
+    requireQueryRefused("distance --cap nan", {"--cap is 'nan', expected a number of at least 0"});
+    requireQueryRefused("distance --cap -1", {"--cap is '-1', expected a number of at least 0"});
+    requireQueryRefused("collide --cap 3", {"--cap is '3'", "distance"});
+    requireQueryRefused("distance --relative-error -1",
+                        {"--relative-error is '-1', expected a number of at least 0"});
+    requireQueryRefused("distance --absolute-error x",
+                        {"--absolute-error is 'x', expected a number of at least 0"});
+    requireQueryRefused("within=2 --absolute-error 1", {"--absolute-error is '1'", "distance"});
+    requireQueryRefused("distance --leaf-size x", {"--leaf-size is 'x', expected an integer from 1 to 16"});
+    requireQueryRefused("distance --general-split foo",
+                        {"--general-split is 'foo'", "sah, embree, axis, mean"});
+    requireQueryRefused("distance --leaf-split foo", {"--leaf-split is 'foo'", "none, chain, edge, all"});
+    requireQueryRefused("distance --node-width 4", {"--node-width is '4'", "8, 2"});
+    requireQueryRefused("distance --target foo", {"target is 'foo'", "scalar"});
+    requireQueryRefused("distance --shuffle x", {"--shuffle is 'x', expected an integer from 0"});
+    requireQueryRefused("distance --scale -2", {"--scale is '-2', expected a number above 0"});
+    requireQueryRefused("distance --fast", {"--fast", "clearway query"});
+    requireQueryRefused("distance more", {"'more'", "clearway query"});
+    requireQueryRefused("distance --query collide", {"--query", "more than once"});
+    requireRefused(folder, "query --part part.obj --environment environment.obj --poses poses.txt",
+                   {"--query is missing"});
+    requireRefused(folder, "query --part part.obj --environment environment.obj --query collide",
+                   {"--poses is missing"});
+    requireRefused(folder, "query --part part.obj --poses poses.txt --query collide",
+                   {"--environment is missing"});
+    requireRefused(folder, "query --environment environment.obj --poses poses.txt --query collide",
+                   {"--part is missing"});
+}
+
+BOOST_AUTO_TEST_CASE(a_table_never_replaces_a_file_that_is_read) {
+    const BoxesFolder folder;
+    folder.write("poses.txt", kPoses);
+    for (const char* input : {"part.obj", "environment.obj", "poses.txt"}) {
+        const std::string before = readText(folder.file(input));
+        requireRefused(folder, kQuery + std::string("distance --csv ./") + input,
+                       {"--csv is './" + std::string(input) + "'", "input file", "expected another"});
+        BOOST_TEST(readText(folder.file(input)) == before);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(a_table_or_output_that_cannot_be_written_leaves_nothing) {
+    const BoxesFolder folder;
+    folder.write("poses.txt", kPoses);
+    requireRefused(folder, kQuery + std::string("distance --csv none/a.csv"),
+                   {"'none/a.csv'", "expected a folder that exists"});
+    requireRefused(folder, kQuery + std::string("distance --csv ."), {"'.'", "folder"});
+    requireRefused(folder, kQuery + std::string("distance --csv ''"), {"--csv is ''"});
+    requireRefused(folder, kQuery + std::string("distance --csv a.csv > /dev/full"), {"standard output"});
+    folder.write("a.csv", "old");
+    folder.write("poses.txt", "1 2 3\n");
+    requireRefused(folder, kQuery + std::string("distance --csv a.csv"), {"poses.txt:1"});
+    BOOST_TEST(readText(folder.file("a.csv")) == "old");
+}
+
+BOOST_FIXTURE_TEST_CASE(a_cache_holds_the_trees_and_changes_no_answer, BoxesFolder) {
+    write("poses.txt", kPoses);
+    const Table plain = answers(*this, "distance", kDistanceHeader);
+    for (int run = 0; run < 2; ++run) {
+        const Table cached = answers(*this, "distance --cache trees", kDistanceHeader);
+        for (std::size_t row = 0; row < plain.size(); ++row) {
+            for (std::size_t column = 0; column < 6; ++column)
+                BOOST_TEST(cached[row][column] == plain[row][column]);
+        }
+    }
+    std::size_t files = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(file("trees"))) {
+        BOOST_TEST(entry.path().extension() == ".clearway");
+        write("trees/" + entry.path().filename().string(), "damaged");
+        ++files;
+    }
+    BOOST_TEST(files == 2);
+    const Outcome outcome = runIn(*this, kQuery + std::string("distance --cache trees"));
+    BOOST_TEST(outcome.code == 0);
+    BOOST_TEST(outcome.err.find("built anew") != std::string::npos);
+    requireRefused(*this, kQuery + std::string("distance --cache part.obj"),
+                   {"--cache", "part.obj", "folder"});
+}
+
+}  // namespace clearway::testing

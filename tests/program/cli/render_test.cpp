@@ -1,0 +1,117 @@
+#include "clearway/problem.h"
+#include "program/cli/run_program.h"
+#include "support/window_scene.h"
+
+namespace clearway::testing {
+
+namespace {
+
+/// The wall with a window, and a path through it.
+struct WindowFolder : TemporaryFolder {
+    WindowFolder() {
+        WindowScene window = windowScene();
+        saveMesh(window.partMesh, file("plate.obj"));
+        saveMesh(window.wallMesh, file("wall.obj"));
+        window.problem.robot = file("plate.obj");
+        window.problem.world = file("wall.obj");
+        window.problem.asOmplApp = false;
+        writeProblem(window.problem, file("window.cfg"));
+        PartState through = window.problem.start;
+        through.position.x() = 0;
+        writePath({window.problem.start, through, window.problem.goal}, Space::kSe3, file("in.path"));
+    }
+};
+
+constexpr const char* kRender = "render window.cfg in.path --out out.png --size 160x90 --samples 1";
+
+std::string added(const std::string& more) {
+    return std::string(kRender) + " " + more;
+}
+
+/// Width and height of a PNG file.
+std::pair<int, int> sizeOf(const std::string& png) {
+    BOOST_TEST_REQUIRE(png.substr(0, 8) == "\x89PNG\r\n\x1a\n");
+    const auto word = [&](std::size_t at) {
+        int value = 0;
+        for (std::size_t i = at; i < at + 4; ++i) value = value << 8 | static_cast<unsigned char>(png[i]);
+        return value;
+    };
+    return {word(16), word(20)};
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_picture_of_the_size_asked_for_is_written_and_each_pose_told) {
+    const WindowFolder folder;
+    const Outcome outcome = runIn(folder, added("--at 0,0.5,1"));
+    BOOST_TEST(outcome.code == 0, outcome.err);
+    BOOST_TEST(outcome.err == "");
+    BOOST_TEST((sizeOf(readText(folder.file("out.png"))) == std::pair(160, 90)));
+    BOOST_TEST(row(outcome, "pose at 0").find("clearance 28, between 'plate' and '") == 0, outcome.out);
+    BOOST_TEST(row(outcome, "pose at 0.5").find("clearance ") == 0);
+    BOOST_TEST(row(outcome, "picture") == "out.png, 160 x 90");
+}
+
+BOOST_AUTO_TEST_CASE(the_same_bytes_are_written_twice_and_others_for_another_view) {
+    const WindowFolder folder;
+    BOOST_TEST(runIn(folder, kRender).code == 0);
+    const std::string first = readText(folder.file("out.png"));
+    BOOST_TEST(runIn(folder, kRender).code == 0);
+    BOOST_TEST(readText(folder.file("out.png")) == first);
+    for (const char* other : {"--view inside", "--view top --cut z=5", "--poses 2", "--eye 100,100,100",
+                              "--eye 100,100,100 --look-at 0,50,0 --angle 60", "--close", "--scale 3",
+                              "--cut 1,1,0,5", "--margin 3"}) {
+        const Outcome outcome = runIn(folder, added(other));
+        BOOST_TEST(outcome.code == 0, outcome.err);
+        BOOST_TEST(readText(folder.file("out.png")) != first, other);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(without_a_path_start_and_goal_are_drawn) {
+    const WindowFolder folder;
+    const Outcome outcome = runIn(folder, "render window.cfg --out out.png --size 64x64 --samples 1");
+    BOOST_TEST(outcome.code == 0, outcome.err);
+    row(outcome, "pose at 0");
+    row(outcome, "pose at 1");
+    BOOST_TEST((sizeOf(readText(folder.file("out.png"))) == std::pair(64, 64)));
+}
+
+BOOST_AUTO_TEST_CASE(wrong_usage_is_refused_in_one_line) {
+    const WindowFolder folder;
+    folder.write("bad.path", "1 2 3\n");
+    requireRefused(folder, "render window.cfg in.path", {"--out is missing"});
+    requireRefused(folder, "render", {"PROBLEM.cfg is missing", "[IN.path]"});
+    requireRefused(folder, "render window.cfg in.path more --out out.png", {"'more'"});
+    requireRefused(folder, "render window.cfg nowhere.path --out out.png", {"nowhere.path"});
+    requireRefused(folder, "render window.cfg bad.path --out out.png",
+                   {"bad.path:1", "3 numbers", "expected 7"});
+    requireRefused(folder, "render window.cfg in.path --out nowhere/out.png", {"nowhere/out.png"});
+    requireRefused(folder, added("--view askew"), {"'askew'", "inside, iso, front"});
+    for (const char* size : {"0x0", "0", "160", "axb", "160x90x3", "160x-90", "99999x9", "''"}) {
+        requireRefused(folder, std::string("render window.cfg in.path --out out.png --size ") + size,
+                       {"--size"});
+    }
+    requireRefused(folder, added("--eye 1,2"), {"--eye is '1,2'", "X,Y,Z"});
+    requireRefused(folder, added("--eye 1,2,3 --look-at 1,2,3"), {"looks at the point it stands at"});
+    requireRefused(folder, added("--eye 1,2,3 --view top"), {"--view"});
+    requireRefused(folder, added("--look-at 1,2,3"), {"--look-at", "--eye"});
+    requireRefused(folder, added("--angle 180"), {"--angle is '180'"});
+    requireRefused(folder, added("--poses 0"), {"--poses is '0'"});
+    requireRefused(folder, added("--at 0,2"), {"--at is '0,2'", "from 0 to 1"});
+    requireRefused(folder, added("--at 0 --poses 2"), {"--at"});
+    requireRefused(folder, "render window.cfg --out out.png --poses 2", {"--poses", "path"});
+    requireRefused(folder, added("--cut w=3"), {"--cut is 'w=3'", "x=D"});
+    requireRefused(folder, added("--cut 0,0,0,1"), {"--cut", "not all 0"});
+    requireRefused(folder, added("--scale 0"), {"--scale is '0'"});
+    requireRefused(folder, added("--margin -1"), {"--margin is '-1'"});
+    requireRefused(folder, "render window.cfg in.path --out out.png --samples 0", {"--samples is '0'"});
+}
+
+BOOST_AUTO_TEST_CASE(a_picture_never_replaces_a_file_that_is_read) {
+    const WindowFolder folder;
+    for (const std::string& input : folder.names()) {
+        requireRefused(folder, "render window.cfg in.path --out ./" + input, {"--out is './" + input + "'"});
+    }
+}
+
+}  // namespace clearway::testing

@@ -1,0 +1,250 @@
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+#include "clearway/problem.h"
+#include "program/cli/run_program.h"
+#include "support/benchmark_log_reader.h"
+#include "support/window_scene.h"
+
+namespace clearway::testing {
+
+namespace {
+
+/// Eight runs: two planners, two strategies, two seeds. RRTstar takes all of its time.
+constexpr const char* kStudy =
+    "bench --study leaf-strategies window.cfg --short --time 0.6 --planner RRTConnect --planner rrtstar "
+    "--general-split sah --leaf-split none --leaf-split all";
+
+struct StudyFolder : TemporaryFolder {
+    StudyFolder() {
+        const WindowScene window = windowScene();
+        Problem problem = window.problem;
+        saveMesh(window.partMesh, file("plate.obj"));
+        saveMesh(window.wallMesh, file("wall.obj"));
+        problem.robot = file("plate.obj");
+        problem.world = file("wall.obj");
+        problem.asOmplApp = false;
+        writeProblem(problem, file("window.cfg"));
+    }
+};
+
+using Rows = std::vector<std::vector<std::string>>;
+
+/// Without the head.
+Rows rowsOf(const std::string& table) {
+    std::istringstream in(table);
+    Rows rows;
+    for (std::string line; std::getline(in, line);) {
+        std::istringstream values(line);
+        rows.emplace_back();
+        for (std::string value; std::getline(values, value, ',');) rows.back().push_back(value);
+    }
+    if (!rows.empty()) rows.erase(rows.begin());
+    return rows;
+}
+
+Rows readRows(const std::string& file) {
+    return rowsOf(readText(file));
+}
+
+/// Scene, planner, strategy and seed.
+std::vector<std::string> keys(const Rows& rows) {
+    std::vector<std::string> all;
+    for (const auto& row : rows)
+        all.push_back(row[0] + " " + row[1] + " " + row[2] + "/" + row[3] + " " + row[4]);
+    return all;
+}
+
+/// What a seed decides of RRTConnect's runs: length, states and motions checked.
+std::vector<std::string> decided(const Rows& rows) {
+    std::vector<std::string> all;
+    for (const auto& row : rows) {
+        if (row[1] == "RRTConnect") all.push_back(row[5] + " " + row[11] + " " + row[14] + " " + row[15]);
+    }
+    return all;
+}
+
+/// The first columns of replays and of trees: what each row is of.
+std::multiset<std::string> trees(const Rows& rows) {
+    std::multiset<std::string> all;
+    for (const auto& row : rows)
+        all.insert(row[0] + " " + row[1] + " " + row[2] + " " + row[3] + " " + row[4]);
+    return all;
+}
+
+void overwrite(const std::string& file, const std::string& text) {
+    std::ofstream(file, std::ios::binary) << text;
+}
+
+/// Ends the study by the signal when so many runs are in its table.
+Outcome runAndEnd(const StudyFolder& folder, const char* signal, int runs) {
+    const std::string countLines = "$(cat '" + folder.file("study/runs.csv") + "' 2>/dev/null | wc -l)";
+    return runIn(folder, std::string(kStudy) + " --out study & program=$!; while [ " + countLines + " -le " +
+                             std::to_string(runs) + " ]; do sleep 0.02; done; kill -" + signal +
+                             " $program; wait $program");
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_study_that_was_stopped_or_killed_goes_on_without_losing_or_repeating_runs) {
+    const StudyFolder whole, stopped;
+    BOOST_TEST_REQUIRE(runIn(whole, std::string(kStudy) + " --out study").code == 0);
+    const Rows expected = readRows(whole.file("study/runs.csv"));
+    BOOST_TEST_REQUIRE(expected.size() == 8u);
+
+    const Outcome interrupted = runAndEnd(stopped, "INT", 2);
+    BOOST_TEST(interrupted.code == 1, interrupted.err);
+    BOOST_TEST(row(interrupted, "study").find("interrupted: the same command goes on") != std::string::npos);
+    const std::string first = readText(stopped.file("study/runs.csv"));
+    BOOST_TEST(readRows(stopped.file("study/runs.csv")).size() < 8u);
+
+    runAndEnd(stopped, "KILL", 5);
+    const std::string second = readText(stopped.file("study/runs.csv"));
+    BOOST_TEST(second.find(first) == 0u);
+    {  // as if the machine had gone down while a line was written
+        std::ofstream cut(stopped.file("study/runs.csv"), std::ios::app);
+        cut << "window,RRTConnect,sah,all";
+    }
+    const Outcome last = runIn(stopped, std::string(kStudy) + " --out study");
+    BOOST_TEST(last.code == 0, last.err);
+    BOOST_TEST(readText(stopped.file("study/runs.csv")).find(second) == 0u);
+    const Rows rows = readRows(stopped.file("study/runs.csv"));
+    BOOST_TEST(keys(rows) == keys(expected), boost::test_tools::per_element());
+    BOOST_TEST(decided(rows) == decided(expected), boost::test_tools::per_element());
+    const auto replayed = [](const StudyFolder& folder) {
+        const auto all = trees(readRows(folder.file("study/replay.csv")));
+        return std::set<std::string>(all.begin(), all.end());
+    };
+    BOOST_TEST(replayed(stopped) == replayed(whole), boost::test_tools::per_element());
+
+    for (const char* table : {"study/replay.csv", "study/trees.csv"}) {  // as if it had been killed there
+        const std::string text = readText(stopped.file(table));
+        const std::size_t cut = text.rfind('\n', text.size() - 2) + 1;
+        overwrite(stopped.file(table), text.substr(0, cut));
+        BOOST_TEST(runIn(stopped, std::string(kStudy) + " --out study").code == 0);
+        const std::string again = readText(stopped.file(table));
+        BOOST_TEST(std::count(again.begin(), again.end(), '\n') ==
+                   std::count(text.begin(), text.end(), '\n'));
+        BOOST_TEST(trees(rowsOf(again)) == trees(rowsOf(text)), boost::test_tools::per_element());
+    }
+
+    const std::string before =
+        readText(stopped.file("study/replay.csv")) + readText(stopped.file("study/runs.csv"));
+    BOOST_TEST(runIn(stopped, std::string(kStudy) + " --out study").code == 0);
+    BOOST_TEST(readText(stopped.file("study/replay.csv")) + readText(stopped.file("study/runs.csv")) ==
+               before);
+}
+
+BOOST_AUTO_TEST_CASE(a_run_that_is_there_twice_is_refused) {
+    const StudyFolder folder;
+    const std::string command =
+        "bench --study leaf-strategies window.cfg --short --planner RRTConnect --seeds 1 --time 2 "
+        "--general-split sah --leaf-split none --leaf-split all --out study";
+    BOOST_TEST_REQUIRE(runIn(folder, command).code == 0);
+    const std::string runs = readText(folder.file("study/runs.csv"));
+    overwrite(folder.file("study/runs.csv"), runs + runs.substr(runs.rfind('\n', runs.size() - 2) + 1));
+    const Outcome twice = runIn(folder, command);
+    BOOST_TEST(twice.code == 2);
+    BOOST_TEST(twice.err.find("RRTConnect sah/all seed 1 in window twice") != std::string::npos, twice.err);
+}
+
+BOOST_AUTO_TEST_CASE(a_study_leaves_tables_and_logs_with_the_strategy_as_parameter) {
+    const StudyFolder folder;
+    const Outcome outcome = runIn(folder, std::string(kStudy) + " --out study");
+    BOOST_TEST_REQUIRE(outcome.code == 0, outcome.err);
+    for (const char* words :
+         {"what answers took", "seconds of the same calls, replayed", "the thesis's claims", "95 % interval",
+          "what planners found", "triangle tests of the same calls"}) {
+        BOOST_TEST(outcome.out.find(words) != std::string::npos, words);
+    }
+    BOOST_TEST(outcome.err.find("run 1 of 8, RRTConnect sah/none seed 1, at most ") != std::string::npos,
+               outcome.err);
+    for (const char* split : {"none", "all"}) {
+        const ReadLog log =
+            readBenchmarkLog(readText(folder.file(std::string("study/logs/window_sah_") + split + ".log")));
+        BOOST_TEST(log.experiment == "window");
+        BOOST_TEST(log.parameters.at("leaf_split VARCHAR") == split);
+        BOOST_TEST(log.parameters.at("general_split VARCHAR") == "sah");
+        BOOST_TEST_REQUIRE(log.planners.size() == 2u);
+        BOOST_TEST(log.planners[0].name == "geometric_RRTConnect");
+        BOOST_TEST_REQUIRE(log.planners[0].runs.size() == 2u);
+        BOOST_TEST(log.planners[0].runs[1].at("seed INTEGER") == "2");
+        BOOST_TEST(log.planners[0].runs[0].at("solved BOOLEAN") == "1");
+    }
+    std::set<std::string> trees;
+    for (const auto& row : readRows(folder.file("study/replay.csv")))
+        trees.insert(row[1] + " " + row[2] + " " + row[3]);
+    for (const char* tree : {"sah 4 8", "sah 8 8", "sah 16 8", "sah 4 2", "mean 4 8"})
+        BOOST_TEST(trees.count(tree) == 1u, tree);
+    for (const char* table : {"statistics.csv", "summary.csv", "claims.csv", "trees.csv"}) {
+        BOOST_TEST(!readRows(folder.file(std::string("study/") + table)).empty(), table);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(other_options_than_those_of_the_folder_are_refused) {
+    const StudyFolder folder;
+    const std::string command =
+        "bench --study leaf-strategies window.cfg --short --planner RRTConnect --seeds 1 --time 2 "
+        "--general-split sah --leaf-split none --leaf-split all --out study";
+    BOOST_TEST_REQUIRE(runIn(folder, command).code == 0);
+    const auto other = [&](std::string text, const std::string& from, const std::string& to) {
+        return text.replace(text.find(from), from.size(), to);
+    };
+    requireRefused(folder, other(command, "--time 2", "--time 3"),
+                   {"seconds '2', not '3'", "another folder"});
+    requireRefused(folder, other(command, "--seeds 1", "--seeds 2"), {"seeds '1', not '2'"});
+    requireRefused(folder, other(command, "split none --leaf-split all", "split none --leaf-split edge"),
+                   {"leaf splits 'none all', not 'none edge'"});
+    Problem problem = readProblem(folder.file("window.cfg"));
+    std::filesystem::rename(folder.file("plate.obj"), folder.file("moved.obj"));
+    problem.robot = folder.file("moved.obj");
+    writeProblem(problem, folder.file("window.cfg"));
+    BOOST_TEST(runIn(folder, command).code == 0, "the same scene in another file is taken for another");
+    problem.start.position.x() += 1;
+    writeProblem(problem, folder.file("window.cfg"));
+    requireRefused(folder, command, {"scene window"});
+    problem.start.position.x() -= 1;
+    problem.planners = {{"RRTConnect", {{"range", "7"}}}};
+    writeProblem(problem, folder.file("window.cfg"));
+    requireRefused(folder, command, {"scene window"});
+}
+
+BOOST_AUTO_TEST_CASE(without_a_problem_a_short_study_makes_its_scenes_and_replays_their_poses) {
+    const TemporaryFolder folder;
+    const std::string command = "bench --study leaf-strategies --short --seeds 1 --time 0.2 --out study";
+    const Outcome outcome = runIn(folder, command);
+    BOOST_TEST_REQUIRE(outcome.code == 0, outcome.err);
+    std::set<std::string> scenes;
+    for (const auto& row : readRows(folder.file("study/trees.csv"))) {
+        scenes.insert(row[0]);
+        if (row[0] == "tunnel-console")
+            BOOST_TEST(std::stod(row[14]) >= 50, row[14] << " of 100 poses collide");
+    }
+    BOOST_TEST(scenes == std::set<std::string>({"cembox", "tunnel-console"}),
+               boost::test_tools::per_element());
+    BOOST_TEST(readRows(folder.file("study/runs.csv")).size() == 32u);
+    BOOST_TEST(outcome.out.find("in brackets the thesis's TunnelConsole") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(bad_input_is_one_line_and_exit_code_2) {
+    const StudyFolder folder;
+    const auto refused = [&](const std::string& arguments, const std::vector<std::string>& words) {
+        requireRefused(folder, "bench --study " + arguments, words);
+    };
+    refused("leaves window.cfg --out study", {"--study is 'leaves'", "leaf-strategies"});
+    refused("leaf-strategies window.cfg", {"--out is missing"});
+    refused("leaf-strategies none.cfg --out study", {"none.cfg"});
+    refused("leaf-strategies window.cfg --out study --seeds 0", {"--seeds is '0'"});
+    refused("leaf-strategies window.cfg --out study --time 0", {"--time is '0'"});
+    refused("leaf-strategies window.cfg --out study --planner RRTConnect:speed",
+            {"unknown objective 'speed'"});
+    refused("leaf-strategies window.cfg --out study --planner nonesuch", {"unknown planner 'nonesuch'"});
+    refused("leaf-strategies window.cfg --out study --leaf-split some", {"--leaf-split is 'some'", "chain"});
+    refused("leaf-strategies window.cfg window.cfg --out study", {"two problems are named 'window'"});
+    refused("leaf-strategies window.cfg --out study --leaf-split all",
+            {"one leaf split, expected at least two"});
+}
+
+}  // namespace clearway::testing

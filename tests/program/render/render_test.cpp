@@ -1,0 +1,249 @@
+#include "program/render/render.h"
+
+#include <boost/test/unit_test.hpp>
+#include <functional>
+
+#include "program/render/legend.h"
+#include "support/window_scene.h"
+
+namespace clearway::testing {
+
+using namespace render;
+
+namespace {
+
+constexpr int kWidth = 240, kHeight = 160;
+
+/// The wall with its window; the plate before it, in its middle and behind it, in distinct clearances.
+struct Shot {
+    WindowScene window = windowScene();
+    RenderOptions options;
+    std::vector<PosedPart> poses;
+
+    Shot() {
+        options.width = kWidth;
+        options.height = kHeight;
+        options.samples = 4;
+        options.scaleMost = 10;
+    }
+    PartState upright(double x) const {
+        PartState state = window.problem.start;
+        state.position.x() = x;
+        return state;
+    }
+    Image taken(const std::vector<PosedPart>& way = {}) const {
+        return render::render(window.partMesh, window.wallMesh, poses, way, options);
+    }
+};
+
+bool isColourful(const Colour& pixel) {
+    return pixel.maxCoeff() > 1.6f * pixel.minCoeff();
+}
+bool isYellow(const Colour& pixel) {
+    return isColourful(pixel) && pixel[0] > 1.5f * pixel[2] && pixel[1] > 1.5f * pixel[2];
+}
+bool isBlue(const Colour& pixel) {
+    return isColourful(pixel) && pixel[2] > 1.5f * pixel[0];
+}
+bool isWhite(const Colour& pixel) {
+    return pixel.minCoeff() > 0.999f;
+}
+
+/// Of the pixels beside the legend, how many are so.
+int count(const Image& image, const std::function<bool(const Colour&)>& isSo) {
+    int counted = 0;
+    for (int y = 0; y < image.height; ++y) {
+        for (int x = 0; x < areaBesideLegend(image.width, image.height).right; ++x)
+            counted += isSo(image.at(x, y));
+    }
+    return counted;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(the_part_is_seen_in_the_colour_of_its_clearance) {
+    Shot shot;
+    shot.poses = {{shot.upright(-60), 0}};
+    const Image tight = shot.taken();
+    BOOST_TEST(count(tight, isYellow) > 100);
+    BOOST_TEST(count(tight, isBlue) == 0);
+    shot.poses[0].clearance = 10;
+    const Image free = shot.taken();
+    BOOST_TEST(count(free, isBlue) > 100);
+    BOOST_TEST(count(free, isYellow) == 0);
+}
+
+BOOST_AUTO_TEST_CASE(the_legends_figures_are_in_the_picture_however_long) {
+    for (const double most : {5.0, 0.00025, 123456.0, 2.5e-8, 1.23456e-30}) {
+        for (const auto& [width, height] : {std::pair(1280, 720), std::pair(480, 270), std::pair(100, 400)}) {
+            Image image(width, height, Colour::Ones());
+            drawLegend(most, {0}, image);
+            for (int y = 0; y < height; ++y)
+                BOOST_TEST_REQUIRE(isWhite(image.at(width - 1, y)),
+                                   most << " in " << width << " x " << height);
+        }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(all_of_the_scene_is_in_the_picture_beside_the_legend) {
+    Shot shot;
+    shot.poses = {{shot.upright(-60), 0}, {shot.upright(60), 10}};
+    for (const NamedView& view : namedViews()) {
+        shot.options.view = view.name;
+        const Image image = shot.taken();
+        const Area area = areaBesideLegend(kWidth, kHeight);
+        int edge = 0;
+        for (int y = 0; y < kHeight; ++y) {
+            for (int x = 0; x < area.right + 2; ++x) {
+                const bool isOutside =
+                    x < area.left - 2 || x > area.right || y < area.top - 2 || y > area.bottom + 1;
+                edge += isOutside && !isWhite(image.at(x, y));
+            }
+        }
+        BOOST_TEST(edge == 0, view.name);
+        BOOST_TEST(count(image, [](const Colour& pixel) { return !isWhite(pixel); }) > 1000, view.name);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(the_environment_hides_the_part_until_it_is_cut) {
+    Shot shot;
+    shot.options.view = "left";  // looks along x, at the wall
+    shot.poses = {{shot.upright(60), 0}};
+    const int throughTheWindow = count(shot.taken(), isYellow);
+    shot.options.cut = CutPlane{Vector3::UnitX(), 10};  // all of the wall is on the camera's side
+    const int uncovered = count(shot.taken(), isYellow);
+    BOOST_TEST(uncovered > throughTheWindow + 100);
+    shot.options.cut = CutPlane{-Vector3::UnitX(), -10};
+    BOOST_TEST(count(shot.taken(), isYellow) == uncovered);
+    shot.options.cut = CutPlane{Vector3::UnitX(), -10};  // nothing is
+    BOOST_TEST(count(shot.taken(), isYellow) == throughTheWindow);
+}
+
+BOOST_AUTO_TEST_CASE(the_inside_is_shown_cut_open_with_the_part_in_it) {
+    Shot shot;
+    Mesh& room = shot.window.wallMesh = shot.window.partMesh;  // a closed box around all
+    for (Vector3& vertex : room.vertices) vertex = vertex.cwiseProduct(Vector3(4, 4, 16));
+    shot.poses = {{shot.upright(-60), 5}, {shot.upright(0), 0}, {shot.upright(60), 5}};
+    for (const NamedView& view : namedViews()) {
+        shot.options.view = view.name;
+        BOOST_TEST(count(shot.taken(), isColourful) == 0, view.name);
+    }
+    shot.options.view = "inside";
+    BOOST_TEST(count(shot.taken(), isYellow) > 300);
+}
+
+BOOST_AUTO_TEST_CASE(silhouettes_are_dark_lines) {
+    Shot shot;
+    shot.poses = {{shot.upright(-60), 5}};
+    shot.options.view = "front";
+    const Image image = shot.taken();
+    const auto isDark = [](const Colour& pixel) { return pixel.maxCoeff() < 0.12f; };
+    BOOST_TEST(count(image, isDark) > 50);
+    // From the left, the first thing that is not background is a line.
+    for (int y = 0; y < kHeight; ++y) {
+        int x = 0;
+        while (x < kWidth - 3 && isWhite(image.at(x, y))) ++x;
+        if (x >= areaBesideLegend(kWidth, kHeight).right) continue;
+        BOOST_TEST(std::min({image.at(x, y).maxCoeff(), image.at(x + 1, y).maxCoeff(),
+                             image.at(x + 2, y).maxCoeff()}) < 0.35f,
+                   "row " << y);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(a_ghost_lets_the_wall_behind_it_through) {
+    Shot shot;
+    shot.options.view = "left";
+    shot.poses = {{shot.upright(-60), 0}};
+    const int solid = count(shot.taken(), isYellow);
+    shot.poses[0].isGhost = true;
+    const Image image = shot.taken();
+    shot.poses[0].isGhost = false;
+    const auto isPale = [](const Colour& pixel) { return pixel.minCoeff() > 0.08f && isColourful(pixel); };
+    BOOST_TEST(count(image, isPale) > solid / 2);
+    BOOST_TEST(count(shot.taken(), isPale) < solid / 4);
+}
+
+/// Blue before orange would be a red that the scale has for another clearance.
+BOOST_AUTO_TEST_CASE(a_ghost_pales_what_has_a_clearance_and_never_tints_it) {
+    Shot shot;
+    shot.options.view = "left";
+    shot.options.isClose = true;
+    shot.poses = {{shot.upright(-30), 2.5}};
+    const auto isWarm = [](const Colour& pixel) { return pixel[0] - pixel[2] > 0.05f; };
+    const auto isOrange = [&](const Colour& pixel) {  // paled or not: as much red to green, white taken away
+        return isWarm(pixel) && pixel[1] - pixel[2] > 0.2f * (pixel[0] - pixel[2]);
+    };
+    BOOST_TEST(count(shot.taken(), isOrange) > 0.95 * count(shot.taken(), isWarm));
+    const int solid = count(shot.taken(), isOrange);
+    shot.poses.push_back({shot.upright(-60), 10, true});
+    const Image image = shot.taken();
+    BOOST_TEST(count(image, isOrange) > 0.95 * count(image, isWarm));
+    BOOST_TEST(count(image, isOrange) > solid / 2);
+    BOOST_TEST(count(image, [&](const Colour& pixel) { return isOrange(pixel) && pixel[2] > 0.1f; }) >
+               solid / 2);
+}
+
+BOOST_AUTO_TEST_CASE(the_way_is_a_line_in_the_colours_of_its_clearances) {
+    Shot shot;
+    shot.options.view = "top";
+    shot.poses = {{shot.upright(60), 5}};
+    BOOST_TEST(count(shot.taken(), isBlue) == 0);
+    const std::vector<PosedPart> way = {
+        {shot.upright(-60), 10}, {shot.upright(-10), 10}, {shot.upright(60), 5}};
+    BOOST_TEST(count(shot.taken(way), isBlue) > 20);
+}
+
+BOOST_AUTO_TEST_CASE(a_camera_of_ones_own_sees_what_it_looks_at) {
+    Shot shot;
+    shot.poses = {{shot.upright(-60), 0}};
+    shot.options.eye = Vector3(-400, 0, 0);
+    const int ahead = count(shot.taken(), isYellow);
+    BOOST_TEST(ahead > 100);
+    shot.options.lookAt = Vector3(-800, 0, 0);
+    BOOST_TEST(count(shot.taken(), [](const Colour& pixel) { return !isWhite(pixel); }) == 0);
+    shot.options.lookAt = Vector3(0, 0, 0);
+    shot.options.angle = 10;
+    BOOST_TEST(count(shot.taken(), isYellow) > 2 * ahead);
+}
+
+BOOST_AUTO_TEST_CASE(the_same_picture_is_taken_twice) {
+    Shot shot;
+    shot.poses = {{shot.upright(-60), 0}, {shot.upright(0), 3, true}};
+    BOOST_TEST((shot.taken().pixels == shot.taken().pixels));
+}
+
+BOOST_AUTO_TEST_CASE(the_picture_does_not_depend_on_where_the_scene_lies) {
+    Shot shot;
+    shot.poses = {{shot.upright(-60), 0}};
+    const Image here = shot.taken();
+    const Vector3 far(4e6, -7e6, 1e6);
+    for (Vector3& vertex : shot.window.wallMesh.vertices) vertex += far;
+    shot.poses[0].state.position += far;
+    const Image there = shot.taken();
+    int different = 0;
+    for (std::size_t i = 0; i < here.pixels.size(); ++i)
+        different += (here.pixels[i] - there.pixels[i]).cwiseAbs().maxCoeff() > 0.05f;
+    BOOST_TEST(different < 40);
+}
+
+BOOST_AUTO_TEST_CASE(wrong_options_are_refused_by_name) {
+    Shot shot;
+    const auto refuses = [&](const std::string& word) {
+        BOOST_CHECK_EXCEPTION(shot.taken(), std::invalid_argument, [&](const std::exception& error) {
+            return std::string(error.what()).find(word) != std::string::npos;
+        });
+    };
+    refuses("no pose");
+    shot.poses = {{shot.upright(-60), 0}};
+    shot.options.view = "askew";
+    refuses("view is 'askew', expected one of inside, iso, front");
+    shot = Shot();
+    shot.poses = {{shot.upright(-60), 0}};
+    shot.options.width = 0;
+    refuses("width");
+    shot.options.width = kWidth;
+    shot.options.eye = shot.options.lookAt = Vector3(1, 2, 3);
+    refuses("looks at the point it stands at");
+}
+
+}  // namespace clearway::testing
