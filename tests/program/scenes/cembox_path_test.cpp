@@ -63,6 +63,8 @@ Mesh besideTheSlot(const Mesh& mesh) {
     return rest;
 }
 
+BOOST_AUTO_TEST_SUITE(cembox_path)  // its cases share names with other scenes' cases
+
 /// Proven along the whole way, in between the samples too.
 BOOST_DATA_TEST_CASE(the_constructed_path_keeps_the_clearance_and_is_tight_for_three_tenths, cases(),
                      scenario) {
@@ -172,5 +174,7 @@ BOOST_DATA_TEST_CASE(neither_the_straight_motion_nor_a_straight_pull_takes_the_m
     BOOST_TEST(straight >= kSamples / 4);
     BOOST_TEST(pulled >= kSamples / 4);
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace

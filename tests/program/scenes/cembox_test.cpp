@@ -51,6 +51,8 @@ std::vector<std::pair<std::size_t, std::size_t>> sizes() {
     return all;
 }
 
+BOOST_AUTO_TEST_SUITE(cembox)  // its cases share names with other scenes' cases
+
 BOOST_AUTO_TEST_CASE(triangle_counts_are_reached_within_five_percent) {
     for (const auto& [part, environment] : sizes()) {
         const GeneratedScene scene = makeCembox({1, part, environment, 4});
@@ -167,5 +169,7 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_made_is_refused_by_name) {
         BOOST_TEST(mentions(refusal({1, 3600, 46000, clearance}), ", expected 0.5 to 8"));
     }
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace

@@ -48,6 +48,8 @@ bool begins(const std::string& text, const std::string& with) {
     return text.rfind(with, 0) == 0;
 }
 
+BOOST_AUTO_TEST_SUITE(large_environment)  // its cases share names with other scenes' cases
+
 BOOST_AUTO_TEST_CASE(triangle_counts_are_reached_within_five_percent) {
     for (const auto& [part, environment] : {std::pair<std::size_t, std::size_t>(4000, 32000),
                                             {5000, 40000},
@@ -196,5 +198,7 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_made_is_refused_by_name) {
         BOOST_TEST(begins(refusal({1, 10000, 80000, clearance}), "clearance is "));
     }
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace

@@ -57,6 +57,8 @@ bool begins(const std::string& text, const std::string& with) {
     return text.rfind(with, 0) == 0;
 }
 
+BOOST_AUTO_TEST_SUITE(puzzle)  // its cases share names with other scenes' cases
+
 BOOST_DATA_TEST_CASE(triangle_counts_are_reached_within_five_percent,
                      kVersions* data::make<std::size_t>({800, 1000, 2000, 2777, 10000, 200000}), version,
                      triangles) {
@@ -169,5 +171,7 @@ BOOST_DATA_TEST_CASE(what_cannot_be_made_is_refused_by_name, kVersions, version)
         BOOST_TEST(begins(refusal(version, with(1, 2000, clearance)), "clearance is "));
     }
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace

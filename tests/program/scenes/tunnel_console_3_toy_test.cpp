@@ -51,6 +51,8 @@ struct Quiet {
 
 BOOST_TEST_GLOBAL_FIXTURE(Quiet);
 
+BOOST_AUTO_TEST_SUITE(tunnel_console_3_toy)  // its cases share names with other scenes' cases
+
 BOOST_DATA_TEST_CASE(the_straight_motion_collides_over_half_its_length_with_three_components, kClearances,
                      clearance) {
     const StraightMotion motion = straightMotion(real(clearance));
@@ -117,5 +119,7 @@ BOOST_AUTO_TEST_CASE(a_toy_is_told_by_its_first_100_motions) {
         }
     }
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace

@@ -60,6 +60,8 @@ std::vector<Case> cases() {
     return ofBoth(all);
 }
 
+BOOST_AUTO_TEST_SUITE(tunnel_console_path)  // its cases share names with other scenes' cases
+
 /// Proven along the whole way, in between the samples too.
 BOOST_DATA_TEST_CASE(the_constructed_path_keeps_the_clearance_and_is_tight_for_three_tenths, cases(),
                      scenario) {
@@ -133,5 +135,7 @@ BOOST_DATA_TEST_CASE(the_straight_motion_collides_over_half_its_length_with_thre
     BOOST_TEST(collisions >= kSamples / 2);
     BOOST_TEST(hit.size() >= 3);
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace

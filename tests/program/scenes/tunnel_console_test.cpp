@@ -50,6 +50,8 @@ SceneOptions sized(std::size_t part, std::size_t environment, double clearance =
     return options;
 }
 
+BOOST_AUTO_TEST_SUITE(tunnel_console)  // its cases share names with other scenes' cases
+
 BOOST_DATA_TEST_CASE(triangle_counts_are_reached_within_five_percent, kVersions, version) {
     for (const auto& [part, environment] : {std::pair<std::size_t, std::size_t>(2000, 8000),
                                             {2600, 9500},
@@ -148,5 +150,7 @@ BOOST_DATA_TEST_CASE(what_cannot_be_made_is_refused_by_name, kVersions, version)
     // A narrow gap needs more stations than so few triangles give.
     BOOST_TEST(mentions(refusal(version, sized(2000, 8000, 1)), "part-triangles is 2000, expected "));
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace

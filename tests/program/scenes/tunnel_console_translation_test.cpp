@@ -21,6 +21,8 @@ BuiltScene make(int version) {
 
 const auto kVersions = boost::unit_test::data::make({1, 2});
 
+BOOST_AUTO_TEST_SUITE(tunnel_console_translation)  // its cases share names with other scenes' cases
+
 BOOST_DATA_TEST_CASE(a_flood_of_translations_stays_near_the_start, kVersions, version) {
     const Flood found = flood(make(version), 3, 150);  // mm of the 900 mm to go
     BOOST_TEST_MESSAGE(found.freeCells << " free cells");
@@ -38,5 +40,7 @@ BOOST_DATA_TEST_CASE(a_planner_that_only_translates_finds_nothing, kVersions, ve
         BOOST_TEST(!translatesOut(made, 10, seed, isFull() ? 30 : 3), "seed " << seed);
     }
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace
