@@ -22,7 +22,7 @@ struct BuildOptions {
 BuildOptions buildPreset(const std::string& name);
 
 /// The known presets ("best", "fast"), general splits ("sah", "embree", "axis", ...), leaf splits ("none", "chain",
-/// "edge", "all"), fits ("frames", "covariance") and node widths.
+/// "edge", "all"), fits ("frames", "covariance") and node widths, the widest first.
 std::vector<std::string> buildPresetNames();
 std::vector<std::string> generalSplitNames();
 std::vector<std::string> leafSplitNames();

@@ -2,11 +2,13 @@
 #include "clearway/build_options.h"
 
 #include <algorithm>
+#include <functional>
 #include <stdexcept>
 
 #include "build/fits.h"
 #include "build/general_splits.h"
 #include "build/leaf_splits.h"
+#include "tree/flat_tree.h"
 
 namespace clearway {
 
@@ -53,6 +55,13 @@ const Row& rowNamed(const Row (&table)[kRows], const std::string& option, const 
     throw std::invalid_argument(option + " is \"" + name + "\", expected one of: " + joined(namesOf(table)));
 }
 
+template <int... kWidths>
+std::vector<int> widestFirst(std::integer_sequence<int, kWidths...>) {
+    std::vector<int> widths{kWidths...};
+    std::sort(widths.begin(), widths.end(), std::greater<>());
+    return widths;
+}
+
 }  // namespace
 
 std::vector<std::string> buildPresetNames() {
@@ -72,7 +81,7 @@ std::vector<std::string> fitNames() {
 }
 
 std::vector<int> nodeWidths() {
-    return {8, 2};
+    return widestFirst(NodeWidths());
 }
 
 const NamedGeneralSplit& generalSplitNamed(const std::string& name) {
@@ -103,13 +112,7 @@ void requireBuildOptions(const BuildOptions& options) {
         throw std::invalid_argument("threads is " + std::to_string(options.threads) + ", expected 0 to " +
                                     std::to_string(kMostThreads));
     }
-    const std::vector<int> widths = nodeWidths();
-    if (std::find(widths.begin(), widths.end(), options.nodeWidth) == widths.end()) {
-        std::vector<std::string> known;
-        for (const int width : widths) known.push_back(std::to_string(width));
-        throw std::invalid_argument("nodeWidth is " + std::to_string(options.nodeWidth) +
-                                    ", expected one of: " + joined(known));
-    }
+    withNodeWidth(options.nodeWidth, [](auto) {});
 }
 
 }  // namespace clearway

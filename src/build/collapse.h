@@ -9,12 +9,13 @@
 #include <vector>
 
 #include "tree/binary_tree.h"
+#include "tree/flat_tree.h"
 
 namespace clearway {
 
 class Collapse {
   public:
-    static constexpr int kMostLanes = 8;
+    static constexpr int kMostLanes = widestOf(NodeWidths());
 
     /// lanes: of a wide node, 2 to kMostLanes. The tree is not copied.
     Collapse(const BinaryTree& tree, int lanes);

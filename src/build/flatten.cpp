@@ -5,8 +5,6 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <stdexcept>
-#include <string>
 #include <vector>
 
 #include "build/build.h"
@@ -50,12 +48,11 @@ WideNode<kWidth> nodeWithoutChildren() {
 template <int kWidth>
 class Flattening {
   public:
-    Flattening(const BinaryTree& binary, const CleanMesh& mesh, FlatTree& flat,
-               std::vector<WideNode<kWidth>>& nodes)
+    Flattening(const BinaryTree& binary, const CleanMesh& mesh, FlatTree& flat)
         : binary_(binary),
           mesh_(mesh),
           flat_(flat),
-          nodes_(nodes),
+          nodes_(flat.nodes<kWidth>()),
           leafOrder_(mesh, binary.order),
           collapse_(binary, kWidth),
           unit_(std::ldexp(1.0, flat.unitExponent)),
@@ -174,13 +171,7 @@ FlatTree flatten(const BinaryTree& tree, const CleanMesh& mesh, int nodeWidth) {
     flat.unitExponent = exponentAbove(radius);
     flat.radius = roundedUp(std::ldexp(radius, -flat.unitExponent));
     flat.radiusAboutMeshOrigin = largestDistance(mesh.vertices, Vector3::Zero());
-    if (nodeWidth == 8) {
-        Flattening<8>(tree, mesh, flat, flat.nodes8).run();
-    } else if (nodeWidth == 2) {
-        Flattening<2>(tree, mesh, flat, flat.nodes2).run();
-    } else {
-        throw std::invalid_argument("nodeWidth is " + std::to_string(nodeWidth) + ", expected one of: 8, 2");
-    }
+    withNodeWidth(nodeWidth, [&](auto width) { Flattening<width>(tree, mesh, flat).run(); });
     return flat;
 }
 

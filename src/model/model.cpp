@@ -11,7 +11,6 @@
 #include "model/model_data.h"
 #include "model/unreachable.h"
 #include "tree/largest_displacement.h"
-#include "tree/statistics.h"
 
 namespace clearway {
 

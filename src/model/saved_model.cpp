@@ -14,8 +14,6 @@
 #include "core/replace_file.h"
 #include "model/model_data.h"
 #include "model/unreachable.h"
-#include "tree/soundness.h"
-#include "tree/statistics.h"
 
 namespace clearway {
 namespace {
@@ -93,8 +91,7 @@ void addTree(ArchiveWriter& out, const FlatTree& tree) {
     addVector(out, tree.origin);
     out.add(std::int32_t(tree.unitExponent));
     out.add(tree.radius);
-    out.addArray(tree.nodes2);
-    out.addArray(tree.nodes8);
+    std::apply([&](const auto&... nodes) { (out.addArray(nodes), ...); }, tree.nodesByWidth);
     out.add(std::uint64_t(tree.leaves.size()));
     for (const Leaf& leaf : tree.leaves) {  // field by field: what pads the structure is left out
         for (const double x : leaf.centre) out.add(x);
@@ -117,8 +114,7 @@ FlatTree readTree(ArchiveReader& in) {
     tree.origin = readVector(in);
     tree.unitExponent = in.read<std::int32_t>();
     tree.radius = in.read<float>();
-    in.readArray(tree.nodes2);
-    in.readArray(tree.nodes8);
+    std::apply([&](auto&... nodes) { (in.readArray(nodes), ...); }, tree.nodesByWidth);
     tree.leaves.resize(in.readCount(3 * sizeof(double) + 12));
     for (Leaf& leaf : tree.leaves) {
         for (double& x : leaf.centre) x = in.read<double>();

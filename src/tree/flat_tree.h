@@ -1,20 +1,53 @@
-// The tree as queries read it: wide nodes in structure-of-arrays order, leaves' triangles in float relative to their own
-// centre, and the exact vertices in double behind them.
+// The tree as queries read it: wide nodes as structures of arrays, the leaves' triangles in float relative to the leaf's
+// centre, and the exact vertices in double. Here too: the node widths a tree may have.
 //
-// All floats are in the tree's unit, 2^unitExponent mesh units, chosen so that the mesh's radius about the tree's origin is
-// at most 1: they neither overflow nor vanish, whatever the mesh's scale, and scaling by the unit is exact.
+// All floats are in the tree's unit, 2^unitExponent mesh units. The unit is chosen so that the mesh's radius about the
+// tree's origin is at most 1: floats neither overflow nor vanish at any scale, and scaling by the unit is exact.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <tuple>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
+#include "clearway/build_report.h"
 #include "clearway/types.h"
 
 namespace clearway {
+
+/// The widths a node may have. A new width is one more number here and in query's table of kernels, and a new version of
+/// saved models.
+using NodeWidths = std::integer_sequence<int, 2, 8>;
+
+template <int... kWidths>
+constexpr int widestOf(std::integer_sequence<int, kWidths...>) {
+    return std::max({kWidths...});
+}
+
+/// Throws std::invalid_argument that lists the known widths.
+[[noreturn]] void refuseNodeWidth(int nodeWidth);
+
+template <class Work, int kFirst, int... kOthers>
+auto withNodeWidth(int nodeWidth, const Work& work, std::integer_sequence<int, kFirst, kOthers...>) {
+    if (nodeWidth == kFirst) return work(std::integral_constant<int, kFirst>());
+    if constexpr (sizeof...(kOthers) > 0) {
+        return withNodeWidth(nodeWidth, work, std::integer_sequence<int, kOthers...>());
+    } else {
+        refuseNodeWidth(nodeWidth);
+    }
+}
+
+/// Calls `work` with the node width as a std::integral_constant<int, width>, which templates can use. Throws
+/// std::invalid_argument if no tree has nodes of this width.
+template <class Work>
+auto withNodeWidth(int nodeWidth, const Work& work) {
+    return withNodeWidth(nodeWidth, work, NodeWidths());
+}
 
 /// The volumes of a node's kWidth children, one lane per child. An unused lane has child kNoChild and radius -infinity,
 /// so that its lower bound is +infinity. kWidth * 56 bytes.
@@ -26,19 +59,25 @@ struct alignas(kWidth * 4) WideNode {
     float halfLength0[kWidth];
     float halfLength1[kWidth];
     float radius[kWidth];
-    float size
-        [kWidth];  ///< side of a square as large as the rectangle grown by the radius; says which side to open
+    /// Side of a square with the area of the rectangle grown by the radius; decides which of two volumes to open.
+    float size[kWidth];
     std::int32_t child[kWidth];  ///< >= 0 a node, < 0 the leaf ~child; used lanes come first
 };
 static_assert(sizeof(WideNode<8>) == 8 * 56 && sizeof(WideNode<2>) == 2 * 56);
 
+template <int... kWidths>
+std::tuple<std::vector<WideNode<kWidths>>...> wideNodesOf(std::integer_sequence<int, kWidths...>);
+
+/// One array of nodes for each width.
+using WideNodesByWidth = decltype(wideNodesOf(NodeWidths()));
+
 constexpr std::int32_t kNoChild = std::numeric_limits<std::int32_t>::min();
 
-/// A lane of a node: node * kWidth + lane. The root volume is lane 0 of node 0, which has no other lane.
+/// A lane of a node, as node * kWidth + lane. The root volume is lane 0 of node 0, which uses no other lane.
 using VolumeReference = std::uint32_t;
 
 struct Leaf {
-    std::array<double, 3> centre;  ///< mesh coordinates; what its float vertices are relative to
+    std::array<double, 3> centre;  ///< mesh coordinates; origin of its float vertices
     std::uint32_t firstTriangle;   ///< into FlatTree::triangles
     std::uint32_t triangleCount;   ///< 1 to 16
     float radius;                  ///< largest vertex distance from the centre, tree units, rounded up
@@ -46,35 +85,40 @@ struct Leaf {
 
 struct FlatTree {
     int nodeWidth = 8;
-    Vector3 origin = Vector3::Zero();  ///< mesh coordinates; what node floats are relative to
+    Vector3 origin = Vector3::Zero();  ///< mesh coordinates; origin of the floats in nodes
     int unitExponent = 0;
     float radius = 0;  ///< of the vertices about the origin, tree units, rounded up; <= 1
 
-    std::vector<WideNode<2>> nodes2;  ///< one of the two is empty
-    std::vector<WideNode<8>> nodes8;
+    WideNodesByWidth nodesByWidth;  ///< only the array of nodeWidth has nodes
     std::vector<Leaf> leaves;
-    /// For a leaf of n triangles, 9 n floats from 9 * firstTriangle: x of the n first corners, their y, their z, then the
-    /// second corners and the third. (vertex - leaf centre) / unit, rounded. Ends with padding for whole-vector loads.
+    /// A leaf of n triangles has 9 n floats from 9 * firstTriangle on: x of the n first corners, their y, their z, then
+    /// the second corners and the third. Each is (vertex - leaf centre) / unit, rounded. kLeafPadding zeros follow.
     std::vector<float> leafVertices;
 
     std::vector<Vector3> vertices;                        ///< exact, mesh coordinates
     std::vector<std::array<std::uint32_t, 3>> triangles;  ///< into vertices, in leaf order
     std::vector<std::uint32_t> triangleIds;               ///< the loader's id of each, in leaf order
-    Box box;                           ///< of the mesh, triangles left out of the tree included
+    Box box;                           ///< of the mesh, including triangles left out of the tree
     double radiusAboutMeshOrigin = 0;  ///< largest |vertex|, rounded up
 
     template <int kWidth>
-    const WideNode<kWidth>* nodes() const {
-        if constexpr (kWidth == 2) {
-            return nodes2.data();
-        } else {
-            static_assert(kWidth == 8);
-            return nodes8.data();
-        }
+    const std::vector<WideNode<kWidth>>& nodes() const {
+        return std::get<std::vector<WideNode<kWidth>>>(nodesByWidth);
+    }
+    template <int kWidth>
+    std::vector<WideNode<kWidth>>& nodes() {
+        return std::get<std::vector<WideNode<kWidth>>>(nodesByWidth);
     }
 };
 
-/// Floats kept after the last leaf's vertices, so that a kernel may load past the end.
+/// Floats kept after the last leaf's vertices, so that a kernel may load whole vectors past the end.
 constexpr std::size_t kLeafPadding = 16;
+
+/// Counts what the tree holds. Node 0, which holds only the root's volume, counts like any other.
+TreeStatistics statistics(const FlatTree& tree);
+
+/// Checks a tree from outside: returns nullptr when every reference stays within the tree and no search can run in a
+/// circle, otherwise the fault in words. All triangle ids must be below meshTriangles.
+const char* faultOf(const FlatTree& tree, std::size_t meshTriangles);
 
 }  // namespace clearway

@@ -118,8 +118,8 @@ class Search {
 
 template <class Map>
 double largest(const FlatTree& tree, const Map& map, double excess, double cap) {
-    if (tree.nodeWidth == 2) return Search<Map, 2>(tree, map, excess, cap).run();
-    return Search<Map, 8>(tree, map, excess, cap).run();
+    return withNodeWidth(tree.nodeWidth,
+                         [&](auto width) { return Search<Map, width>(tree, map, excess, cap).run(); });
 }
 
 }  // namespace

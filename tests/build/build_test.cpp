@@ -60,8 +60,8 @@ bool sameBytes(const std::vector<Value>& a, const std::vector<Value>& b) {
 }
 
 void checkSameTree(const FlatTree& first, const FlatTree& second) {
-    BOOST_TEST(sameBytes(first.nodes2, second.nodes2));
-    BOOST_TEST(sameBytes(first.nodes8, second.nodes8));
+    BOOST_TEST(sameBytes(first.nodes<2>(), second.nodes<2>()));
+    BOOST_TEST(sameBytes(first.nodes<8>(), second.nodes<8>()));
     BOOST_TEST(sameBytes(first.leafVertices, second.leafVertices));
     BOOST_TEST(sameBytes(first.triangles, second.triangles));
     BOOST_TEST(sameBytes(first.triangleIds, second.triangleIds));
@@ -122,8 +122,8 @@ BOOST_DATA_TEST_CASE(no_input_makes_a_tree_that_is_too_deep, eachGeneralSplit, g
 BOOST_AUTO_TEST_CASE(one_triangle_is_a_root_volume_over_one_leaf) {
     const CleanMesh mesh = cleanMeshOf({{Vector3::UnitX(), Vector3::UnitY(), Vector3::UnitZ()}});
     const FlatTree tree = build(mesh, {});
-    BOOST_TEST(tree.nodes8.size() == 1u);
-    BOOST_TEST(tree.nodes8[0].child[0] == ~0);
+    BOOST_TEST(tree.nodes<8>().size() == 1u);
+    BOOST_TEST(tree.nodes<8>()[0].child[0] == ~0);
     BOOST_TEST(tree.triangleIds[0] == 7u);
 }
 

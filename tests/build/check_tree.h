@@ -42,7 +42,7 @@ class TreeChecker {
     TreeChecker(const FlatTree& tree, const CleanMesh& mesh) : tree_(tree), mesh_(mesh) {}
 
     void check() {
-        const std::vector<WideNode<kWidth>>& nodes = allNodes();
+        const std::vector<WideNode<kWidth>>& nodes = tree_.nodes<kWidth>();
         nodeSeen_.assign(nodes.size(), 0);
         leafSeen_.assign(tree_.leaves.size(), 0);
         nodeSeen_[0] = 1;
@@ -57,17 +57,9 @@ class TreeChecker {
     }
 
   private:
-    const std::vector<WideNode<kWidth>>& allNodes() const {
-        if constexpr (kWidth == 2) {
-            return tree_.nodes2;
-        } else {
-            return tree_.nodes8;
-        }
-    }
-
     /// The vertices below a node, all checked against the volumes on the way up.
     std::set<std::uint32_t> below(std::int32_t index) {
-        const WideNode<kWidth>& node = allNodes()[index];
+        const WideNode<kWidth>& node = tree_.nodes<kWidth>()[index];
         std::set<std::uint32_t> all;
         bool pastTheLast = false;
         for (int lane = 0; lane < kWidth; ++lane) {
@@ -169,17 +161,13 @@ class TreeChecker {
 
 inline void checkTree(const FlatTree& tree, const CleanMesh& mesh) {
     BOOST_TEST(tree.radius <= 1);
-    BOOST_TEST((tree.nodeWidth == 2 ? tree.nodes8.empty() : tree.nodes2.empty()));
+    std::apply([&](const auto&... nodes) { BOOST_TEST((!nodes.empty() + ...) == 1); }, tree.nodesByWidth);
     for (const Vector3& vertex : tree.vertices) {
         BOOST_REQUIRE(inTreeUnits(tree, vertex).norm() <= tree.radius);
         BOOST_REQUIRE(vertex.cast<long double>().norm() <= tree.radiusAboutMeshOrigin);
         BOOST_REQUIRE(tree.box.contains(vertex));
     }
-    if (tree.nodeWidth == 2) {
-        TreeChecker<2>(tree, mesh).check();
-    } else {
-        TreeChecker<8>(tree, mesh).check();
-    }
+    withNodeWidth(tree.nodeWidth, [&](auto width) { TreeChecker<width>(tree, mesh).check(); });
 }
 
 }  // namespace clearway::testing

@@ -31,9 +31,10 @@ BOOST_AUTO_TEST_CASE(width_two_keeps_the_binary_tree) {
     const FlatTree tree = flatten(binary, mesh, 2);
     std::multiset<std::uint32_t> flatCounts;
     for (const Leaf& leaf : tree.leaves) flatCounts.insert(leaf.triangleCount);
-    BOOST_TEST(tree.nodes2.size() == innerNodes + 1);  // and node 0, which holds the root's own volume
+    BOOST_TEST(tree.nodes<2>().size() == innerNodes + 1);  // and node 0, which holds the root's own volume
     BOOST_TEST((flatCounts == binaryCounts));
-    for (std::size_t i = 1; i < tree.nodes2.size(); ++i) BOOST_TEST(tree.nodes2[i].child[1] != kNoChild);
+    for (std::size_t i = 1; i < tree.nodes<2>().size(); ++i)
+        BOOST_TEST(tree.nodes<2>()[i].child[1] != kNoChild);
 }
 
 BOOST_AUTO_TEST_CASE(lanes_are_those_the_collapse_chose) {
@@ -42,7 +43,7 @@ BOOST_AUTO_TEST_CASE(lanes_are_those_the_collapse_chose) {
     const Collapse collapse(binary, 8);
     const FlatTree tree = flatten(binary, mesh, 8);
     // Both are walked depth first.
-    std::vector<std::pair<std::int32_t, std::int32_t>> pending{{tree.nodes8[0].child[0], 0}};
+    std::vector<std::pair<std::int32_t, std::int32_t>> pending{{tree.nodes<8>()[0].child[0], 0}};
     std::size_t visited = 1;
     while (!pending.empty()) {
         const auto [wide, node] = pending.back();
@@ -50,7 +51,7 @@ BOOST_AUTO_TEST_CASE(lanes_are_those_the_collapse_chose) {
         ++visited;
         const std::vector<std::int32_t> lanes = collapse.lanesOf(node);
         for (std::size_t lane = 0; lane < 8; ++lane) {
-            const std::int32_t child = tree.nodes8[wide].child[lane];
+            const std::int32_t child = tree.nodes<8>()[wide].child[lane];
             BOOST_REQUIRE((child == kNoChild) == (lane >= lanes.size()));
             if (lane >= lanes.size()) continue;
             BOOST_REQUIRE((child < 0) == binary.nodes[lanes[lane]].isLeaf());
@@ -61,13 +62,13 @@ BOOST_AUTO_TEST_CASE(lanes_are_those_the_collapse_chose) {
             }
         }
     }
-    BOOST_TEST(visited == tree.nodes8.size());
+    BOOST_TEST(visited == tree.nodes<8>().size());
 }
 
 BOOST_AUTO_TEST_CASE(children_of_a_node_are_numbered_together) {
     const CleanMesh mesh = cleanMeshOf(soup(900, 63));
     const FlatTree tree = flatten(buildBinaryTree(mesh, {}), mesh, 8);
-    for (const WideNode<8>& node : tree.nodes8) {
+    for (const WideNode<8>& node : tree.nodes<8>()) {
         std::vector<std::int32_t> inner;
         std::vector<std::int32_t> leaves;
         for (const std::int32_t child : node.child) {

@@ -11,7 +11,6 @@
 #include "mesh/clean.h"
 #include "support/temporary_folder.h"
 #include "tree/flat_tree.h"
-#include "tree/soundness.h"
 
 namespace clearway::testing {
 namespace {

@@ -26,8 +26,8 @@ namespace HWY_NAMESPACE {
 template <int kWidth>
 void allBounds(const FlatTree& carried, const FlatTree& tree, const Carry& carry, double toMeshUnit,
                std::vector<double>& bounds) {
-    const std::size_t volumes = (kWidth == 2 ? carried.nodes2.size() : carried.nodes8.size()) * kWidth;
-    const std::size_t nodes = kWidth == 2 ? tree.nodes2.size() : tree.nodes8.size();
+    const std::size_t volumes = carried.nodes<kWidth>().size() * kWidth;
+    const std::size_t nodes = tree.nodes<kWidth>().size();
     for (std::size_t volume = 0; volume < volumes; ++volume) {
         const Volume<kWidth> one(carried, static_cast<VolumeReference>(volume));
         for (std::size_t node = 0; node < nodes; ++node) {
@@ -94,7 +94,7 @@ void addTriangles(const FlatTree& tree, std::int32_t child, std::vector<std::uin
 template <int kWidth>
 std::vector<std::vector<std::uint32_t>> trianglesOfVolumes(const FlatTree& tree) {
     std::vector<std::vector<std::uint32_t>> result;
-    const std::size_t nodes = kWidth == 2 ? tree.nodes2.size() : tree.nodes8.size();
+    const std::size_t nodes = tree.nodes<kWidth>().size();
     for (std::size_t node = 0; node < nodes; ++node) {
         for (const std::int32_t child : tree.nodes<kWidth>()[node].child) {
             addTriangles<kWidth>(tree, child, result.emplace_back());
@@ -104,7 +104,7 @@ std::vector<std::vector<std::uint32_t>> trianglesOfVolumes(const FlatTree& tree)
 }
 
 std::vector<std::vector<std::uint32_t>> trianglesOfVolumes(const FlatTree& tree) {
-    return tree.nodeWidth == 2 ? trianglesOfVolumes<2>(tree) : trianglesOfVolumes<8>(tree);
+    return withNodeWidth(tree.nodeWidth, [&](auto width) { return trianglesOfVolumes<width>(tree); });
 }
 
 // Distances of all pairs of triangles, by their positions in the trees; row: the part's.

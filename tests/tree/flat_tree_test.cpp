@@ -1,4 +1,4 @@
-#include "tree/statistics.h"
+#include "tree/flat_tree.h"
 
 #include <boost/test/data/monomorphic.hpp>
 #include <boost/test/data/test_case.hpp>
@@ -15,12 +15,12 @@ FlatTree handMadeTree() {
     FlatTree tree;
     WideNode<8> empty{};
     for (std::int32_t& child : empty.child) child = kNoChild;
-    tree.nodes8.assign(3, empty);
-    tree.nodes8[0].child[0] = 1;
-    tree.nodes8[1].child[0] = ~0;
-    tree.nodes8[1].child[1] = 2;
-    tree.nodes8[1].child[2] = ~1;
-    tree.nodes8[2].child[0] = ~2;
+    tree.nodes<8>().assign(3, empty);
+    tree.nodes<8>()[0].child[0] = 1;
+    tree.nodes<8>()[1].child[0] = ~0;
+    tree.nodes<8>()[1].child[1] = 2;
+    tree.nodes<8>()[1].child[2] = ~1;
+    tree.nodes<8>()[2].child[0] = ~2;
     tree.leaves.resize(3);
     tree.leaves[0].triangleCount = 3;
     tree.leaves[1].triangleCount = 1;
@@ -51,7 +51,7 @@ BOOST_DATA_TEST_CASE(counts_of_a_built_tree_add_up, boost::unit_test::data::make
     BOOST_TEST(counted.leavesBySize.size() <= 5u);
     BOOST_TEST(leaves == counted.leaves);
     BOOST_TEST(triangles == mesh.triangles.size());
-    BOOST_TEST(counted.nodes == tree.nodes2.size() + tree.nodes8.size());
+    BOOST_TEST(counted.nodes == tree.nodes<2>().size() + tree.nodes<8>().size());
     // Each node and leaf but node 0 is the child of one node.
     BOOST_TEST(counted.meanChildren * counted.nodes == double(counted.nodes - 1 + counted.leaves),
                boost::test_tools::tolerance(1e-12));
