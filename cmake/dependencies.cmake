@@ -32,6 +32,10 @@ add_library(clearway_embree INTERFACE)
 target_link_libraries(clearway_embree INTERFACE embree)
 target_compile_definitions(clearway_embree INTERFACE CLEARWAY_EMBREE_MAJOR=${EMBREE_VERSION_MAJOR})
 
+# Draws the lines and the lettering of a picture's legend.
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(CAIRO REQUIRED IMPORTED_TARGET cairo>=1.16)
+
 find_package(PNG 1.6 REQUIRED)  # writes the pictures: its simplified interface compresses an image in one call
 
 # Asked for without a version, for OMPL's own version file takes 2.0 for no later version of 1.5.

@@ -10,12 +10,12 @@ namespace clearway::render {
 
 namespace {
 
-/// The largest distance that all points keep from the camera's side planes: its place along one axis of the
-/// picture, and how far back it has to stand for it.
+/// Places a camera along one axis of the picture, so that both of its side planes touch the points, and tells
+/// how far back the camera then stands.
 struct Span {
     float most = -std::numeric_limits<float>::infinity();
     float least = std::numeric_limits<float>::infinity();
-    float tangent;  ///< of half the angle
+    float tangent;  ///< tangent of half the field of view
 
     explicit Span(float halfTangent) : tangent(halfTangent) {}
     void add(float across, float depth) {
@@ -26,11 +26,12 @@ struct Span {
     float depth() const { return (least - most) / (2 * tangent); }
 };
 
-/// A camera with its axes and lens, at the origin.
+/// A camera at the origin with the given direction and field of view.
 Camera lookingAlong(const Vector3f& forward, double angle, const Area& area) {
     Camera camera;
     camera.forward = forward.normalized();
-    const bool isUpright = camera.forward.head<2>().norm() < 1e-4f;  // seen from above, y is up
+    const bool isUpright =
+        camera.forward.head<2>().norm() < 1e-4f;  // looking straight down or up: y is up in the picture
     camera.right = camera.forward.cross(isUpright ? Vector3f::UnitY() : Vector3f::UnitZ()).normalized();
     camera.up = camera.right.cross(camera.forward);
     const double width = area.right - area.left, height = area.bottom - area.top;
@@ -49,7 +50,7 @@ const std::vector<NamedView>& namedViews() {
         {"back", "against y", {0, 1, 0}},
         {"right", "against x", {1, 0, 0}},
         {"left", "along x", {-1, 0, 0}},
-        {"side", "the same as right", {1, 0, 0}},
+        {"side", "another name of right", {1, 0, 0}},
         {"top", "from above, y up", {0, 0, 1}},
         {"bottom", "from below, y up", {0, 0, -1}},
     };
@@ -73,7 +74,8 @@ Ray Camera::rayThrough(float x, float y) const {
 Camera cameraAt(const Vector3& eye, const Vector3& target, double angle, const Area& area) {
     const Vector3 towards = target - eye;
     if (!(towards.norm() > 0)) {
-        throw std::invalid_argument("the camera looks at the point it stands at, expected another one");
+        throw std::invalid_argument(
+            "the camera stands at the point it looks at, expected two different points");
     }
     Camera camera = lookingAlong(towards.cast<float>(), angle, area);
     camera.eye = eye.cast<float>();

@@ -1,4 +1,4 @@
-// Where a picture is taken from, and how much it takes in.
+// The camera of a picture: where it stands, where it looks, and how much it shows.
 #pragma once
 
 #include <optional>
@@ -9,38 +9,39 @@
 
 namespace clearway::render {
 
-/// A direction to look from. z is up.
+/// A viewing direction with a name. z is up.
 struct NamedView {
     const char* name;
-    const char* about;  ///< for --help
-    Vector3 from;       ///< from what is looked at towards the camera
+    const char* about;  ///< a few words for --help
+    Vector3 from;       ///< points from the scene to the camera
 };
 
-/// In the order of lists. "inside" is not among them: it depends on the path.
+/// All views, in the order --help lists them. "inside" is missing here because it depends on the path.
 const std::vector<NamedView>& namedViews();
 
-/// Throws std::invalid_argument that lists the names.
+/// Finds a view. Throws std::invalid_argument with the list of names when there is none.
 const NamedView& viewNamed(const std::string& name);
 
-/// A rectangle of a picture, in pixels; y goes down.
+/// A rectangle in a picture, in pixels; y points down.
 struct Area {
     double left = 0, top = 0, right = 0, bottom = 0;
 };
 
-/// A pinhole camera. Pixel (0, 0) is the corner of the picture at its top left.
+/// A pinhole camera. (0, 0) is the top left corner of the picture.
 struct Camera {
     Vector3f eye = Vector3f::Zero();
     Vector3f right = Vector3f::UnitX(), up = Vector3f::UnitZ(), forward = Vector3f::UnitY();
     float focal = 1;                 ///< pixels
-    float centreX = 0, centreY = 0;  ///< the pixel straight ahead
+    float centreX = 0, centreY = 0;  ///< the pixel in direction `forward`
 
     Ray rayThrough(float x, float y) const;
 };
 
-/// Standing at eye, looking at a point. angle: what the area takes in, radians, along its longer side.
+/// A camera at `eye` that looks at `target`. angle: field of view along the longer side of the area, radians.
+/// Throws std::invalid_argument when both points are one.
 Camera cameraAt(const Vector3& eye, const Vector3& target, double angle, const Area& area);
 
-/// Looking against `from`, as near as it can with all points in the area.
+/// The nearest camera that looks against `from` and has all points in the area.
 Camera cameraAround(const std::vector<Vector3f>& points, const Vector3& from, double angle, const Area& area);
 
 }  // namespace clearway::render

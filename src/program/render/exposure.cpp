@@ -3,10 +3,12 @@
 #include <tbb/blocked_range2d.h>
 #include <tbb/parallel_for.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <utility>
 
-#include "program/render/light.h"
 #include "program/render/outlines.h"
 #include "program/render/samples.h"
 #include "program/render/smooth_light.h"
@@ -15,9 +17,78 @@ namespace clearway::render {
 
 namespace {
 
-constexpr int kMostGhosts = 4;  ///< one behind the other
-constexpr int kMostWalls = 24;  ///< of ghosts, that a ray is followed through
-constexpr float kPast = 1e-5f;  ///< along the ray, beyond a wall of a ghost
+constexpr int kMostGhosts = 4;  ///< ghosts seen one behind another
+constexpr int kMostWalls = 24;  ///< walls of ghosts that one ray passes
+constexpr float kPast = 1e-5f;  ///< restarts a ray beyond the wall of a ghost; lengths along the ray
+
+constexpr float kSky = 0.54f, kKey = 0.48f,
+                kFromCamera = 0.20f;  ///< shares of the sky, the key light and a light at the camera
+constexpr float kKeyRadius = 0.16f;   ///< radius of the key light's disk at distance 1
+constexpr float kStep = 2e-5f;        ///< lifts rays off the surface they begin on; the stage has size 1
+
+/// Maps the unit square to the disk of radius 1. Source: Shirley, Chiu, A Low Distortion Map Between Disk and
+/// Square, 1997.
+std::pair<float, float> onDisk(std::pair<float, float> square) {
+    const float a = 2 * square.first - 1, b = 2 * square.second - 1;
+    if (a == 0 && b == 0) return {0, 0};
+    const auto quarter = static_cast<float>(M_PI / 4);
+    const bool isFlat = std::abs(a) > std::abs(b);
+    const float radius = isFlat ? a : b;
+    const float angle = isFlat ? quarter * (b / a) : quarter * (2 - a / b);
+    return {radius * std::cos(angle), radius * std::sin(angle)};
+}
+
+/// Lights a point: a soft key light, the sky all around, and a little light from the camera.
+class Light {
+  public:
+    /// reach: obstacles farther away do not darken the sky.
+    Light(const Stage& stage, const Camera& camera, float reach);
+
+    /// The light at a point, sampled by one ray to the sky and one to the key light. The samples are points
+    /// of the unit square.
+    float at(const SeenPoint& seen, std::pair<float, float> skySample,
+             std::pair<float, float> keySample) const;
+
+    /// The light at a point that nothing shades, for translucent surfaces.
+    float unshaded(const SeenPoint& seen) const;
+
+  private:
+    const Stage& stage_;
+    Vector3f key_;     ///< direction to the key light
+    Vector3f camera_;  ///< direction to the camera
+    float reach_;
+};
+
+Light::Light(const Stage& stage, const Camera& camera, float reach)
+    : stage_(stage),
+      key_((-camera.forward - 0.55f * camera.right + 0.9f * camera.up).normalized()),
+      camera_(-camera.forward),
+      reach_(reach) {}
+
+float Light::unshaded(const SeenPoint& seen) const {
+    return kFromCamera * std::max(0.0f, seen.normal.dot(camera_)) + kSky +
+           kKey * std::max(0.0f, seen.normal.dot(key_));
+}
+
+float Light::at(const SeenPoint& seen, std::pair<float, float> skySample,
+                std::pair<float, float> keySample) const {
+    const Vector3f start = seen.point + kStep * seen.facet;
+    const Vector3f across = seen.normal.unitOrthogonal();
+    const auto [x, y] = onDisk(skySample);
+    const float height = std::sqrt(std::max(0.0f, 1 - x * x - y * y));
+    const Vector3f sky = x * across + y * seen.normal.cross(across) + height * seen.normal;
+    float light = kFromCamera * std::max(0.0f, seen.normal.dot(camera_));
+    if (sky.dot(seen.facet) > 0 && !stage_.rays().isBlocked({start, sky}, reach_)) {
+        light += kSky * (0.85f + 0.15f * sky.z());
+    }
+    const auto [right, up] = onDisk(keySample);
+    const Vector3f aside = key_.unitOrthogonal();
+    const Vector3f key = (key_ + kKeyRadius * (right * aside + up * key_.cross(aside))).normalized();
+    const float slope = seen.normal.dot(key);
+    if (slope > 0 && key.dot(seen.facet) > 0 && !stage_.rays().isBlocked({start, key}, 8.0f))
+        light += kKey * slope;
+    return light;
+}
 
 std::uint32_t maskFor(int samples) {
     std::uint32_t mask = 0;
@@ -25,7 +96,7 @@ std::uint32_t maskFor(int samples) {
     return mask;
 }
 
-/// Sums over the rays of a pixel.
+/// Averages what the rays of one pixel met.
 struct Mean {
     PixelLight sums;
     float along = 0;
@@ -52,7 +123,7 @@ struct Mean {
     }
 };
 
-/// The samples of one pixel.
+/// Takes the samples of one pixel.
 class Pixel {
   public:
     Pixel(const Stages& stages, const Light& light, const Exposure& exposure, int x, int y)
@@ -60,7 +131,7 @@ class Pixel {
                 mixed(static_cast<std::uint32_t>(y) * 0x9e3779b9u + static_cast<std::uint32_t>(x)),
                 maskFor(exposure.samples)) {}
 
-    /// met: filled with what the rays met.
+    /// met: returns the averages over the rays.
     Colour colour(const Camera& camera, PixelLight& met) const {
         Colour sum = Colour::Zero();
         Mean mean;
@@ -96,7 +167,7 @@ class Pixel {
         return stages_.ghosts.isEmpty() ? behind : throughGhosts(ray, hit, behind, mean);
     }
 
-    /// Of each ghost the wall nearest to the camera counts, so that what is inside does not blur it.
+    /// Only the nearest wall of each ghost counts, so that the inside of a ghost does not blur it.
     Colour throughGhosts(Ray ray, const RayHit& end, Colour behind, Mean& mean) const {
         std::array<RayHit, kMostGhosts> met;
         int count = 0;
@@ -108,7 +179,8 @@ class Pixel {
             ray.least = hit.along + kPast;
         }
         mean.isPlain &= count == 0;
-        const bool isVeil = stages_.solids.isOnScale(end);  // orange behind blue would be the scale's red
+        const bool isVeil =
+            stages_.solids.isOnScale(end);  // a blue ghost over orange would read as the red of the scale
         while (count-- > 0) {
             const SeenPoint seen = stages_.ghosts.seenAt(ray, met[count]);
             const Colour ghost = light_.unshaded(seen) * (isVeil ? Colour(Colour::Ones()) : seen.colour);
@@ -142,7 +214,7 @@ Image expose(const Stages& stages, const Camera& camera, const Exposure& exposur
                           }
                       });
     smoothLight(lights, image);
-    lights = {};  // of a large picture gigabytes
+    lights = {};  // frees gigabytes when the picture is large
     if (exposure.lineWidth > 0) drawOutlines(stages, camera, exposure.lineWidth, image);
     return image;
 }

@@ -1,4 +1,4 @@
-// From a stage and a camera to a picture without lettering.
+// Traces the rays of a picture: light and shade, ghosts and outlines, but no legend.
 #pragma once
 
 #include <functional>
@@ -13,13 +13,13 @@ struct Exposure {
     int width = 1280, height = 720;
     int samples = 16;  ///< rays for each pixel
     Colour background{1, 1, 1};
-    float lightReach = 0.12f;  ///< see Light
-    float ghostShare = 0.5f;   ///< of the light, what comes from a ghost and not from behind it
-    float veilShare = 0.3f;    ///< likewise before what has a colour of the scale, which a ghost only pales
-    float lineWidth = 1.4f;    ///< of outlines, pixels; 0 for none
+    float lightReach = 0.12f;  ///< farther obstacles do not darken the sky; the stage has size 1
+    float ghostShare = 0.5f;   ///< opacity of a ghost
+    float veilShare = 0.3f;    ///< opacity of a ghost in front of a colour of the scale, which it only pales
+    float lineWidth = 1.4f;    ///< width of outlines, pixels; 0: no outlines
 };
 
-/// Uses as many threads as oneTBB gives; the picture does not depend on their number.
+/// Takes the picture on the threads of oneTBB. The result does not depend on their number.
 Image expose(const Stages& stages, const Camera& camera, const Exposure& exposure);
 
 }  // namespace clearway::render

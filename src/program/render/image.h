@@ -1,4 +1,4 @@
-// A picture while it is being made: linear light in floats.
+// A picture in linear light, as floats, and its PNG file.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@ namespace clearway::render {
 
 struct Image {
     int width = 0, height = 0;
-    std::vector<Colour> pixels;  ///< row by row from the top
+    std::vector<Colour> pixels;  ///< rows from top to bottom
 
     Image(int w, int h, const Colour& colour)
         : width(w), height(h), pixels(std::size_t(w) * std::size_t(h), colour) {}
@@ -20,7 +20,7 @@ struct Image {
     }
 };
 
-/// Writes an 8-bit sRGB PNG. To a temporary name, then renamed. Throws std::runtime_error when it cannot.
+/// Writes an 8-bit sRGB PNG under a temporary name and renames it. Throws std::runtime_error on failure.
 void writePng(const Image& image, const std::string& file);
 
 }  // namespace clearway::render

@@ -1,20 +1,86 @@
+// Cairo draws lines and lettering into a mask of ink, which is then laid over the picture.
 #include "program/render/legend.h"
+
+#include <cairo/cairo.h>
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <stdexcept>
+#include <string>
 
 #include "core/number.h"
-#include "program/render/lettering.h"
 
 namespace clearway::render {
 
 namespace {
 
 const Colour kInk = sRgb(40, 42, 48);
+constexpr double kFigureHeight = 0.73;  ///< height of a digit per font size, as in most fonts without serifs
+
+/// The part of the picture that the legend covers, as a mask: 0 is the picture, 1 is ink. Coordinates are the
+/// picture's.
+class InkMask {
+  public:
+    InkMask(int left, int width, int height)
+        : left_(left),
+          surface_(cairo_image_surface_create(CAIRO_FORMAT_A8, width - left, height), cairo_surface_destroy),
+          context_(cairo_create(surface_.get()), cairo_destroy) {
+        cairo_translate(context_.get(), -left, 0);
+        cairo_set_line_cap(context_.get(), CAIRO_LINE_CAP_ROUND);
+        cairo_set_line_join(context_.get(), CAIRO_LINE_JOIN_ROUND);
+        cairo_select_font_face(context_.get(), "sans-serif", CAIRO_FONT_SLANT_NORMAL,
+                               CAIRO_FONT_WEIGHT_NORMAL);
+    }
+
+    void drawLine(double fromX, double fromY, double toX, double toY, double width) {
+        cairo_set_line_width(context_.get(), width);
+        cairo_move_to(context_.get(), fromX, fromY);
+        cairo_line_to(context_.get(), toX, toY);
+        cairo_stroke(context_.get());
+    }
+    void drawFrame(const Area& area, double width) {
+        cairo_set_line_width(context_.get(), width);
+        cairo_rectangle(context_.get(), area.left, area.top, area.right - area.left, area.bottom - area.top);
+        cairo_stroke(context_.get());
+    }
+    /// (x, y): the left end of the base line. height: of a digit, pixels.
+    void drawText(const std::string& text, double x, double y, double height) {
+        cairo_set_font_size(context_.get(), height / kFigureHeight);
+        cairo_move_to(context_.get(), x, y);
+        cairo_show_text(context_.get(), text.c_str());
+    }
+    double widthOf(const std::string& text, double height) const {
+        cairo_set_font_size(context_.get(), height / kFigureHeight);
+        cairo_text_extents_t extents;
+        cairo_text_extents(context_.get(), text.c_str(), &extents);
+        return extents.x_bearing + extents.width;
+    }
+
+    void layOver(Image& image) const {
+        if (cairo_status(context_.get()) != CAIRO_STATUS_SUCCESS) {
+            throw std::runtime_error(std::string("Cairo cannot draw the legend: ") +
+                                     cairo_status_to_string(cairo_status(context_.get())));
+        }
+        cairo_surface_flush(surface_.get());
+        const unsigned char* row = cairo_image_surface_get_data(surface_.get());
+        for (int y = 0; y < image.height; ++y, row += cairo_image_surface_get_stride(surface_.get())) {
+            for (int x = left_; x < image.width; ++x) {
+                const float ink = static_cast<float>(row[x - left_]) / 255;
+                image.at(x, y) += ink * (kInk - image.at(x, y));
+            }
+        }
+    }
+
+  private:
+    int left_;
+    std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)> surface_;
+    std::unique_ptr<cairo_t, decltype(&cairo_destroy)> context_;
+};
 
 /// All lengths of a legend follow from the size of the picture.
 struct Layout {
-    double letters;  ///< height of a figure
+    double letters;  ///< height of a digit
     double left, width, top, bottom;
 
     Layout(int pictureWidth, int pictureHeight)
@@ -24,10 +90,11 @@ struct Layout {
           top(0.30 * pictureHeight),
           bottom(0.78 * pictureHeight) {}
 
+    double right() const { return left + width; }
     double yOf(double share) const { return bottom + std::clamp(share, 0.0, 1.0) * (top - bottom); }
 };
 
-/// The largest of a few numbers of steps that ends each step at a short number.
+/// The largest of three numbers of steps whose ticks are short numbers.
 int stepsTo(double most) {
     for (const int steps : {5, 4, 3}) {
         if (shortNumber(most / steps).size() <= std::max<std::size_t>(3, shortNumber(most).size() + 1))
@@ -36,17 +103,44 @@ int stepsTo(double most) {
     return 2;
 }
 
-/// Height of the figures beside the ticks: as the legend's, but that the longest of them has room.
-double tickHeight(const std::vector<std::string>& ticks, double room, double letters) {
-    double widest = 0;
-    for (const std::string& tick : ticks) widest = std::max(widest, widthOfText(tick, letters));
-    return widest > room ? letters * room / widest : letters;
-}
-
-/// "7.5" of 7.500000000000001.
+/// The value without rounding noise: "7.5" for 7.500000000000001.
 std::string tickText(double value) {
     const double power = std::pow(10.0, 3 - std::floor(std::log10(std::max(value, 1e-300))));
     return value > 0 ? shortNumber(std::round(value * power) / power) : "0";
+}
+
+void drawTicks(const Layout& layout, double most, double thin, int pictureWidth, InkMask& ink) {
+    const int steps = stepsTo(most);
+    std::vector<std::string> ticks;
+    double widest = 0;
+    for (int i = 0; i <= steps; ++i) {
+        ticks.push_back(tickText(most * i / steps));
+        widest = std::max(widest, ink.widthOf(ticks.back(), layout.letters));
+    }
+    const double left = layout.right() + 0.9 * layout.letters;
+    const double room = pictureWidth - left - 0.3 * layout.letters;
+    const double figures = layout.letters * std::min(1.0, room / widest);  // the longest tick has room
+    for (int i = 0; i <= steps; ++i) {
+        const double y = layout.yOf(double(i) / steps);
+        ink.drawLine(layout.right(), y, layout.right() + 0.5 * layout.letters, y, thin);
+        ink.drawText(ticks[i], left, y + 0.5 * figures, figures);
+    }
+}
+
+/// Colours the scale's rows; only the first and the last may cover part of a pixel.
+void fillScale(const Layout& layout, Image& image) {
+    const auto cover = [](int pixel, double from, double to) {
+        return static_cast<float>(std::min(pixel + 1.0, to) - std::max<double>(pixel, from));
+    };
+    const int left = std::max(0, static_cast<int>(layout.left));
+    const int right = std::min(image.width, static_cast<int>(std::ceil(layout.right())));
+    for (int y = static_cast<int>(layout.top); y < layout.bottom; ++y) {
+        const Colour colour = clearanceColour((layout.bottom - y - 0.5) / (layout.bottom - layout.top));
+        for (int x = left; x < right; ++x) {
+            const float share = cover(x, layout.left, layout.right()) * cover(y, layout.top, layout.bottom);
+            image.at(x, y) += share * (colour - image.at(x, y));
+        }
+    }
 }
 
 }  // namespace
@@ -59,38 +153,19 @@ Area areaBesideLegend(int width, int height) {
 
 void drawLegend(double most, const std::vector<double>& clearances, Image& image) {
     const Layout layout(image.width, image.height);
-    const double right = layout.left + layout.width, height = layout.bottom - layout.top;
-    for (int y = static_cast<int>(layout.top); y < layout.bottom; ++y) {
-        const double share = (layout.bottom - y - 0.5) / height;
-        fillArea({layout.left, std::max<double>(y, layout.top), right, std::min(y + 1.0, layout.bottom)},
-                 clearanceColour(share), image);
-    }
-    const double thin = std::max(1.0, 0.07 * layout.letters);
-    drawStroke({{layout.left, layout.top},
-                {right, layout.top},
-                {right, layout.bottom},
-                {layout.left, layout.bottom},
-                {layout.left, layout.top}},
-               thin, kInk, image);
-    const int steps = stepsTo(most);
-    std::vector<std::string> ticks;
-    for (int i = 0; i <= steps; ++i) ticks.push_back(tickText(most * i / steps));
-    const double tickLeft = right + 0.9 * layout.letters;
-    const double figures = tickHeight(ticks, image.width - tickLeft - 0.3 * layout.letters, layout.letters);
-    for (int i = 0; i <= steps; ++i) {
-        const double y = layout.yOf(double(i) / steps);
-        drawStroke({{right, y}, {right + 0.5 * layout.letters, y}}, thin, kInk, image);
-        drawText(ticks[i], {tickLeft, y + 0.5 * figures}, figures, kInk, image);
-    }
+    const double letters = layout.letters, thin = std::max(1.0, 0.07 * letters);
+    fillScale(layout, image);
+    InkMask ink(std::max(0, static_cast<int>(layout.left - 2 * letters)), image.width, image.height);
+    ink.drawFrame({layout.left, layout.top, layout.right(), layout.bottom}, thin);
+    drawTicks(layout, most, thin, image.width, ink);
     for (const double clearance : clearances) {
-        const double y = layout.yOf(clearance / most), x = layout.left - 0.35 * layout.letters;
-        drawStroke({{x, y}, {x - 0.45 * layout.letters, y}}, 0.28 * layout.letters, kInk, image);
+        const double y = layout.yOf(clearance / most), x = layout.left - 0.35 * letters;
+        ink.drawLine(x, y, x - 0.45 * letters, y, 0.28 * letters);
     }
-    const double titleWidth = widthOfText("clearance", layout.letters);
-    drawText("clearance",
-             {std::min(layout.left, image.width - titleWidth - 0.8 * layout.letters),
-              layout.top - 1.6 * layout.letters},
-             layout.letters, kInk, image);
+    const double width = ink.widthOf("clearance", letters);
+    ink.drawText("clearance", std::min(layout.left, image.width - width - 0.8 * letters),
+                 layout.top - 1.6 * letters, letters);
+    ink.layOver(image);
 }
 
 }  // namespace clearway::render

@@ -1,4 +1,4 @@
-// The colour scale at a picture's right side: what the part's colours mean.
+// The colour scale at the right side of a picture: the meaning of the part's colours.
 #pragma once
 
 #include <vector>
@@ -8,10 +8,10 @@
 
 namespace clearway::render {
 
-/// What is left of the picture for the scene.
+/// The area of the picture that the legend leaves to the scene.
 Area areaBesideLegend(int width, int height);
 
-/// most: the clearance at the top of the scale. clearances: of the poses shown; each gets a mark.
+/// Draws the scale from 0 to `most` with a mark for each of the clearances.
 void drawLegend(double most, const std::vector<double>& clearances, Image& image);
 
 }  // namespace clearway::render

@@ -1,4 +1,4 @@
-// Two rays each way through every pixel; lines lie between those that meet different things.
+// Shoots 2 x 2 rays through every pixel and draws lines between neighbouring rays that meet different things.
 #include "program/render/outlines.h"
 
 #include <tbb/parallel_for.h>
@@ -10,26 +10,26 @@ namespace clearway::render {
 
 namespace {
 
-constexpr int kPerPixel = 2;            ///< rays along each side of a pixel
-constexpr float kCreaseCosine = 0.80f;  ///< a sharper edge is a line
-constexpr float kGapShare = 0.012f;     ///< of the depth: a jump, on a face seen flat on
-/// How dark each kind of line is.
+constexpr int kPerPixel = 2;            ///< rays along one side of a pixel
+constexpr float kCreaseCosine = 0.80f;  ///< faces that meet at a smaller cosine have a line between them
+constexpr float kGapShare = 0.012f;  ///< share of the depth: a larger jump, on a face seen head on, is a line
+/// Darkness of each kind of line.
 constexpr float kSilhouette = 0.85f, kGap = 0.6f, kSeam = 0.4f, kCrease = 0.3f, kGhost = 0.45f;
 const Colour kInk = sRgb(24, 26, 32);
 constexpr std::uint32_t kNothing = 0xffffffffu;
 
 struct Look {
     std::uint32_t body = kNothing, seam = 0;
-    std::uint32_t ghost = kNothing;  ///< the nearest one before it
+    std::uint32_t ghost = kNothing;  ///< nearest ghost in front of the body
     float depth = 0;
     Vector3f facet = Vector3f::Zero();
     float slope = 0;  ///< cosine of the angle between facet and ray
 };
 
-/// A value for each place of some rows of a fine grid over the picture.
+/// Values at a band of rows of a fine grid over the picture.
 template <class Value>
 struct Grid {
-    int width, top, bottom;  ///< bottom: the first row that it has no more
+    int width, top, bottom;  ///< rows [top, bottom)
     std::vector<Value> values;
 
     Grid(int w, int from, int to)
@@ -60,7 +60,7 @@ Look lookAlong(const Stages& stages, const Ray& ray) {
     return look;
 }
 
-/// How dark a line between two neighbours is.
+/// Darkness of the line between two neighbours; 0: no line.
 float lineBetween(const Look& a, const Look& b) {
     if (a.body != b.body) return kSilhouette;
     const float ghostLine = a.ghost != b.ghost ? kGhost : 0;
@@ -72,7 +72,7 @@ float lineBetween(const Look& a, const Look& b) {
     return std::max(ghostLine, std::abs(a.facet.dot(b.facet)) < kCreaseCosine ? kCrease : 0);
 }
 
-/// The darkest line beside each place, to its right and below.
+/// The darker of the lines to the right of and below each place.
 Grid<float> linesOf(const Grid<Look>& looks) {
     Grid<float> lines(looks.width, looks.top, looks.bottom);
     lines.fill([&](int x, int y) {
@@ -84,12 +84,13 @@ Grid<float> linesOf(const Grid<Look>& looks) {
     return lines;
 }
 
-/// In places of the grid: how far beside a pixel a line of that width, in pixels, may lie and reach into it.
+/// How far from a pixel, in places of the grid, a line of this width in pixels can lie and still touch the
+/// pixel.
 int reachOf(float width) {
     return static_cast<int>(std::ceil(0.5f * width * kPerPixel + 1));
 }
 
-/// How dark a pixel's lines make it: those within half a width of its middle do, softly.
+/// Darkness of a pixel: that of the lines within half a line width of its middle, with soft borders.
 float inkAt(const Grid<float>& lines, int x, int y, float width) {
     const float half = 0.5f * width * kPerPixel;
     const int reach = reachOf(width);
@@ -111,9 +112,9 @@ float inkAt(const Grid<float>& lines, int x, int y, float width) {
     return most;
 }
 
-/// Draws those of the pixels' rows from top to bottom.
+/// Draws the lines in the rows [top, bottom) of pixels.
 void drawBand(const Stages& stages, const Camera& camera, float width, int top, int bottom, Image& image) {
-    const int beside = reachOf(width) + 1;  // a line lies between a row and the next one
+    const int beside = reachOf(width) + 1;  // a line lies between two rows
     Grid<Look> looks(kPerPixel * image.width, std::max(0, kPerPixel * top - beside),
                      std::min(kPerPixel * image.height, kPerPixel * bottom + beside));
     looks.fill([&](int x, int y) {
@@ -132,7 +133,7 @@ void drawBand(const Stages& stages, const Camera& camera, float width, int top, 
 }  // namespace
 
 void drawOutlines(const Stages& stages, const Camera& camera, float width, Image& image) {
-    const int rows = std::max(64, 8 * reachOf(width));  // what a grid holds of all would be gigabytes
+    const int rows = std::max(64, 8 * reachOf(width));  // a grid over the whole picture would take gigabytes
     for (int top = 0; top < image.height; top += rows)
         drawBand(stages, camera, width, top, std::min(top + rows, image.height), image);
 }

@@ -1,5 +1,4 @@
-// Dark lines where one thing ends before another, and fainter ones along its own edges: what a reader of a
-// small picture goes by.
+// Draws dark lines around things and fainter lines along their own edges, which make small pictures readable.
 #pragma once
 
 #include "program/render/camera.h"
@@ -8,7 +7,7 @@
 
 namespace clearway::render {
 
-/// width: pixels.
+/// width: line width in pixels.
 void drawOutlines(const Stages& stages, const Camera& camera, float width, Image& image);
 
 }  // namespace clearway::render

@@ -17,7 +17,7 @@ namespace clearway::render {
 
 namespace {
 
-/// Embree 3 takes a context where Embree 4 takes optional arguments.
+/// Bridges Embree 3, which takes a context, and Embree 4, which takes optional arguments.
 void intersect(RTCScene scene, RTCRayHit& ray) {
 #if CLEARWAY_EMBREE_MAJOR >= 4
     rtcIntersect1(scene, &ray);
@@ -52,7 +52,7 @@ RTCRay rayOf(const Ray& ray, float most) {
     return made;
 }
 
-/// Embree reads 16 bytes for each vertex of 12: its own buffers have room for them.
+/// Allocates in Embree, because Embree reads 16 bytes for a vertex of 12: its own buffers are padded.
 template <class Value>
 Value* newBuffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format, std::size_t count) {
     void* memory = rtcSetNewGeometryBuffer(geometry, type, 0, format, sizeof(Value), count);
@@ -121,7 +121,7 @@ void RayScene::addBody(std::size_t shape, const Placement& placement) {
     columns << placement.rotation, placement.translation;
     rtcSetGeometryTransform(instance, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, columns.data());
     rtcCommitGeometry(instance);
-    rtcAttachGeometry(state_->scene, instance);  // numbered in the order they come
+    rtcAttachGeometry(state_->scene, instance);  // Embree numbers instances in this order
     rtcReleaseGeometry(instance);
     state_->requireDone("Embree cannot place a body");
 }
@@ -144,7 +144,7 @@ RayHit RayScene::nearest(const Ray& ray) const {
 bool RayScene::isBlocked(const Ray& ray, float most) const {
     RTCRay shot = rayOf(ray, most);
     occlude(state_->scene, shot);
-    return shot.tfar < 0;  // what Embree leaves of a blocked ray
+    return shot.tfar < 0;  // Embree marks a blocked ray so
 }
 
 }  // namespace clearway::render

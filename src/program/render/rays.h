@@ -1,4 +1,4 @@
-// Rays against bodies, by Embree: for pictures alone. It works in float, so it never answers a distance.
+// Traces rays with Embree, for pictures alone. Embree works in float, so it never answers a distance.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,7 +10,7 @@
 
 namespace clearway::render {
 
-/// Where a copy of a shape stands: x -> rotation * x + translation.
+/// The place of one copy of a shape: x -> rotation * x + translation.
 struct Placement {
     Eigen::Matrix3f rotation = Eigen::Matrix3f::Identity();
     Vector3f translation = Vector3f::Zero();
@@ -18,8 +18,8 @@ struct Placement {
 
 struct Ray {
     Vector3f origin;
-    Vector3f direction;  ///< lengths along the ray count in its lengths
-    float least = 0;     ///< nothing nearer is met
+    Vector3f direction;  ///< its length is the unit of lengths along the ray
+    float least = 0;     ///< the ray begins here
 };
 
 struct RayHit {
@@ -30,7 +30,7 @@ struct RayHit {
     bool isHit = false;
 };
 
-/// Bodies to shoot at. After finish() any number of threads may.
+/// The bodies that rays can meet. After finish() any number of threads may trace rays.
 class RayScene {
   public:
     RayScene();
@@ -38,15 +38,15 @@ class RayScene {
     RayScene(const RayScene&) = delete;
     RayScene& operator=(const RayScene&) = delete;
 
-    /// The surface is read during the call only. Returns its number.
+    /// Copies the surface. Returns the number of the shape.
     std::size_t addShape(const Surface& surface);
-    /// Bodies are numbered from 0 in the order they are added.
+    /// Adds a copy of a shape. Bodies are numbered from 0 in the order of these calls.
     void addBody(std::size_t shape, const Placement& placement);
-    /// Throws std::runtime_error with Embree's code when it fails.
+    /// Builds Embree's trees. Throws std::runtime_error with Embree's error code on failure.
     void finish();
 
     RayHit nearest(const Ray& ray) const;
-    /// Whether anything is met up to `most` along the ray.
+    /// Whether the ray meets anything before length `most`.
     bool isBlocked(const Ray& ray, float most) const;
 
   private:

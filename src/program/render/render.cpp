@@ -13,9 +13,9 @@ namespace clearway::render {
 
 namespace {
 
-constexpr double kWayRadius = 0.0035;  ///< of the picture's height, that of the line along the way
+constexpr double kWayRadius = 0.0035;  ///< radius of the line along the path, share of the picture's height
 
-/// Environment coordinates to those of the stage, in which the environment has a diagonal of 1.
+/// Maps environment coordinates to those of the stage, in which the environment has a diagonal of 1.
 struct Frame {
     Vector3 centre;
     double scale;
@@ -31,7 +31,7 @@ struct Frame {
     }
 };
 
-/// Greys that tell neighbouring components apart without a meaning of their own.
+/// Slightly different greys: they tell neighbouring components apart and carry no meaning.
 std::vector<Colour> environmentColours(const Mesh& environment) {
     std::vector<Colour> colours;
     for (std::uint32_t i = 0; i < std::max<std::size_t>(1, environment.components.size()); ++i) {
@@ -54,7 +54,7 @@ double scaleOf(const std::vector<PosedPart>& poses, const std::vector<PosedPart>
     return scaleFor(least, most);
 }
 
-/// Across the longest horizontal way between two of the poses, a little from above and from the side.
+/// Looks across the longer horizontal extent of the poses, a little from above and from the side.
 Vector3 insideDirection(const std::vector<PosedPart>& poses) {
     Box positions;
     for (const PosedPart& pose : poses) positions.extend(pose.state.position);
@@ -62,7 +62,8 @@ Vector3 insideDirection(const std::vector<PosedPart>& poses) {
     return extent.y() > extent.x() ? Vector3(1, -0.3, 0.28) : Vector3(-0.3, -1, 0.28);
 }
 
-/// Upright, across the larger horizontal share of the direction, through the middle of the tightest pose.
+/// An upright plane through the middle of the part at its tightest pose. Its normal is the horizontal axis
+/// closest to the direction.
 CutPlane insideCut(const Vector3& from, const Box& partBox, const std::vector<PosedPart>& poses) {
     const bool isAlongX = std::abs(from.x()) > std::abs(from.y());
     const auto tightest =
@@ -95,7 +96,7 @@ void requireOptions(const std::vector<PosedPart>& poses, const RenderOptions& op
         refuse("scale", *options.scaleMost, "a clearance above 0");
 }
 
-/// The view once the scene is known. Everything in coordinates of the stage.
+/// Sets up stage and camera from the options. All coordinates are those of the stage.
 class Arrangement {
   public:
     Arrangement(const Mesh& part, const Mesh& environment, const std::vector<PosedPart>& poses,

@@ -1,5 +1,5 @@
-// A picture of a problem: the environment, the part at some poses in the colours of their clearances, and
-// the way it goes.
+// Draws a picture of a problem: the environment, the part at some poses in the colours of their clearances,
+// and the path of the part.
 #pragma once
 
 #include <optional>
@@ -15,31 +15,30 @@ namespace clearway::render {
 struct PosedPart {
     PartState state;
     double clearance = 0;  ///< environment units
-    bool isGhost = false;  ///< drawn to be seen through
+    bool isGhost = false;  ///< drawn translucent
 };
 
 struct RenderOptions {
     int width = 1280, height = 720;
-    int samples = 16;  ///< for each pixel
+    int samples = 16;  ///< rays for each pixel
 
-    /// A name of namedViews, or "inside": across the way the part goes, with the near half of the environment
-    /// cut away, close up.
+    /// A name of namedViews, or "inside": a close view across the path, with the near half of the environment
+    /// cut away.
     std::string view = "iso";
-    /// In place of the view: where the camera stands and, by default, the middle of the scene as what it
-    /// looks at.
+    /// Replace the view: the camera stands at `eye` and looks at `lookAt`, by default the middle of the
+    /// scene.
     std::optional<Vector3> eye, lookAt;
-    double angle = 30;     ///< degrees the picture's longer side takes in
-    bool isClose = false;  ///< the part's poses fill the picture, rather than the whole environment
-    /// Environment coordinates. The side of it that the camera stands on is cut away, of the environment
-    /// alone; which way the normal points does not matter.
+    double angle = 30;     ///< field of view along the longer side of the picture, degrees
+    bool isClose = false;  ///< the poses of the part fill the picture, not the whole environment
+    /// A plane in environment coordinates. It cuts away the environment (not the part) on the camera's side,
+    /// whichever way the normal points.
     std::optional<CutPlane> cut;
-    /// Clearance at the top of the colour scale. Else a round number: that holds all, or, when some is far
-    /// more than the least, tells the tight places apart.
+    /// Clearance at the top of the colour scale. Default: see scaleFor().
     std::optional<double> scaleMost;
 };
 
-/// poses: where the part is shown, at least one. way: what a line is drawn along, through the middle of the
-/// part's box; empty for none. Throws std::invalid_argument, naming the option, when one is wrong.
+/// poses: the poses the part is shown at, at least one. way: the poses that a line is drawn through, at the
+/// middle of the part's box; empty: no line. Throws std::invalid_argument that names the wrong option.
 Image render(const Mesh& part, const Mesh& environment, const std::vector<PosedPart>& poses,
              const std::vector<PosedPart>& way, const RenderOptions& options);
 

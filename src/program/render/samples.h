@@ -1,4 +1,4 @@
-// Numbers that fill the unit square evenly, different for every pixel and the same in every run.
+// Points that fill the unit square evenly, different for every pixel and equal in every run.
 // Source: Kollig, Keller, Efficient Multidimensional Sampling, 2002: a scrambled (0, 2)-sequence.
 #pragma once
 
@@ -7,7 +7,7 @@
 
 namespace clearway::render {
 
-/// A well-mixed function of its argument.
+/// A hash of 32 bits.
 inline std::uint32_t mixed(std::uint32_t x) {
     x = (x ^ x >> 16) * 0x7feb352du;
     x = (x ^ x >> 15) * 0x846ca68bu;
@@ -18,10 +18,10 @@ inline float unitFloat(std::uint32_t bits) {
     return static_cast<float>(bits >> 8) * 0x1p-24f;  // below 1
 }
 
-/// The points of one pixel, for one purpose.
+/// The sequence of points for one purpose in one pixel.
 class SquareSamples {
   public:
-    /// mask: a power of two less 1; so many samples, and one more, are spread evenly.
+    /// mask: a power of two less 1. The first mask + 1 samples are spread evenly.
     SquareSamples(std::uint32_t seed, std::uint32_t mask)
         : order_(mixed(seed) & mask), first_(mixed(seed + 0x9e3779b9u)), second_(mixed(seed + 0x3c6ef372u)) {}
 

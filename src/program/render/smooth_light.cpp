@@ -9,12 +9,13 @@ namespace clearway::render {
 
 namespace {
 
-constexpr int kReach = 3;             ///< pixels to each side
-constexpr float kNear = 0.13f;        ///< how fast the weight falls with the squared distance, in pixels
-constexpr float kFlat = 40;           ///< and with 1 less the cosine between the normals
-constexpr float kGrain = 18;          ///< and with the squared difference of light: a shadow's edge stays
-constexpr float kOffPlane = 1.5f;     ///< pixels that a neighbour may be off the tangent plane
-constexpr float kLeastLight = 1e-4f;  ///< darker is not scaled
+constexpr int kReach = 3;       ///< neighbours to each side, pixels
+constexpr float kNear = 0.13f;  ///< decay of the weight with the squared distance in pixels
+constexpr float kFlat = 40;     ///< decay with 1 - cosine between the normals
+constexpr float kGrain =
+    18;  ///< decay with the squared difference of light, which keeps the edges of shadows
+constexpr float kOffPlane = 1.5f;     ///< largest distance of a neighbour from the tangent plane, pixels
+constexpr float kLeastLight = 1e-4f;  ///< darker pixels are not scaled
 
 float weightOf(const PixelLight& here, const PixelLight& there, int dx, int dy) {
     if (!there.isPlain || there.body != here.body) return 0;
@@ -42,7 +43,7 @@ void smoothLight(const std::vector<PixelLight>& lights, Image& image) {
                     weights += weight;
                 }
             }
-            image.at(x, y) *= sum / weights / here.light;  // weights is 1 or more: the pixel's own
+            image.at(x, y) *= sum / weights / here.light;  // weights >= 1, the weight of the pixel itself
         }
     });
 }

@@ -1,4 +1,4 @@
-// Takes the grain out of light that few rays sampled: pixels of one surface share it with their neighbours.
+// Removes the grain of light sampled by few rays: neighbouring pixels of one surface share their light.
 // Source: Petschnigg and others, Digital Photography with Flash and No-Flash Image Pairs, 2004 (the joint
 // bilateral filter).
 #pragma once
@@ -10,16 +10,16 @@
 
 namespace clearway::render {
 
-/// What the rays of one pixel met.
+/// Averages over the rays of one pixel.
 struct PixelLight {
-    float light = 0;  ///< mean over its rays; its colour is proportional to it
-    Eigen::Vector3f point = Eigen::Vector3f::Zero(), normal = Eigen::Vector3f::Zero();  ///< means
-    float size = 0;          ///< of the pixel, where the point is
-    std::uint32_t body = 0;  ///< the one that all of them met
-    bool isPlain = false;    ///< false: they met several, or nothing, or a ghost; such a pixel stays as it is
+    float light = 0;  ///< the pixel's colour is proportional to it
+    Eigen::Vector3f point = Eigen::Vector3f::Zero(), normal = Eigen::Vector3f::Zero();
+    float size = 0;          ///< size of the pixel at the distance of the point
+    std::uint32_t body = 0;  ///< the body that all rays met
+    bool isPlain = false;    ///< all rays met one body and no ghost; other pixels are not changed
 };
 
-/// lights: of the image's pixels, in their order.
+/// lights: one entry for each pixel, in the order of the pixels.
 void smoothLight(const std::vector<PixelLight>& lights, Image& image);
 
 }  // namespace clearway::render

@@ -40,7 +40,8 @@ SeenPoint Stage::seenAt(const Ray& ray, const RayHit& hit) const {
         seen.facet = -seen.facet;
         seen.normal = -seen.normal;
     }
-    if (seen.normal.dot(ray.direction) >= 0) seen.normal = seen.facet;  // smoothed beyond the horizon
+    if (seen.normal.dot(ray.direction) >= 0)
+        seen.normal = seen.facet;  // the smoothed normal points away from the camera
     seen.colour = body.colours[std::min<std::size_t>(componentOf(hit), body.colours.size() - 1)];
     return seen;
 }

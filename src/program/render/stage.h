@@ -1,4 +1,4 @@
-// What stands before the camera: surfaces, each in one place or several, with their colours.
+// The scene in front of the camera: surfaces, each at one or more places, with their colours.
 #pragma once
 
 #include <cstdint>
@@ -11,18 +11,19 @@
 namespace clearway::render {
 
 struct Body {
-    std::size_t shape = 0;  ///< of those of its stage
+    std::size_t shape = 0;  ///< number of the shape in its stage
     Placement placement;
-    std::vector<Colour> colours;  ///< of each component of the shape, the last one for all that follow
-    bool hasSeams = true;         ///< whether lines are drawn where two of its components meet
-    bool isOnScale = false;       ///< its colours are places on a scale, that no other colour may tint
+    std::vector<Colour>
+        colours;  ///< one for each component of the shape; the last one serves all further components
+    bool hasSeams = true;    ///< lines are drawn where two components meet
+    bool isOnScale = false;  ///< its colours show clearances, which no other colour may tint
 };
 
-/// A point that a ray met.
+/// The point at which a ray met a body.
 struct SeenPoint {
     Vector3f point;
-    Vector3f normal;  ///< smoothed, towards where the ray came from, unit length
-    Vector3f facet;   ///< the triangle's own, likewise
+    Vector3f normal;  ///< smoothed normal on the side of the camera, unit length
+    Vector3f facet;   ///< normal of the triangle on the side of the camera, unit length
     Colour colour;
 };
 
@@ -30,15 +31,15 @@ class Stage {
   public:
     std::size_t addShape(Surface surface);
     void addBody(Body body);
-    void finish() { rays_.finish(); }  ///< before any ray is shot
+    void finish() { rays_.finish(); }  ///< to be called before any ray is traced
 
     bool isEmpty() const { return bodies_.empty(); }
     const RayScene& rays() const { return rays_; }
     SeenPoint seenAt(const Ray& ray, const RayHit& hit) const;
-    /// Of the triangle that was met, in whichever direction its corners give it; unit length.
+    /// Normal of the triangle, on the side that the order of its corners gives; unit length.
     Vector3f facetOf(const RayHit& hit) const;
     bool isOnScale(const RayHit& hit) const { return hit.isHit && bodies_[hit.body].isOnScale; }
-    /// 0 for nothing; the same for all components of a body without seams.
+    /// Lines are drawn between different keys: 0 for the background, one key for a body without seams.
     std::uint32_t seamKey(const RayHit& hit) const;
 
   private:
@@ -50,11 +51,11 @@ class Stage {
     std::vector<Body> bodies_;
 };
 
-/// A ghost closer before a solid than this, in coordinates of the stage, is not seen: copies of one part
-/// often lie in each other, where rounding would choose between them.
+/// A ghost this close in front of a solid, in coordinates of the stage, is not drawn: poses of one part often
+/// overlap, and rounding would choose between them.
 constexpr float kGhostGap = 1e-3f;
 
-/// Ghosts are seen through, and neither shade nor hide anything.
+/// Ghosts are translucent; they neither shade nor hide anything.
 struct Stages {
     Stage solids, ghosts;
 };

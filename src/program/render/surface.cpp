@@ -9,9 +9,9 @@ namespace clearway::render {
 
 namespace {
 
-constexpr float kCreaseCosine = 0.82f;  // of 35 degrees: flatter than that is meant to be round
+constexpr float kCreaseCosine = 0.82f;  // cosine of 35 degrees; flatter edges belong to round surfaces
 
-/// The triangles at each vertex: those of vertex v are at [first[v], first[v + 1]).
+/// The triangles at each vertex: entries [first[v], first[v + 1]) belong to vertex v.
 struct Fans {
     std::vector<std::uint32_t> first;
     std::vector<std::uint32_t> triangles;
@@ -32,13 +32,13 @@ Fans fansOf(const Surface& surface) {
     return fans;
 }
 
-/// As long as twice the triangle's area.
+/// A normal whose length is twice the area of the triangle.
 Vector3f areaNormal(const Surface& surface, const TriangleIndices& triangle) {
     const Vector3f& a = surface.vertices[triangle[0]];
     return (surface.vertices[triangle[1]] - a).cross(surface.vertices[triangle[2]] - a);
 }
 
-/// A corner's normal is the mean over the triangles around it that are no crease away, by their areas.
+/// Averages, by area, the normals of the triangles around each corner that no crease separates from its own.
 void addNormals(Surface& surface) {
     const Fans fans = fansOf(surface);
     std::vector<Vector3f> flat(surface.triangles.size()), unit(surface.triangles.size());
@@ -77,7 +77,7 @@ void append(const std::vector<Corner>& polygon, std::uint32_t component, Surface
     }
 }
 
-/// The part of a triangle's polygon that the plane leaves.
+/// The polygon that remains of a triangle below the plane.
 std::vector<Corner> clipped(const std::array<Corner, 3>& corners, const std::array<float, 3>& above) {
     std::vector<Corner> polygon;
     for (int i = 0; i < 3; ++i) {

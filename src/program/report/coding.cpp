@@ -15,7 +15,7 @@ std::string base64(const void* bytes, std::size_t count) {
 }
 
 std::string htmlText(std::string text) {
-    boost::replace_all(text, "&", "&amp;");  // before the others bring theirs
+    boost::replace_all(text, "&", "&amp;");  // first, because the other replacements contain &
     boost::replace_all(text, "<", "&lt;");
     boost::replace_all(text, ">", "&gt;");
     boost::replace_all(text, "\"", "&quot;");

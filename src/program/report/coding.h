@@ -1,4 +1,4 @@
-// Bytes and texts as an HTML page holds them.
+// Encodes bytes and texts for an HTML page.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@ namespace clearway::report {
 
 std::string base64(const void* bytes, std::size_t count);
 
-/// With &, <, > and quotes as entities.
+/// Replaces &, <, > and quotes by entities.
 std::string htmlText(std::string text);
 
 }  // namespace clearway::report

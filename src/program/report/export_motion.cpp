@@ -12,7 +12,8 @@ namespace clearway::report {
 
 namespace {
 
-/// Of two keys the second's quaternion is on the first's side: not every viewer looks for the shorter way.
+/// Keys of the animation. Each quaternion has the sign closest to the previous one, because not every viewer
+/// turns the shorter way.
 std::vector<GlbKey> keysOf(const PathLine& line) {
     std::vector<GlbKey> keys;
     Eigen::Vector4d last = Eigen::Vector4d::Zero();

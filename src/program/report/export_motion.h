@@ -1,4 +1,4 @@
-// A path as an animated 3D file, for Blender and other viewers.
+// Writes a path as an animated 3D file for Blender and other viewers.
 #pragma once
 
 #include <string>
@@ -11,16 +11,16 @@ namespace clearway::report {
 
 constexpr double kMotionSeconds = 12;
 
-/// Writes a .glb file: the environment, and the part moving from state to state at an even pace in 12 seconds
-/// (turnRadius: see PathLine), exactly as OMPL interpolates but for rounding to float. Lengths stay what they
-/// are, whatever glTF's unit; z is up. To a temporary name, then renamed. Throws std::invalid_argument when
-/// the file's ending is not .glb, a mesh is not sound or a coordinate is beyond float's range, and
-/// std::runtime_error when it cannot be written.
+/// Writes a .glb file: the environment, and the part moving at an even pace along the path in kMotionSeconds
+/// (turnRadius: see PathLine). The part moves as OMPL interpolates, up to rounding to float. Lengths are not
+/// scaled to glTF's unit; z is up. Writes under a temporary name and renames. Throws std::invalid_argument
+/// when the file does not end in .glb, a mesh is broken or a coordinate is beyond the range of float, and
+/// std::runtime_error when the file cannot be written.
 void exportMotion(const Mesh& part, const Mesh& environment, const std::vector<PartState>& path,
                   double turnRadius, const std::string& file);
 
-/// Throws std::invalid_argument when exportMotion would for the file's ending: for saying so before long
-/// work.
+/// Throws std::invalid_argument when the file does not end in .glb, so that a caller can refuse it before
+/// long work.
 void requireMotionFile(const std::string& file);
 
 }  // namespace clearway::report

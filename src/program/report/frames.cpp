@@ -41,7 +41,7 @@ std::vector<ReportFrame> framesAlong(const PathLine& line, const planning::Scene
 
 double shareIn(const PathLine& line, std::size_t segment, double time) {
     const std::vector<double>& shares = line.shares();
-    const std::size_t next = std::min(segment + 1, shares.size() - 1);  // of one state there is one segment
+    const std::size_t next = std::min(segment + 1, shares.size() - 1);  // a path of one state has one segment
     return shares[segment] + time * (shares[next] - shares[segment]);
 }
 

@@ -1,4 +1,4 @@
-// The poses a report page shows, one for each place of its slider, and what is known at and between them.
+// The poses that a report page shows, one for each place of its slider, with their clearances.
 #pragma once
 
 #include <string>
@@ -11,26 +11,25 @@
 namespace clearway::report {
 
 struct ReportFrame {
-    double share = 0;  ///< of the way, see PathLine
+    double share = 0;  ///< share of the path, see PathLine
     Pose X_environmentPart;
-    bool isInReach = true;  ///< else nothing but the share and the pose is known
+    bool isInReach = true;  ///< when false, only the share and the pose are known
     planning::PoseClearance clearance;
-    std::string partMesh, environmentMesh;  ///< the two closest; empty when none is known
+    std::string partMesh, environmentMesh;  ///< the closest pair; empty when unknown
 };
 
-/// At every state of the path, at the given shares and, evenly, at so many places at least.
+/// Frames at every state of the path, at the given places, and at `count` evenly spaced shares.
 std::vector<ReportFrame> framesAlong(const PathLine& line, const planning::SceneClearance& clearance,
                                      std::size_t count, const std::vector<double>& places = {});
 
-/// The share of the way at a time, 0 to 1, of a segment of an audit of the line.
+/// The share of the path at time 0 to 1 of a segment.
 double shareIn(const PathLine& line, std::size_t segment, double time);
 
-/// The share of the way where the audit's path is closest, then where its segments that are not valid are, so
-/// many of these at most.
+/// The share of the path at its least clearance, then those of at most `most` segments that are not valid.
 std::vector<double> tightPlaces(const PathLine& line, const planning::PathAudit& audit, std::size_t most);
 
-/// For each of so many equally long stretches of the way: what is certified of clearance everywhere on it; 0
-/// or less for nothing. Empty when the audit has no profile.
+/// The clearance certified everywhere on each of `count` equally long stretches of the path; 0 or less: none.
+/// Empty when the audit has no profile.
 std::vector<double> certifiedStretches(const PathLine& line, const planning::PathAudit& audit,
                                        std::size_t count);
 

@@ -10,16 +10,16 @@ namespace clearway::report {
 
 namespace {
 
-constexpr double kSteps = 65535;  ///< of a coordinate along the box
+constexpr double kSteps = 65535;  ///< steps of a coordinate along the box
 
-/// Of each vertex the one that stands for it.
+/// The representative of each vertex: the first vertex in its cell.
 std::vector<std::uint32_t> representatives(const std::vector<Vector3>& vertices, const Box& box,
                                            double cell) {
     std::unordered_map<std::uint64_t, std::uint32_t> first;
     std::vector<std::uint32_t> result;
     result.reserve(vertices.size());
     for (std::uint32_t i = 0; i < vertices.size(); ++i) {
-        std::uint64_t key = 0;  // 21 bits for each axis: a grid is never that fine
+        std::uint64_t key = 0;  // 21 bits for each axis; no grid is finer
         for (int axis = 0; axis < 3; ++axis)
             key = key << 21 | static_cast<std::uint64_t>((vertices[i][axis] - box.min()[axis]) / cell);
         result.push_back(first.try_emplace(key, i).first->second);
@@ -27,7 +27,7 @@ std::vector<std::uint32_t> representatives(const std::vector<Vector3>& vertices,
     return result;
 }
 
-/// Those that still have three vertices, one of each set on the same three, in no order.
+/// The triangles between three different representatives, without duplicates, in no particular order.
 std::vector<TriangleIndices> thinned(const CleanMesh& mesh, const Box& box, double cell) {
     const std::vector<std::uint32_t> standIns = representatives(mesh.vertices, box, cell);
     std::vector<TriangleIndices> triangles;
@@ -42,7 +42,7 @@ std::vector<TriangleIndices> thinned(const CleanMesh& mesh, const Box& box, doub
     return triangles;
 }
 
-/// The largest number of cells along the diagonal, but for a few percent, that leaves few enough triangles.
+/// The size of a cell. Bisects the number of cells along the diagonal to 5 %.
 double cellFor(const CleanMesh& mesh, const Box& box, std::size_t mostTriangles) {
     const double diagonal = box.diagonal().norm();
     double coarse = 8, fine = 65536;

@@ -1,6 +1,6 @@
-// A mesh small enough for a page: welded, thinned out if need be, its coordinates in 16 bits.
+// A mesh small enough for a page: welded, simplified if necessary, with coordinates of 16 bits.
 // Source: Rossignac, Borrel, Multi-Resolution 3D Approximations for Rendering Complex Scenes, 1993
-// (thinning).
+// (the simplification).
 #pragma once
 
 #include <array>
@@ -12,15 +12,15 @@
 namespace clearway::report {
 
 struct PageMesh {
-    Box box;                                              ///< in the mesh's coordinates
+    Box box;                                              ///< mesh coordinates
     std::vector<std::array<std::uint16_t, 3>> positions;  ///< 0 to 65535 along the box
     std::vector<TriangleIndices> triangles;
-    double error = 0;  ///< no vertex is shown further from where it is; mesh units
+    double error = 0;  ///< largest displacement of a vertex, mesh units
 };
 
-/// All the triangles when they are at most so many; else vertices in cells of a grid become one, the
-/// triangles that this leaves without an area are left out, and the cells are as small as the number allows.
-/// Throws what Model::build throws for a mesh that is not sound.
+/// Keeps all triangles when there are at most `mostTriangles`. Otherwise merges the vertices in each cell of
+/// a grid, drops the triangles that become degenerate, and makes the cells as small as the limit allows.
+/// Throws as Model::build does for a broken mesh.
 PageMesh pageMeshOf(const Mesh& mesh, std::size_t mostTriangles);
 
 }  // namespace clearway::report

@@ -20,9 +20,9 @@ namespace clearway::report {
 
 namespace {
 
-/// The part is drawn anew wherever the slider goes: measured in headless Chromium without a graphics card,
-/// that stays well below 0.2 s. The environment is drawn when the camera moves; what counts is the size of
-/// the page.
+/// The part is redrawn at every place of the slider. With this many triangles a redraw takes well below 0.2 s
+/// in headless Chromium without a graphics card. The environment is redrawn only when the camera moves, so
+/// its limit follows from the size of the page.
 constexpr std::size_t kMostPartTriangles = 100000, kMostEnvironmentTriangles = 600000;
 constexpr std::size_t kFrames = 401, kStretches = 600, kColours = 33, kMostTroubles = 200;
 
@@ -39,7 +39,7 @@ Json jsonOf(const PageMesh& mesh, const Vector3& origin) {
             {"triangles", base64(mesh.triangles.data(), 12 * mesh.triangles.size())}};
 }
 
-/// position: of the middle of the part's box.
+/// "position" is that of the middle of the part's box.
 Json jsonOf(const ReportFrame& frame, const Vector3& partMiddle, const Vector3& origin) {
     const Eigen::Quaterniond q(frame.X_environmentPart.rotation);
     Json json = {{"share", frame.share},
@@ -86,12 +86,12 @@ std::string shortly(double value) {
 std::string noteOn(const char* what, const PageMesh& page, std::size_t all) {
     const std::size_t shown = page.triangles.size();
     return std::string("The ") + what + " is drawn with " +
-           (shown >= all ? "all of its " : std::to_string(shown) + " triangles in place of its ") +
-           std::to_string(all) + (shown >= all ? " triangles" : "") + ", no vertex more than " +
-           shortly(page.error) + " from its place. ";
+           (shown >= all ? "all of its " : std::to_string(shown) + " of its ") + std::to_string(all) +
+           (shown >= all ? " triangles" : "") + ", each vertex within " + shortly(page.error) +
+           " of its place. ";
 }
 
-/// All that the page shows.
+/// The data that the page shows.
 class PageData {
   public:
     explicit PageData(const ReportInput& input)
@@ -144,10 +144,9 @@ class PageData {
     std::string note() const {
         return noteOn("environment", environment_, input_.environment.triangles.size()) +
                noteOn("part", part_, input_.part.triangles.size()) +
-               "Clearances are those of the whole meshes: distance less margin, lower bounds. The line "
-               "through the view "
-               "is the way of the middle of the part's box. Drawn with three.js (MIT licence), which this "
-               "page holds.";
+               "Clearances are those of the original meshes: lower bounds of distance - margin. The line in "
+               "the view is the path of the middle of the part's box. Drawn with three.js (MIT licence), "
+               "which this page contains.";
     }
 
     const ReportInput& input_;
@@ -163,7 +162,7 @@ std::string moduleAddress(const char* text) {
     return "data:text/javascript;base64," + base64(view.data(), view.size());
 }
 
-/// The template with its {{places}} filled.
+/// Fills the {{places}} of a template.
 std::string filled(std::string_view page, const Places& places) {
     std::string result;
     for (std::size_t at = page.find("{{"); at != std::string_view::npos; at = page.find("{{")) {
@@ -178,6 +177,23 @@ std::string filled(std::string_view page, const Places& places) {
     return result += page;
 }
 
+/// Rounds towards zero, so that a certified clearance is never rounded up.
+std::string shortened(double value) {
+    if (!std::isfinite(value)) return "-";
+    if (value == 0) return "0";
+    const double unit = std::pow(10.0, std::floor(std::log10(std::abs(value))) - 3);
+    char text[32];
+    std::snprintf(text, sizeof text, "%.4g", std::trunc(value / unit) * unit);
+    return text;
+}
+
+std::string verdictOf(const planning::SegmentAudit& segment) {
+    if (segment.isValid()) return "valid";
+    if (!segment.motion.problem.empty()) return segment.motion.problem;
+    if (segment.motion.verdict == planning::MotionVerdict::kUndecided) return "undecided";
+    return segment.motion.leavesBounds ? "out of bounds" : "collides";
+}
+
 }  // namespace
 
 WrittenReport writeReport(const ReportInput& input, const std::string& file) {
@@ -189,6 +205,25 @@ WrittenReport writeReport(const ReportInput& input, const std::string& file) {
                                                 {"viewer", kPageViewer}});
     replaceFile(file, [&](std::ostream& stream) { stream << page; });
     return {page.size(), data.partTriangles(), data.environmentTriangles()};
+}
+
+ReportTable segmentTable(const planning::PathAudit& audit, const std::vector<PartState>& path,
+                         double turnRadius) {
+    ReportTable table;
+    table.title = "Segments";
+    table.header = {"", "verdict", "length", "clearance", "closest pair"};
+    const PathLine line(path, turnRadius);
+    for (std::size_t i = 0; i < audit.segments.size(); ++i) {
+        const planning::SegmentAudit& segment = audit.segments[i];
+        const double clearance =
+            segment.isValid() ? segment.motion.lowerClearance : segment.motion.upperClearance;
+        const std::string pair =
+            segment.partMesh.empty() ? "" : segment.partMesh + " and " + segment.environmentMesh;
+        table.rows.push_back({std::to_string(i + 1), verdictOf(segment), shortened(segment.length),
+                              shortened(clearance), pair});
+        table.shares.push_back(shareIn(line, i, segment.motion.closestTime));
+    }
+    return table;
 }
 
 }  // namespace clearway::report

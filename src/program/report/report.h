@@ -1,5 +1,5 @@
 // The report page: one HTML file with a 3D view, a slider along the path, its clearance profile, figures and
-// tables, that needs nothing but a browser.
+// tables. The page needs only a browser.
 #pragma once
 
 #include <string>
@@ -16,17 +16,17 @@ struct ReportTable {
     std::string title;
     std::vector<std::string> header;  ///< may be empty
     std::vector<std::vector<std::string>> rows;
-    std::vector<double> shares;  ///< of the way, of each row: where a click on it goes; or empty
+    std::vector<double> shares;  ///< share of the path that a click on each row shows; may be empty
 };
 
 struct ReportInput {
     std::string title;
     std::string verdict;  ///< a few words beside the title
-    const Mesh& part;     ///< as the scene's models were made from
+    const Mesh& part;     ///< the meshes that the scene's models were built from
     const Mesh& environment;
     const Scene& scene;
     const std::vector<PartState>& path;
-    const planning::PathAudit& audit;  ///< of the path; what its profile certifies is drawn if it has one
+    const planning::PathAudit& audit;  ///< the audit of the path; its profile, if any, is drawn
     std::vector<ReportTable> tables;
 };
 
@@ -35,12 +35,12 @@ struct WrittenReport {
     std::size_t partTriangles = 0, environmentTriangles = 0;  ///< in the page
 };
 
-/// Meshes of more triangles than a page can show at ease are thinned out; the page says so, and by how much.
-/// Clearances are those of the whole meshes. Written to a temporary name, then renamed. Throws
-/// std::runtime_error when it cannot be written.
+/// Writes the page under a temporary name and renames it. Simplifies meshes that are too large for a page;
+/// the page states the largest displacement. Clearances are those of the original meshes. Throws
+/// std::runtime_error when the file cannot be written.
 WrittenReport writeReport(const ReportInput& input, const std::string& file);
 
-/// The table of an audit's segments.
+/// The table of the audit's segments.
 ReportTable segmentTable(const planning::PathAudit& audit, const std::vector<PartState>& path,
                          double turnRadius);
 

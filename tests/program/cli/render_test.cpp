@@ -92,7 +92,7 @@ BOOST_AUTO_TEST_CASE(wrong_usage_is_refused_in_one_line) {
                        {"--size"});
     }
     requireRefused(folder, added("--eye 1,2"), {"--eye is '1,2'", "X,Y,Z"});
-    requireRefused(folder, added("--eye 1,2,3 --look-at 1,2,3"), {"looks at the point it stands at"});
+    requireRefused(folder, added("--eye 1,2,3 --look-at 1,2,3"), {"stands at the point it looks at"});
     requireRefused(folder, added("--eye 1,2,3 --view top"), {"--view"});
     requireRefused(folder, added("--look-at 1,2,3"), {"--look-at", "--eye"});
     requireRefused(folder, added("--angle 180"), {"--angle is '180'"});

@@ -243,7 +243,7 @@ BOOST_AUTO_TEST_CASE(wrong_options_are_refused_by_name) {
     refuses("width");
     shot.options.width = kWidth;
     shot.options.eye = shot.options.lookAt = Vector3(1, 2, 3);
-    refuses("looks at the point it stands at");
+    refuses("stands at the point it looks at");
 }
 
 }  // namespace clearway::testing

@@ -1,11 +1,11 @@
-// The only file that sees libpng.
+#include "program/render/image.h"
+
 #include <png.h>
 
 #include <ostream>
 #include <stdexcept>
 
 #include "core/replace_file.h"
-#include "program/render/image.h"
 
 namespace clearway::render {
 
