@@ -1,5 +1,5 @@
 // The report page: a 3D view, a slider along the path, the clearance profile, figures and tables.
-// Coordinates here are the environment's less data.origin, so that floats hold them.
+// Coordinates are those of the environment minus data.origin, so that floats represent them well.
 import * as THREE from 'three';
 import { OrbitControls } from 'orbit-controls';
 
@@ -19,7 +19,7 @@ function bytesOf(base64) {
   return bytes.buffer;
 }
 
-// Positions are 16-bit shares of the mesh's box, which the object's own matrix undoes.
+// Positions are 16-bit shares of the mesh's box; the matrix of the object scales them back.
 function objectOf(mesh, material) {
   const geometry = new THREE.BufferGeometry();
   geometry.setAttribute('position', new THREE.BufferAttribute(new Uint16Array(bytesOf(mesh.positions)), 3, true));
@@ -39,8 +39,8 @@ function colourOf(clearance) {
   return new THREE.Color().setRGB(...a.map((value, i) => (value + (place - below) * (b[i] - value)) / 255), THREE.SRGBColorSpace);
 }
 
-// The environment stands still while the part moves: it is drawn once into a picture with depths, which every redraw
-// puts back, until the camera or the cut changes.
+// Keeps the environment, which stands still while the part moves, as a picture with depths. Every redraw reuses the
+// picture until the camera or the cut changes.
 class StillLayer {
   constructor() {
     this.target = new THREE.WebGLRenderTarget(1, 1, { samples: 4, type: THREE.HalfFloatType });
@@ -63,7 +63,7 @@ class StillLayer {
   }
 }
 
-// Whether there is no graphics card: smooth edges then cost most of the time of a redraw.
+// Without a graphics card, smooth edges cost most of the time of a redraw.
 function isDrawnBySoftware() {
   const gl = document.createElement('canvas').getContext('webgl2');
   if (!gl) return false;
@@ -120,7 +120,7 @@ class View {
     this.scene.add(this.wall, this.still.object, this.part, new THREE.Line(line, new THREE.LineBasicMaterial({ color: 0x333a55 })));
   }
 
-  // Drawn over all else: the pair is where nobody could see it.
+  // Drawn on top of everything, because the pair lies hidden between part and environment.
   addClosestPair() {
     const over = { color: 0xd00030, depthTest: false, transparent: true };
     this.pairLine = new THREE.Line(new THREE.BufferGeometry(), new THREE.LineBasicMaterial(over));
@@ -146,7 +146,7 @@ class View {
 
   showAll() { this.lookAt(new THREE.Vector3(...data.middle), 0.72 * data.radius, new THREE.Vector3(0.62, -1, 0.62)); }
 
-  // The closest pair in the middle, as far off as it takes to see where it is.
+  // Puts the closest pair in the middle, at a distance that shows its surroundings.
   lookCloser() {
     const pair = frames[state.frame].pair;
     if (!pair) return;
@@ -397,7 +397,7 @@ function choose(i) {
   showReadout(frame);
 }
 
-// The whole path in 12 seconds, from the start again when it has ended.
+// Plays the whole path in 12 seconds, and starts again after its end.
 function play(isPlaying) {
   state.isPlaying = isPlaying;
   element('play').textContent = isPlaying ? 'Pause' : 'Play';
@@ -432,7 +432,7 @@ drawScale(element('scale'));
 fillTables();
 choose(0);
 
-// For tests: what is shown, and how long a redraw takes until its pixels are there.
+// For tests: tells what is shown, and how long a redraw takes until its pixels are readable.
 window.clearwayReport = {
   frames,
   get frame() { return state.frame; },
