@@ -1,0 +1,282 @@
+"""Runs the commands of documents, or checks the names and options in them."""
+
+import functools
+import json
+import os
+import pathlib
+import re
+import shlex
+import shutil
+import subprocess
+import tempfile
+
+SECONDS = 600  # for one command
+KNOWN = "clearway, ./demos/run, ./tests/run, cmake, ctest, export, programs below build/release and scripts below tests"
+
+
+class Refused(Exception):
+    pass
+
+
+def is_full():
+    return os.environ.get("CLEARWAY_FULL", "") not in ("", "0")
+
+
+def commands_in(text):
+    """The commands of a block, one a line: comments left out, lines that end with a backslash joined, && taken apart."""
+    for line in re.sub(r"\\\n\s*", " ", text).split("\n"):
+        for part in line.split("&&"):
+            words = shlex.split(part, comments=True)
+            if words:
+                yield part.strip(), words
+
+
+def options_in(words):
+    return [word.split("=")[0] for word in words if word.startswith("--") and len(word) > 2]
+
+
+def help_options(command):
+    """The options that `COMMAND --help` lists."""
+    done = subprocess.run(command + ["--help"], capture_output=True, text=True, timeout=SECONDS)
+    if done.returncode != 0:
+        raise Refused(f"'{' '.join(command)} --help' ends with {done.returncode}")
+    return set(re.findall(r"(?<![\w-])--[a-z][\w-]*", done.stdout)) | {"--help"}
+
+
+class Checker:
+    """Knows the names and options that commands may have."""
+
+    def __init__(self, root, build, program):
+        self.root, self.build, self.program = root, build, program
+        self.help_options = functools.lru_cache(None)(lambda *command: help_options(list(command)))
+
+    @functools.cached_property
+    def subcommands(self):
+        done = subprocess.run([self.program, "--help"], capture_output=True, text=True, check=True)
+        return re.findall(r"^  ([a-z]+) {2,}", done.stdout, re.M)
+
+    @functools.cached_property
+    def targets(self):
+        done = subprocess.run(["cmake", "--build", self.build, "--target", "help"], capture_output=True, text=True, check=True)
+        return set(re.findall(r"^(?:\.\.\. )?([\w.-]+)(?::|$| )", done.stdout, re.M))
+
+    @functools.cached_property
+    def cmake_text(self):
+        files = [self.root / "CMakeLists.txt", *(self.root / "cmake").glob("*.cmake"), *(self.root / "tests").rglob("*.cmake")]
+        return "\n".join(path.read_text() for path in files + [self.root / "tests/CMakeLists.txt"] if path.exists())
+
+    def require_options(self, words, known, of):
+        for option in options_in(words):
+            if option not in known:
+                raise Refused(f"{of} has no option '{option}'")
+
+    def clearway(self, words):
+        if not words or words[0].startswith("-"):
+            return self.require_options(words, {"--help", "--version"}, "clearway")
+        if words[0] not in self.subcommands:
+            raise Refused(f"clearway has no subcommand '{words[0]}', expected one of {', '.join(self.subcommands)}")
+        study = ["--study", "leaf-strategies"] if "--study" in words else []
+        known = self.help_options(str(self.program), words[0], *study)
+        self.require_options(words[1:], known, f"clearway {' '.join([words[0]] + study)}")
+
+    def demos_run(self, words):
+        usage = subprocess.run([self.root / "demos/run", "--help"], capture_output=True, text=True, check=True).stdout
+        names = re.findall(r"^    (\w+)", usage, re.M)
+        if len(words) > 1 or any(word not in names + ["NAME", "--help"] for word in words):
+            raise Refused(f"demos/run has no demo '{' '.join(words)}', expected one of {', '.join(names)}")
+
+    def require_test(self, pattern):
+        tests = subprocess.run(["ctest", "--test-dir", self.build, "-N", "-R", pattern], capture_output=True, text=True)
+        if not re.search(r"Total Tests: [1-9]", tests.stdout):
+            raise Refused(f"no test's name matches '{pattern}'")
+
+    def tests_run(self, words):
+        self.require_options(words, {"--full"}, "tests/run")
+        for pattern in words:
+            if not pattern.startswith("--"):
+                self.require_test(pattern)
+
+    def require_preset(self, kind, name):
+        presets = json.loads((self.root / "CMakePresets.json").read_text())[kind]
+        if name not in [preset["name"] for preset in presets]:
+            raise Refused(f"CMakePresets.json has no preset '{name}' in {kind}")
+
+    def cmake(self, words):
+        words = list(words)
+        kind = "buildPresets" if "--build" in words else "configurePresets"
+        while words:
+            word = words.pop(0)
+            if word == "--preset":
+                self.require_preset(kind, words.pop(0))
+            elif word == "--target":
+                if words[0] not in self.targets:
+                    raise Refused(f"the build has no target '{words[0]}'")
+                words.pop(0)
+            elif word.startswith("-D"):
+                if not re.search(r"\b" + re.escape(word[2:].split("=")[0]) + r"\b", self.cmake_text):
+                    raise Refused(f"no CMake file knows the variable of '{word}'")
+            elif word != "--build":
+                raise Refused(f"'{word}' of cmake is not known here, expected --preset, --build, --target or -DNAME=VALUE")
+
+    def ctest(self, words):
+        words = list(words)
+        while words:
+            word = words.pop(0)
+            if word == "--preset":
+                self.require_preset("testPresets", words.pop(0))
+            elif word in ("-R", "-L"):
+                pattern = words.pop(0)
+                if word == "-R":
+                    self.require_test(pattern)
+            else:
+                raise Refused(f"'{word}' of ctest is not known here, expected --preset, -R or -L")
+
+    def test_program(self, name, words):
+        program = self.build / "tests" / name
+        if not program.exists():
+            raise Refused(f"there is no program {program}")
+        if options_in(words):
+            self.require_options(words, self.help_options(str(program)), name)
+
+    def script(self, name, words):
+        if not (self.root / name).exists():
+            raise Refused(f"there is no script {name}")
+        text = (self.root / name).read_text()
+        self.require_options(words, set(re.findall(r"--[a-z][\w-]*", text)), name)
+
+    def check(self, words):
+        """Throws Refused when a command's name, or an option of it, is unknown."""
+        if ">" in words:
+            words = words[: words.index(">")]
+        name, rest = words[0], words[1:]
+        if name in ("clearway", "build/release/bin/clearway"):
+            self.clearway(rest)
+        elif name in ("./demos/run", "demos/run"):
+            self.demos_run(rest)
+        elif name in ("./tests/run", "tests/run"):
+            self.tests_run(rest)
+        elif name == "cmake":
+            self.cmake(rest)
+        elif name == "ctest":
+            self.ctest(rest)
+        elif re.fullmatch(r"build/\w+/tests/\w+|bench_\w+|torture|test_\w+", name):
+            self.test_program(name.split("/")[-1], rest)
+        elif re.fullmatch(r"tests/[\w/.]+", name):
+            self.script(name, rest)
+        elif name != "export":
+            raise Refused(f"unknown command '{name}', expected one of {KNOWN}")
+
+
+class Runner:
+    """Takes the blocks of one document, in order, in a scratch folder."""
+
+    def __init__(self, checker, document, report, scratch):
+        self.checker, self.document, self.report = checker, document, report
+        self.folder = pathlib.Path(scratch)
+        if (checker.root / "data").exists():
+            shutil.copytree(checker.root / "data", self.folder / "data")
+        bin_folder = self.folder / "build/release/bin"
+        bin_folder.mkdir(parents=True)
+        (bin_folder / "clearway").symlink_to(checker.program)
+        self.environment = dict(os.environ, PATH=f"{bin_folder}:{os.environ['PATH']}")
+
+    def take(self, block):
+        directives = [text for _, text in block.directives]
+        text = self.adjusted(block, directives)
+        file = next((directive for directive in directives if directive.startswith("file ")), None)
+        if file:
+            self.write(file, text)
+        elif block.language == "ini":
+            raise Refused("an ini block needs a directive `file NAME`")
+        elif block.language == "sh":
+            is_left_out = "options only" in directives or ("full" in directives and not is_full())
+            expected = next((int(text.split()[-1]) for text in directives if text.startswith("exits with")), 0)
+            commands = list(commands_in(text))
+            for i, (line, words) in enumerate(commands):
+                self.checker.check(words)
+                if not is_left_out:
+                    self.run(line, words, expected if i + 1 == len(commands) else 0)
+
+    def adjusted(self, block, directives):
+        text = block.text
+        for directive in directives:
+            change = re.fullmatch(r'"(.+?)" becomes "(.*)"', directive)
+            if change and change.group(1) not in text:
+                raise Refused(f"the block does not hold '{change.group(1)}'")
+            if change and not is_full():
+                text = text.replace(*change.groups())
+        return text
+
+    def write(self, directive, text):
+        name, _, base = directive[len("file ") :].partition(" begins as ")
+        if base:
+            base, _, end = base.partition(" up to ")
+            start = (self.folder / base).read_text()
+            if end not in start:
+                raise Refused(f"{base} does not hold '{end}'")
+            text = (start[: start.index(end)] if end else start) + "\n" + text
+        (self.folder / name).write_text(text)
+        if name.endswith(".cfg"):
+            line = f"clearway info {shlex.quote(name)}"
+            self.run(line, shlex.split(line), 0)
+
+    def run(self, line, words, expected):
+        folder = self.folder
+        if words[0].endswith("demos/run") and "--help" not in words:
+            if not is_full():
+                return
+            folder = self.checker.root
+        elif words[0] not in ("clearway", "build/release/bin/clearway"):
+            return
+        done = subprocess.run(
+            ["bash", "-c", line], cwd=folder, env=self.environment, capture_output=True, text=True, timeout=SECONDS
+        )
+        if done.returncode != expected:
+            raise Refused(f"'{line}' ends with {done.returncode}, expected {expected}:\n{done.stdout[-2000:]}{done.stderr}")
+        warnings = re.findall(r"^(?:clearway: )?warning:.*", done.stdout + done.stderr, re.M)
+        if warnings:
+            raise Refused(f"'{line}' warns: {warnings[0]}")
+
+
+def is_run(document):
+    return document.name in ("README.md", "CONTRIBUTING.md") or document.name.startswith("docs/")
+
+
+def check_spans(checker, document, report):
+    """Options that the text names: of a subcommand when it names one, else of any."""
+    known = {"--help", "--version", "--full"}
+    for subcommand in checker.subcommands:
+        known |= checker.help_options(str(checker.program), subcommand)
+    known |= checker.help_options(str(checker.program), "bench", "--study", "leaf-strategies")
+    for line, text in document.spans:
+        words = text.split()
+        named = words[1:] if words[:1] == ["clearway"] else words
+        try:
+            if named and named[0] in checker.subcommands:
+                checker.clearway(named)
+            elif text.startswith("--"):
+                checker.require_options(words, known, "clearway")
+        except Refused as refusal:
+            report.refuse(document, line, str(refusal))
+
+
+def check_commands(root, build, program, documents, report):
+    checker = Checker(root, build, program)
+    for document in documents:
+        if is_run(document):
+            check_spans(checker, document, report)
+        with tempfile.TemporaryDirectory() as scratch:
+            runner = Runner(checker, document, report, scratch)
+            for block in document.blocks:
+                try:
+                    if block.language in ("sh", "ini") and is_run(document):
+                        runner.take(block)
+                    elif block.language in ("sh", "indented"):
+                        for _, words in commands_in(block.text) if looks_like_commands(block) else ():
+                            checker.check(words)
+                except Refused as refusal:
+                    report.refuse(document, block.line, str(refusal))
+
+
+def looks_like_commands(block):
+    return block.language == "sh" or re.match(r"(cmake|clearway|build/|tests/|bench_\w+)", block.text) is not None
