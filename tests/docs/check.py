@@ -31,6 +31,8 @@ import re
 import sys
 import urllib.parse
 
+sys.dont_write_bytecode = True  # the sources' folder stays as it is
+
 from code_blocks import check_code
 from commands import check_commands
 from markdown import read_document
