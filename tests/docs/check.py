@@ -9,9 +9,9 @@ BUILD is a build tree of the repository, PROGRAM its `clearway`. The environment
 long form.
 
 The blocks of one document are taken in order. Commands run in a scratch folder that holds a copy of data and
-build/release/bin with the program. `clearway` is run; `./demos/run` is run in the long form alone. Of cmake, ctest, ./tests/run
-and programs below build/release/tests only names and options are checked. The same holds for all commands of documents
-outside docs/ but README.md and CONTRIBUTING.md. Pieces of C++ without `main` make one function for each document.
+build/release/bin with the program. `clearway` is run; `./demos/run` is run in the long form alone. For cmake, ctest,
+./tests/run and programs below build/release/tests only names and options are checked. Only names and options are checked, too,
+in documents other than README.md, CONTRIBUTING.md and docs/. Pieces of C++ without `main` make one function for each document.
 
 HTML comments before a block state exceptions:
 
@@ -58,7 +58,7 @@ def documents_of(root):
 
 
 def check_form(document, report):
-    """Refuses what the tests would not understand, and so leave out."""
+    """Refuses languages and directives that the tests do not understand, and directives that stand before nothing."""
     for line, text in document.stray:
         report.refuse(document, line, f"the directive '{text}' stands before no block of code and no table")
     for block in document.blocks:
@@ -104,7 +104,7 @@ def check_paths(root, documents, report):
 
 
 def include_rules(root):
-    """Of each room of src the set of rooms it may include, by tests/layering.cmake."""
+    """Maps each room of src to the set of rooms it may include, as tests/layering.cmake states them."""
     lists = {}
     for name, values in re.findall(r"\bset\(([\w/]+)([^)]*)\)", (root / "tests/layering.cmake").read_text()):
         expanded = []
