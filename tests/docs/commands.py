@@ -40,7 +40,7 @@ def help_options(command):
     done = subprocess.run(command + ["--help"], capture_output=True, text=True, timeout=SECONDS)
     if done.returncode != 0:
         raise Refused(f"'{' '.join(command)} --help' ends with {done.returncode}")
-    return set(re.findall(r"(?<![\w-])--[a-z][\w-]*", done.stdout)) | {"--help"}
+    return set(re.findall(r"(?<![\w-])--[a-z][\w-]*", done.stdout + done.stderr)) | {"--help"}
 
 
 class Checker:
