@@ -139,8 +139,8 @@ class MotionValidator : public ompl::base::MotionValidator {
     /// What checkMotion would answer if all margins were larger by `more`, in environment units. Counted as a
     /// motion checked. isStopped: as MotionOptions has it, besides the validator's own. Throws
     /// std::invalid_argument when `more` is negative or not finite.
-    bool keepsClearance(const ompl::base::State* s1, const ompl::base::State* s2, double more,
-                        const std::function<bool()>& isStopped = {}) const;
+    virtual bool keepsClearance(const ompl::base::State* s1, const ompl::base::State* s2, double more,
+                                const std::function<bool()>& isStopped = {}) const;
 
     MotionCounters counters() const;
     double leastInterval() const { return leastInterval_; }

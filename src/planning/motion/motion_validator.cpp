@@ -12,7 +12,6 @@
 #include "planning/motion/motion.h"
 #include "planning/motion/motion_callbacks.h"
 #include "planning/motion/motion_search.h"
-#include "planning/validity/run_trace.h"
 #include "planning/validity/scene_clearance.h"
 #include "planning/validity/space_of.h"
 
@@ -101,13 +100,11 @@ const Scene& MotionValidator::scene() const {
 }
 
 bool MotionValidator::checkMotion(const ob::State* s1, const ob::State* s2) const {
-    noteCall(CallKind::kMotion, s1, s2);
     return count(judge(s1, s2, {}));
 }
 
 bool MotionValidator::checkMotion(const ob::State* s1, const ob::State* s2,
                                   std::pair<ob::State*, double>& lastValid) const {
-    noteCall(CallKind::kForwardMotion, s1, s2);
     const Outcome outcome = judge(s1, s2, {true, 0, {}});
     if (outcome.verdict != MotionVerdict::kValid) {
         setLastValid(*si_, s1, s2, timeWithinBounds(s1, s2, outcome.certifiedTime), lastValid);

@@ -11,7 +11,6 @@
 
 #include "clearway/planning/clearance_objectives.h"
 #include "planning/motion/motion.h"
-#include "planning/validity/run_trace.h"
 #include "planning/validity/scene_clearance.h"
 
 namespace clearway::planning {
@@ -36,7 +35,6 @@ class ObjectiveMotions {
     double costOfMotion(const ompl::base::State* s1, const ompl::base::State* s2, double otherwise,
                         const CostOfMotion& cost) const {
         motions_.fetch_add(1, std::memory_order_relaxed);
-        noteCall(CallKind::kMotionCost, s1, s2);
         try {
             Motion motion = motionBetween(s1, s2);
             const std::optional<double> found = cost(motion);

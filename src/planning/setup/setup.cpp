@@ -240,7 +240,7 @@ ob::PlannerPtr preparePlanner(const Setup& setup, const std::string& name, const
 }  // namespace
 
 Setup prepare(const Problem& stated, const Scene& scene, const PlanOptions& options, PlanReport& report,
-              const std::function<bool()>& isOver) {
+              const std::function<bool()>& isOver, const std::function<void(Setup&)>& beforePlanners) {
     requireOptions(stated, options);
     const std::optional<ObjectiveChoice> objective = chooseObjective(stated, options);
     report.planners = choosePlanners(stated, options, clearancePlanner(objective, options, scene.part));
@@ -277,13 +277,13 @@ Setup prepare(const Problem& stated, const Scene& scene, const PlanOptions& opti
     audits.isStopped = options.isStopped;
     setup.auditor = std::make_shared<MotionValidator>(setup.si, scene, audits);
     setup.si->setStateValidityChecker(setup.checker);
-    setUp(*setup.si, problem, report.warnings);
-
     setup.definition = defineProblem(setup, problem);
     if (objective) {
         setup.definition->setOptimizationObjective(
             makePlanObjective(setup.si, scene, *objective, problem.objectiveThreshold, leastSpare));
     }
+    if (beforePlanners) beforePlanners(setup);
+    setUp(*setup.si, problem, report.warnings);
     for (const std::string& name : report.planners) {
         setup.planners.push_back(preparePlanner(setup, name, problem, options, report));
     }

@@ -31,8 +31,10 @@ struct Setup {
 };
 
 /// Fills the report's settings and warnings as it goes. isOver: asked within the planners' certified motions,
-/// true leaves them undecided. Throws std::invalid_argument as plan() does.
+/// true leaves them undecided. beforePlanners: may put another checker, validator or objective in place before
+/// planners see them. Throws std::invalid_argument as plan() does.
 Setup prepare(const Problem& problem, const Scene& scene, const PlanOptions& options, PlanReport& report,
-              const std::function<bool()>& isOver = {});
+              const std::function<bool()>& isOver = {},
+              const std::function<void(Setup&)>& beforePlanners = {});
 
 }  // namespace clearway::planning

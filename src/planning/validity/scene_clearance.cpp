@@ -6,7 +6,6 @@
 #include <string>
 
 #include "core/number.h"
-#include "planning/validity/run_trace.h"
 
 namespace clearway::planning {
 namespace {
@@ -97,11 +96,14 @@ bool SceneClearance::isFree(const Pose& X_environmentPart) const {
 
 bool SceneClearance::isFree(std::size_t i, const Pose& X_environmentPart) const {
     const Obstacle& obstacle = scene_.obstacles[i];
-    Workspace& workspace = scratch().workspaces[i];
-    return !traced(RunTrace::Query::kWithin, workspace, [&] {
-        if (obstacle.margin == 0) return collides(scene_.part, obstacle.model, X_environmentPart, workspace);
-        return isWithin(scene_.part, obstacle.model, X_environmentPart, obstacle.margin, workspace);
-    });
+    ThreadScratch& mine = scratch();
+    Workspace& workspace = mine.workspaces[i];
+    const bool isBlocked =
+        obstacle.margin == 0
+            ? collides(scene_.part, obstacle.model, X_environmentPart, workspace)
+            : isWithin(scene_.part, obstacle.model, X_environmentPart, obstacle.margin, workspace);
+    mine.tally->addWithin(workspace.counters());
+    return !isBlocked;
 }
 
 // What the nearest obstacle so far leaves caps what the next ones are asked for.
@@ -179,10 +181,9 @@ void SceneClearance::ask(std::size_t i, const Pose& X_environmentPart, const Dis
     const Obstacle& obstacle = scene_.obstacles[i];
     const double margin = obstacle.margin;
     DistanceResult& d = answer.nearest;
-    Workspace& workspace = scratch().workspaces[i];
-    d = traced(RunTrace::Query::kDistance, workspace, [&] {
-        return clearway::distance(scene_.part, obstacle.model, X_environmentPart, options, workspace);
-    });
+    ThreadScratch& mine = scratch();
+    d = clearway::distance(scene_.part, obstacle.model, X_environmentPart, options, mine.workspaces[i]);
+    mine.tally->addDistance(mine.workspaces[i].counters());
     answer.nearest.obstacle = static_cast<int>(i);
     ++answer.queries;
     bool valid = d.upper > margin;

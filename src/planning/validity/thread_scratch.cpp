@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <unordered_map>
+#include <utility>
 
 namespace clearway::planning {
 namespace {
@@ -15,6 +16,7 @@ struct ScratchOfThread {
     std::unordered_map<std::uint64_t, OwnedScratch> byOwner;
     std::uint64_t lastOwner = 0;    // numbers begin at 1
     ThreadScratch* last = nullptr;  // elements of an unordered_map stay where they are
+    QueryTally tally;
 };
 
 ScratchOfThread& scratchOfThisThread() {
@@ -32,6 +34,7 @@ ThreadScratch& findOrMake(ScratchOfThread& mine, const std::shared_ptr<const std
     OwnedScratch& made = mine.byOwner[*owner];
     made.owner = owner;
     made.scratch.workspaces.resize(workspaces);
+    made.scratch.tally = &mine.tally;
     return made.scratch;
 }
 
@@ -49,6 +52,10 @@ ThreadScratch& threadScratch(const std::shared_ptr<const std::uint64_t>& owner, 
         mine.lastOwner = *owner;
     }
     return *mine.last;
+}
+
+QueryTally takeQueryTally() {
+    return std::exchange(scratchOfThisThread().tally, {});
 }
 
 std::size_t threadScratchCount() {

@@ -10,9 +10,29 @@
 
 namespace clearway::planning {
 
+/// The number of queries about scenes and the work that they did.
+struct QueryTally {
+    std::uint64_t distances = 0;
+    std::uint64_t withins = 0;  ///< whether in contact, or within a margin
+    QueryCounters work;
+
+    void addDistance(const QueryCounters& counters) {
+        ++distances;
+        work += counters;
+    }
+    void addWithin(const QueryCounters& counters) {
+        ++withins;
+        work += counters;
+    }
+};
+
+/// Returns the tally of the calling thread's queries, of all scenes, and begins a new one at 0.
+QueryTally takeQueryTally();
+
 struct ThreadScratch {
     std::vector<Workspace> workspaces;  ///< one for each obstacle
     std::size_t nearest = 0;            ///< the obstacle that was nearest, or in the way, last time
+    QueryTally* tally = nullptr;        ///< the thread's, of all scenes
 };
 
 /// A new owner. Its number is never used again in the process, so that no owner meets the scratch of a dead

@@ -6,7 +6,6 @@
 #include <exception>
 #include <stdexcept>
 
-#include "planning/validity/run_trace.h"
 #include "planning/validity/scene_clearance.h"
 #include "planning/validity/space_of.h"
 
@@ -31,7 +30,6 @@ const Scene& ValidityChecker::scene() const {
 }
 
 bool ValidityChecker::isValid(const ob::State* state) const {
-    noteCall(CallKind::kState, state);
     Pose X_environmentPart;
     const Usable usable = findPose(state, X_environmentPart);
     if (usable != Usable::kYes) return count(false, usable);
@@ -44,7 +42,6 @@ bool ValidityChecker::isValid(const ob::State* state) const {
 }
 
 bool ValidityChecker::isValid(const ob::State* state, double& clearance) const {
-    noteCall(CallKind::kClearance, state);
     Pose X_environmentPart;
     const Usable usable = findPose(state, X_environmentPart);
     clearance = 0;

@@ -8,7 +8,6 @@
 #include "clearway/planning/planners.h"
 #include "clearway/targets.h"
 #include "core/replace_file.h"
-#include "planning/setup/benchmark_log.h"
 #include "program/cli/command_line.h"
 #include "program/cli/elapsed_line.h"
 #include "program/cli/interrupts.h"
@@ -16,16 +15,17 @@
 #include "program/cli/print.h"
 #include "program/cli/study.h"
 #include "program/cli/tree_options.h"
+#include "program/study/benchmark_log.h"
 
 namespace clearway::cli {
 
 namespace {
 
 namespace fs = std::filesystem;
-using planning::Benchmark;
-using planning::BenchmarkOptions;
-using planning::BenchmarkRun;
-using planning::PlannerBenchmark;
+using study::Benchmark;
+using study::BenchmarkOptions;
+using study::BenchmarkRun;
+using study::PlannerBenchmark;
 
 CommandLine benchCommandLine() {
     CommandLine commandLine;
@@ -205,13 +205,13 @@ void describeTrees(const BuildOptions& tree, Benchmark& benchmark) {
 
 Benchmark runShown(const Problem& problem, const Scene& scene, BenchmarkOptions options) {
     std::optional<ElapsedLine> line;
-    options.tell = [&](const planning::BenchmarkProgress& at) {
+    options.tell = [&](const study::BenchmarkProgress& at) {
         line.reset();
         line.emplace("run " + std::to_string(at.run + 1) + " of " + std::to_string(at.runs) + ", " +
                      at.planner + ", about " + std::to_string(static_cast<long>(at.left)) +
                      " s left at its start, running");
     };
-    return planning::runBenchmark(problem, scene, options);
+    return study::runBenchmark(problem, scene, options);
 }
 
 }  // namespace
@@ -236,7 +236,7 @@ int bench(const Arguments& arguments) {
     const Scene scene = buildScene(problem, reaching, tree, cache);
     Benchmark benchmark = runShown(problem, scene, benchmarkGiven);
     describeTrees(tree, benchmark);
-    replaceFile(log, [&](std::ostream& out) { planning::writeBenchmarkLog(benchmark, out); });
+    replaceFile(log, [&](std::ostream& out) { study::writeBenchmarkLog(benchmark, out); });
 
     printWarnings(problem.warnings);
     printWarnings(benchmark.warnings);

@@ -11,11 +11,6 @@
 namespace clearway::study {
 namespace {
 
-using planning::Call;
-using planning::CallAnswer;
-using planning::CallBlock;
-using planning::CallKind;
-
 struct NamedKind {
     CallKind kind;
     const char* name;

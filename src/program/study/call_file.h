@@ -4,20 +4,20 @@
 #include <string>
 #include <vector>
 
-#include "planning/setup/replayer.h"
-#include "planning/validity/calls.h"
+#include "program/study/calls.h"
+#include "program/study/replayer.h"
 
 namespace clearway::study {
 
 /// One call a line, its kind and its reals with 17 digits; an empty line ends a block. The answers to what
 /// the file held before are taken away. Throws std::runtime_error when it cannot be written.
-void writeCalls(const std::vector<planning::CallBlock>& blocks, const std::string& file);
+void writeCalls(const std::vector<CallBlock>& blocks, const std::string& file);
 
 /// Throws std::runtime_error when it cannot be read, std::invalid_argument naming the file and the line that
 /// is wrong.
-std::vector<planning::CallBlock> readCalls(const std::string& file);
+std::vector<CallBlock> readCalls(const std::string& file);
 
-using Answers = std::vector<std::vector<planning::CallAnswer>>;  ///< of each block's calls
+using Answers = std::vector<std::vector<CallAnswer>>;  ///< of each block's calls
 
 /// Beside the file of the calls.
 std::string answersFile(const std::string& callsFile);

@@ -6,15 +6,13 @@
 
 #include "clearway/planning/planners.h"
 #include "core/replace_file.h"
-#include "planning/setup/benchmark_run.h"
 #include "planning/validity/ompl_messages.h"
+#include "program/study/benchmark_run.h"
 #include "program/study/call_file.h"
 #include "program/study/time_left.h"
 
 namespace clearway::study {
 namespace {
-
-using planning::BenchmarkRun;
 
 struct RunColumn {
     const char* name;
@@ -163,7 +161,7 @@ class Runner {
         options.threads = 1;
         options.seed = static_cast<std::uint32_t>(planned.seed);
         options.objective = planned.planner.objective;
-        planning::RunLimits limits;
+        RunLimits limits;
         limits.seconds = options_.seconds;
         limits.bytes = static_cast<unsigned long long>(options_.megabytes * 1024 * 1024);
         limits.simplify = false;
@@ -172,8 +170,8 @@ class Runner {
         limits.trace->seed = static_cast<std::uint64_t>(planned.seed);
         const planning::OmplMessages unheard;
         std::vector<std::string> warnings;
-        const auto run = planning::runOnce(problemFor(problem_.problem, planned.planner), sceneOf(planned),
-                                           options, limits, warnings);
+        const auto run = study::runOnce(problemFor(problem_.problem, planned.planner), sceneOf(planned),
+                                        options, limits, warnings);
         if (options_.tell) {
             for (const std::string& warning : warnings) options_.tell("warning: " + warning);
         }
@@ -211,8 +209,8 @@ std::vector<std::string> runColumns() {
     return columns;
 }
 
-planning::Properties propertiesOf(const TableRow& run) {
-    planning::Properties properties = {{"seed INTEGER", run.at("seed")}};
+Properties propertiesOf(const TableRow& run) {
+    Properties properties = {{"seed INTEGER", run.at("seed")}};
     for (const RunColumn& column : kRunColumns) {
         const std::string& value = run.at(column.name);
         if (!value.empty()) properties[column.property] = value;

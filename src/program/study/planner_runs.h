@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "planning/setup/benchmark.h"
+#include "program/study/benchmark.h"
 #include "program/study/growing_table.h"
 #include "program/study/study_options.h"
 #include "program/study/study_problem.h"
@@ -15,7 +15,7 @@ namespace clearway::study {
 std::vector<std::string> runColumns();
 
 /// Of runs the properties that OMPL's logs have, by OMPL's names.
-planning::Properties propertiesOf(const TableRow& run);
+Properties propertiesOf(const TableRow& run);
 
 /// Does the runs that the table lacks, seed by seed, and appends each as it ends. One run of each planner and
 /// seed leaves a sample of its calls in the folder, the strategies taking turns. False when it was stopped:

@@ -8,20 +8,17 @@
 
 #include "clearway/targets.h"
 #include "core/number.h"
-#include "planning/setup/replayer.h"
 #include "program/study/call_file.h"
 #include "program/study/paired_ratio.h"
 #include "program/study/planner_runs.h"
 #include "program/study/replayed_blocks.h"
+#include "program/study/replayer.h"
 #include "program/study/time_left.h"
 
 namespace clearway::study {
 namespace {
 
-using planning::CallAnswer;
-using planning::CallBlock;
 using planning::QueryTally;
-using planning::Replayer;
 
 /// What one run of a planner recorded, or as much of it as is replayed.
 struct Sample {
@@ -155,7 +152,7 @@ class Replay {
         std::vector<std::vector<QueryTally>> tallies;
         for (BuiltEngine& each : built_) {
             if (isStopped()) return false;
-            planning::ReplayedCalls replayed = each.replayer->replay(sample.blocks);
+            ReplayedCalls replayed = each.replayer->replay(sample.blocks);
             compare(sample, replayed.answers, each.engine);
             tallies.push_back(std::move(replayed.tallies));
         }

@@ -42,7 +42,7 @@ Settings settingsOf(const std::vector<StudyProblem>& problems, const StudyOption
     for (const StudyPlanner& planner : options.planners) {
         planners.push_back(planner.name + (planner.objective.empty() ? "" : ":" + planner.objective));
     }
-    const planning::CallSampling& sampling = options.sampling;
+    const CallSampling& sampling = options.sampling;
     Settings settings = {
         {"planners", joined(planners)},
         {"general splits", joined(options.generalSplits)},
@@ -111,7 +111,7 @@ std::vector<Pose> tablePoses(const StudyProblem& problem, const StudyOptions& op
         if (!problem.replayPoses.empty()) break;
         for (int seed = 1; seed <= options.seeds; ++seed) {
             const auto blocks = readCalls(callsFile(folder, problem.name, planner.name, seed));
-            for (const Pose& pose : planning::posesOf(problem.problem, blocks)) all.push_back(pose);
+            for (const Pose& pose : posesOf(problem.problem, blocks)) all.push_back(pose);
         }
     }
     const auto most = static_cast<std::size_t>(options.tablePoses);

@@ -1,7 +1,7 @@
 #include "program/study/study_logs.h"
 
 #include "core/replace_file.h"
-#include "planning/setup/benchmark_log.h"
+#include "program/study/benchmark_log.h"
 #include "program/study/engine.h"
 #include "program/study/machine.h"
 #include "program/study/planner_runs.h"
@@ -10,9 +10,8 @@
 namespace clearway::study {
 namespace {
 
-planning::Benchmark experiment(const StudyProblem& problem, const StudyOptions& options,
-                               const Engine& engine) {
-    planning::Benchmark benchmark;
+Benchmark experiment(const StudyProblem& problem, const StudyOptions& options, const Engine& engine) {
+    Benchmark benchmark;
     benchmark.experiment = problem.name;
     benchmark.parameters = {{"general_split VARCHAR", engine.build.generalSplit},
                             {"leaf_split VARCHAR", engine.build.leafSplit},
@@ -35,9 +34,9 @@ std::vector<std::string> writeStudyLogs(const StudyProblem& problem, const Study
     std::vector<std::string> files;
     for (const EngineGroup& group : plannedGroups(options)) {
         for (const Engine& engine : group) {
-            planning::Benchmark benchmark = experiment(problem, options, engine);
+            Benchmark benchmark = experiment(problem, options, engine);
             for (const StudyPlanner& planner : options.planners) {
-                planning::PlannerBenchmark of;
+                PlannerBenchmark of;
                 of.name = "geometric_" + planner.name;
                 if (!planner.objective.empty()) of.settings["objective"] = planner.objective;
                 for (const TableRow& row : runs) {
@@ -53,8 +52,7 @@ std::vector<std::string> writeStudyLogs(const StudyProblem& problem, const Study
             }
             files.push_back(folder + "/logs/" + problem.name + "_" + engine.build.generalSplit + "_" +
                             engine.build.leafSplit + ".log");
-            replaceFile(files.back(),
-                        [&](std::ostream& out) { planning::writeBenchmarkLog(benchmark, out); });
+            replaceFile(files.back(), [&](std::ostream& out) { writeBenchmarkLog(benchmark, out); });
         }
     }
     return files;

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "planning/validity/calls.h"
+#include "program/study/calls.h"
 
 namespace clearway::study {
 
@@ -24,7 +24,7 @@ struct StudyOptions {
     int seeds = 10;                                 ///< 1 to this, of each planner with each strategy
     double seconds = 20;                            ///< for each run
     double megabytes = 8192;
-    planning::CallSampling sampling;
+    CallSampling sampling;
     int repetitions = 7;  ///< of each replay
     bool isShort =
         false;  ///< replays the leaves of other sizes and the other instruction sets with one general split

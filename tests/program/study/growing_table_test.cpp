@@ -122,11 +122,8 @@ BOOST_AUTO_TEST_CASE(another_table_is_refused_and_left_as_it_is) {
 }
 
 BOOST_AUTO_TEST_CASE(calls_and_answers_read_back_as_they_were) {
-    using planning::Call;
-    using planning::CallAnswer;
-    using planning::CallKind;
     const TemporaryFolder folder;
-    const std::vector<planning::CallBlock> blocks = {
+    const std::vector<CallBlock> blocks = {
         {Call{CallKind::kState, {0.1, -2e-300}, {}}, Call{CallKind::kMotion, {1.0 / 3, 2}, {3, 4}}},
         {Call{CallKind::kForwardMotion, {1, 2}, {5, 6}}, Call{CallKind::kClearance, {1, 2}, {}},
          Call{CallKind::kMotionCost, {1, 2}, {7, 8}}}};

@@ -7,16 +7,17 @@
 
 #include "clearway/problem.h"
 #include "clearway/scene.h"
-#include "planning/validity/calls.h"
+#include "planning/validity/thread_scratch.h"
+#include "program/study/calls.h"
 
-namespace clearway::planning {
+namespace clearway::study {
 
 /// What a call answered. kUndecided: a motion in which no invalid pose was found, but not all are certified.
 enum class CallAnswer : char { kNo = 'n', kYes = 'y', kUndecided = 'u' };
 
 struct ReplayedCalls {
     std::vector<std::vector<CallAnswer>> answers;  ///< of each block's calls
-    std::vector<QueryTally> tallies;               ///< of each block
+    std::vector<planning::QueryTally> tallies;     ///< of each block
 };
 
 /// X_environmentPart at the states of calls, in their order. Throws std::invalid_argument when a state has
@@ -41,4 +42,4 @@ class Replayer {
     std::unique_ptr<Tools> tools_;
 };
 
-}  // namespace clearway::planning
+}  // namespace clearway::study

@@ -3,12 +3,12 @@
 
 #include <iosfwd>
 
-#include "planning/setup/benchmark.h"
+#include "program/study/benchmark.h"
 
-namespace clearway::planning {
+namespace clearway::study {
 
 /// Throws nothing of its own. Values hold neither line ends nor the separators of the format: these become
 /// spaces and commas.
 void writeBenchmarkLog(const Benchmark& benchmark, std::ostream& out);
 
-}  // namespace clearway::planning
+}  // namespace clearway::study

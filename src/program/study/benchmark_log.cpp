@@ -1,4 +1,4 @@
-#include "planning/setup/benchmark_log.h"
+#include "program/study/benchmark_log.h"
 
 #include <ompl/base/PlannerStatus.h>
 
@@ -8,7 +8,7 @@
 
 #include "planning/validity/ompl_version.h"
 
-namespace clearway::planning {
+namespace clearway::study {
 namespace {
 
 namespace ob = ompl::base;
@@ -31,7 +31,7 @@ void writeText(const std::string& text, std::ostream& out) {
 }
 
 void writeHead(const Benchmark& benchmark, std::ostream& out) {
-    out << "OMPL version " << omplVersion() << "\nExperiment " << benchmark.experiment << "\n"
+    out << "OMPL version " << planning::omplVersion() << "\nExperiment " << benchmark.experiment << "\n"
         << benchmark.parameters.size() << " experiment properties\n";
     for (const auto& [name, value] : benchmark.parameters) out << name << " = " << line(value) << "\n";
     out << "Running on " << (benchmark.host.empty() ? "UNKNOWN" : benchmark.host) << "\nStarting at "
@@ -104,4 +104,4 @@ void writeBenchmarkLog(const Benchmark& benchmark, std::ostream& out) {
     }
 }
 
-}  // namespace clearway::planning
+}  // namespace clearway::study

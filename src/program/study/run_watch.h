@@ -10,9 +10,9 @@
 #include <thread>
 #include <vector>
 
-#include "planning/setup/benchmark.h"
+#include "program/study/benchmark.h"
 
-namespace clearway::planning {
+namespace clearway::study {
 
 class RunWatch {
   public:
@@ -39,4 +39,4 @@ class RunWatch {
     std::thread thread_;  ///< last: begins when the rest is there
 };
 
-}  // namespace clearway::planning
+}  // namespace clearway::study

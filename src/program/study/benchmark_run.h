@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "planning/setup/benchmark.h"
 #include "planning/setup/plan.h"
+#include "program/study/benchmark.h"
 
-namespace clearway::planning {
+namespace clearway::study {
 
 struct RunLimits {
     double seconds = 0;
@@ -21,7 +21,8 @@ struct RunLimits {
 
 /// Plans the problem, which names one planner, with that planner and the options' seed. Nothing when it was
 /// stopped. A planner that throws has status "Crash" and a warning. Throws what prepare() throws.
-std::optional<BenchmarkRun> runOnce(const Problem& problem, const Scene& scene, const PlanOptions& options,
-                                    const RunLimits& limits, std::vector<std::string>& warnings);
+std::optional<BenchmarkRun> runOnce(const Problem& problem, const Scene& scene,
+                                    const planning::PlanOptions& options, const RunLimits& limits,
+                                    std::vector<std::string>& warnings);
 
-}  // namespace clearway::planning
+}  // namespace clearway::study

@@ -1,4 +1,4 @@
-#include "planning/setup/replayer.h"
+#include "program/study/replayer.h"
 
 #include <stdexcept>
 #include <string>
@@ -9,22 +9,22 @@
 #include "planning/setup/planning_space.h"
 #include "planning/setup/setup.h"
 #include "planning/validity/ompl_messages.h"
-#include "planning/validity/run_trace.h"
 #include "planning/validity/scratch_state.h"
 
-namespace clearway::planning {
+namespace clearway::study {
 namespace {
 
 namespace ob = ompl::base;
+using planning::Setup;
 
 Setup setupFor(const Problem& problem, const Scene& scene) {
-    const OmplMessages unheard;
-    PlanOptions options;
+    const planning::OmplMessages unheard;
+    planning::PlanOptions options;
     options.planner = "RRTConnect";
     options.objective = "max_min_clearance";
     options.threads = 1;
-    PlanReport report;
-    return prepare(problem, scene, options, report);
+    planning::PlanReport report;
+    return planning::prepare(problem, scene, options, report);
 }
 
 void setState(const ob::StateSpace& space, ob::State* state, const std::vector<double>& reals) {
@@ -39,9 +39,10 @@ void setState(const ob::StateSpace& space, ob::State* state, const std::vector<d
 }  // namespace
 
 std::vector<Pose> posesOf(const Problem& problem, const std::vector<CallBlock>& blocks) {
-    const ob::StateSpacePtr space = makeSpace(problem.space, Box(Vector3::Zero(), Vector3::Ones()), 1);
+    const ob::StateSpacePtr space =
+        planning::makeSpace(problem.space, Box(Vector3::Zero(), Vector3::Ones()), 1);
     space->setup();
-    const StateToPose toPose = stateToPose(*space);
+    const planning::StateToPose toPose = planning::stateToPose(*space);
     ob::ScopedState<> state(space);
     std::vector<Pose> poses;
     const auto add = [&](const std::vector<double>& reals) {
@@ -59,12 +60,12 @@ std::vector<Pose> posesOf(const Problem& problem, const std::vector<CallBlock>& 
 
 struct Replayer::Tools {
     Setup setup;
-    ScratchState from, to, lastValid;
+    planning::ScratchState from, to, lastValid;
 
     Tools(const Problem& problem, const Scene& scene)
         : setup(setupFor(problem, scene)), from(*setup.si), to(*setup.si), lastValid(*setup.si) {}
 
-    void set(const ScratchState& state, const std::vector<double>& reals) const {
+    void set(const planning::ScratchState& state, const std::vector<double>& reals) const {
         setState(*setup.si->getStateSpace(), state.get(), reals);
     }
 
@@ -78,7 +79,7 @@ struct Replayer::Tools {
         const double cost =
             setup.definition->getOptimizationObjective()->motionCost(from.get(), to.get()).value();
         if (cost > 0) return CallAnswer::kYes;
-        return cost <= -kInvalidMotionCost ? CallAnswer::kNo : CallAnswer::kUndecided;
+        return cost <= -planning::kInvalidMotionCost ? CallAnswer::kNo : CallAnswer::kUndecided;
     }
 
     CallAnswer motionAnswer(bool isForward) const {
@@ -118,17 +119,15 @@ Replayer::~Replayer() = default;
 Replayer::Replayer(Replayer&&) noexcept = default;
 
 ReplayedCalls Replayer::replay(const std::vector<CallBlock>& blocks) {
-    CallSampling none;
-    none.blocks = 0;
     ReplayedCalls result;
     for (const CallBlock& block : blocks) {
-        const RunTrace trace(tools_->setup.si->getStateSpace(), none);
+        planning::takeQueryTally();
         result.answers.emplace_back();
         for (const Call& call : block) {
             tools_->set(call);
             result.answers.back().push_back(tools_->ask(call.kind));
         }
-        result.tallies.push_back(trace.tally());
+        result.tallies.push_back(planning::takeQueryTally());
     }
     return result;
 }
@@ -146,4 +145,4 @@ std::vector<double> Replayer::time(const std::vector<CallBlock>& blocks) {
     return seconds;
 }
 
-}  // namespace clearway::planning
+}  // namespace clearway::study

@@ -1,4 +1,4 @@
-#include "planning/setup/run_watch.h"
+#include "program/study/run_watch.h"
 
 #include <ompl/tools/benchmark/MachineSpecs.h>
 
@@ -6,7 +6,7 @@
 
 #include "core/number.h"
 
-namespace clearway::planning {
+namespace clearway::study {
 
 RunWatch::RunWatch(const ompl::base::Planner& planner, unsigned long long bytes, double period)
     : properties_(planner.getPlannerProgressProperties()),
@@ -41,4 +41,4 @@ void RunWatch::run(unsigned long long bytes, double period) {
     }
 }
 
-}  // namespace clearway::planning
+}  // namespace clearway::study

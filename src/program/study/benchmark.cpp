@@ -1,4 +1,4 @@
-#include "planning/setup/benchmark.h"
+#include "program/study/benchmark.h"
 
 #include <ompl/tools/benchmark/MachineSpecs.h>
 #include <ompl/util/Time.h>
@@ -11,14 +11,18 @@
 #include <stdexcept>
 
 #include "core/number.h"
-#include "planning/setup/benchmark_run.h"
 #include "planning/setup/setup.h"
 #include "planning/validity/ompl_messages.h"
+#include "program/study/benchmark_run.h"
 
-namespace clearway::planning {
+namespace clearway::study {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+using planning::PlanOptions;
+using planning::PlanReport;
+using planning::Setup;
 
 /// One of each kind: two trees, one tree, by density, by projection, a roadmap.
 constexpr const char* kDefaultPlanners[] = {"RRTConnect", "RRT", "EST", "KPIECE1", "PRM"};
@@ -86,7 +90,7 @@ void addOnce(std::vector<std::string>& warnings, const std::vector<std::string>&
 PlannerBenchmark describePlanner(const Problem& problem, const Scene& scene, const BenchmarkOptions& options,
                                  Benchmark& benchmark) {
     PlanReport report;
-    const Setup setup = prepare(problem, scene, planOptions(options, 0), report);
+    const Setup setup = planning::prepare(problem, scene, planOptions(options, 0), report);
     addOnce(benchmark.warnings, report.warnings);
     const ompl::base::Planner& planner = *setup.planners[0];
     PlannerBenchmark result;
@@ -154,7 +158,7 @@ bool runAll(const std::vector<Problem>& problems, const Scene& scene, Benchmark&
 
 Benchmark runBenchmark(const Problem& problem, const Scene& scene, const BenchmarkOptions& options) {
     requireOptions(options);
-    const OmplMessages messages;
+    const planning::OmplMessages messages;
     Benchmark benchmark = begin(problem, options);
     const Clock::time_point start = Clock::now();
     const std::vector<Problem> problems = problemsOf(problem);
@@ -169,4 +173,4 @@ Benchmark runBenchmark(const Problem& problem, const Scene& scene, const Benchma
     return benchmark;
 }
 
-}  // namespace clearway::planning
+}  // namespace clearway::study

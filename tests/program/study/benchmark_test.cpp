@@ -1,16 +1,16 @@
-#include "planning/setup/benchmark.h"
+#include "program/study/benchmark.h"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
 
-#include "planning/setup/benchmark_log.h"
-#include "planning/setup/benchmark_run.h"
+#include "program/study/benchmark_log.h"
+#include "program/study/benchmark_run.h"
 #include "support/benchmark_log_reader.h"
 #include "support/window_scene.h"
 
-namespace clearway::planning {
+namespace clearway::study {
 namespace {
 
 using testing::readBenchmarkLog;
@@ -133,7 +133,7 @@ BOOST_AUTO_TEST_CASE(a_planner_without_a_path_ends_at_its_limit_of_time_or_memor
     BOOST_TEST(timed.count("simplified solution length REAL") == timed.count("solution length REAL"));
 
     const RunLimits full{30, /*bytes*/ 1, false, {}};
-    PlanOptions one;
+    planning::PlanOptions one;
     one.threads = 1;
     std::vector<std::string> warnings;
     const auto run = runOnce(window.problem, closed, one, full, warnings);
@@ -239,4 +239,4 @@ BOOST_AUTO_TEST_CASE(the_log_keeps_its_form_whatever_values_hold) {
 }
 
 }  // namespace
-}  // namespace clearway::planning
+}  // namespace clearway::study

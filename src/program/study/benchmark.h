@@ -10,9 +10,9 @@
 
 #include "clearway/problem.h"
 #include "clearway/scene.h"
-#include "planning/validity/calls.h"
+#include "program/study/calls.h"
 
-namespace clearway::planning {
+namespace clearway::study {
 
 struct BenchmarkProgress {
     std::string planner;
@@ -71,4 +71,4 @@ struct Benchmark {
 /// before the first run.
 Benchmark runBenchmark(const Problem& problem, const Scene& scene, const BenchmarkOptions& options);
 
-}  // namespace clearway::planning
+}  // namespace clearway::study

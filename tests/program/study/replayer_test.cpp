@@ -1,16 +1,16 @@
-#include "planning/setup/replayer.h"
+#include "program/study/replayer.h"
 
 #include <boost/test/unit_test.hpp>
 #include <set>
 
-#include "planning/setup/benchmark_run.h"
 #include "planning/setup/planning_space.h"
 #include "planning/validity/ompl_messages.h"
-#include "planning/validity/run_trace.h"
+#include "program/study/benchmark_run.h"
+#include "program/study/recorder.h"
 #include "support/gates_scene.h"
 #include "support/window_scene.h"
 
-namespace clearway::planning {
+namespace clearway::study {
 namespace {
 
 using testing::windowScene;
@@ -18,7 +18,7 @@ using testing::windowScene;
 BenchmarkRun runTraced(Problem problem, const Scene& scene, const std::string& planner,
                        const std::string& objective, double seconds) {
     problem.planners = {{planner}};
-    PlanOptions options;
+    planning::PlanOptions options;
     options.seconds = seconds;
     options.threads = 1;
     options.objective = objective;
@@ -27,7 +27,7 @@ BenchmarkRun runTraced(Problem problem, const Scene& scene, const std::string& p
     limits.bytes = std::uint64_t(1) << 40;
     limits.simplify = false;
     limits.trace = CallSampling{};
-    const OmplMessages unheard;
+    const planning::OmplMessages unheard;
     std::vector<std::string> warnings;
     return runOnce(problem, scene, options, limits, warnings).value();
 }
@@ -98,7 +98,8 @@ BOOST_AUTO_TEST_CASE(recorded_calls_answer_alike_with_all_trees) {
                 BOOST_TEST((replayed.answers == first), planner << ", " << leafSplit << ", width " << width);
                 BOOST_TEST_REQUIRE(replayed.tallies.size() == run.calls.size());
                 std::uint64_t queries = 0;
-                for (const QueryTally& tally : replayed.tallies) queries += tally.distances + tally.withins;
+                for (const planning::QueryTally& tally : replayed.tallies)
+                    queries += tally.distances + tally.withins;
                 BOOST_TEST(queries > 0u);
                 BOOST_TEST(replayer.time(run.calls).size() == run.calls.size());
             }
@@ -113,19 +114,23 @@ BOOST_AUTO_TEST_CASE(recorded_calls_answer_alike_with_all_trees) {
 }
 
 BOOST_AUTO_TEST_CASE(the_sample_is_of_whole_blocks_in_order_and_even_over_the_run) {
-    const auto space = makeSpace(Space::kSe3, Box(Vector3::Zero(), Vector3::Constant(2000)), 1);
+    const auto space = planning::makeSpace(Space::kSe3, Box(Vector3::Zero(), Vector3::Constant(2000)), 1);
     space->setup();
     PartState state;
     double sum = 0;
     constexpr int kSeeds = 40, kCalls = 1000;
     for (int seed = 1; seed <= kSeeds; ++seed) {
-        RunTrace trace(space, {4, 10, static_cast<std::uint64_t>(seed)});
+        Recorder recorder(space, {4, 10, static_cast<std::uint64_t>(seed)});
+        recorder.begin();
         for (int i = 0; i < kCalls; ++i) {
             state.position.x() = i;
-            noteCall(CallKind::kState, toOmpl(space, Space::kSe3, state).get());
+            const auto omplState = planning::toOmpl(space, Space::kSe3, state);
+            recorder.record(CallKind::kState, omplState.get(), nullptr, [] { return true; });
         }
-        BOOST_TEST(trace.calls(CallKind::kState) == std::uint64_t(kCalls));
-        const std::vector<CallBlock> sample = trace.sample();
+        recorder.end();
+        recorder.record(CallKind::kState, nullptr, nullptr, [] { return true; });
+        BOOST_TEST(recorder.calls(CallKind::kState) == std::uint64_t(kCalls));
+        const std::vector<CallBlock> sample = recorder.sample();
         BOOST_TEST_REQUIRE(sample.size() == 4u);
         double last = -1;
         for (const CallBlock& block : sample) {
@@ -137,7 +142,6 @@ BOOST_AUTO_TEST_CASE(the_sample_is_of_whole_blocks_in_order_and_even_over_the_ru
             sum += block[0].from[0];
         }
     }
-    BOOST_TEST(RunTrace::ofThisThread() == nullptr);
     // Blocks begin at 495 in the mean, with a deviation of 289 each: 160 of them within 23 with 68 %.
     BOOST_TEST(std::abs(sum / (4 * kSeeds) - 495) < 80, "seeds 1 to 40, mean " << sum / (4 * kSeeds));
 }
@@ -156,4 +160,4 @@ BOOST_AUTO_TEST_CASE(states_of_another_space_are_refused) {
 }
 
 }  // namespace
-}  // namespace clearway::planning
+}  // namespace clearway::study

@@ -1,4 +1,4 @@
-#include "planning/setup/benchmark_run.h"
+#include "program/study/benchmark_run.h"
 
 #include <ompl/base/PlannerData.h>
 #include <ompl/geometric/PathGeometric.h>
@@ -11,16 +11,23 @@
 #include "core/number.h"
 #include "planning/setup/finish.h"
 #include "planning/setup/planning_space.h"
-#include "planning/setup/run_watch.h"
 #include "planning/setup/setup.h"
-#include "planning/validity/run_trace.h"
+#include "program/study/recorder.h"
+#include "program/study/run_watch.h"
 
-namespace clearway::planning {
+namespace clearway::study {
 namespace {
 
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
 using Clock = std::chrono::steady_clock;
+using planning::CheckCounters;
+using planning::MotionCounters;
+using planning::MotionVerdict;
+using planning::PathAudit;
+using planning::PlanOptions;
+using planning::PlanReport;
+using planning::Setup;
 
 constexpr double kLeastPeriod = 0.05;  ///< seconds between two looks at a planner's progress
 constexpr double kLooksPerRun = 500;   ///< at most, in the run's time
@@ -53,13 +60,14 @@ class Improvements {
     std::optional<double> first_, last_;
 };
 
-void describeQueries(const RunTrace& trace, double seconds, BenchmarkRun& run) {
-    const QueryTally& tally = trace.tally();
+void describeQueries(const Recorder& recorder, double seconds, BenchmarkRun& run) {
+    const planning::QueryTally& tally = recorder.tally();
     const auto put = [&](const char* name, std::uint64_t count) {
         run.properties[name] = std::to_string(count);
     };
-    put("motion checks INTEGER", trace.calls(CallKind::kMotion) + trace.calls(CallKind::kForwardMotion));
-    put("motion costs INTEGER", trace.calls(CallKind::kMotionCost));
+    put("motion checks INTEGER",
+        recorder.calls(CallKind::kMotion) + recorder.calls(CallKind::kForwardMotion));
+    put("motion costs INTEGER", recorder.calls(CallKind::kMotionCost));
     put("distance queries INTEGER", tally.distances);
     put("within queries INTEGER", tally.withins);
     put("volume tests INTEGER", tally.work.volumeTests);
@@ -67,9 +75,9 @@ void describeQueries(const RunTrace& trace, double seconds, BenchmarkRun& run) {
     put("triangle lanes INTEGER", tally.work.triangleLanes);
     put("kernel pairs INTEGER", tally.work.kernelPairs);
     put("kernel lanes INTEGER", tally.work.kernelLanes);
-    run.properties["query time REAL"] = shortNumber(tally.seconds);
-    run.properties["query share REAL"] = shortNumber(seconds > 0 ? tally.seconds / seconds : 0);
-    run.calls = trace.sample();
+    run.properties["query time REAL"] = shortNumber(recorder.seconds());
+    run.properties["query share REAL"] = shortNumber(seconds > 0 ? recorder.seconds() / seconds : 0);
+    run.calls = recorder.sample();
 }
 
 std::string flag(bool value) {
@@ -92,13 +100,12 @@ class RunEnd {
     std::optional<Clock::time_point> begin_;
 };
 
-ob::PlannerStatus solve(const Setup& setup, const RunLimits& limits, RunEnd& end, BenchmarkRun& run,
-                        std::vector<std::string>& warnings) {
+ob::PlannerStatus solve(const Setup& setup, const RunLimits& limits, RunEnd& end, Recorder* recorder,
+                        BenchmarkRun& run, std::vector<std::string>& warnings) {
     ob::Planner& planner = *setup.planners[0];
     const double period = std::max(kLeastPeriod, limits.seconds / kLooksPerRun);
     RunWatch watch(planner, limits.bytes, period);
-    std::optional<RunTrace> trace;
-    if (limits.trace) trace.emplace(setup.si->getStateSpace(), *limits.trace);
+    if (recorder) recorder->begin();
     const std::clock_t processorBegin = std::clock();
     end.begin();
     const Improvements improvements(*setup.definition, Clock::now());
@@ -114,7 +121,10 @@ ob::PlannerStatus solve(const Setup& setup, const RunLimits& limits, RunEnd& end
     run.properties["processor time REAL"] =
         shortNumber(static_cast<double>(std::clock() - processorBegin) / CLOCKS_PER_SEC);
     run.progress = watch.finish();
-    if (trace) describeQueries(*trace, seconds, run);
+    if (recorder) {
+        recorder->end();
+        describeQueries(*recorder, seconds, run);
+    }
     if (setup.definition->hasExactSolution()) {
         run.properties["time to first solution REAL"] = shortNumber(improvements.first().value_or(seconds));
         run.properties["time to final solution REAL"] = shortNumber(improvements.last().value_or(seconds));
@@ -167,7 +177,7 @@ void describePath(const Setup& setup, const og::PathGeometric& path, const PathA
 void keepPath(const Problem& problem, const og::PathGeometric& path, BenchmarkRun& run) {
     run.length = path.length();
     for (unsigned int i = 0; i < path.getStateCount(); ++i) {
-        run.path.push_back(fromOmpl(problem.space, path.getState(i)));
+        run.path.push_back(planning::fromOmpl(problem.space, path.getState(i)));
     }
 }
 
@@ -193,9 +203,16 @@ std::optional<BenchmarkRun> runOnce(const Problem& problem, const Scene& scene, 
                                     const RunLimits& limits, std::vector<std::string>& warnings) {
     PlanReport settings;
     RunEnd end(limits);
-    const Setup setup = prepare(problem, scene, options, settings, [&] { return end.isReached(); });
+    const auto isOver = [&] { return end.isReached(); };
+    std::optional<Recorder> recorder;
+    const auto record = [&](Setup& setup) {
+        if (limits.trace)
+            recordInto(recorder.emplace(setup.si->getStateSpace(), *limits.trace), setup, scene, isOver);
+    };
+    const Setup setup = planning::prepare(problem, scene, options, settings, isOver, record);
     BenchmarkRun run;
-    const ob::PlannerStatus status = solve(setup, limits, end, run, warnings);
+    const ob::PlannerStatus status =
+        solve(setup, limits, end, recorder ? &*recorder : nullptr, run, warnings);
     const auto isStopped = [&] { return limits.isStopped && limits.isStopped(); };
     if (isStopped()) return std::nullopt;
 
@@ -213,4 +230,4 @@ std::optional<BenchmarkRun> runOnce(const Problem& problem, const Scene& scene, 
     return run;
 }
 
-}  // namespace clearway::planning
+}  // namespace clearway::study
