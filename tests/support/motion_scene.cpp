@@ -4,8 +4,7 @@
 #include <cmath>
 
 #include "planning/setup/planning_space.h"
-#include "program/scenes/boxes.h"
-#include "program/scenes/puzzle.h"
+#include "program/scenes/scenes.h"
 #include "support/window_scene.h"
 
 namespace clearway::testing {

@@ -7,7 +7,6 @@
 #include "program/cli/elapsed_line.h"
 #include "program/cli/print.h"
 #include "program/cli/scene_record.h"
-#include "program/scenes/generated_scene.h"
 #include "program/scenes/scenes.h"
 
 namespace clearway::cli {

@@ -3,7 +3,6 @@
 
 #include <string>
 
-#include "program/scenes/generated_scene.h"
 #include "program/scenes/scenes.h"
 
 namespace clearway::cli {

@@ -1,30 +1,20 @@
-#include "program/scenes/boxes.h"
-
 #include <cmath>
-#include <stdexcept>
 
-#include "program/scenes/grid_box.h"
-#include "program/scenes/path_to_problem.h"
 #include "program/scenes/random.h"
+#include "program/scenes/scenes.h"
+#include "program/scenes/solids.h"
 
 namespace clearway::scenes {
 
 namespace {
 
 constexpr double kLeastClearance = 0.01, kMostClearance = 20;  // mm
-constexpr double kEase = 0.01;                                 // of the clearance that is left beyond it
-constexpr std::size_t kMostTriangles = 4000000;
+constexpr double kEase = 0.01;  // extra gap beyond the clearance, as a share of it
 constexpr double kWallThickness = 16;
 constexpr double kSlit = 1;   // mm between floor and wall
-constexpr double kRoom = 60;  // mm about the path's positions that planners may use
+constexpr double kRoom = 60;  // mm around the path's positions that planners may use
 
-void requireTriangles(const char* option, std::size_t triangles, std::size_t least) {
-    if (triangles >= least && triangles <= kMostTriangles) return;
-    throw std::invalid_argument(std::string(option) + " is " + std::to_string(triangles) + ", expected " +
-                                std::to_string(least) + " to " + std::to_string(kMostTriangles));
-}
-
-/// In whole millimetres, which floats hold exactly.
+/// A random whole number of millimetres, which floats hold exactly.
 double wholeBetween(Random& random, double low, double high) {
     return std::floor(random.between(low, high + 1));
 }
@@ -33,11 +23,11 @@ double wholeBetween(Random& random, double low, double high) {
 
 GeneratedScene makeBoxes(const SceneOptions& options) {
     requireClearance(options.clearance, kLeastClearance, kMostClearance);
-    requireTriangles("part-triangles", options.partTriangles, 12);
-    requireTriangles("environment-triangles", options.environmentTriangles, 24);
+    requireTriangles(options.partTriangles, "part-triangles", 12);
+    requireTriangles(options.environmentTriangles, "environment-triangles", 24);
     Random random(options.seed);
     const Vector3 half{wholeBetween(random, 28, 34), wholeBetween(random, 18, 22),
-                       wholeBetween(random, 13, 16)};  // braces: in this order
+                       wholeBetween(random, 13, 16)};  // braces fix the order of the random draws
     const double length = wholeBetween(random, 140, 160);
     const Box floor(Vector3(-length, -90, -24), Vector3(length, 50, 0));
     const Box wall(Vector3(-length, 50 + kSlit, -24), Vector3(length, 50 + kSlit + kWallThickness, 110));

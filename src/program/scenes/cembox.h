@@ -1,35 +1,49 @@
-// The demo scene cembox, version 1: the box of a control module that is drawn out of its guide rails in a
-// crowded engine bay. A version never changes what an option set makes; a better scene is a new version
-// beside it.
+// The measures of the scene cembox, shared by the module and the bay: millimetres; part coordinates about the
+// middle of the module's body, x across, y to the rear, z up.
 #pragma once
 
-#include "program/scenes/generated_scene.h"
-#include "program/scenes/scene_options.h"
+#include "program/scenes/assembly.h"
+#include "program/scenes/random.h"
+#include "program/scenes/scenes.h"
 
 namespace clearway::scenes {
 
-/// The clearance can be 0.5 to 8 mm.
-constexpr SceneOptions kCembox{1, 30000, 500000, 4};
+struct CemboxDesign {
+    double clearance = 4;
+    double gap = 4.5;  ///< of rails and buffers; leaves `clearance`
 
-/// The part and the environment in millimetres, all coordinates representable in float, every component a
-/// closed solid.
-///
-/// x to the left, y to the rear, z up. The module stands in two rails in front of the bulkhead; the box of
-/// the part has a diagonal of about 390 mm. The path begins there: straight up along the rails, with a gap of
-/// at least `clearance` and at most 1.5 times as much until the part has left them; then tilted under the
-/// wiper's tube, out over the strut brace, and turned. Beyond the rails nothing is nearer than 1.5 times the
-/// clearance, nor than 3 times once the part is above them. problem.step is half the thinnest sheet.
-///
-/// The shapes need about 3,300 and 41,000 triangles; there are more details, and finer ones, the more are
-/// asked for. Neighbours may reach into each other a little where sheets are joined or screws are driven in.
-///
-/// Throws std::invalid_argument, naming the option, its value and what was expected, when the clearance is
-/// out of range or a number of triangles is less than the shape needs, or above 4 million.
-GeneratedScene makeCembox(const SceneOptions& options);
+    // The module: its body hangs between two guide edges.
+    double bodyHalf = 128;  ///< half its width
+    double halfHeight = 100;
+    double front = -46;  ///< front of the fins
+    double lid = -32;
+    double base = 30;  ///< back of the housing
+    double back = 40;  ///< back of the ribs behind the housing
+    double edgeHalf = 150;
+    double edgeThickness = 2.5;
+    double top = 134;  ///< top of connectors and lugs
+    double topHalf = 122, topDepth = 26;
 
-/// Version 2: the same module, rails and path in a bay with more to it: bumper and grille, subframe, steering
-/// and drive shafts, insulation in layers, sheets with lightening holes, wipers. Where fewer triangles are
-/// asked for than all components have when coarsest, small ones are left out.
-GeneratedScene makeCembox2(const SceneOptions& options);
+    Vector3 place{230, 725, 440};  ///< the module's middle in its rails, in the bay
+    double railTop = 98;           ///< part coordinates, assembled
+    double lift = 206;             ///< along the rails and out of them
+    double tilt = 0.6;             ///< radians, about x
+    double slide = 150;            ///< along the tilted module's own z
+
+    double thinnestSheet = 1.2;
+
+    /// Boxes that together hold the part.
+    std::vector<Box> envelope() const;
+
+    /// The path, for the part's coordinates before it is centred: out of the rails, then the rotations in
+    /// short chords.
+    std::vector<PartState> path() const;
+};
+
+/// Throws std::invalid_argument for a clearance out of range.
+CemboxDesign designCembox(const SceneOptions& options);
+
+/// The module, with `studs` solder points inside it.
+Assembly buildModule(const CemboxDesign& design, const Detail& detail, Random random, int studs);
 
 }  // namespace clearway::scenes

@@ -2,12 +2,47 @@
 // to the rear, z up: about 1.4 m wide, 0.9 m long, 0.75 m high.
 #pragma once
 
+#include <functional>
 #include <string>
+#include <vector>
 
-#include "program/scenes/cembox_design.h"
-#include "program/scenes/curve.h"
+#include "program/scenes/cembox.h"
+#include "program/scenes/random.h"
+#include "program/scenes/solids.h"
 
 namespace clearway::scenes {
+
+/// The room a part needs on its way: what is built around the path stays out of it.
+class KeptFree {
+  public:
+    /// boxes: together hold the part, in the part's coordinates.
+    explicit KeptFree(std::vector<Box> boxes);
+
+    /// Adds the room within `margin` of the boxes on a planner's interpolation between two states: straight
+    /// translation, shortest rotation.
+    void addMotion(const PartState& from, const PartState& to, double margin);
+
+    /// True when every triangle of the piece is farther than the margin from the boxes along all motions. May
+    /// be false for a piece that is only a little farther than the margin.
+    bool isClearOf(const Piece& piece) const;
+
+  private:
+    struct Obstacle {  ///< a grown box at a pose on the way
+        Pose X_partWorld;
+        Box box;      ///< part coordinates
+        Box inWorld;  ///< bounds of the box at that pose
+    };
+
+    bool meets(const Vector3& a, const Vector3& b, const Vector3& c) const;
+
+    std::vector<Box> boxes_;
+    double radius_ = 0;  ///< of a ball about the part's origin that holds the boxes
+    std::vector<Obstacle> obstacles_;
+    Box all_;
+};
+
+/// The room the module needs on its way; everything but rails and buffers stays out of it.
+KeptFree keptFreeFor(const CemboxDesign& design);
 
 struct Bay {
     const CemboxDesign& design;
@@ -17,7 +52,7 @@ struct Bay {
     Assembly assembly{};
 
     static constexpr double kSlit = 0.3;                                    // mm between neighbours
-    static constexpr double kBulkhead = 850;                                // y of its front, beads aside
+    static constexpr double kBulkhead = 850;                                // y of its front, without beads
     static constexpr double kHalfWidth = 660;                               // x of the inner wings
     static constexpr double kTowerX = 575, kTowerY = 590, kTowerTop = 690;  // of the strut towers
 
@@ -26,9 +61,9 @@ struct Bay {
     void addNumbered(const std::string& stem, const Piece& piece);
 
     Piece box(const Vector3& low, const Vector3& high, double corner, double edge) const;
-    /// Of a circle of that radius (mm), a multiple of 4, and of a rounding: chords grow with the root of the
-    /// radius, as by a chord tolerance. As each radius gets its next segment at another detail, numbers of
-    /// triangles grow in small steps.
+    /// Segments of a circle of that radius (mm), a multiple of 4, and of a quarter of a rounding. Chords grow
+    /// with the root of the radius, as with a chord tolerance. Each radius gets its next segment at another
+    /// detail, so that the numbers of triangles grow in small steps.
     int segmentsFor(double radius) const;
     int quarterFor(double radius) const;
 
@@ -40,24 +75,19 @@ struct Bay {
     Polyline rounded(const Polyline& line, const std::vector<double>& radii) const;
     std::vector<double> stations(double from, double to) const;
 
-    /// A sheet with the line in its middle, all its corners rounded alike.
+    /// A sheet with the line in its middle, all its corners rounded by `radius`.
     Section sheet(const Polyline& line, double radius, double thickness) const;
 
-    /// A bolt whose head lies on `at` and looks along `axis`, with a washer where detail allows.
+    /// A bolt whose head lies on `at` and points along `axis`, with a washer if the detail is fine enough.
     void addBolt(const Vector3& at, const Vector3& axis, double shank);
 
-    /// Bolts evenly between two points, both included, as many as the detail asks for.
+    /// A row of evenly spaced bolts from the first to the last point; the detail scales their number.
     void addBoltRow(const Vector3& from, const Vector3& to, const Vector3& axis, double shank, double number);
 };
 
-void addSlot(Bay& bay);        // what holds the module
-void addBody(Bay& bay);        // sheet metal
-void addEngine(Bay& bay);      // block, gearbox, and what is bolted to them
-void addCooling(Bay& bay);     // radiator and fan
-void addAggregates(Bay& bay);  // battery, tanks, boxes, brakes
-void addLines(Bay& bay);       // hoses, pipes, cables
-void addWeldStuds(Bay& bay, int studs);
-
-void addBayFittings(Bay& bay);  // only in version 2
+/// Everything around the module, with `studs` weld studs on the bulkhead. withFittings: adds the fittings of
+/// version 2.
+Assembly buildEngineBay(const CemboxDesign& design, const KeptFree& keptFree, const Detail& detail,
+                        Random random, int studs, bool withFittings);
 
 }  // namespace clearway::scenes

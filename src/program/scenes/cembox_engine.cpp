@@ -1,10 +1,7 @@
-// The engine across the bay with its gearbox: block, head, cover, pan, manifolds, and what the belt drives.
+#include "program/scenes/cembox_engine.h"
+
 #include <algorithm>
 #include <cmath>
-
-#include "program/scenes/cembox_bay.h"
-#include "program/scenes/loft.h"
-#include "program/scenes/sweep.h"
 
 namespace clearway::scenes {
 
@@ -164,7 +161,7 @@ void addGearbox(Bay& bay) {
     for (int i = 0; i < ribs; ++i) {
         const double angle = 2 * M_PI * i / ribs;
         const Section plate = fullSection({{108, -2}, {146, -2}, {146, 2}, {108, 2}});
-        // A wedge between the bell's flange and its cone.
+        // The rib is a wedge between the bell's flange and its cone.
         Piece rib = sweepAlongZ(plate, {17, 60});
         for (std::size_t k = 4; k < 8; ++k) rib.vertices[k].x() = std::min(rib.vertices[k].x(), 122.0);
         bay.addNumbered("bell_rib", placed(rib, standingAt(axis, Vector3::UnitX(), angle)));
@@ -182,7 +179,7 @@ struct Pulley {
     const char* name;
     Vector2 centre;  ///< y, z
     double radius;
-    double depth;  ///< of what it drives, behind it
+    double depth;  ///< of the device behind it that it drives
 };
 
 constexpr double kBeltX = kRight - 26;
@@ -228,7 +225,8 @@ void addBeltDrive(Bay& bay) {
                               {"water_pump", {430, 320}, 56, 0},
                               {"idler", {300, 300}, 30, 0}};
     for (const Pulley& pulley : pulleys) addDriven(bay, pulley);
-    // The belt's outline is that of all pulleys' hull: in each direction it touches the outermost.
+    // The belt's outline is that of the convex hull of all pulleys: in each direction it touches the
+    // outermost pulley.
     const int n = 3 * bay.segmentsFor(72);
     Polyline outer, inner;
     for (int i = 0; i < n; ++i) {
@@ -245,6 +243,73 @@ void addBeltDrive(Bay& bay) {
     }
     bay.add("belt",
             sweep(ringSection(outer, inner), {kBeltX - kBeltWidth / 2 + 2, kBeltX + kBeltWidth / 2 - 2}));
+}
+
+constexpr double kHalf = 360, kLow = 165, kHigh = 600;  // of the core
+constexpr double kCoreFront = 84, kCoreRear = 108;      // y of the core
+
+/// Upright flat tubes with a folded sheet between each pair.
+void addCore(Bay& bay) {
+    const int tubes = std::clamp(bay.detail.count(9), 9, 60);
+    const double pitch = 2 * kHalf / tubes;
+    const int folds = 2 * tubes;
+    for (int i = 0; i <= tubes; ++i) {
+        const double x = pitch * i - kHalf;
+        const Polyline outline =
+            roundedRectangle({x - 1.5, kCoreFront}, {x + 1.5, kCoreRear}, 1.2, bay.quarterFor(1.2));
+        bay.addNumbered("radiator_tube", sweepAlongZ(fullSection(outline), {kLow, kHigh}));
+        if (i == tubes) break;
+        Polyline fold;
+        for (int k = 0; k <= folds; ++k) {
+            fold.push_back({x + (k % 2 == 0 ? 2.2 : pitch - 2.2), kLow + 3 + (kHigh - kLow - 6) * k / folds});
+        }
+        bay.addNumbered("radiator_fin",
+                        sweepAlongY(sheetSection(fold, 0.4), {kCoreFront + 2, kCoreRear - 2}));
+    }
+    for (const double z : {kLow - 46, kHigh + Bay::kSlit}) {
+        const bool isUpper = z > kLow;
+        bay.add(isUpper ? "radiator_tank_upper" : "radiator_tank_lower",
+                bay.box({-kHalf - 12, kCoreFront - 8, z},
+                        {kHalf + 12, kCoreRear + 10, isUpper ? z + 26 : z + 45.5}, 14, 9));
+    }
+}
+
+/// A blade: a strip that twists along its length.
+Piece blade(const Bay& bay, double from, double to) {
+    const double width = 0.34 * to;
+    const Section strip = sheetSection(
+        {{-width / 2, 0}, {-width / 6, 0.05 * width}, {width / 6, 0.05 * width}, {width / 2, 0}}, 2);
+    return placed(sweep(strip, stationsBetween(from, to, std::max(4.0, bay.detail.step / 3))),
+                  [&](const Vector3& p) {
+                      const double twist = 0.9 - 0.4 * (p.x() - from) / (to - from);
+                      const Vector2 q = Eigen::Rotation2Dd(twist) * Vector2(p.y(), p.z());
+                      return Vector3(p.x(), q.x(), q.y());
+                  });
+}
+
+void addFan(Bay& bay, double side) {
+    const Vector3 at(side * 170, 148, 385);
+    const Polyline hub = bay.rounded({{0, -22}, {42, -22}, {46, -18}, {46, 14}, {0, 20}}, {2, 3, 8});
+    const std::string name = side > 0 ? "fan_left" : "fan_right";
+    bay.add(name + "_hub", placed(bay.turnedRound(hub), standingAt(at, Vector3::UnitY())));
+    constexpr int kBlades = 7;
+    for (int i = 0; i < kBlades; ++i) {
+        bay.addNumbered(
+            name + "_blade",
+            placed(blade(bay, 47, 136), standingAt(at, Vector3::UnitY(), 2 * M_PI * i / kBlades + 0.3)));
+    }
+    const Polyline band{{137, -12}, {140, -12}, {140, 12}, {137, 12}};
+    bay.add(name + "_band", placed(bay.turnedRing(band), standingAt(at, Vector3::UnitY())));
+    const Polyline motor = bay.rounded({{0, 0}, {34, 0}, {34, 30}, {0, 30}}, {3, 8});
+    bay.add(name + "_motor",
+            placed(bay.turnedRound(motor), standingAt(at + Vector3(0, 21, 0), Vector3::UnitY())));
+    for (int i = 0; i < 3; ++i) {
+        const double angle = 0.5 + 2 * M_PI * i / 3;
+        const Vector3 out(std::cos(angle), 0, std::sin(angle));
+        bay.addNumbered(name + "_strut",
+                        bay.bar({at + 36 * out + Vector3(0, 34, 0), at + 152 * out + Vector3(0, 30, 0)}, 5));
+        bay.addBolt(at + 28 * out + Vector3(0, 51.5, 0), Vector3::UnitY(), 2.5);
+    }
 }
 
 }  // namespace
@@ -264,6 +329,17 @@ void addEngine(Bay& bay) {
         bay.addNumbered("engine_mount",
                         placed(bay.turnedRing(rubber), standingAt({x, 395, 232}, Vector3::UnitZ())));
         bay.addBolt({x, 395, 279}, Vector3::UnitZ(), 7);
+    }
+}
+
+void addCooling(Bay& bay) {
+    addCore(bay);
+    const auto hole = [](std::size_t, std::size_t) { return 146.0; };
+    bay.add("fan_shroud",
+            sweepAlongY(holedSection({-338, 0, 338}, {225, 545}, hole, bay.segmentsFor(146)), {126, 129}));
+    for (const double side : {1.0, -1.0}) {
+        addFan(bay, side);
+        bay.addBoltRow({side * 330, 129.3, 240}, {side * 330, 129.3, 530}, Vector3::UnitY(), 3, 3);
     }
 }
 

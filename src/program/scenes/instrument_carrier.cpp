@@ -1,9 +1,7 @@
-// The instrument carrier: a skin over ribs on a beam across the car, with end plates, mounting plates, legs,
-// a duct, vents and a glove box.
-#include <cmath>
+#include "program/scenes/instrument_carrier.h"
 
-#include "program/scenes/car_body.h"
-#include "program/scenes/curve.h"
+#include <algorithm>
+#include <cmath>
 
 namespace clearway::scenes {
 
@@ -15,14 +13,14 @@ constexpr double kVentAt = 425, kGloveBoxAt = 545;  // along the skin's profile
 constexpr double kGloveBoxY = 330;
 constexpr double kBeamX = 1190, kBeamZ = 800, kBeamRadius = 26;
 
-/// From the lip at the windscreen over the top and the face to the edge under the knees.
+/// The skin's profile: from the lip at the windscreen over the top and the face to the edge under the knees.
 Spine skinProfile() {
     return Spine::through(
         {{968, 0, 948}, {1000, 0, 961}, {1215, 0, 942}, {1312, 0, 850}, {1300, 0, 640}, {1228, 0, 572}}, 55,
         Vector3::UnitY());
 }
 
-/// u goes along the profile, v is y; the upper side is the visible one.
+/// The carrier's skin: u goes along the profile, v is y; the upper side is the visible one.
 struct Skin {
     Spine profile = skinProfile();
 
@@ -90,7 +88,7 @@ void Carrier::addSkin() {
 /// Plates that follow the skin's back, under the top on both sides and at the driver's knees.
 void Carrier::addRibs() {
     const Vector2 middle(-1150, 760);
-    // Where they are the skin has neither bow nor field deep enough to reach them.
+    // In these places neither the skin's bow nor its field is deep enough to reach the ribs.
     const auto rib = [&](const std::string& name, double y, double from, double to) {
         const int n = std::max(6, static_cast<int>((to - from) / metal.detail().step));
         Polyline outer, inner;
@@ -128,11 +126,11 @@ void Carrier::addBeam() {
     metal.part("cable", rod(smooth(cable, step), 6, 2 * metal.detail().segmentsPerQuarter + 4));
 }
 
-/// Their outer faces are plane.
+/// The end plates, whose outer faces are plane.
 void Carrier::addEnds() {
     metal.onBothSides([&] {
         PanelShape plate;
-        plate.surface = [](double u, double v) { return Vector3(u, 0, v); };  // its upper side looks to -y
+        plate.surface = [](double u, double v) { return Vector3(u, 0, v); };  // the upper side faces -y
         plate.thickness = 3;
         plate.offset = -(body.carrierHalf - plate.thickness / 2);
         plate.low = {985, 605};
@@ -147,7 +145,7 @@ void Carrier::addMountingPlates() {
         const std::string side = std::to_string(static_cast<int>(y + 500));
         const double front = body.carrierFront;
         PanelShape plate;
-        plate.surface = [](double u, double v) { return Vector3(0, u, v); };  // its upper side looks to x
+        plate.surface = [](double u, double v) { return Vector3(0, u, v); };  // the upper side faces x
         plate.thickness = 3;
         plate.offset = front + 1.5;
         plate.low = {y - 24, 862};
@@ -164,7 +162,7 @@ void Carrier::addMountingPlates() {
     }
 }
 
-/// From the beam to the tunnel.
+/// The legs, from the beam to the tunnel.
 void Carrier::addLegs() {
     for (const double y : {-80.0, 80.0}) {
         const std::string side = y < 0 ? "_left" : "_right";
@@ -225,7 +223,7 @@ void Carrier::addDucts() {
 void Carrier::addGloveBox() {
     const int n = metal.detail().segmentsPerQuarter;
     const Piece box = tray({-100, -48, -90}, {100, 48, 0}, 14, 2.2, n);
-    // Its opening looks to the rear, its floor to the front.
+    // The glove box opens to the rear; its floor is in front.
     Matrix3 turn;
     turn.col(0) = Vector3::UnitY();
     turn.col(1) = Vector3::UnitZ();
@@ -234,7 +232,7 @@ void Carrier::addGloveBox() {
     metal.part("glove_box", placed(box, [turn, at](const Vector3& p) -> Vector3 { return turn * p + at; }));
 }
 
-/// On the skin's back, pointing into the carrier.
+/// Screw bosses on the skin's back, pointing into the carrier.
 void Carrier::addBosses() {
     const int bosses = metal.detail().count(8);
     for (int i = 0; i < bosses; ++i) {
@@ -256,7 +254,7 @@ void Carrier::addBosses() {
 void Carrier::addStuds(int studs) {
     const Polyline dome = domeOutline(2.5, 3, metal.detail().segmentsPerQuarter);
     for (int i = 0; i < studs; ++i) {
-        // Rows on the inner sides of the end plates, before their holes.
+        // Rows on the inner sides of the end plates, in front of their holes.
         const double side = i % 2 == 0 ? 1 : -1, x = 1020 + 6.5 * (i / 2 % 11), z = 612 + 7 * (i / 22 % 40);
         metal.turnedPart("stud", dome, {x, side * (body.carrierHalf - 3.3), z}, -side * Vector3::UnitY());
     }

@@ -1,38 +1,28 @@
-#include "program/scenes/peg_in_hole.h"
-
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
-#include "program/scenes/grid_box.h"
-#include "program/scenes/path_to_problem.h"
 #include "program/scenes/random.h"
-#include "program/scenes/sweep.h"
+#include "program/scenes/scenes.h"
+#include "program/scenes/solids.h"
 
 namespace clearway::scenes {
 
 namespace {
 
 constexpr double kLeastClearance = 0.01, kMostClearance = 10;  // mm
-constexpr double kEase = 0.08;                                 // of the clearance that is left beyond it
-constexpr std::size_t kLeastTriangles = 300, kMostTriangles = 4000000;
+constexpr double kEase = 0.08;  // extra gap beyond the clearance, as a share of it
+constexpr std::size_t kLeastTriangles = 300;
 constexpr double kRadius = 15, kShank = 40, kHeadRadius = 24, kHead = 12;
 constexpr double kBlockHalf = 45, kBlock = 50, kBase = 12;
 constexpr double kSlit = 0.2;  // mm between components
-constexpr double kRoom = 80;   // mm about the path's positions that planners may use
+constexpr double kRoom = 80;   // mm around the path's positions that planners may use
 
-void requireTriangles(const char* option, std::size_t triangles) {
-    if (triangles >= kLeastTriangles && triangles <= kMostTriangles) return;
-    throw std::invalid_argument(std::string(option) + " is " + std::to_string(triangles) + ", expected " +
-                                std::to_string(kLeastTriangles) + " to " + std::to_string(kMostTriangles));
-}
-
-/// Of something round with so many triangles; a multiple of 4.
+/// Segments of a round solid with that many triangles; a multiple of 4.
 int segmentsFor(std::size_t triangles) {
     return 4 * std::max(3, static_cast<int>(std::sqrt(static_cast<double>(triangles)) / 8));
 }
 
-/// The peg, its foot at z = 0, and a drive that takes the triangles that are left.
+/// The peg, its foot at z = 0, and a drive with the remaining triangles.
 Mesh peg(std::size_t triangles) {
     const int n = segmentsFor(triangles);
     const std::size_t round = triangles - triangles / 10;
@@ -55,7 +45,7 @@ Mesh peg(std::size_t triangles) {
     return assembly.mesh();
 }
 
-/// The block, its top at z = 0, and a base that takes the triangles that are left.
+/// The block, its top at z = 0, and a base with the remaining triangles.
 Mesh block(std::size_t triangles, double gap, const Vector2& at) {
     const int n = segmentsFor(triangles);
     // The sides of the hole's polygon are nearer to its axis than its corners.
@@ -79,12 +69,12 @@ Mesh block(std::size_t triangles, double gap, const Vector2& at) {
 
 GeneratedScene makePegInHole(const SceneOptions& options) {
     requireClearance(options.clearance, kLeastClearance, kMostClearance);
-    requireTriangles("part-triangles", options.partTriangles);
-    requireTriangles("environment-triangles", options.environmentTriangles);
+    requireTriangles(options.partTriangles, "part-triangles", kLeastTriangles);
+    requireTriangles(options.environmentTriangles, "environment-triangles", kLeastTriangles);
     Random random(options.seed);
     const double x = std::floor(random.between(20, 41)), y = std::floor(random.between(-20, 21));
     const double side = random.next() % 2 == 0 ? 1 : -1;
-    const double gap = options.clearance * (1 + kEase) + 0.001;  // and what rounding to float takes
+    const double gap = options.clearance * (1 + kEase) + 0.001;  // the constant covers rounding to float
 
     GeneratedScene scene;
     scene.name = "peg-in-hole";

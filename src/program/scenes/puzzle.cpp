@@ -1,14 +1,11 @@
-#include "program/scenes/puzzle.h"
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <stdexcept>
 
-#include "program/scenes/path_to_problem.h"
 #include "program/scenes/random.h"
-#include "program/scenes/spine.h"
+#include "program/scenes/scenes.h"
+#include "program/scenes/solids.h"
 
 namespace clearway::scenes {
 
@@ -16,21 +13,20 @@ namespace {
 
 constexpr double kBar = 5;  // mm, radius of both bars
 constexpr double kLeastClearance = 0.1, kMostClearance = 10;
-constexpr std::size_t kMostTriangles = 4000000;
 constexpr double kLeastBend = 30, kMostBend = 36;  // mm, radii
-constexpr double kLoopGap = 0.6;                   // of a bar's radius: what is left open of a loop
-constexpr double kDomeRings = 3;                   // of each rounded end
-constexpr double kEase = 0.1;                      // of the clearance that is left beyond it
-constexpr double kPathShare = 0.05;                // of the clearance that the path's chords may take
+constexpr double kLoopGap = 0.6;                   // gap of an open loop, in bar radii
+constexpr double kDomeRings = 3;                   // rings of each rounded end
+constexpr double kEase = 0.1;                      // extra gap beyond the clearance, as a share of it
+constexpr double kPathShare = 0.05;                // share of the clearance that the path's chords may use up
 constexpr double kFarthest =
-    150;  // mm, of the part's origin from any axis it is turned about; only for kPathShare
-constexpr double kRoom = 100;  // mm about the path's positions that planners may use
+    150;  // mm; bounds the distance of the part's origin from its axes of rotation, for kPathShare
+constexpr double kRoom = 100;  // mm around the path's positions that planners may use
 
 /// How finely a bar is cut.
 struct BarDetail {
-    int segments = 0;         ///< of its section
-    std::vector<int> spans;   ///< of each piece of its spine
-    double largestAngle = 0;  ///< of a bend, between stations
+    int segments = 0;         ///< of the bar's section
+    std::vector<int> spans;   ///< for each piece of the bar's spine
+    double largestAngle = 0;  ///< between two stations of a bend
 };
 
 std::size_t barTriangles(int segments, int spans) {
@@ -46,7 +42,7 @@ double angleOf(const Spine::Piece& piece) {
     return piece.length * piece.curvature;
 }
 
-/// Straights in one span, the rest of the triangles to the bends, always to the one cut most coarsely.
+/// Cuts straights into one span and gives the remaining triangles to the bends, always to the coarsest one.
 BarDetail detailFor(const Spine& spine, std::size_t triangles, const std::string& option) {
     constexpr double kCoarsest = M_PI / 6;
     BarDetail detail;
@@ -56,10 +52,7 @@ BarDetail detailFor(const Spine& spine, std::size_t triangles, const std::string
         spans += detail.spans.back();
     }
     const std::size_t least = barTriangles(segmentsFor(0), spans);
-    if (triangles < least || triangles > kMostTriangles) {
-        throw std::invalid_argument(option + " is " + std::to_string(triangles) + ", expected " +
-                                    std::to_string(least) + " to " + std::to_string(kMostTriangles));
-    }
+    requireTriangles(triangles, option, least);
     detail.segments = segmentsFor(triangles);
     while (barTriangles(detail.segments, spans) > triangles) --detail.segments;
     const auto coarseness = [&](std::size_t i) { return angleOf(spine.pieces()[i]) / detail.spans[i]; };
@@ -95,17 +88,18 @@ Piece bar(const Spine& spine, const BarDetail& detail) {
     return sweptAlong(spine, fullSection(circle(Vector2::Zero(), kBar, detail.segments)), stations, scales);
 }
 
-/// How much of a turn a loop of that radius leaves out, so that its ends are kLoopGap apart.
+/// The angle that a loop of that radius leaves open, so that its ends are kLoopGap apart.
 double loopGapAngle(double radius) {
     return 2 * std::asin((2 + kLoopGap) * kBar / (2 * radius));
 }
 
-/// A spine that begins with a loop, by how much of a turn the loop leaves out.
+/// Makes a spine that begins with a loop, given the angle that the loop leaves open.
 using LoopSpine = std::function<Spine(double gapAngle)>;
 
-/// Between the middle lines of the loop's first quarter and of its last one with all that follows.
+/// The distance between the middle lines of the loop's first quarter and of everything from its last quarter
+/// on.
 double distanceAtLoop(const Spine& spine) {
-    constexpr double kApart = 0.5;  // mm, from one point to the next
+    constexpr double kApart = 0.5;  // mm between neighbouring points
     const double loop = spine.pieces()[0].length;
     std::vector<Vector3> beginning, rest;
     for (double at = 0; at < loop / 4; at += kApart) beginning.push_back(spine.frameAt(at).translation);
@@ -118,7 +112,7 @@ double distanceAtLoop(const Spine& spine) {
     return std::sqrt(least);
 }
 
-/// The spine whose loop begins kLoopGap away from what follows its end, too.
+/// The spine whose loop keeps its beginning kLoopGap away from everything that follows.
 Spine withOpenLoop(const LoopSpine& spineWith) {
     double low = 0.1, high = 2.6;
     for (int i = 0; i < 20; ++i) {
@@ -153,7 +147,7 @@ struct Measures {
     }
 };
 
-/// From the loop that serves as a handle through three bends to the free end.
+/// The part's spine: a loop as handle, then three bends to the free end.
 Spine partSpine(const Measures& m, int version) {
     const auto spineWith = [&](double gapAngle) {
         Spine spine;
@@ -166,12 +160,13 @@ Spine partSpine(const Measures& m, int version) {
     return version == 1 ? spineWith(loopGapAngle(m.handleRadius)) : withOpenLoop(spineWith);
 }
 
-/// From the eye, about the origin with its axis along x, down the stem and to one side along the foot.
+/// The environment's spine: the eye about the origin with its axis along x, then the stem down and the foot
+/// to one side.
 Spine environmentSpine(const Measures& m, double eyeRadius, int version) {
     constexpr double kOutward = 1.2;  // radians, from the eye's circle to the stem
     const auto spineWith = [&](double gapAngle) {
         const double loop = 2 * M_PI - gapAngle;
-        const double first = kOutward - M_PI - loop;  // where on its circle, so that the stem points down
+        const double first = kOutward - M_PI - loop;  // the eye's first angle, so that the stem points down
         Pose start;
         start.rotation.col(0) = Vector3(0, -std::sin(first), std::cos(first));
         start.rotation.col(1) = Vector3(0, -std::cos(first), -std::sin(first));
@@ -185,12 +180,12 @@ Spine environmentSpine(const Measures& m, double eyeRadius, int version) {
     return version == 1 ? spineWith(loopGapAngle(eyeRadius)) : withOpenLoop(spineWith);
 }
 
-/// What a chord cuts off the inside of a bend.
+/// The distance between a bend and its chord.
 double sagitta(double radius, double angle) {
     return radius * (1 - std::cos(angle / 2));
 }
 
-/// The part with the point of its middle line at that length in the middle of the eye.
+/// Places the part so that the point of its middle line at that length is the middle of the eye.
 PartState threaded(const Spine& part, double length) {
     const Pose X_eyePart = inverse(part.frameAt(length));
     PartState state;
@@ -221,14 +216,16 @@ GeneratedScene makeVersion(int version, const SceneOptions& options) {
     const Spine part = partSpine(measures, version);
     const BarDetail partDetail = detailFor(part, options.partTriangles, "part-triangles");
 
-    // As long as no bend is narrower than the eye, the eye's middle line is just its radius away from the
-    // part's middle line (a curve's tube of a radius below that of its bends does not meet itself). From that
-    // both bars, what their chords cut off, and what the path's chords and rounding take are left out.
+    // As long as no bend is narrower than the eye, the distance between the middle lines of eye and part is
+    // the eye's radius (a curve's tube of a radius below that of its bends does not meet itself). Both bars,
+    // their chords, the path's chords and rounding reduce that distance.
     double eyeRadius = 2 * kBar + clearance * (1 + kEase + kPathShare) + 0.01;
     eyeRadius += sagitta(kMostBend, partDetail.largestAngle);
     const BarDetail roughly = detailFor(environmentSpine(measures, eyeRadius, version),
                                         options.environmentTriangles, "environment-triangles");
-    eyeRadius += 1.2 * sagitta(eyeRadius, roughly.largestAngle);  // it grows by that, too
+    eyeRadius +=
+        1.2 * sagitta(eyeRadius,
+                      roughly.largestAngle);  // the correction enlarges the eye and with it the correction
     const Spine environment = environmentSpine(measures, eyeRadius, version);
 
     GeneratedScene scene;

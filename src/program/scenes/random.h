@@ -1,4 +1,5 @@
-// Random numbers that are the same on every machine: the standard's engines are, its distributions are not.
+// Random numbers that are identical on every machine: the standard guarantees this for engines, not for
+// distributions.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +18,7 @@ class Random {
         return z ^ (z >> 31);
     }
 
-    /// In [low, high).
+    /// A number in [low, high).
     double between(double low, double high) {
         return low + (high - low) * (static_cast<double>(next() >> 11) * 0x1p-53);
     }

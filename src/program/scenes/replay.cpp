@@ -7,7 +7,6 @@
 #include <stdexcept>
 
 #include "clearway/query.h"
-#include "program/scenes/path_curve.h"
 #include "program/scenes/random.h"
 
 namespace clearway::scenes {
@@ -21,7 +20,7 @@ struct Wave {
     double weight, cycles, phase;
 };
 
-/// Six sums of sines; about 1 at most places.
+/// Six sums of sines, one per degree of freedom; their values are mostly about 1.
 class Waves {
   public:
     Waves(Random& random, bool turns) : turns_(turns) {
@@ -69,11 +68,12 @@ double collidingShare(const PoseTask& task, const std::vector<Pose>& poses, Work
     return static_cast<double>(touching) / static_cast<double>(poses.size());
 }
 
-/// Poses with the wanted share, if this deviation has an amplitude for it.
+/// Poses with the wanted share of collisions, if some amplitude of this deviation gives it.
 std::optional<std::vector<Pose>> bisected(const PoseTask& task, const PathCurve& curve, const Waves& waves,
                                           double share, int count) {
     Workspace workspace;
-    // Few poses have few shares; by a hair more than half a pose, which may be what the nearest is off by.
+    // With few poses only few shares are possible: the nearest one is off by up to half a pose, plus
+    // rounding.
     const double enough = std::max(kShareTolerance / 2, (0.5 + 1e-9) / count);
     double low = 0, high = 1e-4;
     while (collidingShare(task, deviated(curve, waves, high, count), workspace) < share) {
@@ -92,6 +92,33 @@ std::optional<std::vector<Pose>> bisected(const PoseTask& task, const PathCurve&
 }
 
 }  // namespace
+
+PathCurve::PathCurve(const std::vector<PartState>& path, const Box& partBox)
+    : path_(path), centre_(partBox.center()), size_(partBox.diagonal().norm()) {
+    for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+        const double turned = path[i].rotation.angularDistance(path[i + 1].rotation);
+        const Vector3 way = placeOf(path[i + 1]) - placeOf(path[i]);
+        reached_.push_back(reached_.back() + way.norm() + turned * size_ / kTurnOfASize);
+    }
+    if (!(reached_.back() > 0)) throw std::invalid_argument("the path does not move, expected one that does");
+}
+
+Pose PathCurve::at(double share, const Deviation& deviation) const {
+    const double length = share * reached_.back();
+    const auto next = std::upper_bound(reached_.begin() + 1, reached_.end() - 1, length);
+    const auto k = static_cast<std::size_t>(next - reached_.begin());
+    const double gap = reached_[k] - reached_[k - 1];
+    const double u = gap > 0 ? (length - reached_[k - 1]) / gap : 0;
+    const Vector3 place =
+        (1 - u) * placeOf(path_[k - 1]) + u * placeOf(path_[k]) + size_ * deviation.head<3>();
+    const Vector3 turn = deviation.tail<3>();
+    PartState state;
+    state.rotation = path_[k - 1].rotation.slerp(u, path_[k].rotation);
+    if (turn.norm() > 0) state.rotation = state.rotation * Eigen::AngleAxisd(turn.norm(), turn.normalized());
+    state.rotation.normalize();
+    state.position = place - state.rotation * centre_;
+    return poseOf(state);
+}
 
 std::vector<Pose> posesColliding(const PoseTask& task, double share, int count, std::uint64_t seed,
                                  bool turns) {

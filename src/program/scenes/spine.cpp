@@ -8,7 +8,7 @@ namespace clearway::scenes {
 
 namespace {
 
-/// The frame after a length of a straight or a bend, seen from its start.
+/// The frame after a length of a straight or a bend, relative to its start.
 Pose along(double length, double curvature, double towards) {
     Pose frame;
     if (curvature == 0) {
@@ -34,12 +34,38 @@ Pose standingAtFirst(const Vector3& origin, const Vector3& direction, const Vect
     return start;
 }
 
+Vector2 leftOf(const Vector2& direction) {
+    return {-direction.y(), direction.x()};
+}
+
+/// The spline's point between p[1] and p[2]. Source: Barry, Goldman, A Recursive Evaluation Algorithm for a
+/// Class of Catmull-Rom Splines, SIGGRAPH 1988.
+Vector3 spline(const Vector3 (&p)[4], double share) {
+    double t[4] = {0, 0, 0, 0};
+    for (int i = 1; i < 4; ++i) t[i] = t[i - 1] + std::sqrt((p[i] - p[i - 1]).norm());
+    const double at = t[1] + (t[2] - t[1]) * share;
+    const auto mix = [at](const Vector3& a, const Vector3& b, double ta, double tb) -> Vector3 {
+        return (a * (tb - at) + b * (at - ta)) / (tb - ta);
+    };
+    const Vector3 a1 = mix(p[0], p[1], t[0], t[1]), a2 = mix(p[1], p[2], t[1], t[2]),
+                  a3 = mix(p[2], p[3], t[2], t[3]);
+    return mix(mix(a1, a2, t[0], t[2]), mix(a2, a3, t[1], t[3]), t[1], t[2]);
+}
+
 }  // namespace
+
+std::vector<double> stationsBetween(double first, double last, double step) {
+    assert(first < last && step > 0);
+    const int spans = std::max(1, static_cast<int>(std::ceil((last - first) / step - 1e-9)));
+    std::vector<double> stations;
+    for (int i = 0; i <= spans; ++i) stations.push_back(first + (last - first) * i / spans);
+    return stations;
+}
 
 Spine Spine::through(const std::vector<Vector3>& points, double radius, const Vector3& up) {
     assert(points.size() >= 2 && radius > 0);
     Spine spine(standingAtFirst(points[0], points[1] - points[0], up));
-    double used = 0;  // of the present leg, by the bend at its beginning
+    double used = 0;  // length that the bend at the current leg's beginning takes
     for (std::size_t i = 1; i < points.size(); ++i) {
         const Vector3 leg = points[i] - points[i - 1];
         if (i + 1 == points.size()) return spine.straight(leg.norm() - used);
@@ -96,20 +122,84 @@ std::vector<double> Spine::stations(double longestStep, double largestAngle) con
     return all;
 }
 
-Piece sweptAlong(const Spine& spine, const Section& section, const std::vector<double>& stations,
-                 const std::vector<double>& scales) {
-    assert(scales.empty() || scales.size() == stations.size());
-    Piece piece = sweep(section, stations);
-    const std::size_t perStation = section.points.size();
-    for (std::size_t k = 0; k < stations.size(); ++k) {
-        const Pose X_worldStation = spine.frameAt(stations[k]);
-        const double scale = scales.empty() ? 1 : scales[k];
-        for (std::size_t i = 0; i < perStation; ++i) {
-            Vector3& vertex = piece.vertices[k * perStation + i];
-            vertex = X_worldStation * Vector3(0, scale * vertex.y(), scale * vertex.z());
+Profile::Profile(const Polyline& line, const std::vector<double>& radii) : end_(line[0]) {
+    assert(line.size() >= 2 && radii.size() == line.size() - 2);
+    double used = 0;  // length that the arc at the current leg's beginning takes
+    for (std::size_t i = 1; i < line.size(); ++i) {
+        const Vector2 leg = line[i] - line[i - 1];
+        direction_ = leg.normalized();
+        if (i + 1 == line.size()) {
+            add(leg.norm() - used, 0);
+            break;
         }
+        const Vector2 next = line[i + 1] - line[i];
+        const Vector2 turned(direction_.dot(next.normalized()), leftOf(direction_).dot(next.normalized()));
+        const double angle = std::atan2(turned.y(), turned.x()), tangent = std::tan(std::abs(angle) / 2);
+        const double room = 0.49 * std::min(leg.norm(), next.norm());
+        const double radius = tangent > 1e-9 ? std::min(radii[i - 1], room / tangent) : 0;
+        add(leg.norm() - used - radius * tangent, 0);
+        corners_.push_back(length_ + radius * std::abs(angle) / 2);
+        used = radius * tangent;
+        if (radius > 0) add(radius * std::abs(angle), (angle > 0 ? 1 : -1) / radius);
     }
-    return piece;
+}
+
+void Profile::add(double length, double curvature) {
+    legs_.push_back({length_, length, curvature, end_, direction_});
+    length_ += length;
+    end_ = at(length_);
+    direction_ = Eigen::Rotation2Dd(curvature * length) * direction_;
+}
+
+Vector2 Profile::at(double length) const {
+    auto leg =
+        std::find_if(legs_.begin(), legs_.end(), [&](const Leg& l) { return length < l.start + l.length; });
+    if (leg == legs_.end()) --leg;
+    const double along = length - leg->start, k = leg->curvature;
+    if (k == 0) return leg->from + along * leg->direction;
+    return leg->from + std::sin(k * along) / k * leg->direction +
+           (1 - std::cos(k * along)) / k * leftOf(leg->direction);
+}
+
+std::vector<double> Profile::arcLines(int segmentsPerQuarter) const {
+    std::vector<double> lines;
+    for (const Leg& leg : legs_) {
+        if (leg.curvature == 0) continue;
+        const double angle = leg.length * std::abs(leg.curvature);
+        const int segments = std::max(1, static_cast<int>(std::ceil(angle / M_PI_2 * segmentsPerQuarter)));
+        for (int i = 0; i <= segments; ++i) lines.push_back(leg.start + leg.length * i / segments);
+    }
+    return lines;
+}
+
+Line bent(const Line& line, double radius, int segmentsPerQuarter) {
+    const Spine spine = Spine::through(line, radius);
+    Line result;
+    for (const double at : spine.stations(spine.length(), M_PI_2 / segmentsPerQuarter)) {
+        result.push_back(spine.frameAt(at).translation);
+    }
+    return result;
+}
+
+Line smooth(const Line& points, double step) {
+    assert(points.size() >= 2 && step > 0);
+    Line result;
+    const std::size_t last = points.size() - 1;
+    for (std::size_t i = 0; i < last; ++i) {
+        const Vector3 before = i > 0 ? points[i - 1] : Vector3(2 * points[0] - points[1]);
+        const Vector3 after = i + 2 <= last ? points[i + 2] : Vector3(2 * points[last] - points[last - 1]);
+        const Vector3 span[4] = {before, points[i], points[i + 1], after};
+        const int steps = std::max(2, static_cast<int>(std::ceil((points[i + 1] - points[i]).norm() / step)));
+        for (int k = 0; k < steps; ++k) result.push_back(spline(span, static_cast<double>(k) / steps));
+    }
+    result.push_back(points[last]);
+    return result;
+}
+
+double lengthOf(const Line& line) {
+    double length = 0;
+    for (std::size_t i = 1; i < line.size(); ++i) length += (line[i] - line[i - 1]).norm();
+    return length;
 }
 
 }  // namespace clearway::scenes

@@ -3,20 +3,69 @@
 #include <algorithm>
 #include <cmath>
 
-#include "program/scenes/path_to_problem.h"
+#include "program/scenes/console.h"
+#include "program/scenes/random.h"
 #include "program/scenes/tunnel_body.h"
-#include "program/scenes/tunnel_console_design.h"
 
 namespace clearway::scenes {
 
 namespace {
 
-constexpr double kRoom = 120;  // mm about the path's positions that planners may use
+constexpr double kLeastClearance = 1,
+                 kMostClearance = 25;  // mm; with more, the duct does not fit under the cups
+
+constexpr double kDiagonal = 900;  // mm; of the part's bounding box
+
+/// Extra gap beyond the clearance, as a share of it: sampling planners need some room.
+constexpr double kEase = 0.15;
+
+/// The share of the clearance that each sweep's chords may use up.
+constexpr double kChordShare = 0.08;
+
+/// The room beyond the gap, in gaps; its limit in mm is what fits beside the tunnel; version 3 keeps at least
+/// kLeastRoom3.
+constexpr double kRoom = 2.5, kMostRoom = 28, kLeastRoom3 = 14;
+
+/// The length along s at which the bent console's bounding box has the diagonal kDiagonal.
+double lengthFor(const TunnelConsoleDesign& design) {
+    double low = 300, high = 1500;
+    for (int i = 0; i < 50; ++i) {
+        const double length = (low + high) / 2, angle = design.screw.angleAt(length),
+                     radius = design.screw.radius;
+        const Vector3 sizes(2 * radius * std::sin(angle / 2),
+                            2 * design.flangeHalfWidth + std::abs(design.screw.drift) * angle,
+                            radius - (radius - design.height) * std::cos(angle / 2));
+        (sizes.norm() < kDiagonal ? low : high) = length;
+    }
+    return low;
+}
+
+/// Half of a rib's opening: from the floor to the hat's top on the right, with the radii of its three
+/// corners.
+struct HalfOpening {
+    Polyline line;
+    std::vector<double> radii;
+};
+
+HalfOpening halfOpening(const TunnelConsoleDesign& design, double beside, double over, double floor) {
+    const double flange = design.flangeHalfWidth + beside, ledge = design.shellThickness + beside;
+    // Three quarters of the part's own rounding plus the gap, which leaves room for the chords of the fillet.
+    // The ledge's nose is rounded more than the part's foot fillet plus the gap needs.
+    const double nose = std::max(design.footRadius - beside, 0.0) + 3;
+    return {{{flange, floor},
+             {flange, ledge},
+             {design.footHalfWidth + beside, ledge},
+             {design.topHalfWidth + beside, design.height + over}},
+            {0.75 * beside, nose, 0.75 * (design.topRadius + std::min(beside, over))}};
+}
+
+constexpr double kPlanningRoom = 120;  // mm around the path's positions that planners may use
 
 /// The screw motion out of the tunnel in chords, then one motion through the free room.
 std::vector<PartState> constructedPath(const TunnelConsoleDesign& design) {
     const double start = design.screw.angleAt(design.startAt + design.length / 2);
-    // The chord of the part's origin, about the radius from the axis, keeps to a third of a sweep's share.
+    // The chord of the part's origin, which is about the radius from the axis, keeps to a third of a sweep's
+    // share.
     const int chords = static_cast<int>(
         std::ceil(design.exitAngle * design.screw.radius / (design.longestStep / std::sqrt(3.0))));
     std::vector<PartState> path;
@@ -26,8 +75,8 @@ std::vector<PartState> constructedPath(const TunnelConsoleDesign& design) {
     return path;
 }
 
-/// Away from the mouth, up, to the side to which the screw drifts, and turned about all axes: the rear end
-/// sinks.
+/// The goal: away from the mouth, up, to the side opposite to the screw's drift, and turned about all axes so
+/// that the rear end sinks.
 PartState outside(const PartState& exit, double drift) {
     const double side = drift < 0 ? 1 : -1;
     const Eigen::Quaterniond turn = Eigen::AngleAxisd(-0.35, Vector3::UnitY()) *
@@ -37,19 +86,6 @@ PartState outside(const PartState& exit, double drift) {
     goal.rotation = turn * exit.rotation;
     goal.position += Vector3(-110, 40 * side, 160);
     return goal;
-}
-
-/// A mesh that counts its triangles before it is made. build(detail, studs, onlyCount): a SheetMetal.
-template <class Build>
-Mesh sheetMetalTo(std::size_t triangles, const std::string& option, const FinenessRange& range,
-                  const Build& build) {
-    const auto countAt = [&](const Detail& detail, int studs) {
-        return build(detail, studs, true).triangleCount();
-    };
-    const Detail detail =
-        finestDetail(triangles, option, range, [&](const Detail& tried) { return countAt(tried, 0); });
-    const std::size_t without = countAt(detail, 0), stud = countAt(detail, 1) - without;
-    return build(detail, static_cast<int>((triangles - without) / stud), false).assembly().mesh();
 }
 
 /// Versions 1 and 2 share their build.
@@ -87,13 +123,63 @@ GeneratedScene makeVersion(int version, const SceneOptions& options) {
     centrePart(scene);
     scene.path.push_back(outside(scene.path.back(), design.screw.drift));
 
-    setProblem(scene, kRoom);
+    setProblem(scene, kPlanningRoom);
     scene.problem.name = "tunnel-console v" + std::to_string(version);
     scene.problem.step = design.thinnestSheet() / 2;
     return scene;
 }
 
 }  // namespace
+
+TunnelConsoleDesign designTunnelConsole(const SceneOptions& options, int version) {
+    const double clearance = options.clearance;
+    requireClearance(clearance, kLeastClearance, kMostClearance);
+    Random random(options.seed);
+    TunnelConsoleDesign design;
+    design.clearance = clearance;
+    design.screw.radius = random.between(860, 900);
+    design.screw.drift = (random.next() % 2 == 0 ? 1 : -1) * random.between(90, 120);
+    design.height = random.between(146, 154);
+    design.footHalfWidth = random.between(90, 94);
+    design.topHalfWidth = design.footHalfWidth - random.between(6, 10);
+    design.flangeHalfWidth = design.footHalfWidth + random.between(24, 28);
+
+    design.length = lengthFor(design);
+
+    const double radius = design.screw.radius;
+    design.longestStep = std::sqrt(8 * kChordShare * clearance * radius);
+    // Chords lie on the axis' side of their curves: the part's come nearer to the roof, the floor's nearer to
+    // the part. So a gap loses one share, another third to the path's chords, and a little to rounding to
+    // float. The rest is ease.
+    const double inSpace = clearance * (1 + kEase + (1 + 1.0 / 3) * kChordShare) + 0.01;
+    design.gap = inSpace * design.screw.obliquity(radius - design.height - inSpace);
+
+    if (version >= 2) design.room = std::min(kRoom * design.gap, kMostRoom);
+    if (version >= 3) design.room = std::max(design.room, kLeastRoom3);
+    design.wallHalfWidth = design.flangeHalfWidth + design.gap + design.room + random.between(12, 20);
+    design.roofHeight = design.height + design.gap + design.room + random.between(20, 30);
+    design.startAt = 60;
+    design.tunnelLength = design.startAt + design.length + 2 * design.gap + design.room + 10;
+    design.exitAngle = design.screw.angleAt(design.startAt + design.length + 50);
+    return design;
+}
+
+Placement rigidAt(const Screw& screw, const Vector3& straight) {
+    const Pose X_worldAtStart = poseOf(screw.motion(screw.angleAt(straight.x())));
+    const Vector3 at(0, straight.y(), straight.z());
+    return [X_worldAtStart, at](const Vector3& p) -> Vector3 { return X_worldAtStart * (p + at); };
+}
+
+Polyline ribOpening(const TunnelConsoleDesign& design, const RibGaps& gaps, double floor,
+                    int segmentsPerQuarter) {
+    const auto [right, left, over] = gaps.sides;
+    HalfOpening opening = halfOpening(design, right, over, floor);
+    const HalfOpening other = halfOpening(design, left, over, floor);
+    for (std::size_t i = other.line.size(); i-- > 0;)
+        opening.line.push_back({-other.line[i].x(), other.line[i].y()});
+    opening.radii.insert(opening.radii.end(), other.radii.rbegin(), other.radii.rend());
+    return filleted(opening.line, opening.radii, segmentsPerQuarter);
+}
 
 GeneratedScene makeTunnelConsole1(const SceneOptions& options) {
     return makeVersion(1, options);

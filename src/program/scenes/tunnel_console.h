@@ -1,38 +1,113 @@
-// The demo scene tunnel-console: a centre console that must be threaded out of the bent tunnel it just fits.
-// A version never changes what an option set makes; a better scene is a new version beside it.
+// The measures of the scene tunnel-console, shared by part and environment. Straight coordinates (s along, u
+// across, v up from the underside of the part's flanges; see Screw), millimetres.
 #pragma once
 
-#include "program/scenes/generated_scene.h"
-#include "program/scenes/scene_options.h"
+#include <array>
+#include <cmath>
+
+#include "program/scenes/assembly.h"
+#include "program/scenes/random.h"
+#include "program/scenes/scenes.h"
+#include "program/scenes/section.h"
 
 namespace clearway::scenes {
 
-/// A size that planners solve in seconds. The clearance can be 1 to 25 mm.
-constexpr SceneOptions kTunnelConsole{1, 2000, 8000, 10};
-/// As large as a car maker's.
-constexpr SceneOptions kTunnelConsole3{1, 73425, 300401, 10};
+/// A screw about a horizontal axis: the line that the tunnel bends along, and the motion that threads the
+/// console through it. A sweep along a screw slides along itself, so the gap between two such sweeps is
+/// constant.
+///
+/// Straight coordinates are (s, u, v): millimetres along, across and up. Bending takes the line u = v = 0 to
+/// a helix about the line parallel to y through (0, 0, radius), lowest at s = 0, where its direction is x
+/// (and drifts to y).
+struct Screw {
+    double radius = 880;  ///< mm, of the helix u = v = 0
+    double drift = 100;   ///< mm along the axis per radian
 
-/// The part and the environment in millimetres, all coordinates representable in float, every component a
-/// closed solid.
-///
-/// Part and tunnel are swept along one screw (see Screw), so that the part can be turned out of the tunnel
-/// with a gap that stays as it is: at least `clearance`, and less than half as much again as long as the part
-/// is in one of the ribs. The path is that motion, in chords, then one more motion through the free room to
-/// the goal. The part's box has a diagonal of about 900 mm. problem.step is half the thinnest sheet.
-///
-/// Version 1 is near everywhere: the floor pan lies at the gap below the whole part, and every rib leaves it
-/// all around. In version 2, as in a car, floor, walls and roof keep farther off, at least twice the
-/// clearance (four times at 10 mm), and the gap is left in places: by mounts on the floor, guides on the
-/// walls and some ribs, each on one side. Others of these kinds keep farther off, by different lengths.
-///
-/// Version 3 is version 2 with all that a car has there: sheets with beads, flanges and holes, flanged ribs,
-/// bolts, brackets, pipes, hoses, cables, propeller shaft and exhaust; a console with bin, lid, gear lever,
-/// vents, ribs and cables. At narrow clearances its sheets keep farther off.
-///
-/// Throws std::invalid_argument, naming the option, its value and what was expected, when the clearance is
-/// out of range or a number of triangles is less than the shape needs at this clearance, or above 4 million.
-GeneratedScene makeTunnelConsole1(const SceneOptions& options);
-GeneratedScene makeTunnelConsole2(const SceneOptions& options);
-GeneratedScene makeTunnelConsole3(const SceneOptions& options);
+    double angleAt(double s) const { return s / radius; }
+
+    /// The world point of a straight point; v < radius.
+    Vector3 bend(const Vector3& straight) const {
+        const double angle = angleAt(straight.x()), r = radius - straight.z();
+        return {r * std::sin(angle), straight.y() + drift * angle, radius - r * std::cos(angle)};
+    }
+
+    /// Like bend() for s >= 0; for s < 0 the helix continues in its tangent plane.
+    Vector3 bendAfterStart(const Vector3& straight) const {
+        if (straight.x() >= 0) return bend(straight);
+        return {straight.x(), straight.y() + drift * angleAt(straight.x()), straight.z()};
+    }
+
+    /// The rigid motion by `angle`: carries bend(s, u, v) to bend(s + angle * radius, u, v).
+    PartState motion(double angle) const {
+        PartState state;
+        state.rotation = {std::cos(angle / 2), 0, -std::sin(angle / 2), 0};
+        const Vector3 onAxis(0, 0, radius);
+        state.position = onAxis - state.rotation * onAxis + Vector3(0, drift * angle, 0);
+        return state;
+    }
+
+    /// The ratio by which a distance across the sweeps' sections may exceed the distance in space, for
+    /// sections at least `leastRadius` from the axis: the sections are not perpendicular to the helix.
+    double obliquity(double leastRadius) const { return std::hypot(1.0, drift / leastRadius); }
+};
+
+struct TunnelConsoleDesign {
+    Screw screw;
+    double clearance = 10;
+    double gap = 12;          ///< between sections; leaves `clearance` in space
+    double room = 0;          ///< extra distance of floor, walls and roof beyond the gap
+    double longestStep = 60;  ///< between a sweep's stations; bounds the chords' share of the gap
+
+    // The console: a hat section, open below, with flanges.
+    double length = 860;
+    double height = 150;
+    double flangeHalfWidth = 118;
+    double footHalfWidth = 92;
+    double topHalfWidth = 84;
+    double shellThickness = 3;
+    double topRadius = 20;  ///< of the fillet, at the middle of the sheet
+    double footRadius = 6;
+    double innerDepth = 66;  ///< how far cups and webs hang down from the top
+    double thinPlate = 2.5;
+
+    // The tunnel. It begins at s = 0.
+    double startAt = 60;  ///< s of the part's rear end in the assembled pose
+    double tunnelLength = 940;
+    double wallHalfWidth = 145;
+    double roofHeight = 185;
+    double skinThickness = 1.6;  ///< the thinnest sheet of the scene
+    double floorThickness = 2;
+    double ribThickness = 2.5;
+
+    double exitAngle = 1.16;  ///< radians of the screw motion
+
+    double floorTop() const { return -gap - room; }
+    double halfWidthAt(double v) const {
+        return footHalfWidth + (topHalfWidth - footHalfWidth) * (v / height);
+    }
+    double thinnestSheet() const { return skinThickness; }
+};
+
+/// The measures for the options. From version 2 on the sheets keep farther off than the gap, from version 3
+/// on also when the gap is narrow. Throws std::invalid_argument for a clearance out of range.
+TunnelConsoleDesign designTunnelConsole(const SceneOptions& options, int version);
+
+/// Gaps between a rib and the console on the right, on the left and above; each at least the design's gap.
+struct RibGaps {
+    std::array<double, 3> sides;
+};
+
+/// The inner edge of a rib, from the floor on the right to the floor on the left.
+Polyline ribOpening(const TunnelConsoleDesign& design, const RibGaps& gaps, double floor,
+                    int segmentsPerQuarter);
+
+/// The console, bent, its middle at s = 0. `studs` small domes are added inside it.
+Assembly buildConsole(const TunnelConsoleDesign& design, const Detail& detail, Random random, int studs);
+
+/// Everything around it, in the world.
+Assembly buildTunnel(const TunnelConsoleDesign& design, const Detail& detail, Random random, int studs);
+
+/// Places a rigid piece at a straight point, its x, y, z along s, u, v there.
+Placement rigidAt(const Screw& screw, const Vector3& straight);
 
 }  // namespace clearway::scenes

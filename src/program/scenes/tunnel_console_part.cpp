@@ -2,8 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "program/scenes/sweep.h"
-#include "program/scenes/tunnel_console_design.h"
+#include "program/scenes/random.h"
+#include "program/scenes/solids.h"
+#include "program/scenes/tunnel_console.h"
 
 namespace clearway::scenes {
 

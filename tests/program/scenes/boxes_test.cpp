@@ -1,4 +1,4 @@
-#include "program/scenes/boxes.h"
+#include "program/scenes/scenes.h"
 
 #include <boost/test/unit_test.hpp>
 #include <stdexcept>

@@ -5,8 +5,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "program/scenes/cembox.h"
 #include "program/scenes/scene_checks.h"
+#include "program/scenes/scenes.h"
 
 using namespace clearway;
 using namespace clearway::scenes;

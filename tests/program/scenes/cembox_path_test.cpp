@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "program/scenes/cembox.h"
 #include "program/scenes/scene_checks.h"
+#include "program/scenes/scenes.h"
 #include "support/oracle.h"
 
 namespace clearway::scenes {

@@ -1,4 +1,4 @@
-#include "program/scenes/cembox.h"
+#include "program/scenes/scenes.h"
 
 #include <boost/test/data/monomorphic.hpp>
 #include <boost/test/data/test_case.hpp>
@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <stdexcept>
 
-#include "program/scenes/cembox_design.h"
+#include "program/scenes/cembox.h"
 #include "program/scenes/scene_checks.h"
 #include "support/convex_hull.h"
 #include "support/oracle.h"

@@ -4,7 +4,6 @@
 #include <stdexcept>
 
 #include "program/scenes/component_checks.h"
-#include "program/scenes/large_environment.h"
 #include "program/scenes/roof_slot.h"
 #include "program/scenes/scene_checks.h"
 #include "program/scenes/scenes.h"

@@ -1,4 +1,4 @@
-#include "program/scenes/large_environment.h"
+#include "program/scenes/scenes.h"
 
 #include <boost/test/data/monomorphic.hpp>
 #include <boost/test/data/test_case.hpp>

@@ -13,7 +13,7 @@
 #include "clearway/model.h"
 #include "clearway/problem.h"
 #include "clearway/query.h"
-#include "program/scenes/generated_scene.h"
+#include "program/scenes/scenes.h"
 #include "support/convex_hull.h"
 #include "support/oracle.h"
 

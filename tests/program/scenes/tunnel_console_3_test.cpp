@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "program/scenes/scene_checks.h"
-#include "program/scenes/tunnel_console.h"
+#include "program/scenes/scenes.h"
 
 using namespace clearway;
 using namespace clearway::scenes;

@@ -1,4 +1,4 @@
-#include "program/scenes/tunnel_console.h"
+#include "program/scenes/scenes.h"
 
 #include <boost/test/data/monomorphic.hpp>
 #include <boost/test/data/test_case.hpp>
@@ -6,7 +6,6 @@
 #include <stdexcept>
 
 #include "program/scenes/scene_checks.h"
-#include "program/scenes/scenes.h"
 #include "support/convex_hull.h"
 #include "support/oracle.h"
 

@@ -7,7 +7,6 @@
 
 #include "program/scenes/scenes.h"
 #include "program/scenes/toy_checks.h"
-#include "program/scenes/tunnel_console.h"
 
 using namespace clearway;
 using namespace clearway::scenes;

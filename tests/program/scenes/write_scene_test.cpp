@@ -3,7 +3,7 @@
 #include <stdexcept>
 
 #include "program/scenes/scene_checks.h"
-#include "program/scenes/tunnel_console.h"
+#include "program/scenes/scenes.h"
 #include "support/temporary_folder.h"
 
 using namespace clearway;
