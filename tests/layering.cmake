@@ -32,7 +32,7 @@ set(planning planning/validity planning/motion planning/objectives planning/samp
 # The program's rooms see the library through its public headers and core.
 set(program/scenes_may_include core mesh problem)
 set(program/render_may_include core mesh model problem ${planning} program/scenes)
-set(program/report_may_include core mesh model problem ${planning} program/scenes)
+set(program/report_may_include core mesh model problem ${planning} program/scenes program/render)
 set(program/study_may_include core mesh model problem ${planning} program/scenes)
 set(program/cli_may_include core mesh tree exact model problem ${planning} program/scenes program/render program/report
                             program/study)
@@ -53,7 +53,7 @@ set(value_headers types.h mesh.h build_options.h build_report.h query.h targets.
 
 # Which files may see a library, by its include folder; every other file may not.
 set(hwy_users "^src/(kernels|query)/")
-set(assimp_users "^src/mesh/(load_assimp|save)[.]cpp$")
+set(assimp_users "^src/mesh/(load|save)[.]cpp$")
 set(embree3_users "^src/(build/split/embree|program/render/rays)[.]cpp$")
 set(embree4_users ${embree3_users})
 set(ompl_users "^(src/(planning|program/(cli|study))|include/clearway/planning|demos)/")

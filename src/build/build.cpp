@@ -1,5 +1,4 @@
-// The way from triangles to a binary tree: the general split's topology, its leaves split further, then
-// volumes for all.
+// Puts a build together: the general split's topology, its leaves split further, then volumes for all nodes.
 #include "build/build.h"
 
 #include <tbb/task_arena.h>
@@ -9,7 +8,7 @@
 #include <numeric>
 #include <utility>
 
-#include "build/fit_volumes.h"
+#include "build/fits.h"
 #include "build/general_splits.h"
 #include "build/leaf_splits.h"
 
@@ -17,11 +16,11 @@ namespace clearway {
 
 namespace {
 
-/// Puts a small tree over the triangles of a leaf in the leaf's place.
+/// Replaces a leaf by a small tree over its triangles.
 void graft(BinaryTree& tree, std::size_t leaf, const BinaryTree& branch) {
     const std::uint32_t firstTriangle = tree.nodes[leaf].firstTriangle;
     std::copy(branch.order.begin(), branch.order.end(), tree.order.begin() + firstTriangle);
-    // The branch's root takes the leaf's place, its other nodes go to the end.
+    // The branch's root takes the leaf's place; its other nodes go to the end.
     const std::int32_t shift = static_cast<std::int32_t>(tree.nodes.size()) - 1;
     for (std::size_t i = 0; i < branch.nodes.size(); ++i) {
         BinaryNode node = branch.nodes[i];
@@ -47,7 +46,7 @@ void splitLeaves(BinaryTree& tree, const CleanMesh& mesh, LeafSplit leafSplit, G
     }
 }
 
-/// What work does, on at most so many threads; 0: on as many as the caller's arena has.
+/// Runs `work` on at most `threads` threads (0: the caller's arena) and returns its result.
 template <class Work>
 auto onThreads(int threads, const Work& work) {
     if (threads == 0) return work();

@@ -1,4 +1,4 @@
-// The tables' names, and the check of options against them.
+// Lists the names of the strategy tables and checks options against them.
 #include "clearway/build_options.h"
 
 #include <algorithm>
@@ -8,6 +8,7 @@
 #include "build/fits.h"
 #include "build/general_splits.h"
 #include "build/leaf_splits.h"
+#include "core/text.h"
 #include "tree/flat_tree.h"
 
 namespace clearway {
@@ -33,27 +34,6 @@ constexpr NamedPreset kPresets[] = {
     {"best", [] { return BuildOptions(); }},
     {"fast", fastBuild},
 };
-
-std::string joined(const std::vector<std::string>& names) {
-    std::string list;
-    for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
-    return list;
-}
-
-template <class Row, std::size_t kRows>
-std::vector<std::string> namesOf(const Row (&table)[kRows]) {
-    std::vector<std::string> names;
-    for (const Row& row : table) names.emplace_back(row.name);
-    return names;
-}
-
-template <class Row, std::size_t kRows>
-const Row& rowNamed(const Row (&table)[kRows], const std::string& option, const std::string& name) {
-    for (const Row& row : table) {
-        if (name == row.name) return row;
-    }
-    throw std::invalid_argument(option + " is \"" + name + "\", expected one of: " + joined(namesOf(table)));
-}
 
 template <int... kWidths>
 std::vector<int> widestFirst(std::integer_sequence<int, kWidths...>) {

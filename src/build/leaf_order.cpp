@@ -1,13 +1,13 @@
 #include "build/leaf_order.h"
 
 #include <algorithm>
-#include <limits>
+
+#include "mesh/renumber.h"
 
 namespace clearway {
 
 LeafOrder::LeafOrder(const CleanMesh& mesh, const std::vector<std::uint32_t>& order) {
-    constexpr std::uint32_t kNotYetUsed = std::numeric_limits<std::uint32_t>::max();
-    std::vector<std::uint32_t> newIndices(mesh.vertices.size(), kNotYetUsed);
+    FirstUseOrder numberOf(mesh.vertices.size());
     vertices_.reserve(mesh.vertices.size());
     triangles_.reserve(order.size());
     verticesBefore_.reserve(order.size() + 1);
@@ -15,11 +15,7 @@ LeafOrder::LeafOrder(const CleanMesh& mesh, const std::vector<std::uint32_t>& or
         verticesBefore_.push_back(static_cast<std::uint32_t>(vertices_.size()));
         TriangleIndices indices = mesh.triangles[triangle];
         for (std::uint32_t& vertex : indices) {
-            if (newIndices[vertex] == kNotYetUsed) {
-                newIndices[vertex] = static_cast<std::uint32_t>(vertices_.size());
-                vertices_.push_back(mesh.vertices[vertex]);
-            }
-            vertex = newIndices[vertex];
+            vertex = numberOf(vertex, [&](std::uint32_t used) { vertices_.push_back(mesh.vertices[used]); });
         }
         triangles_.push_back(indices);
     }

@@ -1,5 +1,5 @@
-// The table of leaf splits: what becomes of a group of triangles that a general split left together. A new
-// one is one file and one row.
+// The table of leaf splits, which divide a group of triangles that a general split left together. A new leaf split is
+// one function in leaf_splits.cpp and one row here.
 #pragma once
 
 #include <cstdint>
@@ -7,18 +7,29 @@
 #include <vector>
 
 #include "build/general_splits.h"
-#include "build/leaf/all.h"
-#include "build/leaf/chain.h"
-#include "build/leaf/edge.h"
-#include "build/leaf/none.h"
 
 namespace clearway {
 
-/// From a group of 1 to 16 triangles (positions in mesh.triangles) to the topology of a small binary tree
-/// over them, of one node when the group stays together. Volumes are left unfitted. general is the split that
-/// made the group.
+/// A leaf split turns a group of 1 to 16 triangles (positions in mesh.triangles) into the topology of a small binary tree
+/// over them, of one node when the group stays together. Volumes are not fitted yet. general: the split that made the
+/// group.
 using LeafSplit = BinaryTree (*)(const CleanMesh& mesh, std::vector<std::uint32_t> group,
                                  GeneralSplit general);
+
+// Source of all four: Ytterlid's thesis, 2013.
+
+/// NoSplit: the group stays together as one leaf.
+BinaryTree keepTogether(const CleanMesh& mesh, std::vector<std::uint32_t> group, GeneralSplit general);
+
+/// ChainSplit: the group is divided into chains of triangles that share a vertex.
+BinaryTree splitIntoVertexChains(const CleanMesh& mesh, std::vector<std::uint32_t> group,
+                                 GeneralSplit general);
+
+/// EdgeSplit: the group is divided into chains of triangles that share an edge.
+BinaryTree splitIntoEdgeChains(const CleanMesh& mesh, std::vector<std::uint32_t> group, GeneralSplit general);
+
+/// AllSplit: the general split goes on down to single triangles.
+BinaryTree splitIntoSingles(const CleanMesh& mesh, std::vector<std::uint32_t> group, GeneralSplit general);
 
 struct NamedLeafSplit {
     const char* name;

@@ -1,4 +1,4 @@
-// Plain values to bytes and back, with every length checked before it is believed.
+// Plain values as bytes and back. A reader checks every length before it uses it.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 namespace clearway {
 
-/// Not cryptographic: tells damaged and foreign data, not forged ones. A change of one bit changes it.
+/// A hash that detects damaged and foreign data. It is not cryptographic, so it does not detect forgery.
 class Hash {
   public:
     void add(const void* data, std::size_t bytes) {
@@ -37,7 +37,8 @@ class Hash {
         std::memcpy(&value, from, bytes);
         return value;
     }
-    /// The finaliser of splitmix64 (Steele, Lea, Flood 2014), a bijection of the state for every word.
+    /// The finaliser of splitmix64 (Steele, Lea, Flood 2014): for every word a bijection of the state, so that a
+    /// change of one bit changes the hash.
     void mix(std::uint64_t input) {
         std::uint64_t z = state_ + 0x9e3779b97f4a7c15u + input;
         z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
@@ -49,7 +50,7 @@ class Hash {
 
 class ArchiveWriter {
   public:
-    /// For arrays of numbers without padding between them.
+    /// Appends raw bytes; use it only for numbers without padding between them.
     void addBytes(const void* data, std::size_t bytes) {
         bytes_.append(static_cast<const char*>(data), bytes);
     }
@@ -73,7 +74,7 @@ class ArchiveWriter {
     std::string bytes_;
 };
 
-/// Throws std::runtime_error("ends too early") where the bytes are fewer than what is asked of them.
+/// Every read throws std::runtime_error("ends too early") when fewer bytes are left than it needs.
 class ArchiveReader {
   public:
     explicit ArchiveReader(std::string_view bytes) : rest_(bytes) {}
@@ -100,7 +101,7 @@ class ArchiveReader {
         values.resize(readCount(sizeof(T)));
         readBytes(values.data(), values.size() * sizeof(T));
     }
-    /// A number of things of at least so many bytes each, which the rest is long enough to hold.
+    /// Reads a count and checks that the rest can hold that many items of at least bytesEach bytes.
     std::size_t readCount(std::size_t bytesEach) {
         const auto count = read<std::uint64_t>();
         if (count > rest_.size() / bytesEach) throw std::runtime_error("ends too early");

@@ -16,7 +16,7 @@ std::string utf8Of(const std::string& text) {
         const auto start = at;
         utf::code_point character = utf::utf_traits<char>::decode(at, text.end());
         if (character == utf::illegal || character == utf::incomplete) {
-            character = static_cast<unsigned char>(*start);  // which Latin-1 and Unicode have in common
+            character = static_cast<unsigned char>(*start);  // Latin-1 is the start of Unicode
             at = start + 1;
         }
         utf::utf_traits<char>::encode(character, std::back_inserter(result));
@@ -35,7 +35,7 @@ void makeUtf8(Json& value) {
 std::string jsonText(Json value) {
     makeUtf8(value);
     std::string text = value.dump();
-    boost::replace_all(text, "<", "\\u003c");  // only strings can hold one
+    boost::replace_all(text, "<", "\\u003c");  // only strings can contain it
     return text;
 }
 

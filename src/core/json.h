@@ -1,4 +1,4 @@
-// JSON, by the library of that name.
+// JSON values and their text, by the library nlohmann/json.
 #pragma once
 
 #include <cstdint>
@@ -8,13 +8,13 @@
 
 namespace clearway {
 
-/// Keeps the order of its fields. Its numbers that are no integers are floats: as text they have the few
-/// digits it takes to read back the same float, and what no finite float holds is null.
+/// JSON that keeps the order of its fields. Numbers other than integers are floats: their text has as few digits as
+/// read back to the same float, and a number that no finite float holds becomes null.
 using Json = nlohmann::basic_json<nlohmann::ordered_map, std::vector, std::string, bool, std::int64_t,
                                   std::uint64_t, float>;
 
-/// In one line, with < escaped, so that no tag can end the script it stands in. Bytes that are no UTF-8,
-/// which readers of JSON refuse, are taken for Latin-1, as old mesh files have it.
+/// The value on one line. The character < is escaped, so that no tag inside can end an HTML script. Bytes that are
+/// not UTF-8, which readers of JSON refuse, are read as Latin-1, which old mesh files use.
 std::string jsonText(Json value);
 
 }  // namespace clearway

@@ -8,7 +8,7 @@ namespace clearway {
 
 namespace {
 
-/// from_chars takes a leading minus but no plus sign.
+/// Removes a leading plus sign, which from_chars does not accept.
 std::string_view withoutPlus(std::string_view text) {
     if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
     return text;

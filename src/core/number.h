@@ -1,4 +1,4 @@
-// Numbers as text: read strictly, whatever the locale, and written so that they read back to the same double.
+// Numbers as text: read strictly in any locale, and written so that they read back to the same double.
 #pragma once
 
 #include <cstdint>
@@ -8,18 +8,18 @@
 
 namespace clearway {
 
-/// The finite decimal number that the whole text is. Nothing for anything else: "", "1 2", "0x10", "inf",
-/// "nan", or what a double cannot hold ("1e999").
+/// The finite decimal number that the whole text states. Empty for every other text: "", "1 2", "0x10", "inf", "nan",
+/// and numbers beyond a double ("1e999").
 std::optional<double> parseNumber(std::string_view text);
 
-/// Likewise for whole numbers: "12", "-3", "+7", but not "1.0".
+/// The whole number that the whole text states: "12", "-3", "+7", but not "1.0". Empty for every other text.
 std::optional<std::int64_t> parseInteger(std::string_view text);
 
-/// 17 significant digits, so that parseNumber gives back the same double; "inf", "-inf" or "nan" for what is
-/// not finite.
+/// The number with 17 significant digits, which parseNumber reads back to the same double; "inf", "-inf" or "nan" if
+/// it is not finite.
 std::string formatNumber(double value);
 
-/// The fewest digits that parseNumber reads back to the same double: for messages and for what people read.
+/// The number with the fewest digits that parseNumber reads back to the same double: for messages and for people.
 std::string shortNumber(double value);
 
 }  // namespace clearway

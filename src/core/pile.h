@@ -1,5 +1,5 @@
-// A growing array of plain values that keeps its memory when it is emptied: scratch that allocates only until
-// it is warm. Its functions are simple enough to be inlined into code of any instruction set; growing is not.
+// A growing array of plain values that keeps its memory when it is cleared, so that a query's scratch stops allocating
+// once it is warm. All functions but grow() are simple enough to be inlined into code of any instruction set.
 #pragma once
 
 #include <cstddef>

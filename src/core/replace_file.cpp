@@ -12,7 +12,7 @@ namespace clearway {
 
 namespace {
 
-/// Two programs that write the same file at once must not share a temporary one.
+/// A random name: two programs that write one file at the same time must not share a temporary file.
 std::string temporaryName(const std::string& file) {
     return file + "." + std::to_string(std::random_device{}()) + ".tmp";
 }
@@ -28,8 +28,8 @@ struct TemporaryFile {
     ~TemporaryFile() { std::remove(name.c_str()); }
 };
 
-/// Renaming over a device or a pipe would replace it, and renaming over a folder fails only after all the
-/// work.
+/// Refuses devices and pipes, which renaming would replace, and folders, over which renaming fails only after all
+/// the work.
 void requireFileOrNothing(const std::string& file) {
     std::error_code ignored;
     const auto kind = std::filesystem::status(file, ignored).type();
@@ -38,7 +38,7 @@ void requireFileOrNothing(const std::string& file) {
     }
     if (kind != std::filesystem::file_type::not_found && kind != std::filesystem::file_type::regular) {
         throw std::runtime_error("cannot write '" + file +
-                                 "': it is no regular file, expected one or a new name");
+                                 "': it is not a regular file, expected a regular file or a new name");
     }
 }
 
@@ -75,7 +75,7 @@ void makeFolder(const std::string& folder) {
     if (!error && std::filesystem::is_directory(folder, ignored)) return;
     throw std::runtime_error("cannot make the folder '" + folder + "'" +
                              (error ? ": " + error.message() : "") +
-                             ", expected a folder that is there or a name for one");
+                             ", expected an existing folder or a name for a new one");
 }
 
 }  // namespace clearway

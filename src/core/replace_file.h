@@ -1,4 +1,4 @@
-// Files appear whole or not at all: written under a temporary name in the same folder, then renamed.
+// Writes files that appear whole or not at all: under a temporary name in the same folder, then renamed.
 #pragma once
 
 #include <functional>
@@ -7,17 +7,17 @@
 
 namespace clearway {
 
-/// Calls write with a stream to a temporary file (file + ".<number>.tmp"), then renames it to file, replacing
-/// what was there. Throws std::runtime_error naming the file when it cannot be written; then, and when write
-/// throws, the temporary file is removed and what was there before is untouched.
+/// Calls `write` with a stream to a temporary file (file + ".<number>.tmp"), then renames this file to `file`,
+/// replacing an existing one. Throws std::runtime_error naming the file when it cannot be written. After any
+/// exception, including one from `write`, the temporary file is gone and an existing file is unchanged.
 void replaceFile(const std::string& file, const std::function<void(std::ostream&)>& write);
 
-/// Throws what replaceFile would throw before calling write: for saying so before long work rather than
-/// after.
+/// Throws what replaceFile would throw before it calls `write`. Call it before long work, so that a file that cannot
+/// be written is reported at once.
 void requireReplaceable(const std::string& file);
 
-/// Makes the folder, and those it is in, unless it is there. Throws std::runtime_error naming it when it
-/// cannot.
+/// Makes the folder and its parents unless they exist. Throws std::runtime_error naming the folder when it cannot be
+/// made.
 void makeFolder(const std::string& folder);
 
 }  // namespace clearway

@@ -1,15 +1,15 @@
-// The processor's time of one thread: what other programs on the machine take does not count.
+// The processor time of one thread, which other programs on the machine do not add to.
 #pragma once
 
 #include <ctime>
 
 namespace clearway {
 
-/// Seconds that the calling thread has had so far.
+/// Seconds of processor time that the calling thread has used so far.
 inline double threadSeconds() {
-    timespec had = {};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &had);
-    return static_cast<double>(had.tv_sec) + 1e-9 * static_cast<double>(had.tv_nsec);
+    timespec used = {};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &used);
+    return static_cast<double>(used.tv_sec) + 1e-9 * static_cast<double>(used.tv_nsec);
 }
 
 }  // namespace clearway

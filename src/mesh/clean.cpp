@@ -1,13 +1,20 @@
-// Welding and the search for duplicates share one hash table: open addressing, linear probing, first come
-// first kept.
+// Welds vertices and finds duplicate triangles with one kind of hash table; decides zero areas exactly.
+// Source of the area filter: Shewchuk, Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric
+// Predicates, 1997.
 #include "mesh/clean.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <limits>
 
+// g++ 12 warns of an uninitialised limb in Boost's constructor of a zero, wherever the constructor is inlined.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#include <boost/multiprecision/cpp_int.hpp>
+#pragma GCC diagnostic pop
+
 #include "mesh/check.h"
-#include "mesh/degenerate.h"
 
 namespace clearway {
 
@@ -20,7 +27,8 @@ std::uint64_t mixed(std::uint64_t hash, std::uint64_t word) {
     return hash ^ (hash >> 29);
 }
 
-/// Finds the first of equal items. The items stay with the caller, who numbers them 0, 1, 2, ...
+/// Finds the first of equal items, by open addressing with linear probing. The caller keeps the items and numbers them
+/// 0, 1, 2, ...
 class FirstOfEqual {
   public:
     explicit FirstOfEqual(std::size_t items) {
@@ -29,7 +37,7 @@ class FirstOfEqual {
         slots_.assign(capacity, kNone);
     }
 
-    /// The number of the item that equals the new one, or newNumber, which it then has.
+    /// The number of an equal earlier item, or else newNumber, which the new item gets.
     template <typename IsEqual>
     std::uint32_t findOrInsert(std::uint64_t hash, std::uint32_t newNumber, IsEqual isEqual) {
         const std::size_t mask = slots_.size() - 1;
@@ -61,7 +69,7 @@ std::vector<bool> usedVertices(const Mesh& mesh) {
     return used;
 }
 
-/// Fills clean.vertices and returns, for each vertex given, its number there; kNone for the unused.
+/// Fills clean.vertices and returns the new number of each given vertex; kNone for unused vertices.
 std::vector<std::uint32_t> weld(const Mesh& mesh, CleanMesh& clean) {
     const std::vector<bool> used = usedVertices(mesh);
     std::vector<std::uint32_t> numbers(mesh.vertices.size(), kNone);
@@ -71,7 +79,7 @@ std::vector<std::uint32_t> weld(const Mesh& mesh, CleanMesh& clean) {
             ++clean.report.unusedVertices;
             continue;
         }
-        const Vector3 vertex = mesh.vertices[i] + Vector3::Zero();  // makes -0.0 a 0.0
+        const Vector3 vertex = mesh.vertices[i] + Vector3::Zero();  // turns -0.0 into 0.0
         const auto newNumber = static_cast<std::uint32_t>(clean.vertices.size());
         numbers[i] = table.findOrInsert(hashOf(vertex), newNumber, [&](std::uint32_t number) {
             return clean.vertices[number] == vertex;
@@ -85,7 +93,7 @@ std::vector<std::uint32_t> weld(const Mesh& mesh, CleanMesh& clean) {
     return numbers;
 }
 
-/// The same for any order of the three.
+/// The triangle's vertices in rising order, equal for any order of the three.
 TriangleIndices sorted(TriangleIndices triangle) {
     std::sort(triangle.begin(), triangle.end());
     return triangle;
@@ -112,7 +120,42 @@ void keepFirstTriangles(const Mesh& mesh, const std::vector<std::uint32_t>& numb
     }
 }
 
+using Rational = boost::multiprecision::cpp_rational;
+
+/// Bound of the relative error of a difference of two products of rounded differences: (3 + 16 u64) u64 < 4 * 2^-53.
+constexpr double kRelativeError = 4.5e-16;
+
+/// Whether double arithmetic proves that the projection onto the plane of axes i and j has an area. Terms below the
+/// smallest normal number prove nothing.
+bool hasProjectedArea(const Vector3& u, const Vector3& v, int i, int j) {
+    const double left = u[i] * v[j];
+    const double right = u[j] * v[i];
+    const double error =
+        kRelativeError * (std::fabs(left) + std::fabs(right)) + std::numeric_limits<double>::min();
+    return std::fabs(left - right) > error;
+}
+
+bool isExactlyDegenerate(const Vector3& a, const Vector3& b, const Vector3& c) {
+    Rational u[3];
+    Rational v[3];
+    for (int i = 0; i < 3; ++i) {
+        u[i] = Rational(b[i]) - Rational(a[i]);
+        v[i] = Rational(c[i]) - Rational(a[i]);
+    }
+    return u[0] * v[1] == u[1] * v[0] && u[1] * v[2] == u[2] * v[1] && u[2] * v[0] == u[0] * v[2];
+}
+
 }  // namespace
+
+bool isDegenerate(const Vector3& a, const Vector3& b, const Vector3& c) {
+    if (a == b || b == c || c == a) return true;
+    const Vector3 u = b - a;
+    const Vector3 v = c - a;
+    // An overflow makes the difference NaN or the error infinite; then nothing is proven.
+    if (hasProjectedArea(u, v, 0, 1) || hasProjectedArea(u, v, 1, 2) || hasProjectedArea(u, v, 2, 0))
+        return false;
+    return isExactlyDegenerate(a, b, c);
+}
 
 CleanMesh clean(const Mesh& mesh) {
     requireSoundMesh(mesh);

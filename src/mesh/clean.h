@@ -1,5 +1,5 @@
-// Makes a mesh fit for a tree: checked, equal vertices welded, exact duplicates dropped, degenerate ones
-// kept.
+// Prepares a mesh for a tree: checks it, welds equal vertices, drops exact duplicates of triangles and counts degenerate
+// triangles.
 #pragma once
 
 #include <cstdint>
@@ -7,18 +7,23 @@
 
 #include "clearway/build_report.h"
 #include "clearway/mesh.h"
+#include "clearway/types.h"
 
 namespace clearway {
 
 struct CleanMesh {
-    std::vector<Vector3> vertices;  ///< each used, no two equal; -0.0 counts as 0.0
+    std::vector<Vector3> vertices;  ///< all used, no two equal; -0.0 counts as 0.0
     std::vector<TriangleIndices> triangles;
-    std::vector<std::uint32_t> triangleIds;  ///< of each its position in the mesh given; a duplicate's first
+    std::vector<std::uint32_t>
+        triangleIds;  ///< each one's position in the given mesh; of duplicates the first
     CleanReport report;
 };
 
-/// A zero-area triangle is a segment or a point in exact arithmetic of its doubles; those kept are counted.
-/// Throws std::invalid_argument as Model::build says.
+/// Cleans the mesh. Triangles of zero area are kept as the segment or point they are, and counted. Throws
+/// std::invalid_argument as requireSoundMesh does.
 CleanMesh clean(const Mesh& mesh);
+
+/// Whether the three finite points lie on one line or coincide, decided in exact arithmetic.
+bool isDegenerate(const Vector3& a, const Vector3& b, const Vector3& c);
 
 }  // namespace clearway

@@ -1,4 +1,5 @@
-// Source: Khronos Group, glTF 2.0 Specification: a JSON chunk that describes the views of one binary chunk.
+// Writes .glb: a JSON chunk that describes the views of one binary chunk.
+// Source: Khronos Group, glTF 2.0 Specification.
 #include "mesh/glb.h"
 
 #include <algorithm>
@@ -6,10 +7,14 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <ostream>
+#include <sstream>
 #include <stdexcept>
 #include <utility>
 
 #include "core/json.h"
+#include "mesh/check.h"
+#include "mesh/components.h"
+#include "mesh/renumber.h"
 
 namespace clearway {
 
@@ -17,14 +22,14 @@ namespace {
 
 constexpr int kFloat = 5126;  // glTF's component types
 constexpr int kUnsigned = 5125;
-constexpr int kVertexBuffer = 34962;  // and targets of buffer views
+constexpr int kVertexBuffer = 34962;  // targets of buffer views
 constexpr int kIndexBuffer = 34963;
 
-/// z to y and y to -z, column by column. No quaternion of floats turns by exactly 90 degrees: far from the
-/// origin readers would find coordinates other than those of the meshes.
+/// The rotation of z to y and y to -z, column by column. A quaternion of floats cannot turn by exactly 90 degrees: far
+/// from the origin, readers would then find coordinates that differ from the meshes'.
 constexpr int kUpright[] = {1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1};
 
-/// The least and the most of each coordinate, as fields of an accessor.
+/// The least and the largest value of each coordinate, as fields of an accessor.
 template <class Vertices>
 Json boundsOf(const Vertices& vertices) {
     auto least = vertices[0], most = vertices[0];
@@ -37,16 +42,16 @@ Json boundsOf(const Vertices& vertices) {
     return {{"min", least}, {"max", most}};
 }
 
-/// The description, and the places in memory that the binary chunk is made of. What is added must outlive it.
+/// The JSON description and pointers to the data of the binary chunk. Added data must outlive the document.
 class Document {
   public:
-    /// To one of the description's lists; returns its number there.
+    /// Appends the item to one of the description's lists and returns its position there.
     std::size_t add(const char* list, Json item) {
         json_[list].push_back(std::move(item));
         return json_[list].size() - 1;
     }
 
-    /// With a mesh each; returns the number of the node. primitive: what else to say of the mesh.
+    /// Adds a node with one mesh and returns the number of the node. primitive: further fields of the mesh.
     std::size_t addPart(const SavePart& part, Json primitive = {}) {
         primitive["attributes"]["POSITION"] =
             addAccessor(part.vertices, kFloat, "VEC3", kVertexBuffer, boundsOf(part.vertices));
@@ -58,7 +63,7 @@ class Document {
 
     void addRoot(std::size_t node) { json_["scenes"][0]["nodes"].push_back(node); }
 
-    /// Of arrays of 4-byte numbers. target: 0 for none. accessor: what else to say of them.
+    /// Adds rows of 4-byte numbers. target: 0 for none. accessor: further fields.
     template <class Rows>
     std::size_t addAccessor(const Rows& rows, int componentType, const std::string& type, int target,
                             Json accessor = {}) {
@@ -121,7 +126,7 @@ Json materialOf(const char* name, const std::array<float, 4>& colour) {
              {{"baseColorFactor", colour}, {"metallicFactor", 0}, {"roughnessFactor", 0.7}}}};
 }
 
-/// The keys as the format has them: a list for each kind of number.
+/// The keys as the format stores them: one list for each kind of number.
 struct Samples {
     std::vector<float> times;
     std::vector<std::array<float, 3>> positions;
@@ -136,7 +141,7 @@ struct Samples {
     }
 };
 
-/// times, positions, rotations: the accessors of the keys.
+/// times, positions, rotations: numbers of the accessors of the keys.
 Json animationOf(const std::string& name, std::size_t node, std::size_t times, std::size_t positions,
                  std::size_t rotations) {
     const auto sampler = [&](std::size_t output) {
@@ -150,7 +155,47 @@ Json animationOf(const std::string& name, std::size_t node, std::size_t times, s
             {"samplers", {sampler(positions), sampler(rotations)}}};
 }
 
+std::array<float, 3> rounded(const Mesh& mesh, std::size_t triangle, const Vector3& vertex) {
+    if (vertex.cwiseAbs().maxCoeff() > std::numeric_limits<float>::max()) {
+        std::ostringstream message;
+        message << nameOfTriangle(mesh, triangle) << " has a vertex at (" << vertex.x() << ", " << vertex.y()
+                << ", " << vertex.z() << "), expected coordinates within a float's range to write";
+        throw std::invalid_argument(message.str());
+    }
+    return {static_cast<float>(vertex.x()), static_cast<float>(vertex.y()), static_cast<float>(vertex.z())};
+}
+
+SavePart partOf(const Mesh& mesh, const Component& component, FirstUseOrder& numberOf) {
+    SavePart part;
+    part.name = component.name;
+    part.triangles.reserve(component.triangleCount);
+    const std::size_t end = std::size_t(component.firstTriangle) + component.triangleCount;
+    for (std::size_t id = component.firstTriangle; id < end; ++id) {
+        TriangleIndices triangle = mesh.triangles[id];
+        for (std::uint32_t& vertex : triangle) {
+            vertex = numberOf(vertex, [&](std::uint32_t used) {
+                part.vertices.push_back(rounded(mesh, id, mesh.vertices[used]));
+            });
+        }
+        part.triangles.push_back(triangle);
+    }
+    return part;
+}
+
 }  // namespace
+
+std::vector<SavePart> savePartsOf(const Mesh& mesh, const std::string& namelessName) {
+    requireSoundMesh(mesh);
+    FirstUseOrder numberOf(mesh.vertices.size());
+    std::vector<SavePart> parts;
+    for (const Component& component : componentsOf(mesh)) {
+        if (component.triangleCount == 0) continue;
+        numberOf.restart();
+        parts.push_back(partOf(mesh, component, numberOf));
+        if (parts.back().name.empty()) parts.back().name = namelessName;
+    }
+    return parts;
+}
 
 void writeGlb(const std::vector<SavePart>& parts, std::ostream& stream) {
     Document document;

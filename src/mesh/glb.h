@@ -1,5 +1,5 @@
-// Writes binary glTF 2.0 (.glb), which keeps floats, order and names exactly. assimp's own exporter joins
-// vertices that lie within 1e-5 of each other on the way.
+// Binary glTF 2.0 (.glb) with floats, order and names kept exactly; assimp's own exporter joins vertices within 1e-5 of
+// each other. Here too: the parts of a mesh, in float, that all writers of mesh files take.
 #pragma once
 
 #include <array>
@@ -7,31 +7,43 @@
 #include <string>
 #include <vector>
 
-#include "mesh/save_parts.h"
+#include "clearway/mesh.h"
 
 namespace clearway {
 
-/// One node with one mesh for each part, both by its name. Throws std::invalid_argument when the parts need
-/// more than the 4 GiB the format can address.
+/// A component for writing.
+struct SavePart {
+    std::string name;
+    std::vector<std::array<float, 3>> vertices;
+    std::vector<TriangleIndices> triangles;  ///< into vertices, in the mesh's order
+};
+
+/// The mesh's components that have triangles, in order. Each has the vertices it uses, in the order of their first use
+/// and rounded to float. Throws std::invalid_argument when the mesh is not sound (see requireSoundMesh) or a coordinate
+/// is beyond float's range.
+std::vector<SavePart> savePartsOf(const Mesh& mesh, const std::string& namelessName);
+
+/// Writes one node with one mesh for each part, both with the part's name. Throws std::invalid_argument when the parts
+/// need more than the 4 GiB that the format can address.
 void writeGlb(const std::vector<SavePart>& parts, std::ostream& stream);
 
-/// Where the moving parts are at a time; between two keys they go straight and turn evenly, the shorter way.
+/// Where the moving parts are at one time. Between two keys they move straight and turn evenly, the shorter way.
 struct GlbKey {
     float seconds = 0;
     std::array<float, 3> position{};
     std::array<float, 4> rotation{0, 0, 0, 1};  ///< x y z w, unit length
 };
 
-/// What stands still, what moves, and how.
+/// An animated scene.
 struct GlbMotion {
     std::vector<SavePart> still;
     std::vector<SavePart> moving;  ///< in coordinates of the node that moves
-    std::string name;              ///< of that node and of the animation
+    std::string name;              ///< of the moving node and of the animation
     std::vector<GlbKey> keys;      ///< at least one, times rising from 0
 };
 
-/// Under a root that turns z, which is up here, to y, which is up in glTF: the still parts, and a node with
-/// the moving ones and the animation. Throws as writeGlb does.
+/// Writes the still parts and a node with the moving parts and the animation, under a root that turns z (up in clearway)
+/// to y (up in glTF). Throws as writeGlb does.
 void writeMovingGlb(const GlbMotion& motion, std::ostream& stream);
 
 }  // namespace clearway

@@ -1,4 +1,4 @@
-// Writes mesh files: .glb ourselves, the rest through assimp's exporter.
+// Writes mesh files: .glb by writeGlb, the other formats through assimp's exporter.
 #include <assimp/scene.h>
 
 #include <algorithm>
@@ -10,16 +10,16 @@
 
 #include "clearway/mesh.h"
 #include "core/replace_file.h"
+#include "core/text.h"
 #include "mesh/glb.h"
-#include "mesh/save_parts.h"
 
 namespace clearway {
 
 namespace {
 
 struct ExportFormat {
-    const char* ending;
-    const char* assimpId;  ///< null: written here
+    const char* name;      ///< the file's ending
+    const char* assimpId;  ///< null: written by writeGlb
 };
 constexpr ExportFormat kFormats[] = {
     {".glb", nullptr}, {".obj", "objnomtl"}, {".ply", "plyb"}, {".stl", "stlb"}, {".dae", "collada"}};
@@ -28,13 +28,7 @@ const ExportFormat& formatOf(const std::string& file) {
     std::string ending = std::filesystem::path(file).extension().string();
     for (char& character : ending)
         character = static_cast<char>(std::tolower(static_cast<unsigned char>(character)));
-    std::string known;
-    for (const ExportFormat& format : kFormats) {
-        if (ending == format.ending) return format;
-        known += (known.empty() ? "" : ", ") + std::string(format.ending);
-    }
-    throw std::invalid_argument("the ending of mesh file '" + file + "' is '" + ending +
-                                "', expected one of " + known);
+    return rowNamed(kFormats, "the ending of mesh file '" + file + "'", ending);
 }
 
 aiMesh* makeMesh(const SavePart& part) {
@@ -56,7 +50,7 @@ aiMesh* makeMesh(const SavePart& part) {
     return mesh;
 }
 
-/// A root with one node and one mesh for each part. The scene owns all it points to.
+/// Fills the scene with a root that has one node with one mesh for each part. The scene owns everything it points to.
 void fillScene(const std::vector<SavePart>& parts, aiScene& scene) {
     const auto count = static_cast<unsigned>(parts.size());
     scene.mNumMaterials = 1;
@@ -81,7 +75,7 @@ void writeByAssimp(const std::vector<SavePart>& parts, const ExportFormat& forma
     const aiExportDataBlob* blob = exporter.ExportToBlob(&scene, format.assimpId);
     if (!blob) {
         throw std::runtime_error("cannot write mesh '" + file + "': " + exporter.GetErrorString() +
-                                 ", expected a mesh that assimp can export as " + format.ending);
+                                 ", expected a mesh that assimp can export as " + format.name);
     }
     replaceFile(file, [&](std::ostream& stream) {
         stream.write(static_cast<const char*>(blob->data), static_cast<std::streamsize>(blob->size));

@@ -1,15 +1,16 @@
-// Is a surface closed? Every edge must be shared by exactly two triangles that run along it in opposite
-// directions.
+// How triangles hang together: whether a surface is closed, and the connected shells it consists of.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "clearway/mesh.h"
 
 namespace clearway {
 
-/// Edges between vertices, by how the triangles meet there. Each edge is counted once.
+/// Counts of edges by how the triangles meet there. A surface is closed when each edge belongs to exactly two triangles
+/// that run along it in opposite directions.
 struct EdgeReport {
     std::size_t closedEdges = 0;    ///< two triangles, opposite directions
     std::size_t openEdges = 0;      ///< one triangle: a border
@@ -19,8 +20,22 @@ struct EdgeReport {
     bool isClosed() const { return openEdges == 0 && twistedEdges == 0 && overfullEdges == 0; }
 };
 
-/// The triangles' vertices must be welded: equal points, equal indices. A triangle that names a vertex twice
-/// is left out: it has collapsed to an edge that its two neighbours then share.
+/// Counts the edges of triangles with welded vertices (equal points have equal indices). A triangle that names a vertex
+/// twice is left out: it has collapsed to an edge, which its two neighbours then share.
 EdgeReport checkEdges(const std::vector<TriangleIndices>& triangles);
+
+/// The sets of triangles that are connected by edges, numbered from 0 in the order of their first triangles.
+struct Shells {
+    std::vector<std::uint32_t> ofTriangle;  ///< the shell of each triangle
+    std::uint32_t count = 0;
+};
+
+/// Finds the shells of triangles with welded vertices.
+Shells findShells(const std::vector<TriangleIndices>& triangles);
+
+/// Six times the volume that each shell encloses, positive when its triangles turn counter-clockwise seen from outside.
+/// The rounding is relative to the shell's own box.
+std::vector<double> signedVolumes(const std::vector<Vector3>& vertices,
+                                  const std::vector<TriangleIndices>& triangles, const Shells& shells);
 
 }  // namespace clearway

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "build/build.h"
+#include "build/flatten.h"
 #include "mesh/clean.h"
 #include "model/model_data.h"
 #include "model/unreachable.h"

@@ -8,7 +8,7 @@
 #include <tuple>
 
 #include "core/number.h"
-#include "mesh/component_mesh.h"
+#include "mesh/components.h"
 #include "model/obstacle_names.h"
 #include "model/solids.h"
 

@@ -6,7 +6,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "mesh/component_mesh.h"
+#include "mesh/components.h"
 
 namespace clearway {
 namespace {

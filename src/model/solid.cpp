@@ -11,7 +11,6 @@
 #include "exact/moved_point.h"
 #include "mesh/clean.h"
 #include "mesh/topology.h"
-#include "model/shells.h"
 
 namespace clearway {
 namespace {

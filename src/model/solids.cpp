@@ -4,8 +4,8 @@
 #include <stdexcept>
 
 #include "mesh/clean.h"
-#include "mesh/component_mesh.h"
-#include "model/shells.h"
+#include "mesh/components.h"
+#include "mesh/topology.h"
 
 namespace clearway {
 namespace {

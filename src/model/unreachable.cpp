@@ -12,6 +12,7 @@
 #include <string>
 
 #include "core/number.h"
+#include "mesh/renumber.h"
 
 namespace clearway {
 namespace {
@@ -100,24 +101,6 @@ Corners cornersOf(const CleanMesh& mesh, const TriangleIndices& triangle) {
     return {mesh.vertices[triangle[0]], mesh.vertices[triangle[1]], mesh.vertices[triangle[2]]};
 }
 
-void dropUnusedVertices(CleanMesh& mesh) {
-    constexpr auto kUnused = std::numeric_limits<std::uint32_t>::max();
-    std::vector<std::uint32_t> numbers(mesh.vertices.size(), kUnused);
-    for (const TriangleIndices& triangle : mesh.triangles) {
-        for (const std::uint32_t vertex : triangle) numbers[vertex] = 0;
-    }
-    std::uint32_t next = 0;
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
-        if (numbers[i] == kUnused) continue;
-        mesh.vertices[next] = mesh.vertices[i];
-        numbers[i] = next++;
-    }
-    mesh.vertices.resize(next);
-    for (TriangleIndices& triangle : mesh.triangles) {
-        for (std::uint32_t& vertex : triangle) vertex = numbers[vertex];
-    }
-}
-
 void requireLength(double value, const char* name) {
     if (value >= 0 && std::isfinite(value)) return;
     throw std::invalid_argument(std::string("the reach's ") + name + " is " + formatNumber(value) +
@@ -157,7 +140,7 @@ std::size_t leaveOutUnreachable(CleanMesh& mesh, const Reach& reach) {
     }
     mesh.triangles.resize(kept.size());
     mesh.triangleIds.resize(kept.size());
-    dropUnusedVertices(mesh);
+    mesh.vertices = takeUsedVertices(mesh.vertices, mesh.triangles);
     return leftOut;
 }
 

@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "core/lines.h"
+#include "core/text.h"
 #include "problem/name_lists.h"
 
 namespace clearway {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "core/lines.h"
 #include "core/number.h"
+#include "core/text.h"
 
 namespace clearway {
 

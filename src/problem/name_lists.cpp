@@ -1,6 +1,6 @@
 #include "problem/name_lists.h"
 
-#include "core/lines.h"
+#include "core/text.h"
 
 namespace clearway {
 namespace {

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "core/lines.h"
 #include "core/number.h"
+#include "core/text.h"
 #include "problem/name_lists.h"
 
 namespace clearway {

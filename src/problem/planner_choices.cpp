@@ -5,8 +5,8 @@
 #include <boost/algorithm/string/predicate.hpp>
 #include <stdexcept>
 
-#include "core/lines.h"
 #include "core/number.h"
+#include "core/text.h"
 
 namespace clearway {
 

@@ -3,9 +3,9 @@
 #include <stdexcept>
 
 #include "clearway/problem.h"
-#include "core/lines.h"
 #include "core/number.h"
 #include "core/replace_file.h"
+#include "core/text.h"
 #include "problem/state_lines.h"
 
 namespace clearway {

@@ -7,8 +7,8 @@
 #include <stdexcept>
 
 #include "clearway/problem.h"
-#include "core/lines.h"
 #include "core/number.h"
+#include "core/text.h"
 #include "problem/config_values.h"
 #include "problem/name_lists.h"
 #include "problem/obstacle_rules.h"

@@ -2,8 +2,8 @@
 
 #include <stdexcept>
 
-#include "core/lines.h"
 #include "core/number.h"
+#include "core/text.h"
 
 namespace clearway {
 

@@ -7,9 +7,9 @@
 #include <stdexcept>
 
 #include "clearway/problem.h"
-#include "core/lines.h"
 #include "core/number.h"
 #include "core/replace_file.h"
+#include "core/text.h"
 #include "problem/name_lists.h"
 #include "problem/obstacle_rules.h"
 #include "problem/rotation.h"

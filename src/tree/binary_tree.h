@@ -1,4 +1,4 @@
-// What a build makes and flattening reads: a binary tree whose leaves are runs of triangles.
+// The binary tree that a build makes and flattening reads. Its leaves are runs of triangles.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@ struct BinaryNode {
 
 struct BinaryTree {
     std::vector<BinaryNode> nodes;     ///< [0] is the root; children come after their parent
-    std::vector<std::uint32_t> order;  ///< positions of the triangles, leaf after leaf
+    std::vector<std::uint32_t> order;  ///< positions of the triangles in the mesh, leaf after leaf
 };
 
 }  // namespace clearway

@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "core/text.h"
+
 namespace clearway {
 namespace {
 
@@ -70,9 +72,10 @@ bool areNodesSound(const FlatTree& tree, std::integer_sequence<int, kWidths...>)
 }  // namespace
 
 void refuseNodeWidth(int nodeWidth) {
-    std::string known;
-    for (const int width : nodeWidths()) known += (known.empty() ? "" : ", ") + std::to_string(width);
-    throw std::invalid_argument("nodeWidth is " + std::to_string(nodeWidth) + ", expected one of: " + known);
+    std::vector<std::string> known;
+    for (const int width : nodeWidths()) known.push_back(std::to_string(width));
+    throw std::invalid_argument("nodeWidth is " + std::to_string(nodeWidth) + ", expected one of " +
+                                joined(known));
 }
 
 TreeStatistics statistics(const FlatTree& tree) {

@@ -1,6 +1,6 @@
-// Branch and bound for the largest |A v + b| over the vertices v: it is convex, so a volume's largest is at a
-// corner of its rectangle, plus its radius as A stretches it. The farthest volume is opened first, until no
-// other can matter.
+// Branch and bound for the largest |A v + b| over the vertices v. The length is convex, so within a volume it is largest
+// at a corner of the rectangle, plus the radius as stretched by A. The farthest volume is opened first, until no other
+// can matter.
 #include "tree/largest_displacement.h"
 
 #include <algorithm>
@@ -13,10 +13,10 @@ namespace {
 
 constexpr double kRoundedUp = 1 + 1e-12;  // a few 2^-53 for each step of the arithmetic
 
-/// Of the lengths that are added: 3 products and as many sums for a row, the differences that A and b are.
+/// Rounding relative to the lengths that are added: 3 products and 3 sums for a row, and the differences in A and b.
 constexpr double kSumRounding = 0x1p-49;
 
-/// Vectors from the axis turn by 90 degrees in a cross product with it, their lengths stay.
+/// The map v -> axis x v. It turns the part of v across the axis by 90 degrees and keeps that part's length.
 struct AcrossAxis {
     const Vector3& axis;
     Vector3 shift = Vector3::Zero();
@@ -24,6 +24,7 @@ struct AcrossAxis {
     Vector3 operator()(const Vector3& v) const { return axis.cross(v); }
 };
 
+/// The map v -> A v + b, the difference of two poses.
 struct Difference {
     Matrix3 a;
     Vector3 shift;
@@ -31,7 +32,7 @@ struct Difference {
     Vector3 operator()(const Vector3& v) const { return a * v; }
 };
 
-/// Largest |origin + A x| for an x within one lane's volume, tree units. origin: of the tree, mapped.
+/// Largest |origin + A x| for x within one lane's volume, tree units. origin: the tree's origin after the map.
 template <class Map, int kWidth>
 double largestWithin(const WideNode<kWidth>& node, int lane, const Map& map, const Vector3& origin) {
     const auto mapped = [&](const float(&rows)[3][kWidth]) {
@@ -88,7 +89,7 @@ class Search {
             if (reached_ * (1 - kSumRounding) > cap_ + rounding_) return;
             if (child.bound <= reached_ * (1 + excess_)) {
                 leftOut_ = std::max(leftOut_, child.bound);
-                return;  // so are the others
+                return;  // the bounds of the others are no larger
             }
             if (child.reference >= 0) {
                 open(child.reference);

@@ -1,5 +1,5 @@
-// How far a turn about an axis, or a way from one pose to another, can move a vertex: for long parts and
-// small turns much less than the radius about the origin says.
+// How far a turn about an axis, or a motion from one pose to another, can move a vertex. For long parts and small turns
+// this is much less than the radius about the origin suggests.
 #pragma once
 
 #include "clearway/types.h"
@@ -7,19 +7,19 @@
 
 namespace clearway {
 
-/// How much more than the largest vertex distance radiusAboutAxis may be.
+/// Relative amount by which radiusAboutAxis may exceed the largest vertex distance.
 constexpr double kAxisRadiusExcess = 1e-3;
 
-/// Upper bound of the largest distance of a vertex in the tree from the line through the mesh origin along a
-/// unit vector, at most kAxisRadiusExcess of it too much but for rounding. Allocates nothing.
+/// Upper bound of the largest distance between a vertex in the tree and the line through the mesh origin along a unit
+/// vector. Except for rounding, it exceeds that distance by at most the share kAxisRadiusExcess. Allocates nothing.
 double radiusAboutAxis(const FlatTree& tree, const Vector3& unitDirection);
 
-/// How much more than the largest vertex displacement largestDisplacement may be.
+/// Relative amount by which largestDisplacement may exceed the largest vertex displacement.
 constexpr double kDisplacementExcess = 1e-6;
 
-/// Upper bound of the largest distance between where two poses take a vertex in the tree, at most
-/// kDisplacementExcess of it too much but for rounding. When a vertex moves further than the cap, all that
-/// can be said of the answer is that it is above the cap too. Allocates nothing.
+/// Upper bound of the largest distance between the places to which two poses move a vertex in the tree. Except for
+/// rounding, it exceeds that distance by at most the share kDisplacementExcess. When a vertex moves further than the
+/// cap, the answer is only known to be above the cap. Allocates nothing.
 double largestDisplacement(const FlatTree& tree, const Pose& from, const Pose& to, double cap);
 
 }  // namespace clearway

@@ -1,5 +1,4 @@
-// Carries points to coordinates within +-1, so that no square of them overflows or vanishes, whatever the
-// mesh's scale.
+// Moves points to coordinates within +-1, so that no squared coordinate overflows or vanishes at any scale of the mesh.
 #pragma once
 
 #include <algorithm>
@@ -20,8 +19,8 @@ struct Normalisation {
     Vector3 operator()(const Vector3& point) const { return (point - middle) * inverseUnit; }
 };
 
-/// Takes the middle of the points' box to 0 and its longest side to a length in [1, 2), or to 0 when all
-/// points are equal.
+/// Maps the middle of the points' box to 0 and its longest side to a length in [1, 2), or to 0 when all points are
+/// equal.
 inline Normalisation normalisationOf(const std::vector<Vector3>& points) {
     assert(!points.empty());
     Vector3 lowest = points.front();
@@ -34,8 +33,7 @@ inline Normalisation normalisationOf(const std::vector<Vector3>& points) {
     normalisation.middle = 0.5 * lowest + 0.5 * highest;
     const double halfExtent = (0.5 * highest - 0.5 * lowest).maxCoeff();
     if (halfExtent > 0) {
-        const int exponent =
-            std::clamp(std::ilogb(halfExtent) + 1, -1000, 1000);  // so that the inverse is finite, too
+        const int exponent = std::clamp(std::ilogb(halfExtent) + 1, -1000, 1000);  // keeps the inverse finite
         normalisation.unit = std::ldexp(1.0, exponent);
         normalisation.inverseUnit = std::ldexp(1.0, -exponent);
     }

@@ -1,4 +1,5 @@
 #include "build/build.h"
+#include "build/flatten.h"
 
 #include <boost/test/data/monomorphic.hpp>
 #include <boost/test/data/test_case.hpp>
@@ -7,7 +8,6 @@
 
 #include "build/check_tree.h"
 #include "build/sample_meshes.h"
-#include "build/tasks.h"
 #include "build/top_down.h"
 
 namespace clearway::testing {

@@ -1,4 +1,4 @@
-#include "build/collapse.h"
+#include "build/flatten.h"
 
 #include <boost/test/unit_test.hpp>
 #include <set>

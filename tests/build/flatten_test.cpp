@@ -4,7 +4,7 @@
 
 #include "build/build.h"
 #include "build/check_tree.h"
-#include "build/collapse.h"
+#include "build/flatten.h"
 #include "build/sample_meshes.h"
 
 namespace clearway::testing {
@@ -94,7 +94,7 @@ BOOST_AUTO_TEST_CASE(another_width_is_refused) {
     const BinaryTree binary = buildBinaryTree(mesh, {});
     BOOST_CHECK_EXCEPTION(flatten(binary, mesh, 3), std::invalid_argument,
                           [](const std::invalid_argument& error) {
-                              return std::string(error.what()) == "nodeWidth is 3, expected one of: 8, 2";
+                              return std::string(error.what()) == "nodeWidth is 3, expected one of 8, 2";
                           });
 }
 

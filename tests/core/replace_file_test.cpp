@@ -81,8 +81,8 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_written_is_named) {
                "cannot write '" + folder.path() + "': it is a folder, expected the name of a file");
     const std::string pipe = folder.file("pipe");
     BOOST_TEST_REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
-    BOOST_TEST(messageOf(pipe) ==
-               "cannot write '" + pipe + "': it is no regular file, expected one or a new name");
+    BOOST_TEST(messageOf(pipe) == "cannot write '" + pipe +
+                                      "': it is not a regular file, expected a regular file or a new name");
     BOOST_TEST(folder.names() == std::vector<std::string>{"pipe"}, boost::test_tools::per_element());
 }
 

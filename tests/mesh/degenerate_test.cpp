@@ -1,4 +1,4 @@
-#include "mesh/degenerate.h"
+#include "mesh/clean.h"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>

@@ -5,6 +5,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "build/build.h"
+#include "build/flatten.h"
 #include "build/sample_meshes.h"
 
 namespace clearway::testing {

@@ -1,6 +1,7 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
+#include "build/fit_rss.h"
 #include "support/random_meshes.h"
 #include "tree/rss.h"
 #include "tree/stored_volume.h"

@@ -1,25 +1,23 @@
-#include "build/split/axis.h"
-
+// AxisSplit: rates the planes through the mean along three principal axes by the RSS areas of the children.
 #include <limits>
 #include <utility>
 
-#include "build/fit/point_covariance.h"
-#include "build/split/plane.h"
+#include "build/fit_rss.h"
+#include "build/general_splits.h"
 #include "build/top_down.h"
-#include "tree/rss.h"
 
 namespace clearway {
 
 namespace {
 
-/// Corners of a node and of the two children a plane would give it, kept from node to node for their storage.
+/// Corners of a node and of the two children that a plane makes, reused from node to node for their storage.
 struct Scratch {
     std::vector<Vector3> corners;
     std::vector<Vector3> left;
     std::vector<Vector3> right;
 };
 
-/// Infinite when one side stays empty.
+/// The sum of the areas of both children; infinite when one side is empty.
 double areaOfChildren(const CleanMesh& mesh, TriangleRun run, const Plane& plane, Scratch& scratch) {
     scratch.left.clear();
     scratch.right.clear();

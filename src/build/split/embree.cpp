@@ -1,5 +1,4 @@
-#include "build/split/embree.h"
-
+// Embree's builder as a general split: Embree builds a tree over the triangles' boxes, which is then copied.
 #if CLEARWAY_EMBREE_MAJOR >= 4
 #include <embree4/rtcore.h>
 #else
@@ -14,13 +13,14 @@
 #include <string>
 #include <utility>
 
+#include "build/general_splits.h"
 #include "tree/normalisation.h"
 
 namespace clearway {
 
 namespace {
 
-/// As Embree builds it, in Embree's memory.
+/// A node of the tree that Embree builds in its own memory.
 struct Node {
     Node* children[2];  ///< null for a leaf
     std::uint32_t firstTriangle;
@@ -41,15 +41,16 @@ using Bvh = std::unique_ptr<RTCBVHTy, ReleaseBvh>;
                              std::to_string(static_cast<int>(rtcGetDeviceError(device))));
 }
 
-/// One for the process: making one takes longer than building a small tree. It is not told to keep to one
-/// thread: it would hold all of oneTBB to one, the rest of the build and the caller's own work included.
+/// The one device of the process: making a device takes longer than building a small tree. The device itself is not
+/// limited to one thread, because Embree would then limit all of oneTBB, including the rest of the build and the caller's
+/// own work.
 RTCDevice device() {
     static const Device shared(rtcNewDevice("set_affinity=0"));
     if (shared == nullptr) fail("Embree cannot be started", nullptr);
     return shared.get();
 }
 
-/// Boxes of the triangles, in coordinates that floats can hold.
+/// The triangles' boxes, in coordinates that floats can hold.
 std::vector<RTCBuildPrimitive> boxesOf(const CleanMesh& mesh, const std::vector<std::uint32_t>& triangles) {
     const Normalisation normalised = normalisationOf(mesh.vertices);
     std::vector<RTCBuildPrimitive> boxes(triangles.size());
@@ -85,7 +86,7 @@ void setChildren(void* node, void** children, unsigned count, void*) {
 
 void ignoreBounds(void*, const RTCBounds**, unsigned, void*) {}
 
-/// The builder sorts its primitives in place, so a leaf's are a run of them.
+/// Makes a leaf. The builder sorts its primitives in place, so a leaf's primitives are a run of them.
 void* createLeaf(RTCThreadLocalAllocator allocator, const RTCBuildPrimitive* first, std::size_t count,
                  void* allPrimitives) {
     Node* leaf = newNode(allocator);
@@ -116,7 +117,7 @@ const Node* build(RTCBVH bvh, std::vector<RTCBuildPrimitive>& boxes, std::size_t
     return static_cast<const Node*>(root);
 }
 
-/// Copies the tree, depth first, the leaves' triangles in that order.
+/// Copies the tree depth first; the leaves' triangles follow in that order.
 BinaryTree binaryTreeOf(const Node* root, const std::vector<RTCBuildPrimitive>& boxes) {
     struct Pending {
         const Node* source;

@@ -1,9 +1,8 @@
-#include "build/split/mean.h"
-
+// MeanSplit: cuts each node at the mean of its corners, square to their greatest spread.
 #include <utility>
 
-#include "build/fit/point_covariance.h"
-#include "build/split/plane.h"
+#include "build/fit_rss.h"
+#include "build/general_splits.h"
 #include "build/top_down.h"
 
 namespace clearway {

@@ -41,7 +41,7 @@ void printPose(double share, const Scene& scene, const planning::PoseClearance& 
 
 }  // namespace
 
-std::vector<render::PosedPart> posesAt(const PathLine& line, const std::vector<double>& shares,
+std::vector<render::PosedPart> posesAt(const report::PathLine& line, const std::vector<double>& shares,
                                        const planning::SceneClearance& clearance, bool isPrinted) {
     std::vector<render::PosedPart> poses;
     for (const double share : shares) {

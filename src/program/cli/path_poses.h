@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "planning/validity/scene_clearance.h"
-#include "problem/path_line.h"
 #include "program/render/render.h"
+#include "program/report/path_line.h"
 
 namespace clearway::cli {
 
@@ -15,7 +15,7 @@ constexpr std::size_t kWayPoses = 240;  ///< that the line along the path is dra
 
 /// The part at these shares of the path. A pose out of the problem's bounds has all the clearance there is.
 /// isPrinted: with a row for each.
-std::vector<render::PosedPart> posesAt(const PathLine& line, const std::vector<double>& shares,
+std::vector<render::PosedPart> posesAt(const report::PathLine& line, const std::vector<double>& shares,
                                        const planning::SceneClearance& clearance, bool isPrinted);
 
 /// The tightest pose is drawn solid, and the others are unless they run through one that is.

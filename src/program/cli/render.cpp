@@ -8,7 +8,6 @@
 #include "core/number.h"
 #include "core/replace_file.h"
 #include "planning/validity/scene_clearance.h"
-#include "problem/path_line.h"
 #include "program/cli/command_line.h"
 #include "program/cli/elapsed_line.h"
 #include "program/cli/load_guard.h"
@@ -17,6 +16,7 @@
 #include "program/cli/print.h"
 #include "program/cli/tree_options.h"
 #include "program/render/camera.h"
+#include "program/report/path_line.h"
 
 namespace clearway::cli {
 
@@ -156,8 +156,9 @@ std::vector<double> sharesOf(const Options& options, bool hasPath) {
         return shares;
     }
     if (!hasPath) return {0, 1};
-    return evenShares(options.has("poses") ? static_cast<std::size_t>(options.integer("poses", 1, kMostPoses))
-                                           : kUsualPoses);
+    return report::evenShares(options.has("poses")
+                                  ? static_cast<std::size_t>(options.integer("poses", 1, kMostPoses))
+                                  : kUsualPoses);
 }
 
 }  // namespace
@@ -186,11 +187,11 @@ int render(const Arguments& arguments) {
     // A few hundred queries: trees that are built sooner than they are asked.
     const Scene scene = buildScene(problem, {}, buildPreset("fast"), cache);
     const planning::SceneClearance clearance(scene);
-    const PathLine line(states, scene.part.radiusAboutOrigin());
+    const report::PathLine line(states, scene.part.radiusAboutOrigin());
     auto poses = posesAt(line, shares, clearance, true);
     chooseGhosts(scene.part, poses);
-    const auto way =
-        hasPath ? posesAt(line, evenShares(kWayPoses), clearance, false) : std::vector<render::PosedPart>{};
+    const auto way = hasPath ? posesAt(line, report::evenShares(kWayPoses), clearance, false)
+                             : std::vector<render::PosedPart>{};
     render::writePng(render(part, environment, poses, way, drawing), file);
     printRow("picture", file + ", " + std::to_string(drawing.width) + " x " + std::to_string(drawing.height));
     return kDone;

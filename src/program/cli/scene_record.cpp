@@ -76,9 +76,9 @@ std::string Recorder::contents() const {
 
 /// Of the path's length, where the environment is near.
 double Recorder::nearShare() const {
-    const PathLine line(path, part.radiusAboutOrigin());
+    const report::PathLine line(path, part.radiusAboutOrigin());
     std::size_t near = 0;
-    for (const double share : evenShares(kNearSamples))
+    for (const double share : report::evenShares(kNearSamples))
         near += clearance.at(poseOf(line.at(share))).lower <= kNear * stated();
     return static_cast<double>(near) / kNearSamples;
 }
@@ -112,15 +112,15 @@ std::string Recorder::writeReplay() const {
 }
 
 void Recorder::writePreview() const {
-    const PathLine line(path, part.radiusAboutOrigin());
-    std::vector<render::PosedPart> poses = posesAt(line, evenShares(kUsualPoses), clearance, false);
+    const report::PathLine line(path, part.radiusAboutOrigin());
+    std::vector<render::PosedPart> poses = posesAt(line, report::evenShares(kUsualPoses), clearance, false);
     chooseGhosts(part, poses);
     render::RenderOptions drawing;
     drawing.view = origin.row.preview;
     drawing.width = kPreviewWidth;
     drawing.height = kPreviewHeight;
     render::writePng(render::render(partMesh, environmentMesh, poses,
-                                    posesAt(line, evenShares(kWayPoses), clearance, false), drawing),
+                                    posesAt(line, report::evenShares(kWayPoses), clearance, false), drawing),
                      files.preview);
 }
 

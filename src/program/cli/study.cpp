@@ -6,8 +6,8 @@
 #include <stdexcept>
 
 #include "clearway/planning/planners.h"
-#include "core/lines.h"
 #include "core/replace_file.h"
+#include "core/text.h"
 #include "planning/objectives/objectives.h"
 #include "program/cli/command_line.h"
 #include "program/cli/interrupts.h"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/colour.h"
+#include "program/render/colour.h"
 
 namespace clearway::render {
 

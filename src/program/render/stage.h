@@ -5,7 +5,7 @@
 #include <deque>
 #include <vector>
 
-#include "core/colour.h"
+#include "program/render/colour.h"
 #include "program/render/rays.h"
 
 namespace clearway::render {

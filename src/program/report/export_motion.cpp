@@ -6,7 +6,7 @@
 
 #include "core/replace_file.h"
 #include "mesh/glb.h"
-#include "problem/path_line.h"
+#include "program/report/path_line.h"
 
 namespace clearway::report {
 

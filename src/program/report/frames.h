@@ -6,7 +6,7 @@
 
 #include "clearway/planning/audit.h"
 #include "planning/validity/scene_clearance.h"
-#include "problem/path_line.h"
+#include "program/report/path_line.h"
 
 namespace clearway::report {
 

@@ -5,6 +5,7 @@
 #include <unordered_map>
 
 #include "mesh/clean.h"
+#include "mesh/renumber.h"
 
 namespace clearway::report {
 
@@ -67,24 +68,17 @@ PageMesh pageMeshOf(const Mesh& mesh, std::size_t mostTriangles) {
     }
     const Vector3 extent = page.box.diagonal();
     page.error += 0.5 / kSteps * extent.norm();
-    constexpr std::uint32_t kNone = 0xffffffffu;
-    std::vector<std::uint32_t> numbers(welded.vertices.size(), kNone);
-    for (TriangleIndices triangle : triangles) {
-        for (std::uint32_t& vertex : triangle) {
-            std::uint32_t& number = numbers[vertex];
-            if (number == kNone) {
-                number = static_cast<std::uint32_t>(page.positions.size());
-                std::array<std::uint16_t, 3> position{};
-                for (int axis = 0; axis < 3; ++axis) {
-                    const double share =
-                        (welded.vertices[vertex][axis] - page.box.min()[axis]) / extent[axis];
-                    if (extent[axis] > 0)
-                        position[axis] = static_cast<std::uint16_t>(std::lround(kSteps * share));
-                }
-                page.positions.push_back(position);
-            }
-            vertex = number;
+    const auto addPosition = [&](std::uint32_t vertex) {
+        std::array<std::uint16_t, 3> position{};
+        for (int axis = 0; axis < 3; ++axis) {
+            const double share = (welded.vertices[vertex][axis] - page.box.min()[axis]) / extent[axis];
+            if (extent[axis] > 0) position[axis] = static_cast<std::uint16_t>(std::lround(kSteps * share));
         }
+        page.positions.push_back(position);
+    };
+    FirstUseOrder numberOf(welded.vertices.size());
+    for (TriangleIndices triangle : triangles) {
+        for (std::uint32_t& vertex : triangle) vertex = numberOf(vertex, addPosition);
         page.triangles.push_back(triangle);
     }
     return page;

@@ -8,9 +8,9 @@
 #include <ostream>
 #include <string_view>
 
-#include "core/colour.h"
 #include "core/json.h"
 #include "core/replace_file.h"
+#include "program/render/colour.h"
 #include "program/report/coding.h"
 #include "program/report/frames.h"
 #include "program/report/page_mesh.h"
@@ -73,7 +73,7 @@ Json jsonOf(const ReportTable& table, const std::vector<ReportFrame>& frames) {
 Json colourScale() {
     Json colours;
     for (std::size_t i = 0; i < kColours; ++i)
-        colours.push_back(toSRgb(clearanceColour(double(i) / double(kColours - 1))));
+        colours.push_back(render::toSRgb(render::clearanceColour(double(i) / double(kColours - 1))));
     return colours;
 }
 
@@ -113,7 +113,7 @@ class PageData {
         Json frames = Json::array(), tables = Json::array();
         for (const ReportFrame& frame : frames_) frames.push_back(jsonOf(frame, part_.box.center(), origin_));
         for (const ReportTable& table : input_.tables) tables.push_back(jsonOf(table, frames_));
-        const double scaleMost = scaleFor(least_, most_);
+        const double scaleMost = render::scaleFor(least_, most_);
         return {{"verdict", input_.verdict},
                 {"note", note()},
                 {"radius", environment_.box.diagonal().norm() / 2},

@@ -5,7 +5,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "core/lines.h"
+#include "core/text.h"
 #include "core/replace_file.h"
 
 namespace clearway::scenes {

@@ -4,9 +4,9 @@
 #include <ostream>
 #include <stdexcept>
 
-#include "core/lines.h"
 #include "core/number.h"
 #include "core/replace_file.h"
+#include "core/text.h"
 
 namespace clearway::study {
 namespace {

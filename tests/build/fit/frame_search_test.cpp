@@ -1,8 +1,7 @@
-#include "build/fit/frame_search.h"
+#include "build/fit_rss.h"
 
 #include <boost/test/unit_test.hpp>
 
-#include "build/fit/point_covariance.h"
 #include "support/random_meshes.h"
 #include "tree/stored_volume.h"
 

@@ -1,4 +1,4 @@
-#include "build/fit/frames.h"
+#include "build/fits.h"
 
 #include <boost/test/unit_test.hpp>
 

@@ -1,4 +1,4 @@
-#include "build/fit/point_covariance.h"
+#include "build/fit_rss.h"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "build/leaf/all.h"
+#include "build/leaf_splits.h"
 
 #include <boost/test/unit_test.hpp>
 #include <chrono>

@@ -1,11 +1,10 @@
-#include "build/split/axis.h"
+#include "build/general_splits.h"
 
 #include <boost/test/unit_test.hpp>
 
-#include "build/fit/point_covariance.h"
+#include "build/fit_rss.h"
 #include "build/sample_meshes.h"
 #include "build/split/children.h"
-#include "build/split/mean.h"
 #include "tree/rss.h"
 
 namespace clearway::testing {

@@ -1,4 +1,4 @@
-#include "build/split/embree.h"
+#include "build/general_splits.h"
 
 #include <tbb/global_control.h>
 #include <tbb/info.h>

@@ -1,4 +1,4 @@
-#include "build/split/halves.h"
+#include "build/top_down.h"
 
 #include <boost/test/unit_test.hpp>
 #include <numeric>

@@ -1,4 +1,4 @@
-#include "build/split/mean.h"
+#include "build/general_splits.h"
 
 #include <boost/test/unit_test.hpp>
 

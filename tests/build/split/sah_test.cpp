@@ -1,10 +1,9 @@
-#include "build/split/sah.h"
+#include "build/general_splits.h"
 
 #include <boost/test/unit_test.hpp>
 
 #include "build/sample_meshes.h"
 #include "build/split/children.h"
-#include "build/split/mean.h"
 
 namespace clearway::testing {
 namespace {

@@ -9,7 +9,7 @@
 #include <cstring>
 #include <sstream>
 
-#include "problem/path_line.h"
+#include "program/report/path_line.h"
 #include "support/temporary_folder.h"
 #include "support/window_scene.h"
 

@@ -1,0 +1,49 @@
+// Text in files and in messages: lines, words, quotes, lists of names, and tables whose rows have names.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace clearway {
+
+/// The lines of a file without their ends ("\n" or "\r\n") and without a byte order mark. Throws
+/// std::runtime_error when the file cannot be read; the message names the file and what was expected ("a
+/// problem file").
+std::vector<std::string> readLines(const std::string& file, const char* expected);
+
+/// The text without white space at its ends.
+std::string_view trimmed(std::string_view text);
+
+/// The runs of characters between white space.
+std::vector<std::string_view> words(std::string_view line);
+
+/// "FILE:LINE: ", the start of a message about a line. Lines count from 1.
+std::string place(const std::string& file, int line);
+
+/// The text in single quotes for a one-line message: cut after 60 characters, with control characters as '?'.
+std::string quote(std::string_view text);
+
+/// All texts with the separator between them: "a, b, c".
+std::string joined(const std::vector<std::string>& texts, const std::string& separator = ", ");
+
+/// The names of a table's rows, in order.
+template <class Table>
+std::vector<std::string> namesOf(const Table& table) {
+    std::vector<std::string> names;
+    for (const auto& row : table) names.emplace_back(row.name);
+    return names;
+}
+
+/// The table's row of this name. Otherwise throws std::invalid_argument, which lists the table's names:
+/// "WHAT is 'NAME', expected one of A, B, C".
+template <class Table>
+const auto& rowNamed(const Table& table, const std::string& what, const std::string& name) {
+    for (const auto& row : table) {
+        if (name == row.name) return row;
+    }
+    throw std::invalid_argument(what + " is " + quote(name) + ", expected one of " + joined(namesOf(table)));
+}
+
+}  // namespace clearway

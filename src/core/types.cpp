@@ -1,0 +1,41 @@
+#include <Eigen/SVD>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+
+#include "clearway/types.h"
+
+namespace clearway {
+
+double rotationDefect(const Pose& pose) {
+    const Matrix3& R = pose.rotation;
+    if (!R.allFinite() || !pose.translation.allFinite() || !(R.determinant() > 0)) {
+        return std::numeric_limits<double>::infinity();
+    }
+    return (R.transpose() * R - Matrix3::Identity()).cwiseAbs().maxCoeff();
+}
+
+namespace {
+
+[[noreturn]] void refuseRotation(double defect, double accepted) {
+    std::ostringstream message;
+    message << "the pose's matrix is no rotation: max |R^T R - I| is " << defect << ", expected at most "
+            << accepted << " with a positive determinant and finite entries";
+    throw std::invalid_argument(message.str());
+}
+
+}  // namespace
+
+void requirePose(const Pose& pose) {
+    const double defect = rotationDefect(pose);
+    if (!(defect <= kPoseDefect)) refuseRotation(defect, kPoseDefect);
+}
+
+Pose nearestPose(const Pose& pose) {
+    const double defect = rotationDefect(pose);
+    if (!(defect <= kProjectableDefect)) refuseRotation(defect, kProjectableDefect);
+    const Eigen::JacobiSVD<Matrix3> svd(pose.rotation, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    return {svd.matrixU() * svd.matrixV().transpose(), pose.translation};
+}
+
+}  // namespace clearway
