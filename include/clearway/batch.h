@@ -1,4 +1,4 @@
-// Many poses at once, on all cores.
+// Queries for many poses at once, on all cores.
 #pragma once
 
 #include <cstdint>
@@ -8,19 +8,20 @@
 
 namespace clearway {
 
-/// Poses answered one after the other by one thread. Each block begins without a warm start, so that an
-/// answer does not depend on the number of threads, only on the poses before it in its block: keep poses in
-/// the order of a path.
+/// Number of poses that one thread answers one after the other. Each block begins without a warm start, so
+/// that an answer depends only on the poses before it in its block, not on the number of threads. Order poses
+/// as along a path.
 constexpr std::size_t kBatchBlock = 64;
 
-/// distance() for every pose, in the order given, by as many threads as oneTBB gives the caller
-/// (tbb::task_arena and tbb::global_control narrow it). Throws what distance() throws for the first pose in
-/// the list that it refuses.
+/// distance() for every pose, in the given order. Uses as many threads as oneTBB gives the caller (limited by
+/// tbb::task_arena and tbb::global_control). Throws what distance() throws for the first pose of the list
+/// that it refuses.
 std::vector<DistanceResult> distanceBatch(const Model& part, const Model& environment,
                                           const std::vector<Pose>& X_environmentPart,
                                           const DistanceOptions& options = {});
 
-/// isWithin() likewise: 1 for true. d = 0 asks for contact.
+/// isWithin() for every pose, 1 for true, with threads and errors as in distanceBatch. d = 0 asks for
+/// contact.
 std::vector<std::uint8_t> isWithinBatch(const Model& part, const Model& environment,
                                         const std::vector<Pose>& X_environmentPart, double d);
 

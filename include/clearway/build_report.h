@@ -1,4 +1,4 @@
-// What a build did and the shape of the tree it made.
+// The report of a build: what cleaning found, and the shape of the tree.
 #pragma once
 
 #include <cstddef>
@@ -8,12 +8,12 @@
 
 namespace clearway {
 
-/// What cleaning found. Nothing that has an extent is thrown away.
+/// The findings of cleaning. Cleaning removes no part of the surface, only repetitions of it.
 struct CleanReport {
-    std::size_t weldedVertices = 0;       ///< vertices that were exactly equal to an earlier one
-    std::size_t unusedVertices = 0;       ///< vertices no triangle refers to
+    std::size_t weldedVertices = 0;       ///< vertices exactly equal to an earlier one
+    std::size_t unusedVertices = 0;       ///< vertices that no triangle uses
     std::size_t degenerateTriangles = 0;  ///< zero area; kept as the segment or point they are
-    std::size_t duplicateTriangles = 0;  ///< same three vertices as an earlier triangle in any order; dropped
+    std::size_t duplicateTriangles = 0;   ///< three vertices of an earlier triangle, in any order; dropped
 };
 
 /// The shape of a tree.
@@ -23,14 +23,14 @@ struct TreeStatistics {
     std::vector<std::size_t> leavesBySize;  ///< [k] = leaves that hold k triangles; [0] unused
     int depth = 0;                          ///< wide nodes on the longest way from the root to a leaf
     double meanChildren = 0;                ///< used lanes per node
-    std::size_t bytes = 0;                  ///< everything kept, exact vertices and ids included
+    std::size_t bytes = 0;                  ///< all memory of the tree, including exact vertices and ids
 };
 
 struct BuildReport {
     BuildOptions options;
     CleanReport clean;
     TreeStatistics tree;
-    std::size_t triangles = 0;             ///< in the tree, duplicates and unreachable ones left out
+    std::size_t triangles = 0;             ///< in the tree, without duplicates and unreachable ones
     std::size_t unreachableTriangles = 0;  ///< left out because no pose within the reach comes near them
     double seconds = 0;                    ///< cleaning, fitting, splitting and flattening
 };

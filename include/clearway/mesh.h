@@ -1,4 +1,4 @@
-// A triangle mesh with its named components, as a file holds it or as arrays in memory give it.
+// A triangle mesh with named components, read from a file or made in memory.
 #pragma once
 
 #include <array>
@@ -12,27 +12,27 @@ namespace clearway {
 
 using TriangleIndices = std::array<std::uint32_t, 3>;
 
-/// A named run of triangles: one mesh of one node of a file. Results name it.
+/// A named run of triangles, such as one mesh of one node of a file. Results refer to triangles by component.
 struct Component {
     std::string name;
     std::uint32_t firstTriangle = 0;
     std::uint32_t triangleCount = 0;
 };
 
-/// What the loader did between the file and the stored coordinates: stored = scale * (file coordinates) +
-/// shift, where the file's coordinates are those after its node transforms, in file units.
+/// How the loader made the stored coordinates: stored = scale * (file coordinates) + shift, where the file
+/// coordinates are those after the file's node transforms, in file units.
 struct MeshOrigin {
     std::string file;  ///< empty for a mesh made in memory
     double scale = 1.0;
     Vector3 shift = Vector3::Zero();  ///< applied after the scale
-    std::size_t ignoredFaces = 0;     ///< points, lines and what could not be triangulated
-    /// One line each about what else was applied or left out: units, up axis, conversions of assimp's own,
-    /// re-centring.
+    std::size_t ignoredFaces = 0;     ///< points, lines and faces that could not be triangulated
+    /// One line for each other conversion that was applied or left out: units, up axis, assimp's own
+    /// conversions, re-centring.
     std::vector<std::string> notes;
 };
 
-/// Triangles over shared vertices, in doubles. These stored doubles are the truth that every query answers
-/// for. A triangle's id is its position in `triangles`.
+/// Triangles over shared vertices. The stored doubles are exact by definition: every query answers for them.
+/// A triangle's id is its position in `triangles`.
 struct Mesh {
     std::vector<Vector3> vertices;
     std::vector<TriangleIndices> triangles;
@@ -41,12 +41,12 @@ struct Mesh {
     MeshOrigin origin;
 };
 
-/// How the file is read.
+/// The ways to read a file.
 enum class MeshReading {
     kAsStored,            ///< coordinates as the file holds them
     kOmplAppEnvironment,  ///< as OMPL.app reads its world: not shifted
     kOmplAppRobot,  ///< as OMPL.app reads an SE(3) robot: shifted by minus the float mean of its vertices
-    kOmplAppPlanarRobot,  ///< as OMPL.app reads an SE(2) robot: the same, but z keeps its place
+    kOmplAppPlanarRobot,  ///< as OMPL.app reads an SE(2) robot: shifted like kOmplAppRobot, but not in z
 };
 
 struct LoadOptions {
@@ -54,44 +54,45 @@ struct LoadOptions {
     double scale = 1.0;  ///< > 0; stored = scale * file coordinates
 };
 
-/// Reads any format assimp reads: node transforms applied, polygons triangulated, points and lines left out
-/// and counted; equal vertices are not yet welded. Debian's assimp holds coordinates and transforms in float.
+/// Reads a mesh in any format that assimp reads. Node transforms are applied and polygons triangulated;
+/// points and lines are left out and counted. Equal vertices are not welded yet. Debian's assimp holds
+/// coordinates and transforms in float.
 ///
 /// kAsStored applies the transforms in double; without transforms the coordinates are exactly assimp's
-/// floats, times the scale. A COLLADA file's unit and up axis, which assimp would fold into its root, are
-/// left out. The other readings do all arithmetic in float and by assimp's defaults, as OMPL.app does (unit
-/// and up axis applied, vertices that agree in all their attributes to 1e-5 may be joined), and scale last.
-/// Whatever was applied or left out is in origin.notes.
+/// floats, times the scale. It leaves out a COLLADA file's unit and up axis, which assimp would put into the
+/// root's transform. The other readings use float and assimp's defaults, as OMPL.app does: unit and up axis
+/// are applied, vertices whose attributes all agree to 1e-5 may be joined, and the scale comes last.
+/// origin.notes lists the applied and omitted conversions.
 ///
-/// Each mesh of each node is a component, in the order of the file's nodes (of the nodes that OMPL.app's
-/// steps leave, in the other readings), named by node and mesh: "node/mesh", or the one name when they agree
-/// or one has none. Repeated names get #2, #3, ...; without a name it is the file's stem.
+/// Each mesh of each node is a component, in the order of the file's nodes (in the OMPL.app readings, of the
+/// nodes that OMPL.app's steps leave). Its name is "node/mesh", or only one of the names when both are equal
+/// or one is missing. Repeated names get #2, #3, ...; a component without a name gets the file's stem.
 ///
 /// Throws std::runtime_error when the file is missing, cannot be read, holds no triangle or has a triangle
-/// with a vertex that is not finite (naming the first such triangle), and std::invalid_argument when the
+/// with a vertex that is not finite (naming the first such triangle). Throws std::invalid_argument when the
 /// scale is not a finite number above 0.
 Mesh loadMesh(const std::string& file, const LoadOptions& options = {});
 
 /// Writes the mesh in the format of the file's ending: .glb, .obj, .ply, .stl or .dae. Coordinates are
-/// rounded to float, as the formats hold them. Written to a temporary name, then renamed.
+/// rounded to float, as the formats store them. The file is written under a temporary name, then renamed.
 ///
-/// .glb reads back to the same floats, triangles in the same order and the same component names (when
-/// distinct and not empty). .obj and .dae keep order and names; being text, assimp reads a coordinate below
-/// 1e-4 or of 1e9 and more back one or two units in the last place off. .ply and .stl (both binary) keep
-/// floats and order, and forget the components. Components without triangles are left out.
+/// .glb reads back to equal floats, the triangles in equal order, and equal component names (if distinct and
+/// not empty). .obj and .dae keep order and names, but are text: assimp reads coordinates below 1e-4 or from
+/// 1e9 on back with an error of one or two units in the last place. .ply and .stl (both binary) keep floats
+/// and order and lose the components. Components without triangles are left out.
 ///
-/// Throws std::invalid_argument for an unknown ending, a mesh that Model::build would refuse and a coordinate
-/// beyond float's range, and std::runtime_error when the file cannot be written.
+/// Throws std::invalid_argument for an unknown ending, a mesh that Model::build would refuse, and a
+/// coordinate beyond float's range. Throws std::runtime_error when the file cannot be written.
 void saveMesh(const Mesh& mesh, const std::string& file);
 
-/// The closed surface of a box as one component: 12 triangles that face outwards. A keep-out region, say.
-/// Throws std::invalid_argument, naming the box, when it is empty, flat or not finite.
+/// The closed surface of a box as one component: 12 triangles that face outwards. Useful as a keep-out
+/// region. Throws std::invalid_argument, naming the box, when it is empty, flat or not finite.
 Mesh boxMesh(const Box& box, const std::string& name = "box");
 
-/// The smallest box that holds every vertex a triangle uses; empty for a mesh without triangles.
+/// The smallest box that holds every vertex of a triangle; empty for a mesh without triangles.
 Box boundingBox(const Mesh& mesh);
 
-/// Index into mesh.components of the component that holds the triangle; 0 when components is empty.
+/// The index into mesh.components of the component with this triangle; 0 if there are no components.
 std::size_t componentOf(const Mesh& mesh, std::size_t triangle);
 
 }  // namespace clearway

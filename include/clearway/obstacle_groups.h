@@ -1,4 +1,4 @@
-// From an environment's meshes and the rules for them to the obstacles of a scene.
+// Makes the obstacles of a scene from the environment's meshes and the rules for them.
 #pragma once
 
 #include <cstdint>
@@ -13,12 +13,12 @@
 
 namespace clearway {
 
-/// Meshes of several files as one. Of more than one file the components are called FILE/NAME, after the
-/// file's name without its ending, or with as much of its path as tells it from others of that name; equal
-/// names get #2, #3, ...
+/// Joins the meshes of several files. With more than one file, components are called FILE/NAME. FILE is the
+/// file's name without its ending, or with as much of its path as distinguishes it from files of equal name.
+/// Equal component names get #2, #3, ...
 Mesh joinedEnvironment(const std::vector<Mesh>& files);
 
-/// Components that share a margin and count alike: what an Obstacle is built from.
+/// Components that share a margin and count alike. One Obstacle is built from each group.
 struct ObstacleGroup {
     Mesh mesh;
     double margin = 0;
@@ -30,20 +30,21 @@ struct ObstacleGroup {
 struct ObstacleGroups {
     std::vector<ObstacleGroup> groups;
     std::vector<std::string> ignored;  ///< names of the components left out
-    Box ignoredBox;                    ///< of them
-    std::vector<std::string> notes;    ///< one line each: solids that were turned over
+    Box ignoredBox;                    ///< of the ignored components
+    std::vector<std::string> notes;    ///< one line for each solid that was turned over
 
     double largestMargin() const;  ///< 0 without groups
     bool hasSolids() const;
 };
 
-/// Each component of the files is in one group, or ignored. margin: of those that no rule names. Throws
-/// std::invalid_argument that says which rule names no obstacle (and lists them), or several in different
-/// files, or several files; which margin is none, or stands against another one; and which solids enclose nothing, and why.
+/// Puts each component of the files into one group, or among the ignored ones. margin: for components that no
+/// rule names. Throws std::invalid_argument if a rule matches no obstacle (and lists the obstacles) or is
+/// ambiguous between files, if a margin is negative, not finite or contradicts another rule, or if a solid
+/// encloses nothing (and says why).
 ObstacleGroups groupObstacles(const std::vector<Mesh>& files, double margin, const ObstacleRules& rules);
 
-/// The scene of a part among the groups, each built as `build` builds it. The contact zones are those of the
-/// rules, about the part at its start and at its goal. partSolids may be null when no group is solid.
+/// Makes the scene of a part among the groups, whose models `build` makes. The contact zones of the rules lie
+/// around the part's start and goal. partSolids may be null if no group is solid.
 Scene makeScene(Model part, std::shared_ptr<const Solids> partSolids, const ObstacleGroups& obstacles,
                 const ObstacleRules& rules, const Pose& X_environmentStart, const Pose& X_environmentGoal,
                 const std::function<Model(const Mesh&)>& build);

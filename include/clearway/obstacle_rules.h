@@ -1,9 +1,10 @@
-// How the obstacles of an environment count, by their names.
+// Rules that say, by name, how the obstacles of an environment count.
 //
-// A name stands for the component that is called so; or else for the components whose names begin with it
-// and a '/', as all meshes of a node do, and all of a file by its name, with or without its ending, and with
-// its last folders where several files have that name. Of several files, components are called FILE/NAME, and
-// NAME alone will do where it is in one file only.
+// A name stands for the component of this name. If there is none, it stands for all components whose names
+// begin with the name and a '/' (as those of all meshes of a node do), or for all components of the file of
+// this name. A file may be named with or without its ending, and with its last folders if several files have
+// the name. With several files, components are called FILE/NAME; NAME alone is enough if only one file has
+// it.
 #pragma once
 
 #include <map>
@@ -13,19 +14,20 @@
 
 namespace clearway {
 
-/// Obstacles that the assembled part may touch: see ContactZone.
+/// Obstacles that the assembled part may touch; see ContactZone.
 struct ContactRule {
     std::vector<std::string> names;
     double distance = 0;  ///< environment units, > 0
 };
 
+/// All rules of a problem.
 struct ObstacleRules {
-    /// In place of the margin of all, environment units, >= 0. Of two that name one obstacle the one that
-    /// stands for fewer counts.
+    /// Margins that replace the common margin, by name; environment units, >= 0. If two names stand for one
+    /// obstacle, the name that stands for fewer components counts.
     std::map<std::string, double> margins;
-    std::vector<std::string> ignored;  ///< left out
+    std::vector<std::string> ignored;  ///< names of obstacles to leave out
     bool isAllSolid = false;
-    std::vector<std::string> solid;  ///< see Obstacle::solids
+    std::vector<std::string> solid;  ///< names of solid obstacles; see Obstacle::solids
     std::optional<ContactRule> startContact, goalContact;
 };
 

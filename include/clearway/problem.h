@@ -1,4 +1,4 @@
-// A planning problem as OMPL.app's .cfg files state it, and the .path files of its solutions.
+// Planning problems as in OMPL.app's .cfg files, and the .path files of their solutions.
 #pragma once
 
 #include <map>
@@ -16,26 +16,26 @@ namespace clearway {
 
 enum class Space { kSe3, kSe2 };
 
-/// Where the part is, in the environment's frame. In SE(2) z is 0 and the rotation is about z.
+/// Position and rotation of the part in the environment's frame. In SE(2) z is 0 and the rotation is about z.
 struct PartState {
     Vector3 position = Vector3::Zero();
-    Eigen::Quaternion<double, Eigen::DontAlign> rotation{
-        1, 0, 0, 0};  ///< (w, x, y, z) in the constructor; unit length
+    /// Unit length; the constructor's order is (w, x, y, z).
+    Eigen::Quaternion<double, Eigen::DontAlign> rotation{1, 0, 0, 0};
 };
 
 /// The pose X_environmentPart of a state. The quaternion is normalised first, so that the rotation's defect
-/// is rounding. Throws std::invalid_argument when the quaternion has length 0 or is not finite.
+/// is only rounding. Throws std::invalid_argument when the quaternion has length 0 or is not finite.
 Pose poseOf(const PartState& state);
 
 using NamedTexts = std::vector<std::pair<std::string, std::string>>;
 
-/// A planner by OMPL's class name in any case ("RRTConnect", "rrtconnect"), and its parameters as OMPL's
-/// ParamSet takes them; the parameter "name" is no parameter of OMPL's but how OMPL.app labels the planner.
+/// A planner by OMPL's class name in upper or lower case ("RRTConnect", "rrtconnect"), with parameters for
+/// OMPL's ParamSet. The parameter "name" is not one of OMPL's: OMPL.app uses it as the planner's label.
 struct PlannerChoice {
     std::string name;
     NamedTexts parameters{};
-    /// Of the problem, for this planner alone (`problem.KEY` in [planner]): as Problem::settings, and
-    /// "sampler" and "objective.threshold".
+    /// Settings of the problem for this planner only (`problem.KEY` in [planner]): those of
+    /// Problem::settings, and "sampler" and "objective.threshold".
     NamedTexts settings{};
 };
 
@@ -44,66 +44,68 @@ enum class SavedPaths { kNone, kAll, kShortest };
 struct Problem {
     std::string file;  ///< the .cfg; empty when made in memory
     std::string name;
-    std::string
-        robot;  ///< mesh file of the part, found in the .cfg's folder or, failing that, the current one
-    std::string world;                       ///< mesh file of the environment, likewise
-    std::vector<std::string> furtherWorlds;  ///< more of them; see readProblem
+    /// Mesh file of the part, with its path: in the .cfg's folder or, if it is not there, in the current
+    /// folder.
+    std::string robot;
+    std::string world;                       ///< mesh file of the environment, found like robot
+    std::vector<std::string> furtherWorlds;  ///< further mesh files of the environment; see readProblem
     Space space = Space::kSe3;
     PartState start;
     PartState goal;
-    std::optional<Box> volume;  ///< bounds of the part's position; without it see boundsOf()
+    std::optional<Box> volume;  ///< bounds of the part's position; without them see boundsOf()
     std::string objective = "length";
     std::optional<double> objectiveThreshold;
     std::string sampler;
-    std::optional<double> goalThreshold;  ///< OMPL's distance to the goal that a path may end at
+    std::optional<double> goalThreshold;  ///< OMPL's distance from the goal within which a path may end
     /// Parameters of OMPL's space ("longest_valid_segment_fraction", "projection.cellsize_factor") and of the
-    /// sampler
-    /// ("standard_deviation"). They never decide what is valid.
+    /// sampler ("standard_deviation"). They never decide validity.
     NamedTexts settings;
-    std::vector<PlannerChoice> planners;  ///< in a benchmark each is one, also two of one name
+    std::vector<PlannerChoice> planners;  ///< a benchmark runs each entry, also two of equal name
 
     // [benchmark]
     std::optional<double> timeLimit;    ///< seconds of each run
-    std::optional<double> memoryLimit;  ///< megabytes, likewise
+    std::optional<double> memoryLimit;  ///< megabytes of each run
     std::optional<int> runCount;        ///< of each planner
-    std::string outputFolder;           ///< of the log, from the .cfg's folder; empty: that one itself
-    SavedPaths savedPaths = SavedPaths::kNone;  ///< of each planner
-    bool simplify = true;                       ///< paths, after each run
+    std::string outputFolder;           ///< of the log, relative to the .cfg's folder; empty: that folder
+    SavedPaths savedPaths = SavedPaths::kNone;  ///< for each planner
+    bool simplify = true;                       ///< whether paths are simplified after each run
 
     // [clearway]
-    double margin = 0;  ///< environment units; of obstacles that no rule names
+    double margin = 0;  ///< of obstacles that no rule names, environment units
     ObstacleRules rules;
     std::optional<double>
-        step;  ///< how fine the scene is: a planner's edges are 20 times as long, environment units
-    bool asOmplApp = true;  ///< meshes read as OMPL.app reads them; `reading = stored` turns it off
+        step;  ///< fineness of the scene, environment units: planners' edges are 20 times as long
+    bool asOmplApp = true;  ///< read meshes as OMPL.app does; `reading = stored` turns this off
 
-    /// Keys that mean nothing here, one line each, to be shown once.
+    /// One line for each key that has no effect, to be shown once.
     std::vector<std::string> warnings;
 };
 
-/// Reads a .cfg. SE(3) when z and the axis keys are there for start and goal, SE(2) when none is.
-/// OMPL.app's `world` is one file. It may name several here, with commas between them, in quotes if need be
-/// ("a, b.stl"); a text that as a whole names a file that is there is that file. Throws std::runtime_error
-/// when it cannot be read, std::invalid_argument when robot, world, start or goal is missing, a value is
-/// wrong, a key stands twice or [clearway] holds an unknown one; both name the file, the key, the value and
-/// what was expected. Planner names and parameters are passed on unjudged, in lower case.
+/// Reads a .cfg. The space is SE(3) if start and goal have z and the axis keys, SE(2) if they have none of
+/// them. OMPL.app's `world` is one file; here it may list several, separated by commas and in quotes where
+/// necessary ("a, b.stl"). If the whole text is the name of an existing file, it is that one file. Planner
+/// names and parameters are kept unchecked, in lower case.
+///
+/// Throws std::runtime_error when the file cannot be read. Throws std::invalid_argument when robot, world,
+/// start or goal is missing, a value is wrong, a key stands twice, or [clearway] has an unknown key. The
+/// messages name the file, the key, the value and what was expected.
 Problem readProblem(const std::string& file);
 
-/// Writes what readProblem reads back to the same values (numbers with 17 digits, rotations as axis and
-/// angle: to rounding); mesh files by their names relative to the .cfg's folder. Warnings and what they were
-/// about are left out. To a temporary name, then renamed. Throws std::runtime_error when it cannot,
-/// std::invalid_argument when a text cannot be told from .cfg syntax (# in it, say) or a number is not
-/// finite.
+/// Writes a .cfg that readProblem reads back to equal values: numbers have 17 digits; rotations, as axis and
+/// angle, agree to rounding. Mesh files are named relative to the .cfg's folder. Warnings and the keys they
+/// are about are left out. The file is written under a temporary name, then renamed. Throws
+/// std::runtime_error when it cannot be written, and std::invalid_argument when a text would be read as .cfg
+/// syntax (for example with #) or a number is not finite.
 void writeProblem(const Problem& problem, const std::string& file);
 
-/// world and furtherWorlds.
+/// The mesh files of the environment: world and furtherWorlds.
 std::vector<std::string> worldFiles(const Problem& problem);
 
-/// problem.margin, or the largest one of a rule where that is more.
+/// The larger one of problem.margin and the largest margin of a rule.
 double largestMargin(const Problem& problem);
 
-/// The part's and the environment's meshes, read the way the problem says (loadMesh with the fitting
-/// MeshReading). loadEnvironment joins those of several files (joinedEnvironment).
+/// Loads the meshes of the part and of the environment with the MeshReading that fits the problem.
+/// loadEnvironment joins the meshes of several files (joinedEnvironment).
 Mesh loadPart(const Problem& problem);
 std::vector<Mesh> loadWorlds(const Problem& problem);
 Mesh loadEnvironment(const Problem& problem);
@@ -120,32 +122,34 @@ struct LoadedScene {
 /// Model::build do.
 LoadedScene loadScene(const Problem& problem, const BuildOptions& options = {});
 
-/// problem.volume, else OMPL.app's rule: the environment's box grown to hold start and goal. Throws
-/// std::invalid_argument when the bounds leave the start or the goal out, or have no extent along an axis. In
-/// SE(2) z is 0 to 0.
+/// problem.volume, or else OMPL.app's rule: the environment's box grown to hold start and goal. In SE(2) z is
+/// 0 to 0. Throws std::invalid_argument when the bounds leave out the start or the goal, or have no extent
+/// along an axis.
 Box boundsOf(const Problem& problem, const Box& environmentBox);
 
-/// One state a line: x y z qx qy qz qw, or x y yaw in SE(2); 17 digits. Written to a temporary name, then
-/// renamed.
+/// Writes one state a line with 17 digits: x y z qx qy qz qw, or x y yaw in SE(2). The file is written under
+/// a temporary name, then renamed.
 void writePath(const std::vector<PartState>& path, Space space, const std::string& file);
 
-/// Reads such a file (quaternions are normalised: 6-digit files are off by 3e-7). Blank lines and lines that
-/// begin with # are left out. Throws std::runtime_error when it cannot be read, std::invalid_argument naming
-/// the file and the line when one is wrong, and naming the file when it holds no state.
+/// Reads a file with one state a line, as writePath writes it. Quaternions are normalised, because files with
+/// 6 digits are off by 3e-7. Blank lines and lines that begin with # are skipped. Throws std::runtime_error
+/// when the file cannot be read, and std::invalid_argument when a line is wrong (naming file and line) or the
+/// file holds no state.
 std::vector<PartState> readPath(const std::string& file, Space space);
 
-/// Poses X_environmentPart, one a line: 12 numbers (rotation row-major, then translation) or 7 (x y z qx qy
-/// qz qw). Blank lines and lines that begin with # are left out. A 12-number rotation off by up to 1e-5 is
-/// projected to the nearest one, and counted; the quaternion of a 7-number line is normalised.
+/// The poses X_environmentPart of a file.
 struct PoseFile {
     std::vector<Pose> poses;
-    std::size_t projected = 0;
+    std::size_t projected = 0;  ///< number of rotations that were projected to the nearest rotation
 };
-/// Throws as readPath does.
+
+/// Reads one pose a line: 12 numbers (rotation row-major, then translation) or 7 (x y z qx qy qz qw). Blank
+/// lines and lines that begin with # are skipped. A 12-number rotation with a defect up to 1e-5 is projected
+/// to the nearest rotation; the quaternion of a 7-number line is normalised. Throws as readPath does.
 PoseFile readPoses(const std::string& file);
 
-/// Lines of 12 numbers with 17 digits: readPoses gives back the same poses. Written to a temporary name, then
-/// renamed.
+/// Writes lines of 12 numbers with 17 digits, which readPoses reads back to equal poses. The file is written
+/// under a temporary name, then renamed.
 void writePoses(const std::vector<Pose>& poses, const std::string& file);
 
 }  // namespace clearway

@@ -1,17 +1,18 @@
-// What the poses of a scene can bring together: a build may leave out the rest of the environment.
+// The reach of a scene's poses: a build may leave out the triangles of the environment beyond it.
 #pragma once
 
 #include "clearway/types.h"
 
 namespace clearway {
 
-/// The poses X_environmentPart that will be asked about, whatever their rotation, and how far from the part
-/// the answers matter. Lengths in environment units.
+/// The poses X_environmentPart of future queries, with any rotation, and the largest distance from the part
+/// that matters. Lengths in environment units.
 struct Reach {
-    Box positions;  ///< of their translation: where the origin of the part's coordinates (those of its Mesh)
-                    ///< may be, environment's frame; its border counts
+    /// The poses' translations, that is, the places of the origin of the part's mesh coordinates, in the
+    /// environment's frame. The border belongs to the box.
+    Box positions;
     double partRadius = 0;  ///< at least Model::radiusAboutOrigin() of the part
-    double cap = 0;         ///< no interest in a distance beyond it
+    double cap = 0;         ///< larger distances do not matter
 };
 
 }  // namespace clearway

@@ -1,4 +1,4 @@
-// The plain values every layer shares: points, boxes and rigid poses.
+// The plain values that every layer shares: points, boxes and rigid poses.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,20 +10,20 @@ using Vector3 = Eigen::Vector3d;
 using Matrix3 = Eigen::Matrix3d;
 using Box = Eigen::AlignedBox3d;
 
-/// The map x_a = rotation * x_b + translation, written X_ab: coordinates in frame b to coordinates in frame a.
-/// Its meaning is the affine map of these 12 doubles in exact arithmetic.
+/// The map x_a = rotation * x_b + translation from coordinates in frame b to coordinates in frame a, written
+/// X_ab. It is defined as the affine map of these 12 doubles in exact arithmetic.
 struct Pose {
     Matrix3 rotation = Matrix3::Identity();
     Vector3 translation = Vector3::Zero();
 };
 
-/// Largest rotation defect (see rotationDefect) a query accepts.
+/// Largest rotation defect (see rotationDefect) that a query accepts.
 constexpr double kPoseDefect = 1e-12;
 
-/// Largest rotation defect that nearestPose still takes for a rotation written with few digits.
+/// Largest rotation defect that nearestPose accepts, as of a rotation written with few digits.
 constexpr double kProjectableDefect = 1e-5;
 
-/// p_b carried to frame a.
+/// The point p_b in frame a.
 inline Vector3 operator*(const Pose& X_ab, const Vector3& p_b) {
     return X_ab.rotation * p_b + X_ab.translation;
 }
@@ -33,19 +33,20 @@ inline Pose operator*(const Pose& X_ab, const Pose& X_bc) {
     return {X_ab.rotation * X_bc.rotation, X_ab * X_bc.translation};
 }
 
-/// The pose X_ba of X_ab, taking the transposed rotation for its inverse.
+/// The pose X_ba, computed with the transposed rotation as its inverse.
 inline Pose inverse(const Pose& X_ab) {
     return {X_ab.rotation.transpose(), -(X_ab.rotation.transpose() * X_ab.translation)};
 }
 
-/// max |R^T R - I|, or infinity when an entry of the pose is not finite or det R <= 0.
+/// max |R^T R - I|, or infinity if an entry of the pose is not finite or det R <= 0.
 double rotationDefect(const Pose& pose);
 
-/// Throws std::invalid_argument, naming the defect and what was expected, unless rotationDefect <= kPoseDefect.
+/// Throws std::invalid_argument, naming the defect and what was expected, unless rotationDefect <=
+/// kPoseDefect.
 void requirePose(const Pose& pose);
 
-/// The pose with the rotation nearest to the given matrix in the Frobenius norm (polar decomposition), same translation.
-/// Throws std::invalid_argument when the defect exceeds kProjectableDefect.
+/// The pose with the rotation nearest to the given matrix in the Frobenius norm (polar decomposition); the
+/// translation is kept. Throws std::invalid_argument when the defect exceeds kProjectableDefect.
 Pose nearestPose(const Pose& pose);
 
 }  // namespace clearway

@@ -1,6 +1,6 @@
-// The fit of a rectangle swept sphere: the radius is half the extent along the normal, and the rectangle is only as large
-// as the roundness of the swept sphere leaves necessary. The same two steps exist twice: in double for the result, and in
-// float, several points at a time, to compare frames.
+// The fit of a rectangle swept sphere: the radius is half the extent along the normal, and the rectangle is
+// only as large as the roundness of the swept sphere leaves necessary. The same two steps exist twice: in
+// double for the result, and in float, several points at a time, to compare frames.
 #include "build/fit_rss.h"
 
 #include <Eigen/Eigenvalues>
@@ -64,14 +64,15 @@ struct Rectangle {
     double high[2] = {-kInfinity, -kInfinity};
 };
 
-/// How far a sphere of the radius extends at height z above its centre's plane. Rounding may make the root's argument
-/// negative.
+/// How far a sphere of the radius extends at height z above its centre's plane. Rounding may make the root's
+/// argument negative.
 double reach(double radius, double z) {
     return std::sqrt(std::max(radius * radius - z * z, 0.0));
 }
 
-/// The least rectangle whose sides cover the points: with s the sphere's reach at a point's height, a point at q needs the
-/// side to extend only to q - s (from above, q + s). If no side is left, the rectangle is flat midway.
+/// The least rectangle whose sides cover the points: with s the sphere's reach at a point's height, a point
+/// at q needs the side to extend only to q - s (from above, q + s). If no side is left, the rectangle is flat
+/// midway.
 Rectangle coverSides(const std::vector<Vector3>& points, const Projection& project, double radius) {
     Rectangle rectangle;
     for (const Vector3& point : points) {
@@ -90,8 +91,9 @@ Rectangle coverSides(const std::vector<Vector3>& points, const Projection& proje
     return rectangle;
 }
 
-/// Covers points beyond both sides of a corner that the corner's sphere does not reach: pushes the corner outward along
-/// its diagonal. Each push starts from the corner's first place, so the order of the points does not matter.
+/// Covers points beyond both sides of a corner that the corner's sphere does not reach: pushes the corner
+/// outward along its diagonal. Each push starts from the corner's first place, so the order of the points
+/// does not matter.
 void coverCorners(const std::vector<Vector3>& points, const Projection& project, double radius,
                   Rectangle& rectangle) {
     double pushes[2][2] = {};  // [is on the high side 0][is on the high side 1], along either side
@@ -226,7 +228,8 @@ void FrameSearch::consider(const Matrix3& axes) {
         if (areaAtLeast(lengths[side0], lengths[side1], lengths[normal]) >= leastArea_) continue;
         const float candidate =
             area(projected_[side0], projected_[side1], projected_[normal], extents[normal]);
-        if (!(candidate < leastArea_)) continue;  // also skips NaN, from axes of a surface with hardly any area
+        if (!(candidate < leastArea_))
+            continue;  // also NaN, from a surface with hardly any area
         leastArea_ = candidate;
         bestAxes_ << axes.col(side0), axes.col(side1), axes.col(normal);
     }
@@ -258,8 +261,9 @@ float FrameSearch::area(const std::vector<Lanes>& side0, const std::vector<Lanes
         if ((beyond0.min(beyond1) <= 0).all()) continue;
         const Lanes across = (beyond0 - beyond1) * kFloatSqrtHalf;
         const Lanes reach = (radiusSquared - across.square() - (normal[i] - plane).square()).max(0.0f).sqrt();
-        const Lanes push = (beyond0.min(beyond1) > 0)
-                               .select(((beyond0 + beyond1) * kFloatSqrtHalf - reach) * kFloatSqrtHalf, Lanes::Zero());
+        const Lanes push =
+            (beyond0.min(beyond1) > 0)
+                .select(((beyond0 + beyond1) * kFloatSqrtHalf - reach) * kFloatSqrtHalf, Lanes::Zero());
         pushHigh0 = (side0[i] > a.high).select(pushHigh0.max(push), pushHigh0);
         pushLow0 = (side0[i] > a.high).select(pushLow0, pushLow0.max(push));
         pushHigh1 = (side1[i] > b.high).select(pushHigh1.max(push), pushHigh1);

@@ -1,8 +1,8 @@
 // The fits of the table, and the fitting of all nodes of a tree.
 #include "build/fits.h"
 
-#include <Eigen/Eigenvalues>
 #include <tbb/parallel_invoke.h>
+#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
-// The table of fits, which choose the volume of a node, and the fitting of a whole tree. A new fit is one function in
-// fits.cpp and one row here.
+// The table of fits, which choose the volume of a node, and the fitting of a whole tree. A new fit is one
+// function in fits.cpp and one row here.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +11,8 @@
 
 namespace clearway {
 
-/// Mean and spread of a surface. Each part weighs as much as its area, so that the moments do not depend on how finely
-/// the surface is triangulated, as those of the vertices do.
+/// Mean and spread of a surface. Each part weighs as much as its area, so that the moments do not depend on
+/// how finely the surface is triangulated, as those of the vertices do.
 struct AreaMoments {
     double area = 0;
     Vector3 mean = Vector3::Zero();
@@ -43,16 +43,16 @@ struct FitScratch {
     std::vector<Vector3> corners;
 };
 
-/// A fit returns an RSS that holds all of the node's points. The result must depend on the input alone, not on earlier
-/// uses of the scratch.
+/// A fit returns an RSS that holds all of the node's points. The result must depend on the input alone, not
+/// on earlier uses of the scratch.
 using Fit = Rss (*)(const FitInput& node, FitScratch& scratch);
 
-/// The fit of least area over several frames: of the vertices' covariance, of the area's covariance, of the parent, of
-/// the model's own axes and, for small nodes, along edges of the largest triangles.
+/// The fit of least area over several frames: of the vertices' covariance, of the area's covariance, of the
+/// parent, of the model's own axes and, for small nodes, along edges of the largest triangles.
 Rss fitLeastOfFrames(const FitInput& node, FitScratch& scratch);
 
-/// PQP's fit, in the frame of the corners' covariance: a vertex weighs as much as the number of the node's triangles
-/// around it.
+/// PQP's fit, in the frame of the corners' covariance: a vertex weighs as much as the number of the node's
+/// triangles around it.
 Rss fitByCovariance(const FitInput& node, FitScratch& scratch);
 
 struct NamedFit {
@@ -68,8 +68,8 @@ constexpr NamedFit kFits[] = {
 /// Throws std::invalid_argument that lists the known names.
 const NamedFit& fitNamed(const std::string& name);
 
-/// Fits every node of the tree to the vertices of the triangles below it, parents before their children, subtrees in
-/// parallel. The result does not depend on the number of threads.
+/// Fits every node of the tree to the vertices of the triangles below it, parents before their children,
+/// subtrees in parallel. The result does not depend on the number of threads.
 void fitVolumes(BinaryTree& tree, const LeafOrder& mesh, Fit fit);
 
 }  // namespace clearway

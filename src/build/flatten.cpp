@@ -1,5 +1,5 @@
-// Makes the flat tree. The children of a node are numbered together and subtrees stay close, so that nodes, leaves and
-// vertices that a query meets together lie together.
+// Makes the flat tree. The children of a node are numbered together and subtrees stay close, so that nodes,
+// leaves and vertices that a query meets together lie together.
 #include "build/flatten.h"
 
 #include <algorithm>
@@ -28,8 +28,8 @@ double largestDistance(const std::vector<Vector3>& points, const Vector3& from) 
     return largest * kDistanceRounding;
 }
 
-/// The exponent of the smallest power of two above the radius, clamped far beyond any mesh so that the inverse stays
-/// finite.
+/// The exponent of the smallest power of two above the radius, clamped far beyond any mesh so that the
+/// inverse stays finite.
 int exponentAbove(double radius) {
     int exponent = 0;
     if (radius > 0) std::frexp(radius, &exponent);
@@ -193,8 +193,8 @@ void Collapse::choose(std::int32_t index) {
             }
         }
     }
-    // The amount added for each node fills the lanes of nodes that queries hardly visit. It saves 1 % of the visits and
-    // 2 bytes a triangle.
+    // The amount added for each node fills the lanes of nodes that queries hardly visit. It saves 1 % of the
+    // visits and 2 bytes a triangle.
     const double perNode = 1.0 / static_cast<double>(tree_.order.size());
     choice.cost[0] = choice.cost[lanes_ - 1] + static_cast<float>(shareOfRoot(tree_, index) + perNode);
     choice.leftLanes[0] = choice.leftLanes[lanes_ - 1];

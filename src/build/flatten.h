@@ -15,10 +15,10 @@ namespace clearway {
 /// std::invalid_argument when no tree has nodes of this width.
 FlatTree flatten(const BinaryTree& tree, const CleanMesh& mesh, int nodeWidth);
 
-/// Chooses which descendants of a binary node become the lanes of a wide node. A wide node costs its area, which stands
-/// for how often a query visits it; of all ways to cut the binary tree into wide nodes, dynamic programming finds the
-/// cheapest. Source: Ylitie, Karras, Laine, Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs,
-/// 2017.
+/// Chooses which descendants of a binary node become the lanes of a wide node. A wide node costs its area,
+/// which stands for how often a query visits it; of all ways to cut the binary tree into wide nodes, dynamic
+/// programming finds the cheapest. Source: Ylitie, Karras, Laine, Efficient Incoherent Ray Traversal on GPUs
+/// Through Compressed Wide BVHs, 2017.
 class Collapse {
   public:
     static constexpr int kMostLanes = widestOf(NodeWidths());
@@ -37,8 +37,9 @@ class Collapse {
     struct Choice {
         /// Entry [i - 1]: the cost of the wide nodes this takes.
         std::array<float, kMostLanes> cost{};
-        /// Entry [i - 1]: the number of lanes that go to the left child; 0 if one lane fewer is best. Entry [0]: if this
-        /// subtree becomes its own wide node, how many of that node's lanes its left child takes (0 for a leaf).
+        /// Entry [i - 1]: the number of lanes that go to the left child; 0 if one lane fewer is best. Entry
+        /// [0]: if this subtree becomes its own wide node, how many of that node's lanes its left child takes
+        /// (0 for a leaf).
         std::array<std::int8_t, kMostLanes> leftLanes{};
     };
 

@@ -1,5 +1,5 @@
-// The table of general splits, which divide a mesh down to groups small enough for a leaf. A new general split is one
-// file in split/ and one declaration and row here.
+// The table of general splits, which divide a mesh down to groups small enough for a leaf. A new general
+// split is one file in split/ and one declaration and row here.
 #pragma once
 
 #include <cstddef>
@@ -12,30 +12,33 @@
 
 namespace clearway {
 
-/// A general split turns triangles (positions in mesh.triangles, at least one) into the topology of a binary tree over
-/// them, whose leaves hold at most largestGroup triangles each. Volumes are not fitted yet. Equal input gives equal
-/// trees. Most general splits divide one node at a time and use buildTopDown.
+/// A general split turns triangles (positions in mesh.triangles, at least one) into the topology of a binary
+/// tree over them, whose leaves hold at most largestGroup triangles each. Volumes are not fitted yet. Equal
+/// input gives equal trees. Most general splits divide one node at a time and use buildTopDown.
 using GeneralSplit = BinaryTree (*)(const CleanMesh& mesh, std::vector<std::uint32_t> triangles,
                                     std::size_t largestGroup);
 
-/// The surface-area heuristic: of many planes, the one whose two sides cost least, where a side costs the area of its
-/// box times the leaves that its triangles fill. Planes lie between bins of centroids, square to the axes of three
-/// frames. Source: Wald, On fast Construction of SAH-based Bounding Volume Hierarchies, 2007.
+/// The surface-area heuristic: of many planes, the one whose two sides cost least, where a side costs the
+/// area of its box times the leaves that its triangles fill. Planes lie between bins of centroids, square to
+/// the axes of three frames. Source: Wald, On fast Construction of SAH-based Bounding Volume Hierarchies,
+/// 2007.
 BinaryTree buildBySah(const CleanMesh& mesh, std::vector<std::uint32_t> triangles, std::size_t largestGroup);
 
-/// Embree's builder, for comparison: a binned surface-area heuristic over axis-aligned boxes. It runs on one thread, so
-/// that it can be repeated. Embree only gives the topology. Throws std::runtime_error with Embree's message when Embree
-/// fails. Source: Wald, Woop, Benthin, Johnson, Ernst, Embree: A Kernel Framework for Efficient CPU Ray Tracing, 2014.
+/// Embree's builder, for comparison: a binned surface-area heuristic over axis-aligned boxes. It runs on one
+/// thread, so that it can be repeated. Embree only gives the topology. Throws std::runtime_error with
+/// Embree's message when Embree fails. Source: Wald, Woop, Benthin, Johnson, Ernst, Embree: A Kernel
+/// Framework for Efficient CPU Ray Tracing, 2014.
 BinaryTree buildByEmbree(const CleanMesh& mesh, std::vector<std::uint32_t> triangles,
                          std::size_t largestGroup);
 
-/// AxisSplit: divides the triangles by a plane through the mean of their corners, square to the one of three principal
-/// axes whose children have the least RSS area. Source: Ytterlid's thesis, 2013.
+/// AxisSplit: divides the triangles by a plane through the mean of their corners, square to the one of three
+/// principal axes whose children have the least RSS area. Source: Ytterlid's thesis, 2013.
 BinaryTree buildByAxisSplit(const CleanMesh& mesh, std::vector<std::uint32_t> triangles,
                             std::size_t largestGroup);
 
-/// MeanSplit: divides the triangles by the plane through the mean of their corners (which is the mean of their
-/// centroids), square to the direction in which the corners spread most. Source: Ytterlid's thesis, 2013, after PQP.
+/// MeanSplit: divides the triangles by the plane through the mean of their corners (which is the mean of
+/// their centroids), square to the direction in which the corners spread most. Source: Ytterlid's thesis,
+/// 2013, after PQP.
 BinaryTree buildByMeanSplit(const CleanMesh& mesh, std::vector<std::uint32_t> triangles,
                             std::size_t largestGroup);
 

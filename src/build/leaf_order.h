@@ -10,8 +10,8 @@
 
 namespace clearway {
 
-/// Triangles in the order of the leaves, vertices in the order of their first use. The vertices of a run of triangles are
-/// then a run too, except for those it shares with triangles before it.
+/// Triangles in the order of the leaves, vertices in the order of their first use. The vertices of a run of
+/// triangles are then a run too, except for those it shares with triangles before it.
 class LeafOrder {
   public:
     LeafOrder(const CleanMesh& mesh, const std::vector<std::uint32_t>& order);

@@ -25,14 +25,16 @@ struct Chains {
     std::vector<std::size_t> ends;         ///< of each chain, into triangles
 };
 
-/// Divides the group into chains. A chain starts at the first free triangle and grows by every free triangle that shares
-/// at least sharedVertices distinct vertices with one in the chain (by index: the mesh is welded), until none is left.
+/// Divides the group into chains. A chain starts at the first free triangle and grows by every free triangle
+/// that shares at least sharedVertices distinct vertices with one in the chain (by index: the mesh is
+/// welded), until none is left.
 Chains growChains(const CleanMesh& mesh, std::vector<std::uint32_t> group, int sharedVertices) {
     Chains chains{std::move(group), {}};
     std::vector<std::uint32_t>& triangles = chains.triangles;
     std::size_t chainEnd = 0;
     while (chainEnd < triangles.size()) {
-        // The chain ends at chainEnd; the triangles after it are free. Each link looks once for free neighbours.
+        // The chain ends at chainEnd; the triangles after it are free. Each link looks once for free
+        // neighbours.
         std::size_t link = chainEnd++;
         for (; link < chainEnd; ++link) {
             for (std::size_t free = chainEnd; free < triangles.size(); ++free) {
@@ -78,8 +80,8 @@ BinaryTree treeOfChains(const Chains& chains) {
     return tree;
 }
 
-/// The group as a mesh of its own. General splits look at the whole mesh before they begin; with thousands of groups they
-/// would do so thousands of times.
+/// The group as a mesh of its own. General splits look at the whole mesh before they begin; with thousands of
+/// groups they would do so thousands of times.
 CleanMesh meshOfGroup(const CleanMesh& mesh, const std::vector<std::uint32_t>& group) {
     CleanMesh own;
     for (const std::uint32_t triangle : group) {

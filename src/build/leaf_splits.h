@@ -1,5 +1,5 @@
-// The table of leaf splits, which divide a group of triangles that a general split left together. A new leaf split is
-// one function in leaf_splits.cpp and one row here.
+// The table of leaf splits, which divide a group of triangles that a general split left together. A new leaf
+// split is one function in leaf_splits.cpp and one row here.
 #pragma once
 
 #include <cstdint>
@@ -10,9 +10,9 @@
 
 namespace clearway {
 
-/// A leaf split turns a group of 1 to 16 triangles (positions in mesh.triangles) into the topology of a small binary tree
-/// over them, of one node when the group stays together. Volumes are not fitted yet. general: the split that made the
-/// group.
+/// A leaf split turns a group of 1 to 16 triangles (positions in mesh.triangles) into the topology of a small
+/// binary tree over them, of one node when the group stays together. Volumes are not fitted yet. general: the
+/// split that made the group.
 using LeafSplit = BinaryTree (*)(const CleanMesh& mesh, std::vector<std::uint32_t> group,
                                  GeneralSplit general);
 

@@ -12,42 +12,6 @@
 
 namespace clearway {
 
-/// A hash that detects damaged and foreign data. It is not cryptographic, so it does not detect forgery.
-class Hash {
-  public:
-    void add(const void* data, std::size_t bytes) {
-        const char* from = static_cast<const char*>(data);
-        for (; bytes >= 8; bytes -= 8, from += 8) mix(word(from, 8));
-        mix(word(from, bytes) ^ (std::uint64_t(bytes) << 56) ^ 0x9e3779b97f4a7c15u);
-    }
-    template <class T>
-    void add(const T& value) {
-        static_assert(std::is_arithmetic_v<T>);
-        add(&value, sizeof value);
-    }
-    void add(const std::string& text) {
-        add(std::uint64_t(text.size()));
-        add(text.data(), text.size());
-    }
-    std::uint64_t value() const { return state_; }
-
-  private:
-    static std::uint64_t word(const char* from, std::size_t bytes) {
-        std::uint64_t value = 0;
-        std::memcpy(&value, from, bytes);
-        return value;
-    }
-    /// The finaliser of splitmix64 (Steele, Lea, Flood 2014): for every word a bijection of the state, so that a
-    /// change of one bit changes the hash.
-    void mix(std::uint64_t input) {
-        std::uint64_t z = state_ + 0x9e3779b97f4a7c15u + input;
-        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-        z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-        state_ = z ^ (z >> 31);
-    }
-    std::uint64_t state_ = 0;
-};
-
 class ArchiveWriter {
   public:
     /// Appends raw bytes; use it only for numbers without padding between them.

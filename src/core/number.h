@@ -8,18 +8,19 @@
 
 namespace clearway {
 
-/// The finite decimal number that the whole text states. Empty for every other text: "", "1 2", "0x10", "inf", "nan",
-/// and numbers beyond a double ("1e999").
+/// The finite decimal number that the whole text states. Empty for every other text: "", "1 2", "0x10",
+/// "inf", "nan", and numbers beyond a double ("1e999").
 std::optional<double> parseNumber(std::string_view text);
 
 /// The whole number that the whole text states: "12", "-3", "+7", but not "1.0". Empty for every other text.
 std::optional<std::int64_t> parseInteger(std::string_view text);
 
-/// The number with 17 significant digits, which parseNumber reads back to the same double; "inf", "-inf" or "nan" if
-/// it is not finite.
+/// The number with 17 significant digits, which parseNumber reads back to the same double; "inf", "-inf" or
+/// "nan" if it is not finite.
 std::string formatNumber(double value);
 
-/// The number with the fewest digits that parseNumber reads back to the same double: for messages and for people.
+/// The number with the fewest digits that parseNumber reads back to the same double: for messages and for
+/// people.
 std::string shortNumber(double value);
 
 }  // namespace clearway

@@ -1,5 +1,6 @@
-// A growing array of plain values that keeps its memory when it is cleared, so that a query's scratch stops allocating
-// once it is warm. All functions but grow() are simple enough to be inlined into code of any instruction set.
+// A growing array of plain values that keeps its memory when it is cleared, so that a query's scratch stops
+// allocating once it is warm. All functions but grow() are simple enough to be inlined into code of any
+// instruction set.
 #pragma once
 
 #include <cstddef>

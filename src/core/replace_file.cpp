@@ -28,8 +28,8 @@ struct TemporaryFile {
     ~TemporaryFile() { std::remove(name.c_str()); }
 };
 
-/// Refuses devices and pipes, which renaming would replace, and folders, over which renaming fails only after all
-/// the work.
+/// Refuses devices and pipes, which renaming would replace, and folders, over which renaming fails only after
+/// all the work.
 void requireFileOrNothing(const std::string& file) {
     std::error_code ignored;
     const auto kind = std::filesystem::status(file, ignored).type();
@@ -75,7 +75,7 @@ void makeFolder(const std::string& folder) {
     if (!error && std::filesystem::is_directory(folder, ignored)) return;
     throw std::runtime_error("cannot make the folder '" + folder + "'" +
                              (error ? ": " + error.message() : "") +
-                             ", expected an existing folder or a name for a new one");
+                             ", expected a folder that exists or a name for a new one");
 }
 
 }  // namespace clearway

@@ -22,7 +22,8 @@ void requirePlyHeader(const std::string& file, std::istream& stream) {
     refuseMeshFile(file, "its PLY header has no end_header");
 }
 
-/// Refuses counts above the file's bytes: a vertex takes at least six bytes ("0 0 0" and the line's end), a face two.
+/// Refuses counts above the file's bytes: a vertex takes at least six bytes ("0 0 0" and the line's end), a
+/// face two.
 void requireOffCounts(const std::string& file, std::istream& stream, std::uintmax_t bytes) {
     std::string word;
     for (const char* const things : {"vertices", "faces"}) {
@@ -38,8 +39,8 @@ void requireOffCounts(const std::string& file, std::istream& stream, std::uintma
     }
 }
 
-/// assimp searches for the end of a PLY header forever, and allocates as many vertices and faces as an OFF header
-/// states.
+/// assimp searches for the end of a PLY header forever, and allocates as many vertices and faces as an OFF
+/// header states.
 void requireSoundHeader(const std::string& file, std::istream& stream, std::uintmax_t bytes) {
     std::string start(10, ' ');
     stream.read(&start[0], 10);
@@ -70,7 +71,8 @@ void requireReadableMeshFile(const std::string& file) {
     const auto status = std::filesystem::status(file, error);
     if (!std::filesystem::exists(status)) refuseMeshFile(file, "there is no such file");
     if (std::filesystem::is_directory(status)) refuseMeshFile(file, "it is a folder");
-    // Opening a pipe may never end, and assimp recognises formats by the file's ending and reads the file repeatedly.
+    // Opening a pipe may never end, and assimp recognises formats by the file's ending and reads the file
+    // repeatedly.
     if (!std::filesystem::is_regular_file(status))
         refuseMeshFile(file, "it is a pipe or a device, not a file");
     std::ifstream stream(file, std::ios::binary);

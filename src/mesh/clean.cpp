@@ -8,12 +8,14 @@
 #include <cstring>
 #include <limits>
 
-// g++ 12 warns of an uninitialised limb in Boost's constructor of a zero, wherever the constructor is inlined.
+// g++ 12 warns of an uninitialised limb in Boost's constructor of a zero, wherever the constructor is
+// inlined.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #include <boost/multiprecision/cpp_int.hpp>
 #pragma GCC diagnostic pop
 
+#include "core/hash.h"
 #include "mesh/check.h"
 
 namespace clearway {
@@ -22,13 +24,8 @@ namespace {
 
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
-std::uint64_t mixed(std::uint64_t hash, std::uint64_t word) {
-    hash = (hash ^ word) * 0x9e3779b97f4a7c15u;
-    return hash ^ (hash >> 29);
-}
-
-/// Finds the first of equal items, by open addressing with linear probing. The caller keeps the items and numbers them
-/// 0, 1, 2, ...
+/// Finds the first of equal items, by open addressing with linear probing. The caller keeps the items and
+/// numbers them 0, 1, 2, ...
 class FirstOfEqual {
   public:
     explicit FirstOfEqual(std::size_t items) {
@@ -41,7 +38,7 @@ class FirstOfEqual {
     template <typename IsEqual>
     std::uint32_t findOrInsert(std::uint64_t hash, std::uint32_t newNumber, IsEqual isEqual) {
         const std::size_t mask = slots_.size() - 1;
-        for (std::size_t slot = (hash >> 17) & mask;; slot = (slot + 1) & mask) {
+        for (std::size_t slot = hash & mask;; slot = (slot + 1) & mask) {
             if (slots_[slot] == kNone) return slots_[slot] = newNumber;
             if (isEqual(slots_[slot])) return slots_[slot];
         }
@@ -56,7 +53,7 @@ std::uint64_t hashOf(const Vector3& vertex) {
     for (int i = 0; i < 3; ++i) {
         std::uint64_t word;
         std::memcpy(&word, vertex.data() + i, sizeof word);
-        hash = mixed(hash, word);
+        hash = mixed(hash ^ word);
     }
     return hash;
 }
@@ -108,7 +105,7 @@ void keepFirstTriangles(const Mesh& mesh, const std::vector<std::uint32_t>& numb
         for (int i = 0; i < 3; ++i) triangle[i] = numbers[mesh.triangles[id][i]];
         const TriangleIndices key = sorted(triangle);
         const auto newNumber = static_cast<std::uint32_t>(clean.triangles.size());
-        const std::uint64_t hash = mixed(mixed(mixed(0, key[0]), key[1]), key[2]);
+        const std::uint64_t hash = mixed(mixed(mixed(key[0]) ^ key[1]) ^ key[2]);
         const std::uint32_t number = table.findOrInsert(
             hash, newNumber, [&](std::uint32_t kept) { return sorted(clean.triangles[kept]) == key; });
         if (number != newNumber) {
@@ -122,11 +119,12 @@ void keepFirstTriangles(const Mesh& mesh, const std::vector<std::uint32_t>& numb
 
 using Rational = boost::multiprecision::cpp_rational;
 
-/// Bound of the relative error of a difference of two products of rounded differences: (3 + 16 u64) u64 < 4 * 2^-53.
+/// Bound of the relative error of a difference of two products of rounded differences: (3 + 16 u64) u64 < 4 *
+/// 2^-53.
 constexpr double kRelativeError = 4.5e-16;
 
-/// Whether double arithmetic proves that the projection onto the plane of axes i and j has an area. Terms below the
-/// smallest normal number prove nothing.
+/// Whether double arithmetic proves that the projection onto the plane of axes i and j has an area. Terms
+/// below the smallest normal number prove nothing.
 bool hasProjectedArea(const Vector3& u, const Vector3& v, int i, int j) {
     const double left = u[i] * v[j];
     const double right = u[j] * v[i];

@@ -1,5 +1,5 @@
-// Prepares a mesh for a tree: checks it, welds equal vertices, drops exact duplicates of triangles and counts degenerate
-// triangles.
+// Prepares a mesh for a tree: checks it, welds equal vertices, drops exact duplicates of triangles and counts
+// degenerate triangles.
 #pragma once
 
 #include <cstdint>

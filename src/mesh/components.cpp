@@ -52,7 +52,8 @@ void makeNamesDistinct(std::vector<Component>& components, const std::string& fa
     std::unordered_map<std::string, int> lastNumber;
     for (Component& component : components) {
         if (taken.insert(component.name).second) continue;
-        // Skip a number that makes a name the file itself uses elsewhere, so that the other component keeps its name.
+        // Skip a number that makes a name the file itself uses elsewhere, so that the other component keeps
+        // its name.
         int& number = lastNumber.try_emplace(component.name, 1).first->second;
         std::string numbered;
         do {

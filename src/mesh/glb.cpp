@@ -25,8 +25,8 @@ constexpr int kUnsigned = 5125;
 constexpr int kVertexBuffer = 34962;  // targets of buffer views
 constexpr int kIndexBuffer = 34963;
 
-/// The rotation of z to y and y to -z, column by column. A quaternion of floats cannot turn by exactly 90 degrees: far
-/// from the origin, readers would then find coordinates that differ from the meshes'.
+/// The rotation of z to y and y to -z, column by column. A quaternion of floats cannot turn by exactly 90
+/// degrees: far from the origin, readers would then find coordinates that differ from the meshes'.
 constexpr int kUpright[] = {1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1};
 
 /// The least and the largest value of each coordinate, as fields of an accessor.

@@ -1,5 +1,5 @@
-// Binary glTF 2.0 (.glb) with floats, order and names kept exactly; assimp's own exporter joins vertices within 1e-5 of
-// each other. Here too: the parts of a mesh, in float, that all writers of mesh files take.
+// Binary glTF 2.0 (.glb) with floats, order and names kept exactly; assimp's own exporter joins vertices
+// within 1e-5 of each other. Here too: the parts of a mesh, in float, that all writers of mesh files take.
 #pragma once
 
 #include <array>
@@ -18,16 +18,17 @@ struct SavePart {
     std::vector<TriangleIndices> triangles;  ///< into vertices, in the mesh's order
 };
 
-/// The mesh's components that have triangles, in order. Each has the vertices it uses, in the order of their first use
-/// and rounded to float. Throws std::invalid_argument when the mesh is not sound (see requireSoundMesh) or a coordinate
-/// is beyond float's range.
+/// The mesh's components that have triangles, in order. Each has the vertices it uses, in the order of their
+/// first use and rounded to float. Throws std::invalid_argument when the mesh is not sound (see
+/// requireSoundMesh) or a coordinate is beyond float's range.
 std::vector<SavePart> savePartsOf(const Mesh& mesh, const std::string& namelessName);
 
-/// Writes one node with one mesh for each part, both with the part's name. Throws std::invalid_argument when the parts
-/// need more than the 4 GiB that the format can address.
+/// Writes one node with one mesh for each part, both with the part's name. Throws std::invalid_argument when
+/// the parts need more than the 4 GiB that the format can address.
 void writeGlb(const std::vector<SavePart>& parts, std::ostream& stream);
 
-/// Where the moving parts are at one time. Between two keys they move straight and turn evenly, the shorter way.
+/// Where the moving parts are at one time. Between two keys they move straight and turn evenly, the shorter
+/// way.
 struct GlbKey {
     float seconds = 0;
     std::array<float, 3> position{};
@@ -42,8 +43,8 @@ struct GlbMotion {
     std::vector<GlbKey> keys;      ///< at least one, times rising from 0
 };
 
-/// Writes the still parts and a node with the moving parts and the animation, under a root that turns z (up in clearway)
-/// to y (up in glTF). Throws as writeGlb does.
+/// Writes the still parts and a node with the moving parts and the animation, under a root that turns z (up
+/// in clearway) to y (up in glTF). Throws as writeGlb does.
 void writeMovingGlb(const GlbMotion& motion, std::ostream& stream);
 
 }  // namespace clearway

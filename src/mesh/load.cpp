@@ -26,8 +26,8 @@ namespace {
 /// Steps that neither alter a coordinate nor drop a triangle: no joining, no search for degenerate faces.
 constexpr unsigned kStoredSteps = aiProcess_Triangulate | aiProcess_SortByPType;
 
-/// OMPL.app's steps. None may be left out: joined vertices and collapsed nodes both change the float mean by which
-/// OMPL.app centres a robot.
+/// OMPL.app's steps. None may be left out: joined vertices and collapsed nodes both change the float mean by
+/// which OMPL.app centres a robot.
 constexpr unsigned kOmplAppSteps = aiProcess_GenNormals | aiProcess_Triangulate |
                                    aiProcess_JoinIdenticalVertices | aiProcess_SortByPType |
                                    aiProcess_OptimizeGraph;
@@ -56,7 +56,8 @@ std::string nameOf(const aiNode& node, const aiMesh& mesh) {
     return componentName(node.mName.C_Str(), mesh.mName.C_Str());
 }
 
-/// Names each mesh that only one node shows by its component's name, because collapsing nodes loses the nodes' names.
+/// Names each mesh that only one node shows by its component's name, because collapsing nodes loses the
+/// nodes' names.
 void nameMeshesByNode(const aiScene& scene, const aiNode& node, const std::vector<std::size_t>& instances) {
     for (unsigned i = 0; i < node.mNumMeshes; ++i) {
         aiMesh& mesh = *scene.mMeshes[node.mMeshes[i]];
@@ -65,8 +66,9 @@ void nameMeshesByNode(const aiScene& scene, const aiNode& node, const std::vecto
     for (unsigned i = 0; i < node.mNumChildren; ++i) nameMeshesByNode(scene, *node.mChildren[i], instances);
 }
 
-/// Refuses nodes that refer to missing meshes or children. assimp's importers pass on the contents of a damaged file, and
-/// its later steps trust them or abort. Its reader of raw files leaves out children even of sound files.
+/// Refuses nodes that refer to missing meshes or children. assimp's importers pass on the contents of a
+/// damaged file, and its later steps trust them or abort. Its reader of raw files leaves out children even of
+/// sound files.
 void requireSoundNodes(const aiNode& node, const aiScene& scene, const std::string& file) {
     for (unsigned i = 0; i < node.mNumMeshes; ++i) {
         if (node.mMeshes[i] < scene.mNumMeshes) continue;
@@ -176,8 +178,9 @@ bool isCollada(const Assimp::Importer& importer) {
     return description && std::string(description->mFileExtensions).find("dae") != std::string::npos;
 }
 
-/// Decides whether the root node's transform is applied, and notes it. assimp's importers put units, up axes and their
-/// own conventions into this transform. COLLADA's root holds nothing else, so a file is read as stored without it.
+/// Decides whether the root node's transform is applied, and notes it. assimp's importers put units, up axes
+/// and their own conventions into this transform. COLLADA's root holds nothing else, so a file is read as
+/// stored without it.
 void settleRoot(const Assimp::Importer& importer, const aiScene& scene, MeshReading reading,
                 std::vector<std::string>& notes) {
     aiMatrix4x4& transform = scene.mRootNode->mTransformation;
@@ -253,7 +256,8 @@ struct Collector {
         }
     }
 
-    /// Adds the triangles. A mirroring transform turns them over, so they are turned back to face the file's side.
+    /// Adds the triangles. A mirroring transform turns them over, so they are turned back to face the file's
+    /// side.
     void addTriangles(const aiMesh& shown, std::size_t firstVertex, bool isMirrored) {
         for (unsigned f = 0; f < shown.mNumFaces; ++f) {
             const aiFace& face = shown.mFaces[f];
@@ -276,8 +280,8 @@ struct Collector {
     }
 };
 
-/// Refuses a mesh that nothing can be built from. Called before the shift too, which would spread a value that is not
-/// finite, so that the first bad triangle is named.
+/// Refuses a mesh that nothing can be built from. Called before the shift too, which would spread a value
+/// that is not finite, so that the first bad triangle is named.
 void requireSound(const Mesh& mesh, const std::string& file) {
     try {
         requireSoundMesh(mesh);
@@ -320,8 +324,8 @@ const aiScene& requireScene(const Assimp::Importer& importer, const std::string&
     return *scene;
 }
 
-/// Removes the reader of glTF 1.0: assimp 5.2 takes wrong indices from sound files and aborts. Such files are then
-/// refused. glTF 2.0 has another reader.
+/// Removes the reader of glTF 1.0: assimp 5.2 takes wrong indices from sound files and aborts. Such files are
+/// then refused. glTF 2.0 has another reader.
 void leaveOutGltf1(Assimp::Importer& importer) {
     for (std::size_t i = 0; i < importer.GetImporterCount(); ++i) {
         if (std::string(importer.GetImporterInfo(i)->mName) != "glTF Importer") continue;

@@ -14,7 +14,8 @@ class FirstUseOrder {
   public:
     explicit FirstUseOrder(std::size_t vertices) : numbers_(vertices, 0) {}
 
-    /// The new number of a vertex. On the vertex's first use calls add(vertex), which appends it to the new list.
+    /// The new number of a vertex. On the vertex's first use calls add(vertex), which appends it to the new
+    /// list.
     template <class Add>
     std::uint32_t operator()(std::uint32_t vertex, const Add& add) {
         std::uint32_t& number = numbers_[vertex];
@@ -34,8 +35,8 @@ class FirstUseOrder {
     std::uint32_t next_ = 1;
 };
 
-/// The vertices that the triangles use, in the given order. The triangles then refer to the returned vertices. Takes
-/// time in proportion to the triangles and to the range of the vertices they use.
+/// The vertices that the triangles use, in the given order. The triangles then refer to the returned
+/// vertices. Takes time in proportion to the triangles and to the range of the vertices they use.
 inline std::vector<Vector3> takeUsedVertices(const std::vector<Vector3>& vertices,
                                              std::vector<TriangleIndices>& triangles) {
     if (triangles.empty()) return {};

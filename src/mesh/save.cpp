@@ -50,7 +50,8 @@ aiMesh* makeMesh(const SavePart& part) {
     return mesh;
 }
 
-/// Fills the scene with a root that has one node with one mesh for each part. The scene owns everything it points to.
+/// Fills the scene with a root that has one node with one mesh for each part. The scene owns everything it
+/// points to.
 void fillScene(const std::vector<SavePart>& parts, aiScene& scene) {
     const auto count = static_cast<unsigned>(parts.size());
     scene.mNumMaterials = 1;

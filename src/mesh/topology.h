@@ -9,8 +9,8 @@
 
 namespace clearway {
 
-/// Counts of edges by how the triangles meet there. A surface is closed when each edge belongs to exactly two triangles
-/// that run along it in opposite directions.
+/// Counts of edges by how the triangles meet there. A surface is closed when each edge belongs to exactly two
+/// triangles that run along it in opposite directions.
 struct EdgeReport {
     std::size_t closedEdges = 0;    ///< two triangles, opposite directions
     std::size_t openEdges = 0;      ///< one triangle: a border
@@ -20,8 +20,8 @@ struct EdgeReport {
     bool isClosed() const { return openEdges == 0 && twistedEdges == 0 && overfullEdges == 0; }
 };
 
-/// Counts the edges of triangles with welded vertices (equal points have equal indices). A triangle that names a vertex
-/// twice is left out: it has collapsed to an edge, which its two neighbours then share.
+/// Counts the edges of triangles with welded vertices (equal points have equal indices). A triangle that
+/// names a vertex twice is left out: it has collapsed to an edge, which its two neighbours then share.
 EdgeReport checkEdges(const std::vector<TriangleIndices>& triangles);
 
 /// The sets of triangles that are connected by edges, numbered from 0 in the order of their first triangles.
@@ -33,8 +33,8 @@ struct Shells {
 /// Finds the shells of triangles with welded vertices.
 Shells findShells(const std::vector<TriangleIndices>& triangles);
 
-/// Six times the volume that each shell encloses, positive when its triangles turn counter-clockwise seen from outside.
-/// The rounding is relative to the shell's own box.
+/// Six times the volume that each shell encloses, positive when its triangles turn counter-clockwise seen
+/// from outside. The rounding is relative to the shell's own box.
 std::vector<double> signedVolumes(const std::vector<Vector3>& vertices,
                                   const std::vector<TriangleIndices>& triangles, const Shells& shells);
 

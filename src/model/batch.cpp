@@ -1,3 +1,4 @@
+// Answers lists of poses block by block, each block on one thread.
 #include "clearway/batch.h"
 
 #include <tbb/enumerable_thread_specific.h>
@@ -6,12 +7,12 @@
 #include <algorithm>
 
 #include "clearway/model.h"
-#include "model/within_reach.h"
+#include "model/reach.h"
 
 namespace clearway {
 namespace {
 
-/// Before any thread begins, so that the first of the list is told.
+/// Checks all poses before any thread starts, so that the error is about the first bad pose of the list.
 void requirePoses(const Model& part, const Model& environment, const std::vector<Pose>& poses) {
     for (const Pose& X_environmentPart : poses) {
         requirePose(X_environmentPart);
@@ -19,7 +20,8 @@ void requirePoses(const Model& part, const Model& environment, const std::vector
     }
 }
 
-/// Calls answer(i, workspace) for every i below count, block by block.
+/// Calls answer(i, workspace) for every i below count. The blocks run in parallel; each starts without a warm
+/// start.
 template <class Answer>
 void forEachInBlocks(std::size_t count, const Answer& answer) {
     tbb::enumerable_thread_specific<Workspace> workspaces;

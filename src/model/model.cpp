@@ -1,4 +1,4 @@
-// mesh -> clean -> build -> flat tree.
+// Builds a model: mesh, clean mesh, binary tree, flat tree.
 #include "clearway/model.h"
 
 #include <algorithm>
@@ -9,8 +9,9 @@
 #include "build/build.h"
 #include "build/flatten.h"
 #include "mesh/clean.h"
+#include "mesh/components.h"
 #include "model/model_data.h"
-#include "model/unreachable.h"
+#include "model/reach.h"
 #include "tree/largest_displacement.h"
 
 namespace clearway {
@@ -34,10 +35,9 @@ Model Model::build(const Mesh& mesh, const BuildOptions& options, const std::opt
     if (reach) data->report.unreachableTriangles = leaveOutUnreachable(cleaned, *reach);
     if (data->report.unreachableTriangles > 0) data->reach = reach;
     data->tree = flatten(buildBinaryTree(cleaned, options), cleaned, options.nodeWidth);
-    // What counts as contact depends on the whole mesh's coordinates, and is to stay the same.
+    // The decision of contact depends on the whole mesh's coordinates and must not change.
     if (data->reach) data->tree.box = boundingBox(mesh);
-    data->components = mesh.components;
-    if (data->components.empty()) data->components.push_back({"", 0, std::uint32_t(mesh.triangles.size())});
+    data->components = componentsOf(mesh);
     data->origin = mesh.origin;
     data->report.options = options;
     data->report.clean = cleaned.report;

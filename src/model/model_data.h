@@ -1,4 +1,4 @@
-// What a Model shares between its copies.
+// The data that copies of a Model share.
 #pragma once
 
 #include "clearway/model.h"
@@ -8,12 +8,12 @@ namespace clearway {
 
 struct Model::Data {
     std::uint64_t id;
-    std::uint64_t key;  ///< modelKey of what it was built from
+    std::uint64_t key;  ///< modelKey of the mesh, options and reach
     FlatTree tree;
     BuildReport report;
     std::vector<Component> components;
     MeshOrigin origin;
-    std::optional<Reach> reach;  ///< set when triangles were left out
+    std::optional<Reach> reach;  ///< set only when triangles were left out
 };
 
 }  // namespace clearway

@@ -1,3 +1,4 @@
+// Applies the rules to the components, groups those that count alike, and builds the scene.
 #include "clearway/obstacle_groups.h"
 
 #include <algorithm>
@@ -15,7 +16,7 @@
 namespace clearway {
 namespace {
 
-/// What the rules make of one component.
+/// How one component counts by the rules.
 struct Treatment {
     double margin = 0;
     bool isSolid = false, isIgnoredAtStart = false, isIgnoredAtGoal = false, isIgnored = false;
@@ -59,7 +60,7 @@ class Rules {
 
     void setMargins(const std::map<std::string, double>& margins) {
         struct Margin {
-            std::size_t count;  ///< of what it stands for
+            std::size_t count;  ///< of components that the name stands for
             const std::string* name;
             double margin;
         };
@@ -91,15 +92,15 @@ void makeSolid(ObstacleGroup& group, std::vector<std::string>& notes) {
         const std::size_t others = made.refusals.size() - 1;
         throw std::invalid_argument(
             "solid: " + made.refusals[0] +
-            (others == 0 ? "" : "; nor do " + std::to_string(others) + " more of the solids"));
+            (others == 0 ? "" : "; " + std::to_string(others) + " more of the solids enclose nothing"));
     }
     group.solids = made.solids;
     for (const std::string& name : made.turnedOver) {
-        notes.push_back("the solid '" + name + "' faces inwards: it is taken turned over");
+        notes.push_back("the solid '" + name + "' faces inwards: it is turned over");
     }
 }
 
-/// Of each component, in its own file.
+/// The first triangle of each component in its own file.
 std::vector<std::uint32_t> firstTrianglesOf(const std::vector<Mesh>& files) {
     std::vector<std::uint32_t> first;
     for (const Mesh& file : files) {

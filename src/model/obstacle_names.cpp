@@ -1,3 +1,4 @@
+// Labels files and components uniquely, and looks names up among them.
 #include "model/obstacle_names.h"
 
 #include <algorithm>
@@ -6,6 +7,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "core/text.h"
 #include "mesh/components.h"
 
 namespace clearway {
@@ -29,7 +31,8 @@ bool areDifferent(const std::vector<std::string>& names) {
     return std::set<std::string>(names.begin(), names.end()).size() == names.size();
 }
 
-/// What tells files apart that have one name but for their endings: these, or the ends of their paths.
+/// Labels that distinguish files whose names agree except for their endings: the endings, or the ends of
+/// their paths.
 std::vector<std::string> labelsOf(const std::vector<Path>& files) {
     const auto tails = [&](int depth, bool hasEnding) {
         std::vector<std::string> all;
@@ -46,6 +49,7 @@ std::vector<std::string> labelsOf(const std::vector<Path>& files) {
     return tails(static_cast<int>(deepest), true);
 }
 
+/// The name, with #2, #3, ... appended if it is taken.
 std::string unique(std::set<std::string>& taken, const std::string& name) {
     std::string tried = name;
     for (int i = 2; !taken.insert(tried).second; ++i) tried = name + "#" + std::to_string(i);
@@ -64,12 +68,13 @@ std::vector<std::size_t> where(const std::vector<ObstacleNames::Component>& comp
 }  // namespace
 
 std::string listed(const std::vector<std::string>& names) {
-    std::string all;
-    for (std::size_t i = 0; i < std::min(names.size(), kMostListed); ++i) {
-        all += (i == 0 ? "'" : ", '") + names[i] + "'";
+    std::vector<std::string> quoted;
+    for (const std::string& name : names) {
+        if (quoted.size() == kMostListed) break;
+        quoted.push_back("'" + name + "'");
     }
-    if (names.size() > kMostListed) all += " and " + std::to_string(names.size() - kMostListed) + " more";
-    return all;
+    const std::size_t others = names.size() - quoted.size();
+    return joined(quoted) + (others == 0 ? "" : " and " + std::to_string(others) + " more");
 }
 
 ObstacleNames::ObstacleNames(const std::vector<Mesh>& files) {
@@ -130,7 +135,8 @@ std::vector<std::size_t> ObstacleNames::find(const std::string& rule, const std:
     if (called.size() > 1) {
         std::vector<std::string> labels;
         for (const std::size_t f : called) labels.push_back(labels_[f]);
-        throw std::invalid_argument(rule + " names '" + name + "', which is several files, expected one of " +
+        throw std::invalid_argument(rule + " names '" + name +
+                                    "', which is the name of several files, expected one of " +
                                     listed(labels));
     }
     found = where(components_, [&](const Component& component) { return component.bare == name; });

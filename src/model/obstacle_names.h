@@ -1,4 +1,4 @@
-// Which components of an environment a name stands for: see clearway/obstacle_rules.h.
+// Finds the components of an environment that a name stands for, by the rules in clearway/obstacle_rules.h.
 #pragma once
 
 #include <cstddef>
@@ -15,28 +15,29 @@ class ObstacleNames {
     explicit ObstacleNames(const std::vector<Mesh>& files);
 
     struct Component {
-        std::string name;  ///< unlike any other's
-        std::string bare;  ///< within its file
+        std::string name;  ///< unique
+        std::string bare;  ///< the name within its file
         std::size_t file = 0;
     };
     const std::vector<Component>& components() const { return components_; }
 
-    /// The components a rule's name stands for, in order. rule: "ignore", say. Throws std::invalid_argument
-    /// that lists the names there are, when it stands for none, or those it may mean.
+    /// The components that a name stands for, in order. rule: the rule that has the name, such as "ignore",
+    /// for messages. Throws std::invalid_argument when the name stands for no component, and lists all names;
+    /// or when it is ambiguous, and lists the possible ones.
     std::vector<std::size_t> find(const std::string& rule, const std::string& name) const;
 
   private:
     void labelFiles();
 
-    /// By the end of its path, with or without its ending.
+    /// The files whose path ends with the name, with or without the file's ending.
     std::vector<std::size_t> filesCalled(const std::string& name) const;
 
-    std::vector<std::filesystem::path> files_;  ///< empty: a mesh that is of none
-    std::vector<std::string> labels_;           ///< unlike each other's, of those of files
+    std::vector<std::filesystem::path> files_;  ///< an empty path for a mesh without a file
+    std::vector<std::string> labels_;           ///< one for each mesh; unique among the meshes with files
     std::vector<Component> components_;
 };
 
-/// "'a', 'b' and 7 more".
+/// The names in quotes, cut after 30: "'a', 'b' and 7 more".
 std::string listed(const std::vector<std::string>& names);
 
 }  // namespace clearway

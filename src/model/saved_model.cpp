@@ -1,8 +1,7 @@
-// Models as files. Layout: a header of fixed size, then the payload it counts:
-//   "clearway" (8 bytes), version, byte order mark, key, payload bytes, hash (8 bytes each), payload.
-// The hash is of the key and the payload. Numbers are written as they are in memory: the mark tells a machine
-// of another byte order. Whoever changes what is written, or what a build makes of the same mesh and options,
-// raises the version.
+// Models as files. Layout: "clearway" (8 bytes), version, byte order mark, key, payload bytes, hash (8 bytes
+// each), payload. The hash covers the key and the payload. Numbers are written as in memory; the mark reveals
+// another byte order. Raise kVersion with every change of the layout and of the tree that a build makes from
+// a given mesh and options.
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -11,9 +10,10 @@
 
 #include "clearway/model.h"
 #include "core/archive.h"
+#include "core/hash.h"
 #include "core/replace_file.h"
 #include "model/model_data.h"
-#include "model/unreachable.h"
+#include "model/reach.h"
 
 namespace clearway {
 namespace {
@@ -93,7 +93,7 @@ void addTree(ArchiveWriter& out, const FlatTree& tree) {
     out.add(tree.radius);
     std::apply([&](const auto&... nodes) { (out.addArray(nodes), ...); }, tree.nodesByWidth);
     out.add(std::uint64_t(tree.leaves.size()));
-    for (const Leaf& leaf : tree.leaves) {  // field by field: what pads the structure is left out
+    for (const Leaf& leaf : tree.leaves) {  // field by field, to leave out the padding of the structure
         for (const double x : leaf.centre) out.add(x);
         out.add(leaf.firstTriangle);
         out.add(leaf.triangleCount);
@@ -176,7 +176,7 @@ void readRest(ArchiveReader& in, BuildReport& report, std::vector<Component>& co
     for (std::string& note : origin.notes) note = in.readText();
 }
 
-/// The triangles of consecutive components, or -1 when they are not consecutive.
+/// The number of triangles of consecutive components; -1 if the components are not consecutive.
 std::int64_t trianglesOf(const std::vector<Component>& components) {
     std::int64_t next = 0;
     for (const Component& component : components) {
@@ -234,11 +234,12 @@ Model Model::load(const std::string& file) {
         ArchiveReader in(bytes);
         char magic[sizeof kMagic];
         in.readBytes(magic, sizeof magic);
-        if (std::memcmp(magic, kMagic, sizeof magic) != 0) throw std::runtime_error("is no saved model");
+        if (std::memcmp(magic, kMagic, sizeof magic) != 0) throw std::runtime_error("is not a saved model");
         if (const auto version = in.read<std::uint64_t>(); version != kVersion) {
             throw std::runtime_error("has format version " + std::to_string(version));
         }
-        if (in.read<std::uint64_t>() != kByteOrderMark) throw std::runtime_error("is of another byte order");
+        if (in.read<std::uint64_t>() != kByteOrderMark)
+            throw std::runtime_error("was saved with another byte order");
         data->key = in.read<std::uint64_t>();
         const auto size = in.read<std::uint64_t>(), hash = in.read<std::uint64_t>();
         const std::string_view payload =
@@ -251,7 +252,7 @@ Model Model::load(const std::string& file) {
         data->tree = readTree(in);
         readRest(in, data->report, data->components, data->origin);
         const std::int64_t triangles = trianglesOf(data->components);
-        if (!in.isAtEnd() || triangles < 0) throw std::runtime_error("does not fit together");
+        if (!in.isAtEnd() || triangles < 0) throw std::runtime_error("has parts that do not fit together");
         if (const char* fault = faultOf(data->tree, std::size_t(triangles))) throw std::runtime_error(fault);
     } catch (const std::runtime_error& error) {
         refuse(file, error.what());
@@ -275,10 +276,10 @@ CachedModel buildCached(const Mesh& mesh, const BuildOptions& options, const std
         try {
             Model model = Model::load(file.string());
             if (model.key() == key) return {model, true, ""};
-            warning =
-                file.string() + ": was built from another mesh, other options or another reach; built anew";
+            warning = file.string() +
+                      ": was built from another mesh, other options or another reach; it is built again";
         } catch (const std::runtime_error& error) {
-            warning = std::string(error.what()) + "; built anew";
+            warning = std::string(error.what()) + "; it is built again";
         }
     }
     const Model model = Model::build(mesh, options, reach);

@@ -1,3 +1,4 @@
+// Margins and boxes of a scene.
 #include "clearway/scene.h"
 
 #include <algorithm>

@@ -1,8 +1,15 @@
+// Decides on which side of closed surfaces points lie, and finds the solids of a mesh.
 #include "model/solids.h"
 
 #include <algorithm>
+#include <array>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <sstream>
 #include <stdexcept>
 
+#include "exact/moved_point.h"
 #include "mesh/clean.h"
 #include "mesh/components.h"
 #include "mesh/topology.h"
@@ -10,10 +17,215 @@
 namespace clearway {
 namespace {
 
-/// Of the lengths involved: far more than rounding and a pose's defect, for tests that only save time.
-constexpr double kPlaceSlack = 1e-9;
+constexpr std::uint32_t kLeafSize = 4;
+constexpr std::size_t kDeepest = 64;  ///< enough, because a node's halves differ by at most one triangle
+
+/// Relative to the lengths involved: the error of the point in mesh coordinates, which are computed with the
+/// pose's transposed rotation instead of its inverse.
+constexpr double kPlaceSlack = 8 * kPoseDefect;
+
+[[noreturn]] void refuse(const std::string& name, const std::string& why) {
+    throw std::invalid_argument("'" + name + "' encloses nothing: " + why);
+}
+
+void requireClosed(const std::vector<TriangleIndices>& triangles, const std::string& name) {
+    const EdgeReport edges = checkEdges(triangles);
+    if (edges.isClosed()) return;
+    std::ostringstream why;
+    why << edges.openEdges << " open edges, " << edges.twistedEdges
+        << " edges where a triangle is turned over and " << edges.overfullEdges
+        << " edges of more than two triangles, expected a closed surface";
+    refuse(name, why.str());
+}
+
+bool hasThreeCorners(const TriangleIndices& t) {
+    return t[0] != t[1] && t[1] != t[2] && t[2] != t[0];
+}
+
+template <class Number>
+std::optional<int> signOf(const Number& x) {
+    const Verdict notNegative = isNotNegative(x), notPositive = isNotNegative(-x);
+    if (notNegative == Verdict::yes && notPositive == Verdict::yes) return 0;
+    if (notNegative == Verdict::yes && notPositive == Verdict::no) return 1;
+    if (notNegative == Verdict::no && notPositive == Verdict::yes) return -1;
+    return std::nullopt;
+}
+
+template <class Number>
+Number determinant(const Triple<Number>& a, const Triple<Number>& b, const Triple<Number>& c) {
+    return a.dot(b.cross(c));
+}
+
+/// The side on which a point lies of an edge that it is in line with, after a move by (e, e^2) in the mesh's
+/// x and y with e positive and vanishing. The edge's direction decides it; 0 for an edge along z.
+int sideOfMovedPoint(const Vector3& from, const Vector3& to) {
+    if (from.y() != to.y()) return from.y() > to.y() ? 1 : -1;
+    return from.x() == to.x() ? 0 : from.x() < to.x() ? 1 : -1;
+}
+
+/// 1 when the ray from 0 along z leaves through the triangle's front, -1 when it enters there, 0 when it
+/// misses the triangle; empty when the numbers are too inexact to decide. w: the corners, z: the mesh's z
+/// axis, both in the frame of the decision; corners: in mesh coordinates.
+template <class Number>
+std::optional<int> crossingOf(const std::array<Triple<Number>, 3>& w, const Triple<Number>& z,
+                              const std::array<const Vector3*, 3>& corners) {
+    int side = 0;
+    for (int k = 0; k < 3; ++k) {
+        std::optional<int> sign = signOf(determinant(w[k], w[(k + 1) % 3], z));
+        if (!sign) return std::nullopt;
+        if (*sign == 0) sign = sideOfMovedPoint(*corners[k], *corners[(k + 1) % 3]);
+        if (*sign == 0 || (side != 0 && *sign != side)) return 0;
+        side = *sign;
+    }
+    const std::optional<int> height = signOf(determinant(w[0], w[1] - w[0], w[2] - w[0]));
+    if (!height) return std::nullopt;
+    return *height == side ? side : 0;
+}
+
+/// Decides a crossing in double-double, or else in whole numbers.
+int crossing(const Pose& X_aMesh, const std::array<const Vector3*, 3>& corners, const Pose& X_aPoint,
+             const Vector3& point) {
+    const Triple<Ball> q = movedBall(X_aPoint, point);
+    std::array<Triple<Ball>, 3> w;
+    for (int k = 0; k < 3; ++k) w[k] = movedBall(X_aMesh, *corners[k]) - q;
+    const Pose X_aAxes{X_aMesh.rotation, Vector3::Zero()};
+    const Vector3 z = Vector3::UnitZ();
+    if (const std::optional<int> sure = crossingOf(w, movedBall(X_aAxes, z), corners)) return *sure;
+
+    int exponent = lastBitOf(X_aPoint, point);
+    for (const Vector3* corner : corners) exponent = std::min(exponent, lastBitOf(X_aMesh, *corner));
+    const Triple<Integer> base = movedInteger(X_aPoint, point, exponent);
+    std::array<Triple<Integer>, 3> exact;
+    for (int k = 0; k < 3; ++k) exact[k] = movedInteger(X_aMesh, *corners[k], exponent) - base;
+    return crossingOf(exact, movedInteger(X_aAxes, z, lastBitOf(X_aAxes, z)), corners).value();
+}
+
+/// Relative to the lengths involved: far more than rounding and a pose's defect. Used only in tests that save
+/// time.
+constexpr double kEnclosureSlack = 1e-9;
 
 }  // namespace
+
+Solid::Solid(const Mesh& mesh, const std::string& name) {
+    CleanMesh cleaned = clean(mesh);
+    vertices_ = std::move(cleaned.vertices);
+    std::copy_if(cleaned.triangles.begin(), cleaned.triangles.end(), std::back_inserter(triangles_),
+                 hasThreeCorners);
+    if (triangles_.empty()) refuse(name, "it has no triangle with three corners");
+    requireClosed(triangles_, name);
+    for (const Vector3& vertex : vertices_) box_.extend(vertex);
+    order_.resize(triangles_.size());
+    std::iota(order_.begin(), order_.end(), 0u);
+    addNode(0, std::uint32_t(order_.size()), 0);
+    orient(name);
+}
+
+void Solid::addNode(std::uint32_t first, std::uint32_t last, int axis) {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    Node node{{kInfinity, kInfinity}, {-kInfinity, -kInfinity}, -kInfinity, first, last, 0};
+    for (std::uint32_t i = first; i < last; ++i) {
+        for (const std::uint32_t corner : triangles_[order_[i]]) {
+            const Vector3& v = vertices_[corner];
+            for (int k = 0; k < 2; ++k) {
+                node.min[k] = std::min(node.min[k], v[k]);
+                node.max[k] = std::max(node.max[k], v[k]);
+            }
+            node.top = std::max(node.top, v.z());
+        }
+    }
+    const std::size_t here = nodes_.size();
+    nodes_.push_back(node);
+    if (last - first <= kLeafSize) return;
+    const std::uint32_t middle = first + (last - first) / 2;
+    const auto place = [&](std::uint32_t t) {
+        const TriangleIndices& c = triangles_[t];
+        return vertices_[c[0]][axis] + vertices_[c[1]][axis] + vertices_[c[2]][axis];
+    };
+    std::nth_element(order_.begin() + first, order_.begin() + middle, order_.begin() + last,
+                     [&](std::uint32_t a, std::uint32_t b) { return place(a) < place(b); });
+    addNode(first, middle, 1 - axis);
+    nodes_[here].right = std::uint32_t(nodes_.size());
+    addNode(middle, last, 1 - axis);
+}
+
+template <class Take>
+void Solid::eachCrossing(const Pose& X_aMesh, const Pose& X_aPoint, const Vector3& point,
+                         const Take& take) const {
+    const Vector3 away = X_aPoint * point - X_aMesh.translation;
+    const Vector3 p = X_aMesh.rotation.transpose() * away;
+    const double slack =
+        kPlaceSlack * (away.norm() + X_aMesh.translation.norm() + X_aPoint.translation.norm() + point.norm());
+    std::array<std::uint32_t, kDeepest> open;
+    std::size_t count = 0;
+    open[count++] = 0;
+    while (count > 0) {
+        const std::uint32_t here = open[--count];
+        const Node& node = nodes_[here];
+        const bool isMissed = p.x() < node.min[0] - slack || p.x() > node.max[0] + slack ||
+                              p.y() < node.min[1] - slack || p.y() > node.max[1] + slack ||
+                              p.z() > node.top + slack;
+        if (isMissed) continue;
+        if (node.right != 0) {
+            open[count++] = node.right;
+            open[count++] = here + 1;
+            continue;
+        }
+        for (std::uint32_t i = node.first; i < node.last; ++i) {
+            const TriangleIndices& c = triangles_[order_[i]];
+            const int sign =
+                crossing(X_aMesh, {&vertices_[c[0]], &vertices_[c[1]], &vertices_[c[2]]}, X_aPoint, point);
+            if (sign != 0) take(order_[i], sign);
+        }
+    }
+}
+
+int Solid::winding(const Pose& X_aMesh, const Pose& X_aPoint, const Vector3& point) const {
+    int sum = 0;
+    eachCrossing(X_aMesh, X_aPoint, point, [&](std::uint32_t, int sign) { sum += sign; });
+    return isTurnedOver_ ? -sum : sum;
+}
+
+/// Whether a vertex of the shell is inside no other shell. Looks at all vertices, because shells may pierce
+/// each other.
+bool Solid::isOutermost(const Shells& shells, std::uint32_t shell) const {
+    if (shells.count == 1) return true;
+    std::vector<bool> isSeen(vertices_.size(), false);
+    std::vector<int> windings(shells.count);
+    for (std::size_t t = 0; t < triangles_.size(); ++t) {
+        if (shells.ofTriangle[t] != shell) continue;
+        for (const std::uint32_t corner : triangles_[t]) {
+            if (isSeen[corner]) continue;
+            isSeen[corner] = true;
+            std::fill(windings.begin(), windings.end(), 0);
+            eachCrossing({}, {}, vertices_[corner], [&](std::uint32_t crossed, int sign) {
+                windings[shells.ofTriangle[crossed]] += sign;
+            });
+            windings[shell] = 0;  // the vertex lies on this shell
+            const auto isZero = [](int winding) { return winding == 0; };
+            if (std::all_of(windings.begin(), windings.end(), isZero)) return true;
+        }
+    }
+    return false;
+}
+
+void Solid::orient(const std::string& name) {
+    const Shells shells = findShells(triangles_);
+    const std::vector<double> volumes = signedVolumes(vertices_, triangles_, shells);
+    for (std::size_t t = 0; t < triangles_.size(); ++t) {
+        if (shells.ofTriangle[t] == shellVertices_.size()) {
+            shellVertices_.push_back(vertices_[triangles_[t][0]]);
+        }
+    }
+    std::size_t outward = 0, inward = 0;
+    for (std::uint32_t shell = 0; shell < shells.count; ++shell) {
+        if (isOutermost(shells, shell)) ++(volumes[shell] > 0 ? outward : inward);
+    }
+    if (outward > 0 && inward > 0) {
+        refuse(name, std::to_string(outward) + " of its outermost shells face outwards and " +
+                         std::to_string(inward) + " inwards, expected all to face one way");
+    }
+    isTurnedOver_ = inward > 0;
+}
 
 Solids::Solids(const Mesh& mesh) {
     const std::vector<Component> components = componentsOf(mesh);
@@ -54,7 +266,7 @@ std::optional<Solids::Enclosure> Solids::holding(const Pose& X_aThis, const Soli
     const Vector3 centre = X_thisInner * inner.centre_;
     const double sizes = centre.norm() + inner.centre_.norm() + inner.radius_ + X_aThis.translation.norm() +
                          X_aInner.translation.norm();
-    const double slack = kPlaceSlack * sizes, reach = inner.radius_ + slack;
+    const double slack = kEnclosureSlack * sizes, reach = inner.radius_ + slack;
     for (const NamedSolid& outer : solids_) {
         const Box& box = outer.solid.box();
         if (box.squaredExteriorDistance(centre) > reach * reach) continue;

@@ -1,22 +1,72 @@
-// What the closed components of a mesh enclose, and where each of its connected pieces is.
+// The insides of closed surfaces. A point's position is decided by the signed crossings of a ray, each by
+// exact predicates. A point whose ray meets an edge or a corner counts as moved aside by less than any number
+// ("Simulation of Simplicity", Edelsbrunner and Muecke, ACM Trans. Graphics 9, 1990).
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "clearway/scene.h"
-#include "model/solid.h"
 
 namespace clearway {
 
+struct Shells;
+
+/// The inside of one closed mesh.
+class Solid {
+  public:
+    /// Takes all the mesh's shells together: an inner shell that faces the other way bounds a cavity. A mesh
+    /// whose outermost shells all face inwards is turned over. Throws std::invalid_argument that names the
+    /// mesh and why it encloses nothing: its edges are open, twisted or shared by more than two triangles, or
+    /// some of its outermost shells face outwards and some inwards.
+    Solid(const Mesh& mesh, const std::string& name);
+
+    bool isTurnedOver() const { return isTurnedOver_; }
+    const Box& box() const { return box_; }  ///< mesh coordinates
+
+    /// How often the surface, moved by X_aMesh, winds around the point moved by X_aPoint, in exact arithmetic
+    /// of both maps: above 0 inside. For a point on the surface the answer is that of one of its sides.
+    int winding(const Pose& X_aMesh, const Pose& X_aPoint, const Vector3& point) const;
+
+    /// One vertex of each shell. If this vertex is outside another surface and the two surfaces do not touch,
+    /// the whole shell is outside.
+    const std::vector<Vector3>& shellVertices() const { return shellVertices_; }
+
+  private:
+    /// A node of a tree of the triangles' boxes as seen along z.
+    struct Node {
+        double min[2], max[2], top;
+        std::uint32_t first, last;  ///< into order_
+        std::uint32_t right;        ///< the right child, 0 in a leaf; the left child is the next node
+    };
+
+    void addNode(std::uint32_t first, std::uint32_t last, int axis);
+    /// Calls take(triangle, sign) for the triangles that the ray from the point along the mesh's z crosses.
+    /// sign: 1 where the ray leaves through the triangle's front, -1 where it enters there.
+    template <class Take>
+    void eachCrossing(const Pose& X_aMesh, const Pose& X_aPoint, const Vector3& point,
+                      const Take& take) const;
+    bool isOutermost(const Shells& shells, std::uint32_t shell) const;
+    void orient(const std::string& name);
+
+    std::vector<Vector3> vertices_;
+    std::vector<TriangleIndices> triangles_;
+    std::vector<std::uint32_t> order_;
+    std::vector<Node> nodes_;
+    std::vector<Vector3> shellVertices_;
+    Box box_;
+    bool isTurnedOver_ = false;
+};
+
+/// The insides of a mesh's closed components, and one vertex of each of its connected pieces.
 class Solids {
   public:
-    /// Takes the closed components as solids, and one vertex of each connected piece of all of them. Names
-    /// those that enclose nothing, with the reason, and those that were turned over. Throws
-    /// std::invalid_argument as Model::build does.
+    /// Records why components enclose nothing and which were turned over. Throws std::invalid_argument as
+    /// Model::build does.
     explicit Solids(const Mesh& mesh);
 
     const std::vector<std::string>& refusals() const { return refusals_; }
@@ -28,8 +78,8 @@ class Solids {
         const std::string* inner;
     };
 
-    /// Whether a piece of `inner` lies inside one of the solids, both moved, where no two of their surfaces
-    /// touch. Exact, and allocates nothing.
+    /// A solid of this mesh that holds a piece of `inner`, both moved, provided that no two of their surfaces
+    /// touch. Exact; allocates nothing.
     std::optional<Enclosure> holding(const Pose& X_aThis, const Solids& inner, const Pose& X_aInner) const;
 
   private:
@@ -47,7 +97,7 @@ class Solids {
     std::vector<NamedSolid> solids_;
     std::vector<Piece> pieces_;
     Vector3 centre_ = Vector3::Zero();  ///< of the pieces' vertices
-    double radius_ = 0;                 ///< of these about it
+    double radius_ = 0;                 ///< of the pieces' vertices about the centre
     std::vector<std::string> refusals_, turnedOver_;
 };
 

@@ -1,3 +1,4 @@
+// Reads and writes the rules for obstacles.
 #include "problem/obstacle_rules.h"
 
 #include <cmath>
@@ -5,13 +6,12 @@
 
 #include "core/number.h"
 #include "core/text.h"
-#include "problem/name_lists.h"
 
 namespace clearway {
 namespace {
 
 constexpr const char* kMarginOf = "clearway.margin.";
-constexpr const char* kNames = "names, with commas between them";
+constexpr const char* kNames = "names, separated by commas";
 constexpr const char* kAll = "all";
 
 std::vector<std::string> readNames(ConfigValues& values, const std::string& key) {
@@ -28,7 +28,7 @@ std::optional<ContactRule> readContact(ConfigValues& values, const std::string& 
     contact.names = readNames(values, key);
     const std::optional<double> distance = parseNumber(contact.names.back());
     if (contact.names.size() < 2 || !distance || !(*distance > 0)) {
-        values.refuse(key, "names and a length above 0, with commas between them");
+        values.refuse(key, "names and a length above 0, separated by commas");
     }
     contact.names.pop_back();
     contact.distance = *distance;
@@ -43,7 +43,8 @@ void readMargins(ConfigValues& values, std::map<std::string, double>& margins) {
         const double margin = values.number(entry.name).value_or(-1);
         if (!(margin >= 0)) values.refuse(entry.name, "a number of at least 0");
         if (!names || names->size() != 1 || !margins.insert({names->front(), margin}).second) {
-            values.refuse(entry.name, "margin.NAME = M, each name once, one with a comma in quotes");
+            values.refuse(entry.name,
+                          "margin.NAME = M with each name once, and a name that has a comma in quotes");
         }
     }
 }
@@ -52,8 +53,8 @@ std::string namesOf(const std::string& key, const std::vector<std::string>& name
     const std::optional<std::string> written = writtenNames(names);
     if (written && !written->empty()) return *written;
     throw std::invalid_argument(key +
-                                " has a name that is empty or has a quote or line end in it, expected "
-                                "text without");
+                                " has a name that is empty or contains a quote or a line end, expected "
+                                "a name without these");
 }
 
 void addContact(const std::string& key, const std::optional<ContactRule>& contact,
@@ -61,7 +62,7 @@ void addContact(const std::string& key, const std::optional<ContactRule>& contac
     if (!contact) return;
     if (!(contact->distance > 0) || !std::isfinite(contact->distance)) {
         throw std::invalid_argument(key + " has the length " + shortNumber(contact->distance) +
-                                    ", expected a finite one above 0");
+                                    ", expected a finite length above 0");
     }
     lines.emplace_back(key, namesOf(key, contact->names) + ", " + formatNumber(contact->distance));
 }

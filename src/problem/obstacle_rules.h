@@ -1,4 +1,4 @@
-// The keys of [clearway] that say how obstacles count: margin.NAME, ignore, solid, contact.start and
+// The keys of [clearway] with rules for obstacles: margin.NAME, ignore, solid, contact.start and
 // contact.goal.
 #pragma once
 
@@ -7,15 +7,15 @@
 #include <vector>
 
 #include "clearway/obstacle_rules.h"
-#include "problem/config_values.h"
+#include "problem/config.h"
 
 namespace clearway {
 
-/// Throws std::invalid_argument naming the key when a value is wrong.
+/// Reads the rules. Throws std::invalid_argument naming the key when a value is wrong.
 ObstacleRules readObstacleRules(ConfigValues& values);
 
-/// Keys and values that readObstacleRules reads back the same. Throws std::invalid_argument when a name
-/// cannot be written or a contact's length is none.
+/// Keys and values that readObstacleRules reads back to equal rules. Throws std::invalid_argument when a name
+/// cannot be written, or a margin or a contact's distance is not allowed.
 std::vector<std::pair<std::string, std::string>> writtenRules(const ObstacleRules& rules);
 
 }  // namespace clearway

@@ -1,3 +1,4 @@
+// Reads the [planner] section line by line.
 #include "problem/planner_choices.h"
 
 #include <algorithm>
@@ -17,7 +18,7 @@ constexpr const char* kSettings[] = {"longest_valid_segment_fraction", "valid_se
                                      "nr_attempts", "nr_improve_attempts", "standard_deviation"};
 constexpr const char* kProjection = "projection.";
 
-/// The last planner of the name, made when there is none: OMPL.app lets the parameters come first.
+/// The last planner of the name. Adds one if there is none, because in OMPL.app parameters may come first.
 PlannerChoice& lastOf(std::vector<PlannerChoice>& planners, const std::string& name) {
     const auto last = std::find_if(planners.rbegin(), planners.rend(),
                                    [&](const PlannerChoice& planner) { return planner.name == name; });
@@ -36,10 +37,10 @@ void set(NamedTexts& texts, const std::string& key, const std::string& value) {
     texts.emplace_back(key, value);
 }
 
-/// The lines of the section, one after the other.
+/// Reads the lines of the section one after the other.
 class Section {
   public:
-    /// hasObjective: [problem] names one.
+    /// hasObjective: whether [problem] names an objective.
     Section(const std::string& file, Problem& problem, bool hasObjective)
         : file_(file), problem_(problem), hasObjective_(hasObjective) {}
 
@@ -59,7 +60,7 @@ class Section {
         take(planner);
     }
 
-    /// Settings that no planner came for.
+    /// Warns of settings that no planner followed.
     void end() const {
         if (!pending_.empty()) {
             problem_.warnings.push_back(file_ + ": [planner] problem." + pending_.front().first +
@@ -76,7 +77,8 @@ class Section {
                         ", which has no effect: parameters are set as NAME.PARAMETER = VALUE");
     }
 
-    /// The planner that settings go to from now on, and those that were waiting for one.
+    /// Makes this the planner that gets the next settings, and gives it the settings that were waiting for a
+    /// planner.
     void take(PlannerChoice& planner) {
         last_ = &planner - problem_.planners.data();
         for (const auto& [key, value] : pending_) set(planner.settings, key, value);
@@ -96,12 +98,13 @@ class Section {
             entry.value);
     }
 
-    /// One objective for all: the problem's, or the first that is named for a planner.
+    /// There is one objective for all planners: the problem's, or the first that is named for a planner.
     void readObjective(const ConfigEntry& entry) {
         if (!hasObjective_) problem_.objective = entry.value;
         hasObjective_ = true;
         if (problem_.objective != entry.value) {
-            warn(entry, " is " + quote(entry.value) + ", which has no effect: the objective of all is " +
+            warn(entry, " is " + quote(entry.value) +
+                            ", which has no effect: the objective of all planners is " +
                             quote(problem_.objective));
         }
     }
@@ -112,7 +115,7 @@ class Section {
 
     const std::string& file_;
     Problem& problem_;
-    std::ptrdiff_t last_ = -1;  ///< the planner named last
+    std::ptrdiff_t last_ = -1;  ///< position of the planner named last
     NamedTexts pending_;        ///< settings before any planner
     bool hasObjective_;
 };

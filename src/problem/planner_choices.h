@@ -1,21 +1,22 @@
-// The [planner] section: NAME = makes a planner, NAME.PARAMETER = VALUE sets a parameter of the last one of
-// that name, problem.KEY = VALUE a setting of the problem for the planner before it, or the first one.
+// The [planner] section. NAME = adds a planner. NAME.PARAMETER = VALUE sets a parameter of the last planner
+// of that name. problem.KEY = VALUE sets a setting of the problem for the planner before it, or for the first
+// planner.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "clearway/problem.h"
-#include "problem/config_file.h"
+#include "problem/config.h"
 
 namespace clearway {
 
-/// Whether a key of [problem] is one that OMPL.app hands on to OMPL's space or sampler.
+/// Whether OMPL.app passes this key of [problem] on to OMPL's space or sampler.
 bool isSetting(const std::string& key);
 
-/// Fills problem.planners, in the file's order; entries of other sections are passed over. Adds a warning for
-/// what has no effect. Throws std::invalid_argument, naming file and line, for a key that is none of these
-/// forms. Keys are put in lower case, as OMPL.app does.
+/// Fills problem.planners in the file's order and skips entries of other sections. Keys are put into lower
+/// case, as in OMPL.app. Adds a warning for each entry without effect. Throws std::invalid_argument, naming
+/// file and line, for a key of another form.
 void readPlanners(const std::string& file, const std::vector<ConfigEntry>& entries, Problem& problem);
 
 }  // namespace clearway

@@ -1,14 +1,14 @@
-// What a problem's values stand for: poses and bounds.
+// The values that follow from a problem: poses, bounds, margins and meshes.
 #include "clearway/problem.h"
 
 #include <algorithm>
 #include <stdexcept>
 
+#include "clearway/obstacle_groups.h"
 #include "core/number.h"
 #include "problem/rotation.h"
 
 namespace clearway {
-
 namespace {
 
 constexpr const char* kAxisNames[] = {"x", "y", "z"};
@@ -38,6 +38,12 @@ void requireExtent(const Problem& problem, const Box& bounds) {
                                     ", expected an extent above 0: state volume.min." + axis +
                                     " and volume.max." + axis);
     }
+}
+
+Mesh loadAs(const Problem& problem, const std::string& file, MeshReading omplAppReading) {
+    LoadOptions options;
+    options.reading = problem.asOmplApp ? omplAppReading : MeshReading::kAsStored;
+    return loadMesh(file, options);
 }
 
 }  // namespace
@@ -76,6 +82,24 @@ Box boundsOf(const Problem& problem, const Box& environmentBox) {
     requireInside(problem, bounds, "start", problem.start);
     requireInside(problem, bounds, "goal", problem.goal);
     return bounds;
+}
+
+Mesh loadPart(const Problem& problem) {
+    const bool isSpatial = problem.space == Space::kSe3;
+    return loadAs(problem, problem.robot,
+                  isSpatial ? MeshReading::kOmplAppRobot : MeshReading::kOmplAppPlanarRobot);
+}
+
+std::vector<Mesh> loadWorlds(const Problem& problem) {
+    std::vector<Mesh> worlds;
+    for (const std::string& file : worldFiles(problem)) {
+        worlds.push_back(loadAs(problem, file, MeshReading::kOmplAppEnvironment));
+    }
+    return worlds;
+}
+
+Mesh loadEnvironment(const Problem& problem) {
+    return joinedEnvironment(loadWorlds(problem));
 }
 
 }  // namespace clearway

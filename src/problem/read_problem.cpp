@@ -1,5 +1,5 @@
-// Reads OMPL.app's .cfg: [problem], [benchmark] and [planner] as its benchmark program does, and [clearway],
-// ours.
+// Reads .cfg files: [problem], [benchmark] and [planner] as OMPL.app's benchmark program does, and clearway's
+// own [clearway].
 #include <boost/algorithm/string/case_conv.hpp>
 #include <boost/algorithm/string/predicate.hpp>
 #include <filesystem>
@@ -9,8 +9,7 @@
 #include "clearway/problem.h"
 #include "core/number.h"
 #include "core/text.h"
-#include "problem/config_values.h"
-#include "problem/name_lists.h"
+#include "problem/config.h"
 #include "problem/obstacle_rules.h"
 #include "problem/planner_choices.h"
 #include "problem/rotation.h"
@@ -23,8 +22,8 @@ constexpr const char* kAxisNames[] = {"x", "y", "z"};
 constexpr const char* kClearwayKeys =
     "contact.goal, contact.start, ignore, margin, margin.NAME, reading, solid, step";
 
-/// The .cfg's folder first. OMPL.app looks in the current folder as well (and before); so that one problem is
-/// not two things in two places, that is the second choice here, and said.
+/// The mesh file's path: in the .cfg's folder or, with a warning, in the current folder. OMPL.app looks in
+/// the current folder first; the order here keeps a problem from depending on the current folder.
 std::string meshFile(const std::string& name, const std::string& config, std::vector<std::string>& warnings) {
     namespace fs = std::filesystem;
     const fs::path beside = fs::path(config).parent_path() / name;  // name itself when it is absolute
@@ -37,7 +36,7 @@ std::string meshFile(const std::string& name, const std::string& config, std::ve
     return beside.string();
 }
 
-bool isThere(const std::string& name, const std::string& config) {
+bool exists(const std::string& name, const std::string& config) {
     namespace fs = std::filesystem;
     std::error_code ignored;
     return fs::exists(fs::path(config).parent_path() / name, ignored) || fs::exists(name, ignored);
@@ -55,20 +54,21 @@ void requireEachOnce(const ConfigValues& values, const std::string& key,
     for (std::size_t i = 0; i < files.size(); ++i) {
         for (std::size_t j = 0; j < i; ++j) {
             if (isOneFile(files[i], files[j]))
-                values.refuse(key, "each file once, but " + files[i] + " is twice");
+                values.refuse(key, "each file once, but " + files[i] + " stands twice");
         }
     }
 }
 
-/// OMPL.app's key holds one file, whatever its name: so does one without a comma, or that is there.
+/// Reads `world`. As in OMPL.app it is one file if it has no comma or if a file of this name exists;
+/// otherwise it is a list.
 void readWorlds(ConfigValues& values, Problem& problem) {
     const std::string key = "problem.world";
     const std::string text = values.requiredText(key, "the environment's mesh file");
     std::vector<std::string> names = {text};
     const bool isList = text.find(',') != std::string::npos || (text.front() == '"' && text.back() == '"');
-    if (isList && !isThere(text, problem.file)) {
+    if (isList && !exists(text, problem.file)) {
         const std::optional<std::vector<std::string>> split = splitNames(text);
-        if (!split) values.refuse(key, "mesh files, with commas between them");
+        if (!split) values.refuse(key, "mesh files, separated by commas");
         names = *split;
     }
     for (std::string& name : names) name = meshFile(name, problem.file, problem.warnings);
@@ -77,8 +77,8 @@ void readWorlds(ConfigValues& values, Problem& problem) {
     problem.furtherWorlds.assign(names.begin() + 1, names.end());
 }
 
-/// SE(3) when all z and axis keys are there, SE(2) when none is; between, the first missing key will be
-/// named.
+/// SE(2) if no z or axis key is given, otherwise SE(3). If only some of these keys are given, reading the
+/// states names the first missing key.
 Space spaceOf(const ConfigValues& values) {
     for (const char* state : {"problem.start.", "problem.goal."}) {
         for (const char* key : {"z", "axis.x", "axis.y", "axis.z"}) {
@@ -108,7 +108,7 @@ PartState readState(ConfigValues& values, const std::string& prefix, Space space
     return state;
 }
 
-/// Nothing when no key is there; all keys of the space or an error.
+/// Empty if no key is given. Throws unless all keys of the space are given.
 std::optional<Box> readVolume(ConfigValues& values, Space space) {
     const int dimensions = space == Space::kSe3 ? 3 : 2;
     bool any = false;
@@ -146,7 +146,7 @@ void readSettings(ConfigValues& values, Problem& problem) {
     }
 }
 
-/// OMPL.app takes whatever begins so.
+/// Like OMPL.app, accepts every value that begins with one of the words.
 SavedPaths readSavedPaths(ConfigValues& values) {
     const std::string name = "benchmark.save_paths";
     const std::string which = values.text(name).value_or("none");
@@ -185,8 +185,8 @@ void readClearway(ConfigValues& values, Problem& problem) {
     problem.asOmplApp = how == "omplapp";
 }
 
-/// Keys of OMPL.app and others that nothing here reads. In [clearway] an unknown key is an error: it may be
-/// one that decides what is valid.
+/// Warns of keys that nothing has read. In [clearway] an unknown key is an error, because it may be meant to
+/// decide validity.
 void judgeUnread(const std::string& file, const ConfigValues& values, Problem& problem) {
     for (const ConfigEntry& entry : values.unread()) {
         const std::string what = place(file, entry.line) + shown(entry.name) + " = " + quote(entry.value);

@@ -10,7 +10,8 @@ namespace {
 using Vector3Long = Eigen::Matrix<long double, 3, 1>;
 using Vector4Long = Eigen::Matrix<long double, 4, 1>;
 
-/// Divided by its largest entry first: lengths whose square a double cannot hold are lengths too.
+/// The vector scaled to length 1. It is divided by its largest entry first, because the square of a length
+/// may overflow or vanish.
 template <typename Vector>
 std::optional<Vector> unit(const Vector& vector) {
     const long double largest = vector.cwiseAbs().maxCoeff();
@@ -38,7 +39,7 @@ AxisAngle toAxisAngle(const Rotation& rotation) {
 }
 
 double yawOf(const Rotation& rotation) {
-    // q and -q are the same rotation; the one with w >= 0 has its half angle in [-pi/2, pi/2].
+    // q and -q are one rotation; the quaternion with w >= 0 has its half angle in [-pi/2, pi/2].
     const double sign = std::signbit(rotation.w()) ? -1 : 1;
     return 2 * std::atan2(sign * rotation.z(), sign * rotation.w());
 }

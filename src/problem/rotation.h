@@ -1,5 +1,5 @@
-// Rotations as problem and path files write them, made in long double so that what is stored is off by
-// rounding only.
+// Rotations in the forms of problem and path files, converted in long double so that stored values are off
+// only by their own rounding.
 #pragma once
 
 #include <optional>
@@ -15,20 +15,20 @@ struct AxisAngle {
     double angle = 0;                 ///< radians
 };
 
-/// Of unit length; nothing when the axis has length 0. All four numbers finite.
+/// The rotation as a quaternion of unit length; empty when the axis has length 0 or a number is not finite.
 std::optional<Rotation> fromAxisAngle(const AxisAngle& axisAngle);
 
-/// Angle in [0, 2 pi]; about x for the identity.
+/// The rotation as axis and angle in [0, 2 pi]; the axis is x for the identity.
 AxisAngle toAxisAngle(const Rotation& rotation);
 
 /// The angle of a rotation about z, in [-pi, pi].
 double yawOf(const Rotation& rotation);
 
-/// The rotation matrix of the quaternion, scaled to unit length first; off by the rounding of its entries
-/// only. Nothing when the length is 0 or a number is not finite.
+/// The rotation matrix of the quaternion, which is scaled to unit length first. The matrix is off only by the
+/// rounding of its entries. Empty when the length is 0 or a number is not finite.
 std::optional<Matrix3> matrixOf(const Rotation& rotation);
 
-/// Scaled to unit length; nothing when the length is 0 or a number is not finite.
+/// The quaternion scaled to unit length; empty when the length is 0 or a number is not finite.
 std::optional<Rotation> normalized(const Rotation& rotation);
 
 }  // namespace clearway

@@ -1,4 +1,4 @@
-// Writes a problem so that readProblem gives back the same values.
+// Writes a problem so that readProblem reads it back to equal values.
 #include <cmath>
 #include <filesystem>
 #include <optional>
@@ -10,7 +10,7 @@
 #include "core/number.h"
 #include "core/replace_file.h"
 #include "core/text.h"
-#include "problem/name_lists.h"
+#include "problem/config.h"
 #include "problem/obstacle_rules.h"
 #include "problem/rotation.h"
 
@@ -20,7 +20,7 @@ namespace {
 
 constexpr const char* kAxisNames[] = {"x", "y", "z"};
 
-/// A reader takes the white space off a key's ends and splits it at the dot.
+/// Refuses keys that a reader would change: readers trim white space and split keys at the dot.
 void requireWritableKey(const std::string& what, const std::string& key, const std::string& forbidden) {
     if (!key.empty() && trimmed(key) == key && key.find_first_of(forbidden) == std::string::npos) return;
     throw std::invalid_argument(what + " is " + quote(key) + ", expected text without any of " +
@@ -28,7 +28,8 @@ void requireWritableKey(const std::string& what, const std::string& key, const s
                                 ", line ends or white space at its ends");
 }
 
-/// key = value lines that can be read back, or an exception that says which cannot.
+/// Collects key = value lines. Throws std::invalid_argument naming the key of a line that could not be read
+/// back.
 class ConfigText {
   public:
     void section(const std::string& name) { text_ << (text_.tellp() > 0 ? "\n[" : "[") << name << "]\n"; }
@@ -41,7 +42,7 @@ class ConfigText {
         text_ << key << (value.empty() ? " =" : " = ") << value << "\n";
     }
 
-    /// Of names that have been put in quotes where need be.
+    /// Adds a line with names that are already in quotes where necessary.
     void quotedLine(const std::string& key, const std::string& value) {
         text_ << key << " = " << value << "\n";
     }
@@ -88,7 +89,7 @@ std::string writtenWorlds(const Problem& problem, const std::string& folder) {
     throw std::invalid_argument("world is " + quote(only) + ", expected a name without quotes");
 }
 
-/// what: for the message when a key cannot be written.
+/// what: a description of the texts, for the message when a key cannot be written.
 void writeTexts(ConfigText& text, const std::string& what, const std::string& prefix,
                 const NamedTexts& texts) {
     for (const auto& [key, value] : texts) {

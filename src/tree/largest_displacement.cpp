@@ -1,6 +1,6 @@
-// Branch and bound for the largest |A v + b| over the vertices v. The length is convex, so within a volume it is largest
-// at a corner of the rectangle, plus the radius as stretched by A. The farthest volume is opened first, until no other
-// can matter.
+// Branch and bound for the largest |A v + b| over the vertices v. The length is convex, so within a volume it
+// is largest at a corner of the rectangle, plus the radius as stretched by A. The farthest volume is opened
+// first, until no other can matter.
 #include "tree/largest_displacement.h"
 
 #include <algorithm>
@@ -13,7 +13,8 @@ namespace {
 
 constexpr double kRoundedUp = 1 + 1e-12;  // a few 2^-53 for each step of the arithmetic
 
-/// Rounding relative to the lengths that are added: 3 products and 3 sums for a row, and the differences in A and b.
+/// Rounding relative to the lengths that are added: 3 products and 3 sums for a row, and the differences in A
+/// and b.
 constexpr double kSumRounding = 0x1p-49;
 
 /// The map v -> axis x v. It turns the part of v across the axis by 90 degrees and keeps that part's length.
@@ -32,7 +33,8 @@ struct Difference {
     Vector3 operator()(const Vector3& v) const { return a * v; }
 };
 
-/// Largest |origin + A x| for x within one lane's volume, tree units. origin: the tree's origin after the map.
+/// Largest |origin + A x| for x within one lane's volume, tree units. origin: the tree's origin after the
+/// map.
 template <class Map, int kWidth>
 double largestWithin(const WideNode<kWidth>& node, int lane, const Map& map, const Vector3& origin) {
     const auto mapped = [&](const float(&rows)[3][kWidth]) {

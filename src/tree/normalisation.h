@@ -1,4 +1,5 @@
-// Moves points to coordinates within +-1, so that no squared coordinate overflows or vanishes at any scale of the mesh.
+// Moves points to coordinates within +-1, so that no squared coordinate overflows or vanishes at any scale of
+// the mesh.
 #pragma once
 
 #include <algorithm>
@@ -19,8 +20,8 @@ struct Normalisation {
     Vector3 operator()(const Vector3& point) const { return (point - middle) * inverseUnit; }
 };
 
-/// Maps the middle of the points' box to 0 and its longest side to a length in [1, 2), or to 0 when all points are
-/// equal.
+/// Maps the middle of the points' box to 0 and its longest side to a length in [1, 2), or to 0 when all
+/// points are equal.
 inline Normalisation normalisationOf(const std::vector<Vector3>& points) {
     assert(!points.empty());
     Vector3 lowest = points.front();

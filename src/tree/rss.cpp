@@ -1,6 +1,6 @@
-// Measures of a rectangle swept sphere, and its rounding from double to the stored floats.
-// Source of the measures: Ytterlid's thesis, 2013. The longest extent differs: the thesis prints the product of the
-// squared sides, where the geometry asks for their sum.
+// Measures of a rectangle swept sphere, and its rounding from double to the stored floats. Source of the
+// measures: Ytterlid's thesis, 2013. The longest extent differs: the thesis prints the product of the squared
+// sides, where the geometry asks for their sum.
 #include "tree/rss.h"
 
 #include <algorithm>
@@ -13,14 +13,14 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 
-/// Lengths and axis entries below these are stored as 0, because products of the others are then never denormal
-/// floats, which are slow. Bounds stay sound: the radius is measured from the stored rectangle.
+/// Lengths and axis entries below these are stored as 0, because products of the others are then never
+/// denormal floats, which are slow. Bounds stay sound: the radius is measured from the stored rectangle.
 constexpr double kLeastLength = 0x1p-60;  // tree units
 constexpr double kLeastAxisEntry = 0x1p-40;
 
-/// Covers the rounding of a point's distance from the rectangle, computed in double from numbers whose sum is 1:
-/// moving the point to tree units (1 rounding), its offset (1), subtracting both sides (4) and the norm (4) make at
-/// most 10 u64. Tree units.
+/// Covers the rounding of a point's distance from the rectangle, computed in double from numbers whose sum is
+/// 1: moving the point to tree units (1 rounding), its offset (1), subtracting both sides (4) and the norm
+/// (4) make at most 10 u64. Tree units.
 constexpr double kDistanceRounding = 16 * 0x1p-53;
 
 /// Covers the underflow of squared lengths. Tree units.
@@ -86,7 +86,8 @@ FloatRss roundOutward(const Rss& rss, const std::vector<Vector3>& points, const 
     for (const Vector3& point : points) {
         const Vector3 x = point * inverseUnit - scaledOrigin;
         const Vector3 offset = x - centre;
-        // Any s and t within the half lengths give a point of the rectangle, so their rounding does not matter.
+        // Any s and t within the half lengths give a point of the rectangle, so their rounding does not
+        // matter.
         const double s = std::clamp(offset.dot(axis0), -halfLength0, halfLength0);
         const double t = std::clamp(offset.dot(axis1), -halfLength1, halfLength1);
         largestDistanceSquared =

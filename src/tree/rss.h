@@ -22,8 +22,8 @@ struct Rss {
     double longestExtent() const;  ///< sqrt(l^2 + w^2) + 2 r
 };
 
-/// A rectangle swept sphere as the kernels read it: floats relative to a tree's origin, in a tree's unit. The axes are
-/// rounded, so they are orthonormal only to float; the radius is measured from the stored rectangle.
+/// A rectangle swept sphere as the kernels read it: floats relative to a tree's origin, in a tree's unit. The
+/// axes are rounded, so they are orthonormal only to float; the radius is measured from the stored rectangle.
 struct FloatRss {
     float centre[3];
     float axis0[3];
@@ -36,9 +36,9 @@ struct FloatRss {
 /// The least float that is not below the value.
 float roundedUp(double value);
 
-/// Rounds the rectangle to floats ((x - origin) / unit). The radius is the largest distance of a point from the
-/// stored rectangle, computed in double and rounded up, so every point is inside the stored volume. unit: a power of
-/// two.
+/// Rounds the rectangle to floats ((x - origin) / unit). The radius is the largest distance of a point from
+/// the stored rectangle, computed in double and rounded up, so every point is inside the stored volume. unit:
+/// a power of two.
 FloatRss roundOutward(const Rss& rss, const std::vector<Vector3>& points, const Vector3& origin, double unit);
 
 }  // namespace clearway

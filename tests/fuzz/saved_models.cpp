@@ -6,6 +6,7 @@
 #include "clearway/query.h"
 #include "clearway/targets.h"
 #include "core/archive.h"
+#include "core/hash.h"
 #include "fuzz/bytes.h"
 #include "support/random_meshes.h"
 #include "support/temporary_folder.h"

@@ -203,9 +203,9 @@ BOOST_AUTO_TEST_CASE(components_that_do_not_cover_the_triangles_in_order_are_ref
     BOOST_TEST(refusal({{"a", 0, 2}, {"b", 2, 4}}) ==
                "the components hold 6 triangles, expected 5, all of the mesh");
     BOOST_TEST(refusal({{"a", 0, 2}, {"b", 3, 2}}) ==
-               "component 1 ('b') begins at triangle 3, expected 2, the end of the one before");
+               "component 1 ('b') begins at triangle 3, expected 2, the end of the component before");
     BOOST_TEST(refusal({{"b", 2, 3}, {"a", 0, 2}}) ==
-               "component 0 ('b') begins at triangle 2, expected 0, the end of the one before");
+               "component 0 ('b') begins at triangle 2, expected 0, the end of the component before");
     const std::uint32_t wrapping = std::numeric_limits<std::uint32_t>::max();
     BOOST_TEST(refusal({{"a", 0, wrapping}, {"b", wrapping, 6}}) ==
                "the components hold 4294967301 triangles, expected 5, all of the mesh");

@@ -147,7 +147,7 @@ BOOST_AUTO_TEST_CASE(solids_that_are_open_are_refused_and_those_inside_out_told)
     BOOST_TEST(groups.notes.empty());
     const Mesh inward = reversed(file("car.glb", {"door"}));
     BOOST_TEST(groupObstacles({inward}, 0, rules).notes ==
-                   Names{"the solid 'door' faces inwards: it is taken turned over"},
+                   Names{"the solid 'door' faces inwards: it is turned over"},
                boost::test_tools::per_element());
 }
 
@@ -182,7 +182,7 @@ BOOST_AUTO_TEST_CASE(
     for (const std::string name : {"wall", "wall.obj"}) {
         rules.margins = {{name, 2}};
         BOOST_TEST(refusal(files, rules) == "margin." + name + " names '" + name +
-                                                "', which is several files, expected one of "
+                                                "', which is the name of several files, expected one of "
                                                 "'somewhere/wall', 'sub/wall'");
     }
     rules.margins = {{"left", 2}};

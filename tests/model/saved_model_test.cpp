@@ -119,7 +119,7 @@ BOOST_FIXTURE_TEST_CASE(the_cache_builds_once_and_replaces_what_is_damaged, Fixt
         write(entry.path().string(), "clearway");
     const CachedModel anew = buildCached(part, {}, cache);
     BOOST_TEST(!anew.isLoaded);
-    BOOST_TEST(anew.warning.find("built anew") != std::string::npos);
+    BOOST_TEST(anew.warning.find("built again") != std::string::npos);
     BOOST_TEST(buildCached(part, {}, cache).isLoaded);
 }
 

@@ -1,5 +1,5 @@
 // Which triangles are left out: against the distance from the box of positions, triangle by triangle.
-#include "model/unreachable.h"
+#include "model/reach.h"
 
 #include <boost/test/unit_test.hpp>
 #include <limits>

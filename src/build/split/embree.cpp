@@ -41,9 +41,9 @@ using Bvh = std::unique_ptr<RTCBVHTy, ReleaseBvh>;
                              std::to_string(static_cast<int>(rtcGetDeviceError(device))));
 }
 
-/// The one device of the process: making a device takes longer than building a small tree. The device itself is not
-/// limited to one thread, because Embree would then limit all of oneTBB, including the rest of the build and the caller's
-/// own work.
+/// The one device of the process: making a device takes longer than building a small tree. The device itself
+/// is not limited to one thread, because Embree would then limit all of oneTBB, including the rest of the
+/// build and the caller's own work.
 RTCDevice device() {
     static const Device shared(rtcNewDevice("set_affinity=0"));
     if (shared == nullptr) fail("Embree cannot be started", nullptr);

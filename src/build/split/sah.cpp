@@ -1,5 +1,5 @@
-// The surface-area heuristic: each node is cut between two bins of triangles, along an axis of the one of three frames that
-// makes the cut cheapest.
+// The surface-area heuristic: each node is cut between two bins of triangles, along an axis of the one of
+// three frames that makes the cut cheapest.
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
@@ -160,7 +160,8 @@ BinnedPlane Bins::sweep(int axis, int count) const {
 
 using Matrix3f = Eigen::Matrix3f;
 
-/// Corners relative to the centre of the mesh, in a unit that makes the mesh about 1 large. Floats suffice to rate planes.
+/// Corners relative to the centre of the mesh, in a unit that makes the mesh about 1 large. Floats suffice to
+/// rate planes.
 std::vector<CornerLanes> normalisedCorners(const CleanMesh& mesh) {
     const Normalisation normalised = normalisationOf(mesh.vertices);
     std::vector<CornerLanes> corners(mesh.triangles.size());
@@ -229,7 +230,8 @@ class SahSplit {
             corners.weight += 3;
             corners.sum += sum.cast<double>();
             corners.products += products.cast<double>();
-            // The integral of x x^T over a triangle is area / 12 (aa^T + bb^T + cc^T + s s^T) with s = a + b + c.
+            // The integral of x x^T over a triangle is area / 12 (aa^T + bb^T + cc^T + s s^T) with s = a + b
+            // + c.
             const float weight = (b - a).cross(c - a).norm();
             area.weight += weight;
             area.sum += (weight / 3 * sum).cast<double>();
@@ -245,7 +247,8 @@ class SahSplit {
         std::swap(binOf_, bins_.binsAlong(plane.axis));
     }
 
-    /// Keeps the order of the triangles on both sides, so that the tree does not depend on the standard library.
+    /// Keeps the order of the triangles on both sides, so that the tree does not depend on the standard
+    /// library.
     std::size_t partition(TriangleRun run) {
         std::size_t leftCount = 0;
         rightSide_.clear();

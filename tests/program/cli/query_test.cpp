@@ -240,7 +240,7 @@ BOOST_AUTO_TEST_CASE(pose_files_that_are_wrong_are_refused_with_the_line) {
     const std::string good = "1 0 0 0 1 0 0 0 1 7.5 0 0\n";
     requirePosesRefused(good + "1 0 0 0 1 0 0 0 1 7.5 0\n", {"poses.txt:2", "11 numbers", "expected 12"});
     requirePosesRefused(good + good + "2 0 0 0 1 0 0 0 1 7.5 0 0\n",
-                        {"poses.txt:3", "rotation is none", "expected"});
+                        {"poses.txt:3", "matrix is no rotation", "expected"});
     requirePosesRefused(good + "1 2 3 0 0 0 0\n", {"poses.txt:2", "quaternion", "expected"});
     requirePosesRefused(good + "1 2 3 0 0 0 one\n", {"poses.txt:2", "'one'", "finite number"});
     requirePosesRefused(good + "1 2 3 0 0 0 inf\n", {"poses.txt:2", "'inf'", "finite number"});
@@ -356,7 +356,7 @@ BOOST_FIXTURE_TEST_CASE(a_cache_holds_the_trees_and_changes_no_answer, BoxesFold
     BOOST_TEST(files == 2);
     const Outcome outcome = runIn(*this, kQuery + std::string("distance --cache trees"));
     BOOST_TEST(outcome.code == 0);
-    BOOST_TEST(outcome.err.find("built anew") != std::string::npos);
+    BOOST_TEST(outcome.err.find("built again") != std::string::npos);
     requireRefused(*this, kQuery + std::string("distance --cache part.obj"),
                    {"--cache", "part.obj", "folder"});
 }

@@ -1,8 +1,10 @@
-// A triangle and a box are as far apart as the widest gap between their shadows on a line, and that gap is
-// widest along one of few directions, given by the features that can be nearest: an axis or the triangle's
-// normal, the crosses of edges, from a box corner straight to an edge, from the box to a corner. Any gap is a
-// true lower bound, so a direction that is off by rounding only keeps a triangle that might have gone.
-#include "model/unreachable.h"
+// Finds unreachable triangles and refuses queries beyond a reach.
+//
+// A triangle and a box are as far apart as the widest gap between their shadows on a line. The features that
+// can be nearest give the few directions along which this gap can be widest: the axes, the triangle's normal,
+// cross products of edges, from a box corner perpendicularly to an edge, and from the box to a corner. Any
+// gap is a true lower bound, so rounding of a direction can only keep a triangle that might have gone.
+#include "model/reach.h"
 
 #include <algorithm>
 #include <array>
@@ -17,10 +19,10 @@
 namespace clearway {
 namespace {
 
-/// Of the largest coordinate: 2^-53 times 32 for the rounding of a gap, and to spare.
+/// Relative to the largest coordinate: the rounding of a gap is at most 32 * 2^-53; the rest is reserve.
 constexpr double kSlack = 128 * 0x1p-53;
 
-/// A pose's rotation may lengthen the part by 3/2 of its defect, relative to it.
+/// A pose's rotation may lengthen the part by a share of 3/2 of the rotation's defect.
 constexpr double kStretch = 1 + 2 * kPoseDefect;
 
 using Corners = std::array<Vector3, 3>;
@@ -29,18 +31,19 @@ double largestCoordinate(const Box& box) {
     return std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
 }
 
-/// The same direction with 1/4 as its largest coordinate, so that products neither overflow nor vanish; zero
-/// when it has none.
+/// The direction scaled so that its largest coordinate is 1/4: products then neither overflow nor vanish.
+/// Zero for a direction that is zero or not finite.
 Vector3 scaled(const Vector3& direction) {
     const double largest = direction.cwiseAbs().maxCoeff();
     return largest > 0 && std::isfinite(largest) ? Vector3(direction / largest / 4) : Vector3::Zero();
 }
 
+/// The surroundings of a box up to a distance.
 class Surroundings {
   public:
-    /// What is farther from the box than the limit is to be left out.
     Surroundings(const Box& box, double limit) : box_(box), limit_(limit) {}
 
+    /// Whether the triangle is surely farther from the box than the limit.
     bool isFarther(const Corners& triangle) const {
         Box around;
         for (const Vector3& corner : triangle) around.extend(corner);
@@ -107,6 +110,11 @@ void requireLength(double value, const char* name) {
                                 ", expected a finite number of at least 0");
 }
 
+[[noreturn]] void refuse(const std::string& what, double value, const std::string& expected) {
+    throw std::invalid_argument(what + " is " + shortNumber(value) + ", expected " + expected +
+                                ": the environment was built without the triangles beyond that reach");
+}
+
 }  // namespace
 
 void requireReach(const Reach& reach) {
@@ -142,6 +150,35 @@ std::size_t leaveOutUnreachable(CleanMesh& mesh, const Reach& reach) {
     mesh.triangleIds.resize(kept.size());
     mesh.vertices = takeUsedVertices(mesh.vertices, mesh.triangles);
     return leftOut;
+}
+
+void requireWithinReach(const Model& part, const Model& environment, const Pose& X_environmentPart) {
+    if (part.reach()) {
+        throw std::invalid_argument(
+            "the part was built with a reach and lacks triangles, expected one built without");
+    }
+    if (!environment.reach()) return;
+    const Reach& reach = *environment.reach();
+    if (part.radiusAboutOrigin() > reach.partRadius) {
+        refuse("the part's radius about its origin", part.radiusAboutOrigin(),
+               "at most " + shortNumber(reach.partRadius));
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+        const double low = reach.positions.min()[axis], high = reach.positions.max()[axis];
+        const double position = X_environmentPart.translation[axis];
+        if (position >= low && position <= high) continue;
+        refuse(std::string("the pose's translation along ") + "xyz"[axis], position,
+               shortNumber(low) + " to " + shortNumber(high));
+    }
+}
+
+void requireWithinCap(const Model& environment, double d) {
+    if (!environment.reach() || d <= environment.reach()->cap) return;
+    refuse("d", d, "at most " + shortNumber(environment.reach()->cap));
+}
+
+double cappedByReach(const Model& environment, double cap) {
+    return environment.reach() ? std::min(cap, environment.reach()->cap) : cap;
 }
 
 }  // namespace clearway

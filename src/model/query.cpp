@@ -1,5 +1,7 @@
-// The public queries: checks what the caller gives, keeps the warm start, and turns trees' positions and
+// The public queries: checks the caller's arguments, keeps the warm start, and turns the trees' positions and
 // units into ids and environment units.
+#include "clearway/query.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -7,8 +9,7 @@
 #include <stdexcept>
 
 #include "clearway/model.h"
-#include "clearway/query.h"
-#include "model/within_reach.h"
+#include "model/reach.h"
 #include "query/queries.h"
 
 namespace clearway {
@@ -38,13 +39,13 @@ PairQuery beginQuery(const Model& part, const Model& environment, const Pose& X_
     return preparePairQuery(part.tree(), environment.tree(), X_environmentPart);
 }
 
-/// The last pair, when it belongs to these two models.
+/// The closest pair of the last query if it was about these two models, otherwise null.
 const WarmStart* warmStartFor(const Model& part, const Model& environment, const Workspace::State& state) {
     const WarmStart& warm = state.warmStart;
     return warm.partId == part.id() && warm.environmentId == environment.id() ? &warm : nullptr;
 }
 
-/// |v|, also where the squares would overflow or vanish.
+/// |v|, also if the squares would overflow or vanish.
 double lengthOf(const Vector3& v) {
     constexpr double kLeastSquare = 1e-280, kLargestSquare = 1e280;
     const double squared = v.squaredNorm();
@@ -63,11 +64,12 @@ std::int64_t componentOfTriangle(const std::vector<Component>& components, std::
     return after - components.begin() - 1;
 }
 
-/// length times a power of two, rounded down where it is denormal; perUnit: the power's inverse.
+/// The length times `unit`, a power of two with inverse perUnit; rounded down if the result is denormal.
 double scaledDown(double length, double unit, double perUnit) {
     const double scaled = length * unit;
     return scaled * perUnit > length ? std::nextafter(scaled, 0.0) : scaled;
 }
+/// The length times `unit`, rounded up if the result is denormal.
 double scaledUp(double length, double unit, double perUnit) {
     const double scaled = length * unit;
     return scaled * perUnit < length ? std::nextafter(scaled, std::numeric_limits<double>::infinity())
@@ -105,7 +107,8 @@ DistanceResult distance(const Model& part, const Model& environment, const Pose&
     result.counters = state.counters;
     if (!answer.found) {
         constexpr double kInfinity = std::numeric_limits<double>::infinity();
-        // What was left out may be nearer than the tree's own bound, but not than the reach's cap.
+        // Triangles that were left out may be nearer than the tree's own bound, but not nearer than the
+        // reach's cap.
         result.lower = cappedByReach(
             environment, std::max(cap, scaledDown(answer.pair.lower, toMeshUnits, query.perMeshUnit)));
         result.upper = result.distance = kInfinity;

@@ -1,5 +1,5 @@
 // Inside and outside are what the signed crossings of closed shells say, exactly, wherever the ray goes.
-#include "model/solid.h"
+#include "model/solids.h"
 
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
@@ -95,15 +95,15 @@ BOOST_AUTO_TEST_CASE(what_encloses_nothing_is_refused_by_name) {
     Mesh open = box({1, 1, 1});
     open.triangles.pop_back();
     BOOST_TEST(refusalOf(open) ==
-               "'bracket' encloses nothing: 3 open edges, 0 where a triangle is turned over and 0 of "
-               "more than two triangles, expected a closed surface");
+               "'bracket' encloses nothing: 3 open edges, 0 edges where a triangle is turned over and "
+               "0 edges of more than two triangles, expected a closed surface");
     Mesh twisted = box({1, 1, 1});
     std::swap(twisted.triangles[0][0], twisted.triangles[0][1]);
-    BOOST_TEST(refusalOf(twisted).find("3 where a triangle is turned over") != std::string::npos);
+    BOOST_TEST(refusalOf(twisted).find("3 edges where a triangle is turned over") != std::string::npos);
     const Mesh mixed = joined(box({1, 1, 1}), reversed(at(box({1, 1, 1}), {5, 0, 0})));
     BOOST_TEST(refusalOf(mixed) ==
-               "'bracket' encloses nothing: of its outermost shells 1 face outwards and 1 inwards, "
-               "expected all to face the same way");
+               "'bracket' encloses nothing: 1 of its outermost shells face outwards and 1 inwards, "
+               "expected all to face one way");
 }
 
 // A point of the surface moved by as little as a double can tell is on that side, also with the mesh turned.

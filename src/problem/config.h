@@ -1,0 +1,78 @@
+// The syntax of .cfg files: sections in brackets and lines `key = value`, where # begins a comment anywhere
+// in a line (in [clearway] not within quotes). Here too: strictly read values, and lists of names such as: a,
+// b c, "with, a comma".
+#pragma once
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace clearway {
+
+struct ConfigEntry {
+    std::string name;   ///< section and key, "problem.start.x"; before the first section the key alone
+    std::string value;  ///< may be empty
+    int line = 0;       ///< counted from 1
+};
+
+/// All entries in the file's order. Throws std::runtime_error when the file cannot be read, and
+/// std::invalid_argument, naming the line, when a line is neither a section nor key = value.
+std::vector<ConfigEntry> readConfigFile(const std::string& file);
+
+/// The parts of a name: "problem" and "start.x" for "problem.start.x". A name without a dot is a key in no
+/// section.
+std::string sectionOf(const std::string& name);
+std::string keyOf(const std::string& name);
+
+/// A name as messages show it: "[problem] start.x".
+std::string shown(const std::string& name);
+
+/// The values of sections in which each key may stand once. Remembers which values have been read.
+class ConfigValues {
+  public:
+    /// Takes the entries of the named sections. Throws std::invalid_argument when a key stands twice.
+    ConfigValues(std::string file, const std::vector<ConfigEntry>& entries,
+                 const std::set<std::string>& sections);
+
+    bool has(const std::string& name) const { return entries_.count(name) > 0; }
+
+    /// The value of a key; empty when the key is missing. Throws std::invalid_argument naming the file, the
+    /// line, the key and its value when the value is empty or, for number(), not a finite number.
+    std::optional<std::string> text(const std::string& name);
+    std::optional<double> number(const std::string& name);
+
+    /// The value of a key. Throws as text() and number() do, and also std::invalid_argument naming the key
+    /// when it is missing. expected: a description of the value, for the message.
+    std::string requiredText(const std::string& name, const std::string& expected);
+    double requiredNumber(const std::string& name, const std::string& expected);
+
+    /// True for 1, true, yes and on; false for 0, false, no and off; empty when the key is missing. Throws
+    /// std::invalid_argument for other values.
+    std::optional<bool> flag(const std::string& name);
+
+    /// Throws std::invalid_argument: the key's value is wrong.
+    [[noreturn]] void refuse(const std::string& name, const std::string& expected) const;
+
+    /// The entries that have not been read, in the file's order.
+    std::vector<ConfigEntry> unread() const;
+
+  private:
+    [[noreturn]] void refuseMissing(const std::string& name, const std::string& expected) const;
+
+    std::string file_;
+    std::map<std::string, ConfigEntry> entries_;
+    std::set<std::string> read_;
+};
+
+/// The items of a list between commas, without white space at their ends and without the quotes around them.
+/// Empty when an item is empty or has a quote in another place.
+std::optional<std::vector<std::string>> splitNames(std::string_view text);
+
+/// The names as a list that splitNames reads back, each in quotes where necessary. Empty when a name cannot
+/// be written.
+std::optional<std::string> writtenNames(const std::vector<std::string>& names);
+
+}  // namespace clearway
