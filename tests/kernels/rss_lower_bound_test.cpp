@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "query/pair_query.h"
-#include "query/workspace_state.h"
+#include "query/queries.h"
 #include "support/each_target.h"
 #include "support/query_cases.h"
 

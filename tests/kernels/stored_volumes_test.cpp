@@ -11,7 +11,7 @@
 
 #include "kernels/stored_volumes.h"
 #include "query/pair_query.h"
-#include "query/workspace_state.h"
+#include "query/queries.h"
 #include "support/each_target.h"
 
 #undef HWY_TARGET_INCLUDE

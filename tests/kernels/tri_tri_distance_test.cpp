@@ -16,7 +16,6 @@
 
 #include "hwy/highway.h"
 #include "kernels/tri_tri_distance-inl.h"
-#include "kernels/tri_tri_intersect-inl.h"
 #include "kernels/triangle_lanes-inl.h"
 
 #ifndef CLEARWAY_TESTS_MEASURED
