@@ -103,7 +103,7 @@ class LeafPairs {
 
     /// Hands the visitor every pair whose distance may be below dropFrom(), until the visitor is done(). A
     /// visitor also has
-    ///   bounds(d, pair, lower)          the TriangleBounds of a register of pairs; lower: bounds known before
+    ///   bounds(d, pair, lower)          the TriangleBounds of a register of pairs; lower: known bounds
     ///   take(lower, upper, triangles)   takes a pair with proved bounds of its distance
     template <class Visitor>
     HWY_INLINE void visit(Visitor& visitor) {

@@ -164,13 +164,17 @@ class Closest {
     TrianglesAt answerTriangles_{0, 0, kNoFeature};
 };
 
-template <int kWidth>
-HWY_INLINE void ClosestWide(const PairQuery& query, const ClosestRequest& request, const WarmStart* warmStart,
-                            Workspace::State& state, ClosestAnswer& answer) {
-    Closest visitor(query, request, state);
-    if (warmStart != nullptr) visitor.resolve(warmStart->triangles);
-    Traverse<kWidth>(query, state, visitor);
-    visitor.finish(answer);
+ClosestAnswer FindClosest(const PairQuery& query, const ClosestRequest& request, const WarmStart* warmStart,
+                          Workspace::State& state) {
+    ClosestAnswer answer;
+    // The visitor is a local variable of the whole traversal, so that it can stay in registers.
+    withNodeWidth(query.part->nodeWidth, [&](auto width) HWY_ATTR {
+        Closest visitor(query, request, state);
+        if (warmStart != nullptr) visitor.resolve(warmStart->triangles);
+        Traverse<width>(query, state, visitor);
+        visitor.finish(answer);
+    });
+    return answer;
 }
 
 /// The visitor of anyPairWithin: stops at the first pair that is near enough.
@@ -209,7 +213,7 @@ class Within {
         return pair.feature;
     }
 
-    void write(WithinAnswer& answer) const { answer = {found_, triangles_}; }
+    WithinAnswer answer() const { return {found_, triangles_}; }
 
   private:
     void remember(const TrianglesAt& triangles) {
@@ -226,35 +230,18 @@ class Within {
     TrianglesAt triangles_{0, 0, kNoFeature};
 };
 
-template <int kWidth>
-HWY_INLINE void WithinWide(const PairQuery& query, double distance, const WarmStart* warmStart,
-                           Workspace::State& state, WithinAnswer& answer) {
-    Within visitor(query, distance, state);
-    // A warm start that does not answer this query stays for the next one, which then knows its closest
-    // features.
-    if (warmStart != nullptr) state.warmStart.triangles.feature = visitor.resolve(warmStart->triangles);
-    Traverse<kWidth>(query, state, visitor);
-    visitor.write(answer);
-}
-
-void Closest2(const PairQuery& query, const ClosestRequest& request, const WarmStart* warmStart,
-              Workspace::State& state, ClosestAnswer& answer) {
-    ClosestWide<2>(query, request, warmStart, state, answer);
-}
-
-void Closest8(const PairQuery& query, const ClosestRequest& request, const WarmStart* warmStart,
-              Workspace::State& state, ClosestAnswer& answer) {
-    ClosestWide<8>(query, request, warmStart, state, answer);
-}
-
-void Within2(const PairQuery& query, double distance, const WarmStart* warmStart, Workspace::State& state,
-             WithinAnswer& answer) {
-    WithinWide<2>(query, distance, warmStart, state, answer);
-}
-
-void Within8(const PairQuery& query, double distance, const WarmStart* warmStart, Workspace::State& state,
-             WithinAnswer& answer) {
-    WithinWide<8>(query, distance, warmStart, state, answer);
+WithinAnswer FindWithin(const PairQuery& query, double distance, const WarmStart* warmStart,
+                        Workspace::State& state) {
+    WithinAnswer answer;
+    withNodeWidth(query.part->nodeWidth, [&](auto width) HWY_ATTR {
+        Within visitor(query, distance, state);
+        // A warm start that does not answer this query stays for the next one, which then knows its closest
+        // features.
+        if (warmStart != nullptr) state.warmStart.triangles.feature = visitor.resolve(warmStart->triangles);
+        Traverse<width>(query, state, visitor);
+        answer = visitor.answer();
+    });
+    return answer;
 }
 
 }  // namespace HWY_NAMESPACE
@@ -278,31 +265,17 @@ const QueryCounters& Workspace::counters() const {
     return state_->counters;
 }
 
-HWY_EXPORT(Closest2);
-HWY_EXPORT(Closest8);
-HWY_EXPORT(Within2);
-HWY_EXPORT(Within8);
+HWY_EXPORT(FindClosest);
+HWY_EXPORT(FindWithin);
 
 ClosestAnswer closestPair(const PairQuery& query, const ClosestRequest& request, const WarmStart* warmStart,
                           Workspace::State& state) {
-    ClosestAnswer answer;
-    if (query.part->nodeWidth == 2) {
-        HWY_DYNAMIC_DISPATCH(Closest2)(query, request, warmStart, state, answer);
-    } else {
-        HWY_DYNAMIC_DISPATCH(Closest8)(query, request, warmStart, state, answer);
-    }
-    return answer;
+    return HWY_DYNAMIC_DISPATCH(FindClosest)(query, request, warmStart, state);
 }
 
 WithinAnswer anyPairWithin(const PairQuery& query, double distance, const WarmStart* warmStart,
                            Workspace::State& state) {
-    WithinAnswer answer;
-    if (query.part->nodeWidth == 2) {
-        HWY_DYNAMIC_DISPATCH(Within2)(query, distance, warmStart, state, answer);
-    } else {
-        HWY_DYNAMIC_DISPATCH(Within8)(query, distance, warmStart, state, answer);
-    }
-    return answer;
+    return HWY_DYNAMIC_DISPATCH(FindWithin)(query, distance, warmStart, state);
 }
 
 void sortByLower(Pile<Candidate>& candidates) {

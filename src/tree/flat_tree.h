@@ -20,8 +20,7 @@
 
 namespace clearway {
 
-/// The widths a node may have. A new width is one more number here and in query's table of kernels, and a new version of
-/// saved models.
+/// The widths a node may have. A new width is one more number here and a new version of saved models.
 using NodeWidths = std::integer_sequence<int, 2, 8>;
 
 template <int... kWidths>
