@@ -1,5 +1,5 @@
-// The least distance over all features is the triangles' distance, for degenerate triangles too, and the reported places
-// are that far apart.
+// The least distance over all features is the triangles' distance, for degenerate triangles too, and the
+// reported places are that far apart.
 #include "exact/triangle_features.h"
 
 #include <algorithm>
