@@ -69,7 +69,7 @@ BOOST_AUTO_TEST_CASE(quotients_and_roots_are_those_of_the_fractions) {
             BOOST_TEST(root.upper - root.lower <= 12 * 0x1p-53 * root.upper);
         }
     }
-    BOOST_TEST(quotient(0, 7) == 0);
+    BOOST_TEST(quotient(Integer(0), Integer(7)) == 0);
     BOOST_TEST(rootBounds(0, 7, 3).upper == 0);
     BOOST_TEST(std::isinf(rootBounds(1, 0, 3).lower));
     BOOST_TEST(rootBounds(1, 1, -2000).upper > 0);  // only the root of 0 is 0
