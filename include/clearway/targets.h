@@ -1,4 +1,5 @@
-// The instruction sets a query can run on. Process-wide; the best one the machine has is the default.
+// The instruction set that queries run on. The choice holds for the whole process; the default is the best
+// set that the machine has.
 #pragma once
 
 #include <string>
@@ -6,15 +7,16 @@
 
 namespace clearway {
 
-/// Instruction sets this build holds and this machine can run, best first: of "avx3", "avx2", "sse4", "neon",
-/// "scalar".
+/// The instruction sets that this build contains and this machine can run, best first. Possible names:
+/// "avx3", "avx2", "sse4", "neon", "scalar".
 std::vector<std::string> availableTargets();
 
-/// Runs every later query of the process on the named set; "best" goes back to the default. Not to be called
-/// while a query runs. Throws std::invalid_argument that lists the available sets.
+/// Makes all later queries of the process run on the named set; "best" returns to the default. Must not be
+/// called while a query runs. Throws std::invalid_argument, which lists the available sets, if the name is
+/// not available.
 void useTarget(const std::string& name);
 
-/// The set queries run on now.
+/// The instruction set that queries run on now.
 std::string currentTarget();
 
 }  // namespace clearway

@@ -1,5 +1,6 @@
 #include "exact/integer.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -7,7 +8,8 @@
 namespace clearway {
 namespace {
 
-/// value = fraction 2^exponent but for 2 u64, fraction of 63 bits; value > 0.
+/// A positive value as fraction * 2^exponent with a relative error of at most 2 u64; the fraction has 63
+/// bits.
 struct Scaled {
     double fraction;
     int exponent;
@@ -19,11 +21,22 @@ Scaled leadingBitsOf(const Integer& value) {
     return {static_cast<double>(static_cast<std::int64_t>(leading)), extra > 0 ? extra : 0};
 }
 
+constexpr int kNone = std::numeric_limits<int>::max();
+
+/// The least lastBitOf of the numbers that are not 0; kNone if all are 0.
+int leastLastBit(const double* x, int count) {
+    int last = kNone;
+    for (int k = 0; k < count; ++k) {
+        if (x[k] != 0) last = std::min(last, lastBitOf(x[k]));
+    }
+    return last;
+}
+
 }  // namespace
 
 int lastBitOf(double x) {
     int exponent;
-    const double fraction = std::frexp(x, &exponent);  // of 53 bits
+    const double fraction = std::frexp(x, &exponent);  // has 53 bits
     const auto digits = static_cast<std::int64_t>(std::ldexp(fraction, 53));
     return exponent - 53 + __builtin_ctzll(static_cast<std::uint64_t>(digits));
 }
@@ -52,9 +65,29 @@ LengthBounds rootBounds(const Integer& numerator, const Integer& denominator, in
     const int squareExponent = n.exponent - d.exponent, odd = squareExponent & 1;
     const double root = std::ldexp(std::sqrt(std::ldexp(n.fraction / d.fraction, odd)),
                                    (squareExponent - odd) / 2 + exponent);
-    // Among denormal numbers ldexp and the products round by up to the least of them.
+    // For denormal numbers ldexp and the products round by up to the least denormal.
     constexpr double kLeast = std::numeric_limits<double>::denorm_min();
     return {std::max(root * (1 - 0x1p-51) - kLeast, 0.0), root * (1 + 0x1p-51) + kLeast};
+}
+
+int lastBitOf(const Pose& X_ab, const Vector3& p_b) {
+    const int ofPoint = leastLastBit(p_b.data(), 3), ofTranslation = leastLastBit(X_ab.translation.data(), 3);
+    if (ofPoint == kNone) return ofTranslation == kNone ? 0 : ofTranslation;
+    return std::min(ofTranslation, leastLastBit(X_ab.rotation.data(), 9) + ofPoint);
+}
+
+Triple<Integer> movedInteger(const Pose& X_ab, const Vector3& p_b, int exponent) {
+    const int ofR = leastLastBit(X_ab.rotation.data(), 9), ofPoint = leastLastBit(p_b.data(), 3);
+    const auto row = [&](int i) {
+        Integer sum = scaledInteger(X_ab.translation[i], exponent);
+        if (ofPoint == kNone) return sum;
+        Integer products = 0;
+        for (int k = 0; k < 3; ++k) {
+            products += scaledInteger(X_ab.rotation(i, k), ofR) * scaledInteger(p_b[k], ofPoint);
+        }
+        return Integer(sum + (products << unsigned(ofR + ofPoint - exponent)));
+    };
+    return {row(0), row(1), row(2)};
 }
 
 }  // namespace clearway

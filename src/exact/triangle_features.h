@@ -1,30 +1,32 @@
-// Where two triangles are closest, by sums and products alone: corners, edges and faces against each other.
-// The squared distance of each is a fraction, and it counts where the closest points lie on the features,
-// which is decided by signs. With numbers that know their error (ball.h) a sign may stay open; with whole
-// numbers (integer.h) never. Good for triangles of no area and no length as well.
-// Source: for the case split, Ericson, Real-Time Collision Detection, 2005, ch. 5.
+// The closest features of two triangles, found with sums and products alone. Corners, edges and faces are
+// tried against each other; each pair's squared distance is a fraction, which counts if the closest points
+// lie on both features, and signs decide that. With Ball numbers a sign may stay open, with Integer numbers
+// never. Degenerate triangles are fine. Source of the case split: Ericson, Real-Time Collision Detection,
+// 2005, ch. 5.
 #pragma once
 
 #include <array>
 
 #include "exact/ball.h"
 #include "exact/integer.h"
-#include "exact/triple.h"
-#include "exact/verdict.h"
+#include "exact/numbers.h"
 
 namespace clearway {
 
-/// A point of a triangle: corner + s (next corner - corner) + t (last corner - corner), s and t as fractions.
+/// A point of a triangle: corner + s / whole (next corner - corner) + t / whole (last corner - corner).
 template <class Number>
 struct PlaceOnTriangle {
     int corner;
     Number s, t, whole;
 };
 
-/// Goes through the features until the visitor is done. A visitor has
-///   bool wants(numerator, denominator)   whether a squared distance of this may matter; denominator >= 0
-///   void take(feasible, feature, onA, onB)   what was wanted last, and where; feasible: whether the points
-///                                        lie on the features; feature: as refine.h numbers them
+/// Offers all pairs of features to a visitor until the visitor is done. A visitor has
+///   bool wants(numerator, denominator)       whether a squared distance of numerator / denominator may
+///                                            matter; denominator >= 0
+///   void take(feasible, feature, onA, onB)   the closest points of the features that wants() accepted last.
+///                                            feasible: whether the points lie on the features.  feature: the
+///                                            number of the pair of features in query/pair_query.h, or -1 where an
+///                                            edge pierces a face
 ///   bool done() const
 template <class Number>
 class TriangleFeatures {
@@ -45,7 +47,7 @@ class TriangleFeatures {
 
     template <class Visitor>
     void visit(Visitor& visitor) const {
-        visitFaces(visitor);  // first: parts rest on faces
+        visitFaces(visitor);  // first, because parts rest on faces
         if (visitor.done()) return;
         visitCorners(visitor);
         if (visitor.done()) return;
@@ -63,7 +65,7 @@ class TriangleFeatures {
 
     static Place atCorner(int k) { return {k, 0, 0, 1}; }
 
-    /// Whether 0 <= share <= whole, and whole > 0: features without extent are left to their corners.
+    /// Whether 0 <= share <= whole and whole > 0. A feature without extent is left to its corners.
     static Verdict isBetween(const Number& share, const Number& whole) {
         const Verdict above = isNotNegative(share);
         if (above == Verdict::no) return above;
@@ -82,10 +84,10 @@ class TriangleFeatures {
         }
     }
 
-    /// Corners over the other's face, and edges through it.
+    /// Corners over the other triangle's face, and edges that pierce the face.
     template <class Visitor>
     void visitFaces(Visitor& visitor) const {
-        std::array<Number, 3> heights;  // times the normal's length
+        std::array<Number, 3> heights;  // of the corners above the face, times the length of its normal
         for (int k = 0; k < 3; ++k) heights[k] = between_[k][0].dot(normalB_);
         for (int k = 0; k < 3 && !visitor.done(); ++k) {
             if (!visitor.wants(heights[k] * heights[k], normalBSquared_)) continue;
@@ -105,7 +107,7 @@ class TriangleFeatures {
         visitPiercing(edgeB_, heights, edgeA_, true, visitor);
     }
 
-    /// Whether the face has a point straight below x, and where.
+    /// Whether x projects into the face. place: where x projects to.
     static Verdict isBelow(const Triple<Number>& x, const Corners& face, const Triple<Number>& edge,
                            const Number& normalSquared, Place& place) {
         const Triple<Number> span = face[2] - face[0], w = x - face[0];
@@ -116,8 +118,8 @@ class TriangleFeatures {
         return inside == Verdict::no ? inside : both(inside, isBetween(place.s + place.t, normalSquared));
     }
 
-    /// Edges whose ends lie on either side of the other's face, or on it, and that pass inside its three
-    /// edges. An edge within the face's plane is left to the other features.
+    /// Edges that pierce a face: their ends lie on both sides of the face's plane, or on it, and they pass
+    /// inside the face's three edges. An edge within the plane is left to the other features.
     template <class Visitor>
     void visitPiercing(const std::array<Triple<Number>, 3>& edges, const std::array<Number, 3>& heights,
                        const std::array<Triple<Number>, 3>& faceEdges, bool edgesAreBs,
@@ -160,7 +162,7 @@ class TriangleFeatures {
                      Place{j, t, 0, whole});
     }
 
-    /// Corner i of a and edge j of b; corner j of b and edge i of a.
+    /// Corner j of b against edge i of a, and corner i of a against edge j of b.
     template <class Visitor>
     void visitCornerAndEdges(int i, int j, Visitor& visitor) const {
         const Triple<Number>& w = between_[i][j];

@@ -1,6 +1,7 @@
-// A direction's proof that two triangles are apart: the support gap. True for every direction, however it was
-// found.
+// Proves that triangles are apart: the gap between them along a direction is a lower bound of their distance,
+// whatever the direction and however it was found.
 #include "hwy/highway.h"
+#include "kernels/rounding.h"
 #include "kernels/vector3-inl.h"
 
 #if defined(CLEARWAY_KERNELS_CERTIFICATE_INL_H_) == defined(HWY_TARGET_TOGGLE)
@@ -15,14 +16,15 @@ namespace clearway {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// One triangle per lane.
+/// The corners of triangles, one triangle per lane.
 template <class V>
 struct Triangles {
     Lanes3<V> corner[3];
 };
 
-/// Distance of the two slabs across v: max(min v.b - max v.a, min v.a - max v.b) / |v|, in the corners' unit;
-/// -infinity where |v|^2 is not a normal number. Negative when the slabs overlap.
+/// The gap between the two triangles' slabs across v: max(min v.b - max v.a, min v.a - max v.b) / |v|, in the
+/// corners' unit. Negative when the slabs overlap; -infinity where |v|^2 is too small or too large to be
+/// used.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V SlabGap(D d, const Lanes3<V>& v, const Triangles<V>& a, const Triangles<V>& b) {
     const V a0 = Dot(v, a.corner[0]), a1 = Dot(v, a.corner[1]), a2 = Dot(v, a.corner[2]);
@@ -31,20 +33,20 @@ HWY_INLINE V SlabGap(D d, const Lanes3<V>& v, const Triangles<V>& a, const Trian
     const V bLow = hn::Min(b0, hn::Min(b1, b2)), bHigh = hn::Max(b0, hn::Max(b1, b2));
     const V lengthSquared = Dot(v, v);
     const V gap = hn::Div(hn::Max(hn::Sub(bLow, aHigh), hn::Sub(aLow, bHigh)), hn::Sqrt(lengthSquared));
-    const auto usable = hn::And(hn::Gt(lengthSquared, hn::Set(d, hn::TFromD<D>(1e-30))),
-                                hn::Lt(lengthSquared, hn::Set(d, hn::TFromD<D>(1e30))));
-    // By select and not by maximum: what a maximum makes of NaN differs between instruction sets.
+    const auto usable = hn::And(hn::Gt(lengthSquared, hn::Set(d, hn::TFromD<D>(kLeastDirectionSquared))),
+                                hn::Lt(lengthSquared, hn::Set(d, hn::TFromD<D>(kLargestDirectionSquared))));
+    // A select and not a maximum, because instruction sets differ in the maximum of a NaN.
     return hn::IfThenElse(usable, gap, hn::Set(d, -hwy::HighestValue<hn::TFromD<D>>()));
 }
 
-/// A corner of each lane's triangle and its place along a direction.
+/// One corner of each lane's triangle and the corner's coordinate along a direction.
 template <class V>
 struct SupportCorner {
     V along;  ///< v.corner
     Lanes3<V> corner;
 };
 
-/// The corner farthest along v, or with kNearest the nearest.
+/// Finds the corner farthest along v, or the least far with kNearest.
 template <bool kNearest, class V>
 HWY_INLINE SupportCorner<V> Support(const Lanes3<V>& v, const Triangles<V>& t) {
     SupportCorner<V> best = {Dot(v, t.corner[0]), t.corner[0]};
@@ -57,28 +59,28 @@ HWY_INLINE SupportCorner<V> Support(const Lanes3<V>& v, const Triangles<V>& t) {
     return best;
 }
 
-/// Whether slabs `width` wide, measured across v in units of |v|, prove a distance of at least
-/// sqrt(needSquared): compared as squares, so that nothing is divided. Below |v|^2 = 1e-22 they might vanish;
-/// such v prove nothing, and neither does NaN. Above, and not at least: squares of lengths beyond 1e9 may
-/// both be infinite.
+/// Whether a gap of `width` across v, in units of |v|, proves a distance of at least sqrt(needSquared). The
+/// comparison is between squares, which saves the division. NaN proves nothing, nor does a v so short that
+/// the squares might vanish. The comparison is strict, because the squares of lengths beyond 1e9 may both be
+/// infinite.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE hn::Mask<D> ProvesApart(D d, V width, V lengthSquared, V needSquared) {
     const V positive = hn::Max(width, hn::Zero(d));
     return hn::And(hn::Gt(hn::Mul(positive, positive), hn::Mul(needSquared, lengthSquared)),
-                   hn::Gt(lengthSquared, hn::Set(d, 1e-22f)));
+                   hn::Gt(lengthSquared, hn::Set(d, kLeastProvingSquared)));
 }
 
-/// apart^2 for ProvesApart, raised by its roundings: 3 in |v|^2, 1 in each product. apart: above 1e-7, in the
-/// corners' unit.
+/// apart^2, raised by the roundings of ProvesApart (see kNeedRoundoffs). apart: above 1e-7, in the corners'
+/// unit.
 inline float NeedSquared(float apart) {
-    return apart * apart * (1 + 8 * 0x1p-24f);
+    return apart * apart * (1 + kNeedRoundoffs * float(kUnitRoundoffFloat));
 }
 
-/// Which pairs are proved to be at least sqrt(needSquared) apart, but for rounding, at a tenth of the cost of
-/// their distance: Gilbert's walk from x, a difference of two points of b and a, towards the difference
-/// nearest to 0, kSteps steps. The support gap across each point passed is a lower bound, whatever the point.
-/// Source: Gilbert, An Iterative Procedure for Computing the Minimum of a Quadratic Form on a Convex Set,
-/// SIAM J. Control 4, 1966.
+/// Which pairs are proved to be at least sqrt(needSquared) apart, up to rounding, at a tenth of the cost of
+/// their distance. Gilbert's walk starts at x, a difference of a point of b and a point of a, and goes kSteps
+/// steps towards the least difference. The support gap across every point it passes is a lower bound,
+/// whatever the point. Source: Gilbert, An Iterative Procedure for Computing the Minimum of a Quadratic Form
+/// on a Convex Set, SIAM J. Control 4, 1966.
 template <int kSteps, class D, class V = hn::Vec<D>>
 HWY_INLINE hn::Mask<D> WalkProvesApart(D d, const Triangles<V>& a, const Triangles<V>& b, Lanes3<V> x,
                                        V needSquared) {
@@ -89,8 +91,8 @@ HWY_INLINE hn::Mask<D> WalkProvesApart(D d, const Triangles<V>& a, const Triangl
         const V width = hn::Sub(onB.along, onA.along), lengthSquared = Dot(x, x);
         proved = hn::Or(proved, ProvesApart(d, width, lengthSquared, needSquared));
         if (step == kSteps) break;
-        // On from x towards the support point, to where the segment between them is nearest to 0; any share
-        // of the way would do, so an estimate of the quotient does. x.towards = width - x.x.
+        // Walks from x towards the support point, as far as the segment between them comes nearest to 0. Any
+        // share of the way is allowed, so an estimated quotient suffices. x . towards = width - x . x.
         const Lanes3<V> towards = onB.corner - onA.corner - x;
         const V share =
             hn::Mul(hn::Sub(lengthSquared, width), hn::ApproximateReciprocal(Dot(towards, towards)));

@@ -1,19 +1,18 @@
 // Lower bounds of the distance between one RSS and the children of a wide node, one child per lane.
 //
-// Two ways to bound the distance of the rectangles, from which the radii are taken:
-//  - cheap: the box gaps in both rectangles' frames, and the support gap along one direction found by
-//  alternating
-//    projections between the rectangles;
-//  - exact: the same box gaps, and the support gap along the difference of the closest points over all pairs
-//  of edges and
-//    all corners and faces, which is the rectangles' distance but for rounding (the thesis's test, for
-//    comparison).
+// The bound is a lower bound of the rectangles' distance less both radii: the larger of the box gaps in both
+// rectangles' frames and one support gap. The support gap's direction is found in one of two ways:
+//  - cheap: by alternating projections between the rectangles;
+//  - exact: as the difference of the closest points over all pairs of edges and all corners and faces. This
+//    gives the rectangles' distance up to rounding. It is the test of Ytterlid's thesis, which node width 2 keeps
+//    for comparison.
 // The support gap (min v.q - max v.p) / |v| is a true lower bound for ANY direction v, so a badly conditioned
-// closest pair makes the bound loose, never false. A computed closest distance is not a bound and is never
-// used as one.
+// closest pair makes the bound loose, never false. A computed closest distance is not a lower bound and is
+// never used as one.
 //
 // Source of the volume: Larsen et al., Fast Proximity Queries with Swept Sphere Volumes, TR99-018, 1999.
 #include "hwy/highway.h"
+#include "kernels/rounding.h"
 #include "kernels/vector3-inl.h"
 #include "tree/flat_tree.h"
 
@@ -31,26 +30,26 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 /// One RSS carried into the frame and unit of the node it is tested against.
 struct CarriedRss {
-    float centre[4];  ///< x, y, z and one that does not matter, like the axes
+    float centre[4];  ///< x, y, z and an unused float
     float axis0[4];
-    float axis1[4];
+    float axis1[4];  ///< laid out like the centre
     float halfLength0;
     float halfLength1;
     float radius;
 };
 
-/// The lanes' rectangles in the frame of the one: centre, sides' directions and half lengths. The one
-/// rectangle is centred at 0 with its sides along x and y.
+/// The lanes' rectangles in the frame of the one rectangle that all are tested against, which is centred at 0
+/// and has its sides along x and y.
 template <class V>
 struct RelativeRectangles {
     Lanes3<V> centre;
     Lanes3<V> side0, side1, normal;
-    V half0, half1;  // of the lanes
-    V H0, H1;        // of the one
+    V half0, half1;  ///< half lengths of the lanes' rectangles
+    V H0, H1;        ///< half lengths of the one rectangle
 };
 
-/// (min over one rectangle - max over the other) of v.x, over |v|; -infinity where |v|^2 is not a normal
-/// number.
+/// The gap along v between the rectangles: (min over one of v.x - max over the other of v.x) / |v|. -infinity
+/// where |v|^2 is too small or too large to be used.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V SupportGap(D d, const Lanes3<V>& v, const RelativeRectangles<V>& r) {
     const auto lengthSquared = Dot(v, v);
@@ -59,14 +58,14 @@ HWY_INLINE V SupportGap(D d, const Lanes3<V>& v, const RelativeRectangles<V>& r)
     reach = hn::MulAdd(hn::Abs(Dot(v, r.side0)), r.half0, reach);
     reach = hn::MulAdd(hn::Abs(Dot(v, r.side1)), r.half1, reach);
     const auto gap = hn::Div(hn::Sub(hn::Abs(Dot(v, r.centre)), reach), hn::Sqrt(lengthSquared));
-    // By select and not by maximum: what a maximum makes of NaN differs between instruction sets.
-    const auto usable =
-        hn::And(hn::Gt(lengthSquared, hn::Set(d, 1e-30f)), hn::Lt(lengthSquared, hn::Set(d, 1e30f)));
+    // A select and not a maximum, because instruction sets differ in the maximum of a NaN.
+    const auto usable = hn::And(hn::Gt(lengthSquared, hn::Set(d, float(kLeastDirectionSquared))),
+                                hn::Lt(lengthSquared, hn::Set(d, float(kLargestDirectionSquared))));
     return hn::IfThenElse(usable, gap, hn::Set(d, -hwy::HighestValue<float>()));
 }
 
-/// Length of the gaps between the boxes around both rectangles in the one's frame, then in the lanes' frames;
-/// the larger.
+/// The distance of the boxes around both rectangles, aligned with the one rectangle's frame or with the
+/// lane's: the larger of the two.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V BoxGap(D d, const RelativeRectangles<V>& r) {
     const auto zero = hn::Zero(d);
@@ -87,7 +86,8 @@ HWY_INLINE V BoxGap(D d, const RelativeRectangles<V>& r) {
     return hn::Sqrt(hn::Max(Dot(own, own), Dot(theirs, theirs)));
 }
 
-/// From the one's centre to the lane's rectangle, back, and once more: the difference of the last two points.
+/// Projects the one's centre onto the lane's rectangle, back onto the one, and so on for two rounds. Returns
+/// the difference of the last two points.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE Lanes3<V> AlternatingDirection(D d, const RelativeRectangles<V>& r) {
     const auto zero = hn::Zero(d);
@@ -103,7 +103,8 @@ HWY_INLINE Lanes3<V> AlternatingDirection(D d, const RelativeRectangles<V>& r) {
     return onLane - onOne;
 }
 
-/// Difference of the closest points of the two rectangles' edges, and of each corner and the other face.
+/// The shortest difference over all pairs of edges of the two rectangles, and each corner with the other
+/// face.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE Lanes3<V> ClosestDirection(D d, const RelativeRectangles<V>& r) {
     const auto zero = hn::Zero(d);
@@ -128,7 +129,7 @@ HWY_INLINE Lanes3<V> ClosestDirection(D d, const RelativeRectangles<V>& r) {
             const V cosine = ownAxis == 0 ? direction.x : direction.y;
             const V sineSquared = hn::NegMulAdd(cosine, cosine, one);
             for (int sides = 0; sides < 4; ++sides) {
-                // Middles of the two edges; w from the own to the lane's.
+                // w goes from the middle of the one's edge to the middle of the lane's edge.
                 const V offset = signedHalf(sides & 1, ownAxis == 0 ? r.H1 : r.H0);
                 Lanes3<V> w = AddScaled(r.centre, signedHalf(sides >> 1, halfAcross), across);
                 (ownAxis == 0 ? w.y : w.x) = hn::Sub(ownAxis == 0 ? w.y : w.x, offset);
@@ -164,12 +165,11 @@ struct NearChildren {
     std::uint32_t children;  ///< number of lanes in use
 };
 
-/// Lower bounds from one RSS to the kWidth children of a node.
-/// one: in the node's frame and unit.  slack: taken from every bound; kVolumeSlack in query/pair_query.h
-/// covers the rounding of everything done here.  toQueryUnit: an exact power of two, node unit -> query unit.
-/// dropFrom: query units.
-/// bounds: those of the near lanes, in query units, negative when the volumes overlap (kept negative: they
-/// order the descent), none above the true distance. What the other lanes hold means nothing.
+/// Lower bounds from one RSS to the kWidth children of a node. one: in the node's frame and unit.  slack:
+/// subtracted from every bound, in the node's unit; kVolumeSlack covers the rounding of everything done here.
+/// toQueryUnit: an exact power of two, node unit -> query unit.  dropFrom: query units. bounds: the bounds of
+/// the near lanes, in query units, none above the true distance. They are negative when the volumes overlap
+/// and stay so, because they order the descent. The other lanes' bounds have no meaning.
 template <int kWidth>
 HWY_INLINE NearChildren RssLowerBounds(const CarriedRss& one, const WideNode<kWidth>& node, float slack,
                                        float toQueryUnit, float dropFrom, float* bounds) {
@@ -205,7 +205,7 @@ HWY_INLINE NearChildren RssLowerBounds(const CarriedRss& one, const WideNode<kWi
         children += std::uint32_t(hwy::PopCount(used));
         const auto boxGap = BoxGap(d, r);
         auto bound = hn::Mul(hn::Sub(boxGap, radii), unit);
-        // In half of the visits that is all there is to it.
+        // In half of the visits the box gaps drop all children.
         if ((used & ~MaskBits(d, hn::Ge(bound, limit))) == 0) continue;
         const auto direction = kWidth == 2 ? ClosestDirection(d, r) : AlternatingDirection(d, r);
         bound = hn::Mul(hn::Sub(hn::Max(boxGap, SupportGap(d, direction, r)), radii), unit);

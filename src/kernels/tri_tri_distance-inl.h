@@ -1,11 +1,11 @@
-// Distance of pairs of triangles, one pair per lane: an upper bound from a feasible pair of points and a
+// Distance of pairs of triangles, one pair per lane: an upper bound from two points of the triangles and a
 // lower bound from slabs across the best directions.
 //
-// The closest points of two disjoint triangles lie on a pair of edges or on a corner and the other face: 9 +
-// 6 cases. Edge pairs are solved by the cross product of the edges, which keeps its accuracy when they are
-// nearly parallel; the result is clamped and projected back and forth once, so every pair scored is a pair of
-// points of the triangles. Triangles that pierce each other are not told apart from near ones here: their
-// lower bound is not above 0, and they are resolved later.
+// The closest points of two disjoint triangles lie on two edges (9 cases) or on a corner and the other face
+// (6 cases). Edge pairs are solved with the cross product of the edges, which stays accurate for nearly
+// parallel edges. The result is clamped and projected back and forth once, so that every difference scored is
+// one of two points of the triangles. This kernel does not detect piercing: the lower bound of piercing
+// triangles is not above 0, and double decides.
 #include "hwy/highway.h"
 #include "kernels/certificate-inl.h"
 #include "kernels/vector3-inl.h"
@@ -24,18 +24,18 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 template <class V>
 struct TriangleBounds {
-    V lower;    ///< slab gap: a true lower bound but for rounding, may be negative
-    V upper;    ///< distance of two points of the triangles: a true upper bound but for rounding
-    V feature;  ///< where these two points are, as query/refine.h numbers it
+    V lower;    ///< slab gap: a lower bound up to rounding; may be negative
+    V upper;    ///< distance of two points of the triangles: an upper bound up to rounding
+    V feature;  ///< pair of features that holds these points, numbered as in query/pair_query.h
 };
 
-/// 1 / v, or 0 where v is not above 0. In float from the processor's estimate and a Newton step: a share of
-/// an edge made with it is a place on the edge all the same.
+/// 1 / v, or 0 where v is not above 0. Float takes the processor's estimate and a Newton step: a share
+/// computed with an inexact reciprocal still names a point of the edge.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V ReciprocalOrZero(D d, V v) {
 #if HWY_TARGET != HWY_SCALAR
     if constexpr (sizeof(hn::TFromD<D>) == sizeof(float)) {
-        constexpr int kNewtonSteps = HWY_ARCH_X86 ? 1 : 2;  // from 12 bits; elsewhere from 8
+        constexpr int kNewtonSteps = HWY_ARCH_X86 ? 1 : 2;  // x86 estimates to 12 bits, others to 8
         V estimate = hn::ApproximateReciprocal(v);
         for (int step = 0; step < kNewtonSteps; ++step) {
             estimate = hn::Mul(estimate, hn::NegMulAdd(v, estimate, hn::Set(d, 2.0f)));
@@ -51,14 +51,15 @@ HWY_INLINE V ClampToUnit(D d, V v) {
     return hn::Clamp(v, hn::Zero(d), hn::Set(d, hn::TFromD<D>(1)));
 }
 
-/// The edges u of a and v of b: products of theirs with each other and with w, the way between their starts.
+/// Products of an edge u of a, an edge v of b and the vector w from the start of u to the start of v.
 template <class V>
 struct EdgeProducts {
     V uv, wu, wv;
     V uuReciprocal, vvReciprocal;
 };
 
-/// Difference q - p of near points of the edges p0 + s u and q0 + t v, s and t in [0, 1]; w = q0 - p0.
+/// Difference q - p of the closest points, or nearly closest ones, of the edges p0 + s u and q0 + t v; s and
+/// t in [0, 1], w = q0 - p0.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE Lanes3<V> EdgeDifference(D d, const Lanes3<V>& w, const Lanes3<V>& u, const Lanes3<V>& v,
                                     const EdgeProducts<V>& of) {
@@ -69,13 +70,14 @@ HWY_INLINE Lanes3<V> EdgeDifference(D d, const Lanes3<V>& w, const Lanes3<V>& u,
     return AddScaled(AddScaled(w, t, v), hn::Neg(s), u);
 }
 
-/// A triangle's plane: where a point above it is, as shares of u and v, is a product with these.
+/// Gradients of a triangle's barycentric coordinates: products with them give a point's shares of the edges u
+/// and v.
 template <class V>
 struct FaceShares {
     Lanes3<V> ofU, ofV;
 };
 
-/// n = u x v.
+/// The triangle has the edges u and v; n = u x v.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE FaceShares<V> SharesOf(D d, const Lanes3<V>& u, const Lanes3<V>& v, const Lanes3<V>& n) {
     const V reciprocal = ReciprocalOrZero(d, Dot(n, n));
@@ -85,7 +87,7 @@ HWY_INLINE FaceShares<V> SharesOf(D d, const Lanes3<V>& u, const Lanes3<V>& v, c
     return {scaled(Cross(v, n)), scaled(Cross(n, u))};
 }
 
-/// Difference p - q of the point p and the point q of the triangle q0 + s u + t v below it, clamped to the
+/// Difference p - q of a point p and its projection q onto the triangle q0 + s u + t v, clamped to the
 /// triangle; w = p - q0.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE Lanes3<V> FaceDifference(D d, const Lanes3<V>& w, const Lanes3<V>& u, const Lanes3<V>& v,
@@ -95,8 +97,8 @@ HWY_INLINE Lanes3<V> FaceDifference(D d, const Lanes3<V>& w, const Lanes3<V>& u,
     return AddScaled(AddScaled(w, hn::Neg(s), u), hn::Neg(t), v);
 }
 
-/// A pair of triangles with what its separations and its distance need.
-/// a, b: corners relative to a point near both, so that their rounding is that of small numbers.
+/// A pair of triangles with the edges and normals that the bounds below need. a, b: corners relative to a
+/// point near both triangles, so that rounding is in proportion to the pair's size.
 template <class V>
 struct TrianglePair {
     Triangles<V> a, b;
@@ -116,13 +118,29 @@ struct TrianglePair {
     }
 };
 
-/// A lower bound, but for rounding: the slabs across both normals, which is what parallel faces want.
+/// A lower bound of the distance, up to rounding: the slab gaps across both normals, which suit parallel
+/// faces.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V FaceSeparation(D d, const TrianglePair<V>& pair) {
     return hn::Max(SlabGap(d, pair.normalA, pair.a, pair.b), SlabGap(d, pair.normalB, pair.a, pair.b));
 }
 
-/// known: a lower bound of the pair already found.
+/// A lower bound of the distance, up to rounding: the widest slab gap across the 9 cross products of edges.
+/// These and the normals of FaceSeparation are Gottschalk's 11 separating axes: two disjoint triangles that
+/// are not coplanar have a separating direction among them. Coplanar pairs get no gap above 0 and are left to
+/// double.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V EdgeSeparation(D d, const TrianglePair<V>& pair) {
+    V gap = hn::Set(d, -hwy::HighestValue<float>());
+    for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j) {
+            gap = hn::Max(gap, SlabGap(d, Cross(pair.edgeA[i], pair.edgeB[j]), pair.a, pair.b));
+        }
+    }
+    return gap;
+}
+
+/// Bounds of the pairs' distances. known: a lower bound of each pair that was found before.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE TriangleBounds<V> TriangleDistance(D d, const TrianglePair<V>& pair, V known) {
     const Triangles<V>&a = pair.a, &b = pair.b;
@@ -137,8 +155,8 @@ HWY_INLINE TriangleBounds<V> TriangleDistance(D d, const TrianglePair<V>& pair, 
         bestSquared = hn::IfThenElse(nearer, squared, bestSquared);
     };
 
-    // Edges add up to 0 and w changes by an edge from pair to pair, so most products follow from few. What
-    // that costs in digits moves the points along their edges; it does not take them off.
+    // A triangle's edges add up to 0 and w changes by one edge from pair to pair, so most products follow
+    // from a few. The lost digits move points along their edges but not off them.
     V uu[3], vv[3], uv[3][3], wu[3][3], wv[3][3];
     for (int i = 0; i < 3; ++i) {
         uu[i] = ReciprocalOrZero(d, Dot(pair.edgeA[i], pair.edgeA[i]));

@@ -1,5 +1,4 @@
-// Three vector registers as the coordinates of one 3D vector per lane.
-// Meant to be included after hwy/highway.h inside the per-target passes of foreach_target.h.
+// 3D vectors, one per lane, as three vector registers of coordinates.
 #include <cstdint>
 
 #include "hwy/highway.h"
@@ -54,15 +53,15 @@ HWY_INLINE Lanes3<V> Select(M mask, const Lanes3<V>& yes, const Lanes3<V>& no) {
             hn::IfThenElse(mask, yes.z, no.z)};
 }
 
-/// Bit k is set when lane k's mask is; at most 16 lanes.
+/// The mask as bits: bit k is set when lane k is. At most 16 lanes.
 template <class D, class M>
 HWY_INLINE std::uint32_t MaskBits(D d, M mask) {
-    alignas(8) std::uint8_t bytes[8] = {};  // as many as StoreMaskBits may write
+    alignas(8) std::uint8_t bytes[8] = {};  // StoreMaskBits may write up to 8
     hn::StoreMaskBits(d, mask, bytes);
     return std::uint32_t(bytes[0]) | std::uint32_t(bytes[1]) << 8;
 }
 
-/// Place of the lowest set bit. bits: not 0.
+/// Position of the lowest set bit. bits: not 0.
 HWY_INLINE std::uint32_t LowestBit(std::uint32_t bits) {
     return std::uint32_t(__builtin_ctz(bits));
 }

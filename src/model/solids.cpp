@@ -9,7 +9,8 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "exact/moved_point.h"
+#include "exact/ball.h"
+#include "exact/integer.h"
 #include "mesh/clean.h"
 #include "mesh/components.h"
 #include "mesh/topology.h"

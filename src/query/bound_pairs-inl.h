@@ -1,9 +1,8 @@
-// Lower bounds of several pairs of triangles at once in double, from their exact vertices: what a query is
-// left with when many pairs are equally close, as faces parallel to each other are.
+// Lower bounds in double for several pairs of triangles at once, from their exact vertices. They settle the
+// pairs that a query is left with when many pairs are equally close, for example between parallel faces.
 #include "hwy/highway.h"
 #include "kernels/tri_tri_distance-inl.h"
-#include "query/refine.h"
-#include "query/workspace_state.h"
+#include "query/queries.h"
 
 #if defined(CLEARWAY_QUERY_BOUND_PAIRS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef CLEARWAY_QUERY_BOUND_PAIRS_INL_H_
@@ -19,16 +18,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 constexpr int kPairsTogether = 8;
 
-/// Rounding of a bound of BoundPairs, first order, vectors, in u64. Of M: 1.8 for the first corner moved. Of
-/// the pair's size, its largest coordinate: difference from the base 1.8; edges of the part, up to 3.5
-/// long, 3.5, their rotation 17.4 and place 1.8; edges of the environment 1.8; products of a slab gap 5.2
-/// + 5.2, their difference 1.8. Of the gap itself: length of the direction 2.5, division 1, what is taken
-/// off 2.
-constexpr double kPairPlaceRoundoffs = 2;
-constexpr double kPairSizeRoundoffs = 40;
-constexpr double kGapRoundoffs = 6;
-
-/// PairVertices, one pair per lane.
+/// The PairVertices of several pairs, one pair per lane.
 struct alignas(64) PairRows {
     double firstCorner[3][kPairsTogether];
     double partEdge[2][3][kPairsTogether];
@@ -45,8 +35,8 @@ HWY_INLINE void FillPair(const PairVertices& pair, int lane, PairRows& rows) {
     }
 }
 
-/// lower[k] <= the distance of pair k, query units, for k < count <= kPairsTogether; 0 at worst. Close to the
-/// distance unless the triangles are flat or touch.
+/// Lower bounds of the pairs' distances, query units: lower[k] <= the distance of pair k for k < count <=
+/// kPairsTogether. A bound is close to the distance unless the triangles are flat or touch, and 0 at worst.
 inline HWY_NOINLINE void BoundPairs(const PairQuery& query, const Candidate* pairs, int count,
                                     double (&lower)[kPairsTogether]) {
     const hn::CappedTag<double, kPairsTogether> d;
@@ -86,8 +76,8 @@ inline HWY_NOINLINE void BoundPairs(const PairQuery& query, const Candidate* pai
         const V slack = hn::Set(d, kUnitRoundoffDouble) *
                         hn::MulAdd(size, hn::Set(d, kPairSizeRoundoffs),
                                    hn::Set(d, kPairPlaceRoundoffs * query.largestCoordinate));
-        const V proved = hn::NegMulAdd(gap, hn::Set(d, kGapRoundoffs * kUnitRoundoffDouble), gap - slack);
-        // By select, so that NaN proves nothing.
+        const V proved = hn::NegMulAdd(gap, hn::Set(d, kPairGapRoundoffs * kUnitRoundoffDouble), gap - slack);
+        // With this select NaN proves nothing.
         hn::StoreU(hn::IfThenElseZero(hn::Gt(proved, hn::Zero(d)), proved), d, lower + i);
     }
 }

@@ -4,18 +4,21 @@
 #include <cmath>
 #include <limits>
 
-#include "exact/moved_point.h"
+#include "exact/ball.h"
+#include "exact/integer.h"
 #include "exact/triangle_features.h"
 
 namespace clearway {
 namespace {
 
+/// The corners of a pair in exact numbers.
 template <class Number>
 struct Numbers {
     typename TriangleFeatures<Number>::Corners part, environment;  ///< relative to a common point
 };
 
-/// Coordinates in a unit of about the pair's size, so that their products neither overflow nor vanish.
+/// A pair in double-double numbers, in a unit of about the pair's size, so that products neither overflow nor
+/// vanish.
 class Balls {
   public:
     Balls(const PairQuery& query, const TrianglesAt& triangles) : query_(query) {
@@ -40,10 +43,10 @@ class Balls {
     }
 
     const Numbers<Ball>& corners() const { return corners_; }
-    /// environment units -> this unit
+    /// Converts environment units to this unit.
     Ball scaled(double x) const {
         const double y = x * query_.perMeshUnit * perUnit_;
-        // Exact but where it underflows.
+        // The scaling is exact unless it underflows.
         return {y, 0, x == 0 || std::abs(y) >= 0x1p-500 ? 0 : 0x1p-600};
     }
     LengthBounds rootBounds(const Ball& numerator, const Ball& denominator) const {
@@ -51,7 +54,7 @@ class Balls {
         return {bounds.lower * unit_, bounds.upper * unit_};
     }
 
-    /// A lower bound of the distance, query units, from the slabs across a direction; 0 at worst.
+    /// A lower bound of the distance from the slabs across a direction, query units; 0 at worst.
     double provedAlong(const Vector3& direction) const {
         constexpr double kInfinity = std::numeric_limits<double>::infinity();
         const Triple<Ball> v = {direction[0], direction[1], direction[2]};
@@ -60,7 +63,8 @@ class Balls {
             alongPart[k] = corners_.part[k].dot(v);
             alongEnvironment[k] = corners_.environment[k].dot(v);
         }
-        double ahead = kInfinity, behind = kInfinity;  // of the environment before the part, and after it
+        double ahead = kInfinity,
+               behind = kInfinity;  // gaps with the environment ahead of or behind the part
         for (const Ball& onPart : alongPart) {
             for (const Ball& onEnvironment : alongEnvironment) {
                 const Ball difference = onEnvironment - onPart;
@@ -85,14 +89,14 @@ class Balls {
     }
 
     const PairQuery& query_;
-    double unit_, perUnit_;  ///< in query units
+    double unit_, perUnit_;  ///< this unit in query units, and its inverse
     Numbers<Ball> corners_;
 };
 
-/// Coordinates as whole multiples of a power of two.
+/// A pair in integers, in a power-of-two unit of which all coordinates are whole multiples.
 class Integers {
   public:
-    /// d: a length that is to be a whole multiple too, environment units.
+    /// d: a length that must be a whole multiple too, environment units.
     Integers(const PairQuery& query, const TrianglesAt& triangles, double d) : query_(query) {
         const FlatTree &part = *query.part, &environment = *query.environment;
         const auto &p = part.triangles[triangles.part], &q = environment.triangles[triangles.environment];
@@ -130,7 +134,7 @@ class Integers {
     Numbers<Integer> corners_;
 };
 
-/// A visitor of TriangleFeatures: whether any is within a distance.
+/// A visitor of TriangleFeatures that decides whether any pair of features is within a distance.
 template <class Number>
 class AnyWithin {
   public:
@@ -155,7 +159,7 @@ class AnyWithin {
     Verdict answer_ = Verdict::no;
 };
 
-/// A visitor of TriangleFeatures: the least distance, query units.
+/// A visitor of TriangleFeatures that finds the least distance, query units.
 template <class Arithmetic>
 class Least {
   public:
@@ -188,7 +192,7 @@ class Least {
   private:
     template <class Place>
     static PlaceInTriangle rounded(const Place& place) {
-        // Whatever was divided, a place is one of the triangle's.
+        // The quotients are rounded; clamping keeps the place on the triangle.
         const double s = std::min(std::max(0.0, quotient(place.s, place.whole)), 1.0),
                      t = std::min(std::max(0.0, quotient(place.t, place.whole)), 1 - s);
         return {place.corner, s, t};
@@ -198,6 +202,7 @@ class Least {
     LengthBounds bounds_{0, 0};
 };
 
+/// Resolves a pair with the given numbers.
 template <class Arithmetic>
 ResolvedPair resolvedWith(const Arithmetic& arithmetic, const PairQuery& query,
                           const TrianglesAt& triangles) {
@@ -216,12 +221,13 @@ ResolvedPair resolvedWith(const Arithmetic& arithmetic, const PairQuery& query,
     return resolved;
 }
 
-/// On contact: whether the middle between the points, each off its triangle by up to 5.4 u64 M, is within 16
-/// of both.
+/// For a pair in contact: whether the middle between the two points is within 16 u64 M of both triangles.
+/// Each point is off its own triangle by up to 5.4 u64 M.
 bool isOnePoint(const ResolvedPair& pair, double M) {
     return lengthBetween(pair.pointOnPart, pair.pointOnEnvironment) <= 20 * kUnitRoundoffDouble * M;
 }
 
+/// Whether contact is decided and the answer as accurate as wanted.
 bool isSettled(const ResolvedPair& pair, const WantedWidth& wanted, double M) {
     if (pair.contact == Verdict::open) return false;
     return pair.contact == Verdict::yes ? isOnePoint(pair, M) : wanted.isMetBy(pair);
@@ -254,7 +260,7 @@ ResolvedPair settlePair(const PairQuery& query, const TrianglesAt& triangles, co
         ++counters.exactPairs;
         pair = resolvedWith(Integers(query, triangles, 0), query, triangles);
         if (pair.contact == Verdict::open)
-            pair.contact = Verdict::no;  // apart by less than a double can tell
+            pair.contact = Verdict::no;  // they are apart by less than the least double
     }
     if (pair.contact == Verdict::yes) {
         pair.pointOnPart = pair.pointOnEnvironment = 0.5 * (pair.pointOnPart + pair.pointOnEnvironment);
@@ -265,7 +271,7 @@ ResolvedPair settlePair(const PairQuery& query, const TrianglesAt& triangles, co
 
 namespace {
 
-/// What double arithmetic leaves open. apartAlong: a direction along which the pair may be proved apart.
+/// Decides a pair that double arithmetic leaves open. apartAlong: a direction that may separate the pair.
 PairWithin isWithinBeyondDouble(const PairQuery& query, const TrianglesAt& triangles, double d,
                                 const Vector3& apartAlong, std::int32_t feature, QueryCounters& counters) {
     ++counters.doubleDoublePairs;
@@ -288,7 +294,8 @@ PairWithin isPairWithin(const PairQuery& query, const TrianglesAt& triangles, do
         return isWithinBeyondDouble(query, triangles, d, pair.apartAlong, triangles.feature, counters);
     }
     const ResolvedPair pair = resolvePair(query, triangles);
-    // In query units d is rounded only below 2^-1022 and above the largest double, where no bound lies.
+    // Converting d to query units rounds only below 2^-1022 and above the largest double, where no bound
+    // lies.
     const double dInQueryUnits = d * query.perMeshUnit;
     if (pair.lower > dInQueryUnits) return {false, pair.feature};
     if (pair.contact == Verdict::yes || pair.upper <= dInQueryUnits) return {true, pair.feature};

@@ -1,4 +1,4 @@
-// All pairs of triangles of two leaves, one pair per lane: what can be dropped cheaply is, the rest goes
+// All pairs of triangles of two leaves, one pair per lane. A cheap bound drops most pairs; the others go
 // through the visitor's triangle kernel.
 #include "hwy/highway.h"
 #include "kernels/tri_tri_distance-inl.h"
@@ -16,20 +16,21 @@ namespace clearway {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Leaves are taken in blocks of up to 4 triangles, two blocks as 16 pairs: pair p is that of the part
-/// block's triangle p / 4 and the environment block's triangle p % 4.
+/// A leaf is cut into blocks of up to 4 triangles. Two blocks make 16 pairs: pair p consists of triangle p /
+/// 4 of the part's block and triangle p % 4 of the environment's.
 constexpr int kBlock = 4;
 constexpr int kBlockPairs = kBlock * kBlock;
-constexpr int kMostBlocks = 4;  ///< of a leaf, which holds at most 16 triangles
-constexpr int kWalkSteps = 1;   ///< of the cheap bound; 2 drops a third of what is left and costs more
+constexpr int kMostBlocks = 4;  ///< in a leaf, which holds at most 16 triangles
+constexpr int kWalkSteps = 1;  ///< of the cheap bound; a second one drops a third of the rest, but costs more
 using PairTag = hn::CappedTag<float, kBlockPairs>;
 
-/// The same coordinate of a block's 4 triangles; what lies past the block's last triangle means nothing.
+/// One coordinate of a block's 4 triangles. Entries past the block's last triangle have no meaning.
 struct alignas(16) BlockRow {
     float of[kBlock];
 };
 
-/// The row of an environment block, each triangle in the lanes of its pairs; first: pair in the first lane.
+/// The row of an environment block spread over a register, each triangle in the lanes of its pairs. first:
+/// the pair in the first lane.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V SpreadEnvironment(D d, const float* row, [[maybe_unused]] size_t first) {
 #if HWY_TARGET == HWY_SCALAR
@@ -39,7 +40,7 @@ HWY_INLINE V SpreadEnvironment(D d, const float* row, [[maybe_unused]] size_t fi
 #endif
 }
 
-/// The row of a part block, likewise.
+/// The row of a part block spread over a register in this way.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V SpreadPart(D d, const BlockRow& row, size_t first) {
 #if HWY_TARGET != HWY_SCALAR
@@ -53,19 +54,20 @@ HWY_INLINE V SpreadPart(D d, const BlockRow& row, size_t first) {
     return hn::Set(d, row.of[first / kBlock]);
 }
 
-/// Two leaves in the environment's axes, relative to the environment leaf's centre, in query units: their
-/// corners are then numbers of the leaves' size, whatever the distance from the origin, and roundingError is
-/// small with them.
+/// Two leaves in the environment's axes, relative to the environment leaf's centre, in query units. The
+/// corners are then numbers of the leaves' size at any distance from the origin, and the rounding error is in
+/// proportion.
 class LeafPairs {
   public:
-    /// volumesBound: a proved lower bound of all pairs. Finds the pairs that are near by a cheap bound.
+    /// Brings two leaves together and finds the pairs that a cheap bound does not drop. volumesBound: a
+    /// proved lower bound of all pairs' distances.
     HWY_INLINE void meet(const PairQuery& query, const Leaf& part, const Leaf& environment,
                          float volumesBound, float dropFrom) {
         query_ = &query;
         part_ = &part;
         environment_ = &environment;
         volumesBound_ = volumesBound;
-        double away = 0;  // at least the length of the offset
+        double away = 0;  // at least the offset's length
         for (int row = 0; row < 3; ++row) {
             const double* R = query.R + 3 * row;
             const double between = (R[0] * part.centre[0] + R[1] * part.centre[1] + R[2] * part.centre[2] +
@@ -76,8 +78,7 @@ class LeafPairs {
         }
         const double reach = double(part.radius) * query.partLeafToQuery +
                              double(environment.radius) * query.environmentLeafToQuery + away;
-        roundingError_ = static_cast<float>(
-            (kTriangleSlack * kUnitRoundoffFloat * reach + query.offsetSlack) * (1 + 1e-6));
+        roundingError_ = slackOf(kTriangleSlack, reach, query.offsetSlack);
         int block = 0;
         for (std::uint32_t i = 0; i < part.triangleCount; i += kBlock) {
             const BlockStart partStart = movePart(i);
@@ -89,21 +90,21 @@ class LeafPairs {
 
     int total() const { return int(part_->triangleCount * environment_->triangleCount); }
 
-    /// Places for pairs in the blocks that these leaves take.
+    /// Places for pairs in the blocks of these leaves.
     int lanes() const {
         return int((part_->triangleCount + kBlock - 1) / kBlock *
                    ((environment_->triangleCount + kBlock - 1) / kBlock)) *
                kBlockPairs;
     }
 
-    /// Of all leaves that met: pairs that came to the visitor's kernel, and the lanes of their registers.
+    /// Pairs that came to the visitor's kernel, over all leaves met so far, and the lanes of their registers.
     std::uint64_t kernelPairs() const { return kernelPairs_; }
     std::uint64_t kernelLanes() const { return kernelLanes_; }
 
-    /// Hands the visitor every pair whose distance may be below its dropFrom(), until it is done().
-    /// A visitor also has
-    ///   bounds(d, pair, lower)   TriangleBounds of a register of pairs that are known to be lower apart
-    ///   take(lower, upper, triangles)   a pair with proved bounds of its distance
+    /// Hands the visitor every pair whose distance may be below dropFrom(), until the visitor is done(). A
+    /// visitor also has
+    ///   bounds(d, pair, lower)          the TriangleBounds of a register of pairs; lower: known bounds
+    ///   take(lower, upper, triangles)   takes a pair with proved bounds of its distance
     template <class Visitor>
     HWY_INLINE void visit(Visitor& visitor) {
         int block = 0;
@@ -118,8 +119,8 @@ class LeafPairs {
     }
 
   private:
-    /// Of each of a block's triangles, the corner that is farthest towards the other leaf's centre and its
-    /// place along the way there.
+    /// Where the walk between triangles starts: for each triangle of a block, the corner farthest towards the
+    /// other leaf's centre, and its coordinate along that direction.
     struct BlockStart {
         BlockRow corner[3];
         BlockRow along;
@@ -133,12 +134,13 @@ class LeafPairs {
         hn::Store(support.along, d, start.along.of + i);
     }
 
-    /// From the part leaf's centre to the environment leaf's.
+    /// The vector from the part leaf's centre to the environment leaf's centre.
     template <class D, class V = hn::Vec<D>>
     HWY_INLINE Lanes3<V> across(D d) const {
         return {hn::Set(d, -offset_[0]), hn::Set(d, -offset_[1]), hn::Set(d, -offset_[2])};
     }
 
+    /// Moves the part's block that begins with triangle `first`.
     HWY_INLINE BlockStart movePart(std::uint32_t first) {
         const hn::CappedTag<float, kBlock> d;
         using V = hn::Vec<decltype(d)>;
@@ -189,7 +191,8 @@ class LeafPairs {
         return start;
     }
 
-    /// The register of pairs of part block i and environment block j that begins with pair `first`.
+    /// Loads the register that begins with pair `first` of the blocks that begin with the part's triangle i
+    /// and the environment's triangle j.
     template <class V = hn::Vec<PairTag>>
     HWY_INLINE void load(std::uint32_t i, std::uint32_t j, size_t first, Triangles<V>& a,
                          Triangles<V>& b) const {
@@ -210,7 +213,7 @@ class LeafPairs {
         }
     }
 
-    /// Which of these pairs' proved bounds are below dropFrom, or not a number.
+    /// The lanes whose proved bound is below dropFrom or is NaN.
     template <class V>
     HWY_INLINE std::uint32_t nearLanes(V lower, float dropFrom) const {
         const PairTag d;
@@ -218,7 +221,7 @@ class LeafPairs {
         return ~MaskBits(d, hn::Ge(proved, hn::Set(d, dropFrom))) & ((1u << hn::Lanes(d)) - 1);
     }
 
-    /// The pairs of two blocks that a cheap bound does not prove to be dropFrom apart.
+    /// The pairs of two blocks that a cheap bound does not prove to be dropFrom apart, as bits.
     HWY_INLINE std::uint32_t cull(std::uint32_t i, std::uint32_t j, const BlockStart& partStart,
                                   float dropFrom) const {
         const PairTag d;
@@ -227,8 +230,8 @@ class LeafPairs {
         const BlockStart start = startOfEnvironment(j);
         const Lanes3<V> leaves = across(d);
         const V leavesSquared = Dot(leaves, leaves);
-        const V needSquared =
-            hn::Set(d, NeedSquared((dropFrom + roundingError_) * (1 + 2 * float(kUnitRoundoffFloat))));
+        const V needSquared = hn::Set(d, NeedSquared((dropFrom + roundingError_) *
+                                                     (1 + kNeedSumRoundoffs * float(kUnitRoundoffFloat))));
         std::uint32_t near = 0;
         for (size_t first = 0; first < kBlockPairs; first += hn::Lanes(d)) {
             const V width =
@@ -248,6 +251,8 @@ class LeafPairs {
         return near;
     }
 
+    /// Takes the near pairs of two blocks through the visitor's kernel and hands the visitor those that stay
+    /// near.
     template <class Visitor>
     HWY_INLINE void visitBlock(std::uint32_t near, std::uint32_t i, std::uint32_t j, Visitor& visitor) {
         const PairTag d;
@@ -281,7 +286,7 @@ class LeafPairs {
         }
     }
 
-    /// Bit p is set when the block has pair p.
+    /// The pairs that exist, as bits: blocks may hold fewer than 4 triangles.
     static HWY_INLINE std::uint32_t presentPairs(std::uint32_t partLeft, std::uint32_t environmentLeft) {
         const auto firstBits = [](std::uint32_t n) { return (1u << n) - 1; };
         return (firstBits(environmentLeft < kBlock ? environmentLeft : kBlock) * 0x1111) &

@@ -1,43 +1,77 @@
-// The queries on trees, dispatched once each to the instruction set in use.
+// The queries on trees and the scratch they work with. Each query is dispatched once, to the instruction set
+// in use.
 #pragma once
 
 #include <cstdint>
 
 #include "clearway/query.h"
+#include "core/pile.h"
 #include "query/pair_query.h"
 #include "query/refine.h"
-#include "query/workspace_state.h"
+#include "tree/flat_tree.h"
 
 namespace clearway {
 
-/// Lengths in query units.
+/// A pair of volumes that traversal still has to open, with a lower bound of its distance in query units.
+struct StackEntry {
+    float bound;
+    VolumeReference part;
+    VolumeReference environment;
+};
+
+/// A pair of triangles that may be the closest. lower: a true lower bound of its distance, query units.
+struct Candidate {
+    float lower;
+    TrianglesAt triangles;
+};
+
+/// The pair that answered the last query. It helps the next query of the two models it came from.
+struct WarmStart {
+    std::uint64_t partId = 0;  ///< Model::id(), which is never 0; 0: no warm start
+    std::uint64_t environmentId = 0;
+    TrianglesAt triangles{0, 0, kNoFeature};
+};
+
+/// The contents of a Workspace.
+struct Workspace::State {
+    Pile<StackEntry> stack;
+    Pile<Candidate> candidates;
+    WarmStart warmStart;
+    QueryCounters counters;
+};
+
+/// DistanceOptions in query units.
 struct ClosestRequest {
     double relativeError;
     double absoluteError;
     double cap;
 };
 
+/// The closest pair.
 struct ClosestAnswer {
-    bool found =
-        false;  ///< false: the distance is larger than the cap, pair.lower >= cap and nothing else counts
+    /// If false, the distance is larger than the cap, pair.lower >= cap, and all other values have no
+    /// meaning.
+    bool found = false;
     ResolvedPair pair;
     TrianglesAt triangles{0, 0, kNoFeature};
 };
 
+/// Whether any pair is within the distance.
 struct WithinAnswer {
     bool within = false;
-    TrianglesAt triangles{0, 0, kNoFeature};  ///< of a pair that is, when within
+    TrianglesAt triangles{0, 0, kNoFeature};  ///< if within: such a pair
 };
 
-/// warmStart: a pair of triangles to begin with, or null.
+/// Finds the closest pair. warmStart: a pair of triangles to begin with, or null.
 ClosestAnswer closestPair(const PairQuery& query, const ClosestRequest& request, const WarmStart* warmStart,
                           Workspace::State& state);
 
-/// distance: environment units, >= 0.
+/// Decides exactly whether any pair is within the distance. distance: environment units, >= 0. warmStart: as
+/// above.
 WithinAnswer anyPairWithin(const PairQuery& query, double distance, const WarmStart* warmStart,
                            Workspace::State& state);
 
-/// Least lower bound first.
+/// Sorts by lower bounds, the least first.
 void sortByLower(Pile<Candidate>& candidates);
 
 }  // namespace clearway

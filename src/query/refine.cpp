@@ -1,24 +1,26 @@
-// The pair's distance and its proof in double. Upper bound: the closest of 9 edge pairs and 6 corners over
-// faces, each a feasible pair of points. Lower bound: the widest slab gap over directions that contain the
-// best one for every kind of closest feature; true for any direction, so only its width is at stake. Contact
-// is proved by an edge that goes through a face by more than rounding. What neither proves is left open.
+// Upper bound: the closest of 9 edge pairs and 6 corners over faces, each of which is a pair of points of the
+// triangles. Lower bound: the widest slab gap over directions that include the best one for every kind of
+// closest features. Every direction gives a true bound, so the choice only affects its width. Contact is
+// proved by an edge that pierces a face by more than rounding. Pairs that neither bound nor piercing decides
+// stay open.
 #include "query/refine.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "exact/double_double.h"
+#include "exact/ball.h"
 
 namespace clearway {
 namespace {
 
-/// A point of a triangle, roughly, and where it lies on it.
+/// A point of a triangle: its place on the triangle, and its rounded coordinates.
 struct OnTriangle {
     Vector3 x = Vector3::Zero();
     PlaceInTriangle place;
 };
 
+/// The closest pair of points found so far.
 struct PointPair {
     OnTriangle onPart, onEnvironment;
     double squared = std::numeric_limits<double>::infinity();
@@ -51,9 +53,9 @@ void takeEdges(const Corners& a, int i, const Corners& b, int j, PointPair& best
     best.take(onEdge(a, i, s), onEdge(b, j, t), 3 * i + j);
 }
 
-/// The point of the triangle below x; where it is not below the face, a point of the triangle all the same.
-/// Each step but the first sets out from the point found, and so rounds in what is left: with two, a flat
-/// triangle's point is as good as another's.
+/// The projection of x onto the triangle; if x lies beside the face, some point of the triangle. Each further
+/// step starts from the point found so far and rounds only in the remaining difference: with two steps a flat
+/// triangle gets as good a point as any other.
 OnTriangle pointBelow(const Vector3& x, const Corners& triangle, int steps) {
     const Vector3 u = triangle.edge(0), v = triangle.p[2] - triangle.p[0], n = u.cross(v);
     const double nn = n.squaredNorm();
@@ -85,13 +87,13 @@ PointPair closestPoints(const Corners& a, const Corners& b) {
     return best;
 }
 
-/// Six times the signed volume of a tetrahedron.
+/// Six times the signed volume of the tetrahedron a, b, c, d.
 double volumeOf(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& d) {
     return (b - a).dot((c - a).cross(d - a));
 }
 
-/// Whether an edge of one triangle goes through the inside of the other by more than `least` shows in every
-/// volume that decides it: then they share a point, whatever the rounding. false says nothing.
+/// Whether an edge of one triangle pierces the other, and every volume that decides this exceeds `least`.
+/// Then the triangles share a point whatever the rounding. false proves nothing.
 bool surelyPierces(const Corners& edges, const Corners& face, double least) {
     for (int k = 0; k < 3; ++k) {
         const Vector3 &from = edges.p[k], &to = edges.p[(k + 1) % 3];
@@ -109,7 +111,8 @@ bool surelyPierces(const Corners& edges, const Corners& face, double least) {
     return false;
 }
 
-/// Where an edge of one triangle crosses the other's plane, and the point of the other below it.
+/// Takes the points where edges of one triangle cross the other's plane, each with its projection onto the
+/// other.
 void takeCrossings(const Corners& edges, const Corners& face, bool edgesAreParts, PointPair& best) {
     const Vector3 n = face.normal();
     for (int k = 0; k < 3; ++k) {
@@ -125,8 +128,8 @@ void takeCrossings(const Corners& edges, const Corners& face, bool edgesAreParts
     }
 }
 
-/// Two slabs across a direction: (min v.b - max v.a or the other way round) / |v|, -infinity for a direction
-/// of no length.
+/// The gap between two triangles' slabs across v, max(min v.b - max v.a, min v.a - max v.b) / |v|; -infinity
+/// for a direction without length.
 struct Slabs {
     double gap = -std::numeric_limits<double>::infinity();
     Vector3 direction = Vector3::Zero();
@@ -146,21 +149,22 @@ void keepWider(const Slabs& slabs, Slabs& widest) {
     if (slabs.gap > widest.gap) widest = slabs;
 }
 
-/// The normals of each triangle's edges within its plane.
+/// Tries the normals of each triangle's edges within its plane.
 void tryDirectionsInPlanes(const Corners& a, const Corners& b, Slabs& widest) {
     for (const Corners* triangle : {&a, &b}) {
         const Vector3 n = triangle->normal();
         for (int k = 0; k < 3; ++k) {
             const Vector3 v = triangle->edge(k).cross(n);
-            const double largest = v.cwiseAbs().maxCoeff();  // as below
+            const double largest =
+                v.cwiseAbs().maxCoeff();  // keeps the square of a short direction from vanishing
             if (largest > 0) keepWider(across(v / largest, a, b), widest);
         }
     }
 }
 
-/// Directions for the pairs that three do not prove tightly: cross products of edges, normals of edges within
-/// a face, and the difference made perpendicular to each edge, which takes the rounding of a short difference
-/// out of it.
+/// Tries more directions, for pairs whose difference and normals give no tight bound: cross products of
+/// edges, normals of edges within a face, and the difference made perpendicular to each edge, which removes
+/// the rounding of a short difference.
 void tryManyDirections(const Vector3& difference, const Corners& a, const Corners& b, Slabs& widest) {
     const auto take = [&](const Vector3& v) {
         const double largest =
@@ -182,7 +186,8 @@ void tryManyDirections(const Vector3& difference, const Corners& a, const Corner
     take(difference);
 }
 
-/// The lower bound, tried harder while it is not within slack of the distance.
+/// The widest gap found. More directions are tried if the first three leave it more than `slack` below the
+/// distance.
 Slabs widestSlabs(const PointPair& closest, const Corners& a, const Corners& b, double slack) {
     Slabs widest = across(closest.difference(), a, b);
     keepWider(across(a.normal(), a, b), widest);
@@ -193,17 +198,18 @@ Slabs widestSlabs(const PointPair& closest, const Corners& a, const Corners& b, 
     return widest;
 }
 
-/// A lower bound of the distance from a slab gap. First order, vectors, in u64: moved corners 1.8 M;
-/// differences from the base 1.8 + 1.8, products of a slab gap 5.2 + 5.2 and their difference 3.5 times the
-/// size. The length of the direction costs 5 of the gap itself.
+/// Turns a slab gap computed here in double into a lower bound of the distance. Rounding, first order, errors
+/// of vectors, in u64: moved corners 1.8 M; differences from the base 1.8 + 1.8, products of a slab gap 5.2 +
+/// 5.2 and their difference 3.5 times the pair's size. The length of the direction costs 5 of the gap itself.
 struct GapRounding {
     GapRounding(double M, double size) : slack(kUnitRoundoffDouble * (2 * M + 18 * size)) {}
     double provedBy(double gap) const { return gap * (1 - 5 * kUnitRoundoffDouble) - slack; }
     double slack;
 };
 
-/// The slabs across the difference at the feature, when they are as far apart as the points but for rounding,
-/// which proves these closest; else none. One feature and one direction instead of all.
+/// Tries one feature and one direction instead of all: the gap across the difference at the guessed feature.
+/// If that gap equals the distance of the points up to rounding, the points are proved closest; otherwise
+/// there is no gap.
 Slabs provedByGuess(std::int32_t feature, const Corners& a, const Corners& b, const GapRounding& rounding,
                     PointPair& closest) {
     if (feature != kNoFeature) {
@@ -216,29 +222,8 @@ Slabs provedByGuess(std::int32_t feature, const Corners& a, const Corners& b, co
     return {};
 }
 
-}  // namespace
-
-PairVertices pairVertices(const PairQuery& query, const TrianglesAt& triangles) {
-    const FlatTree &part = *query.part, &environment = *query.environment;
-    const auto &p = part.triangles[triangles.part], &q = environment.triangles[triangles.environment];
-    const Vector3 &p0 = part.vertices[p[0]], &q0 = environment.vertices[q[0]];
-    PairVertices pair;
-    for (int row = 0; row < 3; ++row) {
-        pair.firstCorner[row] = affineRow(query.R + 3 * row, p0.data(), query.t[row]) * query.perMeshUnit -
-                                q0[row] * query.perMeshUnit;
-        for (int edge = 0; edge < 2; ++edge) {
-            pair.partEdge[edge][row] = (part.vertices[p[edge + 1]][row] - p0[row]) * query.perMeshUnit;
-            pair.environmentEdge[edge][row] =
-                (environment.vertices[q[edge + 1]][row] - q0[row]) * query.perMeshUnit;
-        }
-    }
-    return pair;
-}
-
-namespace {
-
-/// The corners of a pair relative to a point near it, so that what follows rounds in the pair's size;
-/// differences of near doubles are exact.
+/// The corners of a pair relative to a point near both, so that further rounding is in proportion to the
+/// pair's size. Differences of nearby doubles are exact.
 struct LocalPair {
     LocalPair(const Corners& moved, const Corners& fixed) : a(moved), b(fixed) {
         const Vector3 base = fixed.p[0];
@@ -251,8 +236,8 @@ struct LocalPair {
     }
 
     bool surelyPierces(double M) const {
-        // In first order a volume is off by at most 12 size^2 times a corner's 4 u64 (M + size), and 60 u64
-        // size^3.
+        // In first order the error of a volume is at most 12 size^2 times a corner's error of 4 u64 (M +
+        // size), plus 60 u64 size^3.
         const double leastVolume = 512 * kUnitRoundoffDouble * size * size * (size + M);
         return clearway::surelyPierces(a, b, leastVolume) || clearway::surelyPierces(b, a, leastVolume);
     }
@@ -263,6 +248,32 @@ struct LocalPair {
 
 }  // namespace
 
+// Computed with twice the digits and rounded once, the point is off by 1.8 u64, and by another 1.8 where fl(1
+// - s) made s + t exceed 1.
+Vector3 pointAt(const PlaceInTriangle& place, const Corners& triangle) {
+    const Vector3 &first = triangle.p[place.corner], &next = triangle.p[(place.corner + 1) % 3],
+                  &last = triangle.p[(place.corner + 2) % 3];
+    Vector3 x;
+    for (int k = 0; k < 3; ++k) {
+        const DoubleDouble u = twoSum(next[k], -first[k]), v = twoSum(last[k], -first[k]);
+        const DoubleDouble su = twoProduct(place.s, u.high), tv = twoProduct(place.t, v.high);
+        const DoubleDouble way = twoSum(su.high, tv.high), sum = twoSum(first[k], way.high);
+        x[k] = sum.high + (sum.low + way.low + su.low + tv.low + place.s * u.low + place.t * v.low);
+    }
+    return x;
+}
+
+double lengthBetween(const Vector3& p, const Vector3& q) {
+    DoubleDouble squared{0, 0};
+    for (int k = 0; k < 3; ++k) {
+        const DoubleDouble difference = twoSum(p[k], -q[k]);
+        const DoubleDouble square = twoProduct(difference.high, difference.high);
+        const DoubleDouble sum = twoSum(squared.high, square.high);
+        squared = {sum.high, squared.low + sum.low + square.low + 2 * difference.high * difference.low};
+    }
+    return std::sqrt(squared.high + squared.low);
+}
+
 ContactInDouble contactOf(const PairQuery& query, const TrianglesAt& triangles) {
     const LocalPair pair(movedCorners(query, triangles.part), fixedCorners(query, triangles.environment));
     if (pair.surelyPierces(query.largestCoordinate)) return {Verdict::yes, Vector3::Zero()};
@@ -270,8 +281,8 @@ ContactInDouble contactOf(const PairQuery& query, const TrianglesAt& triangles) 
     Slabs widest = across(pair.a.normal(), pair.a, pair.b);
     keepWider(across(pair.b.normal(), pair.a, pair.b), widest);
     const auto isOpen = [&] { return !(rounding.provedBy(widest.gap) > 0); };
-    // Normals, edges' cross products and normals of edges within a face separate whatever can be separated.
-    // Faces on each other are separated within their plane, if at all.
+    // Any two disjoint triangles are separated by a normal, a cross product of edges or a normal of an edge
+    // within a face. Faces that rest on each other can only be separated within their plane.
     const bool isResting = std::abs(widest.gap) <= 2 * rounding.slack;
     if (isOpen()) tryDirectionsInPlanes(pair.a, pair.b, widest);
     if (isOpen() && !isResting) tryManyDirections(Vector3::Zero(), pair.a, pair.b, widest);

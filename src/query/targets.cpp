@@ -15,14 +15,14 @@ std::string nameOf(std::int64_t target) {
     return name;
 }
 
-/// Highway gives better sets lower bits.
+/// The sets of this machine, best first: Highway gives better sets lower bits.
 std::vector<std::int64_t> machineTargets() {
     hwy::SetSupportedTargetsForTest(0);
     return hwy::SupportedAndGeneratedTargets();
 }
 
 std::int64_t& chosen() {
-    static std::int64_t target = 0;  // 0: the best
+    static std::int64_t target = 0;  // 0: the best one
     return target;
 }
 

@@ -2,14 +2,14 @@
 // bounds it can drop, takes the near pairs of triangles, and says when it has its answer.
 //
 // A visitor has
-//   float dropFrom() const   pairs of volumes whose distance is at least this (query units) are of no
-//   interest bool done() const
-// and what LeafPairs::visit asks for.
+//   float dropFrom() const   query units: pairs of volumes at least this far apart are of no interest
+//   bool done() const        whether the traversal may stop
+// and the members that LeafPairs::visit asks for.
 #include "hwy/highway.h"
 #include "kernels/rss_lower_bound-inl.h"
 #include "query/leaf_pairs-inl.h"
 #include "query/pair_query.h"
-#include "query/workspace_state.h"
+#include "query/queries.h"
 
 #if defined(CLEARWAY_QUERY_TRAVERSE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef CLEARWAY_QUERY_TRAVERSE_INL_H_
@@ -22,11 +22,12 @@ HWY_BEFORE_NAMESPACE();
 namespace clearway {
 namespace HWY_NAMESPACE {
 
-/// The environment is opened first unless the part's volume is larger by this factor. Source: measured; of
-/// the volumes' lengths, areas and products of both, this size visits fewest nodes, 10 to 20 % fewer than
-/// lengths.
+/// The environment is opened first unless the part's volume is larger by this factor. Measured: among the
+/// volumes' lengths, areas and products of both, WideNode::size visits the fewest nodes, 10 to 20 % fewer
+/// than lengths.
 constexpr float kOpenPartRatio = 1.22f;
 
+/// Carries one lane's volume into the frame and unit of the other tree.
 template <int kWidth>
 HWY_INLINE CarriedRss CarryVolume(const Carry& carry, const WideNode<kWidth>& node, int lane) {
     const hn::CappedTag<float, 4> d;
@@ -50,7 +51,7 @@ HWY_INLINE CarriedRss CarryVolume(const Carry& carry, const WideNode<kWidth>& no
     return carried;
 }
 
-/// A volume's node, lane and child.
+/// A volume: its node, its lane there and its child.
 template <int kWidth>
 struct Volume {
     HWY_INLINE Volume(const FlatTree& tree, VolumeReference reference)
@@ -63,7 +64,7 @@ struct Volume {
     HWY_INLINE bool isLeaf() const { return child < 0; }
 };
 
-/// A pair of volumes one of whose nodes is opened: the other volume against its children.
+/// The result of opening one volume of a pair: bounds between the volume's children and the other volume.
 template <int kWidth>
 struct Opening {
     alignas(64) float bounds[kWidth];
@@ -73,6 +74,7 @@ struct Opening {
     bool openPart;
 };
 
+/// Whether to open the part's volume rather than the environment's.
 template <int kWidth>
 HWY_INLINE bool OpensPart(const PairQuery& query, const Volume<kWidth>& a, const Volume<kWidth>& b) {
     return b.isLeaf() ||
@@ -80,6 +82,7 @@ HWY_INLINE bool OpensPart(const PairQuery& query, const Volume<kWidth>& a, const
                                kOpenPartRatio * b.node.size[b.lane] * query.environmentLeafToQuery);
 }
 
+/// Opens one volume of the pair and bounds the distances of its children from the other volume.
 template <int kWidth>
 HWY_INLINE void Open(const PairQuery& query, const StackEntry& entry, const Volume<kWidth>& a,
                      const Volume<kWidth>& b, float dropFrom, Opening<kWidth>& opening) {
@@ -95,7 +98,7 @@ HWY_INLINE void Open(const PairQuery& query, const StackEntry& entry, const Volu
     opening.openPart = openPart;
 }
 
-/// Pushes the near children, the nearest last. Negative bounds stay as they are: they tell which overlap is
+/// Pushes the near children, the nearest last. Negative bounds are kept, because they tell which overlap is
 /// deepest.
 template <int kWidth>
 HWY_INLINE void PushNear(const Opening<kWidth>& opening, Pile<StackEntry>& stack) {
@@ -113,6 +116,7 @@ HWY_INLINE void PushNear(const Opening<kWidth>& opening, Pile<StackEntry>& stack
     }
 }
 
+/// Traverses both trees until the visitor is done or no pair of volumes is left.
 template <int kWidth, class Visitor>
 HWY_INLINE void Traverse(const PairQuery& query, Workspace::State& state, Visitor& visitor) {
     const FlatTree& part = *query.part;
@@ -121,8 +125,8 @@ HWY_INLINE void Traverse(const PairQuery& query, Workspace::State& state, Visito
     stack.clear();
     stack.push({-hwy::HighestValue<float>(), 0, 0});
 
-    // Taking several pairs at once, so that the processor has their bounds to work on side by side, was tried
-    // with 2, 3 and 4, as was fetching pushed children ahead: no gain, arithmetic is the limit.
+    // Neither popping 2, 3 or 4 pairs at once, for the processor to bound them side by side, nor prefetching
+    // pushed children gained anything when measured: arithmetic is the limit.
     Opening<kWidth> opening;
     LeafPairs leaves;
     while (!stack.empty() && !visitor.done()) {

@@ -1,4 +1,4 @@
-// A ball holds the exact value, says 0 error only when it is that value, and never decides a sign wrongly.
+// A ball holds the exact value, has error 0 only when it equals that value, and never decides a sign wrongly.
 #include "exact/ball.h"
 
 #include <boost/test/unit_test.hpp>
@@ -25,7 +25,7 @@ bool holds(const Tracked& x) {
     return abs(off) <= Rational(x.ball.error);
 }
 
-// Numbers of many sizes, with few and with all digits.
+// Draws a number of any size, with few digits or with all 53.
 Tracked draw(Random& random) {
     const int kind = int(random.uniform(0, 4));
     const double value = kind == 0   ? std::floor(random.uniform(-4, 4))
@@ -118,7 +118,7 @@ BOOST_AUTO_TEST_CASE(roots_of_fractions_are_enclosed) {
     }
 }
 
-// Where the error is nearly all of the value, the tail is most of what is left.
+// With an error almost as large as the value, the tail makes up most of the difference between them.
 BOOST_AUTO_TEST_CASE(bounds_count_the_tail) {
     const Ball doubtful(1, -0x1p-54, 1 - 0x1p-52);
     const Rational least = Rational(doubtful.high) + Rational(doubtful.low) - Rational(doubtful.error);
@@ -130,7 +130,7 @@ BOOST_AUTO_TEST_CASE(bounds_count_the_tail) {
                 Rational(denominator.upper) * Rational(denominator.upper) >= 1 / least));
 }
 
-// A tail may be hundreds of digits behind: what is lost of it then is not nothing.
+// A tail may lie hundreds of digits behind the head; what a product loses of it must be counted as error.
 BOOST_AUTO_TEST_CASE(products_whose_tails_underflow_are_not_called_exact) {
     Random random(kSeed);
     for (int round = 0; round < 2000; ++round) {

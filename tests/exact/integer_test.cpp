@@ -1,9 +1,11 @@
+// Integers hold doubles, their fractions, the roots of fractions and moved points exactly.
 #include "exact/integer.h"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <limits>
 
+#include "exact/ball.h"
 #include "support/exact_triangle.h"
 #include "support/random_meshes.h"
 
@@ -44,7 +46,7 @@ BOOST_AUTO_TEST_CASE(a_double_is_a_whole_multiple_of_its_last_bit) {
 BOOST_AUTO_TEST_CASE(quotients_and_roots_are_those_of_the_fractions) {
     Random random(kSeed);
     for (int round = 0; round < 2000; ++round) {
-        // Up to thousands of digits.
+        // Draws integers of up to thousands of digits.
         const auto draw = [&] {
             Integer value = scaledInteger(random.uniform(-1, 1), -60);
             for (int k = int(random.uniform(0, 40)); k > 0; --k)
@@ -67,8 +69,35 @@ BOOST_AUTO_TEST_CASE(quotients_and_roots_are_those_of_the_fractions) {
             BOOST_TEST(root.upper - root.lower <= 12 * 0x1p-53 * root.upper);
         }
     }
-    BOOST_TEST(quotient(0, 7) == 0);
+    BOOST_TEST(quotient(Integer(0), Integer(7)) == 0);
     BOOST_TEST(rootBounds(0, 7, 3).upper == 0);
     BOOST_TEST(std::isinf(rootBounds(1, 0, 3).lower));
-    BOOST_TEST(rootBounds(1, 1, -2000).upper > 0);  // only a root of 0 is 0
+    BOOST_TEST(rootBounds(1, 1, -2000).upper > 0);  // only the root of 0 is 0
+}
+
+BOOST_AUTO_TEST_CASE(moved_points_are_exact) {
+    constexpr std::uint64_t kMovedSeed = 14;
+    Random random(kMovedSeed);
+    for (int round = 0; round < 500; ++round) {
+        const bool isSimple = round % 3 == 0;
+        Pose X = isSimple ? Pose{} : random.pose(100);
+        if (round % 5 == 0) X.translation = {0, std::ldexp(1.0, int(random.uniform(-300, 300))), -3};
+        Vector3 point(random.uniform(-1, 1), std::floor(random.uniform(-9, 9)), random.uniform(-1e6, 1e6));
+        if (round % 7 == 0) point.setZero();
+        const ExactPoint exact = exactlyMoved(X, {point, point, point})[0];
+        const Triple<Ball> ball = movedBall(X, point);
+        const int exponent = lastBitOf(X, point) - (round % 4);
+        const Triple<Integer> whole = movedInteger(X, point, exponent);
+        const Ball* balls[3] = {&ball.x, &ball.y, &ball.z};
+        const Integer* wholes[3] = {&whole.x, &whole.y, &whole.z};
+        BOOST_TEST_CONTEXT("seed " << kMovedSeed << ", round " << round) {
+            for (int k = 0; k < 3; ++k) {
+                const Rational off = exact[k] - Rational(balls[k]->high) - Rational(balls[k]->low);
+                BOOST_TEST((abs(off) <= Rational(balls[k]->error)));
+                const Rational scaled = Rational(boost::multiprecision::cpp_int(*wholes[k]));
+                BOOST_TEST((scaled * Rational(std::ldexp(1.0, exponent)) == exact[k]));
+                if (isSimple && round % 5 != 0) BOOST_TEST(balls[k]->error == 0);
+            }
+        }
+    }
 }

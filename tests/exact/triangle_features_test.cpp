@@ -1,5 +1,5 @@
-// The least of all features is the triangles' distance, for triangles of no area and no length too, and the
-// places named are that far apart.
+// The least distance over all features is the triangles' distance, for degenerate triangles too, and the
+// reported places are that far apart.
 #include "exact/triangle_features.h"
 
 #include <algorithm>
@@ -85,7 +85,7 @@ Least<Number> leastOf(const Corners& a, const Corners& b) {
 
 }  // namespace
 
-// On so coarse a grid most triangles touch, lie in one plane, are parallel or have no area.
+// On a coarse grid most triangles touch, lie in one plane, are parallel or have no area.
 BOOST_AUTO_TEST_CASE(triangles_on_a_grid_have_their_exact_distance) {
     Random random(kSeed);
     for (const double cells : {2.0, 3.0, 40.0, 1e9}) {

@@ -1,5 +1,5 @@
-// The hard triangle pairs as kernels meet them: near the origin, at most 1 large, rounded to the kernel's
-// number, with the distance of the rounded corners; and the same as rows for whole-vector loads.
+// The hard triangle pairs as kernels meet them: near the origin, of size at most 1, rounded to the kernel's
+// number type, with the exact distance of the rounded corners; also as rows for whole-vector loads.
 #pragma once
 
 #include <algorithm>

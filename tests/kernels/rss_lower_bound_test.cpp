@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "query/pair_query.h"
-#include "query/workspace_state.h"
+#include "query/queries.h"
 #include "support/each_target.h"
 #include "support/query_cases.h"
 
@@ -21,8 +21,8 @@ HWY_BEFORE_NAMESPACE();
 namespace clearway {
 namespace HWY_NAMESPACE {
 
-/// Bounds, in mesh units, from every volume of `carried` to the children of every node of `tree`:
-/// bounds[(volume * nodes + node) * kWidth + lane], a volume being node * kWidth + lane.
+/// Lower bounds, in mesh units, from every volume of `carried` to the children of every node of `tree`:
+/// bounds[(volume * nodes + node) * kWidth + lane], where a volume is node * kWidth + lane.
 template <int kWidth>
 void allBounds(const FlatTree& carried, const FlatTree& tree, const Carry& carry, double toMeshUnit,
                std::vector<double>& bounds) {
@@ -64,7 +64,7 @@ HWY_EXPORT(allBounds8);
 namespace testing {
 namespace {
 
-// This program has a dispatch of its own beside the library's.
+// Sets the dispatch of this program, which is separate from the library's, to the target in use.
 std::vector<double> boundsOf(const FlatTree& carried, const FlatTree& tree, const Carry& carry,
                              double toMeshUnit) {
     std::vector<double> bounds;
@@ -90,7 +90,7 @@ void addTriangles(const FlatTree& tree, std::int32_t child, std::vector<std::uin
     }
 }
 
-// For each volume, the positions of the triangles in it; none for an unused lane.
+// The positions of the triangles in each volume; none for an unused lane.
 template <int kWidth>
 std::vector<std::vector<std::uint32_t>> trianglesOfVolumes(const FlatTree& tree) {
     std::vector<std::vector<std::uint32_t>> result;
@@ -107,7 +107,8 @@ std::vector<std::vector<std::uint32_t>> trianglesOfVolumes(const FlatTree& tree)
     return withNodeWidth(tree.nodeWidth, [&](auto width) { return trianglesOfVolumes<width>(tree); });
 }
 
-// Distances of all pairs of triangles, by their positions in the trees; row: the part's.
+// Distances of all pairs of triangles, by their positions in the trees, one row for each triangle of the
+// part.
 std::vector<std::vector<double>> pairDistances(const QueryCase& queryCase, const FlatTree& part,
                                                const FlatTree& environment, const Pose& pose) {
     std::vector<std::vector<double>> distances;
@@ -123,13 +124,13 @@ std::vector<std::vector<double>> pairDistances(const QueryCase& queryCase, const
 struct Tightness {
     long pairs = 0;
     long above = 0;  // bounds above the distance: must stay 0
-    long half = 0;   // bounds above half of a distance that is larger than the volumes are
+    long half = 0;   // bounds above half of a distance that exceeds the volumes' sizes
     long farApart = 0;
-    long unused = 0;  // unused lanes with another bound than infinity
+    long unused = 0;  // unused lanes with a bound other than infinity
 };
 
-// Compares the bounds with the distances of what the volumes hold. distanceOf(i, j): triangles of carried and
-// tree.
+// Compares the bounds with the distances of the volumes' triangles. distanceOf(i, j): distance of triangle i
+// of carried and triangle j of tree.
 template <class DistanceOf>
 void compare(const std::vector<double>& bounds, const FlatTree& carried, const FlatTree& tree,
              const DistanceOf& distanceOf, Tightness& tightness) {
@@ -181,7 +182,7 @@ void compareBothWays(const QueryCase& queryCase, int width, Tightness& tightness
 QueryCase smallCase(Random& random, const Mesh& part, const Mesh& environment) {
     std::vector<Pose> poses;
     for (const double reach : {5.0, 40.0}) poses.push_back(random.pose(reach));
-    // Axes that agree almost, where rectangle distances by formula lose their digits.
+    // Nearly equal axes, where formulas for rectangle distances lose their digits.
     for (const double angle : {0.0, 1e-9, 1e-6, 1e-3}) {
         poses.push_back({Eigen::AngleAxisd(angle, random.direction()).toRotationMatrix(), random.inBox(20)});
     }
@@ -199,7 +200,7 @@ BOOST_DATA_TEST_CASE(lower_bound_never_exceeds_true_distance, eachTarget() * eac
         smallCase(random, torus(6, 2, 4), box({10, 6, 0.5}, 2)),
         smallCase(random, box({3, 4, 5}, 1), plateWithHole(30, 1, 6, 6)),
         smallCase(random, scaledBy(torus(6, 2, 4), 0x1p-12), randomTerrain(random, 4, 30, 0)),
-        smallCase(random, randomSoup(random, 9, 0, 0), randomSoup(random, 30, 10, 1e-9))};  // points, nearly
+        smallCase(random, randomSoup(random, 9, 0, 0), randomSoup(random, 30, 10, 1e-9))};  // nearly points
     Tightness tightness;
     for (const QueryCase& queryCase : cases) compareBothWays(queryCase, width, tightness);
     BOOST_TEST(tightness.pairs > 10000);

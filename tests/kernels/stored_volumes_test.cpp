@@ -1,5 +1,5 @@
-// No lower bound between two volumes exceeds their distance, by long double from the rectangles as they are
-// stored: nearly parallel, crossing, coplanar, without width, far away; on any instruction set.
+// No lower bound between two volumes exceeds their distance, which long double computes from the stored
+// rectangles: nearly parallel, crossing, coplanar, without width and far away, on any instruction set.
 #include <algorithm>
 #include <array>
 #include <boost/test/unit_test.hpp>
@@ -11,7 +11,7 @@
 
 #include "kernels/stored_volumes.h"
 #include "query/pair_query.h"
-#include "query/workspace_state.h"
+#include "query/queries.h"
 #include "support/each_target.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -25,7 +25,7 @@ HWY_BEFORE_NAMESPACE();
 namespace clearway {
 namespace HWY_NAMESPACE {
 
-/// From lane 0 of the carried node to all of the other; returns the near lanes.
+/// Bounds from lane 0 of the carried node to all lanes of the other node; returns the near lanes.
 std::uint32_t boundsToLanes2(const WideNode<2>& carried, const WideNode<2>& node, const Carry& carry,
                              float dropFrom, float* bounds) {
     return RssLowerBounds(CarryVolume(carry, carried, 0), node, carry.slack, carry.toQueryUnit, dropFrom,
@@ -111,14 +111,14 @@ std::vector<FoundBound> boundsOfWidth(int width, const StoredRss& one, const std
 }
 
 PairQuery queryOf(const VolumeCase& volumes) {
-    static FlatTree part, environment;  // the query points at them
+    static FlatTree part, environment;  // static, because the query points at them
     part = emptyTree(volumes.partFrame);
     environment = emptyTree(volumes.environmentFrame);
     return preparePairQuery(part, environment, volumes.pose);
 }
 
-/// Bounds of the part's volume, carried, to the children; then of each child, as the carried one, to a node
-/// that holds the part's volume. Mesh units.
+/// Bounds from the part's volume, carried, to the children; then from each child, carried, to a node that
+/// holds the part's volume. Mesh units.
 std::vector<std::array<long double, 2>> boundsBothWays(const VolumeCase& volumes, const PairQuery& query,
                                                        int width) {
     const long double unit = std::ldexp(1.0L, query.unitExponent);
@@ -133,7 +133,7 @@ std::vector<std::array<long double, 2>> boundsBothWays(const VolumeCase& volumes
     return bounds;
 }
 
-/// |t| + both trees' radii, mesh units: what kVolumeSlack is a multiple of.
+/// |t| + both trees' radii, mesh units: the length that kVolumeSlack is a multiple of.
 long double reachOf(const VolumeCase& volumes) {
     const Vector3 between = volumes.pose * volumes.partFrame.origin - volumes.environmentFrame.origin;
     return between.norm() + std::ldexp(1.0, volumes.partFrame.unitExponent) +
@@ -175,7 +175,7 @@ BOOST_DATA_TEST_CASE(rounding_takes_less_than_a_quarter_of_its_slack, eachTarget
     const UsingTarget using_(target);
     std::map<std::string, long double> worst;  // in u32 of the reach, by kind
     for (const VolumeCase& volumes : cases()) {
-        if (volumes.kind == "far from the origin") continue;  // where most of the slack is the offset's
+        if (volumes.kind == "far from the origin") continue;  // most of the slack there is the offset's
         PairQuery query = queryOf(volumes);
         query.partToEnvironment.slack = query.environmentToPart.slack = 0;
         const auto bounds = boundsBothWays(volumes, query, width);
@@ -220,11 +220,12 @@ BOOST_DATA_TEST_CASE(what_is_not_near_is_at_least_as_far_as_asked, eachTarget() 
 
 BOOST_DATA_TEST_CASE(bounds_of_volumes_apart_are_of_use, eachTarget() * eachWidth(), target, width) {
     const UsingTarget using_(target);
-    // The narrow node's bound is the rectangles' distance but for rounding, the wide one's a share of it.
+    // The narrow node's bound is the rectangles' distance up to rounding, the wide node's bound a share of
+    // that distance.
     const long double share = width == 2 ? 0.99L : 0.5L;
     int apart = 0, useful = 0;
     for (const VolumeCase& volumes : cases()) {
-        if (volumes.kind == "far from the origin") continue;  // where the slack is wide
+        if (volumes.kind == "far from the origin") continue;  // the slack there is wide
         const auto bounds = boundsBothWays(volumes, queryOf(volumes), width);
         for (std::size_t lane = 0; lane < 8; ++lane) {
             if (volumes.distances[lane] <= sizeOf(volumes, lane)) continue;

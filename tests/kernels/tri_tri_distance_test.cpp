@@ -1,5 +1,5 @@
-// What the triangle kernels say of a pair's distance is true but for the rounding of sums and products, in
-// float and in double, on any instruction set, whatever the triangles' shape.
+// The bounds of the triangle kernels hold up to the rounding of sums and products, in float and in double, on
+// any instruction set, for triangles of any shape.
 #include <boost/test/unit_test.hpp>
 #include <limits>
 #include <map>
@@ -16,14 +16,13 @@
 
 #include "hwy/highway.h"
 #include "kernels/tri_tri_distance-inl.h"
-#include "kernels/tri_tri_intersect-inl.h"
 #include "kernels/triangle_lanes-inl.h"
 
 #ifndef CLEARWAY_TESTS_MEASURED
 #define CLEARWAY_TESTS_MEASURED
 namespace clearway::testing {
 
-/// What the kernels say of each pair.
+/// The kernels' bounds of each pair.
 template <class T>
 struct Measured {
     std::vector<T> face, edge, lower, upper, feature;
@@ -83,11 +82,11 @@ constexpr std::uint64_t kSeed = 83;
 /// difference 1, the direction's length, its root and the division 3.5.
 constexpr double kGapRoundoffs = 8;
 
-/// Rounding of a difference of two points, likewise: corners' difference 1, edges 2, their multiples 2, sums
-/// 2, a clamped share of a face 1, the length 2.5.
+/// Rounding of a difference of two points, first order, in u of the size: corners' difference 1, edges 2,
+/// their multiples 2, sums 2, a clamped share of a face 1, the length 2.5.
 constexpr double kPointRoundoffs = 11;
 
-// This program has a dispatch of its own beside the library's.
+// Sets the dispatch of this program, which is separate from the library's, to the target in use.
 Measured<float> measured(const TriangleRows<float>& rows) {
     Measured<float> out;
     hwy::GetChosenTarget().Update(hwy::SupportedTargets());
@@ -107,7 +106,8 @@ const std::vector<FramedPair<T>>& pairsOf() {
     return pairs;
 }
 
-/// The least distance at a feature, as query/refine.h numbers it: between two edges, or a corner and a face.
+/// The least distance at a feature, numbered as in query/pair_query.h: between two edges, or a corner and a
+/// face.
 long double distanceAt(int feature, const LongTriangle& a, const LongTriangle& b) {
     const auto corner = [](const LongTriangle& t, int k) { return LongTriangle{t[k], t[k], t[k]}; };
     const auto edge = [](const LongTriangle& t, int k) {
@@ -141,7 +141,7 @@ void checkBounds() {
     }
 }
 
-/// Pairs of a family, and how many of them were answered well.
+/// The pairs of a family, and how many of them got good bounds.
 struct Share {
     int good = 0, all = 0;
     void add(bool isGood) {
@@ -150,7 +150,7 @@ struct Share {
     }
 };
 
-/// Where nothing is flat, near or parallel the kernels owe more than the truth.
+/// Pairs that are neither flat nor near nor parallel, for which the bounds must also be tight.
 bool isPlain(const std::string& family) {
     return family == "random" || family == "one edge of each along x" || family == "far from the origin";
 }

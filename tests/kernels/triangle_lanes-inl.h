@@ -17,7 +17,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 using WideTag = hn::CappedTag<float, testing::kVectorPairs>;
 
-/// One bool a lane.
+/// Appends one bool per lane.
 template <class M>
 void AppendLanes(M mask, std::vector<bool>& bools) {
     const WideTag d;
@@ -25,7 +25,7 @@ void AppendLanes(M mask, std::vector<bool>& bools) {
     for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane) bools.push_back((bits >> lane & 1) != 0);
 }
 
-/// Three rows, `stride` numbers apart.
+/// Loads points from three rows that are `stride` numbers apart.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE Lanes3<V> LoadPoints(D d, const hn::TFromD<D>* rows, std::size_t stride, std::size_t first) {
     return {hn::LoadU(d, rows + first), hn::LoadU(d, rows + stride + first),

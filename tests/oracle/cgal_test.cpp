@@ -1,5 +1,5 @@
-// The rational oracle against CGAL's exact one, wherever CGAL takes the pair: it asks for triangles with an
-// area.
+// The rational oracle agrees with CGAL's exact one on all pairs that CGAL accepts, which are triangles with
+// an area.
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/squared_distance_3.h>
 
@@ -23,7 +23,7 @@ Kernel::Triangle_3 toCgal(const Triangle& t) {
     return {point(t[0]), point(t[1]), point(t[2])};
 }
 
-/// As text, so that the two libraries' numbers need not know each other.
+/// The number as text, so that the two libraries' number types need not know each other.
 Rational toRational(const Kernel::FT& number) {
     std::ostringstream text;
     text << CGAL::exact(number);

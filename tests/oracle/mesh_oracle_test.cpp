@@ -1,4 +1,4 @@
-// The oracle's tree against every triangle with every other, and against answers known by geometry.
+// The oracle's tree agrees with trying all pairs of triangles, and with answers known from geometry.
 #include <boost/test/unit_test.hpp>
 
 #include "support/hard_triangles.h"

@@ -1,4 +1,4 @@
-// The oracle's own foundations: long double against rationals, rationals against closed forms.
+// The oracle's own foundations: long double agrees with rationals, and rationals with closed forms.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
@@ -75,8 +75,8 @@ BOOST_AUTO_TEST_CASE(rationals_say_zero_exactly_when_a_point_is_shared) {
 }
 
 BOOST_AUTO_TEST_CASE(rationals_match_brute_sampling_on_the_integer_grid) {
-    // On small integers a fine lattice of both triangles' points bounds the distance from above within its
-    // spacing.
+    // On small integers, a fine lattice of points of both triangles bounds the distance from above to within
+    // its spacing.
     Random random(11);
     constexpr int kSteps = 24;
     for (int trial = 0; trial < 200; ++trial) {

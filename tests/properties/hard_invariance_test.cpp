@@ -1,5 +1,5 @@
-// What must not change an answer, and what may change it only one way, held against exact arithmetic on the
-// hard pairs of triangles.
+// Changes that must not change an answer, and changes that may move it in one direction only, checked in
+// exact arithmetic on the hard pairs of triangles.
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -17,7 +17,7 @@ namespace {
 constexpr std::uint64_t kSeed = 139;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Some draws of every family of sizes that a query takes, as drawn and at a pose. Made once.
+/// Some draws of every family whose sizes a query accepts, as drawn and at a pose; made once.
 const std::vector<ExactCase>& cases() {
     static const std::vector<ExactCase> made = [] {
         std::vector<ExactCase> result;
@@ -196,7 +196,7 @@ BOOST_DATA_TEST_CASE(a_cap_is_told_only_where_the_distance_is_not_below, eachWid
                     BOOST_TEST(result.upper < kInfinity);
                 } else if (result.upper == kInfinity) {
                     BOOST_TEST(result.lower >= cap);
-                } else {  // within an interval's width of the cap
+                } else {  // the distance is within an interval's width of the cap
                     BOOST_TEST(result.lower < cap);
                 }
             }
@@ -205,7 +205,8 @@ BOOST_DATA_TEST_CASE(a_cap_is_told_only_where_the_distance_is_not_below, eachWid
 }
 
 BOOST_DATA_TEST_CASE(a_million_away_the_interval_holds_the_distance_of_what_is_stored, eachTarget(), target) {
-    // In metres, coordinates rounded there. M is what the coordinates' rounding allows; sizes add little.
+    // Meshes of a few metres, a million metres out, with coordinates rounded there. That rounding, in units
+    // of M, makes up nearly all of the interval's width; the sizes add little.
     const UsingTarget using_(target);
     Random random(kSeed);
     for (int draw = 0; draw < 12; ++draw) {

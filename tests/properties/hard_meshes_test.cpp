@@ -1,4 +1,4 @@
-// The hard cases of meshes, one test a case (see hard_cases.md), on every instruction set, with every leaf
+// The hard cases of meshes, one test per case (see hard_cases.md), on every instruction set, with every leaf
 // split and node width, in all three queries.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -20,7 +20,7 @@ Pose shiftedBy(double x, double y, double z) {
     return {Matrix3::Identity(), {x, y, z}};
 }
 
-/// Returns the distance, checked.
+/// Checks all queries and returns the distance.
 double checkAt(const std::string& name, const Mesh& part, const Mesh& environment, const Pose& pose) {
     const ExactCase exact = exactCase(name + ", seed " + std::to_string(kSeed), part, environment, pose);
     checkEveryBuild(exact);
@@ -45,7 +45,7 @@ Mesh flipped(Mesh mesh) {
     return mesh;
 }
 
-/// A triangle that is a segment, a point, or three corners in a row, in turn.
+/// Degenerate triangles in turn: a segment, a point, three corners in a row.
 Mesh segmentsAndPoints(Random& random, int triangles, double halfSide) {
     Mesh mesh = randomSoup(random, triangles, halfSide, 6);
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
@@ -145,7 +145,7 @@ BOOST_AUTO_TEST_CASE(case_36_tessellated_spheres_at_a_gap) {
     for (const double gap : {5.0, 1e-1, 1e-3}) {
         const Pose pose{random.rotation(), (13 + gap) * random.direction()};
         const double distance = checkAt("spheres", small, large, pose);
-        // Within the balls, and no deeper below them than a face's middle.
+        // Inside the balls, and no deeper below their surface than the middle of a face.
         BOOST_TEST(distance >= gap * (1 - 1e-12));
         BOOST_TEST(distance <= gap + 3 * (1 - std::pow(std::cos(kPi / 12), 2)) +
                                    10 * (1 - std::pow(std::cos(kPi / 16), 2)));

@@ -1,5 +1,6 @@
-// The hard cases of triangles, one test a case (see hard_cases.md): pairs alone and together in two meshes,
-// on every instruction set, with every leaf split and node width, in all three queries; and in double alone.
+// The hard cases of triangles, one test per case (see hard_cases.md): each pair alone and all pairs together
+// in two meshes, on every instruction set, with every leaf split and node width, in all three queries; and in
+// double alone.
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -20,7 +21,7 @@ constexpr std::uint64_t kSeed = 131;
 constexpr int kDraws = 30;
 constexpr int kTogether = 5;
 
-/// "22_needles"
+/// The test's name, for example "22_needles".
 std::string caseName(const TriangleFamily& family) {
     std::string name = (family.number < 10 ? "0" : "") + std::to_string(family.number) + '_' + family.name;
     const auto isPlain = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
@@ -76,7 +77,7 @@ void checkFamily(const TriangleFamily& family) {
 
 bool registerFamilies() {
     for (const TriangleFamily& family : hardTriangleFamilies()) {
-        if (family.number == 0 || family.name == "denormals") continue;  // the latter: see below
+        if (family.number == 0 || family.name == "denormals") continue;  // denormals: see below
         boost::unit_test::framework::current_auto_test_suite().add(boost::unit_test::make_test_case(
             [family] { checkFamily(family); }, caseName(family), __FILE__, __LINE__));
     }

@@ -1,5 +1,5 @@
-// What must not change an answer: who is called the part, the order of triangles, the scale, the place, the
-// workspace's past.
+// Changes that must not change an answer: the roles of part and environment, the order of triangles, the
+// scale, the place, and the workspace's history.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
@@ -34,7 +34,7 @@ std::vector<Pose> firstPoses(const QueryCase& queryCase, std::size_t n) {
     return {queryCase.poses.begin(), queryCase.poses.begin() + static_cast<std::ptrdiff_t>(n)};
 }
 
-// The whole scene, meshes and gaps, times the factor.
+// Scales the whole scene, meshes and gaps, by the factor.
 QueryCase scaledCase(const QueryCase& queryCase, double factor) {
     std::vector<Pose> poses = queryCase.poses;
     for (Pose& pose : poses) pose.translation *= factor;
@@ -133,7 +133,8 @@ BOOST_DATA_TEST_CASE(meshes_may_lie_far_from_their_origin, eachTarget() * eachWi
     const UsingTarget using_(target);
     const Pose offset{Matrix3::Identity(), {1e6, -2e6, 3e5}};
     for (const QueryCase& queryCase : queryCases()) {
-        // Both meshes in coordinates shared far out; the pose moves the part as before, about the far place.
+        // Both meshes in common coordinates far out; the pose moves the part as before, but about the far
+        // place.
         std::vector<Pose> poses;
         for (const Pose& pose : firstPoses(queryCase, 4)) poses.push_back(offset * pose * inverse(offset));
         checkAll(makeCase(queryCase.name + " far out", transformed(queryCase.part, offset),
@@ -143,7 +144,7 @@ BOOST_DATA_TEST_CASE(meshes_may_lie_far_from_their_origin, eachTarget() * eachWi
 }
 
 BOOST_DATA_TEST_CASE(a_part_may_lie_far_beyond_the_size_of_both, eachTarget() * eachWidth(), target, width) {
-    // From 2^32 sizes on, squares of squares overflow float; queries go up to 2^60.
+    // From 2^32 sizes on, fourth powers of lengths overflow float; queries go up to 2^60.
     const UsingTarget using_(target);
     Random random(23);
     const Mesh part = randomSoup(random, 20, 0.7, 0.4), environment = randomSoup(random, 30, 0.7, 0.4);

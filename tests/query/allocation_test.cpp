@@ -1,4 +1,4 @@
-// A query that has met its like before takes nothing from the heap.
+// A query allocates nothing once a similar query has run before.
 #include <atomic>
 #include <boost/test/unit_test.hpp>
 #include <cstdlib>
@@ -14,7 +14,8 @@ std::atomic<long> allocations{0};
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 
-// As <sanitizer/allocator_interface.h> declares it; g++ 12 has the function without the header.
+// The declaration from <sanitizer/allocator_interface.h>, a header that g++ 12 lacks although it has the
+// function.
 extern "C" int __sanitizer_install_malloc_and_free_hooks(void (*)(const volatile void*, std::size_t),
                                                          void (*)(const volatile void*));
 
@@ -27,8 +28,7 @@ const int hooksInstalled = __sanitizer_install_malloc_and_free_hooks(
 
 #else
 
-// glibc lets a program put its own functions in front of the allocator's; operator new comes through here
-// too.
+// glibc lets a program put its own functions in front of the allocator's. operator new calls them too.
 extern "C" {
 
 void* __libc_malloc(std::size_t size);
@@ -90,7 +90,7 @@ BOOST_AUTO_TEST_CASE(the_count_sees_every_way_to_the_heap) {
         allocate();
         return allocations > before;
     };
-    void* volatile memory = nullptr;  // volatile: or the compiler leaves the allocation out
+    void* volatile memory = nullptr;  // volatile keeps the compiler from removing the allocation
     BOOST_TEST(counts([&] { memory = std::malloc(100); }));
     BOOST_TEST(counts([&] { memory = std::realloc(memory, 1000000); }));
     std::free(memory);

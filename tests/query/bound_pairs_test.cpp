@@ -1,5 +1,5 @@
-// Bounds of several pairs in double never exceed the distance of their exact vertices, and come near it for
-// triangles of a good shape; far from the origin, at any scale, on any instruction set.
+// Bounds of several pairs in double never exceed the distance of their exact vertices, and come near the
+// distance for well-shaped triangles; far from the origin, at any scale, on any instruction set.
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -55,7 +55,7 @@ struct PairsCase {
     std::vector<Candidate> pairs;
     std::vector<double> distances;  ///< mesh units
     std::vector<double> sizes;      ///< largest coordinate of the pair from the environment's first corner
-    std::vector<bool> isPlain;      ///< of a good shape, and apart by more than half of their size
+    std::vector<bool> isPlain;      ///< well shaped, and apart by more than half of their size
 };
 
 std::map<std::int64_t, std::uint32_t> placesOf(const FlatTree& tree) {
@@ -64,14 +64,14 @@ std::map<std::int64_t, std::uint32_t> placesOf(const FlatTree& tree) {
     return places;
 }
 
-/// Least height over longest edge.
+/// The least height of a triangle over its longest edge.
 long double shapeOf(const LongTriangle& t) {
     const long double area = (t[1] - t[0]).cross(t[2] - t[0]).norm();
     const long double longest = std::max({(t[1] - t[0]).norm(), (t[2] - t[1]).norm(), (t[0] - t[2]).norm()});
     return longest > 0 ? area / (longest * longest) : 0;
 }
 
-/// Long double, and rational arithmetic for what is near.
+/// The distance in long double, and in rational arithmetic for near pairs.
 double trueDistance(const Pose& pose, const std::array<Vector3, 3>& a, const std::array<Vector3, 3>& b,
                     double largest) {
     const long double distance = triangleDistance(moved(pose, a), toLong(b)).distance;
@@ -79,7 +79,7 @@ double trueDistance(const Pose& pose, const std::array<Vector3, 3>& a, const std
     return static_cast<double>(rootOf(exactDistanceSquared(exactlyMoved(pose, a), toExact(b))));
 }
 
-/// ids: of the part's and the environment's triangle.
+/// ids: ids of the part's and the environment's triangles.
 PairsCase makePairs(const std::string& name, const Mesh& part, const Mesh& environment, const Pose& pose,
                     const std::vector<std::pair<std::size_t, std::size_t>>& ids) {
     PairsCase made{name, Model::build(part), Model::build(environment), pose, {}, {}, {}, {}};
@@ -88,7 +88,7 @@ PairsCase makePairs(const std::string& name, const Mesh& part, const Mesh& envir
     for (const auto& [p, e] : ids) {
         const auto inPart = partPlaces.find(std::int64_t(p)),
                    inEnvironment = environmentPlaces.find(std::int64_t(e));
-        if (inPart == partPlaces.end() || inEnvironment == environmentPlaces.end()) continue;  // a copy
+        if (inPart == partPlaces.end() || inEnvironment == environmentPlaces.end()) continue;  // removed
         const auto a = cornersOf(part, p), b = cornersOf(environment, e);
         const LongTriangle longA = moved(pose, a), longB = toLong(b);
         long double size = 0;
@@ -123,7 +123,7 @@ PairsCase makeSoup(Random& random, const std::string& name, double offset, int e
     const Pose away{Matrix3::Identity(), offset * random.direction()};
     const Mesh part = scaledBy(transformed(randomSoup(random, 40, 8, 1.5), away), scale);
     const Mesh environment = scaledBy(transformed(randomSoup(random, 40, 8, 1.5), away), scale);
-    // Turned about the place where both lie.
+    // Turns the part about the place where both triangles lie.
     Pose pose = away * random.pose(8) * inverse(away);
     pose.translation *= scale;
     std::vector<std::pair<std::size_t, std::size_t>> ids;
@@ -136,7 +136,7 @@ const std::vector<PairsCase>& cases() {
         std::vector<PairsCase> result;
         Random random(kSeed);
         for (const TriangleFamily& family : hardTriangleFamilies()) {
-            if (family.name == "denormals") continue;  // of sizes too far apart
+            if (family.name == "denormals") continue;  // their sizes differ too much
             result.push_back(makeFamily(random, family, Pose{}));
             result.push_back(makeFamily(random, family, random.pose(300)));
         }
@@ -152,7 +152,7 @@ const std::vector<PairsCase>& cases() {
     return made;
 }
 
-/// Of all pairs, query units, taken 1 to 8 at a time.
+/// Bounds of all pairs, query units, taken 1 to 8 at a time.
 std::vector<double> boundsOf(const PairQuery& query, const std::vector<Candidate>& pairs) {
     hwy::GetChosenTarget().Update(hwy::SupportedTargets());  // this program's own dispatch
     std::vector<double> bounds(pairs.size());

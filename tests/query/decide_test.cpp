@@ -1,5 +1,5 @@
-// What double leaves open is decided exactly: the interval holds the truth and is as narrow as promised, and
-// isWithin turns from no to yes between the two doubles that enclose the distance.
+// Pairs that double leaves open are decided exactly: the interval holds the truth and is as narrow as
+// promised, and isWithin turns from false to true between the two doubles that enclose the distance.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <limits>
@@ -31,8 +31,9 @@ double diagonalOf(const Triangle& triangle) {
     return box.diagonal().norm();
 }
 
-// Two triangles of coordinates of 46 digits, a corner of one on the other's face, edge or corner: exact, and
-// beyond twice a double's digits, for a height is the sum of products of three.
+// Two triangles with coordinates of 46 digits, a corner of one on the other's face, edge or corner. The
+// contact is exact and beyond twice a double's digits, because a height is a sum of products of three
+// coordinates.
 TrianglePair touchingOfManyDigits(Random& random) {
     const auto corner = [&] {
         const auto coordinate = [&] { return std::floor(random.uniform(-0x1p46, 0x1p46)); };
@@ -44,7 +45,7 @@ TrianglePair touchingOfManyDigits(Random& random) {
     return pair;
 }
 
-// Every family as drawn and moved.
+// Every family, as drawn and moved.
 const std::vector<Draw>& draws() {
     static const std::vector<Draw> drawn = [] {
         std::vector<Draw> result;
@@ -52,7 +53,7 @@ const std::vector<Draw>& draws() {
         std::vector<TriangleFamily> families = hardTriangleFamilies();
         families.push_back({0, "touching, many digits", touchingOfManyDigits});
         for (const TriangleFamily& family : families) {
-            if (family.name == "denormals") continue;  // of sizes too far apart for a query
+            if (family.name == "denormals") continue;  // their sizes differ too much for a query
             for (int i = 0; i < 8; ++i) {
                 const TrianglePair pair = family.make(random);
                 const Pose pose = i % 2 == 1 ? poseFor(random, pair) : Pose{};

@@ -1,5 +1,5 @@
-// Every strategy, node width and instruction set gives the oracle's distance, with everything else a result
-// promises.
+// Every strategy, node width and instruction set gives the oracle's distance and keeps all other promises of
+// a result.
 #include <boost/test/unit_test.hpp>
 #include <map>
 #include <sstream>

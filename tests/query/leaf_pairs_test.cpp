@@ -1,5 +1,5 @@
-// Of all pairs of two leaves, whatever their numbers of triangles, those that are near are taken, once each,
-// with bounds that hold their distance; on any instruction set.
+// LeafPairs hands over each near pair of two leaves exactly once, with bounds that hold its distance, for any
+// number of triangles, on any instruction set.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <limits>
@@ -35,7 +35,7 @@ HWY_BEFORE_NAMESPACE();
 namespace clearway {
 namespace HWY_NAMESPACE {
 
-/// Takes whatever it is given.
+/// A visitor that records all pairs it is given.
 class Recorder {
   public:
     Recorder(float dropFrom, std::vector<testing::TakenPair>& taken) : dropFrom_(dropFrom), taken_(taken) {}
@@ -78,7 +78,7 @@ namespace {
 
 constexpr std::uint64_t kSeed = 107;
 
-/// Two meshes of a leaf each, at a pose.
+/// Two meshes of one leaf each, at a pose.
 struct LeafCase {
     std::string name;
     Model part, environment;
@@ -106,7 +106,7 @@ LeafCase makeLeaves(const std::string& name, const Mesh& part, const Mesh& envir
     return leaves;
 }
 
-/// Leaves of `size`, near each other, apart by some of their size, or by many.
+/// Two leaves with the given numbers of triangles, apart by a small share of their size up to many times it.
 LeafCase makeSoups(Random& random, int partTriangles, int environmentTriangles) {
     const double away = std::pow(10.0, random.uniform(-1, 4)), size = std::pow(10.0, random.uniform(-2, 0));
     const Mesh part =
@@ -117,8 +117,8 @@ LeafCase makeSoups(Random& random, int partTriangles, int environmentTriangles) 
     return makeLeaves(name, part, environment, {random.rotation(), away * random.direction()});
 }
 
-/// Near each other, and turned so that the rotation's rows are as far as can be from the axes: where rounding
-/// adds up most.
+/// Leaves near each other, turned so that the rotation's rows are as far from the axes as possible: there
+/// rounding adds up most.
 LeafCase makeUnfavourable(Random& random) {
     const Mesh part = randomSoup(random, 16, 0.3, 1), environment = randomSoup(random, 16, 0.3, 1);
     const Matrix3 mirror = Matrix3::Constant(2.0 / 3) - Matrix3::Identity();  // a half turn about (1, 1, 1)
@@ -127,7 +127,8 @@ LeafCase makeUnfavourable(Random& random) {
     return makeLeaves("unfavourable", part, environment, {turn, random.inBox(0.5)});
 }
 
-/// Both so far from the origin that composing the way between them rounds by more than all that float does.
+/// Both leaves so far from the origin that composing the offset between them rounds by more than all float
+/// operations.
 LeafCase makeFar(Random& random) {
     const double away = std::ldexp(1.0, 36 + random.below(12));
     const Pose place{Matrix3::Identity(), away * random.direction()};
@@ -161,7 +162,7 @@ const std::vector<LeafCase>& cases() {
             result.push_back(makeFar(random));
         }
         for (const TriangleFamily& family : hardTriangleFamilies()) {
-            if (family.name == "denormals") continue;  // of sizes too far apart
+            if (family.name == "denormals") continue;  // their sizes differ too much
             for (int i = 0; i < 6; ++i) {
                 result.push_back(makeFamily(random, family, i % 2 == 0 ? Pose{} : random.pose(100)));
             }
@@ -171,7 +172,7 @@ const std::vector<LeafCase>& cases() {
     return made;
 }
 
-/// What is taken of all pairs of leaves; [part triangle][environment triangle].
+/// The recorded pairs of all pairs of leaves; [part triangle][environment triangle].
 std::vector<std::vector<std::vector<TakenPair>>> takenOf(const LeafCase& leaves, const PairQuery& query,
                                                          float dropFrom) {
     hwy::GetChosenTarget().Update(hwy::SupportedTargets());  // this program's own dispatch
@@ -188,7 +189,8 @@ std::vector<std::vector<std::vector<TakenPair>>> takenOf(const LeafCase& leaves,
     return byPair;
 }
 
-/// Of two trees of one leaf: both radii and the way between the centres, as LeafPairs adds them up.
+/// The reach of two trees of one leaf each: both radii and the offset between the centres, as LeafPairs adds
+/// them up.
 long double reachOf(const LeafCase& leaves, const PairQuery& query) {
     const Leaf &a = leaves.part.tree().leaves[0], &b = leaves.environment.tree().leaves[0];
     const Vector3 between = leaves.pose * Vector3(a.centre.data()) - Vector3(b.centre.data());
@@ -213,7 +215,7 @@ BOOST_DATA_TEST_CASE(every_near_pair_is_taken_once_with_bounds_that_hold_its_dis
         const PairQuery query = preparePairQuery(leaves.part.tree(), leaves.environment.tree(), leaves.pose);
         const std::size_t rows = leaves.distances.size(), columns = leaves.distances[0].size();
         for (int draw = 0; draw < 6; ++draw) {
-            // Just beyond one of the distances, so that a rounding too many would drop its pair.
+            // Just above one of the distances, so that one rounding too many would drop its pair.
             const long double distance =
                 leaves
                     .distances[std::size_t(random.below(int(rows)))][std::size_t(random.below(int(columns)))];
@@ -246,7 +248,7 @@ BOOST_DATA_TEST_CASE(rounding_takes_less_than_half_of_its_slack, eachTarget(), t
         if (leaves.part.tree().leaves.size() != 1 || leaves.environment.tree().leaves.size() != 1) continue;
         const long double reach = reachOf(leaves, query), u = kUnitRoundoffFloat;
         const long double slack = kTriangleSlack * u * reach + query.offsetSlack;
-        if (query.offsetSlack > 0.01L * slack) continue;  // far from the origin, where it is the offset's
+        if (query.offsetSlack > 0.01L * slack) continue;  // far from the origin: the offset's slack
         const auto taken = takenOf(leaves, query, std::numeric_limits<float>::max());
         for (std::size_t i = 0; i < taken.size(); ++i) {
             for (std::size_t j = 0; j < taken[i].size(); ++j) {

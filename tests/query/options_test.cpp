@@ -1,4 +1,4 @@
-// Caps, tolerances, and what is refused.
+// Caps and tolerances, and the arguments that are refused.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <limits>
@@ -21,7 +21,7 @@ BuildOptions ofWidth(int width) {
     return options;
 }
 
-// Whether the call throws std::invalid_argument with every one of the words.
+// Checks that the call throws std::invalid_argument with every one of the words.
 template <class Call>
 void checkRefused(const Call& call, const std::vector<std::string>& words) {
     try {

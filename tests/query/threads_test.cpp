@@ -1,4 +1,4 @@
-// Models are shared, workspaces are not: four threads get what one gets.
+// Threads share models but not workspaces: four threads get the answers of one.
 #include <boost/test/unit_test.hpp>
 #include <thread>
 

@@ -1,5 +1,5 @@
-// Parallel faces, where hundreds of pairs of triangles are equally close: the interval stays narrow and holds
-// the distance, for every leaf size and leaf split, on any instruction set.
+// Between parallel faces hundreds of pairs of triangles are equally close. The interval stays narrow and
+// holds the distance, for every leaf size and leaf split, on any instruction set.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <map>
@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::uint64_t kSeed = 109;
 
-/// Boxes of 4 x 3 x 2 and 6 x 5 x 2, face to face. Straight and turned, near the origin and away from it.
+/// Boxes of 4 x 3 x 2 and 6 x 5 x 2, face to face, straight and turned, near the origin and away from it.
 const std::vector<QueryCase>& boxesAtGaps() {
     static const std::vector<QueryCase> made = [] {
         std::vector<QueryCase> cases;
@@ -29,7 +29,7 @@ const std::vector<QueryCase>& boxesAtGaps() {
             straight.push_back({Matrix3::Identity(), {0.25, -0.5, 2 + gap}});
         }
         cases.push_back(makeCase("straight", part, environment, straight));
-        // The environment's corners are rounded where it is turned to: faces are parallel to rounding only.
+        // The turned environment's corners are rounded, so that faces are parallel only up to rounding.
         for (const double away : {0.0, 1e3}) {
             const Pose place{random.rotation(), away * random.direction()};
             std::vector<Pose> turned;
@@ -42,7 +42,7 @@ const std::vector<QueryCase>& boxesAtGaps() {
     return made;
 }
 
-// Built once for all instruction sets.
+// The models, built once for all instruction sets.
 const ModelPair& modelsOf(const QueryCase& queryCase, const BuildChoice& build) {
     static std::map<std::string, ModelPair> built;
     std::ostringstream key;
@@ -65,7 +65,7 @@ void checkTies(const QueryCase& queryCase, const BuildChoice& build) {
                 BOOST_TEST(!result.collides());
             }
             const double truth = queryCase.answers[i].distance;
-            const double rounding = kUnitRoundoff * largestCoordinate(queryCase, pose);  // the oracle's
+            const double rounding = kUnitRoundoff * largestCoordinate(queryCase, pose);  // of the oracle
             BOOST_TEST(!collides(models.part, models.environment, pose, workspace));
             BOOST_TEST(isWithin(models.part, models.environment, pose, truth + rounding, workspace));
             BOOST_TEST(!isWithin(models.part, models.environment, pose, truth - rounding, workspace));

@@ -1,4 +1,4 @@
-// collides, isWithin and distance never contradict one another, nor the oracle.
+// collides, isWithin and distance never contradict one another or the oracle.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <limits>
@@ -71,7 +71,7 @@ BOOST_DATA_TEST_CASE(within_agrees_with_oracle_and_interval, eachTarget() * each
     }
 }
 
-// There the contact that double arithmetic cannot rule out is wider than what float can tell apart.
+// Far out, the range in which double cannot rule out contact is wider than what float can tell apart.
 BOOST_DATA_TEST_CASE(far_from_the_origin_the_three_queries_agree_on_contact, eachTarget() * eachWidth(),
                      target, width) {
     const UsingTarget using_(target);
@@ -82,7 +82,7 @@ BOOST_DATA_TEST_CASE(far_from_the_origin_the_three_queries_agree_on_contact, eac
         const ModelPair models = buildPair(boxes, ofWidth(width));
         Workspace warm;
         int contacts = 0, free = 0;
-        for (int gap = 0; gap <= 80; ++gap) {  // in u64 away
+        for (int gap = 0; gap <= 80; ++gap) {  // in units of u64 * away
             const Pose pose{Matrix3::Identity(), place + Vector3(5 + gap * kUnitRoundoff * away, 0, 0)};
             Workspace cold, other;
             const bool touching = collides(models.part, models.environment, pose, cold);

@@ -1,4 +1,4 @@
-// A planner that goes on improving, asked again and again for the best it has.
+// A planner that keeps improving its path, asked again and again for its best path.
 #pragma once
 
 #include <ompl/base/OptimizationObjective.h>
@@ -21,24 +21,26 @@ class AnytimePlanner {
   public:
     using Parameters = std::vector<std::pair<std::string, std::string>>;
 
-    /// With certified motions, the edges and turn weight of `clearway plan`, and an objective by name.
+    /// Plans with certified motions, the edges and turn weight of `clearway plan`, and an objective by name.
     AnytimePlanner(const Problem& problem, const Scene& scene, const std::string& planner,
                    const Parameters& parameters, const std::string& objective, std::uint32_t seed);
 
-    /// Plans on, for seconds of processor time, of all its threads: so that it is the same on a machine that
-    /// is busy. Returns how long it took: less when the planner ended by itself.
+    /// Plans on for `seconds` of processor time of all its threads, which makes the amount of work
+    /// independent of other load on the machine. Returns the time used; it is less if the planner ended by
+    /// itself.
     double planSeconds(double seconds);
 
-    /// As long as the planner asks no more often whether to end: once an iteration for most.
+    /// Plans as long as the planner asks at most this often whether to end: for most planners, once per
+    /// iteration.
     void planIterations(std::uint64_t iterations);
 
-    /// The best cost of all paths found so far; nothing without one.
+    /// The best cost of all paths found so far; nothing if there is none.
     const std::optional<double>& best() const { return best_; }
 
-    /// The best is as good as it can be.
+    /// Whether the best cost is optimal.
     bool isSatisfied() const;
 
-    /// The least clearance of the best path by the validator's reports, whatever the objective.
+    /// The least clearance of the best path according to the validator's reports, for any objective.
     double certifiedClearance();
 
     const ompl::base::OptimizationObjective& objective() const { return *objective_; }

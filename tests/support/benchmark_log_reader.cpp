@@ -28,14 +28,14 @@ class Lines {
         return line;
     }
 
-    /// What follows the words that the line begins with.
+    /// The rest of the line after the words that it must begin with.
     std::string after(const std::string& words) {
         const std::string line = next();
         if (line.compare(0, words.size(), words) != 0) refuse("'" + words + "'", line);
         return line.substr(words.size());
     }
 
-    /// The number before the words that the line ends with.
+    /// The number before the words that the line must end with.
     double before(const std::string& words) {
         const std::string line = next();
         const std::size_t space = line.find(' ');
@@ -47,7 +47,7 @@ class Lines {
 
     long count(const std::string& words) { return static_cast<long>(before(words)); }
 
-    /// A line name = value.
+    /// Reads a line "name = value".
     void value(ReadLog::Values& values) {
         const std::string line = next();
         const std::size_t equals = line.find(" = ");
@@ -55,7 +55,7 @@ class Lines {
         values[line.substr(0, equals)] = line.substr(equals + 3);
     }
 
-    /// The lines between the marks.
+    /// The lines between the two marks.
     std::string text() {
         if (next() != "<<<|") refuse("<<<|", "another");
         std::string all;
@@ -63,7 +63,7 @@ class Lines {
         return all;
     }
 
-    /// A name of several words, the last of which is a type of SQL's.
+    /// Reads a name of several words, the last of which is an SQL type.
     std::string typedName() {
         const std::string line = next();
         const std::string type = line.substr(line.rfind(' ') + 1);
@@ -105,7 +105,7 @@ std::vector<std::string> readNames(Lines& lines, const std::string& words) {
     return names;
 }
 
-/// One value for each name, each with the separator after it.
+/// One value for each name, each followed by the separator.
 ReadLog::Values valuesOf(const std::vector<std::string>& names, const std::string& text,
                          const std::string& separator, const Lines& lines) {
     std::vector<std::string> parts = split(text, separator);

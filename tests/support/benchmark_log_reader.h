@@ -13,7 +13,7 @@ struct ReadLog {
         std::string name;
         Values settings;
         std::vector<Values> runs;
-        std::vector<std::vector<Values>> progress;  ///< of each run, moment by moment
+        std::vector<std::vector<Values>> progress;  ///< for each run, moment by moment
     };
 
     std::string version, experiment, host, started, setup, cpu;
@@ -24,7 +24,7 @@ struct ReadLog {
     std::vector<Planner> planners;
 };
 
-/// Throws std::runtime_error naming the line that is not as the script needs it.
+/// Throws std::runtime_error, which names the line, if a line is not what the script needs.
 ReadLog readBenchmarkLog(const std::string& text);
 
 }  // namespace clearway::testing

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// A conversion from long double rounds to nearest: one step further out holds the point for certain.
+// Converting long double to double rounds to nearest; one step further out certainly holds the point.
 void fitLeaf(BoxNode& node, const TriangleIndices& triangle, const std::vector<LongVector>& vertices) {
     for (int axis = 0; axis < 3; ++axis) {
         const auto values = {vertices[triangle[0]][axis], vertices[triangle[1]][axis],

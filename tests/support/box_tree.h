@@ -1,5 +1,5 @@
 // The oracle's tree: axis-aligned boxes in double, rounded outward, split at the median centroid of the
-// longest axis, one triangle a leaf.
+// longest axis, with one triangle per leaf.
 #pragma once
 
 #include <cstddef>
@@ -33,7 +33,7 @@ struct BoxTree {
                  std::size_t last);
 };
 
-/// Never above the distance of what the boxes hold.
+/// A lower bound of the distance between the contents of two boxes.
 double lowerBound(const BoxNode& a, const BoxNode& b);
 
 double diagonalSquared(const BoxNode& node);

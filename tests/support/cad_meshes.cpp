@@ -1,4 +1,4 @@
-// Shapes like those of CAD files: flat faces of few long triangles beside finely tessellated roundings.
+// Shapes like those in CAD files: flat faces of a few long triangles beside finely tessellated roundings.
 #include <array>
 #include <cmath>
 
@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 
-// A grid of points p(i, j), i in 0..rows, j in 0..columns, joined into triangles.
+// Joins a grid of points p(i, j), i in 0..rows, j in 0..columns, into triangles.
 Mesh gridMesh(int rows, int columns, const std::function<Vector3(int, int)>& point) {
     Mesh mesh;
     for (int i = 0; i <= rows; ++i) {
@@ -29,7 +29,7 @@ Vector3 onCircle(double radius, double turns, double z) {
     return {radius * std::cos(2 * kPi * turns), radius * std::sin(2 * kPi * turns), z};
 }
 
-// The profile's points (distance from the axis, z) turned about z in n steps; the profile is a closed loop.
+// Turns the profile's points (distance from the axis, z) about z in n steps. The profile is a closed loop.
 Mesh turned(const std::vector<std::array<double, 2>>& profile, int n) {
     const int corners = static_cast<int>(profile.size());
     return gridMesh(corners, n, [&](int i, int j) {
@@ -68,7 +68,7 @@ Mesh box(const Vector3& halfSides, int n) {
 }
 
 Mesh plateWithHole(double side, double thickness, double holeRadius, int n) {
-    // One skin: a fan of strips from the hole's rim to the square's border, met along the same ray.
+    // One skin is a fan of strips from the hole's rim to the square's border, along common rays.
     const auto skin = [&](double z) {
         return gridMesh(1, n, [&](int i, int j) -> Vector3 {
             const Vector3 onHole = onCircle(holeRadius, static_cast<double>(j % n) / n, z);
@@ -111,7 +111,8 @@ Mesh torus(double ringRadius, double pipeRadius, int n) {
 
 Mesh bracket(double side, double thickness, double roundingRadius, int n) {
     const double inner = roundingRadius, outer = roundingRadius + thickness;
-    // Both skins from one plate's far edge around the rounding to the other's; plates are one quad each.
+    // Both skins go from one plate's far edge around the rounding to the other's far edge. Each plate is one
+    // quad.
     const auto skin = [&](double radius) {
         return gridMesh(n + 2, 1, [&](int i, int j) -> Vector3 {
             const double y = (j - 0.5) * side;

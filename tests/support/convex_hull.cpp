@@ -26,7 +26,7 @@ struct Cloud {
     bool sees(const Vector3& point, const Face& face) const {
         return face.normal.dot(point) - face.offset > tolerance;
     }
-    /// The point that the measure calls largest.
+    /// The point with the largest measure.
     template <class Measure>
     std::uint32_t farthest(const Measure& measure) const {
         std::uint32_t best = 0;

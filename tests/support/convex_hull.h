@@ -1,4 +1,4 @@
-// The convex hull of points, one point added at a time: enough for the volume of a few thousand.
+// The convex hull of points, built by adding one point at a time: fast enough for a few thousand points.
 #pragma once
 
 #include <vector>
@@ -7,12 +7,12 @@
 
 namespace clearway::testing {
 
-/// A closed mesh, counter-clockwise seen from outside. Points within 1e-9 of the cloud's size of a face count
-/// as inside, so its volume is never more than the hull's by more than rounding. Throws std::invalid_argument
-/// when all points lie in a plane.
+/// The hull as a closed mesh, counter-clockwise seen from outside. Points within 1e-9 of the cloud's size of
+/// a face count as inside, so the volume exceeds the hull's only by rounding. Throws std::invalid_argument if
+/// all points lie in a plane.
 Mesh convexHull(const std::vector<Vector3>& points);
 
-/// Of a closed, counter-clockwise mesh, or of one run of its triangles.
+/// The volume of a closed, counter-clockwise mesh, or of one run of its triangles.
 double signedVolume(const Mesh& mesh);
 double signedVolume(const Mesh& mesh, const Component& component);
 

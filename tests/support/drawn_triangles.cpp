@@ -1,4 +1,4 @@
-// Triangle pairs whose distance is left to the oracle.
+// Triangle pairs whose distance the oracle has to find.
 #include <algorithm>
 #include <cmath>
 
@@ -20,7 +20,7 @@ TrianglePair coplanar(Random& random) {
     return pair;
 }
 
-/// Half of the draws brought near each other.
+/// Brings half of the draws near each other.
 TrianglePair sometimesNear(Random& random, TrianglePair pair) {
     if (random.below(2) == 0) {
         const Vector3 shift = pair.a[0] - pair.b[0] + random.direction() * powerOfTen(random, 0, 6);
@@ -29,7 +29,7 @@ TrianglePair sometimesNear(Random& random, TrianglePair pair) {
     return pair;
 }
 
-/// Whose third corner is off a random edge, at a share of its length, by 1e-1 .. 1e-9 of it.
+/// A triangle whose third corner is beside a random edge, by 1e-1 .. 1e-9 of the edge's length.
 Triangle flatAt(Random& random, double share) {
     Triangle triangle = randomTriangle(random);
     const Vector3 edge = triangle[1] - triangle[0];
@@ -42,7 +42,7 @@ Vector3 gridPoint(Random& random, int end) {
     return {x, y, double(random.below(end))};
 }
 
-/// Replaces triangles one after another: the first always, the second in half of the draws.
+/// Replaces triangles one after another: always the first, and the second in half of the draws.
 template <class Make>
 TrianglePair oneOrBoth(Random& random, const Make& make) {
     TrianglePair pair{make(), randomTriangle(random)};
@@ -85,7 +85,7 @@ TrianglePair caps(Random& random) {
 }
 
 TrianglePair segments(Random& random) {
-    return oneOrBoth(random, [&] {  // in whole numbers, so that the corners are in a row exactly
+    return oneOrBoth(random, [&] {  // integers put the corners in a row exactly
         const Vector3 from = gridPoint(random, 900) - Vector3::Constant(450), way = gridPoint(random, 200);
         return Triangle{from, from + 4 * way, from + random.below(5) * way};
     });
@@ -153,8 +153,8 @@ TrianglePair wholeDenormals(Random& random) {
 }
 
 TrianglePair cornerInPlane(Random& random) {
-    // Routines that decide by signs of determinants call some of these touching: a corner of one lies in the
-    // other's plane beside it, and coordinates repeat.
+    // Routines that decide by signs of determinants call some of these touching: a corner of one triangle
+    // lies in the other's plane but beside the other, and coordinates repeat.
     const double z = random.uniform(-10, 10), y0 = random.uniform(-10, 0), y1 = y0 - random.uniform(1, 5);
     const double right = random.uniform(2, 14), left = right - random.uniform(1e-3, 12);
     return {{Vector3(right, y0, z), Vector3(right + random.uniform(0, 9), y1, z - random.uniform(0.1, 2)),

@@ -1,5 +1,5 @@
 // Boost.Test datasets over the instruction sets and the strategies, read from the tables themselves: a new
-// row is tested without a new line here.
+// row is tested without a change here.
 #pragma once
 
 #include <boost/test/data/monomorphic.hpp>
@@ -13,7 +13,7 @@
 
 namespace clearway::testing {
 
-/// Build options that print themselves.
+/// Build options that can print themselves.
 struct BuildChoice : BuildOptions {
     friend std::ostream& operator<<(std::ostream& out, const BuildChoice& choice) {
         return out << choice.generalSplit << '/' << choice.leafSplit << "/leaf " << choice.leafSize
@@ -31,8 +31,8 @@ inline BuildChoice buildChoice(const std::string& generalSplit, const std::strin
     return choice;
 }
 
-/// Every general split with every leaf split and node width, leaves of up to 4; and each width with leaves of
-/// 1, 8, 16.
+/// Every general split with every leaf split and node width, with leaves of up to 4 triangles; and each width
+/// with leaves of 1, 8 and 16.
 inline std::vector<BuildChoice> everyBuild() {
     std::vector<BuildChoice> choices;
     for (const int width : nodeWidths()) {
@@ -45,7 +45,7 @@ inline std::vector<BuildChoice> everyBuild() {
     return choices;
 }
 
-/// For BOOST_DATA_TEST_CASE(name, eachTarget() * eachBuild(), target, build).
+/// Use: BOOST_DATA_TEST_CASE(name, eachTarget() * eachBuild(), target, build).
 inline auto eachBuild() {
     return boost::unit_test::data::make(everyBuild());
 }
@@ -56,7 +56,7 @@ inline auto eachWidth() {
     return boost::unit_test::data::make(nodeWidths());
 }
 
-/// Queries run on the named instruction set while this lives.
+/// Makes queries run on the named instruction set while this object lives.
 class UsingTarget {
   public:
     explicit UsingTarget(const std::string& name) { useTarget(name); }

@@ -14,11 +14,11 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Among denormal numbers results round by it, whatever they are.
+/// The least denormal: results among denormal numbers round by it.
 constexpr double kLeast = std::numeric_limits<double>::denorm_min();
 
-/// Of the largest coordinate: far above the error of long double, so that what is farther than the least
-/// distance by more is not the least.
+/// Share of the largest coordinate, far above the error of long double: a pair whose distance exceeds the
+/// least one by more is certainly not the closest.
 constexpr long double kSurelyFarther = 1e-14L;
 
 double largestOf(const Mesh& part, const Mesh& environment, const Pose& pose) {

@@ -1,4 +1,4 @@
-// Every promise of clearway/query.h held against exact arithmetic: for meshes small enough to try all pairs.
+// Checks every promise of clearway/query.h in exact arithmetic, for meshes small enough to try all pairs.
 #pragma once
 
 #include <string>
@@ -11,8 +11,8 @@
 
 namespace clearway::testing {
 
-/// Of the pose's affine map of the stored doubles, without rounding. Tries all pairs: up to some 300
-/// triangles each.
+/// The distance under the pose's affine map of the stored doubles, without rounding. Tries all pairs: meshes
+/// may have up to some 300 triangles each.
 ExactDistance exactMeshDistance(const Mesh& part, const Mesh& environment, const Pose& X_environmentPart);
 
 /// Two meshes at a pose and their distance.
@@ -21,7 +21,7 @@ struct ExactCase {
     Mesh part, environment;
     Pose pose;
     ExactDistance truth;
-    double largestCoordinate;  ///< M of the contracts
+    double largestCoordinate;  ///< M in the contracts
     double sceneSize;
 };
 ExactCase exactCase(const std::string& name, const Mesh& part, const Mesh& environment, const Pose& pose);
@@ -34,12 +34,12 @@ Enclosing enclosing(const ExactDistance& distance);
 
 ModelPair buildPair(const ExactCase& exact, const BuildOptions& options);
 
-/// Checks, by BOOST_TEST, that the interval holds the distance and is no wider than promised, that the
-/// witnesses lie on their triangles as far apart as they say, that isWithin turns between the two doubles
-/// around the distance, and that the three queries agree. Answers with what distance() said.
+/// Checks with BOOST_TEST that the interval holds the distance and is no wider than promised, that the
+/// witnesses lie on their triangles at the stated distance, that isWithin turns between the two doubles
+/// around the distance, and that the three queries agree. Returns the result of distance().
 DistanceResult checkExactly(const ExactCase& exact, const ModelPair& models, Workspace& workspace);
 
-/// The same on every instruction set, with trees of every leaf split and node width.
+/// Runs these checks on every instruction set, with trees of every leaf split and node width.
 void checkEveryBuild(const ExactCase& exact);
 
 }  // namespace clearway::testing

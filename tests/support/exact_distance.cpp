@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kNoExponent = std::numeric_limits<int>::max();
 
-/// mantissa 2^exponent, the mantissa odd or 0.
+/// The number mantissa 2^exponent; the mantissa is odd or 0.
 struct Scaled {
     std::int64_t mantissa = 0;
     int exponent = kNoExponent;
@@ -27,7 +27,7 @@ Scaled scaled(double x) {
     return {mantissa, exponent};
 }
 
-/// A sum of products of two doubles each, not yet carried out.
+/// A sum of products of two doubles each, not yet evaluated.
 struct ProductSum {
     std::array<Scaled, 4> a, b;
     int terms = 0;
@@ -68,7 +68,7 @@ Point cross(const Point& a, const Point& b) {
 
 /// The least fraction so far.
 struct Least {
-    Integer numerator = -1;  ///< none yet
+    Integer numerator = -1;  ///< -1: none yet
     Integer denominator = 1;
 
     void take(const Integer& n, const Integer& d) {
@@ -101,7 +101,7 @@ void takeCorners(const Side& a, const Side& b, Least& least) {
     }
 }
 
-// The ends of the edge are corners, and were taken.
+// The ends of the edge are corners, which were taken before.
 void takeCornersOverEdges(const Side& corners, const Side& edges, Least& least) {
     for (const Point& p : corners.corner) {
         for (int k = 0; k < 3; ++k) {
@@ -114,7 +114,7 @@ void takeCornersOverEdges(const Side& corners, const Side& edges, Least& least) 
     }
 }
 
-// Only where the common normal of the two lines meets both edges: else a corner is closest.
+// Counts only if the common normal of the two lines meets both edges; otherwise a corner is closest.
 void takeEdges(const Side& a, const Side& b, Least& least) {
     for (int i = 0; i < 3; ++i) {
         for (int j = 0; j < 3; ++j) {
@@ -143,13 +143,14 @@ void takeCornersOverFace(const Side& corners, const Side& face, Least& least) {
     }
 }
 
-// The ends on either side of the plane, and the line on one side of all three edges.
+// The edge pierces the face: its ends are on opposite sides of the plane, and its line is on one side of all
+// three edges.
 bool pierces(const Side& edges, const Side& face) {
     if (face.normalSquared == 0) return false;
     std::array<int, 3> side;
     for (int k = 0; k < 3; ++k) side[k] = dot(edges.corner[k] - face.corner[0], face.normal).sign();
     for (int k = 0; k < 3; ++k) {
-        if (side[k] * side[(k + 1) % 3] >= 0) continue;  // touching ends are corners over the face
+        if (side[k] * side[(k + 1) % 3] >= 0) continue;  // ends that touch count as corners over the face
         bool isAnyLeft = false, isAnyRight = false;
         for (int j = 0; j < 3; ++j) {
             const Point from = face.corner[j] - edges.corner[k];
@@ -202,7 +203,7 @@ int ExactDistance::compare(const ExactDistance& other) const {
 
 long double ExactDistance::rounded() const {
     if (isZero()) return 0;
-    // Quotient of about 130 bits, its exponent even.
+    // A quotient of about 130 bits with an even exponent.
     int shift = 130 + int(msb(denominator)) - int(msb(numerator));
     shift += shift % 2;
     const Integer quotient =

@@ -1,12 +1,13 @@
-// The distance of two triangles in integer arithmetic: coordinates become integers by one power of two, and
-// squared distances fractions that are never reduced. As exact as exact_triangle.h and fifty times faster.
+// The distance of two triangles in integer arithmetic: a power of two makes all coordinates integers, and
+// squared distances are fractions that are never reduced. As exact as exact_triangle.h and fifty times
+// faster.
 #pragma once
 
 #include <array>
 
 #include "clearway/types.h"
 
-// g++ 12 takes the small numbers' storage for uninitialised where it inlines them.
+// g++ 12 reports the storage of small numbers as uninitialised where it inlines them.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #pragma GCC diagnostic ignored "-Warray-bounds"
@@ -18,7 +19,7 @@ namespace clearway::testing {
 using Integer =
     boost::multiprecision::number<boost::multiprecision::cpp_int_backend<512>, boost::multiprecision::et_off>;
 
-/// sqrt(numerator / denominator) 2^exponent, a length without error. denominator > 0.
+/// The length sqrt(numerator / denominator) 2^exponent, without error. denominator > 0.
 struct ExactDistance {
     Integer numerator = 0;
     Integer denominator = 1;
@@ -26,16 +27,16 @@ struct ExactDistance {
 
     bool isZero() const { return numerator == 0; }
 
-    /// The sign of this - d. d >= 0 or infinite.
+    /// The sign of this length minus d. d: >= 0 or infinite.
     int compare(double d) const;
     int compare(const ExactDistance& other) const;
 
-    /// To 2^-62 of itself, about.
+    /// The length rounded, with a relative error of about 2^-62.
     long double rounded() const;
 };
 
-/// Between R x + t of the pose's 12 doubles and the environment's corners, without rounding. Degenerate
-/// triangles count as the segments and points they are. Finite numbers.
+/// The distance between R x + t, from the pose's 12 doubles, and the environment's corners, without rounding.
+/// Degenerate triangles count as segments or points. All numbers must be finite.
 ExactDistance exactDistance(const Pose& X_environmentPart, const std::array<Vector3, 3>& part,
                             const std::array<Vector3, 3>& environment);
 

@@ -36,7 +36,7 @@ Rational squaredToSegment(const ExactPoint& point, const ExactPoint& start, cons
     return dot(rest, rest);
 }
 
-// The least of |a0 + s d1 - b0 - t d2|^2 over the unit square: at its stationary point when that lies inside,
+// The least of |a0 + s d1 - b0 - t d2|^2 over the unit square: at the stationary point if that lies inside,
 // otherwise on the square's border, which the four end-to-segment distances cover.
 Rational squaredSegments(const ExactPoint& a0, const ExactPoint& a1, const ExactPoint& b0,
                          const ExactPoint& b1) {
@@ -59,7 +59,8 @@ Rational squaredSegments(const ExactPoint& a0, const ExactPoint& a1, const Exact
     return best;
 }
 
-// Whether the point's foot in the triangle's plane lies in the triangle; false for a zero-area one.
+// Whether the point's projection onto the triangle's plane lies in the triangle; false for a triangle without
+// area.
 bool footIsInside(const ExactPoint& point, const ExactTriangle& triangle, const ExactPoint& normal) {
     for (int i = 0; i < 3; ++i) {
         const ExactPoint edge = triangle[(i + 1) % 3] - triangle[i];
@@ -68,7 +69,7 @@ bool footIsInside(const ExactPoint& point, const ExactTriangle& triangle, const 
     return true;
 }
 
-// Infinity is stood in for by "no value": the edges' distances bound the answer in that case.
+// No value stands for infinity: the edges' distances bound the answer in that case.
 void keepSmallerToFace(Rational& best, const ExactPoint& point, const ExactTriangle& face,
                        const ExactPoint& normal) {
     const Rational normalSquared = dot(normal, normal);
@@ -81,7 +82,7 @@ bool pierces(const ExactPoint& start, const ExactPoint& end, const ExactTriangle
              const ExactPoint& normal) {
     const Rational heightOfStart = dot(start - face[0], normal);
     const Rational heightOfEnd = dot(end - face[0], normal);
-    if (heightOfStart * heightOfEnd >= 0) return false;  // the touching ends are vertex-face cases
+    if (heightOfStart * heightOfEnd >= 0) return false;  // touching ends are vertex-face cases
     const Rational share = heightOfStart / (heightOfStart - heightOfEnd);
     return footIsInside(alongLine(start, share, end - start), face, normal);
 }

@@ -1,13 +1,13 @@
-// The distance of two triangles in rational arithmetic: the squared distance of rational points is rational,
-// so it has no error at all. Slow (about a millisecond a pair): for near-ties and to check the long double
-// one.
+// The distance of two triangles in rational arithmetic. The squared distance of rational points is rational,
+// so it has no error at all. It is slow (about a millisecond per pair): for near-ties, and to check the long
+// double distance.
 #pragma once
 
 #include <array>
 
 #include "clearway/types.h"
 
-// g++ 12 takes the small numbers' storage for uninitialised where it inlines them.
+// g++ 12 reports the storage of small numbers as uninitialised where it inlines them.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #include <boost/multiprecision/cpp_int.hpp>
@@ -20,18 +20,18 @@ using Rational =
 using ExactPoint = std::array<Rational, 3>;
 using ExactTriangle = std::array<ExactPoint, 3>;
 
-/// Of any triangles, segments and points among them; 0 exactly when they share a point.
+/// The squared distance of any triangles, including segments and points; 0 exactly when they share a point.
 Rational exactDistanceSquared(const ExactTriangle& a, const ExactTriangle& b);
 
 bool sharePoint(const ExactTriangle& a, const ExactTriangle& b);
 
-/// The doubles' own values.
+/// The values of the doubles.
 ExactTriangle toExact(const std::array<Vector3, 3>& triangle);
 
-/// R x + t of the pose's 12 doubles, without rounding.
+/// R x + t from the pose's 12 doubles, without rounding.
 ExactTriangle exactlyMoved(const Pose& X_ab, const std::array<Vector3, 3>& triangle);
 
-/// Rounded from the exact square.
+/// The square root of the exact square, rounded.
 long double rootOf(const Rational& square);
 
 }  // namespace clearway::testing

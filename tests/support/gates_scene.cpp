@@ -12,7 +12,7 @@ Mesh post(double x, double low, double high) {
     return transformed(box(half, 3), {Matrix3::Identity(), {x, (low + high) / 2, 0}});
 }
 
-/// Gates from -12 to 12 and, on one side (1 or -1), from 25 to 57.
+/// A wall with gates from -12 to 12 and, on one side (1 or -1), from 25 to 57.
 Mesh wall(double x, double side) {
     const auto from = [=](double a, double b) {
         return post(x, std::min(side * a, side * b), std::max(side * a, side * b));

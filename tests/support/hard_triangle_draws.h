@@ -1,4 +1,4 @@
-// The families of hard_triangles.h one by one: first those whose distance is known in closed form and written
+// The families of hard_triangles.h one by one: first those whose distance has a closed form, which is written
 // into the pair, then those left to the oracle.
 #pragma once
 
@@ -6,21 +6,21 @@
 
 namespace clearway::testing {
 
-/// Half the side of the box that most triangles are drawn from.
+/// Half the side of the box from which most triangles are drawn.
 constexpr double kDrawSize = 500;
 
 Triangle randomTriangle(Random& random, double halfSide = kDrawSize);
 
-/// 10^-low .. 10^-high
+/// A number from 10^-low to 10^-high.
 double powerOfTen(Random& random, int low, int high);
 
-/// Its distance is the pair's but for the rounding of the corners.
+/// Turns the pair. The distance stays the pair's, up to the rounding of the corners.
 TrianglePair movedBy(const TrianglePair& pair, const Pose& pose);
 
-/// Half of the draws keep their round coordinates (ties, exact parallels), half are turned.
+/// Half of the draws keep their round coordinates (ties, exact parallels); the other half are turned.
 TrianglePair sometimesTurned(Random& random, const TrianglePair& pair);
 
-// Closed form.
+// Families with a closed form.
 TrianglePair smallCells(Random& random);
 TrianglePair parallelPlates(Random& random);
 TrianglePair crossingPlates(Random& random);
@@ -40,7 +40,7 @@ TrianglePair sharedVertex(Random& random);
 TrianglePair sharedEdge(Random& random);
 TrianglePair tJunction(Random& random);
 
-// By the oracle.
+// Families left to the oracle.
 TrianglePair randomPair(Random& random);
 TrianglePair edgesAlongX(Random& random);
 TrianglePair coplanarTurned(Random& random);

@@ -12,7 +12,7 @@ TrianglePair pqpIssue4(Random&) {
 
 }  // namespace
 
-// Numbers: those of tests/properties/hard_cases.md.
+// The numbers are those of tests/properties/hard_cases.md.
 std::vector<TriangleFamily> hardTriangleFamilies() {
     return {{0, "random", randomPair},
             {1, "edges that lie on each other but for a roundoff", pqpIssue4},

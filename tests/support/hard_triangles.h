@@ -1,5 +1,5 @@
 // Triangle pairs that published distance routines get wrong: known ones from bug reports, and families to
-// draw from, numbered as the catalogue of hard cases numbers them.
+// draw from, numbered as in the catalogue of hard cases.
 #pragma once
 
 #include <array>
@@ -17,8 +17,8 @@ using Triangle = std::array<Vector3, 3>;
 struct TrianglePair {
     Triangle a;
     Triangle b;
-    /// The distance where it is known in closed form, NaN where only the oracle tells, and how far off it the
-    /// coordinates' own rounding can put it, beside a roundoff of itself.
+    /// The distance where a closed form gives it, NaN where only the oracle can; and how far the coordinates'
+    /// own rounding can move it, apart from one roundoff of the distance itself.
     double stated = std::numeric_limits<double>::quiet_NaN();
     double statedWithin = 0;
 };
@@ -26,23 +26,24 @@ struct TrianglePair {
 struct KnownPair {
     std::string name;
     TrianglePair pair;
-    double distance;  ///< by rational arithmetic, to about 1e-15 of itself
+    double distance;  ///< from rational arithmetic, with a relative error of about 1e-15
 };
 
-/// Coordinates and answers as public bug reports of other libraries state them.
+/// Coordinates and answers as stated in public bug reports of other libraries.
 std::vector<KnownPair> knownTrianglePairs();
 
 struct TriangleFamily {
-    int number;  ///< of the case in tests/properties/hard_cases.md; 0 for none
+    int number;  ///< number of the case in tests/properties/hard_cases.md; 0: none
     std::string name;
     std::function<TrianglePair(Random&)> make;
 };
 
 /// Parallel edges, plates at a gap, needles, caps, coplanar and touching pairs, zero-area triangles, offsets,
-/// scales, ...: a row a case. Those of "denormals" differ too much in size for a query.
+/// scales, ...: one row per case. The sizes of "denormals" differ too much for a query.
 std::vector<TriangleFamily> hardTriangleFamilies();
 
-/// Turned anyhow and moved by no more than the pair is large: at any scale within what a query takes.
+/// A pose that turns the pair in any way and moves it by at most its own size, so that it fits a query at any
+/// scale.
 Pose poseFor(Random& random, const TrianglePair& pair);
 
 /// The triangle as a mesh of its own.

@@ -1,4 +1,4 @@
-// Small scenes to move a part in, with what OMPL needs and the oracle beside it.
+// Small scenes to move a part in, with the OMPL objects they need and the oracle.
 #pragma once
 
 #include <ompl/base/ScopedState.h>
@@ -23,17 +23,17 @@ struct MotionScene {
     ompl::base::ScopedState<> state(const PartState& state) const;
     PartState stateOf(const ompl::base::State* state) const;
 
-    /// Near a random place of the path, off it by up to `distance` and `angle`.
+    /// A state near a random place of the path, off it by up to `distance` and `angle`.
     PartState nearPath(Random& random, double distance, double angle) const;
 
-    /// By the oracle, less the margin.
+    /// The clearance by the oracle: its distance less the margin.
     double trueClearance(const ompl::base::State* state) const;
 
-    /// At s2 for time 1, else as interpolated.
+    /// The state at a time: s2 for time 1, otherwise interpolated.
     double trueClearance(const ompl::base::State* s1, const ompl::base::State* s2, double time) const;
 
-    /// The least of it along the motion up to a time, 1 being s2: at the `judged` poses where the library
-    /// finds least distance, of so many and of those that a search between them adds.
+    /// The least clearance along the motion up to a time (1 is s2). It is judged at the `judged` poses where
+    /// the library finds the least distance, among `poses` poses and those that a search between them adds.
     double leastTrueClearance(const ompl::base::State* s1, const ompl::base::State* s2, double until,
                               int poses, int judged) const;
 
@@ -46,8 +46,8 @@ struct MotionScene {
     ompl::base::StateSpacePtr space;
     ompl::base::SpaceInformationPtr si;
     std::shared_ptr<planning::ValidityChecker> checker;
-    std::shared_ptr<planning::MotionValidator> validator;  ///< both are si's
-    std::shared_ptr<planning::MotionValidator> close;      ///< with a hundredth of its least interval
+    std::shared_ptr<planning::MotionValidator> validator;  ///< both belong to si
+    std::shared_ptr<planning::MotionValidator> close;      ///< with a hundredth of the other's least interval
 };
 
 /// The window in SE(3) and SE(2), the small tunnel-console, boxes and puzzle, with and without margins.

@@ -1,4 +1,4 @@
-// What OMPL asks of every motion validator, as checks that any one can be put through.
+// What OMPL requires of every motion validator, as checks that any validator can be put through.
 #pragma once
 
 #include <ompl/base/MotionValidator.h>
@@ -9,15 +9,16 @@
 
 namespace clearway::testing {
 
-/// The validator's si must have a validity checker. start to near is valid, start to far is not, though start
-/// and far are, and blocked is an invalid state.
+/// The validator's si must have a validity checker. The motion from start to near is valid. The motion from
+/// start to far is not, although both states are. blocked is an invalid state.
 struct ContractMotions {
     ompl::base::ScopedState<> start, near, far, blocked;
 };
 
-/// Checks with Boost.Test: verdicts of both forms; lastValid untouched on true; on false a time in [0, 1)
-/// with the state there, which is valid, as are those before it; null and aliases; an invalid start; states
-/// that are not finite; OMPL's counters, from several threads too. None of the given states changes.
+/// Checks with Boost.Test: the verdicts of both forms; that lastValid is untouched on true; on false a time
+/// in [0, 1) with its state, which is valid, as are the states before it; null and aliased arguments; an
+/// invalid start; states that are not finite; and OMPL's counters, from several threads too. None of the
+/// given states may change.
 void checkMotionValidatorContract(const ompl::base::SpaceInformation& si,
                                   ompl::base::MotionValidator& validator, const ContractMotions& motions);
 

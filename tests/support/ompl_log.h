@@ -1,4 +1,4 @@
-// What OMPL would print.
+// OMPL's log messages, caught for a test.
 #pragma once
 
 #include <ompl/util/Console.h>
@@ -8,7 +8,7 @@
 
 namespace clearway::testing {
 
-/// What OMPL logs while it lives, rather than on the terminal.
+/// Collects what OMPL logs while this object lives, instead of printing it.
 class OmplLog : public ompl::msg::OutputHandler {
   public:
     OmplLog() { ompl::msg::useOutputHandler(this); }

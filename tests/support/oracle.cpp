@@ -12,8 +12,9 @@
 namespace clearway::testing {
 namespace {
 
-// Below this share of the largest coordinate the long double distance is not trusted: integer arithmetic
-// decides. Far above its error (1e-17 for the worst needles), far below the gaps that tests are about.
+// Below this share of the largest coordinate the long double distance is not trusted, and integer arithmetic
+// decides. It is far above the error of long double (1e-17 for the worst needles) and far below the gaps that
+// tests are about.
 constexpr long double kDoubtful = 1e-14L;
 
 struct Closest {
@@ -43,7 +44,7 @@ std::vector<LongVector> movedVertices(const Mesh& mesh, const Pose& pose) {
     return result;
 }
 
-// One query: the part moved once, then the two trees walked together, the nearer pair of children first.
+// One query: moves the part once, then walks through both trees together, the nearer pair of children first.
 class Search {
   public:
     Search(const Mesh& part, const Mesh& environment, const std::vector<LongVector>& environmentVertices,
@@ -105,7 +106,7 @@ class Search {
 
 OracleAnswer rounded(const Closest& closest) {
     const auto nearest = static_cast<double>(closest.distance);
-    const bool vanished = nearest == 0 && closest.distance > 0;  // among the least of doubles
+    const bool vanished = nearest == 0 && closest.distance > 0;  // it was below the least double
     return {vanished ? std::numeric_limits<double>::denorm_min() : nearest, closest.partTriangle,
             closest.environmentTriangle};
 }
@@ -136,7 +137,7 @@ OracleAnswer MeshOracle::distance(const Pose& X_environmentPart) const {
 bool MeshOracle::collides(const Pose& X_environmentPart) const {
     const Search search(data_->part, data_->environment, data_->environmentVertices, X_environmentPart);
     Closest best;
-    best.distance = search.doubtful();  // what is farther apart does not touch
+    best.distance = search.doubtful();  // pairs farther apart do not touch
     search.walk(best, data_->partTree.refitted(data_->part, search.partVertices()), data_->environmentTree);
     return best.distance == 0;
 }

@@ -1,5 +1,5 @@
-// The slow truth that every query is tested against: an independent plain binary tree of axis-aligned boxes
-// in double, rounded outward, with long double at its leaves and integer arithmetic for what may touch.
+// The slow truth that every query is tested against: an independent, plain binary tree of axis-aligned boxes
+// in double, rounded outward, with long double at its leaves and integer arithmetic for pairs that may touch.
 #pragma once
 
 #include <array>
@@ -18,8 +18,8 @@ struct OracleAnswer {
     std::size_t environmentTriangle = 0;
 };
 
-/// Built once for two meshes, then asked at any number of poses. Degenerate triangles count as the segments
-/// and points they are. Its error is a few 2^-64 of the largest coordinate.
+/// Built once for two meshes, then asked at any number of poses. Degenerate triangles count as segments or
+/// points. The error is a few 2^-64 of the largest coordinate.
 class MeshOracle {
   public:
     MeshOracle(const Mesh& part, const Mesh& environment);
@@ -30,10 +30,10 @@ class MeshOracle {
     /// Whether the two share a point: exact, for the pose's affine map without rounding.
     bool collides(const Pose& X_environmentPart) const;
 
-    /// Diagonal of the part's box plus diagonal of the environment's.
+    /// The sum of the diagonals of the part's and the environment's boxes.
     double sceneSize() const;
 
-    /// Distance between one triangle of each, at the pose.
+    /// The distance between one triangle of each mesh, at the pose.
     double pairDistance(const Pose& X_environmentPart, std::size_t partTriangle,
                         std::size_t environmentTriangle) const;
 
@@ -42,7 +42,7 @@ class MeshOracle {
     std::unique_ptr<const Data> data_;
 };
 
-/// Every triangle against every other, without a tree: for small meshes, and to check MeshOracle.
+/// Tries every triangle against every other, without a tree: for small meshes, and to check MeshOracle.
 OracleAnswer bruteForceDistance(const Mesh& part, const Mesh& environment, const Pose& X_environmentPart);
 
 /// The corners of a mesh's triangle.

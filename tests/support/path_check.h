@@ -1,4 +1,4 @@
-// Goes along a path by OMPL's interpolation and asks the oracle.
+// Follows a path by OMPL's interpolation and asks the oracle.
 #pragma once
 
 #include <vector>
@@ -8,15 +8,15 @@
 
 namespace clearway::testing {
 
-/// `states` poses, evenly spread over the path's motions by their length (translation plus a tenth of the
-/// scene's size times OMPL's rotation distance), ends included.
+/// `states` poses, evenly spread over the path's motions by length (translation plus a tenth of the scene's
+/// size times OMPL's rotation distance), ends included.
 std::vector<Pose> posesAlong(const std::vector<PartState>& path, Space space, double sceneSize, int states);
 
-/// The least distance by the oracle at so many poses along the path.
+/// The least distance by the oracle at this many poses along the path.
 double leastDistance(const MeshOracle& oracle, const std::vector<PartState>& path, const Problem& problem,
                      int states);
 
-/// How many of so many poses along the path collide by the oracle: exact, and quicker.
+/// The number of these poses that collide by the oracle: exact, and quicker.
 int collisionsAlong(const MeshOracle& oracle, const std::vector<PartState>& path, const Problem& problem,
                     int states);
 

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::uint64_t kSeed = 5;
 constexpr int kPosts = 26;
-constexpr double kApart = 25;  ///< centres
+constexpr double kApart = 25;  ///< between centres
 constexpr double kHalfX = 75, kHalfY = 70;
 
 std::vector<Vector3> centres() {

@@ -1,4 +1,5 @@
-// A small planning problem in the plane whose ways differ in clearance by little: a part among posts.
+// A small planning problem in the plane in which different ways have slightly different clearances: a part
+// among posts.
 #pragma once
 
 #include "clearway/problem.h"
@@ -11,8 +12,8 @@ struct PostsScene {
     Problem problem;
 };
 
-/// SE(2); the part is 20 x 10 x 10, its start and goal are at x = -100 and 100. Between them stand posts of
-/// 5 x 5, at random but no two of them nearer than 20.
+/// SE(2); the part is 20 x 10 x 10, its start and goal are at x = -100 and 100. Between them stand posts of 5
+/// x 5 at random places, no two of them nearer than 20.
 PostsScene postsScene();
 
 }  // namespace clearway::testing

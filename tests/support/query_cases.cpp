@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::uint64_t kSeed = 20130401;
 
-// Far and colliding ones at random, then some at a chosen gap: wide, near, and within rounding of contact.
+// Far and colliding poses at random, then some at a chosen gap: wide, near, and within rounding of contact.
 std::vector<Pose> casePoses(Random& random, const MeshOracle& oracle) {
     const double size = oracle.sceneSize();
     std::vector<Pose> poses;

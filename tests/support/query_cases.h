@@ -1,5 +1,5 @@
-// What the query tests share: pairs of meshes with poses far, near, touching and colliding, the oracle's
-// answers to them, and the check that a result keeps every promise of clearway/query.h.
+// Common to the query tests: pairs of meshes with poses that are far, near, touching and colliding, the
+// oracle's answers to them, and the check that a result keeps every promise of clearway/query.h.
 #pragma once
 
 #include <memory>
@@ -22,10 +22,10 @@ struct QueryCase {
     Mesh environment;
     std::shared_ptr<const MeshOracle> oracle;
     std::vector<Pose> poses;
-    std::vector<OracleAnswer> answers;  ///< one a pose
+    std::vector<OracleAnswer> answers;  ///< one per pose
 };
 
-/// Made once in a process.
+/// The cases, made once per process.
 const std::vector<QueryCase>& queryCases();
 
 /// The meshes with their oracle and its answers at the poses.
@@ -39,15 +39,15 @@ struct ModelPair {
 
 ModelPair buildPair(const QueryCase& queryCase, const BuildOptions& options = {});
 
-/// Largest absolute coordinate among environment, part, moved part and the pose's translation: M of the
+/// The largest absolute coordinate among environment, part, moved part and the pose's translation: M in the
 /// contracts.
 double largestCoordinate(const QueryCase& queryCase, const Pose& pose);
 
-/// The widest an interval may be that no tolerance was given for.
+/// The largest width an interval may have without tolerances.
 double widestDefault(const QueryCase& queryCase, const Pose& pose);
 
-/// Checks, by BOOST_TEST, interval, accuracy, ids and witnesses of a result without cap. `width` is the
-/// interval's widest, a length; by default widestDefault.
+/// Checks with BOOST_TEST the interval, accuracy, ids and witnesses of a result without cap. `width`: largest
+/// width allowed, by default widestDefault.
 void checkDistance(const DistanceResult& result, const QueryCase& queryCase, const Pose& pose,
                    const OracleAnswer& truth, double width = -1);
 

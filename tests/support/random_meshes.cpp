@@ -82,7 +82,7 @@ Mesh scaledBy(const Mesh& mesh, double factor) {
 
 namespace {
 
-// Fisher-Yates; order[i] is what comes to place i.
+// Fisher-Yates; order[i] is the item that comes to place i.
 std::vector<std::uint32_t> randomOrder(Random& random, std::size_t n) {
     std::vector<std::uint32_t> order(n);
     for (std::size_t i = 0; i < n; ++i) order[i] = static_cast<std::uint32_t>(i);

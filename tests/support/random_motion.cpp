@@ -8,7 +8,7 @@ namespace {
 
 namespace ob = ompl::base;
 
-/// The state moves on in some direction until it is about to touch, to a millionth of the part.
+/// Moves the state on in some direction until the part is about to touch, to within a millionth of its size.
 void closeIn(const MotionScene& scene, Random& random, ob::ScopedState<>& state) {
     PartState away = scene.stateOf(state.get());
     away.position += random.direction() * 100;
@@ -17,7 +17,7 @@ void closeIn(const MotionScene& scene, Random& random, ob::ScopedState<>& state)
     scene.close->checkMotion(state.get(), scene.state(away).get(), lastValid);
 }
 
-/// OMPL lets norms be off by 1e-9, which moves the angle below which it leaves a turn out.
+/// OMPL accepts norms that are off by 1e-9, which moves the angle below which it omits a turn.
 void unsettleNorm(Random& random, ob::ScopedState<>& state) {
     const double norm = 1 + random.uniform(-0.9e-9, 0.9e-9);
     for (unsigned int i = 3; i < 7; ++i) state[i] *= norm;

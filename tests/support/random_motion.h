@@ -1,5 +1,5 @@
-// Random motions of a scene: short ones, long ones, and ones to or from a place where the part is about to
-// touch, of which some hardly turn: about where OMPL leaves the turn out until the end.
+// Random motions of a scene: short ones, long ones, and ones to or from a place where the part almost
+// touches. Some of the latter hardly turn: near the angle below which OMPL omits the turn until the end.
 #pragma once
 
 #include <ompl/base/ScopedState.h>

@@ -1,4 +1,4 @@
-// Triangle pairs as bug reports of other libraries state them, and a few whose distance is plain to see.
+// Triangle pairs as stated in bug reports of other libraries, and a few whose distance is obvious.
 #include "support/hard_triangles.h"
 
 namespace clearway::testing {

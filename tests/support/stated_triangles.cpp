@@ -1,5 +1,5 @@
-// Triangle pairs whose distance is known in closed form. Coordinates are chosen so that it is exact; turned
-// ones are off it by the rounding of their corners.
+// Triangle pairs whose distance is known in closed form. Coordinates are chosen so that the distance is
+// exact; turned pairs are off it by the rounding of their corners.
 #include <algorithm>
 #include <cmath>
 
@@ -8,20 +8,20 @@
 namespace clearway::testing {
 namespace {
 
-/// Lies in z = 0 around the origin: a circle of 40 about it is within.
+/// A triangle in z = 0 around the origin, which contains a circle of radius 40 about the origin.
 const Triangle kLying = {Vector3(-100, -100, 0), Vector3(100, -100, 0), Vector3(0, 200, 0)};
 
-/// A multiple of 1/16 in [low, high], so that sums and middles of a few are exact.
+/// A multiple of 1/16 in [low, high], so that sums and middles of a few of them are exact.
 double sixteenth(Random& random, int low, int high) {
     return low + random.below(16 * (high - low) + 1) / 16.0;
 }
 
-/// Moved together, corner by corner, so that what is shared stays shared.
+/// Moves both triangles together, corner by corner, so that shared corners stay shared.
 TrianglePair touching(Random& random, const Triangle& a, const Triangle& b) {
     return sometimesTurned(random, {a, b, 0});
 }
 
-/// The same, of pairs whose contact survives the rounding of their corners.
+/// Moves pairs whose contact survives the rounding of their corners.
 TrianglePair surelyTouching(Random& random, const Triangle& a, const Triangle& b) {
     TrianglePair pair = touching(random, a, b);
     pair.statedWithin = 0;
@@ -49,8 +49,8 @@ TrianglePair movedBy(const TrianglePair& pair, const Pose& pose) {
             largest = std::max(largest, corner.cwiseAbs().maxCoeff());
         }
     }
-    // A coordinate is off by 4 roundings of up to 3 largest ones, each triangle by sqrt 3 of that; and by the
-    // rotation's own defect.
+    // A coordinate is off by 4 roundings of up to 3 times the largest coordinate, each triangle by sqrt 3 of
+    // that, and both by the rotation's own defect.
     moved.statedWithin += 64 * 0x1p-53 * largest;
     return moved;
 }
@@ -80,7 +80,7 @@ TrianglePair crossingPlates(Random& random) {
 }
 
 TrianglePair axisAlignedPiercing(Random& random) {
-    // Legs along two axes; an edge of the other, along the third, goes through.
+    // One triangle has legs along two axes; an edge of the other, along the third axis, goes through it.
     const Vector3 corner = random.inBox(kDrawSize);
     const double width = random.uniform(1, 400), depth = random.uniform(1, 400);
     const Triangle lying = {corner, corner + Vector3(width, 0, 0), corner + Vector3(0, depth, 0)};
@@ -116,7 +116,7 @@ TrianglePair crossingEdges(Random& random) {
 }
 
 TrianglePair vertexToVertex(Random& random) {
-    // Whole numbers whose norm is one, and corners that all lie behind.
+    // Integers whose norm is an integer, and corners that all lie behind.
     const std::array<Vector3, 4> ways = {Vector3(1, 2, 2), Vector3(2, 3, 6), Vector3(-6, 7, 6),
                                          Vector3(2, -6, 9)};
     const std::array<double, 4> norms = {3, 7, 11, 11};

@@ -1,4 +1,4 @@
-// A folder of its own for a test's files, removed at its end.
+// A temporary folder for a test's files, removed at the end of the test.
 #pragma once
 
 #include <filesystem>
@@ -19,14 +19,14 @@ class TemporaryFolder {
     std::string file(const std::string& name) const { return (folder_ / name).string(); }
     /// Writes the text and returns the file's path.
     std::string write(const std::string& name, const std::string& text) const;
-    /// The names of what is in the folder, sorted.
+    /// The names of the folder's contents, sorted.
     std::vector<std::string> names() const;
 
   private:
     std::filesystem::path folder_;
 };
 
-/// The whole text of a file; empty when it cannot be read.
+/// The whole text of a file; empty if the file cannot be read.
 std::string readText(const std::string& file);
 
 }  // namespace clearway::testing

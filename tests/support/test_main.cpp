@@ -1,5 +1,5 @@
-// The one main of every test program. A program holds all test files of a folder; each file's cases form a suite that bears
-// the file's name, so that `--run_test=NAME` runs NAME_test.cpp alone.
+// The main function of every test program. A program holds all test files of a folder. The cases of each file
+// form a suite with the file's name, so that `--run_test=NAME` runs NAME_test.cpp alone.
 #include <boost/test/tree/traverse.hpp>
 #include <boost/test/tree/visitor.hpp>
 #include <boost/test/unit_test.hpp>
@@ -20,14 +20,14 @@ std::string suiteNameOf(const ut::test_unit& unit) {
     return hasEnding ? stem.substr(0, stem.size() - ending.size()) : stem;
 }
 
-/// Collects the cases, and the suites that cases with data are, that stand outside of any other suite.
+/// Collects the cases, and the suites of data-driven cases, that are not inside another suite.
 struct TopUnits : ut::test_tree_visitor {
     std::vector<ut::test_unit*> found;
 
     void visit(const ut::test_case& unit) override { keep(unit); }
     bool test_suite_start(const ut::test_suite& suite) override {
         keep(suite);
-        return suite.p_parent_id == ut::INV_TEST_UNIT_ID;  // enter the master suite alone
+        return suite.p_parent_id == ut::INV_TEST_UNIT_ID;  // enter only the master suite
     }
 
   private:
@@ -39,7 +39,7 @@ struct TopUnits : ut::test_tree_visitor {
 
 bool groupByFile() {
     ut::master_test_suite_t& master = ut::framework::master_test_suite();
-    master.generate();  // cases with data exist only from here on
+    master.generate();  // data-driven cases exist only from here on
     TopUnits top;
     ut::traverse_test_tree(master, top, true);
     std::map<std::string, ut::test_suite*> suites;

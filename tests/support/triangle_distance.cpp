@@ -16,14 +16,14 @@ LongVector closestOnSegment(const LongVector& point, const LongVector& start, co
     const long double lengthSquared = along.squaredNorm();
     if (!(lengthSquared > 0)) return start;
     const long double fromStart = along.dot(point - start);
-    // Measured from the nearer end, so that a point beside the far one loses no digits.
+    // Measured from the nearer end, so that a point beside the far end loses no digits.
     if (2 * fromStart <= lengthSquared) return start + std::max(fromStart / lengthSquared, 0.0L) * along;
     return end - std::max(along.dot(end - point) / lengthSquared, 0.0L) * along;
 }
 
-// Where the lines' common normal meets the first segment, by determinants: keeps its digits for nearly
-// parallel lines, where the usual quotient of dot products loses half of them. The ends, which cover every
-// other case, are tried by the vertex-face pairs.
+// The point where the lines' common normal meets the first segment, computed with determinants. This keeps
+// its digits for nearly parallel lines, where the usual quotient of dot products loses half of them. The
+// vertex-face pairs try the ends, which cover every other case.
 void tryEdges(TriangleDistance& best, const LongVector& a0, const LongVector& a1, const LongVector& b0,
               const LongVector& b1) {
     const LongVector alongA = a1 - a0;
@@ -53,8 +53,8 @@ bool footOnFace(const LongVector& point, const LongTriangle& triangle, LongVecto
     return true;
 }
 
-// An edge whose ends lie on either side of a face: the crossing point of the plane, and the face's point
-// nearest to it.
+// For an edge whose ends lie on both sides of a face: the edge's point in the face's plane, and the face's
+// point nearest to it.
 void tryPiercing(TriangleDistance& best, const LongVector& start, const LongVector& end,
                  const LongTriangle& face, bool edgeIsOfA) {
     const LongVector normal = (face[1] - face[0]).cross(face[2] - face[0]);
@@ -82,7 +82,7 @@ LongVector closestOnTriangle(const LongVector& point, const LongTriangle& triang
 }
 
 TriangleDistance triangleDistance(const LongTriangle& first, const LongTriangle& second) {
-    // Relative to a corner: a pair far from the origin keeps its digits.
+    // Coordinates relative to a corner keep the digits of a pair far from the origin.
     const LongVector& origin = first[0];
     const LongTriangle a = {first[0] - origin, first[1] - origin, first[2] - origin};
     const LongTriangle b = {second[0] - origin, second[1] - origin, second[2] - origin};

@@ -1,5 +1,6 @@
-// The distance of two triangles in long double, the plain way: every feature pair is tried and only points
-// that lie on the triangles are scored. Shares no code with the library; checked against exact_triangle.h.
+// The distance of two triangles in long double, computed the plain way: every pair of features is tried, and
+// only points that lie on the triangles are scored. Shares no code with the library; checked against
+// exact_triangle.h.
 #pragma once
 
 #include <array>
@@ -17,17 +18,17 @@ struct TriangleDistance {
     LongVector pointOnB = LongVector::Zero();
 };
 
-/// Any triangles, segments and points (equal or collinear corners) among them. The witness points lie on
-/// their triangles to rounding and `distance` is theirs: never too small, but a piercing pair may come out at
-/// some 1e-19 of its size instead of 0 (more for needles).
+/// The distance of any triangles, including segments and points (equal or collinear corners). The witness
+/// points lie on their triangles up to rounding and are `distance` apart. It is never too small, but a
+/// piercing pair may come out at some 1e-19 of its size instead of 0 (more for needles).
 TriangleDistance triangleDistance(const LongTriangle& a, const LongTriangle& b);
 
 LongVector closestOnTriangle(const LongVector& point, const LongTriangle& triangle);
 
-/// The double's corners in long double, exactly.
+/// The corners in long double, exactly.
 LongTriangle toLong(const std::array<Vector3, 3>& triangle);
 
-/// Moved by the pose in long double.
+/// The triangle moved by the pose in long double.
 LongTriangle moved(const Pose& X_ab, const std::array<Vector3, 3>& triangle);
 LongVector moved(const Pose& X_ab, const Vector3& point);
 

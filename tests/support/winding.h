@@ -1,4 +1,4 @@
-// How often a surface winds around a point, by the solid angles under which its triangles are seen.
+// The winding number of a surface around a point, from the solid angles of its triangles.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@ inline Mesh reversed(Mesh mesh) {
     return mesh;
 }
 
-/// A whole number but for rounding, for a closed surface that the point is not on.
+/// For a closed surface that does not contain the point this is an integer up to rounding.
 /// Source: van Oosterom and Strackee, IEEE Trans. Biomed. Eng. 30, 1983.
 inline double windingBySolidAngles(const Mesh& mesh, const Component& of, const Vector3& point) {
     double sum = 0;

@@ -1,4 +1,4 @@
-// FCL's answers to the same cases.
+// FCL's answers to the torture cases.
 #pragma once
 
 #include "bench/peer.h"
@@ -8,12 +8,12 @@
 namespace clearway::testing {
 
 struct FclAnswer {
-    bool isThere = true;  ///< false when it threw or its distance is not a number
-    double distance = 0;  ///< 0 or less for contact
+    bool isThere = true;  ///< false if FCL threw or its distance is not a number
+    double distance = 0;  ///< 0 or less on contact
     bool collides = false;
 };
 
-/// FCL's trees of two meshes; RSS for distances, OBBRSS for collisions.
+/// FCL's trees of two meshes: RSS for distances, OBBRSS for collisions.
 class FclCheck {
   public:
     FclCheck(const Mesh& part, const Mesh& environment);

@@ -32,7 +32,7 @@ std::string shares(const std::array<std::uint64_t, kStages>& stages) {
     return text.str();
 }
 
-/// Columns under a heading, the first one to the left.
+/// Columns under a heading, the first one left-aligned.
 class Table {
   public:
     explicit Table(std::vector<std::string> heading) { rows_.push_back(std::move(heading)); }
@@ -63,7 +63,7 @@ class Table {
     std::vector<std::vector<std::string>> rows_;
 };
 
-/// The counted figures of a group as rows of the CSV.
+/// Writes the counted figures of a group as rows of the CSV.
 class Rows {
   public:
     Rows(std::ostream& out, const std::string& group) : out_(out), group_(group) { out_.precision(17); }
@@ -138,7 +138,7 @@ void PairFigures::add(const CheckedCase& checked) {
     if (checked.truth == 0) ++touching;
     const CaseLengths& lengths = checked.lengths;
     const long double roundoff = static_cast<long double>(kUnitRoundoff) * (lengths.largest + lengths.edge);
-    if (!(roundoff > 0)) return;  // all in the origin
+    if (!(roundoff > 0)) return;  // all corners lie in the origin
     keepLarger(worstError, checked.error / roundoff);
     keepLarger(widest, checked.width / checked.allowedWidth);
     if (lengths.scene > 0) {

@@ -1,4 +1,4 @@
-// What a torture run counts of each family, and how it is printed and written.
+// The figures that a torture run counts for each family, and their output as tables and CSV.
 #pragma once
 
 #include <array>
@@ -13,8 +13,8 @@
 
 namespace clearway::testing {
 
-/// Of FCL on the same cases. Contact called free, by each of its two queries, and distances too large by more
-/// than 1e-6 of the scene, which a margin would take for valid; answers that are not a number.
+/// FCL's figures on the same cases: contact called free by each of its two queries, distances too large by
+/// more than 1e-6 of the scene (which a margin would accept as valid), and answers that are not a number.
 struct FclFigures {
     std::uint64_t asked = 0;
     double worstOfScene = 0;
@@ -33,8 +33,8 @@ struct PairFigures {
     std::string family;
     std::uint64_t pairs = 0, touching = 0, refused = 0, violations = 0;
     double worstError = 0;         ///< of `distance`, in u64 (M + L)
-    double worstErrorOfScene = 0;  ///< over the scene's size
-    double widest = 0;             ///< over the width allowed
+    double worstErrorOfScene = 0;  ///< in units of the scene's size
+    double widest = 0;             ///< in units of the allowed width
     double widestOfScene = 0;
     WorstFinish regularFinish, flatFinish;
     std::array<std::uint64_t, kStages> distanceStages{}, collidesStages{}, withinStages{};
@@ -56,8 +56,8 @@ struct MeshFigures {
 void print(std::ostream& out, const std::vector<PairFigures>& all);
 void print(std::ostream& out, const std::vector<MeshFigures>& all);
 
-/// One row a family and figure: group,family,figure,value. Throws std::runtime_error when it cannot be
-/// written.
+/// Writes one row per family and figure: group,family,figure,value. Throws std::runtime_error if the file
+/// cannot be written.
 void writeCsv(const std::string& file, const std::vector<PairFigures>& pairs,
               const std::vector<MeshFigures>& meshes);
 

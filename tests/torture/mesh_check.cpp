@@ -66,7 +66,7 @@ CheckedPose MeshCheck::check(const Pose& pose, Random& random) {
     verdict("contact by distance", result.collides());
 
     const double M = std::max(largest_, largestMoved(family_.part, pose));
-    // The oracle's: its distance rounds once to double and before that by little in long double.
+    // The oracle's error: its distance rounds once to double, and before that a little in long double.
     const double error = kUnitRoundoff * truth + (truth > 0 ? 0x1p-58 * M : 0);
     const double width = 1e-12 * sceneSize() + 32 * kUnitRoundoff * M;
     require(result.lower <= truth + error, [&] { return line("lower", result.lower, truth); });

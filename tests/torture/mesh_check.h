@@ -1,4 +1,4 @@
-// Holds the answers about meshes at a pose to the mesh oracle's, which is exact on contact.
+// Compares the answers about meshes at a pose with the mesh oracle, which is exact on contact.
 #pragma once
 
 #include <memory>
@@ -15,7 +15,7 @@ namespace clearway::testing {
 struct CheckedPose {
     bool touches = false;
     double distance = 0;
-    bool falseValid = false;  ///< a query says free where there is contact
+    bool falseValid = false;  ///< a query says free although there is contact
     std::vector<std::string> complaints;
 };
 
@@ -23,7 +23,7 @@ class MeshCheck {
   public:
     explicit MeshCheck(const MeshFamily& family);
 
-    /// The next pose of the family and what came of it.
+    /// Draws the next pose of the family, and checks the queries there.
     Pose draw(Random& random);
     CheckedPose check(const Pose& pose, Random& random);
 
@@ -35,7 +35,7 @@ class MeshCheck {
     MeshOracle oracle_;
     Model part_, environment_;
     Workspace workspace_;
-    double largest_;  ///< coordinate of either mesh
+    double largest_;  ///< largest coordinate of either mesh
 };
 
 }  // namespace clearway::testing

@@ -13,7 +13,7 @@ Mesh shifted(const Mesh& mesh, const Vector3& by) {
     return transformed(mesh, Pose{Matrix3::Identity(), by});
 }
 
-/// A turn about an axis by a share of the circle; exact for quarters.
+/// A turn about an axis by a share of the full circle; exact for quarters.
 Matrix3 turnAbout(int axis, double share) {
     const double quarters = 4 * share;
     double c = std::cos(2 * kPi * share), s = std::sin(2 * kPi * share);
@@ -33,7 +33,8 @@ double anyShare(Random& random) {
     return random.below(2) == 0 ? 0.25 * random.below(4) : random.uniform(0, 1);
 }
 
-/// On one face, and along the others inside, flush or over the edge by a whole share of the sides.
+/// A translation that rests on one face; along the other axes it is inside, flush, or over the edge by a
+/// whole share of the sides.
 Pose boxOnBox(Random& random, const Vector3& partHalf, const Vector3& halves) {
     Pose pose;
     const int axis = random.below(3);
@@ -60,7 +61,7 @@ MeshFamily combs() {
     const auto resting = [](Random& random) {
         Pose pose;
         pose.rotation = turnAbout(2, 0.5);
-        // Turned, the part's teeth point down; by odd numbers of teeth it goes between the other's.
+        // A turned part's teeth point down; shifted by an odd number it fits between the other's teeth.
         pose.translation =
             Vector3(random.below(13), 4 + random.below(17) * 0.25, 0.25 * (random.below(17) - 8));
         if (random.below(4) == 0) pose.translation.x() += random.uniform(-1, 1);
@@ -69,7 +70,7 @@ MeshFamily combs() {
     return {"comb", comb(4), comb(5), 1, resting};
 }
 
-/// A strip over a line of whole heights, 8 deep, with a flat back `away` from it.
+/// A strip, 8 deep, over a line with whole heights; its flat back is `away` from the line.
 Mesh profile(double away) {
     constexpr std::array<int, 9> kHeights = {0, 3, 3, -1, 2, 2, 5, 1, 0};
     Mesh mesh;
@@ -107,7 +108,7 @@ MeshFamily roundPeg(double clearance) {
         Pose pose;
         pose.rotation = turnAbout(2, random.below(2) == 0 ? double(random.below(kSides)) / kSides : 0);
         const double way = 2 * kPi * (random.below(4 * kSides) / (4.0 * kSides));
-        // To the hole's wall: where the peg's corners or its faces meet it.
+        // Moves to the hole's wall, where the peg's corners or faces meet it.
         const double apart = clearance * (random.below(2) == 0 ? 1 : std::cos(kPi / kSides));
         pose.translation = apart * Vector3(std::cos(way), std::sin(way), 0);
         pose.translation.z() = random.below(2) == 0 ? 0.5 * (random.below(25) - 12) : random.uniform(-6, 6);
@@ -138,7 +139,7 @@ MeshFamily spheres() {
     return {"sphere", sphere(1.5, 6), sphere(2, 8), 3, resting};
 }
 
-/// Needles from a common tip to a small circle: the height of each is 1e-4 of its length.
+/// Needles from a common tip to a small circle; each needle's height is 1e-4 of its length.
 Mesh needleFan(int needles) {
     Mesh mesh;
     mesh.vertices.push_back(Vector3::Zero());
@@ -158,7 +159,7 @@ MeshFamily needleFans() {
         const int kind = random.below(3);
         if (kind == 0) pose.rotation = turnAbout(0, 0.5);  // tip to tip
         if (kind == 1) pose.rotation = turnAbout(random.below(2), 0.25);
-        if (kind == 2) pose.rotation = turnAbout(2, random.below(32) / 32.0);  // face on face, turned on
+        if (kind == 2) pose.rotation = turnAbout(2, random.below(32) / 32.0);  // face on face, turned
         if (random.below(2) == 0) pose.translation.z() = random.uniform(0, 100);
         return pose;
     };
@@ -206,7 +207,7 @@ std::vector<MeshFamily> meshFamilies() {
 Pose adversarialPose(Random& random, const MeshFamily& family, const WayToContact& wayToContact) {
     Pose pose = family.resting(random);
     const int kind = random.below(4);
-    if (kind == 1) {  // the rest, seen in a frame turned a little
+    if (kind == 1) {  // a resting pose, turned a little
         pose.rotation = turnAbout(random.below(3), 1e-3 * random.uniform(-1, 1)) * pose.rotation;
     }
     if (kind == 2) pose.rotation = random.rotation();

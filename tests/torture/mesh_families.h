@@ -14,27 +14,27 @@ struct MeshFamily {
     std::string name;
     Mesh part;
     Mesh environment;
-    double size;  ///< of the smaller mesh: where poses are drawn, steps are scaled
-    std::function<Pose(Random&)>
-        resting;  ///< in contact, or on the verge of it by the rounding of its numbers
+    double size;                           ///< of the smaller mesh; scales the drawn poses and steps
+    std::function<Pose(Random&)> resting;  ///< in contact, or on the verge of it up to rounding
 };
 
-/// Boxes face to face, combs and stepped profiles in one another, pegs in holes they fill or nearly do,
-/// tessellated spheres and fans of needles. Some have whole coordinates, so that contact is exact.
+/// Boxes face to face, combs and stepped profiles in one another, pegs in holes that they fill exactly or
+/// nearly, tessellated spheres and fans of needles. Some have whole coordinates, so that contact is exact.
 std::vector<MeshFamily> meshFamilies();
 
-/// Teeth 1 wide, 1 apart and 4 long in the plane z = 0, 2 deep, on a back: turned by half a circle about z
-/// and moved by odd numbers it fills another.
+/// A comb with teeth 1 wide, 1 apart, 4 long in the plane z = 0, and 2 deep, on a back. Turned by half a
+/// circle about z and moved by odd numbers, it fills another comb.
 Mesh comb(int teeth);
 
 /// Four boxes around a square hole of half side 3 along z, 4 deep; its middle is the origin.
 Mesh squareHole(int cells);
 
-/// Nearest points of part and environment at a pose: the way to contact.
+/// The nearest points of part and environment at a pose, which show the way to contact.
 using WayToContact = std::function<Vector3(const Pose&)>;
 
-/// Resting, resting and slid or turned, or any pose brought to contact along the way there; then moved by a
-/// few units in the last place or a small share of the size, or not at all.
+/// Draws a resting pose, a resting pose that is slid or turned, or any pose brought to contact along the
+/// nearest points. Then moves it by a few units in the last place, by a small share of the size, or not at
+/// all.
 Pose adversarialPose(Random& random, const MeshFamily& family, const WayToContact& wayToContact);
 
 }  // namespace clearway::testing

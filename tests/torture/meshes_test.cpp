@@ -19,15 +19,15 @@ BOOST_AUTO_TEST_CASE(meshes_that_rest_on_each_other_are_never_called_free) {
         BOOST_TEST_CONTEXT("meshes " << figures.family << ", seed " << kSeed) {
             BOOST_TEST(figures.falseValid == 0u);
             BOOST_TEST(figures.violations == 0u);
-            BOOST_TEST(figures.touching * 4 > figures.poses);  // else they rest too seldom
+            BOOST_TEST(figures.touching * 4 > figures.poses);  // otherwise they rest too seldom
         }
         verge += figures.verge;
     }
     BOOST_TEST(verge * 20 > options.poses);
 }
 
-// Two fans of needles of which one pair is 3e-19 apart and another touches, though long double takes it for
-// farther.
+// Two fans of needles. One pair of needles is 3e-19 apart and another touches, although long double computes
+// a larger distance for it.
 BOOST_AUTO_TEST_CASE(the_mesh_oracle_sees_contact_behind_a_pair_that_nearly_touches) {
     for (const MeshFamily& family : meshFamilies()) {
         if (family.name != "needle-fan") continue;

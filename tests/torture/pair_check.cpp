@@ -18,7 +18,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 using Apart = Eigen::Matrix<long double, 3, 1>;
 
-/// One case in the hands of the library, with the truth about it.
+/// One case given to the library, with the truth about it.
 class Check {
   public:
     Check(const PosedMeshes& posed, CheckedCase& checked)
@@ -50,7 +50,8 @@ class Check {
                 [&] { return std::string("collides is ") + (says ? "true" : "false"); });
     }
 
-    /// At zero, at the truth, at the doubles on either side and at some distance from it.
+    /// Asks isWithin at zero, at the truth, at the doubles on either side of it, and at some distance from
+    /// it.
     void checkVerdicts(Random& random) {
         const auto near = static_cast<double>(checked_.truth);
         for (const double d : {near, std::nextafter(near, 0.0), std::nextafter(near, kInfinity)}) {
@@ -185,7 +186,7 @@ class Check {
                 described);
     }
 
-    /// Surely within reach of the triangle; false says nothing.
+    /// Whether the point is certainly within reach of the triangle; false proves nothing.
     bool isNear(const Vector3& point, const LongTriangle& triangle, double reach) const {
         const LongVector p = point.cast<long double>();
         return (closestOnTriangle(p, triangle) - p).norm() + 0x1p-4L * roundoff_ <= reach;
@@ -211,7 +212,8 @@ double defaultWidth(const CaseLengths& lengths) {
     return 1e-12 * lengths.scene + 32 * kUnitRoundoff * lengths.largest;
 }
 
-/// Sizes, or a size and the way between the meshes, in a ratio of 2^60 or more, but for a few powers of two.
+/// Whether the sizes, or a size and the distance between the meshes, differ by 2^60 or more, give or take a
+/// few powers of two.
 bool mayBeRefused(const CaseLengths& lengths) {
     return lengths.leastSize * 0x1p57 < lengths.largest;
 }
@@ -222,7 +224,7 @@ CheckedCase checkCase(const PosedMeshes& posed, std::uint64_t choices) {
     Random random(choices);
     try {
         Check check(posed, checked);
-        if (random.below(2) == 0) check.checkCollides();  // before anything is known of the pair, or after
+        if (random.below(2) == 0) check.checkCollides();  // before or after anything is known of the pair
         check.checkDistance();
         check.checkCollides();
         check.checkVerdicts(random);

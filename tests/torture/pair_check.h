@@ -1,5 +1,5 @@
-// Asks every query about a small case and holds the answers to what include/clearway/query.h promises, by
-// exact arithmetic.
+// Asks every query about a small case and checks the answers, in exact arithmetic, against the promises of
+// include/clearway/query.h.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace clearway::testing {
 
-/// The last arithmetic that a query needed.
+/// The most exact arithmetic that a query needed.
 enum class Stage { kFloat, kDouble, kDoubleDouble, kExact };
 constexpr int kStages = 4;
 Stage stageOf(const QueryCounters& counters);
@@ -19,33 +19,33 @@ Stage stageOf(const QueryCounters& counters);
 /// The answer of the finish in double alone, before any later stage; for one triangle against one.
 struct DoubleFinish {
     bool isAsked = false;
-    long double error = 0;  ///< of the distance of its two points
-    long double width = 0;  ///< of its interval
+    long double error = 0;  ///< error of the distance between its two points
+    long double width = 0;  ///< width of its interval
 };
 
-/// Triangles at least this high over their longest edge are regular: the double finish is off by no more than
-/// so many u64 (M + L) of the distance between them.
+/// Triangles are regular if they are at least this high over their longest edge. For these the distance from
+/// the double finish is off by at most kFinishRoundoffs u64 (M + L).
 constexpr double kRegularFlatness = 0.01;
 constexpr double kFinishRoundoffs = 16;
 
 struct CheckedCase {
     CaseLengths lengths;
-    long double truth = 0;  ///< rounded; 0 exactly for contact
-    long double error = 0;  ///< of `distance`
-    long double width = 0;  ///< of its interval
+    long double truth = 0;  ///< rounded; 0 exactly on contact
+    long double error = 0;  ///< error of `distance`
+    long double width = 0;  ///< width of its interval
     double allowedWidth = 0;
     Stage ofDistance = Stage::kFloat;
     Stage ofCollides = Stage::kFloat;
-    std::vector<Stage> ofWithin;  ///< at the truth and the doubles beside it
+    std::vector<Stage> ofWithin;  ///< isWithin at the truth and at the doubles beside it
     DoubleFinish finish;
-    bool isRefused = false;               ///< as the documents say: the sizes differ too much
-    std::vector<std::string> complaints;  ///< a line for each promise broken
+    bool isRefused = false;               ///< refused, as documented, because the sizes differ too much
+    std::vector<std::string> complaints;  ///< one line per broken promise
 };
 
-/// The widest an interval may be without options.
+/// The largest width an interval may have with default options.
 double defaultWidth(const CaseLengths& lengths);
 
-/// choices: which options and distances are asked for besides the ones always asked for.
+/// choices: seed of the options and distances that are asked for in addition to the fixed ones.
 CheckedCase checkCase(const PosedMeshes& posed, std::uint64_t choices);
 
 }  // namespace clearway::testing

@@ -43,7 +43,7 @@ Matrix3 quarterTurn(Random& random) {
     return turn;
 }
 
-/// A draw of the named families of hard_triangles.h.
+/// A draw from the named families of hard_triangles.h.
 class Known {
   public:
     explicit Known(std::vector<std::string> names) {
@@ -70,12 +70,12 @@ Triangle anyTriangle(Random& random, double halfSide) {
     return {a, b, random.inBox(halfSide)};
 }
 
-/// Height over longest edge from 1 down to what doubles can still tell from 0.
+/// Height over longest edge, from 1 down to the least that doubles can tell from 0.
 double anyFlatness(Random& random) {
     return std::pow(10.0, -random.uniform(0, random.below(4) == 0 ? 16 : 9));
 }
 
-/// The third corner at `along` of the edge between the others, `flatness` of its length beside it.
+/// The third corner at `along` of the edge between the others, beside it by `flatness` of its length.
 Triangle flatTriangle(Random& random, double along, double flatness) {
     Triangle triangle = anyTriangle(random, 500);
     const Vector3 edge = triangle[1] - triangle[0];
@@ -85,7 +85,7 @@ Triangle flatTriangle(Random& random, double along, double flatness) {
     return triangle;
 }
 
-/// Needles have their short side at an end, caps their third corner over the middle.
+/// Needles have their short side at one end; caps have their third corner over the middle.
 TrianglePair flatPair(Random& random, bool areNeedles) {
     const auto flat = [&] {
         const double along = areNeedles ? random.uniform(0, 1e-3) : random.uniform(0.2, 0.8);
@@ -135,7 +135,8 @@ PosedMeshes farAway(Random& random, const TrianglePair& pair) {
     return {meshOf({back * moved.a[0], back * moved.a[1], back * moved.a[2]}), meshOf(moved.b), pose};
 }
 
-/// The small one somewhere at the large one's border, face or corner, one in four inside its plane.
+/// Puts the small triangle somewhere at the large one's border, face or corner; one in four lies in the large
+/// one's plane.
 TrianglePair unequalPair(Random& random) {
     const double ratio = std::pow(10.0, random.uniform(2, 9));
     TrianglePair pair{anyTriangle(random, 0.5 * ratio), anyTriangle(random, 0.5)};
@@ -151,7 +152,7 @@ TrianglePair unequalPair(Random& random) {
     return sometimesNear(random, pair);
 }
 
-/// A corner moved by one or two doubles.
+/// Moves a corner by one or two doubles.
 TrianglePair nudged(Random& random, TrianglePair pair) {
     double& coordinate = pair.b[random.below(3)][random.below(3)];
     for (int i = random.below(2); i >= 0; --i) {
@@ -167,7 +168,7 @@ TrianglePair degeneratePair(Random& random) {
     for (Triangle* triangle : {&pair.a, &pair.b}) {
         const int kind = random.below(4), kept = random.below(3);
         if (kind == 1) (*triangle)[(kept + 1) % 3] = (*triangle)[kept];
-        if (kind == 2) {  // corners in a row: the middle of the other two is a double
+        if (kind == 2) {  // three corners in a row: the middle of the other two is a double
             (*triangle)[kept] = 0.5 * ((*triangle)[(kept + 1) % 3] + (*triangle)[(kept + 2) % 3]);
         }
         if (kind == 3) triangle->fill((*triangle)[kept]);
@@ -239,24 +240,24 @@ TrianglePair touchingPair(Random& random) {
         case 0:  // a corner on the face, an edge or a corner; the rest anywhere
             b[random.below(3)] = within;
             break;
-        case 1:  // the same, the rest on one side of the face
+        case 1:  // as above, but the rest on one side of the face
             b[0] = within;
             for (int k = 1; k < 3; ++k) {
                 if ((b[k] - within).dot(normal) < 0) b[k] = 2 * within - b[k];
             }
             break;
-        case 2:  // an edge through it
+        case 2:  // an edge through the face
             b[1] = 2 * within - b[0];
             break;
-        case 3:  // an edge in common
+        case 3:  // a common edge
             b[1] = a[0];
             b[0] = a[1];
             break;
-        case 4:  // an edge on an edge, in part
+        case 4:  // an edge on part of an edge
             b[0] = 0.25 * (a[0] + 3 * a[1]);
             b[1] = a[1] + (a[1] - a[0]);
             break;
-        case 5:  // in the same plane, a corner in the other
+        case 5:  // in the same plane, with a corner inside the other
             b[0] = within;
             b[1] = within + (random.below(7) - 3) * (a[1] - a[0]);
             b[2] = within + (random.below(7) - 3) * (a[2] - a[0]) + (random.below(3) - 1) * (a[1] - a[0]);

@@ -1,5 +1,5 @@
-// The families of the torture run: pairs of triangles, and of few triangles, drawn to be as hard on a
-// distance query as can be, in the frames and poses that a caller may bring them in.
+// The families of the torture run: pairs of triangles, and of a few triangles, drawn to be as hard as
+// possible for a distance query, in the frames and poses that callers use.
 #pragma once
 
 #include <functional>
@@ -11,7 +11,7 @@
 
 namespace clearway::testing {
 
-/// What is asked: the part at its pose against the environment.
+/// One case: the part at its pose, and the environment.
 struct PosedMeshes {
     Mesh part;
     Mesh environment;
@@ -23,19 +23,20 @@ struct PairFamily {
     std::function<PosedMeshes(Random&)> make;
 };
 
-/// needle, cap, parallel, coplanar, near-touch, touch, offset, scale, mixed-size, degenerate, random, grid
-/// and cluster (several triangles each). About half of the draws touch or nearly do.
+/// The families needle, cap, parallel, coplanar, near-touch, touch, offset, scale, mixed-size, degenerate,
+/// random, grid and cluster (several triangles each). About half of the draws touch or nearly touch.
 std::vector<PairFamily> pairFamilies();
 
-/// A pair as a part and an environment: the part's own coordinates are the pair's taken back by the pose and
-/// rounded. One pose in four is the identity, one a translation, one a quarter turn with a translation by
-/// whole multiples of a power of two, which round little or nothing, and one any.
+/// Makes a pair into a part and an environment: the part's own coordinates are the pair's, taken back by the
+/// pose and rounded. Of four poses one is the identity, one a translation, one a quarter turn with a
+/// translation by whole multiples of a power of two, and one is arbitrary. The first three round little or
+/// nothing.
 PosedMeshes posedAnyhow(Random& random, const TrianglePair& pair);
 
-/// The pair moved until it is about 2^-10 to 2^-56 of its size apart; it may come out touching.
+/// Moves the pair until it is about 2^-10 to 2^-56 of its size apart; it may come out touching.
 TrianglePair broughtNear(Random& random, const TrianglePair& pair);
 
-/// A pair that shares a point in exact arithmetic. Coordinates are multiples of 1/4 below 4096.
+/// A pair that shares a point exactly. Coordinates are multiples of 1/4 below 4096.
 TrianglePair touchingPair(Random& random);
 
 }  // namespace clearway::testing

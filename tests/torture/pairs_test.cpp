@@ -18,7 +18,7 @@ BOOST_AUTO_TEST_CASE(hard_pairs_are_answered_as_exact_arithmetic_does) {
         BOOST_TEST_CONTEXT("family " << figures.family << ", seed " << kSeed) {
             BOOST_TEST(figures.violations == 0u);
             BOOST_TEST(figures.refused * 100 < figures.pairs);
-            // Else the family asks less than it is meant to.
+            // Otherwise the family is easier than intended.
             BOOST_TEST(figures.touching * 100 > figures.pairs);
             BOOST_TEST((figures.pairs - figures.touching) * 100 > figures.pairs);
         }

@@ -13,7 +13,7 @@ bool complains(const PosedMeshes& posed, std::uint64_t choices) {
     return !checkCase(posed, choices).complaints.empty();
 }
 
-/// Rounded to a mantissa of so many bits.
+/// x rounded to a mantissa of `bits` bits.
 double rounded(double x, int bits) {
     if (x == 0 || bits == 0) return 0;
     int exponent = 0;

@@ -1,4 +1,4 @@
-// A case that broke a promise, made as small as it still does, and written so that it can be repeated.
+// Makes a case that broke a promise as small as possible, and prints it so that it can be repeated.
 #pragma once
 
 #include <iosfwd>
@@ -7,13 +7,13 @@
 
 namespace clearway::testing {
 
-/// Leaves out triangles, takes the pose away, and rounds coordinates, as long as checkCase still complains.
+/// Leaves out triangles, removes the pose and rounds coordinates, as long as checkCase still complains.
 PosedMeshes smallest(const PosedMeshes& posed, std::uint64_t choices);
 
-/// The numbers of a pose, hexadecimal.
+/// Prints the numbers of a pose in hexadecimal.
 void printPose(std::ostream& out, const Pose& pose);
 
-/// Triangles and pose as C++ initialisers of hexadecimal numbers, with the complaints.
+/// Prints triangles and pose as C++ initialisers of hexadecimal numbers, with the complaints.
 void printRepeat(std::ostream& out, const PosedMeshes& posed, std::uint64_t choices);
 
 }  // namespace clearway::testing

@@ -24,11 +24,11 @@ struct Resting {
     std::string name;
     Mesh part;
     Mesh environment;
-    std::function<Vector3(Random&)> resting;  ///< translations in contact
-    Vector3 away;                             ///< added to any of them leaves a gap of 1 % of the part's size
+    std::function<Vector3(Random&)> resting;  ///< draws translations in contact
+    Vector3 away;                             ///< added to any of these, a gap of 1 % of the part's size
 };
 
-/// Whole shares of 1/8 in [-reach, reach].
+/// A whole multiple of 1/8 in [-reach, reach].
 double eighths(Random& random, int reach) {
     return 0.125 * (random.below(16 * reach + 1) - 8 * reach);
 }
@@ -61,7 +61,8 @@ Resting combInComb(int teeth) {
             [](Random& r) { return Vector3(1, eighths(r, 3), 0); }, Vector3(0, 0, 2.1)};
 }
 
-/// Median nanoseconds of one call over the poses, each the least of the repetitions.
+/// The median nanoseconds of one call over the poses; each pose counts with its least time over the
+/// repetitions.
 double medianTime(const Model& part, const Model& environment, const std::vector<Pose>& poses, bool isWarm,
                   int repetitions) {
     Workspace workspace;
@@ -70,7 +71,7 @@ double medianTime(const Model& part, const Model& environment, const std::vector
         for (std::size_t i = 0; i < poses.size(); ++i) {
             const auto start = std::chrono::steady_clock::now();
             for (int call = 0; call < kCallsPerTiming; ++call) {
-                // Warm is of the pose before in the set, not of the same pose.
+                // A warm start comes from the previous pose of the set, not from the same pose.
                 if (!isWarm) workspace.forgetWarmStart();
                 collides(part, environment, poses[(i + std::size_t(call)) % poses.size()], workspace);
             }

@@ -1,12 +1,13 @@
-// What contact costs `collides`: resting poses against the same pose with a gap of a hundredth of the size.
+// The cost of contact for `collides`: resting poses compared with the same poses at a gap of a hundredth of
+// the size.
 #pragma once
 
 #include <iosfwd>
 
 namespace clearway::testing {
 
-/// Times both for boxes face to face, pegs in fitting holes and shared edges, warm and cold, and prints each
-/// ratio and the median over the meshes, which is returned.
+/// Times resting and free poses of boxes face to face, pegs in fitting holes, shared edges and combs, warm
+/// and cold. Prints each ratio, and prints and returns the median over the meshes.
 double measureResting(std::ostream& out, int repetitions);
 
 }  // namespace clearway::testing

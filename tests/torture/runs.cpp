@@ -10,16 +10,16 @@
 namespace clearway::testing {
 namespace {
 
-constexpr int kRound = 20;  ///< cases of each family in turn
+constexpr int kRound = 20;  ///< cases of a family before the next family's turn
 
-/// A seed of one case's own, so that any case can be drawn again without those before it.
+/// The seed of one case, so that any case can be drawn again without those before it.
 std::uint64_t seedOf(std::uint64_t seed, const std::string& family, std::uint64_t number) {
     std::uint64_t hash = seed;
     for (const char c : family) hash = Random(hash ^ static_cast<unsigned char>(c)).bits();
     return Random(hash ^ number).bits();
 }
 
-/// The families whose names were asked for; all when none was.
+/// The families whose names were asked for; all if none was.
 template <typename Family>
 std::vector<Family> chosen(const std::vector<Family>& all, const std::vector<std::string>& names) {
     if (names.empty()) return all;
@@ -30,7 +30,7 @@ std::vector<Family> chosen(const std::vector<Family>& all, const std::vector<std
     return result;
 }
 
-/// When a group of families has had enough, and what it says meanwhile.
+/// Says when a group of families has had enough cases, and prints progress.
 class Progress {
   public:
     Progress(const char* what, std::uint64_t most, double minutes)
@@ -70,7 +70,8 @@ void inTurns(std::size_t families, Progress& progress, const TryOne& tryOne) {
     }
 }
 
-/// Beyond these sizes FCL's products of lengths overflow or vanish; of that it makes no secret.
+/// Whether the sizes are such that FCL's products of lengths neither overflow nor vanish, as they openly do
+/// beyond.
 bool isOrdinary(double largestCoordinate) {
     return largestCoordinate > 1e-60 && largestCoordinate < 1e60;
 }
@@ -107,7 +108,7 @@ class PairRun {
         }
         if (checked.complaints.empty()) return;
         ++violations_;
-        if (figures.violations > 1) return;  // one of each family says enough
+        if (figures.violations > 1) return;  // one violation per family is enough
         std::cout << "violation: family " << family.name << ", seed " << options_.seed << ", number "
                   << number << '\n';
         printRepeat(std::cout, smallest(posed, seed), seed);

@@ -1,4 +1,5 @@
-// The run itself: family after family, round after round, until there is enough.
+// The torture run: family after family, round after round, until the asked number of cases or time is
+// reached.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +11,8 @@
 namespace clearway::testing {
 
 struct TortureOptions {
-    std::uint64_t pairs = 0, poses = 0;  ///< of all families together
-    double minutes = 0;                  ///< unless pairs or poses say how many
+    std::uint64_t pairs = 0, poses = 0;  ///< over all families together
+    double minutes = 0;                  ///< used unless pairs or poses are given
     std::uint64_t seed = 1;
     std::vector<std::string> families;  ///< empty: all
     bool withFcl = true;
@@ -19,8 +20,8 @@ struct TortureOptions {
     std::string csv;
 };
 
-/// Tells the progress on standard error, and on standard output the first violation of each family with its
-/// smallest repeat.
+/// Prints progress on standard error; prints the first violation of each family with its smallest repeat on
+/// standard output.
 std::vector<PairFigures> runPairs(const TortureOptions& options);
 std::vector<MeshFigures> runMeshes(const TortureOptions& options);
 

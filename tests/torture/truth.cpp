@@ -14,7 +14,7 @@ void measureMesh(const Mesh& mesh, CaseLengths& lengths) {
     for (const Vector3& p : mesh.vertices) {
         lengths.largest = std::max(lengths.largest, p.cwiseAbs().maxCoeff());
         box.extend(p);
-        for (const double x : p) {  // what is all but a point, or all but in the origin
+        for (const double x : p) {  // almost a point, or almost in the origin
             if (x != 0 && std::abs(x) < 0x1p-1000)
                 lengths.leastSize = std::min(lengths.leastSize, std::abs(x));
         }
@@ -27,7 +27,7 @@ void measureMesh(const Mesh& mesh, CaseLengths& lengths) {
         const Vector3 edges[3] = {t[1] - t[0], t[2] - t[1], t[0] - t[2]};
         const double longest = std::max({edges[0].norm(), edges[1].norm(), edges[2].norm()});
         lengths.edge = std::max(lengths.edge, longest);
-        const Vector3 u = edges[0] / longest, v = edges[1] / longest;  // not squared: may overflow or vanish
+        const Vector3 u = edges[0] / longest, v = edges[1] / longest;  // squares might overflow or vanish
         lengths.flattest = longest > 0 ? std::min(lengths.flattest, u.cross(v).norm()) : 0;
     }
 }

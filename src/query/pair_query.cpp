@@ -1,29 +1,32 @@
+#include "query/pair_query.h"
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
 
-#include "query/pair_query.h"
+#include "exact/ball.h"
 
 namespace clearway {
 namespace {
 
-constexpr int kLargestRatioExponent = 60;  // squares of ratios beyond it overflow float
-constexpr double kTooLarge = 1e298;        // splitting a double in halves overflows from 2^996 on
-constexpr double kTooSmall = 1e-298;       // roundoffs of what is smaller are no longer in proportion to it
+constexpr int kLargestRatioExponent = 60;  // squares of larger ratios overflow float
+constexpr double kTooLarge = 1e298;        // splitting a double in two halves overflows from 2^996 on
+constexpr double kTooSmall = 1e-298;       // below this, rounding is no longer in proportion to the number
 
 double largestCoordinateOf(const Box& box) {
     return std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
 }
 
-/// Bound of the moved box's coordinates; the box's corners are at most the vertices' reach.
+/// Upper bound of the coordinates of all points in the moved box.
 double largestMovedCoordinate(const Pose& pose, const Box& box) {
     const Vector3 centre = pose * box.center();
     const Vector3 reach = pose.rotation.cwiseAbs() * (0.5 * box.sizes());
     return (centre.cwiseAbs() + reach).maxCoeff();
 }
 
-/// t: origin of the carried tree in the target's frame, mesh units.
+/// Makes the map from the carried tree to the target tree. t: origin of the carried tree in the target's
+/// frame, mesh units.
 Carry makeCarry(const Matrix3& rotation, const Vector3& t, const FlatTree& carried, int carriedExponent,
                 const FlatTree& target, int targetExponent, double offsetError, int queryExponent) {
     Carry carry{};
@@ -36,8 +39,7 @@ Carry makeCarry(const Matrix3& rotation, const Vector3& t, const FlatTree& carri
     }
     carry.ratio = static_cast<float>(std::ldexp(1.0, carriedExponent - targetExponent));
     const double reach = (t * perUnit).norm() + double(carried.radius) * carry.ratio + target.radius;
-    carry.slack =
-        static_cast<float>((kVolumeSlack * kUnitRoundoffFloat * reach + offsetError * perUnit) * (1 + 1e-6));
+    carry.slack = slackOf(kVolumeSlack, reach, offsetError * perUnit);
     carry.toQueryUnit = static_cast<float>(std::ldexp(1.0, targetExponent - queryExponent));
     return carry;
 }
@@ -59,7 +61,7 @@ PairQuery preparePairQuery(const FlatTree& part, const FlatTree& environment, co
     const double largest =
         std::max({largestCoordinateOf(part.box), largestCoordinateOf(environment.box),
                   t.cwiseAbs().maxCoeff(), largestMovedCoordinate(X_environmentPart, part.box)});
-    // A mesh that is one point has no unit of its own: its floats are all 0.
+    // A mesh that is a single point has no unit of its own, since its floats are all 0.
     const int ofPoints = largest > 0 ? std::clamp(std::ilogb(largest), -1000, 999) + 1 : 0;
     const int environmentExponent = environment.radius > 0 ? environment.unitExponent
                                     : part.radius > 0      ? part.unitExponent
@@ -79,15 +81,15 @@ PairQuery preparePairQuery(const FlatTree& part, const FlatTree& environment, co
     query.unitExponent = std::max(partExponent, environmentExponent);
     query.perMeshUnit = std::ldexp(1.0, -query.unitExponent);
     query.largestCoordinate = largest * query.perMeshUnit;
-    // In query units, where the squares of sizes neither overflow nor vanish.
+    // Query units keep the squares of sizes from overflowing and vanishing.
     const auto diagonal = [&](const Box& box) { return (box.sizes() * query.perMeshUnit).norm(); };
     query.defaultWidth = 1e-12 * (diagonal(part.box) + diagonal(environment.box)) +
-                         32 * kUnitRoundoffDouble * query.largestCoordinate;
+                         kWidthRoundoffs * kUnitRoundoffDouble * query.largestCoordinate;
     const double offsetError = kOffsetSlack * kUnitRoundoffDouble * largest;
     query.offsetSlack = offsetError * query.perMeshUnit;
 
     const Vector3 between = X_environmentPart * part.origin - environment.origin;
-    const double away = between.cwiseAbs().maxCoeff();  // the norm's square may overflow or vanish
+    const double away = between.cwiseAbs().maxCoeff();  // not the norm, whose square may overflow or vanish
     if (away > 0) {
         const int smaller = std::min(partExponent, environmentExponent);
         requireRatio(std::max(0, std::ilogb(away) - smaller),
@@ -109,6 +111,42 @@ PairQuery preparePairQuery(const FlatTree& part, const FlatTree& environment, co
     query.environmentLeafToQuery =
         static_cast<float>(std::ldexp(1.0, environmentExponent - query.unitExponent));
     return query;
+}
+
+Corners movedCorners(const PairQuery& query, std::uint32_t triangle) {
+    const FlatTree& tree = *query.part;
+    Corners corners;
+    for (int k = 0; k < 3; ++k) {
+        const Vector3& vertex = tree.vertices[tree.triangles[triangle][k]];
+        for (int row = 0; row < 3; ++row) {
+            corners.p[k][row] = affineRow(query.R + 3 * row, vertex.data(), query.t[row]) * query.perMeshUnit;
+        }
+    }
+    return corners;
+}
+
+Corners fixedCorners(const PairQuery& query, std::uint32_t triangle) {
+    const FlatTree& tree = *query.environment;
+    Corners corners;
+    for (int k = 0; k < 3; ++k) corners.p[k] = tree.vertices[tree.triangles[triangle][k]] * query.perMeshUnit;
+    return corners;
+}
+
+PairVertices pairVertices(const PairQuery& query, const TrianglesAt& triangles) {
+    const FlatTree &part = *query.part, &environment = *query.environment;
+    const auto &p = part.triangles[triangles.part], &q = environment.triangles[triangles.environment];
+    const Vector3 &p0 = part.vertices[p[0]], &q0 = environment.vertices[q[0]];
+    PairVertices pair;
+    for (int row = 0; row < 3; ++row) {
+        pair.firstCorner[row] = affineRow(query.R + 3 * row, p0.data(), query.t[row]) * query.perMeshUnit -
+                                q0[row] * query.perMeshUnit;
+        for (int edge = 0; edge < 2; ++edge) {
+            pair.partEdge[edge][row] = (part.vertices[p[edge + 1]][row] - p0[row]) * query.perMeshUnit;
+            pair.environmentEdge[edge][row] =
+                (environment.vertices[q[edge + 1]][row] - q0[row]) * query.perMeshUnit;
+        }
+    }
+    return pair;
 }
 
 }  // namespace clearway
