@@ -228,8 +228,7 @@ void FrameSearch::consider(const Matrix3& axes) {
         if (areaAtLeast(lengths[side0], lengths[side1], lengths[normal]) >= leastArea_) continue;
         const float candidate =
             area(projected_[side0], projected_[side1], projected_[normal], extents[normal]);
-        if (!(candidate < leastArea_))
-            continue;  // also NaN, from a surface with hardly any area
+        if (!(candidate < leastArea_)) continue;  // also NaN, from a surface with hardly any area
         leastArea_ = candidate;
         bestAxes_ << axes.col(side0), axes.col(side1), axes.col(normal);
     }

@@ -78,12 +78,12 @@ BOOST_AUTO_TEST_CASE(a_rotation_within_what_queries_accept_is_kept_to_the_bit) {
 }
 
 BOOST_AUTO_TEST_CASE(rotations_that_are_none_are_refused_with_their_line) {
-    BOOST_TEST(
-        refusalOf(kIdentity + "2 0 0 0 1 0 0 0 1 0 0 0\n") ==
-        ":2: the matrix is no rotation: max |R^T R - I| is 3 and det R 2, expected at most 1e-05 and above 0");
-    BOOST_TEST(
-        refusalOf("1 0 0 0 1 0 0 0 -1 0 0 0\n") ==
-        ":1: the matrix is no rotation: max |R^T R - I| is inf and det R -1, expected at most 1e-05 and above 0");
+    BOOST_TEST(refusalOf(kIdentity + "2 0 0 0 1 0 0 0 1 0 0 0\n") ==
+               ":2: the matrix is no rotation: max |R^T R - I| is 3 and det R 2, expected at most 1e-05 and "
+               "above 0");
+    BOOST_TEST(refusalOf("1 0 0 0 1 0 0 0 -1 0 0 0\n") ==
+               ":1: the matrix is no rotation: max |R^T R - I| is inf and det R -1, expected at most 1e-05 "
+               "and above 0");
     BOOST_TEST(refusalOf("0 0 0 0 0 0 0 0 0 0 0 0\n").find(":1: the matrix is no rotation") == 0);
     BOOST_TEST(refusalOf(kIdentity + "7 8 9 0 0 0 0\n") ==
                ":2: the quaternion is 0 0 0 0, expected one of length above 0");

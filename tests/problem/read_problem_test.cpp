@@ -308,7 +308,8 @@ BOOST_AUTO_TEST_CASE(all_planners_have_one_objective) {
     const Problem named = read(kSpatial + "[planner]\nrrt=\nproblem.objective = mechanical_work\n");
     BOOST_TEST(named.objective == "mechanical_work");
     const std::vector<std::string> expected = {
-        ":22: [planner] problem.objective is 'other', which has no effect: the objective of all planners is 'length'"};
+        ":22: [planner] problem.objective is 'other', which has no effect: the objective of all planners is "
+        "'length'"};
     BOOST_TEST(
         warningsOf(kSpatial + "objective = length\n[planner]\nrrt=\nproblem.objective = other\n") == expected,
         boost::test_tools::per_element());

@@ -5,8 +5,8 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "core/text.h"
 #include "core/replace_file.h"
+#include "core/text.h"
 
 namespace clearway::scenes {
 
