@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <ctime>
 #include <limits>
 
 #include "clearway/planning/planners.h"
@@ -14,16 +13,12 @@
 #include "planning/objectives/objectives.h"
 #include "planning/setup/planning_space.h"
 #include "planning/validity/ompl_messages.h"
+#include "support/processor_time.h"
 
 namespace clearway::testing {
 namespace {
 
 namespace ob = ompl::base;
-
-/// Of all threads of this process.
-double processorSeconds() {
-    return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
 
 /// As `clearway plan` has it.
 double rangeOf(const Problem& problem, const Model& part) {
@@ -64,8 +59,9 @@ AnytimePlanner::AnytimePlanner(const Problem& problem, const Scene& scene, const
 
 double AnytimePlanner::planSeconds(double seconds) {
     const double begin = processorSeconds();
-    plan(ob::PlannerTerminationCondition([=] { return processorSeconds() - begin >= seconds; }));
-    return processorSeconds() - begin;
+    return processorSecondsOf([&] {
+        plan(ob::PlannerTerminationCondition([=] { return processorSeconds() - begin >= seconds; }));
+    });
 }
 
 void AnytimePlanner::planIterations(std::uint64_t iterations) {

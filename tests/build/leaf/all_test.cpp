@@ -1,9 +1,9 @@
 #include "build/leaf_splits.h"
 
 #include <boost/test/unit_test.hpp>
-#include <chrono>
 
 #include "build/leaf/groups.h"
+#include "support/processor_time.h"
 
 namespace clearway::testing {
 namespace {
@@ -28,9 +28,9 @@ BOOST_AUTO_TEST_CASE(a_group_costs_no_more_in_a_large_mesh_than_in_a_small_one) 
     triangles.resize(4);
     const CleanMesh small = meshOf(triangles);
     const auto secondsOf = [](const CleanMesh& mesh, GeneralSplit general) {
-        const auto begin = std::chrono::steady_clock::now();
-        for (int i = 0; i < 500; ++i) splitIntoSingles(mesh, {0, 1, 2, 3}, general);
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+        return processorSecondsOf([&] {
+            for (int i = 0; i < 500; ++i) splitIntoSingles(mesh, {0, 1, 2, 3}, general);
+        });
     };
     for (const NamedGeneralSplit& general : kGeneralSplits) {
         const double inSmall = secondsOf(small, general.build), inLarge = secondsOf(large, general.build);

@@ -10,6 +10,7 @@
 #include "planning/setup/planning_space.h"
 #include "support/oracle.h"
 #include "support/path_check.h"
+#include "support/processor_time.h"
 #include "support/random_meshes.h"
 #include "support/window_scene.h"
 
@@ -140,10 +141,12 @@ BOOST_AUTO_TEST_CASE(planners_with_threads_end_in_time_and_what_they_find_is_fre
         PlanOptions options;
         options.planner = name;
         options.seconds = 0.25;
-        const PlanReport report = plan(window.problem, window.scene, options);
+        PlanReport report;
+        const double seconds =
+            testing::secondsOnAllProcessors([&] { report = plan(window.problem, window.scene, options); });
         BOOST_TEST_CONTEXT(name) {
             BOOST_TEST(!report.isRepeatable);
-            BOOST_TEST(report.planningSeconds < 10);
+            BOOST_TEST(seconds < 10);
             if (report.outcome != Outcome::kFound) continue;
             BOOST_TEST(testing::collisionsAlong(oracle, report.path, window.problem, 200) == 0);
         }
@@ -164,10 +167,12 @@ BOOST_AUTO_TEST_CASE(no_path_is_no_path) {
     window.scene.obstacles[0].margin = 12;  // the window leaves 12 at the plate's sides, 11 above and below
     PlanOptions options;
     options.seconds = 0.5;
-    const PlanReport report = plan(window.problem, window.scene, options);
+    PlanReport report;
+    const double seconds =
+        testing::processorSecondsOf([&] { report = plan(window.problem, window.scene, options); });
     BOOST_TEST((report.outcome == Outcome::kNotFound));
     BOOST_TEST(report.path.empty());
-    BOOST_TEST(report.planningSeconds < 3);
+    BOOST_TEST(seconds < 3);
 }
 
 BOOST_AUTO_TEST_CASE(a_stop_ends_the_planning_without_a_path) {
@@ -193,7 +198,7 @@ BOOST_AUTO_TEST_CASE(time_ends_a_motion_that_slides_along_a_face_too) {
     PlanOptions options;
     options.planner = "PRM";  // tries the motion from start to goal at once: two million queries
     options.seconds = 0.3;
-    BOOST_TEST(plan(problem, scene, options).planningSeconds < 4);
+    BOOST_TEST(testing::processorSecondsOf([&] { plan(problem, scene, options); }) < 4);
 }
 
 BOOST_AUTO_TEST_CASE(a_start_in_collision_is_refused_with_the_meshes_and_triangles) {
@@ -321,12 +326,14 @@ BOOST_AUTO_TEST_CASE(planners_run_side_by_side_until_one_has_a_path) {
     options.threads = 3;
     for (const std::uint32_t seed : {1u, 2u, 3u}) {
         options.seed = seed;
-        const PlanReport report = plan(window.problem, window.scene, options);
+        PlanReport report;
+        const double seconds =
+            testing::processorSecondsOf([&] { report = plan(window.problem, window.scene, options); });
         BOOST_TEST((report.planners == std::vector<std::string>{"RRTConnect", "RRT", "RRTConnect"}));
         BOOST_REQUIRE((report.outcome == Outcome::kFound));
         BOOST_TEST((report.foundBy == "RRTConnect" || report.foundBy == "RRT"));
         BOOST_TEST(!report.isRepeatable);
-        BOOST_TEST(report.planningSeconds < 20);
+        BOOST_TEST(seconds < 20);
         BOOST_TEST(testing::collisionsAlong(oracle, report.path, window.problem, 1000) == 0);
     }
     options.planner = "pRRT";  // has threads of its own

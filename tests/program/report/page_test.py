@@ -1,11 +1,10 @@
-"""Looks at a report page in headless Chromium: page_test.py CLEARWAY PROBLEM.cfg IN.path [SECONDS]
+"""Looks at a report page in headless Chromium: page_test.py CLEARWAY PROBLEM.cfg IN.path
 
-Fails with a line that says what was expected. SECONDS: the longest a redraw may take, with all pixels there. With
-CLEARWAY_FULL in the environment it also looks at two scenes of full size."""
+Fails with a line that says what was expected. With CLEARWAY_FULL in the environment it also looks at two scenes of full
+size."""
 
 import base64
 import os
-import statistics
 import subprocess
 import sys
 import tempfile
@@ -14,7 +13,7 @@ sys.dont_write_bytecode = True  # the sources' folder stays as it is
 import browser  # noqa: E402
 
 kMostBytes = 20e6
-kMostSeconds = 0.2
+kMostObjects = 6  # the picture of the environment, the part, the path, the closest pair's line and ends; one to spare
 
 
 def require(holds, message):
@@ -114,16 +113,23 @@ def testProfileAndButtons(page):
     require(pixels(page, view)["sum"] != cut, "looking closer did not change the view")
 
 
-def testSpeed(page, most):
+def testRedraws(page):
+    """A redraw is quick because it draws the part alone: the environment is a picture that was drawn before."""
     count = page.run("clearwayReport.frames.length")
-    page.run("clearwayReport.secondsToRedraw(0)")
-    seconds = [page.run(f"clearwayReport.secondsToRedraw({i * count // 16})") for i in range(16)]
-    quick = statistics.quantiles(seconds, n=4)[0]  # what else the machine does makes the others slower
-    print(f"redraw: {quick:.3f} s or less in a quarter of {len(seconds)}, median {statistics.median(seconds):.3f} s")
-    require(quick < most, f"a redraw takes {quick:.3f} s, expected less than {most}")
+    sizes = page.run("clearwayReport.trianglesOf")
+    most = sizes["part"] + 2  # the picture is a rectangle
+    nextFrames(page, 3)
+    for i in range(16):
+        drawn = page.run(f"clearwayReport.drawnFor({i * count // 16})")
+        require(sizes["part"] <= drawn["triangles"] <= most,
+                f"a redraw draws {drawn['triangles']} triangles, expected those of the part, {sizes['part']}, and the picture's 2")
+        require(drawn["objects"] <= kMostObjects, f"a redraw draws {drawn['objects']} objects, expected at most {kMostObjects}")
+    page.run("clearwayReport.askRedrawOfAll()")
+    drawn = page.run("clearwayReport.drawnFor(0)")["triangles"]
+    require(drawn >= sizes["part"] + sizes["environment"], f"a redraw of all draws {drawn} triangles, expected the environment's too")
 
 
-def testPage(program, problem, path, folder, most):
+def testPage(program, problem, path, folder):
     file = os.path.join(folder, "report.html")
     subprocess.run([program, "check", problem, path, "--report", file], check=True, stdout=subprocess.DEVNULL)
     size = os.path.getsize(file)
@@ -135,7 +141,7 @@ def testPage(program, problem, path, folder, most):
         testSlider(page)
         testPlaying(page)
         testProfileAndButtons(page)
-        testSpeed(page, most)
+        testRedraws(page)
         require(not page.errors, f"the console shows {page.errors}")
     finally:
         page.close()
@@ -143,10 +149,9 @@ def testPage(program, problem, path, folder, most):
 
 def main():
     program, problem, path = sys.argv[1:4]
-    most = float(sys.argv[4]) if len(sys.argv) > 4 else kMostSeconds
     require(browser.find_chromium(), "no chromium, expected the package that cmake/packages_tests.txt names")
     with tempfile.TemporaryDirectory() as folder:
-        testPage(program, problem, path, folder, most)
+        testPage(program, problem, path, folder)
         if not os.environ.get("CLEARWAY_FULL"):
             return
         for name, part, environment in (("tunnel-console", 73425, 300401), ("large-environment-1", 100000, 1700000)):
@@ -154,7 +159,7 @@ def main():
             subprocess.run([program, "scene", name, "--out", scene, "--part-triangles", str(part),
                             "--environment-triangles", str(environment)], check=True, stdout=subprocess.DEVNULL)
             stem = os.path.join(scene, name.removesuffix("-1"))
-            testPage(program, stem + ".cfg", stem + ".path", folder, most)
+            testPage(program, stem + ".cfg", stem + ".path", folder)
 
 
 main()

@@ -8,6 +8,7 @@
 #include "program/study/benchmark_log.h"
 #include "program/study/benchmark_run.h"
 #include "support/benchmark_log_reader.h"
+#include "support/processor_time.h"
 #include "support/window_scene.h"
 
 namespace clearway::study {
@@ -19,7 +20,7 @@ using testing::windowScene;
 
 BenchmarkOptions quick() {
     BenchmarkOptions options;
-    options.seconds = 5;
+    options.seconds = 100;  // a limit that only a planner which hangs reaches
     options.runs = 2;
     return options;
 }
@@ -50,7 +51,7 @@ BOOST_AUTO_TEST_CASE(every_planner_runs_as_often_as_asked_and_the_log_reads_back
     BOOST_TEST(log.experiment == "through_a_window");
     BOOST_TEST(log.version.find("OMPL ") == 0);
     BOOST_TEST(log.seed == 1);
-    BOOST_TEST(log.secondsPerRun == 5);
+    BOOST_TEST(log.secondsPerRun == 100);
     BOOST_TEST(log.megabytesPerRun == 4096);
     BOOST_TEST(log.runsPerPlanner == 2);
     BOOST_TEST(log.parameters.count("margin REAL") == 1u);
@@ -69,7 +70,8 @@ BOOST_AUTO_TEST_CASE(every_planner_runs_as_often_as_asked_and_the_log_reads_back
             BOOST_TEST(run.at("correct solution strict BOOLEAN") == "1");
             BOOST_TEST(run.at("simplified correct solution strict BOOLEAN") == "1");
             BOOST_TEST(std::stod(run.at("least clearance REAL")) > 0);
-            BOOST_TEST(std::stod(run.at("time REAL")) < 5);
+            BOOST_TEST(std::stod(run.at("time REAL")) > 0);
+            BOOST_TEST(std::stod(run.at("time REAL")) <= benchmark.seconds);
             BOOST_TEST(std::stod(run.at("state checks INTEGER")) > 0);
             BOOST_TEST(std::stod(run.at("motion queries INTEGER")) > 0);
             BOOST_TEST(std::stod(run.at("valid motions INTEGER")) > 0);
@@ -102,10 +104,11 @@ BOOST_AUTO_TEST_CASE(planners_that_tell_of_their_progress_have_it_in_the_log) {
     auto window = windowScene();
     window.problem.planners = {{"rrtstar"}};
     BenchmarkOptions options = quick();
-    options.seconds = 0.5;
     options.simplify = false;
-    const Benchmark benchmark = runBenchmark(window.problem, window.scene, options);
-    const ReadLog log = logOf(benchmark);
+    const ReadLog log = testing::withProcessorTime(1, [&](double seconds) {  // for two runs
+        options.seconds = seconds / 2;
+        return logOf(runBenchmark(window.problem, window.scene, options));
+    });
     BOOST_TEST_REQUIRE(log.planners.size() == 1u);
     BOOST_TEST_REQUIRE(log.planners[0].progress.size() == 2u);
     for (const auto& run : log.planners[0].progress) {
@@ -132,13 +135,12 @@ BOOST_AUTO_TEST_CASE(a_planner_without_a_path_ends_at_its_limit_of_time_or_memor
     BOOST_TEST(timed.at("solved BOOLEAN") == "0");
     BOOST_TEST(timed.count("simplified solution length REAL") == timed.count("solution length REAL"));
 
-    const RunLimits full{30, /*bytes*/ 1, false, {}};
+    const RunLimits full{/*seconds*/ 1e5, /*bytes*/ 1, false, {}};  // ends at once, or when ctest gives up
     planning::PlanOptions one;
     one.threads = 1;
     std::vector<std::string> warnings;
     const auto run = runOnce(window.problem, closed, one, full, warnings);
     BOOST_TEST_REQUIRE(run.has_value());
-    BOOST_TEST(std::stod(run->properties.at("time REAL")) < 20);
     BOOST_TEST(run->properties.at("solved BOOLEAN") == "0");
 }
 

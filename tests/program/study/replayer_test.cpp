@@ -8,6 +8,7 @@
 #include "program/study/benchmark_run.h"
 #include "program/study/recorder.h"
 #include "support/gates_scene.h"
+#include "support/processor_time.h"
 #include "support/window_scene.h"
 
 namespace clearway::study {
@@ -19,17 +20,18 @@ BenchmarkRun runTraced(Problem problem, const Scene& scene, const std::string& p
                        const std::string& objective, double seconds) {
     problem.planners = {{planner}};
     planning::PlanOptions options;
-    options.seconds = seconds;
     options.threads = 1;
     options.objective = objective;
     RunLimits limits;
-    limits.seconds = seconds;
     limits.bytes = std::uint64_t(1) << 40;
     limits.simplify = false;
     limits.trace = CallSampling{};
     const planning::OmplMessages unheard;
     std::vector<std::string> warnings;
-    return runOnce(problem, scene, options, limits, warnings).value();
+    return testing::withProcessorTime(seconds, [&](double limit) {
+        options.seconds = limits.seconds = limit;
+        return runOnce(problem, scene, options, limits, warnings).value();
+    });
 }
 
 BenchmarkRun runTraced(const std::string& planner, const std::string& objective, double seconds) {
