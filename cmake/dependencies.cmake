@@ -1,4 +1,4 @@
-# Where each package comes from. Debian's names of the packages are in cmake/packages.txt.
+# Finds the libraries. cmake/packages.txt lists the Debian packages that hold them.
 
 find_package(Eigen3 3.3 REQUIRED NO_MODULE)
 find_package(hwy 1.0 REQUIRED CONFIG)
@@ -6,14 +6,14 @@ find_package(Boost 1.71 REQUIRED COMPONENTS program_options)
 if(CLEARWAY_TESTS)
   find_package(Boost 1.71 REQUIRED COMPONENTS unit_test_framework)
   set(CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE TRUE)
-  find_package(CGAL 5.4 REQUIRED CONFIG)  # the oracle's oracle
+  find_package(CGAL 5.4 REQUIRED CONFIG)  # a second opinion on the tests' oracle
 endif()
 find_package(TBB 2021 REQUIRED CONFIG COMPONENTS tbb)
 find_package(Threads REQUIRED)
 find_package(nlohmann_json 3.11 REQUIRED CONFIG)
 
-# assimp and OMPL 1.5 export variables or targets by version; both end up behind one name each here. Their headers are
-# system headers: their warnings are not ours.
+# Depending on their version, assimp and OMPL export variables or targets; here each gets one target. Their headers count as
+# system headers, so that the compiler does not warn about them.
 find_package(assimp 5 REQUIRED CONFIG)
 add_library(clearway_assimp INTERFACE)
 target_link_libraries(clearway_assimp INTERFACE assimp::assimp)
@@ -38,7 +38,7 @@ pkg_check_modules(CAIRO REQUIRED IMPORTED_TARGET cairo>=1.16)
 
 find_package(PNG 1.6 REQUIRED)  # writes the pictures: its simplified interface compresses an image in one call
 
-# Asked for without a version, for OMPL's own version file takes 2.0 for no later version of 1.5.
+# find_package gets no version here, because OMPL's version file says that 2.0 does not satisfy 1.5.
 find_package(ompl REQUIRED CONFIG)
 if(ompl_VERSION VERSION_LESS 1.5)
   message(FATAL_ERROR "OMPL is ${ompl_VERSION}, in ${ompl_DIR}, expected 1.5 or later")
@@ -48,7 +48,7 @@ if(TARGET ompl::ompl)
   target_link_libraries(clearway_ompl INTERFACE ompl::ompl Threads::Threads)
 else()
   target_include_directories(clearway_ompl SYSTEM INTERFACE ${OMPL_INCLUDE_DIRS})
-  # omplConfig lists ODE and serialization libraries that only other OMPL.app programs need.
+  # omplConfig also lists ODE and serialization libraries, which only OMPL.app's programs need.
   list(FILTER OMPL_LIBRARIES INCLUDE REGEX "libompl")
   target_link_libraries(clearway_ompl INTERFACE ${OMPL_LIBRARIES} Threads::Threads)
 endif()

@@ -1,6 +1,6 @@
 # Makes a C++ file of text files: cmake -DOUT=F.cpp -DHEADER=path/of/header.h "-DTEXTS=name=file;..." -P embed.cmake
-# For each text it defines `const char NAME[]`, which the header declares in namespace clearway::report. Done by CMake, so that
-# no other program is needed to build.
+# Defines each text as `const char NAME[]`, which the header declares in namespace clearway::report. CMake does this itself,
+# so the build needs no other program.
 cmake_minimum_required(VERSION 3.25)
 
 file(WRITE ${OUT}.tmp "#include \"${HEADER}\"\n\nnamespace clearway::report {\n\n")

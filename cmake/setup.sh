@@ -1,8 +1,8 @@
-# Sourced by tests/run and demos/run, with `root` set to the top folder. Installs what cmake/packages.txt names and the
-# machine lacks, then configures and builds a preset.
+# tests/run and demos/run source this file, with `root` set to the top folder: functions that install missing packages and
+# build a preset.
 
-# install_missing [LIST...]: LISTs are other files of packages beside packages.txt. Ends with exit code 2 and one message when
-# something is missing and cannot be installed.
+# install_missing [LIST...]: installs the packages of cmake/packages.txt, and of the other LISTs in cmake/, that the machine
+# lacks. If they cannot be installed, it prints one message and exits with code 2.
 install_missing() {
     local package list missing=() as_root=()
     while read -r package; do
@@ -34,7 +34,7 @@ install_missing() {
     rm -f "$log"
 }
 
-# build_preset PRESET [TARGET...]
+# build_preset PRESET [TARGET...]: configures the preset and builds the targets, by default all of them.
 build_preset() {
     local preset=$1
     shift

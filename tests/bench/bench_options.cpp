@@ -20,20 +20,20 @@ options::options_description allOptions() {
         return options::value<std::string>()->default_value(value);
     };
     add("part", options::value<std::string>(),
-        "mesh file, instead of scenes; then also --environment and --poses");
+        "mesh file, instead of scenes; needs --environment and --poses");
     add("environment", options::value<std::string>(), "mesh file");
     add("poses", options::value<std::string>(), "poses file");
-    add("build-rounds", options::value<int>()->default_value(5), "of builds; 0: none");
+    add("build-rounds", options::value<int>()->default_value(5), "rounds of builds; 0: none");
     add("build-budget", options::value<double>()->default_value(60), "seconds for a scene's builds");
-    add("targets", text("avx2"), "instruction sets timed besides the best one, or 'all'");
-    add("preset", text("best"), "options of the trees, to start from");
-    add("general-split", options::value<std::string>(), "strategy, instead of the preset's");
-    add("leaf-split", options::value<std::string>(), "likewise");
-    add("leaf-size", options::value<int>(), "likewise");
-    add("node-width", options::value<int>(), "likewise");
-    add("fit", options::value<std::string>(), "likewise");
+    add("targets", text("avx2"), "instruction sets to time besides the best one, or 'all'");
+    add("preset", text("best"), "preset of build options; the options below change single ones");
+    add("general-split", options::value<std::string>(), "general split, instead of the preset's");
+    add("leaf-split", options::value<std::string>(), "leaf split, instead of the preset's");
+    add("leaf-size", options::value<int>(), "leaf size, instead of the preset's");
+    add("node-width", options::value<int>(), "node width, instead of the preset's");
+    add("fit", options::value<std::string>(), "fit of the volumes, instead of the preset's");
     add("oracle-poses", options::value<int>()->default_value(3),
-        "poses the oracle is asked about although all agree");
+        "poses that the oracle decides although all answers agree");
     return all;
 }
 
@@ -48,14 +48,14 @@ BuildOptions treeOptions(const options::variables_map& given) {
     return build;
 }
 
-/// The instruction sets asked for that this machine and build have.
+/// The requested instruction sets that this machine and build have.
 std::vector<std::string> targetsOf(const options::variables_map& given) {
     std::vector<std::string> chosen;
     const std::string targets = given["targets"].as<std::string>();
     const std::vector<std::string> available = availableTargets();
     for (const std::string& target : targets == "all" ? available : splitAtCommas(targets)) {
         const bool isThere = std::find(available.begin(), available.end(), target) != available.end();
-        if (!isThere) std::cout << "this machine or build has no " << target << ": its row is left out\n";
+        if (!isThere) std::cout << "this machine or build has no " << target << ", so its row is left out\n";
         if (isThere) chosen.push_back(target);
     }
     return chosen;
@@ -75,7 +75,8 @@ BenchChoices choicesOf(const options::variables_map& all) {
     choices.poses = given<std::string>(all, "poses").value_or("");
     const std::size_t files = all.count("part") + all.count("environment") + all.count("poses");
     if (files != 0 && files != 3) {
-        throw std::invalid_argument("--part, --environment and --poses are given together or not at all");
+        throw std::invalid_argument(
+            "only some of --part, --environment and --poses are given, expected all three or none");
     }
     if (files != 0) choices.scenes.clear();
     choices.builds = {atLeast(0, all, "build-rounds"), atLeast(0.0, all, "build-budget")};

@@ -11,7 +11,7 @@
 
 namespace clearway::testing {
 
-/// Without scenes when files are given.
+/// If files are given, `scenes` is empty.
 struct BenchChoices : TaskChoices {
     std::string part, environment, poses;  ///< files; empty when scenes are chosen
     BuildSchedule builds;
@@ -20,8 +20,8 @@ struct BenchChoices : TaskChoices {
     std::size_t oraclePoses = 0;
 };
 
-/// Nothing when help was asked for, which is then printed. Throws std::invalid_argument or what
-/// boost::program_options throws for what makes no sense.
+/// Reads the command line. If it asks for help, prints the help and returns nothing. Throws
+/// std::invalid_argument, or an exception of boost::program_options, for an option that makes no sense.
 std::optional<BenchChoices> readOptions(int count, char** words, std::ostream& help);
 
 }  // namespace clearway::testing

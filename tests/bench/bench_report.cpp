@@ -10,7 +10,7 @@
 namespace clearway::testing {
 namespace {
 
-/// Mean work of a query.
+/// The mean work of a query.
 struct Work {
     double nodeVisits = 0, volumeTests = 0, triangleTests = 0, refinedPairs = 0;
 };
@@ -121,7 +121,7 @@ void printBuilds(std::ostream& out, const BenchReport& report) {
     }
 }
 
-/// For tables: six significant digits.
+/// Six significant digits, for tables.
 std::string figure(double value) {
     std::ostringstream text;
     text << std::setprecision(6) << value;
@@ -139,7 +139,7 @@ void writeSide(std::ostream& out, const BenchReport& report, const Series& serie
     out << ',' << wrongOf(report, series);
 }
 
-/// Median, least and largest, or three empty fields.
+/// The median, the least and the largest value as CSV fields, or three empty fields.
 void writeRange(std::ostream& out, const std::vector<double>& values) {
     if (values.empty()) {
         out << ",,,";

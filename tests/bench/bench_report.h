@@ -1,4 +1,4 @@
-// The figures of a scene as text for people and as CSV files.
+// Prints the figures of a scene as text and writes them as CSV files.
 #pragma once
 
 #include <iosfwd>
@@ -12,7 +12,7 @@
 
 namespace clearway::testing {
 
-/// All that was measured of one scene.
+/// All measurements of one scene.
 struct BenchReport {
     const BenchTask& task;
     const std::vector<Series>& all;  ///< clearway's plain distances first
@@ -22,16 +22,16 @@ struct BenchReport {
 
 void printReport(std::ostream& out, const BenchReport& report);
 
-/// Rows of comparisons(): ratio of times with its least and largest over the repetitions, time and work of a
-/// query on both sides, and how many answers were wrong on both sides.
+/// Writes the rows of comparisons(): the ratio of times with its least and largest value over the
+/// repetitions; then for both sides the time and work of a query and the number of wrong answers.
 std::string summaryHeader();
 std::string summaryRows(const BenchReport& report);
 
 std::string buildsHeader();
 std::string buildsRows(const BenchReport& report);
 
-/// One row a pose: true distance, who said so, clearway's interval, then each series' answer and median time
-/// in ns, and clearway's node visits.
+/// Writes one row per pose: the true distance and who decided it, clearway's interval, the answer and median
+/// time in ns of each series, and clearway's node visits.
 std::string posesTable(const BenchReport& report);
 
 }  // namespace clearway::testing

@@ -9,7 +9,7 @@ namespace clearway::testing {
 
 using namespace scenes;
 
-/// A's and G's poses stay where the console is in the tunnel; B's and H's go on into the free room.
+/// The poses of A and G stay where the console is in the tunnel; those of B and H go on into the free room.
 const std::vector<BenchScene>& benchScenes() {
     static const std::vector<BenchScene> kScenes = {
         {"A", "tunnel-console-2", {73000, 300000}, {2000, 8000}, 0.75, 0, 0, 0.75, true},

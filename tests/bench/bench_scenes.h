@@ -15,24 +15,24 @@ struct BenchSize {
     std::size_t environmentTriangles;
 };
 
-/// One column of the figures.
+/// One column of the tables of figures.
 struct BenchScene {
     const char* name;   ///< "A", "B", ...
     const char* scene;  ///< a row of scenes/scenes.h, with its version
     BenchSize full;
-    BenchSize small;             ///< for runs that only show that all agree
-    double collidingShare;       ///< 0: none collides, and the distances lie in the range below
-    double leastFree, mostFree;  ///< of the part's size
+    BenchSize small;             ///< for runs that only show that all answers agree
+    double collidingShare;       ///< 0: no pose collides, and the distances lie in the range below
+    double leastFree, mostFree;  ///< shares of the part's size
     double pathEnd;              ///< poses keep to this first share of the path's states
-    bool turns;                  ///< whether the poses deviate from the path by turning too
+    bool turns;                  ///< whether the poses also deviate from the path by turning
 };
 
 const std::vector<BenchScene>& benchScenes();
 
-/// Throws std::invalid_argument that lists the names.
+/// The row of that name. Throws std::invalid_argument, which lists the names.
 const BenchScene& benchSceneNamed(const std::string& name);
 
-/// The meshes and the poses to ask about.
+/// The meshes, and the poses at which they are queried.
 struct BenchTask {
     std::string name;
     std::string about;  ///< one line: scene and pose set
@@ -44,7 +44,7 @@ struct BenchTask {
     double sceneSize() const;
 };
 
-/// The scene of the given size with its pose set. The poses are found with trees of the default options.
+/// Makes the scene of the given size and its pose set. Trees of the default options serve to find the poses.
 BenchTask makeTask(const BenchScene& scene, const BenchSize& size, int poses, std::uint64_t seed);
 
 }  // namespace clearway::testing

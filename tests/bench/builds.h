@@ -1,4 +1,5 @@
-// Build time and memory of clearway's trees, over FCL's RSS trees built in the same round.
+// Measures the build time and memory of clearway's trees, relative to FCL's RSS trees built in the same
+// round.
 #pragma once
 
 #include <string>
@@ -10,31 +11,31 @@
 namespace clearway::testing {
 
 struct BuildRow {
-    std::string name;             ///< "clearway best, 2 threads", or a peer's
-    std::vector<double> seconds;  ///< one a round
-    std::vector<double> ratios;   ///< over FCL RSS of that round: more than 1 is slower than FCL
-    double bytesPerTriangle = 0;  ///< all that is kept, of both models; 0 when unknown
+    std::string name;             ///< "clearway best, 2 threads", or the name of a peer
+    std::vector<double> seconds;  ///< one per round
+    std::vector<double> ratios;   ///< to FCL RSS in that round; above 1: slower than FCL
+    double bytesPerTriangle = 0;  ///< of all memory that both models keep; 0: unknown
 };
 
 struct BuildSchedule {
     int rounds = 5;
-    double seconds = 60;  ///< no round begins that would end later, but one is always run
+    double seconds = 60;  ///< no round starts that would end later, except the first one
 };
 
-/// Named options to build with.
+/// Build options with a name.
 struct BuildChoice {
     std::string name;
     BuildOptions options;
 };
 
-/// Every preset, and "chosen" when the options are none of them; thread counts apart.
+/// Every preset, and "chosen" if the options equal none of them; thread counts are not compared.
 std::vector<BuildChoice> buildChoices(const BuildOptions& chosen);
 
 /// A round builds both models of the task with FCL and with each choice on one thread and on two.
 std::vector<BuildRow> measureBuilds(const BenchTask& task, const std::vector<BuildChoice>& choices,
                                     const BuildSchedule& schedule);
 
-/// The peers' one build, without ratios.
+/// The one build of each peer, without ratios.
 std::vector<BuildRow> buildsOf(const std::vector<Peer>& peers, const BenchTask& task);
 
 }  // namespace clearway::testing

@@ -11,7 +11,7 @@
 namespace clearway::testing {
 namespace {
 
-constexpr double kWithin[] = {1e-3, 1e-2};  // of the part's size
+constexpr double kWithin[] = {1e-3, 1e-2};  // shares of the part's size
 constexpr const char* kDistance = "distance";
 constexpr const char* kShuffled = "distance, shuffled";
 constexpr const char* kCollides = "collides";
@@ -25,7 +25,7 @@ Answer answerOf(const DistanceResult& result) {
     return {result.distance, result.lower, result.upper, result.counters};
 }
 
-/// What every series of clearway has; `ask` gets the workspace, which is the series' own.
+/// Makes a series of clearway; `ask` gets the workspace, which belongs to the series.
 template <typename Ask>
 Series ours(const std::string& asked, const std::string& engine, const std::string& target, Ask ask) {
     const auto workspace = std::make_shared<Workspace>();
@@ -99,7 +99,7 @@ Series withinBatchSeries(const TreePair& trees, const std::string& asked, double
     return series;
 }
 
-/// A peer's series for the question; without `ask` when it cannot be asked.
+/// Makes a peer's series for the question. `ask` is empty if the peer cannot answer it.
 Series theirs(const Peer& peer, const std::string& asked, std::function<Answer(const Pose&)> ask) {
     Series series;
     series.asked = asked;
@@ -153,7 +153,7 @@ void addOurs(std::vector<Series>& all, const TreePair& trees, const TreePair& fa
 
 bool areCompared(const Series& a, const Series& b) {
     if (!a.isClearway) return false;
-    if (b.isClearway) {  // a batch over one thread, the default trees over the fast ones
+    if (b.isClearway) {  // a batch beside one thread, the default trees beside the fast ones
         if (a.askAll) return a.asked == b.asked && b.engine == "clearway";
         return a.engine == "clearway" && a.asked == b.asked && b.engine == kFastTrees;
     }

@@ -1,4 +1,4 @@
-// What is asked of clearway and of its peers, and which series are compared.
+// The questions to clearway and to its peers, and the pairs of series that are compared.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@ struct TreePair {
 TreePair buildTrees(const BenchTask& task, const BuildOptions& options);
 
 struct SeriesOptions {
-    std::vector<std::string> targets;  ///< instruction sets to time besides the best one
+    std::vector<std::string> targets;  ///< further instruction sets to time, besides the best one
     std::uint64_t seed = 1;            ///< of the shuffled order
 };
 
@@ -29,14 +29,14 @@ struct SeriesOptions {
 std::vector<Series> allSeries(const BenchTask& task, const TreePair& trees, const TreePair& fastTrees,
                               const std::vector<Peer>& peers, const SeriesOptions& options);
 
-/// A row of the figures: how many times less time `ours` takes.
+/// A row of the figures: how many times faster `ours` is.
 struct Comparison {
     const Series* ours;
     const Series* theirs;
 };
 
-/// Each series of clearway over each of the peers' with the same question; isWithin also over FCL's distance,
-/// and batches and the default trees over clearway's own plain queries and fast trees.
+/// Pairs each series of clearway with each peer's series for the same question. Also pairs isWithin with
+/// FCL's distance, and within clearway batches with plain queries and the default trees with the fast trees.
 std::vector<Comparison> comparisons(const std::vector<Series>& all);
 
 }  // namespace clearway::testing

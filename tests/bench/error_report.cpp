@@ -25,7 +25,7 @@ double largest(const std::vector<double>& values) {
     return *std::max_element(values.begin(), values.end());
 }
 
-/// Median, 99.9th percentile and worst, or empty fields.
+/// The median, the 99.9th percentile and the worst value as CSV fields; empty fields without values.
 std::vector<std::string> fields(const Spread& spread) {
     if (spread.count == 0) return {"", "", ""};
     return {figure(spread.median), figure(spread.p999), figure(spread.worst)};

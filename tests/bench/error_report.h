@@ -1,4 +1,4 @@
-// How fast and how wrong each mode was, as text and as CSV.
+// Reports the speed and the errors of each mode, as text and as CSV.
 #pragma once
 
 #include <iosfwd>
@@ -10,46 +10,47 @@
 
 namespace clearway::testing {
 
-/// Over the poses that have one; shares of the scene's size.
+/// Over the poses that have a value; in shares of the scene's size.
 struct Spread {
     std::size_t count = 0;
     double median = 0, p999 = 0, worst = 0;
 };
 
 struct VerdictCounts {
-    int falseValid = 0;    ///< said valid, but the distance is not larger than the margin
-    int falseInvalid = 0;  ///< the other way round
+    int falseValid = 0;    ///< called valid, although the distance is not larger than the margin
+    int falseInvalid = 0;  ///< called invalid, although the distance is larger
 };
 
 struct ModeFigures {
     std::string mode;
     bool isQuery = false;
     double queriesPerSecond = 0;
-    double overFloatOnly = 0;             ///< time over float only's: of each pose the median repetition
-    std::vector<double> passRatios;       ///< likewise of whole passes, one value a repetition
-    Spread errors;                        ///< |answer - true distance|; not of verdicts
-    Spread widths;                        ///< upper - lower, where there is an interval
-    int beyondCap = 0;                    ///< answered by "farther than the cap": no number, no width
-    int outside = 0;                      ///< intervals that do not hold the true distance
-    std::vector<VerdictCounts> verdicts;  ///< one a margin
+    double overFloatOnly = 0;        ///< time relative to float only, from the median repetition of each pose
+    std::vector<double> passRatios;  ///< the same ratio for whole passes, one value per repetition
+    Spread errors;                   ///< |answer - true distance|; verdicts have none
+    Spread widths;                   ///< upper - lower, where there is an interval
+    int beyondCap = 0;               ///< answers "farther than the cap": they have no number and no width
+    int outside = 0;                 ///< intervals that do not hold the true distance
+    std::vector<VerdictCounts> verdicts;  ///< one per margin
 };
 
 struct ErrorReport {
     std::string scene, about;
     std::size_t poses = 0, colliding = 0;
     std::vector<PosesNearMargin> margins;
-    std::vector<double> marginShares;  ///< of the scene's size
+    std::vector<double> marginShares;  ///< shares of the scene's size
     std::vector<ModeFigures> modes;
 };
 
 Spread spreadOf(std::vector<double> values);
 
-/// Of a mode that has run at the poses whose truths these are. sceneSize: a length.
+/// Judges a mode that has run; truths: the true distances at its poses. sceneSize: a length.
 ModeFigures figuresOf(const Mode& mode, const Series& floatOnly, const std::vector<Truth>& truths,
                       double sceneSize);
 
-/// Answers of the library itself that are wrong: intervals that miss the truth, and poses that touch, or are
-/// no farther than the margin, called valid; for isWithin also the other way round. A line each kind.
+/// Lists the wrong answers of the library itself, one line per kind: intervals that miss the true distance;
+/// poses called valid that touch or are no farther than the margin; and for isWithin valid poses called
+/// invalid.
 std::vector<std::string> faults(const ErrorReport& report);
 
 void print(std::ostream& out, const ErrorReport& report);

@@ -1,4 +1,4 @@
-// The figures are what the answers were.
+// The figures agree with the answers.
 #include "bench/error_report.h"
 
 #include <boost/test/unit_test.hpp>

@@ -1,5 +1,5 @@
-// FCL's continuous check, as OMPL.app sets it up, on the random motions that certified ones are tested with;
-// the oracle says which of them collide. Scenes without a margin, for FCL knows none.
+// Judges FCL's continuous check, as OMPL.app sets it up, on the random motions that test certified motions;
+// the oracle decides which of them collide. The scenes have no margin, because FCL knows none.
 //   bench_fcl_continuous MOTIONS SEED [OUT.csv]
 #include <ompl/base/DiscreteMotionValidator.h>
 #include <ompl/util/Console.h>
@@ -18,20 +18,20 @@ namespace {
 
 namespace ob = ompl::base;
 
-constexpr int kPoses = 200;  ///< looked at along each motion, and a search between them
-constexpr int kJudged = 5;   ///< of these, the closest, by the oracle
+constexpr int kPoses = 200;  ///< poses along each motion; a search between them follows
+constexpr int kJudged = 5;   ///< the oracle judges so many of these poses, the closest ones
 
-/// One way to check motions, and how it fared.
+/// One way to check motions, and its results.
 struct Checked {
     std::string name;
     const ob::MotionValidator* validator = nullptr;
-    int missed = 0;       ///< motions it called valid that collide
-    int falseAlarms = 0;  ///< motions it called invalid that are certified
+    int missed = 0;       ///< colliding motions called valid
+    int falseAlarms = 0;  ///< certified motions called invalid
     double seconds = 0;
 };
 
 struct Tally {
-    int colliding = 0, certified = 0, open = 0;  ///< open: neither is known
+    int colliding = 0, certified = 0, open = 0;  ///< open: neither colliding nor certified
 };
 
 void ask(Checked& checked, const RandomMotion& motion, bool isColliding, bool isCertified) {
@@ -43,7 +43,7 @@ void ask(Checked& checked, const RandomMotion& motion, bool isColliding, bool is
 }
 
 std::string judge(const MotionScene& scene, int motions, std::uint64_t seed) {
-    // FCL's own space information, so that its checker answers for the end states.
+    // FCL gets a space information of its own, so that its checker judges the end states.
     const auto si = std::make_shared<ob::SpaceInformation>(scene.space);
     const auto meshes = makeFclMeshes(scene.partMesh, scene.environmentMesh);
     si->setStateValidityChecker(std::make_shared<FclValidityChecker>(si, meshes));

@@ -1,7 +1,7 @@
-// How long until there is a first path that is really free? RRTConnect with certified motions, beside
-// RRTConnect with FCL asked at states a step apart, at the coarsest step at which 95 % of its paths are free.
-// A path counts when every motion of it is certified. Runs that end without one count at the limit. Times are
-// the processor's, for both use one thread and the machine may be at other work.
+// Measures the time to the first path that is really free: RRTConnect with certified motions, beside
+// RRTConnect with FCL at states a step apart, at the coarsest step at which 95 % of its paths are free. A
+// path counts if every motion of it is certified. A run without such a path counts with the time limit. Times
+// are processor times of one thread, so other work on the machine hardly matters.
 //   bench_fcl_first_path PROBLEM.cfg SEEDS LIMIT STEP|find [OUT.csv]
 #include <ompl/geometric/planners/rrt/RRTConnect.h>
 #include <ompl/util/Console.h>
@@ -31,17 +31,17 @@ using planning::MotionValidator;
 using planning::ValidityChecker;
 
 constexpr double kRangeInSteps = 20, kRangePerDiagonal = 0.25;  // as `clearway plan` has it
-constexpr double kCoarsestPerDiagonal = 0.02;  ///< the first step tried; each next one is half as long
+constexpr double kCoarsestPerDiagonal = 0.02;  ///< the first step tried; each further step is half as long
 constexpr int kMostHalvings = 12;
-constexpr double kEnough = 0.95;  ///< of the paths found
+constexpr double kEnough = 0.95;  ///< share of the paths found
 
 struct Run {
     double seconds = 0;
     bool isFound = false;
-    bool isFree = false;  ///< all of the path is certified
+    bool isFree = false;  ///< the whole path is certified
 };
 
-/// What a planner is given to check with.
+/// What a planner checks states and motions with.
 struct Checking {
     std::function<ob::StateValidityCheckerPtr(const ob::SpaceInformationPtr&)> checker;
     std::function<ob::MotionValidatorPtr(const ob::SpaceInformationPtr&)> validator;
@@ -61,7 +61,7 @@ class Bench {
         return {[this](const auto& si) { return std::make_shared<ValidityChecker>(si, scene_); },
                 [this](const auto& si) { return std::make_shared<MotionValidator>(si, scene_); }};
     }
-    /// The same step for both, and so the same tree from the same seed wherever their verdicts agree.
+    /// Both planners get one step. So a seed gives both the same tree wherever their verdicts agree.
     Checking stepped(double step, bool isFcl) const {
         return {[this, isFcl](const ob::SpaceInformationPtr& si) -> ob::StateValidityCheckerPtr {
                     if (isFcl) return std::make_shared<FclValidityChecker>(si, fcl_);
@@ -103,7 +103,8 @@ class Bench {
     double limit() const { return limit_; }
 
   private:
-    /// With a least interval finer than the planners', so that what passed in one order passes in another.
+    /// Its least interval is finer than the planners', so that a motion that passed in one direction passes
+    /// in the other.
     bool isFree(const ob::SpaceInformationPtr& si, const og::PathGeometric& path) const {
         planning::MotionOptions options;
         options.leastInterval = 1e-6 * diagonal();
@@ -134,7 +135,7 @@ struct Series {
         return static_cast<int>(
             std::count_if(runs.begin(), runs.end(), [](const Run& r) { return r.isFree; }));
     }
-    /// To a path that is free.
+    /// Until there is a path that is free.
     double median(double limit) const {
         std::vector<double> seconds;
         for (const Run& run : runs) seconds.push_back(run.isFree ? run.seconds : limit);
@@ -149,8 +150,8 @@ std::string rowOf(const Series& series, double limit) {
            shortNumber(series.median(limit)) + "," + shortNumber(limit) + "\n";
 }
 
-/// The coarsest step of which 95 % of the paths found are free. Found with clearway's checker in FCL's place,
-/// whose verdicts are the same and many times sooner there.
+/// The coarsest step at which 95 % of the paths found are free. Clearway's checker stands in for FCL here:
+/// its verdicts are the same, and it is many times faster.
 std::vector<Series> findStep(const Bench& bench, std::uint32_t seeds) {
     std::vector<Series> tried;
     double step = kCoarsestPerDiagonal * bench.diagonal();
@@ -179,7 +180,7 @@ int run(int count, char** words) {
     const std::optional<double> given = parseNumber(words[4]);
     const std::vector<Series> tried = given ? std::vector<Series>() : findStep(bench, seeds);
     for (const Series& series : tried) table += rowOf(series, bench.limit());
-    // In turns, so that other work in the processor's caches disturbs both alike.
+    // Both take turns, so that other work in the processor's caches disturbs them equally.
     Series certified{"clearway certified", 0, {}},
         fcl{"FCL in steps", given ? *given : tried.back().step, {}};
     for (std::uint32_t seed = 1; seed <= seeds; ++seed) {

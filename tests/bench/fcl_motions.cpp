@@ -1,4 +1,4 @@
-// FCL and clearway as the checkers of the same planner: the same recorded states and motions, asked of both
+// Compares FCL and clearway as checkers of one planner: both judge the same recorded states and motions,
 // behind OMPL's discrete motion validator at its default resolution, and at states the problem's step apart.
 //   bench_fcl_motions PROBLEM.cfg EDGES SEED [OUT.csv]
 #include <ompl/base/DiscreteMotionValidator.h>
@@ -25,7 +25,8 @@ namespace {
 namespace ob = ompl::base;
 
 constexpr double kRangeInSteps = 20;  // as `clearway plan` has it
-constexpr int kPasses = 3;  ///< over everything, taken in turns; the least time of each question counts
+constexpr int kPasses =
+    3;  ///< passes over all questions; the checkers take turns, and each question counts with its least time
 
 struct Question {
     double seconds = std::numeric_limits<double>::infinity();
@@ -36,7 +37,7 @@ struct Asked {
     std::vector<Question> states, motions, stepped;
 };
 
-/// Two space informations that differ in their checker alone.
+/// Two space informations that differ only in their checker.
 struct Side {
     Side(const std::string& itsName, const ob::StateSpacePtr& space)
         : name(itsName), si(std::make_shared<ob::SpaceInformation>(space)) {}
@@ -69,7 +70,8 @@ void pass(Side& side, const std::vector<Edge>& edges) {
             time(questions[i], [&] { return ask(edges[i].from.get(), edges[i].to.get()); });
         }
     };
-    // One after the other, for who keeps the last answer would know a motion's end from the state just asked.
+    // First all states, then all motions: a checker that keeps its last answer would know a motion's end
+    // state otherwise.
     forEach(side.asked.states, [&](const ob::State*, const ob::State* to) { return side.si->isValid(to); });
     forEach(side.asked.motions,
             [&](const ob::State* from, const ob::State* to) { return side.si->checkMotion(from, to); });
@@ -77,7 +79,7 @@ void pass(Side& side, const std::vector<Edge>& edges) {
             [&](const ob::State* from, const ob::State* to) { return side.inSteps->checkMotion(from, to); });
 }
 
-/// Sums over the questions that `which` is the answer to, by clearway.
+/// Sums over the questions that clearway answers with `which`.
 struct Sums {
     std::size_t count = 0;
     double clearway = 0, fcl = 0;
@@ -107,7 +109,8 @@ std::string rows(const std::string& what, const std::vector<Question>& clearway,
     return rowOf(what, all) + rowOf("valid " + what, valid) + rowOf("invalid " + what, invalid);
 }
 
-/// Of states; of motions the two can only differ by their states. returns the number of clearway's errors.
+/// Has the oracle decide the states at which both differ; motions can differ only by their states. Returns
+/// the number of clearway's errors.
 int settle(const std::vector<Edge>& edges, const Side& clearway, const Side& fcl, const MeshOracle& oracle,
            const Problem& problem) {
     int different = 0, wrong = 0;

@@ -28,7 +28,7 @@ void fill(fcl::BVHModel<Volume>& model, const Mesh& mesh) {
     if (model.endModel() != fcl::BVH_OK) throw std::runtime_error("FCL did not build its tree");
 }
 
-/// What FCL's own memUsage would print: nodes, triangles, vertices and the order of the triangles.
+/// The bytes that FCL's own memUsage counts: nodes, triangles, vertices and the order of the triangles.
 template <typename Volume>
 std::size_t bytesOf(const fcl::BVHModel<Volume>& model) {
     const auto triangles = static_cast<std::size_t>(model.num_tris);

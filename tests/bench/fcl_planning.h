@@ -18,7 +18,8 @@ struct FclMeshes;
 /// OBBRSS trees, as OMPL.app builds them.
 std::shared_ptr<const FclMeshes> makeFclMeshes(const Mesh& part, const Mesh& environment);
 
-/// Within the bounds, and no contact by FCL's collide, ending at the first one.
+/// A state is valid if it is within the bounds and FCL's collide finds no contact; collide ends at the first
+/// contact.
 class FclValidityChecker : public ompl::base::StateValidityChecker {
   public:
     FclValidityChecker(const ompl::base::SpaceInformationPtr& si, std::shared_ptr<const FclMeshes> meshes);
@@ -29,14 +30,14 @@ class FclValidityChecker : public ompl::base::StateValidityChecker {
     planning::StateToPose stateToPose_;
 };
 
-/// The end state, then FCL's continuousCollide with what OMPL.app asks of it: conservative advancement of a
-/// screw motion, 10 iterations, contact times to 1e-4.
+/// Checks the end state, then asks FCL's continuousCollide with OMPL.app's settings: conservative advancement
+/// of a screw motion, 10 iterations, contact times to 1e-4.
 class FclContinuousValidator : public ompl::base::MotionValidator {
   public:
     FclContinuousValidator(const ompl::base::SpaceInformationPtr& si,
                            std::shared_ptr<const FclMeshes> meshes);
     bool checkMotion(const ompl::base::State* s1, const ompl::base::State* s2) const override;
-    /// Not OMPL.app's: where a motion that is not valid was last valid is told as s1.
+    /// Differs from OMPL.app's: for an invalid motion, lastValid is always s1.
     bool checkMotion(const ompl::base::State* s1, const ompl::base::State* s2,
                      std::pair<ompl::base::State*, double>& lastValid) const override;
 

@@ -14,15 +14,15 @@
 #define CLEARWAY_BENCH_FLOAT_PAIR
 namespace clearway {
 
-/// What was found; query units.
+/// The result, in query units.
 struct FloatPair {
     bool touches = false;
-    float lower = 0, upper = 0;  ///< of the distance
+    float lower = 0, upper = 0;  ///< bounds of the distance
     float value = 0;
     TrianglesAt triangles{0, 0, kNoFeature};
 };
 
-/// The leaves of the last query's nearest pair; null: none.
+/// The leaves of the last query's nearest pair, or null.
 struct FloatWarmStart {
     const Leaf* part = nullptr;
     const Leaf* environment = nullptr;
@@ -36,7 +36,7 @@ namespace clearway {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// The visitor: keeps the least upper bound, and the least lower bound of all it met.
+/// The visitor: keeps the least upper bound and the least lower bound of all pairs met.
 class LeastInFloat {
   public:
     float dropFrom() const { return nearest_.upper; }
@@ -57,7 +57,7 @@ class LeastInFloat {
         if (upper < nearest_.upper) nearest_.upper = upper;
     }
 
-    /// Whatever was dropped has a bound of at least the least upper one.
+    /// Every dropped pair has a bound of at least the least upper bound.
     FloatPair found() const {
         FloatPair pair = nearest_;
         pair.lower = leastLower_ < pair.upper ? leastLower_ : pair.upper;
@@ -119,7 +119,7 @@ std::vector<const Leaf*> leavesOfTriangles(const FlatTree& tree) {
 
 struct FloatOnly::Data {
     Model part, environment;
-    std::vector<const Leaf*> partLeaves, environmentLeaves;  ///< of each triangle
+    std::vector<const Leaf*> partLeaves, environmentLeaves;  ///< the leaf of each triangle
     FloatWarmStart warmStart;
     Workspace workspace;
 };

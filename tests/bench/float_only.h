@@ -1,5 +1,5 @@
-// What float alone can say, and what it costs: the queries' own traversal, margins and kernels without the
-// finish in double. Here to be measured against; a planner should not ask it.
+// Queries in float alone: the library's own traversal, margins and kernels without the finish in double. It
+// exists for comparison in the benchmarks; planners should not use it.
 #pragma once
 
 #include <memory>
@@ -9,8 +9,8 @@
 
 namespace clearway::testing {
 
-/// The models must have the same node width. Not to be shared by threads: it keeps a stack and a warm start,
-/// as a Workspace does.
+/// The models must have the same node width. Threads must not share an object: it keeps a stack and a warm
+/// start, as a Workspace does.
 class FloatOnly {
   public:
     FloatOnly(const Model& part, const Model& environment);
@@ -22,7 +22,7 @@ class FloatOnly {
     /// off again.
     Answer distance(const Pose& X_environmentPart);
 
-    /// Makes the next query a cold one.
+    /// Forgets the warm start, so that the next query is cold.
     void forgetWarmStart();
 
   private:

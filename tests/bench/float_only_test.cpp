@@ -1,5 +1,4 @@
-// What is measured as "float only" keeps the promise that the measurement states: its interval holds the
-// truth.
+// "Float only" keeps the promise that its measurement relies on: its interval holds the true distance.
 #include "bench/float_only.h"
 
 #include <boost/test/data/test_case.hpp>

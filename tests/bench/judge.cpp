@@ -9,7 +9,7 @@
 namespace clearway::testing {
 namespace {
 
-/// Peers may say less than 0 for contact.
+/// Peers may answer contact with a number below 0.
 double distanceOf(const Answer& answer) {
     return answer.value < 0 ? 0 : answer.value;
 }

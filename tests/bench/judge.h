@@ -1,4 +1,4 @@
-// Who is right: where the series of a scene do not all agree, the oracle decides.
+// Judges the answers: where the series of a scene do not all agree, the oracle decides.
 #pragma once
 
 #include <functional>
@@ -13,20 +13,20 @@ namespace clearway::testing {
 using Referee = std::function<double(std::size_t pose)>;
 
 struct Judgement {
-    std::vector<double> distances;  ///< true distance of each pose
-    std::vector<bool> byOracle;     ///< whether the referee said so; else all agree on clearway's answer
-    std::vector<int> wrong;         ///< answers of each series that are wrong
+    std::vector<double> distances;  ///< the true distance of each pose
+    std::vector<bool> byOracle;     ///< whether the referee decided it; else all agree on clearway's answer
+    std::vector<int> wrong;         ///< number of wrong answers of each series
     std::vector<std::string> complaints;  ///< a line for each wrong answer of clearway
 
     int collidingPoses() const;
-    int askedPoses() const;  ///< of the referee
+    int askedPoses() const;  ///< how many poses the referee was asked about
 };
 
-/// A distance is wrong when it is off by more than `tolerance`, or clearway's interval misses the true one by
-/// more; a verdict when the true distance contradicts it by more, but "free" always when there is contact.
-/// Clearway's verdicts must also agree with its own distance, without tolerance. The referee is asked where
-/// any series differs from clearway's first distance series, and at `refereed` poses spread over the set
-/// besides.
+/// A distance is wrong if it is off by more than `tolerance`, or if clearway's interval misses the true
+/// distance by more. A verdict is wrong if the true distance contradicts it by more than `tolerance`; "free"
+/// at contact is always wrong. Clearway's verdicts must also agree with its own distance, without tolerance.
+/// The referee is asked at each pose where any series differs from clearway's first distance series, and at
+/// `refereed` further poses spread over the set.
 Judgement judge(const std::vector<Series>& all, std::size_t poses, double tolerance, const Referee& referee,
                 std::size_t refereed);
 

@@ -19,7 +19,7 @@ Series seriesOf(Question question, bool isClearway, const std::vector<double>& v
     return series;
 }
 
-/// Three poses: contact, 1 and 2 apart; everybody right unless told otherwise.
+/// Three poses: contact, 1 and 2 apart. Every series answers rightly until a test changes an answer.
 struct Court {
     std::vector<Series> all = {seriesOf(Question::kDistance, true, {0, 1, 2}),
                                seriesOf(Question::kDistance, false, {-1, 1, 2}),

@@ -15,7 +15,7 @@ Mode modeOf(const std::string& name, Mode::Says says, const Ask& ask, std::funct
     Mode mode{says, false, {}, nullptr};
     mode.series.asked = "distance";
     mode.series.engine = name;
-    mode.series.isClearway = true;  // has the time for every repetition
+    mode.series.isClearway = true;  // clearway runs every repetition
     mode.series.ask = ask;
     mode.series.beforePass = std::move(beforePass);
     const bool byLower = says != Mode::Says::kNumber;

@@ -1,4 +1,4 @@
-// The ways to answer "how far?" that are weighed against each other: how fast, how wrong.
+// The ways to answer "how far?" whose speed and errors are compared.
 #pragma once
 
 #include <functional>
@@ -14,17 +14,17 @@ namespace clearway::testing {
 constexpr const char* kFloatOnly = "float only";
 constexpr const char* kDefault = "default";
 
-/// Of the scene's size.
+/// Share of the scene's size.
 constexpr double kCapShare = 0.01;
 constexpr double kTimedMargin = 1e-3;
 
 struct Mode {
-    /// What an answer holds, and so when a pose is valid at a margin: when lower is larger than it, the
-    /// number is, or the verdict says so.
+    /// What an answer holds. It decides when a pose is valid at a margin: if lower exceeds the margin, if the
+    /// number does, or if the verdict says so.
     enum class Says { kInterval, kLowerBound, kNumber, kVerdict };
 
     Says says;
-    bool isQuery = false;  ///< of the library itself: a wrong answer is a fault
+    bool isQuery = false;  ///< a query of the library itself, whose wrong answers are faults
     Series series;         ///< `engine` is the mode's name
     std::function<bool(const Pose&, double margin)> isValid;
 
@@ -32,9 +32,9 @@ struct Mode {
     bool isProved() const { return says != Says::kNumber; }
 };
 
-/// Scalar double, float only, the default, relative errors of 0.001, 0.01 and 0.1, the cap, isWithin (timed
-/// at a margin of kTimedMargin), the bound of the root volumes, and every peer that answers distances; all
-/// warm where they can be.
+/// Makes these modes: scalar double, float only, the default, relative errors of 0.001, 0.01 and 0.1, the
+/// cap, isWithin (timed at a margin of kTimedMargin), the bound of the root volumes, and every peer that
+/// answers distances. Modes that keep a warm start use it.
 std::vector<Mode> makeModes(const BenchTask& task, const TreePair& trees, const std::vector<Peer>& peers);
 
 }  // namespace clearway::testing

@@ -1,6 +1,6 @@
-// What certified motions cost, on the edges that RRTConnect proposes: valid and invalid ones apart, beside
-// OMPL's discrete validator at its default resolution with our checker, and beside steps as short as a small
-// margin.
+// Measures what certified motions cost on the edges that RRTConnect proposes, valid and invalid edges apart:
+// beside OMPL's discrete validator with our checker at its default resolution, and beside steps as short as a
+// small margin.
 //   bench_motions PROBLEM.cfg|SCENE [EDGES [SEED]]
 #include <ompl/base/DiscreteMotionValidator.h>
 #include <ompl/util/RandomNumbers.h>
@@ -83,7 +83,7 @@ class Bench {
         std::vector<char> isValid;
     };
 
-    /// Twice, so that the first one's surprises are not counted.
+    /// Runs twice and counts the second pass only.
     static Pass pass(const ob::MotionValidator& validator, const std::vector<Edge>& edges) {
         Pass result;
         for (int turn = 0; turn < 2; ++turn) {

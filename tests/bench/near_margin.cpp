@@ -15,11 +15,11 @@ double largestCoordinate(const BenchTask& task, const Pose& pose) {
     const auto largest = [](const Box& box) {
         return std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
     };
-    const double part = std::sqrt(3.0) * largest(boundingBox(task.part));  // however it is turned
+    const double part = std::sqrt(3.0) * largest(boundingBox(task.part));  // however the part is turned
     return std::max(largest(boundingBox(task.environment)), part + pose.translation.cwiseAbs().maxCoeff());
 }
 
-/// The distances to ask about, the margin itself among them.
+/// The distances aimed at, including the margin itself.
 std::vector<double> targets(double margin, double sceneSize) {
     std::vector<double> all{margin};
     const auto around = [&](double offset) {
@@ -34,7 +34,7 @@ std::vector<double> targets(double margin, double sceneSize) {
     return all;
 }
 
-/// Every pose that is free, or `count` of them evenly spread.
+/// All free poses, or `count` of them evenly spread.
 std::vector<std::size_t> freePoses(const std::vector<Truth>& truths, double margin, int count) {
     std::vector<std::size_t> free;
     for (std::size_t i = 0; i < truths.size(); ++i) {
@@ -89,7 +89,8 @@ PosesNearMargin posesNearMargin(const BenchTask& task, const TreePair& trees, co
         const Vector3 between = near.pointOnEnvironment - near.pointOnPart;
         if (!(between.norm() > 0)) continue;
         for (const double target : targets(margin, task.sceneSize())) {
-            // No pair comes nearer by more than the way, and the closest pair by all of it.
+            // No pair comes nearer by more than the way moved, and the closest pair comes nearer by all of
+            // it.
             Pose pose = task.poses[base];
             pose.translation += (near.distance - target) / between.norm() * between;
             collector.add(pose, askOracle(oracle, task, pose));

@@ -1,4 +1,4 @@
-// Poses whose distance is a hair more or a hair less than a margin: where a verdict goes wrong, if it does.
+// Poses whose distance is a hair more or less than a margin, where verdicts are most likely to be wrong.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace clearway::testing {
 
-/// The oracle's word and how far it may be off: nothing for contact.
+/// The oracle's distance and how far it may be off, which is 0 for contact.
 struct Truth {
     double distance;
     double error;
@@ -21,15 +21,15 @@ struct PosesNearMargin {
     double margin = 0;  ///< a length
     std::vector<Pose> poses;
     std::vector<bool> isValid;  ///< whether the true distance is larger than the margin, by the oracle
-    int undecided = 0;          ///< poses left out: nearer to the margin than the oracle's own error
+    int undecided = 0;  ///< poses left out, because they are nearer to the margin than the oracle's error
 
     int validPoses() const;
 };
 
-/// From `bases` free poses spread over the task's, each moved along its closest points' difference until the
-/// distance is margin (1 +- e), e from 1e-3 to 1e-12, and the margin itself; for margin 0 (resting contact)
-/// +- e of the scene's size, e from 1e-4 to 1e-15. And the task's poses with their true distances. Truth is
-/// the oracle's at every pose. truths: of the task's poses.
+/// Moves `bases` free poses, spread over the task's poses, along the difference of their closest points until
+/// the distance is margin (1 +- e), with e from 1e-3 to 1e-12, or the margin itself. For margin 0 (resting
+/// contact) the distance is +- e of the scene's size, with e from 1e-4 to 1e-15. Adds the task's poses, whose
+/// true distances are `truths`. The oracle decides every pose.
 PosesNearMargin posesNearMargin(const BenchTask& task, const TreePair& trees, const MeshOracle& oracle,
                                 const std::vector<Truth>& truths, double margin, int bases);
 

@@ -30,7 +30,8 @@ BOOST_DATA_TEST_CASE(poses_lie_on_both_sides_of_the_margin_at_every_nearness,
         distances.push_back(oracle.distance(near.poses[i]).distance);
         BOOST_TEST(near.isValid[i] == (distances[i] > margin), "seed " << kSeed << ", pose " << i);
     }
-    for (const double e : {1e-4, 1e-8, 1e-11}) {  // of them some are nearer than this, on either side
+    for (const double e :
+         {1e-4, 1e-8, 1e-11}) {  // on either side, some poses are nearer to the margin than this
         int valid = 0, invalid = 0;
         for (std::size_t i = 0; i < near.poses.size(); ++i) {
             const double distance = distances[i];

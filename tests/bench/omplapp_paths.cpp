@@ -1,5 +1,5 @@
-// OMPL.app's own sample problems and paths, as a user's checkout of it holds them: every state of every path,
-// loaded OMPL.app's way, asked of clearway and of FCL; the oracle says who is right.
+// Judges OMPL.app's sample problems and paths, read from a user's checkout of OMPL.app: loads each problem as
+// OMPL.app does and asks clearway and FCL about every state of every path. The oracle decides who is right.
 //   bench_omplapp_paths CHECKOUT OUT.csv
 #include <algorithm>
 #include <exception>
@@ -20,17 +20,17 @@ namespace {
 namespace fs = std::filesystem;
 namespace ob = ompl::base;
 
-constexpr int kSkipped = 77;  ///< what CTest is told to take for it
-/// A .path has 6 digits, so that a path along the bounds may be printed outside of them.
+constexpr int kSkipped = 77;  ///< the exit code that CTest takes for a skipped test
+/// A .path file has 6 digits, so a path along the bounds may be printed slightly outside of them.
 constexpr double kPrinted = 1e-5;
 
 struct Figures {
     int states = 0, colliding = 0, outOfBounds = 0;
     int fclColliding = 0, oracleColliding = 0;
-    int clearwayWrong = 0, fclWrong = 0;  ///< by the oracle
+    int clearwayWrong = 0, fclWrong = 0;  ///< the oracle decides
     double least = std::numeric_limits<double>::infinity();
     int motions = 0, certified = 0;
-    int collidingMotions = 0;  ///< with a pose that the oracle finds colliding
+    int collidingMotions = 0;  ///< motions with a pose that the oracle finds colliding
 };
 
 Box grown(const Box& box) {
@@ -54,12 +54,13 @@ void judgeState(const PartState& state, const Model& part, const Model& environm
     figures.least = std::min(figures.least, d.lower);
 }
 
-/// The motions between the states, which OMPL.app looked at in steps.
+/// Judges the motions between the states; OMPL.app had checked them in steps.
 void judgeMotions(const Problem& problem, const std::vector<PartState>& path, const Box& bounds,
                   const Scene& scene, const MeshOracle& oracle, Figures& figures) {
     const auto si = std::make_shared<ob::SpaceInformation>(
         planning::makeSpace(problem.space, grown(bounds), scene.part.radiusAboutOrigin()));
-    si->setStateValidityChecker([](const ob::State*) { return true; });  // not asked: the validator is
+    si->setStateValidityChecker(
+        [](const ob::State*) { return true; });  // unused: only the validator is asked
     const planning::MotionValidator validator(si, scene);
     for (std::size_t i = 0; i + 1 < path.size(); ++i) {
         const auto from = planning::toOmpl(si->getStateSpace(), problem.space, path[i]);

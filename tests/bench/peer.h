@@ -1,4 +1,4 @@
-// The libraries clearway is measured against, each behind the same few functions.
+// The libraries that clearway is measured against, each behind the same few functions.
 #pragma once
 
 #include <functional>
@@ -10,19 +10,20 @@
 
 namespace clearway::testing {
 
-/// What one query said, and what it did where the library counts that.
+/// The answer of one query, and its work if the library counts it.
 struct Answer {
     double value = 0;  ///< a distance (0 or less for contact), or 1 for yes and 0 for no
-    double lower = 0;  ///< clearway's interval, when it answered with a distance
+    double lower = 0;  ///< clearway's interval, if it answered with a distance
     double upper = 0;
     QueryCounters counters;
 };
 
-/// A library with its own trees of the two meshes. What it cannot be asked is empty. Copies share the trees.
+/// A library with its own trees of the two meshes. A function is empty if the library has no such query.
+/// Copies share the trees.
 struct Peer {
     std::string name;
     double buildSeconds = 0;
-    std::size_t bytes = 0;  ///< of both trees, as the library counts them; 0 when it does not
+    std::size_t bytes = 0;  ///< of both trees, as the library counts them; 0: not counted
     std::function<Answer(const Pose& X_environmentPart)>
         distance;  ///< exact, without nearest points if possible
     std::function<Answer(const Pose& X_environmentPart)> collides;  ///< ends at the first contact
@@ -30,22 +31,21 @@ struct Peer {
     std::function<void()> forgetWarmStart;  ///< empty for a library that keeps nothing between queries
 };
 
-/// FCL 0.7's RSS trees, for distances. Debian's library holds the explicit instantiations of the templates
-/// used, so the traversal timed is Debian's own -O2 code; only what its headers leave to be inlined is
-/// compiled with our flags.
+/// FCL 0.7's RSS trees, for distances. Debian's library holds explicit instantiations of the templates used
+/// here, so the traversal timed is Debian's own -O2 code; our flags compile only what the headers inline.
 Peer makeFclRss(const Mesh& part, const Mesh& environment);
 
-/// FCL 0.7's OBBRSS trees, for collisions; likewise.
+/// FCL 0.7's OBBRSS trees, for collisions; also Debian's code.
 Peer makeFclObbRss(const Mesh& part, const Mesh& environment);
 
-/// PQP 1.3, when the build was pointed at it (CLEARWAY_BENCH_PQP). Its warm start is the models' last closest
+/// PQP 1.3, if the build was pointed at it (CLEARWAY_BENCH_PQP). Its warm start is the models' last closest
 /// pair of triangles.
 Peer makePqp(const Mesh& part, const Mesh& environment);
 
-/// Coal's OBBRSS trees, likewise (CLEARWAY_BENCH_COAL).
+/// Coal's OBBRSS trees, if the build was pointed at them (CLEARWAY_BENCH_COAL).
 Peer makeCoal(const Mesh& part, const Mesh& environment);
 
-/// Every library this build knows, FCL's two first.
+/// Every library that this build knows, FCL's two trees first.
 std::vector<Peer> makePeers(const Mesh& part, const Mesh& environment);
 
 }  // namespace clearway::testing

@@ -12,7 +12,7 @@ namespace clearway::testing {
 #ifdef __linux__
 namespace {
 
-/// The CPUs the thread may run on, restored at the end.
+/// Remembers the CPUs that the thread may run on and restores them at the end.
 class Affinity {
   public:
     Affinity() { sched_getaffinity(0, sizeof before_, &before_); }

@@ -1,5 +1,5 @@
-// How often and how fast a problem is solved: plans it with seeds 1 to N, as `clearway plan` does, and has
-// every path re-checked by the oracle at 1,000 interpolated states.
+// Counts how often and how fast a problem is solved: plans it with seeds 1 to N, as `clearway plan` does. The
+// oracle re-checks every path at 1,000 interpolated states.
 //   bench_plan_success PROBLEM.cfg SEEDS SECONDS OUT.csv [PLANNER [PARAMETER=VALUE...]]
 #include <exception>
 #include <iostream>
@@ -37,7 +37,7 @@ std::string joined(const std::vector<std::string>& names) {
     return all;
 }
 
-/// One line of the table; counts what was found and is free.
+/// Writes one line of the table, and counts the paths found and the free ones.
 std::string rowOf(std::uint32_t seed, const PlanReport& report, double leastByOracle) {
     const bool isFound = report.outcome == PlanReport::Outcome::kFound;
     return std::to_string(seed) + "," + joined(report.planners) + "," + formatNumber(report.range) + "," +

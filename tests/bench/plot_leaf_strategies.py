@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
-"""Draws what `clearway bench --study leaf-strategies` wrote: what each leaf split takes over the first one, with intervals.
+"""Draws the results of `clearway bench --study leaf-strategies`: the time of each leaf split over the first one, with
+intervals.
 
     plot_leaf_strategies.py STUDY... PLOT.svg
 
-STUDY: a study's folder, or its statistics.csv; scenes may have been studied in folders of their own.
-A column for each scene: above by planner, the planner's own seconds for each call (hollow) and those of the same calls replayed
-(full); below by tree and instruction set, replayed calls of all planners. Needs matplotlib (Debian: python3-matplotlib).
+STUDY: a study's folder or its statistics.csv; each scene may have its own folder.
+One column per scene. Above, by planner: the planner's own seconds per call (hollow) and those of the same calls replayed
+(full). Below, by tree and instruction set: the replayed calls of all planners. Needs matplotlib (Debian: python3-matplotlib).
 """
 import csv
 import os
@@ -49,7 +50,7 @@ def usual(row):
 
 
 def lines_by_planner(rows):
-    """Line label -> rows: the runs and their replay, planner by planner."""
+    """Returns a dictionary from line label to rows: the runs and their replay, planner by planner."""
     lines = {}
     for source, measure in (("runs", "seconds_per_call"), ("replay", "seconds")):
         for row in rows:
@@ -60,7 +61,7 @@ def lines_by_planner(rows):
 
 
 def lines_by_tree(rows):
-    """Of a general split the usual tree first, then leaves of other sizes, other widths and other instructions."""
+    """Sorts the lines of a general split: the usual tree, then other leaf sizes, other widths and other instructions."""
     replayed = [row for row in rows if row["source"] == "replay" and row["measure"] == "seconds" and row["planner"] == "all"]
     replayed.sort(key=lambda row: (row["general_split"], row["instructions"] != "best", -int(row["node_width"]),
                                    int(row["leaf_size"]), row["instructions"]))

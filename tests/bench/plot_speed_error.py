@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Draws what bench_speed_error wrote: error on a log axis against queries a second, a panel for each scene.
+"""Draws the table of bench_speed_error: error on a log axis against queries per second, one panel per scene.
 
     plot_speed_error.py speed_error.csv speed_error.svg
 
@@ -16,7 +16,7 @@ import matplotlib.pyplot as plt
 
 FLOOR = 1e-19  # where no error at all is drawn
 
-# mode in the table: label, colour, marker. Hollow markers are peers.
+# Mode in the table: label, colour, marker. Hollow markers are peers.
 STYLES = {
     "scalar double": ("scalar double, same trees", "#7f7f7f", "s"),
     "float only": ("float only", "#d95f02", "D"),

@@ -15,7 +15,7 @@ namespace clearway::testing {
 using namespace scenes;
 namespace {
 
-/// Where a walk is: how far along the path, and how far beside it.
+/// The state of a walk: how far along the path it is, and how far beside it.
 struct Walker {
     double share = 0;
     Deviation deviation = Deviation::Zero();
@@ -58,7 +58,7 @@ class FreeWalk {
     static constexpr double kPull = 0.99;    // back to the path, a little
     static constexpr double kChange = 4e-3;  // part sizes, about the length of a step beside the path
 
-    /// Of the first few allowed steps the one whose clearance comes nearest to the aim.
+    /// Among the first few allowed steps, the one whose clearance comes nearest to the aim.
     std::optional<Walker> bestStep(const Walker& from, double direction) {
         std::optional<Walker> best;
         int found = 0;
@@ -83,7 +83,7 @@ class FreeWalk {
         return drawn;
     }
 
-    /// Works out pose and clearance; false when it is out of the range.
+    /// Computes pose and clearance; returns false if the clearance is out of range.
     bool place(Walker& walker) {
         walker.pose = curve_.at(walker.share, walker.deviation);
         const DistanceResult found = distance(task_.part, task_.environment, walker.pose, {}, workspace_);

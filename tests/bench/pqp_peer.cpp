@@ -9,7 +9,7 @@
 namespace clearway::testing {
 namespace {
 
-/// Queries write to the models (last_tri), and a collision's result keeps its list.
+/// PQP's queries write to the models (last_tri), and a collision's result keeps its list of pairs.
 struct Trees {
     PQP_Model part;
     PQP_Model environment;
@@ -26,7 +26,7 @@ void fill(PQP_Model& model, const Mesh& mesh) {
     if (model.EndModel() != PQP_OK) throw std::runtime_error("PQP did not build its tree");
 }
 
-/// A pose as PQP takes it: row-major.
+/// A pose in the form that PQP takes: row-major.
 struct Placed {
     PQP_REAL rotation[3][3];
     PQP_REAL translation[3];

@@ -1,4 +1,5 @@
-// Every kind of query of clearway and of its peers, on the same meshes, poses, process and repetitions.
+// Measures every kind of query of clearway and of its peers, on the same meshes and poses, in one process, in
+// turns.
 //   bench_queries [--scenes A,B] [--out DIR] ...      see --help and README.md in this folder
 // Ends with 1 when an answer of clearway is wrong, with 2 when it cannot run.
 #include <filesystem>
@@ -16,9 +17,9 @@
 namespace clearway::testing {
 namespace {
 
-constexpr double kAgreement = 1e-9;  // of the scene size
+constexpr double kAgreement = 1e-9;  // share of the scene's size
 
-/// The files' text, as far as it has been measured.
+/// The text of the CSV files, for the scenes measured so far.
 struct Tables {
     std::string summary = summaryHeader();
     std::string builds = buildsHeader();
@@ -34,7 +35,7 @@ BenchTask taskFromFiles(const BenchChoices& choices) {
     return task;
 }
 
-/// The oracle is made when it is first asked: most runs need it little.
+/// The oracle is made when it is first asked, because most runs need it seldom.
 Referee lazyOracle(const BenchTask& task) {
     auto oracle = std::make_shared<std::unique_ptr<MeshOracle>>();
     return [oracle, &task](std::size_t pose) {

@@ -9,7 +9,7 @@ namespace {
 
 namespace ob = ompl::base;
 
-/// Passes motions on and keeps them.
+/// Passes motions on to a validator and keeps them.
 class Recorder : public ob::MotionValidator {
   public:
     Recorder(const ob::SpaceInformationPtr& si, const Scene& scene)

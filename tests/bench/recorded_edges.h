@@ -1,4 +1,4 @@
-// The motions that RRTConnect asks about while it plans a problem.
+// Records the motions that RRTConnect checks while it plans a problem.
 #pragma once
 
 #include <ompl/base/ScopedState.h>
@@ -17,7 +17,7 @@ struct Edge {
     ompl::base::ScopedState<> from, to;
 };
 
-/// OMPL's seed is the caller's to set.
+/// The caller sets OMPL's seed.
 class EdgeRecorder {
   public:
     /// range: the longest edge of the planner's trees. Environment units.
@@ -25,10 +25,10 @@ class EdgeRecorder {
 
     const ompl::base::StateSpacePtr& space() const { return space_; }
 
-    /// A space information of that space, with a checker for the scene; not set up.
+    /// A space information of that space with a checker for the scene. The caller sets it up.
     ompl::base::SpaceInformationPtr makeSpaceInformation(const Scene& scene) const;
 
-    /// So many, planned with certified motions; the problem again and again until there are enough.
+    /// Plans the problem with certified motions, repeatedly, until there are `count` edges.
     std::vector<Edge> record(std::size_t count) const;
 
   private:

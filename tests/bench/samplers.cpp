@@ -1,5 +1,5 @@
-// What a valid-state sampler is worth to a roadmap: plans problems by PRM with each sampler and seeds 1 to N,
-// and writes how many paths were found and how soon.
+// Measures what each sampler of valid states gains a roadmap: plans problems by PRM with each sampler and
+// seeds 1 to N, and writes how many paths were found and how soon.
 //   bench_samplers PROBLEM.cfg SEEDS SECONDS OUT.csv [SAMPLER...]
 #include <algorithm>
 #include <exception>

@@ -17,17 +17,17 @@ namespace {
 constexpr int kWidth = 8;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Of |t| and both radii: a rotation's defect of 1e-12 and its transpose taken for its inverse move points by
-/// less than 6e-12 of them, some hundred roundings by 1e-14.
+/// A share of |t| plus both radii. A rotation's defect of 1e-12, and its transpose used as its inverse, move
+/// points by less than 6e-12 of these lengths; some hundred roundings move them by 1e-14.
 constexpr double kVolumeMargin = 1e-11;
 
-/// Of M, in u64: a moved corner 8, a slab gap 13.
+/// In u64 M: a moved corner is off by 8, a slab gap by 13.
 constexpr double kSlabRoundoffs = 32;
 
 constexpr int kMostProjections = 4;
 
-/// A stored volume in double, in query units. The axes are orthonormal only to float, which no bound here
-/// relies on.
+/// A stored volume in double, in query units. Its axes are orthonormal only to float accuracy; the bounds
+/// here do not rely on that.
 struct Volume {
     Vector3 centre, axis0, axis1;
     double half0, half1, radius;
@@ -67,8 +67,8 @@ double reachAlong(const Vector3& v, const Volume& rectangle) {
            std::abs(v.dot(rectangle.axis1)) * rectangle.half1;
 }
 
-/// A lower bound of the two volumes' distance, but for rounding: support gaps across the differences that
-/// projecting to and fro between the rectangles goes through. Stops at the first gap that is enough.
+/// A lower bound of the two volumes' distance, except for rounding: the support gaps along the differences
+/// that alternating projections between the rectangles pass through. Stops at the first gap that is enough.
 double volumeGap(const Volume& a, const Volume& b, double enough) {
     const double radii = a.radius + b.radius;
     const Vector3 between = b.centre - a.centre;
@@ -87,7 +87,7 @@ double volumeGap(const Volume& a, const Volume& b, double enough) {
     return best - radii;
 }
 
-/// Two volumes, by node * kWidth + lane, and a proved bound of their distance.
+/// Two volumes, numbered node * kWidth + lane, and a proved bound of their distance.
 struct Entry {
     double bound;
     VolumeReference part, environment;
@@ -104,7 +104,7 @@ double slabGap(const Vector3& v, const Corners& a, const Corners& b) {
     return length > 0 ? std::max(forth, back) / length : -kInfinity;
 }
 
-/// Whether one of three slabs shows the two to be `apart` apart.
+/// Whether one of three slabs proves a distance of at least `apart`.
 bool slabsProve(const Corners& a, const Corners& b, double apart) {
     const Vector3 between = (b[0] + b[1] + b[2]) - (a[0] + a[1] + a[2]);
     if (slabGap(between, a, b) >= apart) return true;
@@ -115,7 +115,7 @@ bool slabsProve(const Corners& a, const Corners& b, double apart) {
     return false;
 }
 
-/// One pose made ready, beside what the resolution of pairs asks for.
+/// One pose, prepared for volumes; the resolution of pairs needs more.
 struct Placed {
     PairQuery query;
     Matrix3 rotation;
@@ -189,7 +189,7 @@ class Search {
         Vector3 between;
         for (int k = 0; k < 3; ++k) between[k] = nearest_.pointOnEnvironment[k] - nearest_.pointOnPart[k];
         result.value = nearest_.upper > 0 ? between.norm() * toMesh : 0;
-        // Whatever was dropped has a bound of at least the least upper one.
+        // Every dropped pair has a bound of at least the least upper bound.
         result.lower = std::min(leastLower_, nearest_.upper) * toMesh;
         result.upper = nearest_.upper * toMesh;
         result.counters = counters_;

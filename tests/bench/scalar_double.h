@@ -1,6 +1,5 @@
-// The plain way: the same trees walked volume by volume in double, without vectors, and every pair of
-// triangles that a few slabs do not prove far resolved in double. What the float traversal is measured
-// against.
+// The plain way, for comparison with the float traversal: walks the same trees volume by volume in double,
+// without vectors, and resolves in double every pair of triangles that a few slabs do not prove far apart.
 #pragma once
 
 #include <memory>
@@ -10,10 +9,10 @@
 
 namespace clearway::testing {
 
-/// Models with nodes of 8 children. Not to be shared by threads.
+/// For models with nodes of 8 children. Threads must not share an object.
 class ScalarDouble {
   public:
-    /// Throws std::invalid_argument when a model has nodes of another width.
+    /// Throws std::invalid_argument if a model has nodes of another width.
     ScalarDouble(const Model& part, const Model& environment);
     ~ScalarDouble();
 
@@ -21,11 +20,11 @@ class ScalarDouble {
     /// contact.
     Answer distance(const Pose& X_environmentPart);
 
-    /// One bound and no more: between the volumes around all of the part and all of the environment. value =
-    /// lower, upper is infinite.
+    /// A single bound: between the volumes around all of the part and all of the environment. value = lower;
+    /// upper is infinite.
     Answer rootBound(const Pose& X_environmentPart) const;
 
-    /// Makes the next query a cold one.
+    /// Forgets the warm start, so that the next query is cold.
     void forgetWarmStart();
 
   private:

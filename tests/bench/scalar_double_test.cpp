@@ -1,4 +1,4 @@
-// What is measured as "scalar double" and "root volumes" keeps what the measurement says of it.
+// "Scalar double" and "root volumes" keep the promises that their measurements rely on.
 #include "bench/scalar_double.h"
 
 #include <boost/test/unit_test.hpp>

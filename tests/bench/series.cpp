@@ -18,7 +18,7 @@ double nanosecondsSince(Clock::time_point start) {
     return std::chrono::duration<double, std::nano>(Clock::now() - start).count();
 }
 
-/// Asks in order until the time is up or all were asked.
+/// Asks at the poses in order until the time is up or all were asked.
 void leadIn(const Series& series, const std::vector<Pose>& poses, double seconds) {
     const auto start = Clock::now();
     if (series.askAll) {
@@ -31,7 +31,7 @@ void leadIn(const Series& series, const std::vector<Pose>& poses, double seconds
     }
 }
 
-/// The poses over and over until they are enough for every core to have many blocks.
+/// Repeats the poses until every core gets many blocks.
 std::vector<Pose> repeated(const std::vector<Pose>& poses) {
     std::vector<Pose> many;
     while (many.size() < kBatchPoses) many.insert(many.end(), poses.begin(), poses.end());
@@ -57,7 +57,7 @@ void passOneByOne(Series& series, const std::vector<Pose>& poses) {
     }
 }
 
-/// Returns the seconds it took, lead-in left out.
+/// Returns the seconds of the pass without its lead-in.
 double pass(Series& series, const std::vector<Pose>& poses, const Schedule& schedule) {
     double seconds = 0;
     series.answers.resize(poses.size());

@@ -1,5 +1,5 @@
-// Speed against error: every way to answer "how far?", timed in one process, and judged by the oracle at
-// every pose.
+// Measures speed against error: times every way to answer "how far?" in one process. The oracle judges every
+// pose.
 //   bench_speed_error [--scenes A,B] [--out DIR] ...      see --help and README.md in this folder
 // Ends with 1 when an answer of clearway is wrong, with 2 when it cannot run.
 #include <filesystem>
@@ -15,7 +15,7 @@ namespace {
 
 namespace options = boost::program_options;
 
-const std::vector<double> kMarginShares = {0, 1e-6, 1e-3};  // of the scene's size
+const std::vector<double> kMarginShares = {0, 1e-6, 1e-3};  // shares of the scene's size
 
 struct ErrorChoices : TaskChoices {
     int nearBases = 0;
@@ -38,7 +38,7 @@ std::optional<ErrorChoices> readOptions(int count, char** words) {
     return choices;
 }
 
-/// Every mode timed, pass by pass in turn.
+/// Times every mode; passes take turns.
 void run(std::vector<Mode>& modes, const std::vector<Pose>& poses, const Schedule& schedule) {
     std::vector<Series> all;
     for (const Mode& mode : modes) all.push_back(mode.series);

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Writes what `clearway bench --study leaf-strategies` found as Markdown, for docs/leaf_strategies.md, to standard output.
+"""Prints the results of `clearway bench --study leaf-strategies` as Markdown, for docs/leaf_strategies.md.
 
     tabulate_leaf_strategies.py STUDY_FOLDER... > results.md
 
-Scenes may have been studied in folders of their own.
+Each scene may have its own folder.
 """
 import csv
 import os
@@ -61,7 +61,7 @@ def tree(row):
 
 
 def found_by(rows, names):
-    """The row with these values in the columns of those names."""
+    """Returns the row that has these values in the columns of these names."""
     return {tuple(row[name] for name in names): row for row in rows}
 
 
@@ -79,7 +79,7 @@ def share(part, whole):
 
 
 def medians(runs, value):
-    """Of the runs that have such a value; None when none has."""
+    """Returns the median over the runs that have such a value; None if no run has one."""
     values = [v for v in map(value, runs) if v is not None]
     return median(values) if values else None
 
@@ -89,7 +89,7 @@ def shown(value, form=short):
 
 
 def unsplit(runs, baseline):
-    """A line for each planner and general split with the leaf split that the others are compared with: medians of its runs."""
+    """One line per planner and general split, with the leaf split that others are compared with: medians of its runs."""
     groups = {}
     for run in runs:
         if run["leaf_split"] == baseline:
@@ -115,7 +115,7 @@ def was_disturbed(run):
 
 
 def general_splits(runs, baseline):
-    """A line for each planner: what other general splits take over the last one, pair by pair of runs with one seed."""
+    """One line per planner: the time of other general splits over the last one, by pairs of runs with one seed."""
     by_seed = found_by([run for run in runs if run["leaf_split"] == baseline], ("planner", "general_split", "seed"))
     *others, best = sorted({run["general_split"] for run in runs})
     lines = []
@@ -134,7 +134,7 @@ def general_splits(runs, baseline):
 
 
 def planners(summary, statistics):
-    """A line for each planner, general and leaf split, with the ratios of pairs of runs."""
+    """One line per planner, general split and leaf split, with the ratios of pairs of runs."""
     columns = ("planner", "general_split", "leaf_split")
     of_runs = found_by([row for row in summary if row["source"] == "runs" and row["planner"] != "all"], columns)
     ratios = found_by([row for row in statistics if row["source"] == "runs"], ("measure",) + columns)
@@ -158,7 +158,7 @@ def planners(summary, statistics):
 
 
 def replays(statistics, summary, baseline):
-    """A line for each tree, with ratios of the same calls of all planners."""
+    """One line per tree, with ratios for the same calls of all planners."""
     speeds = {tree(row): row["calls_per_second"] for row in summary
               if (row["source"], row["planner"], row["leaf_split"]) == ("replay", "all", baseline)}
     rows = [row for row in statistics if row["source"] == "replay" and row["planner"] == "all"]
@@ -190,7 +190,7 @@ def trees(rows):
 
 
 def claims(rows):
-    """A line for each claim and scene, a column for each engine."""
+    """One line per claim and scene, one column per engine."""
     widths = sorted({row["node_width"] for row in rows}, key=int)
     found = found_by(rows, ("claim", "scene", "node_width"))
     lines = []

@@ -49,19 +49,22 @@ void addTaskOptions(options::options_description& all, const std::string& scenes
                     const std::string& outFiles) {
     auto add = all.add_options();
     add("help", "print this");
-    add("scenes", options::value<std::string>()->default_value(scenes), "which, by letter");
-    add("small", "the scenes at sizes that only show that all agree");
-    add("part-triangles", options::value<int>(), "of every scene, instead of its own number");
-    add("environment-triangles", options::value<int>(), "likewise");
-    add("pose-count", options::value<int>()->default_value(200), "of each scene");
-    add("seed", options::value<std::uint64_t>()->default_value(1), "of the poses and of their random orders");
-    add("repetitions", options::value<int>()->default_value(5), "of every pass");
+    add("scenes", options::value<std::string>()->default_value(scenes), "the scenes to measure, by letter");
+    add("small", "small scenes, which only show that all answers agree");
+    add("part-triangles", options::value<int>(),
+        "triangles of every part, instead of the scene's own number");
+    add("environment-triangles", options::value<int>(),
+        "triangles of every environment, instead of the scene's own number");
+    add("pose-count", options::value<int>()->default_value(200), "poses of each scene");
+    add("seed", options::value<std::uint64_t>()->default_value(1),
+        "seed of the poses and of their random orders");
+    add("repetitions", options::value<int>()->default_value(5), "repetitions of every pass");
     add("peer-budget", options::value<double>()->default_value(60),
-        "seconds for each question to a peer; it repeats less often if need be");
-    add("lead-in", options::value<double>()->default_value(0.02), "seconds at most, untimed, before a pass");
+        "seconds for each question to a peer, which repeats less often if it needs more");
+    add("lead-in", options::value<double>()->default_value(0.02), "most untimed seconds before a pass");
     add("cpu", options::value<int>()->default_value(-1),
-        "keeps passes of one thread on this CPU; -1: on any");
-    add("without-peers", "clearway alone");
+        "keeps passes of one thread on this CPU; -1: any CPU");
+    add("without-peers", "measures clearway alone");
     add("out", options::value<std::string>(), ("folder for " + outFiles).c_str());
 }
 

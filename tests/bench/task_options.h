@@ -1,4 +1,4 @@
-// What the benchmarks' command lines have in common: which scenes, how many poses, how often.
+// The options that the benchmarks share: which scenes, how many poses, how many repetitions.
 #pragma once
 
 #include <boost/program_options.hpp>
@@ -20,17 +20,18 @@ struct TaskChoices {
     std::uint64_t seed = 1;
     Schedule schedule;
     bool withPeers = true;
-    std::string out;  ///< folder; empty for none
+    std::string out;  ///< folder; empty: writes no files
 };
 
-/// scenes: the default, letters with commas between. outFiles: what --out will hold, for the help text.
+/// scenes: the default, as letters separated by commas. outFiles: names the files in --out, for the help
+/// text.
 void addTaskOptions(boost::program_options::options_description& all, const std::string& scenes,
                     const std::string& outFiles);
 
 /// Throws std::invalid_argument, naming the option, its value and what was expected.
 TaskChoices taskChoices(const boost::program_options::variables_map& given);
 
-/// The option's value. Throws likewise when it is less than `least`, or no number.
+/// The option's value. Throws std::invalid_argument if it is less than `least` or no number.
 int atLeast(int least, const boost::program_options::variables_map& given, const char* option);
 double atLeast(double least, const boost::program_options::variables_map& given, const char* option);
 

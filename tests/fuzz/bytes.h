@@ -1,5 +1,6 @@
-// How the fuzz targets read their input and complain. A target is a body for one input (fuzzOne) with the
-// inputs it starts from (seeds); libfuzzer.cpp hands it to libFuzzer, replay.cpp makes a plain program of it.
+// How fuzz targets read their input and report faults. A target is a body for one input (fuzzOne) and the
+// inputs that fuzzing starts from (seeds). libfuzzer.cpp hands it to libFuzzer; replay.cpp makes a plain
+// program of it.
 #pragma once
 
 #include <algorithm>
@@ -14,16 +15,16 @@
 
 namespace clearway::testing {
 
-/// Takes any input; breaks a promise by require, or by what a sanitizer sees.
+/// Takes any input. A fault ends the program, by require or by a sanitizer.
 void fuzzOne(std::string_view input);
 
-/// Sound inputs that reach deep, to be mutated.
+/// Sound inputs that reach deep into the code; mutations start from them.
 std::vector<std::string> seeds();
 
-/// What require adds to its words; empty when there is nothing to add.
+/// If set, require calls it to print more about the input at hand.
 inline std::function<void()> tellMore;
 
-/// Ends the program when a promise is broken, so that libFuzzer and replay keep the input.
+/// Ends the program if a promise is broken, so that libFuzzer and replay keep the input.
 inline void require(bool isKept, const std::string& promise) {
     if (isKept) return;
     std::cerr << "broken promise: " << promise << std::endl;
@@ -31,7 +32,7 @@ inline void require(bool isKept, const std::string& promise) {
     std::abort();
 }
 
-/// The input as a source of choices and numbers; zeros when it is used up.
+/// Reads choices and numbers from the input; gives zeros when the input is used up.
 class Bytes {
   public:
     explicit Bytes(std::string_view input) : rest_(input) {}

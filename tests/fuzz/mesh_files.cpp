@@ -1,4 +1,4 @@
-// Mesh files of several formats: refused in one line that names the file, or read to a mesh that can be
+// Mesh files of several formats are refused in one line that names the file, or read to a mesh that can be
 // built.
 #include <stdexcept>
 
@@ -10,7 +10,7 @@
 namespace clearway::testing {
 namespace {
 
-/// Those that assimp reads without corrupting its own memory on damaged ones.
+/// The formats whose damaged files assimp reads without corrupting its own memory.
 constexpr const char* kEndings[] = {"stl", "obj", "ply"};
 constexpr MeshReading kReadings[] = {MeshReading::kAsStored, MeshReading::kOmplAppEnvironment,
                                      MeshReading::kOmplAppRobot, MeshReading::kOmplAppPlanarRobot};
@@ -27,7 +27,7 @@ void requireSound(const Mesh& mesh) {
     require(next == mesh.triangles.size() && next > 0, "components cover the triangles");
     const Box box = boundingBox(mesh);
     require(box.min().allFinite() && box.max().allFinite(), "coordinates are finite");
-    if (mesh.triangles.size() > kMostTriangles) return;  // slow, and not more likely to fail
+    if (mesh.triangles.size() > kMostTriangles) return;  // large meshes are slow and not more likely to fail
     BuildOptions options;
     options.threads = 1;
     const Model model = Model::build(mesh, options);

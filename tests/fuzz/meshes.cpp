@@ -1,5 +1,5 @@
-// Any vertices, triangles and components: refused when they should be, otherwise cleaned without loss, built,
-// saved and loaded.
+// Meshes of any vertices, triangles and components are refused if they should be, and otherwise cleaned
+// without loss, built, saved and loaded.
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -37,7 +37,7 @@ Mesh takeMesh(Bytes& bytes) {
     return mesh;
 }
 
-/// What Model::build is to refuse, thought out anew.
+/// Whether Model::build should refuse the mesh; written independently of its code.
 bool isSound(const Mesh& mesh) {
     std::uint64_t covered = 0;
     for (const Component& component : mesh.components) {
@@ -55,7 +55,8 @@ bool isSound(const Mesh& mesh) {
 
 using Corners = std::vector<std::array<double, 3>>;
 
-/// Sorted, with no negative zero: what a triangle is, whatever it is called and however it is turned.
+/// The corners sorted and without negative zeros: equal for equal triangles, whatever their vertices' numbers
+/// and order.
 Corners cornersOf(const std::vector<Vector3>& vertices, const TriangleIndices& triangle) {
     Corners corners;
     for (const std::uint32_t index : triangle) {
@@ -91,7 +92,7 @@ void requireSoundModel(const Model& model, std::size_t triangles) {
             "the report counts all triangles");
 }
 
-/// A mesh touches itself where it is, unless its coordinates are such as queries refuse.
+/// A mesh at its own place touches itself, unless its coordinates are such that queries refuse them.
 void requireTouching(const Model& a, const Model& b) {
     Workspace workspace;
     const Box box = a.box();
@@ -144,7 +145,7 @@ void fuzzOne(std::string_view input) {
 
 std::vector<std::string> seeds() {
     std::vector<std::string> result;
-    for (int step = 1; step < 12; ++step) {  // other choices at every place
+    for (int step = 1; step < 12; ++step) {  // each step makes other choices everywhere
         std::string bytes;
         for (int i = 0; i < 400; ++i) bytes += static_cast<char>(i * step % 251);
         result.push_back(bytes);

@@ -1,8 +1,8 @@
-// A fuzz target without libFuzzer: its seeds as they are, then mutations of them drawn from a seeded source.
-//   replay_X [--runs N] [--seed S] [--seconds S]   N mutations (1000) from seed S (1), fewer when time is up
+// Runs a fuzz target without libFuzzer: first on its seeds, then on random mutations of them.
+//   replay_X [--runs N] [--seed S] [--seconds S]   N mutations (1000) from seed S (1), for at most S seconds
 //   replay_X FILE...                                these inputs only
 //   replay_X --write FOLDER                         writes the seeds, as libFuzzer's first corpus
-// An input that ends the program is left in the current folder as crash-X.
+// It writes an input that ends the program to crash-X in the current folder.
 #include <chrono>
 #include <csignal>
 #include <filesystem>
@@ -20,7 +20,7 @@ std::string program;
 std::string current;
 
 extern "C" void keepCurrent(int) {
-    // The process is lost; at worst this fails too.
+    // The process ends anyway; at worst this write fails too.
     std::ofstream("crash-" + program, std::ios::binary) << current;
     std::cerr << "the input is in crash-" << program << std::endl;
     std::signal(SIGABRT, SIG_DFL);
@@ -29,12 +29,12 @@ extern "C" void keepCurrent(int) {
 
 void runOne(std::string input) {
     current = std::move(input);
-    // A copy of exactly that size: reading past its end is past the end of a block.
+    // A copy of exactly this size, so that reading past its end is reading past the end of a block.
     const std::vector<char> exact(current.begin(), current.end());
     fuzzOne({exact.data(), exact.size()});
 }
 
-/// Bytes changed, put in, cut out, repeated, or a number's edge value written over them.
+/// Changes, inserts, cuts out or repeats bytes, or writes an edge value of a number over them.
 void edit(Random& random, std::string& text) {
     constexpr std::int64_t kEdges[] = {0, 1, -1, INT32_MAX, INT32_MIN, INT64_MAX, INT64_MIN, 1 << 16};
     const int size = static_cast<int>(text.size());

@@ -1,5 +1,5 @@
-// Saved models, whole files and payloads under a header that fits them: refused by name, or loaded to a tree
-// that any query can search.
+// Saved models, as whole files and as payloads under a fitting header, are refused with a message that names
+// the file, or loaded to a tree that any query can search.
 #include <stdexcept>
 
 #include "clearway/model.h"
@@ -31,7 +31,7 @@ Model smallModel(int nodeWidth) {
     return Model::build(box({1, 2, 3}), options);
 }
 
-/// The hash is there to tell damage; with the right one the rest has to stand on its own.
+/// The hash detects damage. With a right hash, the other checks must find the fault.
 std::string withHeader(std::string_view payload) {
     static const std::string model = saved(smallModel(8));
     constexpr std::uint64_t kKey = 7;
@@ -53,7 +53,7 @@ void ask(const Model& part, const Model& environment) {
             distance(part, environment, X_environmentPart, {}, workspace);
             collides(part, environment, X_environmentPart, workspace);
             isWithin(part, environment, X_environmentPart, 1, workspace);
-        } catch (const std::invalid_argument&) {  // widths, sizes and reaches that do not fit
+        } catch (const std::invalid_argument&) {  // node widths, sizes and reaches that do not fit each other
         }
     }
 }

@@ -1,6 +1,6 @@
-// Meshes and poses drawn from bytes so that near misses are likely: small integers and halves, earlier
-// numbers and points again, numbers a last digit or a small power of two away from them, points on earlier
-// edges.
+// Draws meshes and poses from bytes such that near misses are likely: small integers and halves, earlier
+// numbers and points again, numbers that differ from them by a last digit or a small power of two, and points
+// on earlier edges.
 #pragma once
 
 #include <vector>
@@ -13,14 +13,14 @@ namespace clearway::testing {
 
 class SoupReader {
   public:
-    /// isWild: any double may come, not finite ones too.
+    /// isWild: any double may come, also infinities and NaN.
     SoupReader(Bytes& bytes, bool isWild) : bytes_(bytes), isWild_(isWild) {}
 
     double coordinate();
     Vector3 point();
-    /// 1 to `most` triangles over their own points.
+    /// A mesh of 1 to `most` triangles over its own points.
     Mesh soup(std::size_t most);
-    /// A rotation by quarter turns, or one of a drawn quaternion; now and then no shift.
+    /// A rotation by quarter turns or by a drawn quaternion; sometimes without translation.
     Pose pose();
 
   private:

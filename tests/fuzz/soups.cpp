@@ -1,5 +1,5 @@
-// Two triangle soups at a pose: every query on every instruction set keeps its promise against exact
-// arithmetic.
+// For two triangle soups at a pose, every query on every instruction set keeps its promise. Exact arithmetic
+// decides.
 #include <cmath>
 #include <iomanip>
 #include <limits>
@@ -16,7 +16,7 @@ namespace clearway::testing {
 namespace {
 
 constexpr double kUnitRoundoff = 0x1p-53;
-/// Among denormal numbers results round by it, whatever they are.
+/// The absolute rounding error of results among denormal numbers.
 constexpr double kLeast = std::numeric_limits<double>::denorm_min();
 constexpr std::size_t kMostTriangles = 12;
 
@@ -31,7 +31,7 @@ struct Case {
     double largest;  ///< M
 };
 
-/// Told to the last digit when a promise is broken.
+/// Printed to the last digit if a promise is broken.
 void describe(const Mesh& mesh, const char* name) {
     std::cerr << name << ", three corners a line:\n";
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
@@ -67,7 +67,7 @@ bool areFinite(const Mesh& mesh) {
     return true;
 }
 
-/// False when the numbers drawn are no meshes.
+/// Returns false if the numbers drawn form no meshes.
 bool readCase(std::string_view input, Case& given) {
     Bytes bytes(input);
     given.isWild = bytes.below(8) == 7;
@@ -81,12 +81,12 @@ bool readCase(std::string_view input, Case& given) {
     given.largest = largestCoordinate(given);
     given.sceneSize =
         boundingBox(given.part).diagonal().norm() + boundingBox(given.environment).diagonal().norm();
-    if (!(given.largest < 1e150)) return false;  // the squares of lengths have to be doubles
+    if (!(given.largest < 1e150)) return false;  // squares of lengths must be finite doubles
     given.distance = exactMeshDistance(given.part, given.environment, given.pose);
     return true;
 }
 
-/// Sizes and offsets that differ by about 2^60 or more may be refused, and tiny coordinates are.
+/// Queries may refuse sizes and offsets that differ by about 2^60 or more, and they refuse tiny coordinates.
 bool mayBeRefused(const Case& given) {
     if (given.largest < 1e-297) return true;
     const double part = boundingBox(given.part).diagonal().norm();
@@ -94,7 +94,7 @@ bool mayBeRefused(const Case& given) {
     return given.largest * 0x1p-55 > std::min(part, environment);
 }
 
-/// Exact: long double is far off next to needles.
+/// Exact arithmetic, because long double is far off near needles.
 void requireWitness(const Vector3& point, const Pose& X, const std::array<Vector3, 3>& triangle,
                     double within) {
     const ExactDistance away = exactDistance(X, triangle, {point, point, point});
@@ -131,7 +131,7 @@ void requireDistance(const Case& given, const DistanceOptions& options, const Di
     requireWitnesses(given, result);
 }
 
-/// Lengths at which a wrong decision is likeliest.
+/// The lengths at which a wrong decision is most likely.
 std::vector<double> lengthsToAsk(const Case& given) {
     const double infinity = std::numeric_limits<double>::infinity();
     const auto root = static_cast<double>(given.distance.rounded());
@@ -144,7 +144,7 @@ std::vector<double> lengthsToAsk(const Case& given) {
             std::numeric_limits<double>::denorm_min()};
 }
 
-/// Says what was asked if a promise is broken before it goes.
+/// While it lives, a broken promise also prints what was asked.
 class Asking {
   public:
     Asking(const Case& given, std::string question) {
@@ -213,7 +213,7 @@ void fuzzOne(std::string_view input) {
 
 std::vector<std::string> seeds() {
     std::vector<std::string> result;
-    for (int step = 1; step < 24; ++step) {  // other choices at every place
+    for (int step = 1; step < 24; ++step) {  // each step makes other choices everywhere
         std::string bytes;
         for (int i = 0; i < 300; ++i) bytes += static_cast<char>((i * step + i / 7) % 251);
         bytes[0] = char(step % 8);

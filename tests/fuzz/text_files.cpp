@@ -1,4 +1,5 @@
-// Problem, path and pose files: taken with sound values that survive writing and reading, or refused by name.
+// Problem, path and pose files are refused with a message that names the file, or give sound values that
+// survive writing and reading.
 #include <cmath>
 #include <stdexcept>
 
@@ -9,7 +10,8 @@
 namespace clearway::testing {
 namespace {
 
-constexpr double kRotationRounding = 1e-14;  ///< of a pose written as axis and angle, at angles up to 2 pi
+constexpr double kRotationRounding =
+    1e-14;  ///< error of a pose written as axis and angle, at angles up to 2 pi
 
 const TemporaryFolder& folder() {
     static const TemporaryFolder made;
@@ -43,7 +45,7 @@ void requireSameAgain(const Problem& problem) {
     const std::string file = folder().file("again.cfg");
     try {
         writeProblem(problem, file);
-    } catch (const std::invalid_argument&) {  // a text that .cfg syntax cannot hold
+    } catch (const std::invalid_argument&) {  // the text cannot be written in .cfg syntax
         return;
     }
     const Problem back = readProblem(file);

@@ -1,5 +1,5 @@
-// Time limits in tests, independent of what else the machine does: processor time, unlike the clock, stands still while
-// other processes hold the processors.
+// Time limits in tests, independent of what else the machine does: processor time, unlike the clock, stands
+// still while other processes hold the processors.
 #pragma once
 
 #include <algorithm>
@@ -28,8 +28,9 @@ double secondsOnAllProcessors(Work work) {
     return processorSecondsOf(work) / std::max(1u, std::thread::hardware_concurrency());
 }
 
-/// Returns attempt(seconds), which stops after that many seconds on the clock. An attempt that ran until then but was given
-/// less than half of that processor time proves nothing, so it is repeated with twice the seconds.
+/// Returns attempt(seconds), which stops after that many seconds on the clock. An attempt that ran until then
+/// but was given less than half of that processor time proves nothing, so it is repeated with twice the
+/// seconds.
 template <typename Attempt>
 auto withProcessorTime(double seconds, Attempt attempt) {
     using Clock = std::chrono::steady_clock;
