@@ -443,9 +443,10 @@ window.clearwayReport = {
   get isPlaying() { return state.isPlaying; },
   choose,
   trianglesOf: { part: trianglesIn(data.part), environment: trianglesIn(data.environment) },
-  // Chooses a frame, redraws, and tells the triangles and objects drawn, the environment's too if it was drawn again.
-  drawnFor(i) {
+  // Chooses a frame, redraws, and tells the triangles and objects drawn. isAll: draws the environment again too.
+  drawnFor(i, isAll) {
     choose(i);
+    if (isAll) view.askRedrawOfAll();
     const info = view.renderer.info;
     info.autoReset = false;
     info.reset();
@@ -453,5 +454,4 @@ window.clearwayReport = {
     info.autoReset = true;
     return { triangles: info.render.triangles, objects: info.render.calls };
   },
-  askRedrawOfAll() { view.askRedrawOfAll(); },
 };
