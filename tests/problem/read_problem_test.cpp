@@ -55,7 +55,7 @@ Problem read(const std::string& text) {
     return readProblem(folder.write("a.cfg", text));
 }
 
-/// What readProblem says, after the file's name and folder.
+/// The message of readProblem after the file's name and folder.
 std::string refusalOf(const std::string& text) {
     const TemporaryFolder folder;
     const std::string file = folder.write("a.cfg", text);
@@ -308,7 +308,8 @@ BOOST_AUTO_TEST_CASE(all_planners_have_one_objective) {
     const Problem named = read(kSpatial + "[planner]\nrrt=\nproblem.objective = mechanical_work\n");
     BOOST_TEST(named.objective == "mechanical_work");
     const std::vector<std::string> expected = {
-        ":22: [planner] problem.objective is 'other', which has no effect: the objective of all planners is 'length'"};
+        ":22: [planner] problem.objective is 'other', which has no effect: the objective of all planners is "
+        "'length'"};
     BOOST_TEST(
         warningsOf(kSpatial + "objective = length\n[planner]\nrrt=\nproblem.objective = other\n") == expected,
         boost::test_tools::per_element());
