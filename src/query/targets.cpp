@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "core/text.h"
 #include "hwy/targets.h"
 
 namespace clearway {
@@ -43,13 +44,11 @@ std::vector<std::string> availableTargets() {
 
 void useTarget(const std::string& name) {
     if (name == "best") return choose(0);
-    std::string known;
     for (const std::int64_t target : machineTargets()) {
         if (nameOf(target) == name) return choose(target);
-        known += (known.empty() ? "" : ", ") + nameOf(target);
     }
-    choose(chosen());
-    throw std::invalid_argument("target is '" + name + "', expected best or one this machine runs: " + known);
+    throw std::invalid_argument("target is '" + name +
+                                "', expected best or one this machine runs: " + joined(availableTargets()));
 }
 
 std::string currentTarget() {

@@ -1,4 +1,4 @@
-// What every flat tree must keep, checked in long double from what is stored.
+// Checks the invariants of flat trees in long double from the stored values.
 #pragma once
 
 #include <boost/test/unit_test.hpp>
@@ -34,8 +34,7 @@ FloatRss volumeOf(const WideNode<kWidth>& node, int lane) {
     return volume;
 }
 
-/// Walks a tree and checks it against the mesh it was built from. Counts failures rather than reporting each
-/// vertex.
+/// Walks a tree and checks it against its mesh. Counts failures instead of reporting each vertex.
 template <int kWidth>
 class TreeChecker {
   public:
@@ -57,7 +56,7 @@ class TreeChecker {
     }
 
   private:
-    /// The vertices below a node, all checked against the volumes on the way up.
+    /// The vertices below a node, all checked against the volumes above them.
     std::set<std::uint32_t> below(std::int32_t index) {
         const WideNode<kWidth>& node = tree_.nodes<kWidth>()[index];
         std::set<std::uint32_t> all;
@@ -106,7 +105,7 @@ class TreeChecker {
         return vertices;
     }
 
-    /// Each triangle of the mesh once, with its id and its very vertices.
+    /// Checks that each triangle of the mesh is there once, with its id and its exact vertices.
     void checkTriangles() const {
         BOOST_TEST(tree_.triangles.size() == mesh_.triangles.size());
         BOOST_TEST(tree_.vertices.size() == mesh_.vertices.size());
@@ -123,8 +122,8 @@ class TreeChecker {
         BOOST_TEST(ids.size() == mesh_.triangles.size());
     }
 
-    /// Leaves cover the triangles in order; their floats are the vertices relative to the leaf's centre,
-    /// within its radius.
+    /// Checks that leaves cover the triangles in order, and that their floats are the vertices relative to
+    /// the leaf's centre and within its radius.
     void checkLeaves() const {
         std::uint32_t next = 0;
         const long double perUnit = std::ldexp(1.0L, -tree_.unitExponent);

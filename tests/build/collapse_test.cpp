@@ -35,13 +35,13 @@ BinaryTree randomTree(Random& random, int leaves) {
     return tree;
 }
 
-/// Of one wide node.
+/// The cost of one wide node.
 double costOf(const BinaryTree& tree, std::int32_t node) {
     return tree.nodes[node].volume.area() / tree.nodes[0].volume.area() + 1.0 / double(tree.order.size());
 }
 
-/// Tries every way to cut the tree below a wide node. forest: what is in its lanes so far, with nodes from
-/// `next` on still to be left closed or opened.
+/// Tries every way to cut the tree below a wide node. forest: the nodes in its lanes so far; those from
+/// `next` on may still be opened.
 double leastCost(const BinaryTree& tree, int lanes, std::int32_t node);
 double leastOverForests(const BinaryTree& tree, int lanes, std::vector<std::int32_t> forest,
                         std::size_t next) {

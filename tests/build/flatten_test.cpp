@@ -42,7 +42,7 @@ BOOST_AUTO_TEST_CASE(lanes_are_those_the_collapse_chose) {
     const BinaryTree binary = buildBinaryTree(mesh, {});
     const Collapse collapse(binary, 8);
     const FlatTree tree = flatten(binary, mesh, 8);
-    // Both are walked depth first.
+    // Both trees are walked depth first.
     std::vector<std::pair<std::int32_t, std::int32_t>> pending{{tree.nodes<8>()[0].child[0], 0}};
     std::size_t visited = 1;
     while (!pending.empty()) {

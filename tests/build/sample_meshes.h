@@ -34,7 +34,7 @@ inline CleanMesh cleanMeshOf(const std::vector<Corners>& triangles) {
     return mesh;
 }
 
-/// The same of a mesh with vertices that may repeat.
+/// Welds the vertices of a mesh in which vertices may repeat.
 inline CleanMesh weldedMesh(const Mesh& mesh) {
     std::vector<Corners> triangles;
     for (const auto& [a, b, c] : mesh.triangles)
@@ -55,7 +55,7 @@ inline std::vector<Corners> soup(int count, std::uint64_t seed) {
     return triangles;
 }
 
-/// A bent sheet of two triangles a cell; the cells are slivers, as CAD tessellations have them.
+/// A bent sheet of two triangles a cell. The cells are slivers, as in CAD tessellations.
 inline std::vector<Corners> bentSheet(int columns, int rows) {
     const auto point = [&](int i, int j) {
         const double angle = 2.0 * i / columns;
@@ -83,8 +83,7 @@ struct SampleMesh {
     CleanMesh mesh;
 };
 
-/// What a tree must survive: no extent in some or all directions, centroids that coincide, any scale and
-/// offset.
+/// Hard inputs: no extent in some or all directions, coinciding centroids, any scale and offset.
 inline std::vector<SampleMesh> degenerateMeshes() {
     const Vector3 o = Vector3::Zero();
     const Vector3 x = Vector3::UnitX();

@@ -1,10 +1,10 @@
-// The compiler must keep the rounding of a double to float when the float becomes a double again: g++ 12
-// drops it for neighbouring values unless it is told not to make vectors of them (see CMakeLists.txt).
+// The compiler must keep the rounding in (double)(float)x. g++ 12 drops it for neighbouring values unless it
+// is told not to vectorise them (see CMakeLists.txt).
 #include <boost/test/unit_test.hpp>
 
 namespace {
 
-// Not known to the compiler, so that it cannot work the answers out itself.
+// The compiler does not know these values, so that it cannot compute the answers itself.
 volatile double unknown[4] = {0.1, 0.3, 3, 7};
 
 __attribute__((noinline)) void roundDifferences(double* x, const double* m) {

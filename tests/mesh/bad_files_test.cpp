@@ -105,7 +105,8 @@ BOOST_AUTO_TEST_CASE(headers_that_the_reader_would_never_end_on_are_refused) {
 }
 
 BOOST_AUTO_TEST_CASE(a_node_that_the_reader_leaves_out_is_refused_or_read) {
-    // A sound file, but assimp 5.2 gives its root as many children as groups and makes only one of them.
+    // A sound file, but assimp 5.2 gives its root one child for each group and makes only one of these
+    // children.
     const TemporaryFolder folder;
     const std::string group = "0.5 0.5 0.5 0 0 0 0 1 0 1 0 0\n0.1 0 0 0 0 3 0 1 3 1 0 3\n";
     const std::string file = folder.write("a.raw", "one\n" + group + "\n\ntwo\n" + group);
@@ -153,7 +154,7 @@ BOOST_AUTO_TEST_CASE(a_vertex_that_is_not_finite_is_refused_naming_the_first_suc
 }
 
 BOOST_AUTO_TEST_CASE(joining_vertices_never_hides_one_that_is_not_finite) {
-    // assimp takes a NaN for equal to whatever vertex its hash table compares it with, which hangs on the
+    // assimp treats a NaN as equal to any vertex that its hash table compares it with, which depends on the
     // bits.
     const TemporaryFolder folder;
     for (int i = 0; i < 40; ++i) {

@@ -17,8 +17,8 @@ BOOST_AUTO_TEST_CASE(a_box_is_closed_faces_outwards_and_fills_its_corners) {
     BOOST_TEST(mesh.components[0].name == "keep out");
     BOOST_TEST(mesh.components[0].triangleCount == mesh.triangles.size());
 
-    // A closed surface that faces outwards has its volume as the sum of these, and a box of 12 triangles its
-    // area.
+    // For a closed surface that faces outwards these terms sum to the volume, and the triangles' areas to the
+    // box's area.
     double volume = 0, area = 0;
     for (const TriangleIndices& t : mesh.triangles) {
         const Vector3 &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]], &c = mesh.vertices[t[2]];

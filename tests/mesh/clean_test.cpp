@@ -42,15 +42,15 @@ Coordinates coordinates(const Vector3& vertex) {
     return {vertex.x() + 0.0, vertex.y() + 0.0, vertex.z() + 0.0};
 }
 
-/// A triangle whatever its order.
+/// A triangle regardless of the order of its vertices.
 using Corners = std::multiset<Coordinates>;
 Corners cornersOf(const std::vector<Vector3>& vertices, const TriangleIndices& triangle) {
     return {coordinates(vertices[triangle[0]]), coordinates(vertices[triangle[1]]),
             coordinates(vertices[triangle[2]])};
 }
 
-/// Triangles on a coarse grid, so that equal vertices, repeated and degenerate triangles abound; vertices are
-/// not shared, some zeros are negative and some vertices unused.
+/// Triangles on a coarse grid, so that there are many equal vertices and repeated and degenerate triangles.
+/// Vertices are not shared, some zeros are negative and some vertices unused.
 Mesh gridSoup(Random& random, int triangles) {
     Mesh mesh;
     for (int i = 0; i < 3 * triangles + 10; ++i) {
@@ -230,8 +230,8 @@ BOOST_AUTO_TEST_CASE(the_box_holds_the_used_vertices_only) {
 }
 
 BOOST_AUTO_TEST_CASE(unshared_vertices_of_a_large_mesh_are_welded_without_quadratic_work) {
-    // As an STL file gives them, on a lattice whose coordinates share most of their bits: hard on a weak
-    // hash.
+    // Unshared vertices as in an STL file, on a lattice whose coordinates share most of their bits: a weak
+    // hash is slow here.
     Mesh mesh;
     constexpr int kSide = 400;
     for (int i = 0; i < kSide; ++i) {

@@ -33,30 +33,30 @@ BOOST_AUTO_TEST_CASE(three_points_on_a_line_are_degenerate_whatever_the_scale) {
 }
 
 BOOST_AUTO_TEST_CASE(a_needle_that_rounding_would_flatten_has_an_area) {
-    // The first two products of the cross product round to the same double, yet differ.
+    // The first two products of the cross product differ but round to one double.
     const double tiny = std::ldexp(1.0, -52);
     BOOST_TEST(!isDegenerate({0, 0, 0}, {1, 1 + tiny, 0}, {1 - tiny, 1, 0}));
-    // 0.1, 0.2 and 0.3 are no multiples of one another in binary.
+    // In binary, 0.1, 0.2 and 0.3 are not multiples of one another.
     BOOST_TEST(isDegenerate({0, 0, 0}, {0.1, 0.1, 0.1}, {0.3, 0.3, 0.3}));
     BOOST_TEST(!isDegenerate({0, 0, 0}, {0.1, 0.2, 0.3}, {0.3, 0.6, 0.9}));
     // One unit in the last place off a line that runs far from the origin.
     BOOST_TEST(isDegenerate({1e9, 1e9, 0}, {1e9 + 1, 1e9 + 1, 0}, {1e9 + 2, 1e9 + 2, 0}));
     BOOST_TEST(
         !isDegenerate({1e9, 1e9, 0}, {1e9 + 1, 1e9 + 1, 0}, {1e9 + 2, std::nextafter(1e9 + 2, 2e9), 0}));
-    // Differences that no double holds.
+    // Differences that no double represents.
     BOOST_TEST(isDegenerate({1, 1, 0}, {0, 0, 0}, {1e-300, 1e-300, 0}));
     BOOST_TEST(!isDegenerate({1, 1, 0}, {0, 0, 0}, {1e-300, 2e-300, 0}));
     // Products that underflow.
     BOOST_TEST(!isDegenerate({0, 0, 0}, {1e-200, 0, 0}, {0, 1e-200, 0}));
     BOOST_TEST(!isDegenerate({0, 0, 0}, {5e-324, 0, 0}, {0, 0, 5e-324}));
-    // And such that overflow.
+    // Products that overflow.
     BOOST_TEST(!isDegenerate({-1e308, 0, 0}, {1e308, 1e308, 0}, {1e308, 0, 0}));
     BOOST_TEST(isDegenerate({-1e308, -1e308, 0}, {1e308, 1e308, 0}, {0, 0, 0}));
 }
 
 BOOST_AUTO_TEST_CASE(a_line_is_told_from_a_needle_of_one_unit_in_the_last_place) {
-    // The differences of the points are no doubles, so that the cross product of the rounded ones is not
-    // zero.
+    // No double represents the differences of the points, so the cross product of the rounded differences is
+    // not zero.
     for (const int exponent : {-900, -540, -530, -520, -300, 0, 300, 900}) {
         BOOST_TEST_CONTEXT("seed 1, scale 2^" << exponent) {
             Random random(1);

@@ -16,7 +16,7 @@ using namespace testing;
 
 namespace {
 
-/// A file's ending and what is in it; the last one says which component names it brings.
+/// A file's ending, its contents and the names of its components.
 struct Written {
     const char* ending;
     std::string content;
@@ -35,7 +35,7 @@ std::vector<Written> writtenByHand() {
             {".gltf", gltfText(mesh, "{\"name\":\"bracket\",\"mesh\":0}"), "bracket/shape"}};
 }
 
-/// Ending and the id of assimp's exporter.
+/// A file's ending and the id of assimp's exporter.
 struct Exported {
     const char* ending;
     const char* id;

@@ -8,7 +8,7 @@
 
 namespace clearway::testing {
 
-/// Four triangles, no two coordinates alike, so that no swap of axes goes unseen.
+/// Four triangles with different coordinates everywhere, so that a swap of axes is noticed.
 inline Mesh tetrahedron() {
     Mesh mesh;
     mesh.vertices = {{0.5, -1.25, 2}, {10, 0.125, -3}, {-4, 7.75, 1.5}, {6, 3.0625, -8}};

@@ -9,8 +9,8 @@
 #include "support/random_meshes.h"
 #include "support/temporary_folder.h"
 
-// The promise is the floats that OMPL.app hands to its checker. Here they are worked out the plain way:
-// assimp's defaults, OMPL.app's steps, one recursion.
+// A mesh read as OMPL.app reads it has the floats that OMPL.app passes to its checker. The test computes
+// these floats directly: assimp's defaults, OMPL.app's steps, one recursion.
 namespace clearway {
 
 using namespace testing;
@@ -53,7 +53,7 @@ struct Reference {
     }
 };
 
-/// Nodes within nodes with rotations that float cannot hold, lines beside the triangles, z up, inches.
+/// Nested nodes with rotations that float cannot represent, lines beside the triangles, z up, inches.
 std::string awkwardFile(std::uint64_t seed) {
     Random random(seed);
     Mesh mesh = box({70, 30, 110}, 3);  // corners that triangles share, to be joined within each face

@@ -17,8 +17,8 @@ namespace data = boost::unit_test::data;
 
 namespace {
 
-/// Several named components whose coordinates are floats, made by `coordinate`; with degenerate and repeated
-/// triangles, vertices that several components share and vertices a hair apart.
+/// Several named components whose coordinates are floats made by `coordinate`. They have degenerate and
+/// repeated triangles, vertices that several components share, and vertices very close together.
 template <typename Coordinate>
 Mesh namedMesh(Random& random, Coordinate coordinate) {
     Mesh mesh;

@@ -1,4 +1,4 @@
-// What a model says about itself, and which meshes make none.
+// The properties that a model reports, and the meshes that are refused.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <limits>

@@ -1,4 +1,4 @@
-// Obstacles by name: which rules stand for which meshes, how they are grouped, and what is refused.
+// Obstacles by name: the meshes that rules stand for, how they are grouped, and the refusals.
 #include "clearway/obstacle_groups.h"
 
 #include <boost/test/unit_test.hpp>

@@ -1,4 +1,4 @@
-// A model without its unreachable triangles answers as the whole one does, or says why it cannot.
+// A model without its unreachable triangles answers like the whole model, or says why it cannot.
 #include "clearway/reach.h"
 
 #include <boost/test/unit_test.hpp>
@@ -54,7 +54,7 @@ struct Case {
     std::vector<Pose> poses;
 };
 
-/// Both are right about the same distance, which the reduced model may tell up to the cap.
+/// Both intervals hold one distance; the reduced model may clamp it to the cap.
 void checkAgreement(const DistanceResult& whole, const DistanceResult& reduced, double cap, bool isExact) {
     constexpr double kRounding = 1e-13;  // coordinates are below 20
     if (reduced.upper == kInfinity) {

@@ -1,4 +1,4 @@
-// Inside and outside are what the signed crossings of closed shells say, exactly, wherever the ray goes.
+// Inside and outside follow exactly from the signed crossings of closed shells, wherever the ray goes.
 #include "model/solids.h"
 
 #include <algorithm>
@@ -106,7 +106,8 @@ BOOST_AUTO_TEST_CASE(what_encloses_nothing_is_refused_by_name) {
                "expected all to face one way");
 }
 
-// A point of the surface moved by as little as a double can tell is on that side, also with the mesh turned.
+// A point of the surface that is moved by the least step of a double lies on that side, also if the mesh is
+// turned.
 BOOST_AUTO_TEST_CASE(points_a_rounding_from_the_surface_are_on_their_side) {
     Random random(kSeed);
     int tried = 0;

@@ -1,4 +1,4 @@
-// Which triangles are left out: against the distance from the box of positions, triangle by triangle.
+// Compares the triangles that are left out with their distances from the box of positions.
 #include "model/reach.h"
 
 #include <boost/test/unit_test.hpp>
@@ -104,7 +104,8 @@ BOOST_AUTO_TEST_CASE(a_triangle_at_the_very_limit_stays_at_any_scale) {
     }
 }
 
-// What queries cannot prove farther than the cap counts as within it: 38 * 2^-53 of the largest coordinate.
+// Triangles that queries cannot prove farther than the cap count as within it: 38 * 2^-53 of the largest
+// coordinate.
 BOOST_AUTO_TEST_CASE(a_triangle_askew_stays_at_the_limit_and_as_far_beyond_as_a_query_may_say_within) {
     Random random(9);
     for (int i = 0; i < 3000; ++i) {

@@ -26,7 +26,7 @@ const std::string kProblem =
 const std::string kStates = "1 2.5 -3e2 0.1 0.2 0.3 0.9\n# x\n1 2 3 0 0 0 1\n";
 const std::string kPoses = "1 0 0 0 1 0 0 0 1 7 8 9\n1 2 3 0 0 0 1\n0 -1 0 1 0 0 0 0 1 1e3 0 0\n";
 
-/// One to four edits: a byte changed, cut out, put in, or the tail cut off.
+/// Applies one to four edits: changes, removes or inserts a byte, or cuts off the tail.
 std::string mutated(std::string text, std::mt19937_64& random) {
     const std::string likely = "0123456789.eE+-=[]# \n\r\t\0nxinf\xFF";
     for (std::uint64_t edits = 1 + random() % 4; edits > 0 && !text.empty(); --edits) {
@@ -51,7 +51,7 @@ std::string mutated(std::string text, std::mt19937_64& random) {
     return text;
 }
 
-/// The reader takes the file or throws one of its two errors, whose message names the file.
+/// Checks that the reader accepts the file or throws one of its two errors with the name of the file.
 void requireTakenOrRefused(const std::string& original, const std::function<void(const std::string&)>& read) {
     BOOST_TEST_MESSAGE("seed " << kSeed);
     std::mt19937_64 random(kSeed);

@@ -1,4 +1,5 @@
-// The keys of [clearway] about obstacles, and worlds of several files: read as written, written as read.
+// The keys of [clearway] about obstacles, and worlds of several files: what is written reads back equal, and
+// vice versa.
 #include <boost/test/unit_test.hpp>
 #include <stdexcept>
 

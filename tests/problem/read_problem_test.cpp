@@ -55,7 +55,7 @@ Problem read(const std::string& text) {
     return readProblem(folder.write("a.cfg", text));
 }
 
-/// What readProblem says, after the file's name and folder.
+/// The message of readProblem after the file's name and folder.
 std::string refusalOf(const std::string& text) {
     const TemporaryFolder folder;
     const std::string file = folder.write("a.cfg", text);

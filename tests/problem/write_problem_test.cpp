@@ -16,7 +16,7 @@ namespace {
 
 using Quaternion = Eigen::Quaternion<double, Eigen::DontAlign>;
 
-/// A pose that was written as axis and angle is off by a few roundings of numbers up to 2 pi.
+/// The error of a pose that was written as axis and angle: a few roundings of numbers up to 2 pi.
 constexpr double kRotationRounding = 8 * std::numeric_limits<double>::epsilon();
 
 Problem basicProblem(const TemporaryFolder& folder) {

@@ -11,7 +11,7 @@
 namespace clearway::testing {
 namespace {
 
-/// Node 0 over node 1, which holds two leaves and node 2, which holds one leaf more.
+/// Node 0 above node 1, which has two leaves and node 2, which has one leaf.
 FlatTree handMadeTree() {
     FlatTree tree;
     WideNode<8> empty{};
@@ -53,7 +53,7 @@ BOOST_DATA_TEST_CASE(counts_of_a_built_tree_add_up, boost::unit_test::data::make
     BOOST_TEST(leaves == counted.leaves);
     BOOST_TEST(triangles == mesh.triangles.size());
     BOOST_TEST(counted.nodes == tree.nodes<2>().size() + tree.nodes<8>().size());
-    // Each node and leaf but node 0 is the child of one node.
+    // Each node and leaf except node 0 is the child of one node.
     BOOST_TEST(counted.meanChildren * counted.nodes == double(counted.nodes - 1 + counted.leaves),
                boost::test_tools::tolerance(1e-12));
     BOOST_TEST(counted.depth >= (width == 2 ? 8 : 4));

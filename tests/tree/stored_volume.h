@@ -9,8 +9,8 @@ namespace clearway::testing {
 
 using LongVector = Eigen::Matrix<long double, 3, 1>;
 
-/// That of one point of the rectangle: never below the true distance, and equal to it for an orthonormal
-/// frame.
+/// The distance from one point of the rectangle: never below the true distance, and equal to it for an
+/// orthonormal frame.
 inline long double distanceFromRectangle(const LongVector& offset, const LongVector& axis0,
                                          const LongVector& axis1, long double halfLength0,
                                          long double halfLength1) {

@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "clearway/planning/clearance_objectives.h"
+#include "core/text.h"
 #include "planning/objectives/objective_length.h"
 
 namespace clearway::planning {
@@ -68,12 +69,11 @@ constexpr NamedObjective kObjectives[] = {
 
 const NamedObjective& findObjective(const std::string& name) {
     const std::string asked = boost::iequals(name, "min_clearance") ? "max_min_clearance" : name;
-    std::string known;
     for (const NamedObjective& row : kObjectives) {
         if (boost::iequals(row.name, asked)) return row;
-        known += (known.empty() ? "" : ", ") + std::string(row.name);
     }
-    throw std::invalid_argument("unknown objective '" + name + "', expected one of " + known);
+    throw std::invalid_argument("unknown objective '" + name + "', expected one of " +
+                                joined(namesOf(kObjectives)));
 }
 
 /// Nothing as soon as the motions so far cost no less than the best: there may be thousands of paths.

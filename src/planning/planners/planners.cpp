@@ -44,6 +44,7 @@
 #include <type_traits>
 
 #include "core/number.h"
+#include "core/text.h"
 #include "planning/planners/marching_tree.h"
 #include "planning/planners/rising_floor.h"
 
@@ -124,12 +125,6 @@ constexpr ShortName kShortNames[] = {
     {"spars2", "SPARStwo"}, {"aps", "AnytimePathShortening"},
 };
 
-std::string listed(const std::vector<std::string>& names) {
-    std::string all;
-    for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
-    return all.empty() ? "none" : all;
-}
-
 const NamedPlanner& findPlanner(const std::string& name) {
     std::string wanted = name;
     for (const ShortName& row : kShortNames) {
@@ -138,7 +133,7 @@ const NamedPlanner& findPlanner(const std::string& name) {
     for (const NamedPlanner& row : kPlanners) {
         if (boost::iequals(row.name, wanted)) return row;
     }
-    throw std::invalid_argument("unknown planner '" + name + "', expected one of " + listed(plannerNames()));
+    throw std::invalid_argument("unknown planner '" + name + "', expected one of " + joined(plannerNames()));
 }
 
 template <class Value>
@@ -204,7 +199,7 @@ void setParameter(ob::Planner& planner, const std::string& parameter, const std:
         std::vector<std::string> names;
         for (const auto& entry : known) names.push_back(entry.first);
         throw std::invalid_argument("planner " + planner.getName() + " has no parameter '" + parameter +
-                                    "', expected one of " + listed(names));
+                                    "', expected one of " + (names.empty() ? "none" : joined(names)));
     }
     const std::string problem =
         "parameter " + parameter + " of planner " + planner.getName() + " is '" + value + "'";

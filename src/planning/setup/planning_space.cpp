@@ -13,6 +13,7 @@
 #include <stdexcept>
 
 #include "clearway/planning/valid_state_samplers.h"
+#include "core/text.h"
 #include "planning/validity/part_state.h"
 
 namespace clearway::planning {
@@ -87,7 +88,6 @@ PartState fromOmpl(Space kind, const ob::State* state) {
 void setSampler(ob::SpaceInformation& si, const std::string& name,
                 const std::function<void(ob::ValidStateSampler&)>& adjust) {
     if (name.empty()) return;
-    std::string known;
     for (const NamedSampler& row : kSamplers) {
         if (name == row.name) {
             return si.setValidStateSamplerAllocator(
@@ -97,9 +97,9 @@ void setSampler(ob::SpaceInformation& si, const std::string& name,
                     return sampler;
                 });
         }
-        known += (known.empty() ? "" : ", ") + std::string(row.name);
     }
-    throw std::invalid_argument("unknown sampler '" + name + "', expected one of " + known);
+    throw std::invalid_argument("unknown sampler '" + name + "', expected one of " +
+                                joined(namesOf(kSamplers)));
 }
 
 }  // namespace clearway::planning

@@ -6,6 +6,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "core/text.h"
+
 namespace clearway::render {
 
 namespace {
@@ -58,12 +60,11 @@ const std::vector<NamedView>& namedViews() {
 }
 
 const NamedView& viewNamed(const std::string& name) {
-    std::string known = "inside";
     for (const NamedView& view : namedViews()) {
         if (name == view.name) return view;
-        known += std::string(", ") + view.name;
     }
-    throw std::invalid_argument("view is '" + name + "', expected one of " + known);
+    throw std::invalid_argument("view is '" + name + "', expected one of inside, " +
+                                joined(namesOf(namedViews())));
 }
 
 Ray Camera::rayThrough(float x, float y) const {

@@ -4,6 +4,8 @@
 
 #include <cstdint>
 
+#include "core/hash.h"
+
 namespace clearway::scenes {
 
 /// SplitMix64. Source: Steele, Lea, Flood, Fast Splittable Pseudorandom Number Generators, OOPSLA 2014.
@@ -11,12 +13,7 @@ class Random {
   public:
     explicit Random(std::uint64_t seed) : state_(seed) {}
 
-    std::uint64_t next() {
-        std::uint64_t z = state_ += 0x9E3779B97F4A7C15u;
-        z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
-        z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
-        return z ^ (z >> 31);
-    }
+    std::uint64_t next() { return mixed(state_ += kGoldenStep); }
 
     /// A number in [low, high).
     double between(double low, double high) {

@@ -18,9 +18,7 @@ std::string withoutVersion(const std::string& name) {
 }
 
 std::string allNames() {
-    std::string all;
-    for (const NamedScene& scene : namedScenes()) all += (all.empty() ? "" : ", ") + std::string(scene.name);
-    return all;
+    return joined(namesOf(namedScenes()));
 }
 
 /// Three quarters of the poses collide, and the poses stay where the part is in the tunnel.

@@ -5,11 +5,11 @@
 
 #include "clearway/planning/clearance_objectives.h"
 #include "clearway/planning/state_to_pose.h"
-#include "core/thread_clock.h"
 #include "planning/setup/planning_space.h"
 #include "planning/setup/setup.h"
 #include "planning/validity/ompl_messages.h"
 #include "planning/validity/scratch_state.h"
+#include "program/study/thread_clock.h"
 
 namespace clearway::study {
 namespace {

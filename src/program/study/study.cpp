@@ -8,6 +8,7 @@
 #include "clearway/targets.h"
 #include "core/number.h"
 #include "core/replace_file.h"
+#include "core/text.h"
 #include "program/study/call_file.h"
 #include "program/study/claims.h"
 #include "program/study/folder_lock.h"
@@ -24,12 +25,6 @@ namespace {
 
 using Settings = std::vector<std::pair<std::string, std::string>>;
 
-std::string joined(const std::vector<std::string>& words) {
-    std::string all;
-    for (const std::string& word : words) all += (all.empty() ? "" : " ") + word;
-    return all;
-}
-
 /// FNV-1a.
 std::string hashOf(const std::string& text) {
     std::uint64_t hash = 14695981039346656037ull;
@@ -44,9 +39,9 @@ Settings settingsOf(const std::vector<StudyProblem>& problems, const StudyOption
     }
     const CallSampling& sampling = options.sampling;
     Settings settings = {
-        {"planners", joined(planners)},
-        {"general splits", joined(options.generalSplits)},
-        {"leaf splits", joined(options.leafSplits)},
+        {"planners", joined(planners, " ")},
+        {"general splits", joined(options.generalSplits, " ")},
+        {"leaf splits", joined(options.leafSplits, " ")},
         {"seeds", std::to_string(options.seeds)},
         {"seconds", shortNumber(options.seconds)},
         {"sampled blocks", std::to_string(sampling.blocks) + " of " + std::to_string(sampling.callsPerBlock)},
@@ -58,7 +53,7 @@ Settings settingsOf(const std::vector<StudyProblem>& problems, const StudyOption
     };
     std::vector<std::string> names;
     for (const StudyProblem& problem : problems) names.push_back(problem.name);
-    settings.emplace_back("scenes", joined(names));
+    settings.emplace_back("scenes", joined(names, " "));
     for (const StudyProblem& problem : problems) {
         settings.emplace_back("scene " + problem.name, hashOf(problem.fingerprint()));
     }

@@ -7,9 +7,9 @@
 #include <stdexcept>
 
 #include "core/number.h"
-#include "core/thread_clock.h"
 #include "program/study/paired_ratio.h"
 #include "program/study/thesis.h"
+#include "program/study/thread_clock.h"
 
 namespace clearway::study {
 namespace {

@@ -68,7 +68,8 @@ BOOST_AUTO_TEST_CASE(one_triangle_is_fitted_flat_along_an_edge) {
     const CleanMesh mesh = cleanMeshOf({{Vector3(1, 1, 1), Vector3(5, 3, 2), Vector3(2, 4, 7)}});
     const Rss volume = binaryTree(mesh, "frames").nodes[0].volume;
     const Vector3 a = mesh.vertices[0], b = mesh.vertices[1], c = mesh.vertices[2];
-    // The least rectangle about a triangle that has an obtuse or right angle nowhere is twice its area.
+    // For a triangle without an obtuse or right angle, the area of the least rectangle around it is twice its
+    // own area.
     BOOST_TEST(volume.area() == 2 * (b - a).cross(c - a).norm(), boost::test_tools::tolerance(1e-12));
     BOOST_TEST(volume.radius < 1e-14);
 }

@@ -20,7 +20,7 @@ BOOST_AUTO_TEST_CASE(the_general_split_goes_on_to_single_triangles) {
     }
 }
 
-/// Sah and Embree once looked at the whole mesh for each group: 80 s for 300,000 triangles.
+/// Guards against looking at the whole mesh for each group, which took 80 s for 300,000 triangles.
 BOOST_AUTO_TEST_CASE(a_group_costs_no_more_in_a_large_mesh_than_in_a_small_one) {
     std::vector<TriangleIndices> triangles;
     for (std::uint32_t i = 0; i < 300000; ++i) triangles.push_back({i % 60, i % 60 + 1, i % 60 + 2});

@@ -1,4 +1,4 @@
-// Which triangles a general split put on either side of the root.
+// The triangles that a general split puts on the two sides of the root.
 #pragma once
 
 #include <cstdint>

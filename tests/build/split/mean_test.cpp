@@ -18,7 +18,7 @@ BOOST_AUTO_TEST_CASE(the_plane_goes_through_the_mean_not_the_middle_nor_the_medi
                                         smallAt({3, 0, 0}), smallAt({10, 0, 0})});
     BOOST_TEST(
         (rootChildren(buildByMeanSplit, mesh) == std::make_pair(TriangleSet{0, 1, 2, 3}, TriangleSet{4})));
-    // And at 0, 4, 5, 6, 7, 8: mean 5, median 5.5, middle 4. What lies on the plane counts to one side.
+    // And at 0, 4, 5, 6, 7, 8: mean 5, median 5.5, middle 4. A centroid on the plane counts to one side.
     const CleanMesh other = cleanMeshOf({smallAt({0, 0, 0}), smallAt({4, 0, 0}), smallAt({5.5, 0, 0}),
                                          smallAt({6, 0, 0}), smallAt({7, 0, 0}), smallAt({8, 0, 0})});
     BOOST_TEST((rootChildren(buildByMeanSplit, other) ==

@@ -3,7 +3,7 @@
 
 #include <ctime>
 
-namespace clearway {
+namespace clearway::study {
 
 /// Seconds of processor time that the calling thread has used so far.
 inline double threadSeconds() {
@@ -12,4 +12,4 @@ inline double threadSeconds() {
     return static_cast<double>(used.tv_sec) + 1e-9 * static_cast<double>(used.tv_nsec);
 }
 
-}  // namespace clearway
+}  // namespace clearway::study
