@@ -15,7 +15,7 @@
 #include "program/cli/print.h"
 #include "program/cli/study.h"
 #include "program/cli/tree_options.h"
-#include "program/study/benchmark_log.h"
+#include "program/study/benchmark.h"
 
 namespace clearway::cli {
 

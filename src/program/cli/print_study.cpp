@@ -1,14 +1,13 @@
 #include "program/cli/print_study.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdio>
 #include <iostream>
 #include <map>
 #include <tuple>
 
 #include "clearway/build_options.h"
-#include "core/number.h"
-#include "program/study/claims.h"
 
 namespace clearway::cli {
 
@@ -34,26 +33,26 @@ void printTable(const std::string& title, const Lines& lines) {
     }
 }
 
-std::string short3(const std::string& value) {
-    const auto number = parseNumber(value);
-    if (!number) return value.empty() ? "-" : value;
+std::string short3(double number) {
     char text[32];
-    std::snprintf(text, sizeof text, *number >= 1000 ? "%.0f" : "%.3g", *number);
+    std::snprintf(text, sizeof text, number >= 1000 ? "%.0f" : "%.3g", number);
     return text;
 }
 
-std::string percent(const std::string& share) {
-    const auto number = parseNumber(share);
-    return number ? short3(shortNumber(100 * *number)) + " %" : "-";
+std::string short3(const study::Measure& number) {
+    return number ? short3(*number) : "-";
 }
 
-std::string ratioText(const study::TableRow& row) {
-    return short3(row.at("ratio")) + " (" + short3(row.at("low")) + " to " + short3(row.at("high")) + ")";
+std::string percent(const study::Measure& share) {
+    return share ? short3(100 * *share) + " %" : "-";
 }
 
-std::string value(const study::TableRow& row, const std::string& column) {
-    const auto found = row.find(column);
-    return found == row.end() ? "" : found->second;
+std::string countText(const study::Count& count) {
+    return count ? std::to_string(*count) : "";
+}
+
+std::string ratioText(const study::PairedRatio& ratio) {
+    return short3(ratio.median) + " (" + short3(ratio.low) + " to " + short3(ratio.high) + ")";
 }
 
 /// Leaf splits from the fewest leaves to the most.
@@ -68,9 +67,9 @@ void printRuns(const study::StudyResult& result, const std::string& scene, const
                const std::vector<std::string>& head, const Cells& cells) {
     Lines lines = {{"planner", "strategy"}};
     lines[0].insert(lines[0].end(), head.begin(), head.end());
-    for (const study::TableRow& row : result.summary) {
-        if (row.at("scene") != scene || row.at("source") != "runs" || row.at("planner") == "all") continue;
-        lines.push_back({row.at("planner"), value(row, "general_split") + "/" + value(row, "leaf_split")});
+    for (const study::SummaryRow& row : result.summary) {
+        if (row.scene != scene || row.source != "runs" || row.planner == "all") continue;
+        lines.push_back({row.planner, row.generalSplit + "/" + row.leafSplit});
         const std::vector<std::string> more = cells(row);
         lines.back().insert(lines.back().end(), more.begin(), more.end());
     }
@@ -86,14 +85,16 @@ void printAnswers(const study::StudyResult& result, const std::string& scene) {
     printRuns(result, scene, "what planners found (medians), and what they asked about (means of a run)",
               {"solved", "first solution s", "last one s", "cost", "states", "motions", "motion costs",
                "distance queries", "within queries"},
-              [](const study::TableRow& row) {
-                  std::vector<std::string> cells = {value(row, "solved") + " of " + value(row, "runs")};
-                  for (const char* column :
-                       {"first_solution_seconds", "final_solution_seconds", "cost", "state_checks",
-                        "motion_checks", "motion_costs", "distance_queries", "within_queries"}) {
-                      cells.push_back(short3(value(row, column)));
-                  }
-                  return cells;
+              [](const study::SummaryRow& row) -> std::vector<std::string> {
+                  return {countText(row.solved) + " of " + countText(row.runs),
+                          short3(row.firstSolutionSeconds),
+                          short3(row.finalSolutionSeconds),
+                          short3(row.cost),
+                          short3(row.stateChecks),
+                          short3(row.motionChecks),
+                          short3(row.motionCosts),
+                          short3(row.distanceQueries),
+                          short3(row.withinQueries)};
               });
 }
 
@@ -101,37 +102,39 @@ void printWork(const study::StudyResult& result, const std::string& scene) {
     printRuns(
         result, scene, "what answers took",
         {"calls/s", "time in queries", "volumes/query", "triangles/query", "blocks full", "kernels full"},
-        [](const study::TableRow& row) -> std::vector<std::string> {
-            return {short3(value(row, "calls_per_second")), percent(value(row, "query_share")),
-                    short3(value(row, "volume_tests")),     short3(value(row, "triangle_tests")),
-                    percent(value(row, "block_fill")),      percent(value(row, "kernel_fill"))};
+        [](const study::SummaryRow& row) -> std::vector<std::string> {
+            return {short3(row.callsPerSecond), percent(row.queryShare), short3(row.volumeTests),
+                    short3(row.triangleTests),  percent(row.blockFill),  percent(row.kernelFill)};
         });
 }
 
 /// Runs of which times say nothing.
 void printDisturbed(const study::StudyResult& result, const std::string& scene) {
-    double disturbed = 0, runs = 0;
-    for (const study::TableRow& row : result.summary) {
-        if (row.at("scene") != scene || row.at("source") != "runs" || row.at("planner") != "all") continue;
-        disturbed += parseNumber(value(row, "disturbed")).value_or(0);
-        runs += parseNumber(value(row, "runs")).value_or(0);
+    std::uint64_t disturbed = 0, runs = 0;
+    for (const study::SummaryRow& row : result.summary) {
+        if (row.scene != scene || row.source != "runs" || row.planner != "all") continue;
+        disturbed += row.disturbed.value_or(0);
+        runs += row.runs.value_or(0);
     }
     if (disturbed == 0) return;
     std::cout << "\n"
-              << shortNumber(disturbed) << " of " << shortNumber(runs) << " runs of " << scene
+              << disturbed << " of " << runs << " runs of " << scene
               << " had less than 95 % of a processor: the machine was at other work. They are left out of "
                  "ratios of seconds\nto the first solution and in queries.\n";
 }
 
-bool isUsual(const study::TableRow& row) {
-    return row.at("leaf_size") == "4" && row.at("node_width") == "8" && row.at("instructions") == "best";
+const study::Engine kUsual;  ///< but for its splits
+
+bool isUsual(const study::Engine& engine) {
+    return engine.leafSize == kUsual.leafSize && engine.nodeWidth == kUsual.nodeWidth &&
+           engine.instructions == kUsual.instructions;
 }
 
-std::string treeName(const study::TableRow& row) {
-    std::string name = row.at("general_split");
-    if (row.at("leaf_size") != "4") name += ", leaves of " + row.at("leaf_size");
-    if (row.at("node_width") != "8") name += ", width " + row.at("node_width");
-    if (row.at("instructions") != "best") name += ", " + row.at("instructions");
+std::string treeName(const study::Engine& engine) {
+    std::string name = engine.generalSplit;
+    if (engine.leafSize != kUsual.leafSize) name += ", leaves of " + std::to_string(engine.leafSize);
+    if (engine.nodeWidth != kUsual.nodeWidth) name += ", width " + std::to_string(engine.nodeWidth);
+    if (engine.instructions != kUsual.instructions) name += ", " + engine.instructions;
     return name;
 }
 
@@ -148,19 +151,17 @@ void printRatios(const study::StudyResult& result, const std::string& scene, con
     std::map<std::string, std::map<std::string, std::string>> ratios;
     std::map<std::string, std::tuple<std::string, std::string, bool, int, int>> keys;  // of names, to sort by
     std::string baseline;
-    for (const study::TableRow& row : result.statistics) {
-        if (row.at("scene") != scene || row.at("source") != of.source || row.at("measure") != of.measure)
-            continue;
-        if ((row.at("planner") == "all") == of.isByPlanner || (of.isByPlanner && !isUsual(row))) continue;
-        const std::string& split = row.at("leaf_split");
+    for (const study::StatisticRow& row : result.statistics) {
+        if (row.scene != scene || row.source != of.source || row.measure != of.measure) continue;
+        if ((row.planner == "all") == of.isByPlanner || (of.isByPlanner && !isUsual(row))) continue;
+        const std::string& split = row.leafSplit;
         if (std::find(splits.begin(), splits.end(), split) == splits.end()) splits.push_back(split);
-        const std::string name = (of.isByPlanner ? row.at("planner") + ", " : "") + treeName(row);
+        const std::string name = (of.isByPlanner ? row.planner + ", " : "") + treeName(row);
         if (ratios.count(name) == 0) names.push_back(name);
-        keys[name] = {of.isByPlanner ? row.at("planner") : "", row.at("general_split"),
-                      row.at("instructions") != "best", -std::stoi(row.at("node_width")),
-                      std::stoi(row.at("leaf_size"))};
+        keys[name] = {of.isByPlanner ? row.planner : "", row.generalSplit,
+                      row.instructions != kUsual.instructions, -row.nodeWidth, row.leafSize};
         ratios[name][split] = ratioText(row);
-        baseline = row.at("baseline");
+        baseline = row.baseline;
     }
     std::sort(splits.begin(), splits.end(),
               [](const auto& a, const auto& b) { return placeOf(a) < placeOf(b); });
@@ -189,34 +190,36 @@ constexpr Ratios kRatios[] = {
 };
 
 /// Ours, then the thesis's in brackets.
-std::string beside(const study::TableRow& row, const std::string& measure) {
-    const std::string theirs = value(row, "thesis_" + measure);
-    return short3(value(row, measure)) + (theirs.empty() ? "" : " [" + short3(theirs) + "]");
+std::string beside(double ours, const study::Measure& thesis) {
+    return short3(ours) + (thesis ? " [" + short3(thesis) + "]" : "");
 }
 
 void printTrees(const study::StudyResult& result, const std::string& scene) {
     Lines lines = {{"width", "strategy", "build s", "MB", "leaves of 1", "2", "3", "4", "leaves",
                     "collisions/s", "distances/s"}};
     std::string about, thesis;
-    for (const study::TableRow& row : result.trees) {
-        if (row.at("scene") != scene) continue;
-        lines.push_back({row.at("node_width"), row.at("general_split") + "/" + row.at("leaf_split"),
-                         beside(row, "build_seconds"), beside(row, "megabytes"), row.at("leaves_1"),
-                         row.at("leaves_2"), row.at("leaves_3"), row.at("leaves_4"), beside(row, "leaves"),
-                         beside(row, "collisions_per_second"), beside(row, "distances_per_second")});
-        about = row.at("triangles") + " triangles, " + row.at("colliding") + " of " + row.at("poses") +
-                " poses collide";
-        if (!row.at("thesis_scene").empty()) thesis = "; in brackets the thesis's " + row.at("thesis_scene");
+    for (const study::TreeRow& row : result.trees) {
+        if (row.scene != scene) continue;
+        lines.push_back(
+            {std::to_string(row.nodeWidth), row.generalSplit + "/" + row.leafSplit,
+             beside(row.buildSeconds, row.thesisBuildSeconds), beside(row.megabytes, row.thesisMegabytes),
+             std::to_string(row.leavesOf1), std::to_string(row.leavesOf2), std::to_string(row.leavesOf3),
+             std::to_string(row.leavesOf4), beside(static_cast<double>(row.leaves), row.thesisLeaves),
+             beside(row.collisionsPerSecond, row.thesisCollisions),
+             beside(row.distancesPerSecond, row.thesisDistances)});
+        about = std::to_string(row.triangles) + " triangles, " + std::to_string(row.colliding) + " of " +
+                std::to_string(row.poses) + " poses collide";
+        if (!row.thesisScene.empty()) thesis = "; in brackets the thesis's " + row.thesisScene;
     }
     printTable(scene + ": trees of the environment, " + about + thesis, lines);
 }
 
 void printClaims(const study::StudyResult& result, const std::string& scene) {
     Lines lines = {{"width", "claim", "thesis", "here", "verdict"}};
-    for (const study::TableRow& row : result.claims) {
-        if (row.at("scene") != scene) continue;
-        lines.push_back({row.at("node_width"), row.at("claim"), short3(row.at("thesis_ratio")),
-                         ratioText(row), row.at("verdict")});
+    for (const study::ClaimRow& row : result.claims) {
+        if (row.scene != scene) continue;
+        lines.push_back(
+            {std::to_string(row.nodeWidth), row.claim, short3(row.thesisRatio), ratioText(row), row.verdict});
     }
     printTable(scene + ": the thesis's claims", lines);
 }
@@ -225,9 +228,8 @@ void printClaims(const study::StudyResult& result, const std::string& scene) {
 
 void printStudy(const study::StudyResult& result) {
     std::vector<std::string> scenes;
-    for (const study::TableRow& row : result.trees) {
-        if (std::find(scenes.begin(), scenes.end(), row.at("scene")) == scenes.end())
-            scenes.push_back(row.at("scene"));
+    for (const study::TreeRow& row : result.trees) {
+        if (std::find(scenes.begin(), scenes.end(), row.scene) == scenes.end()) scenes.push_back(row.scene);
     }
     for (const std::string& scene : scenes) {
         printAnswers(result, scene);

@@ -1,5 +1,6 @@
 #include "program/study/benchmark.h"
 
+#include <ompl/base/PlannerStatus.h>
 #include <ompl/tools/benchmark/MachineSpecs.h>
 #include <ompl/util/Time.h>
 
@@ -7,13 +8,15 @@
 #include <cctype>
 #include <chrono>
 #include <filesystem>
+#include <ostream>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 
 #include "core/number.h"
 #include "planning/setup/setup.h"
 #include "planning/validity/ompl_messages.h"
-#include "program/study/benchmark_run.h"
+#include "planning/validity/ompl_version.h"
 
 namespace clearway::study {
 namespace {
@@ -21,13 +24,11 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 using planning::PlanOptions;
-using planning::PlanReport;
-using planning::Setup;
 
-/// One of each kind: two trees, one tree, by density, by projection, a roadmap.
+/// One planner of each kind: two trees, one tree, by density, by projection, a roadmap.
 constexpr const char* kDefaultPlanners[] = {"RRTConnect", "RRT", "EST", "KPIECE1", "PRM"};
 constexpr double kBytesPerMegabyte = 1024.0 * 1024.0;
-constexpr double kMostMegabytes = 1e12;  ///< more than any machine has, less than the type of bytes holds
+constexpr double kMostMegabytes = 1e12;  ///< more than any machine has; in bytes the integer type holds it
 
 double secondsSince(Clock::time_point begin) {
     return std::chrono::duration<double>(Clock::now() - begin).count();
@@ -48,7 +49,7 @@ void requireOptions(const BenchmarkOptions& options) {
     }
 }
 
-/// The log's reader takes the last word of a line for the name.
+/// A name without white space: the log's reader takes the last word of its line.
 std::string experimentName(const Problem& problem) {
     std::string name = problem.name;
     if (name.empty()) name = std::filesystem::path(problem.file).stem().string();
@@ -58,7 +59,7 @@ std::string experimentName(const Problem& problem) {
     return name.empty() ? "NO_NAME" : name;
 }
 
-/// The problem once for each planner, which it then names alone.
+/// A copy of the problem for each planner, which names that planner alone.
 std::vector<Problem> problemsOf(const Problem& problem) {
     std::vector<PlannerChoice> planners = problem.planners;
     if (planners.empty()) {
@@ -86,11 +87,11 @@ void addOnce(std::vector<std::string>& warnings, const std::vector<std::string>&
     }
 }
 
-/// Everything that can be wrong with a planner is, before the first run; and what the log says of it.
+/// Makes the planner once, so that its mistakes show before the first run, and describes it for the log.
 PlannerBenchmark describePlanner(const Problem& problem, const Scene& scene, const BenchmarkOptions& options,
                                  Benchmark& benchmark) {
-    PlanReport report;
-    const Setup setup = planning::prepare(problem, scene, planOptions(options, 0), report);
+    planning::PlanReport report;
+    const planning::Setup setup = planning::prepare(problem, scene, planOptions(options, 0), report);
     addOnce(benchmark.warnings, report.warnings);
     const ompl::base::Planner& planner = *setup.planners[0];
     PlannerBenchmark result;
@@ -133,7 +134,7 @@ Benchmark begin(const Problem& problem, const BenchmarkOptions& options) {
     return benchmark;
 }
 
-/// False when it was stopped.
+/// Returns false when it was stopped.
 bool runAll(const std::vector<Problem>& problems, const Scene& scene, Benchmark& benchmark) {
     const BenchmarkOptions& options = benchmark.options;
     const auto bytesBefore = ompl::machine::getProcessMemoryUsage();
@@ -154,6 +155,85 @@ bool runAll(const std::vector<Problem>& problems, const Scene& scene, Benchmark&
     return true;
 }
 
+/// Replaces the separators: OMPL's script splits values of runs at "; ", values of progress at commas and
+/// semicolons, and settings at line ends.
+std::string without(const std::string& separators, std::string value, char instead) {
+    for (char& c : value) {
+        if (separators.find(c) != std::string::npos) c = instead;
+    }
+    return value;
+}
+
+std::string line(const std::string& value) {
+    return without("\n\r", value, ' ');
+}
+
+/// Writes lines between the marks, each with its end.
+void writeText(const std::string& text, std::ostream& out) {
+    out << "<<<|\n" << text << (text.empty() || text.back() == '\n' ? "" : "\n") << "|>>>\n";
+}
+
+void writeHead(const Benchmark& benchmark, std::ostream& out) {
+    out << "OMPL version " << planning::omplVersion() << "\nExperiment " << benchmark.experiment << "\n"
+        << benchmark.parameters.size() << " experiment properties\n";
+    for (const auto& [name, value] : benchmark.parameters) out << name << " = " << line(value) << "\n";
+    out << "Running on " << (benchmark.host.empty() ? "UNKNOWN" : benchmark.host) << "\nStarting at "
+        << benchmark.started << "\n";
+    writeText(benchmark.setup, out);
+    writeText(benchmark.cpu, out);
+    const BenchmarkOptions& options = benchmark.options;
+    out << options.seed << " is the random seed\n"
+        << options.seconds << " seconds per run\n"
+        << options.megabytes << " MB per run\n"
+        << options.runs << " runs per planner\n"
+        << benchmark.seconds << " seconds spent to collect the data\n1 enum type\nstatus";
+    for (int i = 0; i < static_cast<int>(ompl::base::PlannerStatus::TYPE_COUNT); ++i) {
+        out << "|"
+            << ompl::base::PlannerStatus(static_cast<ompl::base::PlannerStatus::StatusType>(i)).asString();
+    }
+    out << "\n";
+}
+
+/// A run without a value gets an empty one in its place.
+void writeRuns(const PlannerBenchmark& planner, std::ostream& out) {
+    std::set<std::string> names;
+    for (const BenchmarkRun& run : planner.runs) {
+        for (const auto& property : run.properties) names.insert(property.first);
+    }
+    out << names.size() << " properties for each run\n";
+    for (const std::string& name : names) out << name << "\n";
+    out << planner.runs.size() << " runs\n";
+    for (const BenchmarkRun& run : planner.runs) {
+        for (const std::string& name : names) {
+            const auto found = run.properties.find(name);
+            // The script takes "inf" and "nan" for no value, but "-inf" for a word.
+            if (found != run.properties.end() && found->second != "-inf") {
+                out << without(";", line(found->second), ',');
+            }
+            out << "; ";
+        }
+        out << "\n";
+    }
+}
+
+void writeProgress(const PlannerBenchmark& planner, std::ostream& out) {
+    if (planner.progressNames.empty()) return;
+    out << planner.progressNames.size() << " progress properties for each run\n";
+    for (const std::string& name : planner.progressNames) out << name << "\n";
+    out << planner.runs.size() << " runs\n";
+    for (const BenchmarkRun& run : planner.runs) {
+        for (const Properties& moment : run.progress) {
+            for (const std::string& name : planner.progressNames) {
+                const auto found = moment.find(name);
+                if (found != moment.end()) out << without(",;", line(found->second), ' ');
+                out << ",";
+            }
+            out << ";";
+        }
+        out << "\n";
+    }
+}
+
 }  // namespace
 
 Benchmark runBenchmark(const Problem& problem, const Scene& scene, const BenchmarkOptions& options) {
@@ -171,6 +251,18 @@ Benchmark runBenchmark(const Problem& problem, const Scene& scene, const Benchma
     for (const std::string& warning : messages.warnings()) heard.push_back("OMPL: " + warning);
     addOnce(benchmark.warnings, heard);
     return benchmark;
+}
+
+void writeBenchmarkLog(const Benchmark& benchmark, std::ostream& out) {
+    writeHead(benchmark, out);
+    out << benchmark.planners.size() << " planners\n";
+    for (const PlannerBenchmark& planner : benchmark.planners) {
+        out << line(planner.name) << "\n" << planner.settings.size() << " common properties\n";
+        for (const auto& [name, value] : planner.settings) out << name << " = " << line(value) << "\n";
+        writeRuns(planner, out);
+        writeProgress(planner, out);
+        out << ".\n";
+    }
 }
 
 }  // namespace clearway::study

@@ -1,7 +1,9 @@
-// The calls of a planner: the states and motions it asks about, in its order.
+// The calls of a planner: the states and motions it asks about, in its order; their answers; and files of
+// both.
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace clearway::study {
@@ -24,12 +26,33 @@ struct Call {
 /// Consecutive calls.
 using CallBlock = std::vector<Call>;
 
-/// Blocks drawn evenly from all calls of a run, in the run's order. Within a block, a replay begins each query
-/// but the first as warm as the planner did.
+/// Blocks drawn evenly from all calls of a run, in the run's order. Within a block, a replay begins each
+/// query but the first as warm as the planner did.
 struct CallSampling {
     std::size_t blocks = 32;
     std::size_t callsPerBlock = 32;
     std::uint64_t seed = 1;
 };
+
+/// The answer to a call. kUndecided: no invalid pose of the motion was found, but not all of it is certified.
+enum class CallAnswer : char { kNo = 'n', kYes = 'y', kUndecided = 'u' };
+
+using Answers = std::vector<std::vector<CallAnswer>>;  ///< of each block's calls
+
+/// Writes one call a line, its kind and its reals with 17 digits; an empty line ends a block. Removes the
+/// file of answers to the calls that the file held before. Throws std::runtime_error when it cannot be
+/// written.
+void writeCalls(const std::vector<CallBlock>& blocks, const std::string& file);
+
+/// Throws std::runtime_error when the file cannot be read, std::invalid_argument naming the file and the line
+/// that is wrong.
+std::vector<CallBlock> readCalls(const std::string& file);
+
+/// The file of the answers, beside the file of the calls.
+std::string answersFile(const std::string& callsFile);
+
+/// Writes a line for each block, with a character for each call.
+void writeAnswers(const Answers& answers, const std::string& file);
+Answers readAnswers(const std::string& file);
 
 }  // namespace clearway::study

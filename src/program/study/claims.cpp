@@ -4,75 +4,58 @@
 #include <cmath>
 #include <map>
 #include <optional>
-#include <sstream>
-#include <string_view>
-
-#include "core/number.h"
-#include "program/study/paired_ratio.h"
-#include "program/study/thesis.h"
+#include <utility>
 
 namespace clearway::study {
 namespace {
 
 constexpr double kLeastDifference = 1.02;       ///< of speeds, memory and leaves; less is none
 constexpr double kLeastBuildDifference = 1.10;  ///< of build seconds, which are measured once
-constexpr double kAlike = 1.05;  ///< an interval no further off than this tells of no difference
+constexpr double kAlike = 1.05;                 ///< an interval no further off than this shows no difference
 
 struct Trees {
     const char* general;
     const char* leaf;
 };
 
-/// That trees a have more of the measure than trees b; or as much.
+/// Claims that trees a have more of the measure than trees b; or as much.
 struct Claim {
     const char* text;
-    std::string_view measure;
+    TreeMeasure measure;
     Trees a, b;
     bool isEqual = false;
-    /// Where the thesis's own figures say so: in scenes of this family alone, or in all but these.
+    /// The thesis's own figures make the claim for scenes of one family alone, or for all but one family.
     const char* onlyIn = "";
     const char* notIn = "";
 };
 
-constexpr std::string_view kDistances = "distances_per_second";
-constexpr std::string_view kCollisions = "collisions_per_second";
-constexpr std::string_view kBuildSeconds = "build_seconds";
+constexpr TreeMeasure kDistances = TreeMeasure::kDistancesPerSecond;
+constexpr TreeMeasure kCollisions = TreeMeasure::kCollisionsPerSecond;
+constexpr TreeMeasure kBuildSeconds = TreeMeasure::kBuildSeconds;
+constexpr TreeMeasure kMegabytes = TreeMeasure::kMegabytes;
+constexpr TreeMeasure kLeaves = TreeMeasure::kLeaves;
 
 constexpr const char* kLargeEnvironment = "large-environment";
 
+constexpr Trees kMeanChain = {"mean", "chain"}, kChain = {"axis", "chain"}, kNone = {"axis", "none"},
+                kEdge = {"axis", "edge"}, kAll = {"axis", "all"};
+
 constexpr Claim kClaims[] = {
-    {"AxisSplit answers distances faster than MeanSplit", kDistances, {"axis", "chain"}, {"mean", "chain"}},
-    {"AxisSplit takes longer to build than MeanSplit", kBuildSeconds, {"axis", "chain"}, {"mean", "chain"}},
-    {"MeanSplit takes more memory than AxisSplit", "megabytes", {"mean", "chain"}, {"axis", "chain"}},
-    {"ChainSplit answers distances faster than NoSplit", kDistances, {"axis", "chain"}, {"axis", "none"}},
-    {"ChainSplit answers distances faster than EdgeSplit", kDistances, {"axis", "chain"}, {"axis", "edge"}},
-    {"ChainSplit answers distances faster than AllSplit", kDistances, {"axis", "chain"}, {"axis", "all"}},
-    {"ChainSplit answers collisions as fast as NoSplit",
-     kCollisions,
-     {"axis", "chain"},
-     {"axis", "none"},
-     true,
-     "",
+    {"AxisSplit answers distances faster than MeanSplit", kDistances, kChain, kMeanChain},
+    {"AxisSplit takes longer to build than MeanSplit", kBuildSeconds, kChain, kMeanChain},
+    {"MeanSplit takes more memory than AxisSplit", kMegabytes, kMeanChain, kChain},
+    {"ChainSplit answers distances faster than NoSplit", kDistances, kChain, kNone},
+    {"ChainSplit answers distances faster than EdgeSplit", kDistances, kChain, kEdge},
+    {"ChainSplit answers distances faster than AllSplit", kDistances, kChain, kAll},
+    {"ChainSplit answers collisions as fast as NoSplit", kCollisions, kChain, kNone, true, "",
      kLargeEnvironment},
-    {"ChainSplit answers collisions faster than NoSplit",
-     kCollisions,
-     {"axis", "chain"},
-     {"axis", "none"},
-     false,
+    {"ChainSplit answers collisions faster than NoSplit", kCollisions, kChain, kNone, false,
      kLargeEnvironment},
-    {"EdgeSplit answers collisions as fast as ChainSplit",
-     kCollisions,
-     {"axis", "edge"},
-     {"axis", "chain"},
-     true},
-    {"AllSplit answers collisions as fast as ChainSplit",
-     kCollisions,
-     {"axis", "all"},
-     {"axis", "chain"},
-     true},
-    {"ChainSplit makes more leaves than NoSplit", "leaves", {"axis", "chain"}, {"axis", "none"}},
-    {"EdgeSplit makes more leaves than ChainSplit", "leaves", {"axis", "edge"}, {"axis", "chain"}},
-    {"AllSplit makes more leaves than EdgeSplit", "leaves", {"axis", "all"}, {"axis", "edge"}},
+    {"EdgeSplit answers collisions as fast as ChainSplit", kCollisions, kEdge, kChain, true},
+    {"AllSplit answers collisions as fast as ChainSplit", kCollisions, kAll, kChain, true},
+    {"ChainSplit makes more leaves than NoSplit", kLeaves, kChain, kNone},
+    {"EdgeSplit makes more leaves than ChainSplit", kLeaves, kEdge, kChain},
+    {"AllSplit makes more leaves than EdgeSplit", kLeaves, kAll, kEdge},
 };
 
 bool isAbout(const Claim& claim, const std::string& scene) {
@@ -82,31 +65,30 @@ bool isAbout(const Claim& claim, const std::string& scene) {
     return (*claim.onlyIn == 0 || isOf(claim.onlyIn)) && !isOf(claim.notIn);
 }
 
-std::vector<double> numbersIn(const std::string& text) {
-    std::istringstream in(text);
-    std::vector<double> numbers;
-    for (std::string word; in >> word;) numbers.push_back(parseNumber(word).value_or(0));
-    return numbers;
+/// The measure of a row; for rates, the seconds that each block of poses takes.
+std::vector<double> valuesOf(const TreeRow& row, TreeMeasure measure) {
+    switch (measure) {
+        case kDistances:
+            return row.distancesBlockSeconds;
+        case kCollisions:
+            return row.collisionsBlockSeconds;
+        case kBuildSeconds:
+            return {row.buildSeconds};
+        case kMegabytes:
+            return {row.megabytes};
+        case kLeaves:
+            break;
+    }
+    return {static_cast<double>(row.leaves)};
 }
 
-bool isRate(const Claim& claim) {
-    return claim.measure == kDistances || claim.measure == kCollisions;
-}
-
-/// a's measure over b's, where b's blocks of poses take longer by that ratio.
-PairedRatio ratioOf(const Claim& claim, const TableRow& a, const TableRow& b) {
+/// a's measure over b's. For rates, blocks of poses take b longer by that ratio.
+PairedRatio ratioOf(const Claim& claim, const TreeRow& a, const TreeRow& b) {
+    std::vector<double> over = valuesOf(a, claim.measure), under = valuesOf(b, claim.measure);
+    if (claim.measure == kDistances || claim.measure == kCollisions) std::swap(over, under);
     std::vector<std::vector<double>> ratios;
-    if (isRate(claim)) {
-        const std::string column =
-            claim.measure == kDistances ? "distances_block_seconds" : "collisions_block_seconds";
-        const std::vector<double> ofA = numbersIn(a.at(column)), ofB = numbersIn(b.at(column));
-        for (std::size_t i = 0; i < ofA.size() && i < ofB.size(); ++i) {
-            if (ofA[i] > 0 && ofB[i] > 0) ratios.push_back({ofB[i] / ofA[i]});
-        }
-    } else {
-        const double ofA = parseNumber(a.at(std::string(claim.measure))).value_or(0),
-                     ofB = parseNumber(b.at(std::string(claim.measure))).value_or(0);
-        if (ofB > 0) ratios.push_back({ofA / ofB});
+    for (std::size_t i = 0; i < over.size() && i < under.size(); ++i) {
+        if (over[i] > 0 && under[i] > 0) ratios.push_back({over[i] / under[i]});
     }
     return pairedRatio(ratios);
 }
@@ -121,12 +103,12 @@ std::string verdictOn(const Claim& claim, const PairedRatio& ratio) {
     return claim.isEqual ? "holds" : "no difference";
 }
 
-std::optional<double> thesisRatio(const Claim& claim, const std::string& scene) {
+Measure thesisRatio(const Claim& claim, const std::string& scene) {
     const ThesisScene* thesis = thesisSceneOf(scene);
     if (thesis == nullptr) return std::nullopt;
-    const auto a = thesisValue(*thesis, std::string(claim.measure), claim.a.general, claim.a.leaf);
-    const auto b = thesisValue(*thesis, std::string(claim.measure), claim.b.general, claim.b.leaf);
-    return a && b ? std::optional<double>(*a / *b) : std::nullopt;
+    const Measure a = thesisValue(*thesis, claim.measure, claim.a.general, claim.a.leaf);
+    const Measure b = thesisValue(*thesis, claim.measure, claim.b.general, claim.b.leaf);
+    return a && b ? Measure(*a / *b) : std::nullopt;
 }
 
 std::string percentOff(double ratio) {
@@ -136,43 +118,44 @@ std::string percentOff(double ratio) {
 }  // namespace
 
 std::string claimRule() {
-    return "Claims: a ratio is the median over 20 blocks of poses (of build seconds, memory and leaves the "
-           "one "
-           "value). The first has\nmore, or less, when the whole 95 % interval says so and the ratio is at "
+    return "Claims: a ratio is the median over 20 blocks of poses; of build seconds, memory and leaves, it "
+           "is the one "
+           "value.\nThe first has more, or less, when the whole 95 % interval says so and the ratio is at "
            "least " +
            percentOff(kLeastDifference) + " off (build seconds " + percentOff(kLeastBuildDifference) +
-           "). There is no\ndifference when the interval reaches no further than " + percentOff(kAlike) +
-           " (build seconds " + percentOff(kLeastBuildDifference) + "). Else it is undecided.";
+           ").\nThere is no difference when the interval reaches no further than " + percentOff(kAlike) +
+           " (build seconds " + percentOff(kLeastBuildDifference) + "). Otherwise the claim is undecided.";
 }
 
-std::vector<std::string> claimColumns() {
-    return {"scene", "node_width", "claim", "thesis_ratio", "ratio", "low", "high", "verdict"};
+Columns<ClaimRow> claimColumns() {
+    using Row = ClaimRow;
+    return {{"scene", &Row::scene},  {"node_width", &Row::nodeWidth},
+            {"claim", &Row::claim},  {"thesis_ratio", &Row::thesisRatio},
+            {"ratio", &Row::median}, {"low", &Row::low},
+            {"high", &Row::high},    {"verdict", &Row::verdict}};
 }
 
-std::vector<TableRow> judgeClaims(const std::vector<TableRow>& trees) {
+std::vector<ClaimRow> judgeClaims(const std::vector<TreeRow>& trees) {
     // by scene and width, then by both splits
-    std::map<std::pair<std::string, std::string>, std::map<std::string, const TableRow*>> byEngine;
-    for (const TableRow& row : trees) {
-        byEngine[{row.at("scene"), row.at("node_width")}]
-                [row.at("general_split") + "/" + row.at("leaf_split")] = &row;
+    std::map<std::pair<std::string, int>, std::map<std::string, const TreeRow*>> byEngine;
+    for (const TreeRow& row : trees) {
+        byEngine[{row.scene, row.nodeWidth}][row.generalSplit + "/" + row.leafSplit] = &row;
     }
-    std::vector<TableRow> verdicts;
+    std::vector<ClaimRow> verdicts;
     for (const auto& [engine, rows] : byEngine) {
         for (const Claim& claim : kClaims) {
             if (!isAbout(claim, engine.first)) continue;
             const auto a = rows.find(std::string(claim.a.general) + "/" + claim.a.leaf);
             const auto b = rows.find(std::string(claim.b.general) + "/" + claim.b.leaf);
             if (a == rows.end() || b == rows.end()) continue;
-            const PairedRatio ratio = ratioOf(claim, *a->second, *b->second);
-            const auto thesis = thesisRatio(claim, engine.first);
-            verdicts.push_back({{"scene", engine.first},
-                                {"node_width", engine.second},
-                                {"claim", claim.text},
-                                {"thesis_ratio", thesis ? shortNumber(*thesis) : ""},
-                                {"ratio", shortNumber(ratio.median)},
-                                {"low", shortNumber(ratio.low)},
-                                {"high", shortNumber(ratio.high)},
-                                {"verdict", verdictOn(claim, ratio)}});
+            ClaimRow row;
+            static_cast<PairedRatio&>(row) = ratioOf(claim, *a->second, *b->second);
+            row.scene = engine.first;
+            row.nodeWidth = engine.second;
+            row.claim = claim.text;
+            row.thesisRatio = thesisRatio(claim, engine.first);
+            row.verdict = verdictOn(claim, row);
+            verdicts.push_back(row);
         }
     }
     return verdicts;

@@ -4,20 +4,28 @@
 #include <string>
 #include <vector>
 
-#include "program/study/growing_table.h"
+#include "program/study/statistics.h"
+#include "program/study/table.h"
+#include "program/study/tree_tables.h"
 
 namespace clearway::study {
 
-/// By which claims are judged, for people to read.
+/// The rule by which claims are judged, for people to read.
 std::string claimRule();
 
-/// scene, node_width, claim, thesis_ratio (empty where the thesis has no such scene), ratio, low, high,
-/// verdict.
-std::vector<std::string> claimColumns();
+/// A row of claims.csv: the ratio of a measure between the claim's two kinds of trees, and the verdict on the
+/// claim. When the claim is that one is faster or more, the verdict is "holds", "no difference", "the
+/// opposite" or "undecided"; when it is that both are alike, "holds", "the first is faster", "the first is
+/// slower" or "undecided".
+struct ClaimRow : PairedRatio {
+    std::string scene;
+    int nodeWidth = 0;
+    std::string claim;
+    Measure thesisRatio;  ///< empty where the thesis has no such scene
+    std::string verdict;
+};
 
-/// trees: rows as measureTrees writes them. Of a claim that one is faster or more the verdict is "holds", "no
-/// difference", "the opposite" or "undecided", of one that both are alike "holds", "the first is faster",
-/// "the first is slower" or "undecided".
-std::vector<TableRow> judgeClaims(const std::vector<TableRow>& trees);
+Columns<ClaimRow> claimColumns();
+std::vector<ClaimRow> judgeClaims(const std::vector<TreeRow>& trees);
 
 }  // namespace clearway::study

@@ -1,52 +1,24 @@
 #include "program/study/planner_runs.h"
 
-#include <chrono>
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <fstream>
+#include <memory>
+#include <ostream>
 #include <set>
 #include <stdexcept>
+#include <tuple>
 
 #include "clearway/planning/planners.h"
 #include "core/replace_file.h"
 #include "planning/validity/ompl_messages.h"
-#include "program/study/benchmark_run.h"
-#include "program/study/call_file.h"
-#include "program/study/time_left.h"
+#include "program/study/benchmark.h"
 
 namespace clearway::study {
 namespace {
 
-struct RunColumn {
-    const char* name;
-    const char* property;  ///< OMPL's name in logs, or the benchmark's own
-};
-
-constexpr RunColumn kRunColumns[] = {
-    {"solved", "solved BOOLEAN"},
-    {"status", "status ENUM"},
-    {"seconds", "time REAL"},
-    {"processor_seconds", "processor time REAL"},  // less than the time: the machine was at other work
-    {"first_solution_seconds", "time to first solution REAL"},
-    {"final_solution_seconds", "time to final solution REAL"},
-    {"cost", "solution cost REAL"},
-    {"length", "solution length REAL"},
-    {"least_clearance", "least clearance REAL"},
-    {"certified", "correct solution strict BOOLEAN"},
-    {"state_checks", "state checks INTEGER"},
-    {"motion_checks", "motion checks INTEGER"},
-    {"motion_costs", "motion costs INTEGER"},
-    {"undecided_motions", "undecided motions INTEGER"},
-    {"distance_queries", "distance queries INTEGER"},
-    {"within_queries", "within queries INTEGER"},
-    {"query_seconds", "query time REAL"},
-    {"query_share", "query share REAL"},
-    {"volume_tests", "volume tests INTEGER"},
-    {"triangle_tests", "triangle tests INTEGER"},
-    {"triangle_lanes", "triangle lanes INTEGER"},
-    {"kernel_pairs", "kernel pairs INTEGER"},
-    {"kernel_lanes", "kernel lanes INTEGER"},
-    {"graph_states", "graph states INTEGER"},
-    {"graph_motions", "graph motions INTEGER"},
-    {"megabytes", "memory REAL"},
-};
+constexpr double kLeastShare = 0.95;  ///< of a processor, for an undisturbed run
 
 struct PlannedRun {
     StudyPlanner planner;
@@ -62,8 +34,8 @@ std::vector<Engine> allEngines(const StudyOptions& options) {
     return engines;
 }
 
-/// Of each seed and planner the strategies follow each other, a later one first with each seed: what changes
-/// in the machine with time then falls on all of them alike.
+/// Runs all strategies back to back for each seed and planner, rotating which goes first, so that slow drifts
+/// of the machine affect them equally.
 std::vector<PlannedRun> schedule(const StudyOptions& options) {
     const std::vector<Engine> engines = allEngines(options);
     std::vector<PlannedRun> runs;
@@ -78,32 +50,27 @@ std::vector<PlannedRun> schedule(const StudyOptions& options) {
     return runs;
 }
 
-TableRow keyOf(const std::string& scene, const PlannedRun& run) {
-    return {{"scene", scene},
-            {"planner", run.planner.name},
-            {"general_split", run.engine.build.generalSplit},
-            {"leaf_split", run.engine.build.leafSplit},
-            {"seed", std::to_string(run.seed)}};
+RunRow rowOf(const std::string& scene, const PlannedRun& run) {
+    RunRow row;
+    static_cast<Engine&>(row) = run.engine;
+    row.scene = scene;
+    row.planner = run.planner.name;
+    row.seed = run.seed;
+    return row;
 }
 
-bool isDone(const GrowingTable& runs, const TableRow& key) {
-    for (const TableRow& row : runs.rows()) {
-        bool isSame = true;
-        for (const auto& [column, value] : key) isSame = isSame && row.at(column) == value;
-        if (isSame) return true;
-    }
-    return false;
+auto keyOf(const RunRow& row) {
+    return std::tie(row.scene, row.planner, row.generalSplit, row.leafSplit, row.seed);
 }
 
 /// Two programs at once, or a hand, may have left a run twice; it would count twice.
-void requireOnce(const GrowingTable& runs) {
-    std::set<std::vector<std::string>> seen;
-    for (const TableRow& row : runs.rows()) {
-        const std::vector<std::string> key = {row.at("scene"), row.at("planner"), row.at("general_split"),
-                                              row.at("leaf_split"), row.at("seed")};
-        if (seen.insert(key).second) continue;
-        throw std::runtime_error(runs.file() + " has the run of " + key[1] + " " + key[2] + "/" + key[3] +
-                                 " seed " + key[4] + " in " + key[0] + " twice, expected once");
+void requireOnce(const GrowingTable<RunRow>& runs) {
+    std::set<std::decay_t<decltype(keyOf(runs.rows().front()))>> seen;
+    for (const RunRow& row : runs.rows()) {
+        if (seen.insert(keyOf(row)).second) continue;
+        throw std::runtime_error(runs.file() + " has the run of " + row.planner + " " + row.name() +
+                                 " seed " + std::to_string(row.seed) + " in " + row.scene +
+                                 " twice, expected once");
     }
 }
 
@@ -123,24 +90,20 @@ Problem problemFor(const Problem& stated, const StudyPlanner& planner) {
 class Runner {
   public:
     Runner(const StudyProblem& problem, const StudyOptions& options, const std::string& folder,
-           GrowingTable& runs)
+           GrowingTable<RunRow>& runs)
         : problem_(problem),
           options_(options),
           folder_(folder),
           runs_(runs),
-          strategies_(allEngines(options).size()) {}
+          scenes_(allEngines(options).size()) {}
 
     bool runAll(const std::vector<PlannedRun>& planned) {
         TimeLeft left(planned.size(), options_.seconds);
-        for (std::size_t i = 0; i < planned.size(); ++i) {
-            if (options_.isStopped && options_.isStopped()) return false;
-            const PlannedRun& run = planned[i];
-            if (options_.tell) {
-                options_.tell(problem_.name + ": run " + std::to_string(left.done() + 1) + " of " +
-                              std::to_string(left.all()) + ", " + run.planner.name + " " +
-                              nameOf(run.engine) + " seed " + std::to_string(run.seed) + ", " + left.text() +
-                              " for its runs");
-            }
+        for (const PlannedRun& run : planned) {
+            if (options_.mustStop()) return false;
+            options_.report(problem_.name + ": run " + std::to_string(left.done() + 1) + " of " +
+                            std::to_string(left.all()) + ", " + run.planner.name + " " + run.engine.name() +
+                            " seed " + std::to_string(run.seed) + ", " + left.text() + " for its runs");
             if (!runOnce(run)) return false;
             left.step();
         }
@@ -149,7 +112,6 @@ class Runner {
 
   private:
     const Scene& sceneOf(const PlannedRun& run) {
-        if (scenes_.empty()) scenes_.resize(strategies_);
         auto& scene = scenes_[run.strategy];
         if (!scene) scene = std::make_unique<Scene>(buildScene(problem_, run.engine, options_.cache));
         return *scene;
@@ -166,56 +128,92 @@ class Runner {
         limits.bytes = static_cast<unsigned long long>(options_.megabytes * 1024 * 1024);
         limits.simplify = false;
         limits.isStopped = options_.isStopped;
-        limits.trace = options_.sampling;
-        limits.trace->seed = static_cast<std::uint64_t>(planned.seed);
+        limits.sampling = options_.sampling;
+        limits.sampling->seed = static_cast<std::uint64_t>(planned.seed);
         const planning::OmplMessages unheard;
         std::vector<std::string> warnings;
         const auto run = study::runOnce(problemFor(problem_.problem, planned.planner), sceneOf(planned),
                                         options, limits, warnings);
-        if (options_.tell) {
-            for (const std::string& warning : warnings) options_.tell("warning: " + warning);
-        }
+        for (const std::string& warning : warnings) options_.report("warning: " + warning);
         if (!run) return false;
         keep(planned, *run);
         return true;
     }
 
-    /// The sample goes first: a run in the table has its sample.
+    /// Writes the sample first: a run in the table has its sample.
     void keep(const PlannedRun& planned, const BenchmarkRun& run) {
-        if (planned.strategy == static_cast<std::size_t>(planned.seed - 1) % strategies_) {
+        if (planned.strategy == static_cast<std::size_t>(planned.seed - 1) % scenes_.size()) {
             writeCalls(run.calls, callsFile(folder_, problem_.name, planned.planner.name, planned.seed));
         }
-        TableRow row = keyOf(problem_.name, planned);
-        for (const RunColumn& column : kRunColumns) {
-            const auto found = run.properties.find(column.property);
-            if (found != run.properties.end()) row[column.name] = found->second;
-        }
+        RunRow row = rowOf(problem_.name, planned);
+        static_cast<RunMeasures&>(row) = run.measures;
         runs_.append({row});
     }
 
     const StudyProblem& problem_;
     const StudyOptions& options_;
     std::string folder_;
-    GrowingTable& runs_;
-    std::size_t strategies_;
-    std::vector<std::unique_ptr<Scene>> scenes_;  ///< of each strategy, when it was needed
+    GrowingTable<RunRow>& runs_;
+    std::vector<std::unique_ptr<Scene>> scenes_;  ///< of each strategy, built when first needed
 };
+
+/// Local date and time as OMPL's logs have them: 2026-01-31T12:00:00.
+std::string timeNow() {
+    const std::time_t now = std::time(nullptr);
+    std::tm local = {};
+    localtime_r(&now, &local);
+    char text[32];
+    std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%S", &local);
+    return text;
+}
+
+Benchmark experiment(const StudyProblem& problem, const StudyOptions& options, const Engine& engine) {
+    Benchmark benchmark;
+    benchmark.experiment = problem.name;
+    benchmark.parameters = {{"general_split VARCHAR", engine.generalSplit},
+                            {"leaf_split VARCHAR", engine.leafSplit},
+                            {"leaf_size INTEGER", std::to_string(engine.leafSize)}};
+    benchmark.cpu = processorName();
+    benchmark.started = timeNow();
+    benchmark.setup = "Problem: " + problem.problem.file + "\n";
+    benchmark.options.seconds = options.seconds;
+    benchmark.options.megabytes = options.megabytes;
+    benchmark.options.runs = options.seeds;
+    benchmark.isComplete = true;
+    return benchmark;
+}
 
 }  // namespace
 
-std::vector<std::string> runColumns() {
-    std::vector<std::string> columns = {"scene", "planner", "general_split", "leaf_split", "seed"};
-    for (const RunColumn& column : kRunColumns) columns.push_back(column.name);
-    return columns;
+double RunRow::calls() const {
+    double sum = 0;
+    for (const Count& count : {stateChecks, motionChecks, motionCosts})
+        sum += static_cast<double>(count.value_or(0));
+    return sum;
 }
 
-Properties propertiesOf(const TableRow& run) {
-    Properties properties = {{"seed INTEGER", run.at("seed")}};
-    for (const RunColumn& column : kRunColumns) {
-        const std::string& value = run.at(column.name);
-        if (!value.empty()) properties[column.property] = value;
+Measure RunRow::firstSolution() const {
+    return isSolved == 1u ? firstSolutionSeconds : std::nullopt;
+}
+
+Measure RunRow::finiteCost() const {
+    return isSolved == 1u && cost && std::isfinite(*cost) ? cost : std::nullopt;
+}
+
+bool RunRow::wasDisturbed() const {
+    return processorSeconds && seconds && *processorSeconds < kLeastShare * *seconds;
+}
+
+Columns<RunRow> runColumns() {
+    Columns<RunRow> columns = {{"scene", &RunRow::scene},
+                               {"planner", &RunRow::planner},
+                               {"general_split", &RunRow::generalSplit},
+                               {"leaf_split", &RunRow::leafSplit},
+                               {"seed", &RunRow::seed}};
+    for (const RunProperty& each : runProperties()) {
+        std::visit([&](auto member) { columns.push_back({each.column, member}); }, each.member);
     }
-    return properties;
+    return columns;
 }
 
 std::string callsFile(const std::string& folder, const std::string& scene, const std::string& planner,
@@ -224,14 +222,51 @@ std::string callsFile(const std::string& folder, const std::string& scene, const
 }
 
 bool runPlanners(const StudyProblem& problem, const StudyOptions& options, const std::string& folder,
-                 GrowingTable& runs) {
+                 GrowingTable<RunRow>& runs) {
     requireOnce(runs);
     makeFolder(folder + "/calls");
     std::vector<PlannedRun> left;
     for (const PlannedRun& run : schedule(options)) {
-        if (!isDone(runs, keyOf(problem.name, run))) left.push_back(run);
+        const RunRow wanted = rowOf(problem.name, run);
+        const bool isDone = std::any_of(runs.rows().begin(), runs.rows().end(),
+                                        [&](const RunRow& row) { return keyOf(row) == keyOf(wanted); });
+        if (!isDone) left.push_back(run);
     }
     return Runner(problem, options, folder, runs).runAll(left);
+}
+
+void writeStudyLogs(const StudyProblem& problem, const StudyOptions& options, const std::vector<RunRow>& runs,
+                    const std::string& folder) {
+    makeFolder(folder + "/logs");
+    for (const Engine& engine : allEngines(options)) {
+        Benchmark benchmark = experiment(problem, options, engine);
+        for (const StudyPlanner& planner : options.planners) {
+            PlannerBenchmark of;
+            of.name = "geometric_" + planner.name;
+            if (!planner.objective.empty()) of.settings["objective"] = planner.objective;
+            for (const RunRow& row : runs) {
+                if (row.scene != problem.name || row.planner != planner.name || !(row == engine)) continue;
+                BenchmarkRun& run = of.runs.emplace_back();
+                run.properties = propertiesOf(row);
+                run.properties["seed INTEGER"] = std::to_string(row.seed);
+                benchmark.seconds += row.seconds.value_or(0);
+            }
+            benchmark.planners.push_back(of);
+        }
+        replaceFile(
+            folder + "/logs/" + problem.name + "_" + engine.generalSplit + "_" + engine.leafSplit + ".log",
+            [&](std::ostream& out) { writeBenchmarkLog(benchmark, out); });
+    }
+}
+
+std::string processorName() {
+    std::ifstream in("/proc/cpuinfo");
+    for (std::string line; std::getline(in, line);) {
+        const std::size_t colon = line.find(": ");
+        if (line.compare(0, 10, "model name") == 0 && colon != std::string::npos)
+            return line.substr(colon + 2);
+    }
+    return "unknown";
 }
 
 }  // namespace clearway::study

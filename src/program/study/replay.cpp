@@ -7,20 +7,16 @@
 #include <stdexcept>
 
 #include "clearway/targets.h"
-#include "core/number.h"
-#include "program/study/call_file.h"
-#include "program/study/paired_ratio.h"
-#include "program/study/planner_runs.h"
-#include "program/study/replayed_blocks.h"
 #include "program/study/replayer.h"
-#include "program/study/time_left.h"
+#include "program/study/statistics.h"
 
 namespace clearway::study {
 namespace {
 
-using planning::QueryTally;
+constexpr double kMostSeconds = 0.1;  ///< for all replayed blocks of a sample
+constexpr std::size_t kLeastBlocks = 4;
 
-/// What one run of a planner recorded, or as much of it as is replayed.
+/// The recorded blocks of one run that are replayed.
 struct Sample {
     std::string planner;
     int seed = 1;
@@ -28,7 +24,7 @@ struct Sample {
     std::vector<std::size_t> places;  ///< of the blocks, among those recorded
     std::string answersFile;
     Answers answers;       ///< of the first engine that was asked
-    std::string answered;  ///< by this one
+    std::string answered;  ///< the name of that engine
 };
 
 struct BuiltEngine {
@@ -37,7 +33,7 @@ struct BuiltEngine {
     std::unique_ptr<Replayer> replayer;
 };
 
-/// Instructions of the engine's choice until it is gone.
+/// Uses an instruction set until its own end, then the best one again.
 class TargetInUse {
   public:
     explicit TargetInUse(const std::string& name) { useTarget(name); }
@@ -51,7 +47,6 @@ std::string placeOf(const Sample& sample, std::size_t block, std::size_t call) {
            " of " + sample.planner + " seed " + std::to_string(sample.seed);
 }
 
-/// As much of a run's sample as is replayed.
 void readBlocks(const std::string& file, std::size_t callsPerBlock, double secondsPerCall, Sample& sample) {
     const std::vector<CallBlock> all = readCalls(file);
     sample.places = replayedBlocks(all.size(), callsPerBlock, secondsPerCall);
@@ -66,7 +61,7 @@ bool areAnswersTo(const std::vector<CallBlock>& blocks, const Answers& answers) 
 class Replay {
   public:
     Replay(const StudyProblem& problem, const StudyOptions& options, const std::string& folder,
-           const std::vector<TableRow>& runs, GrowingTable& table)
+           const std::vector<RunRow>& runs, GrowingTable<ReplayRow>& table)
         : problem_(problem), options_(options), table_(table) {
         for (const StudyPlanner& planner : options.planners) {
             for (int seed = 1; seed <= options.seeds; ++seed) {
@@ -79,7 +74,7 @@ class Replay {
                 sample.answersFile = answersFile(file);
                 if (std::filesystem::exists(sample.answersFile)) {
                     sample.answers = readAnswers(sample.answersFile);
-                    // else they are those of another choice of blocks, and written anew
+                    // else they answer another choice of blocks, and are written anew
                     if (areAnswersTo(sample.blocks, sample.answers)) sample.answered = "an earlier engine";
                 }
                 samples_.push_back(std::move(sample));
@@ -87,19 +82,11 @@ class Replay {
         }
     }
 
-    /// True when the table has all of the group's rows. Fewer, which the program's end cut short, are taken
-    /// away.
+    /// Returns true when the table has all of the group's rows. Removes rows that the program's end cut
+    /// short.
     bool isDone(const EngineGroup& group) {
-        std::vector<TableRow> keys;
-        for (const Engine& engine : group) {
-            keys.push_back(engineRow(engine));
-            keys.back()["scene"] = problem_.name;
-        }
-        const auto isOfGroup = [&](const TableRow& row) {
-            return std::any_of(keys.begin(), keys.end(), [&](const TableRow& key) {
-                return std::all_of(key.begin(), key.end(),
-                                   [&](const auto& wanted) { return row.at(wanted.first) == wanted.second; });
-            });
+        const auto isOfGroup = [&](const ReplayRow& row) {
+            return row.scene == problem_.name && std::find(group.begin(), group.end(), row) != group.end();
         };
         const auto there =
             static_cast<std::size_t>(std::count_if(table_.rows().begin(), table_.rows().end(), isOfGroup));
@@ -112,8 +99,8 @@ class Replay {
 
     bool replay(const EngineGroup& group) {
         if (!prepare(group)) return false;
-        const TargetInUse target(group.front().target);
-        std::vector<TableRow> rows;
+        const TargetInUse target(group.front().instructions);
+        std::vector<ReplayRow> rows;
         for (Sample& sample : samples_) {
             if (!replay(sample, rows)) return false;
         }
@@ -121,23 +108,16 @@ class Replay {
         return true;
     }
 
-    /// So that no more trees are kept than the next group needs.
-    void forget(const EngineGroup& next) {
-        if (!built_.empty() && !shareTrees(built_.front().engine, next.front())) built_.clear();
-    }
-
   private:
-    bool isStopped() const { return options_.isStopped && options_.isStopped(); }
-
-    /// False when it was stopped.
+    /// Builds the engines, unless the group before had the same trees. Returns false when it was stopped.
     bool prepare(const EngineGroup& group) {
-        forget(group);
+        if (!built_.empty() && !built_.front().engine.sharesTreesWith(group.front())) built_.clear();
         if (!built_.empty()) {
             for (std::size_t i = 0; i < group.size(); ++i) built_[i].engine = group[i];
             return true;
         }
         for (const Engine& engine : group) {
-            if (isStopped()) return false;
+            if (options_.mustStop()) return false;
             BuiltEngine made;
             made.engine = engine;
             made.scene = std::make_unique<Scene>(buildScene(problem_, engine, options_.cache));
@@ -147,11 +127,11 @@ class Replay {
         return true;
     }
 
-    /// False when it was stopped.
-    bool replay(Sample& sample, std::vector<TableRow>& rows) {
-        std::vector<std::vector<QueryTally>> tallies;
+    /// Returns false when it was stopped.
+    bool replay(Sample& sample, std::vector<ReplayRow>& rows) {
+        std::vector<std::vector<planning::QueryTally>> tallies;
         for (BuiltEngine& each : built_) {
-            if (isStopped()) return false;
+            if (options_.mustStop()) return false;
             ReplayedCalls replayed = each.replayer->replay(sample.blocks);
             compare(sample, replayed.answers, each.engine);
             tallies.push_back(std::move(replayed.tallies));
@@ -160,19 +140,28 @@ class Replay {
         if (seconds.empty()) return false;
         for (std::size_t i = 0; i < built_.size(); ++i) {
             for (std::size_t block = 0; block < sample.blocks.size(); ++block) {
-                rows.push_back(rowOf(sample, built_[i].engine, block, seconds[i][block], tallies[i][block]));
+                ReplayRow row;
+                static_cast<Engine&>(row) = built_[i].engine;
+                static_cast<Work&>(row) = Work(tallies[i][block]);
+                row.scene = problem_.name;
+                row.planner = sample.planner;
+                row.seed = sample.seed;
+                row.block = sample.places[block];
+                row.calls = sample.blocks[block].size();
+                row.seconds = seconds[i][block];
+                rows.push_back(row);
             }
         }
         return true;
     }
 
-    /// [engine][block]. Empty when it was stopped.
+    /// Returns the seconds as [engine][block]; empty when it was stopped.
     std::vector<std::vector<double>> timeAll(const Sample& sample) {
         const std::size_t engines = built_.size(), blocks = sample.blocks.size();
         std::vector<std::vector<std::vector<double>>> all(engines, std::vector<std::vector<double>>(blocks));
         for (int repetition = 0; repetition < options_.repetitions; ++repetition) {
             for (std::size_t turn = 0; turn < engines; ++turn) {
-                if (isStopped()) return {};
+                if (options_.mustStop()) return {};
                 const std::size_t i = (turn + static_cast<std::size_t>(repetition)) % engines;
                 const std::vector<double> seconds = built_[i].replayer->time(sample.blocks);
                 for (std::size_t block = 0; block < blocks; ++block) all[i][block].push_back(seconds[block]);
@@ -189,7 +178,7 @@ class Replay {
         if (sample.answered.empty()) {
             writeAnswers(answers, sample.answersFile);
             sample.answers = answers;
-            sample.answered = nameOf(engine);
+            sample.answered = engine.name();
             return;
         }
         for (std::size_t block = 0; block < answers.size(); ++block) {
@@ -197,59 +186,44 @@ class Replay {
                 const CallAnswer here = answers[block][call], there = sample.answers.at(block).at(call);
                 if (here == there) continue;
                 const std::string what = placeOf(sample, block, call) + ": " + sample.answered +
-                                         " answers '" + static_cast<char>(there) + "', " + nameOf(engine) +
+                                         " answers '" + static_cast<char>(there) + "', " + engine.name() +
                                          " '" + static_cast<char>(here) + "'";
                 const bool isOpen = here == CallAnswer::kUndecided || there == CallAnswer::kUndecided;
                 if (!isOpen) throw std::logic_error("strategies contradict each other: " + what);
-                if (options_.tell)
-                    options_.tell(problem_.name +
-                                  ": a motion that is undecided with one strategy only: " + what);
+                options_.report(problem_.name +
+                                ": a motion that is undecided with one strategy only: " + what);
             }
         }
     }
 
-    TableRow rowOf(const Sample& sample, const Engine& engine, std::size_t block, double seconds,
-                   const QueryTally& tally) const {
-        TableRow row = engineRow(engine);
-        const auto put = [&](const char* name, std::uint64_t count) { row[name] = std::to_string(count); };
-        row["scene"] = problem_.name;
-        row["planner"] = sample.planner;
-        row["seed"] = std::to_string(sample.seed);
-        put("block", sample.places[block]);
-        put("calls", sample.blocks[block].size());
-        row["seconds"] = shortNumber(seconds);
-        put("distance_queries", tally.distances);
-        put("within_queries", tally.withins);
-        put("volume_tests", tally.work.volumeTests);
-        put("triangle_tests", tally.work.triangleTests);
-        put("triangle_lanes", tally.work.triangleLanes);
-        put("kernel_pairs", tally.work.kernelPairs);
-        put("kernel_lanes", tally.work.kernelLanes);
-        return row;
-    }
-
     const StudyProblem& problem_;
     const StudyOptions& options_;
-    GrowingTable& table_;
+    GrowingTable<ReplayRow>& table_;
     std::vector<Sample> samples_;
     std::vector<BuiltEngine> built_;
 };
 
 }  // namespace
 
-std::vector<std::string> replayColumns() {
-    std::vector<std::string> columns = {"scene"};
-    for (const std::string& column : engineColumns()) columns.push_back(column);
-    for (const char* column :
-         {"planner", "seed", "block", "calls", "seconds", "distance_queries", "within_queries",
-          "volume_tests", "triangle_tests", "triangle_lanes", "kernel_pairs", "kernel_lanes"}) {
-        columns.push_back(column);
-    }
-    return columns;
+Columns<ReplayRow> replayColumns() {
+    const Columns<ReplayRow> scene = {{"scene", &ReplayRow::scene}};
+    const Columns<ReplayRow> rest = {{"planner", &ReplayRow::planner},
+                                     {"seed", &ReplayRow::seed},
+                                     {"block", &ReplayRow::block},
+                                     {"calls", &ReplayRow::calls},
+                                     {"seconds", &ReplayRow::seconds},
+                                     {"distance_queries", &ReplayRow::distanceQueries},
+                                     {"within_queries", &ReplayRow::withinQueries},
+                                     {"volume_tests", &ReplayRow::volumeTests},
+                                     {"triangle_tests", &ReplayRow::triangleTests},
+                                     {"triangle_lanes", &ReplayRow::triangleLanes},
+                                     {"kernel_pairs", &ReplayRow::kernelPairs},
+                                     {"kernel_lanes", &ReplayRow::kernelLanes}};
+    return scene + engineColumns<ReplayRow>() + rest;
 }
 
 bool replayCalls(const StudyProblem& problem, const StudyOptions& options, const std::string& folder,
-                 const std::vector<TableRow>& runs, GrowingTable& replays) {
+                 const std::vector<RunRow>& runs, GrowingTable<ReplayRow>& replays) {
     Replay replay(problem, options, folder, runs, replays);
     std::vector<EngineGroup> groups;
     for (const EngineGroup& group : replayedGroups(options)) {
@@ -257,16 +231,35 @@ bool replayCalls(const StudyProblem& problem, const StudyOptions& options, const
     }
     TimeLeft left(groups.size(), 0);
     for (const EngineGroup& group : groups) {
-        if (options.isStopped && options.isStopped()) return false;
-        if (options.tell) {
-            options.tell(problem.name + ": replay " + std::to_string(left.done() + 1) + " of " +
-                         std::to_string(left.all()) + ", " + nameOf(group.front()) + " and others" +
-                         (left.done() > 0 ? ", " + left.text() + " for its replays" : ""));
-        }
+        if (options.mustStop()) return false;
+        options.report(problem.name + ": replay " + std::to_string(left.done() + 1) + " of " +
+                       std::to_string(left.all()) + ", " + group.front().name() + " and others" +
+                       (left.done() > 0 ? ", " + left.text() + " for its replays" : ""));
         if (!replay.replay(group)) return false;
         left.step();
     }
     return true;
+}
+
+double querySecondsPerCall(const std::vector<RunRow>& runs, const std::string& scene,
+                           const std::string& planner, int seed) {
+    std::vector<double> all;
+    for (const RunRow& run : runs) {
+        if (run.scene != scene || run.planner != planner || run.seed != seed) continue;
+        if (run.calls() > 0) all.push_back(run.querySeconds.value_or(0) / run.calls());
+    }
+    return all.empty() ? 0 : median(std::move(all));
+}
+
+std::vector<std::size_t> replayedBlocks(std::size_t blocks, std::size_t callsPerBlock,
+                                        double secondsPerCall) {
+    const double each = secondsPerCall * static_cast<double>(callsPerBlock);
+    std::size_t count = blocks;
+    if (each * static_cast<double>(blocks) > kMostSeconds)
+        count = std::min(blocks, std::max(kLeastBlocks, static_cast<std::size_t>(kMostSeconds / each)));
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < count; ++i) places.push_back(i * blocks / count);
+    return places;
 }
 
 }  // namespace clearway::study

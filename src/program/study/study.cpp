@@ -2,28 +2,23 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <ostream>
 #include <stdexcept>
 
 #include "clearway/targets.h"
 #include "core/number.h"
 #include "core/replace_file.h"
 #include "core/text.h"
-#include "program/study/call_file.h"
-#include "program/study/claims.h"
-#include "program/study/folder_lock.h"
-#include "program/study/machine.h"
-#include "program/study/planner_runs.h"
-#include "program/study/replay.h"
-#include "program/study/statistics.h"
-#include "program/study/study_logs.h"
-#include "program/study/summary.h"
-#include "program/study/tree_tables.h"
+#include "program/study/replayer.h"
 
 namespace clearway::study {
 namespace {
 
-using Settings = std::vector<std::pair<std::string, std::string>>;
+struct Setting {
+    std::string name, value;
+};
+using Settings = std::vector<Setting>;
+
+const Columns<Setting> kSettingColumns = {{"setting", &Setting::name}, {"value", &Setting::value}};
 
 /// FNV-1a.
 std::string hashOf(const std::string& text) {
@@ -53,31 +48,30 @@ Settings settingsOf(const std::vector<StudyProblem>& problems, const StudyOption
     };
     std::vector<std::string> names;
     for (const StudyProblem& problem : problems) names.push_back(problem.name);
-    settings.emplace_back("scenes", joined(names, " "));
+    settings.push_back({"scenes", joined(names, " ")});
     for (const StudyProblem& problem : problems) {
-        settings.emplace_back("scene " + problem.name, hashOf(problem.fingerprint()));
+        settings.push_back({"scene " + problem.name, hashOf(problem.fingerprint())});
     }
-    for (auto& setting : settings) std::replace(setting.second.begin(), setting.second.end(), ',', ' ');
+    for (auto& [name, value] : settings) std::replace(value.begin(), value.end(), ',', ' ');
     return settings;
 }
 
 void requireSame(const Settings& settings, const std::string& folder) {
-    GrowingTable kept(folder + "/settings.csv", {"setting", "value"});
-    std::vector<TableRow> rows;
-    for (const auto& [name, value] : settings) rows.push_back({{"setting", name}, {"value", value}});
+    GrowingTable<Setting> kept(folder + "/settings.csv", kSettingColumns);
     if (kept.rows().empty()) {
-        kept.append(rows);
+        kept.append(settings);
         return;
     }
     const std::string expected = ", expected another folder or the options that it was begun with";
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        const bool isThere = i < kept.rows().size() && kept.rows()[i].at("setting") == rows[i].at("setting");
-        const std::string before = isThere ? kept.rows()[i].at("value") : "not there";
-        if (before == rows[i].at("value")) continue;
-        throw std::invalid_argument("the study in '" + folder + "' has " + rows[i].at("setting") + " '" +
-                                    before + "', not '" + rows[i].at("value") + "'" + expected);
+    for (std::size_t i = 0; i < settings.size(); ++i) {
+        const auto& [name, value] = settings[i];
+        const bool isThere = i < kept.rows().size() && kept.rows()[i].name == name;
+        const std::string before = isThere ? kept.rows()[i].value : "not there";
+        if (before == value) continue;
+        throw std::invalid_argument("the study in '" + folder + "' has " + name + " '" + before + "', not '" +
+                                    value + "'" + expected);
     }
-    if (kept.rows().size() > rows.size())
+    if (kept.rows().size() > settings.size())
         throw std::invalid_argument("the study in '" + folder + "' has other scenes" + expected);
 }
 
@@ -95,10 +89,10 @@ void requireOptions(const std::vector<StudyProblem>& problems, const StudyOption
     }
 }
 
-constexpr std::size_t kPosesTogether = 25;  ///< that follow each other as they were recorded
+constexpr std::size_t kPosesTogether = 25;  ///< consecutive poses, as they were recorded
 
-/// Those of the problem, or the states of its recorded calls. Of more than are wanted, runs that are evenly
-/// spread.
+/// The poses of the problem, or the states of its recorded calls. When there are more than wanted, stretches
+/// of consecutive poses, evenly spread.
 std::vector<Pose> tablePoses(const StudyProblem& problem, const StudyOptions& options,
                              const std::string& folder) {
     std::vector<Pose> all = problem.replayPoses;
@@ -127,16 +121,14 @@ StudyResult studyLeafStrategies(const std::vector<StudyProblem>& problems, const
     makeFolder(folder);
     const FolderLock lock(folder);
     requireSame(settingsOf(problems, options), folder);
-    GrowingTable runs(folder + "/runs.csv", runColumns());
-    GrowingTable replays(folder + "/replay.csv", replayColumns());
-    GrowingTable trees(folder + "/trees.csv", treeColumns());
+    GrowingTable<RunRow> runs(folder + "/runs.csv", runColumns());
+    GrowingTable<ReplayRow> replays(folder + "/replay.csv", replayColumns());
+    GrowingTable<TreeRow> trees(folder + "/trees.csv", treeColumns());
     StudyResult result;
     for (std::size_t i = 0; i < problems.size(); ++i) {
         const StudyProblem& problem = problems[i];
-        if (options.tell) {
-            options.tell("scene " + std::to_string(i + 1) + " of " + std::to_string(problems.size()) + ", " +
-                         problem.name + ": runs, then replays, then the trees' tables");
-        }
+        options.report("scene " + std::to_string(i + 1) + " of " + std::to_string(problems.size()) + ", " +
+                       problem.name + ": runs, then replays, then the trees' tables");
         if (!runPlanners(problem, options, folder, runs)) return result;
         if (!replayCalls(problem, options, folder, runs.rows(), replays)) return result;
         if (!measureTrees(problem, tablePoses(problem, options, folder), options, trees)) return result;
@@ -146,13 +138,9 @@ StudyResult studyLeafStrategies(const std::vector<StudyProblem>& problems, const
     result.summary = summaryOf(runs.rows(), replays.rows());
     result.trees = trees.rows();
     result.claims = judgeClaims(trees.rows());
-    const auto write = [&](const char* name, const std::vector<std::string>& columns,
-                           const std::vector<TableRow>& rows) {
-        replaceFile(folder + "/" + name, [&](std::ostream& out) { out << tableText(columns, rows); });
-    };
-    write("statistics.csv", statisticsColumns(), result.statistics);
-    write("summary.csv", summaryColumns(), result.summary);
-    write("claims.csv", claimColumns(), result.claims);
+    replaceText(folder + "/statistics.csv", tableText(statisticColumns(), result.statistics));
+    replaceText(folder + "/summary.csv", tableText(summaryColumns(), result.summary));
+    replaceText(folder + "/claims.csv", tableText(claimColumns(), result.claims));
     result.isComplete = true;
     return result;
 }

@@ -6,19 +6,14 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "core/number.h"
-#include "program/study/paired_ratio.h"
-#include "program/study/thesis.h"
+#include "program/study/statistics.h"
 #include "program/study/thread_clock.h"
 
 namespace clearway::study {
 namespace {
 
 constexpr std::size_t kBlocks = 20;
-constexpr std::size_t kLeafSizes = 4;
 constexpr double kBytesPerMegabyte = 1024.0 * 1024.0;
-constexpr const char* kThesisMeasures[] = {"distances_per_second", "collisions_per_second", "build_seconds",
-                                           "megabytes", "leaves"};
 
 std::vector<BuildOptions> measuredTrees() {
     std::vector<BuildOptions> all;
@@ -85,7 +80,7 @@ struct Asked {
     }
 };
 
-/// [block] seconds.
+/// The seconds of each block of poses.
 struct BlockTimes {
     std::vector<double> distances, collisions;
 };
@@ -95,23 +90,21 @@ class Measuring {
     Measuring(const StudyProblem& problem, const std::vector<Pose>& poses, const StudyOptions& options)
         : problem_(problem), poses_(poses), options_(options) {}
 
-    bool run(std::vector<TableRow>& rows) {
+    /// Returns false when it was stopped.
+    bool run(std::vector<TreeRow>& rows) {
         for (const BuildOptions& build : measuredTrees()) {
-            if (isStopped()) return false;
-            if (options_.tell) options_.tell(problem_.name + ": tables, building " + nameOf(build));
+            if (options_.mustStop()) return false;
+            options_.report(problem_.name + ": tables, building " + nameOf(build));
             asked_.push_back(std::make_unique<Asked>(problem_, build));
             compareWithFirst(*asked_.back());
         }
-        if (options_.tell)
-            options_.tell(problem_.name + ": tables, " + std::to_string(poses_.size()) + " poses");
+        options_.report(problem_.name + ": tables, " + std::to_string(poses_.size()) + " poses");
         if (!timeAll()) return false;
         for (std::size_t i = 0; i < asked_.size(); ++i) rows.push_back(rowOf(*asked_[i], times_[i]));
         return true;
     }
 
   private:
-    bool isStopped() const { return options_.isStopped && options_.isStopped(); }
-
     void compareWithFirst(Asked& asked) {
         for (std::size_t i = 0; i < poses_.size(); ++i) {
             const bool touches = asked.touches(poses_[i]);
@@ -134,7 +127,7 @@ class Measuring {
         std::vector<Repeated> distances(engines, Repeated(kBlocks)), collisions = distances;
         for (int repetition = 0; repetition < options_.repetitions; ++repetition) {
             for (std::size_t turn = 0; turn < engines; ++turn) {
-                if (isStopped()) return false;
+                if (options_.mustStop()) return false;
                 const std::size_t i = (turn + static_cast<std::size_t>(repetition)) % engines;
                 timeBlocks([&](const Pose& pose) { asked_[i]->distanceAt(pose); }, distances[i]);
                 timeBlocks([&](const Pose& pose) { asked_[i]->touches(pose); }, collisions[i]);
@@ -162,55 +155,53 @@ class Measuring {
         }
     }
 
-    TableRow rowOf(const Asked& asked, const BlockTimes& times) const {
-        TableRow row = {{"scene", problem_.name},
-                        {"node_width", std::to_string(asked.build.nodeWidth)},
-                        {"fit", asked.build.fit},
-                        {"general_split", asked.build.generalSplit},
-                        {"leaf_split", asked.build.leafSplit},
-                        {"poses", std::to_string(poses_.size())}};
-        double seconds = 0, bytes = 0;
-        std::size_t triangles = 0;
-        std::vector<std::size_t> leaves(kLeafSizes + 1);
+    TreeRow rowOf(const Asked& asked, const BlockTimes& times) const {
+        TreeRow row;
+        row.scene = problem_.name;
+        row.nodeWidth = asked.build.nodeWidth;
+        row.fit = asked.build.fit;
+        row.generalSplit = asked.build.generalSplit;
+        row.leafSplit = asked.build.leafSplit;
+        row.poses = poses_.size();
+        double bytes = 0;
+        std::array<std::uint64_t*, 4> leavesBySize = {&row.leavesOf1, &row.leavesOf2, &row.leavesOf3,
+                                                      &row.leavesOf4};
         for (const Model& model : asked.environment) {
             const BuildReport& report = model.report();
-            seconds += report.seconds;
+            row.buildSeconds += report.seconds;
             bytes += static_cast<double>(report.tree.bytes);
-            triangles += report.triangles;
-            leaves[0] += report.tree.leaves;
-            for (std::size_t size = 1; size <= kLeafSizes && size < report.tree.leavesBySize.size(); ++size) {
-                leaves[size] += report.tree.leavesBySize[size];
+            row.triangles += report.triangles;
+            row.leaves += report.tree.leaves;
+            for (std::size_t i = 0; i < leavesBySize.size() && i + 1 < report.tree.leavesBySize.size(); ++i) {
+                *leavesBySize[i] += report.tree.leavesBySize[i + 1];
             }
         }
-        row["triangles"] = std::to_string(triangles);
-        row["build_seconds"] = shortNumber(seconds);
-        row["megabytes"] = shortNumber(bytes / kBytesPerMegabyte);
-        row["leaves"] = std::to_string(leaves[0]);
-        for (std::size_t size = 1; size <= kLeafSizes; ++size) {
-            row["leaves_" + std::to_string(size)] = std::to_string(leaves[size]);
-        }
-        row["colliding"] = std::to_string(std::count(touching_.begin(), touching_.end(), true));
-        writeTimes("distances", times.distances, row);
-        writeTimes("collisions", times.collisions, row);
-        writeThesis(row);
+        row.megabytes = bytes / kBytesPerMegabyte;
+        row.colliding = static_cast<std::uint64_t>(std::count(touching_.begin(), touching_.end(), true));
+        row.distancesBlockSeconds = times.distances;
+        row.collisionsBlockSeconds = times.collisions;
+        row.distancesPerSecond = rateOf(times.distances);
+        row.collisionsPerSecond = rateOf(times.collisions);
+        addThesis(row);
         return row;
     }
 
-    void writeTimes(const std::string& what, const std::vector<double>& blocks, TableRow& row) const {
-        const double all = std::accumulate(blocks.begin(), blocks.end(), 0.0);
-        row[what + "_per_second"] = shortNumber(static_cast<double>(poses_.size()) / all);
-        std::string& text = row[what + "_block_seconds"];
-        for (const double seconds : blocks) text += (text.empty() ? "" : " ") + shortNumber(seconds);
+    double rateOf(const std::vector<double>& blocks) const {
+        return static_cast<double>(poses_.size()) / std::accumulate(blocks.begin(), blocks.end(), 0.0);
     }
 
-    void writeThesis(TableRow& row) const {
+    void addThesis(TreeRow& row) const {
         const ThesisScene* thesis = thesisSceneOf(problem_.name);
         if (thesis == nullptr) return;
-        row["thesis_scene"] = thesis->name;
-        for (const char* measure : kThesisMeasures) {
-            const auto value = thesisValue(*thesis, measure, row["general_split"], row["leaf_split"]);
-            if (value) row[std::string("thesis_") + measure] = shortNumber(*value);
-        }
+        const auto value = [&](TreeMeasure measure) {
+            return thesisValue(*thesis, measure, row.generalSplit, row.leafSplit);
+        };
+        row.thesisScene = thesis->name;
+        row.thesisDistances = value(TreeMeasure::kDistancesPerSecond);
+        row.thesisCollisions = value(TreeMeasure::kCollisionsPerSecond);
+        row.thesisBuildSeconds = value(TreeMeasure::kBuildSeconds);
+        row.thesisMegabytes = value(TreeMeasure::kMegabytes);
+        row.thesisLeaves = value(TreeMeasure::kLeaves);
     }
 
     const StudyProblem& problem_;
@@ -222,28 +213,106 @@ class Measuring {
     std::vector<BlockTimes> times_;
 };
 
+const std::vector<ThesisScene>& thesisScenes() {
+    using Leaves = std::array<std::array<double, 4>, 4>;
+    static const std::vector<ThesisScene> kScenes = {
+        {"Cembox",
+         "cembox",
+         {563, 595, 578, 528},
+         {3842, 3842, 3842, 3842},
+         {205, 595},
+         {3.72, 6.31},
+         {41, 35},
+         std::nullopt},
+        {"TunnelConsole",
+         "tunnel-console",
+         {335, 358, 339, 283},
+         {2240, 2240, 2200, 2126},
+         {230, 358},
+         {2.42, 4.05},
+         {28, 24},
+         Leaves{{{5469, 25513, 41062, 30180},
+                 {36310, 38221, 35639, 20183},
+                 {88144, 40539, 26613, 12835},
+                 {300401, 0, 0, 0}}}},
+        {"LargeEnvironment",
+         "large-environment",
+         {35.8, 58.3, 37.9, 38.7},
+         {3151, 16223, 16310, 16310},
+         {18, 58},
+         {14.61, 25.97},
+         {150, 128},
+         std::nullopt},
+    };
+    return kScenes;
+}
+
 }  // namespace
 
-std::vector<std::string> treeColumns() {
-    std::vector<std::string> columns = {"scene",      "node_width", "fit",           "general_split",
-                                        "leaf_split", "triangles",  "build_seconds", "megabytes",
-                                        "leaves_1",   "leaves_2",   "leaves_3",      "leaves_4",
-                                        "leaves",     "poses",      "colliding"};
-    columns.insert(columns.end(), {"distances_per_second", "collisions_per_second", "distances_block_seconds",
-                                   "collisions_block_seconds", "thesis_scene"});
-    for (const char* measure : kThesisMeasures) columns.push_back(std::string("thesis_") + measure);
-    return columns;
+const ThesisScene* thesisSceneOf(const std::string& scene) {
+    for (const ThesisScene& each : thesisScenes()) {
+        if (scene.rfind(each.family, 0) == 0) return &each;
+    }
+    return nullptr;
+}
+
+Measure thesisValue(const ThesisScene& scene, TreeMeasure measure, const std::string& generalSplit,
+                    const std::string& leafSplit) {
+    const auto found = std::find(kThesisLeafSplits.begin(), kThesisLeafSplits.end(), leafSplit);
+    if (found == kThesisLeafSplits.end()) return std::nullopt;
+    const auto leaf = static_cast<std::size_t>(found - kThesisLeafSplits.begin());
+    const bool isAxis = generalSplit == "axis", isChain = leafSplit == "chain";
+    if (measure == TreeMeasure::kDistancesPerSecond && isAxis) return scene.distances[leaf];
+    if (measure == TreeMeasure::kCollisionsPerSecond && isAxis) return scene.collisions[leaf];
+    if (measure == TreeMeasure::kLeaves && isAxis && scene.leaves) {
+        const auto& bySize = (*scene.leaves)[leaf];
+        return std::accumulate(bySize.begin(), bySize.end(), 0.0);
+    }
+    if (!isChain || (!isAxis && generalSplit != "mean")) return std::nullopt;
+    if (measure == TreeMeasure::kDistancesPerSecond) return scene.generalDistances[0];
+    if (measure == TreeMeasure::kBuildSeconds) return scene.buildSeconds[isAxis];
+    if (measure == TreeMeasure::kMegabytes) return scene.megabytes[isAxis];
+    return std::nullopt;
+}
+
+Columns<TreeRow> treeColumns() {
+    using Row = TreeRow;
+    return {{"scene", &Row::scene},
+            {"node_width", &Row::nodeWidth},
+            {"fit", &Row::fit},
+            {"general_split", &Row::generalSplit},
+            {"leaf_split", &Row::leafSplit},
+            {"triangles", &Row::triangles},
+            {"build_seconds", &Row::buildSeconds},
+            {"megabytes", &Row::megabytes},
+            {"leaves_1", &Row::leavesOf1},
+            {"leaves_2", &Row::leavesOf2},
+            {"leaves_3", &Row::leavesOf3},
+            {"leaves_4", &Row::leavesOf4},
+            {"leaves", &Row::leaves},
+            {"poses", &Row::poses},
+            {"colliding", &Row::colliding},
+            {"distances_per_second", &Row::distancesPerSecond},
+            {"collisions_per_second", &Row::collisionsPerSecond},
+            {"distances_block_seconds", &Row::distancesBlockSeconds},
+            {"collisions_block_seconds", &Row::collisionsBlockSeconds},
+            {"thesis_scene", &Row::thesisScene},
+            {"thesis_distances_per_second", &Row::thesisDistances},
+            {"thesis_collisions_per_second", &Row::thesisCollisions},
+            {"thesis_build_seconds", &Row::thesisBuildSeconds},
+            {"thesis_megabytes", &Row::thesisMegabytes},
+            {"thesis_leaves", &Row::thesisLeaves}};
 }
 
 bool measureTrees(const StudyProblem& problem, const std::vector<Pose>& poses, const StudyOptions& options,
-                  GrowingTable& trees) {
-    const auto isOfScene = [&](const TableRow& row) { return row.at("scene") == problem.name; };
+                  GrowingTable<TreeRow>& trees) {
+    const auto isOfScene = [&](const TreeRow& row) { return row.scene == problem.name; };
     const auto there = std::count_if(trees.rows().begin(), trees.rows().end(), isOfScene);
     if (static_cast<std::size_t>(there) >= measuredTrees().size()) return true;
     if (there > 0) trees.remove(isOfScene);  // the program's end cut them short
     if (poses.empty())
         throw std::invalid_argument(problem.name + " has no poses to measure at, expected at least one");
-    std::vector<TableRow> rows;
+    std::vector<TreeRow> rows;
     if (!Measuring(problem, poses, options).run(rows)) return false;
     trees.append(rows);
     return true;

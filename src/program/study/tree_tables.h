@@ -1,28 +1,71 @@
 // The thesis's tables 5 to 11 for a scene of ours: what trees of its strategies cost to build, what they look
 // like and how fast they answer, in its engine (nodes of 2 children, volumes fitted by covariance) and in
-// ours.
+// ours; beside what the thesis measured.
+// Source: R. Ytterlid, SIMD Optimized Bounding Volume Hierarchies for Fast Proximity Queries, 2013.
 #pragma once
 
+#include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "program/study/growing_table.h"
-#include "program/study/study_options.h"
-#include "program/study/study_problem.h"
+#include "program/study/experiment.h"
+#include "program/study/table.h"
 
 namespace clearway::study {
 
-/// scene, node_width, fit, general_split, leaf_split; triangles, build_seconds, megabytes, leaves_1 to
-/// leaves_4, leaves; poses, colliding, distances_per_second, collisions_per_second, and the seconds of blocks
-/// of poses, from which claims are judged; then the thesis's values, where it has them. Of the environment,
-/// but for the queries.
-std::vector<std::string> treeColumns();
+/// What the thesis measured: on one Core 2 Duo of 2.66 GHz, 32 bit, with leaves of up to 4 triangles, on
+/// scenes of its own that are not public. Rates are per second, with AxisSplit, by the leaf splits in the
+/// order of kThesisLeafSplits.
+struct ThesisScene {
+    const char* name;
+    const char* family;  ///< scenes here whose names begin so are of its size and kind
+    std::array<double, 4> distances;
+    std::array<double, 4> collisions;
+    /// With ChainSplit, MeanSplit first, then AxisSplit; build and memory are the static model's.
+    std::array<double, 2> generalDistances;
+    std::array<double, 2> buildSeconds;
+    std::array<double, 2> megabytes;
+    /// The leaves of 1, 2, 3 and 4 triangles in the static model with AxisSplit, by leaf split; the thesis
+    /// does not give them for all scenes.
+    std::optional<std::array<std::array<double, 4>, 4>> leaves;
+};
 
-/// Measures the scene unless the table has it. Trees are built by one thread; all are asked at the same poses
-/// in turn, each warm from the pose before; a block's time is the median of the repetitions, the processor's.
-/// poses: the problem's replay poses, or those of recorded calls. False when it was stopped: then the table
-/// is as before. Throws std::logic_error when two engines contradict each other.
+constexpr std::array<const char*, 4> kThesisLeafSplits = {"none", "chain", "edge", "all"};
+
+/// Null for a scene of no family.
+const ThesisScene* thesisSceneOf(const std::string& scene);
+
+enum class TreeMeasure { kDistancesPerSecond, kCollisionsPerSecond, kBuildSeconds, kMegabytes, kLeaves };
+
+/// The thesis's value for trees of a general and a leaf split; empty where the thesis has none.
+Measure thesisValue(const ThesisScene& scene, TreeMeasure measure, const std::string& generalSplit,
+                    const std::string& leafSplit);
+
+/// A row of trees.csv, about the trees of a scene's environment; the queries ask the part's tree, too.
+struct TreeRow {
+    std::string scene;
+    int nodeWidth = 0;
+    std::string fit, generalSplit, leafSplit;
+    std::uint64_t triangles = 0;
+    double buildSeconds = 0, megabytes = 0;
+    std::uint64_t leavesOf1 = 0, leavesOf2 = 0, leavesOf3 = 0, leavesOf4 = 0;  ///< triangles
+    std::uint64_t leaves = 0;
+    std::uint64_t poses = 0, colliding = 0;
+    double distancesPerSecond = 0, collisionsPerSecond = 0;
+    /// The seconds of blocks of poses, from which claims are judged.
+    std::vector<double> distancesBlockSeconds, collisionsBlockSeconds;
+    std::string thesisScene;  ///< empty for a scene of no family
+    Measure thesisDistances, thesisCollisions, thesisBuildSeconds, thesisMegabytes, thesisLeaves;
+};
+
+Columns<TreeRow> treeColumns();
+
+/// Measures the scene unless the table has it. One thread builds the trees. All are asked at the same poses
+/// in turn, each warm from the pose before. A block's time is the median of the repetitions, the processor's.
+/// poses: the problem's replay poses, or those of recorded calls. Returns false when it was stopped: then the
+/// table is as before. Throws std::logic_error when two engines contradict each other.
 bool measureTrees(const StudyProblem& problem, const std::vector<Pose>& poses, const StudyOptions& options,
-                  GrowingTable& trees);
+                  GrowingTable<TreeRow>& trees);
 
 }  // namespace clearway::study

@@ -5,8 +5,6 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "program/study/benchmark_log.h"
-#include "program/study/benchmark_run.h"
 #include "support/benchmark_log_reader.h"
 #include "support/processor_time.h"
 #include "support/window_scene.h"

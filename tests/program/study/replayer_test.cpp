@@ -5,7 +5,7 @@
 
 #include "planning/setup/planning_space.h"
 #include "planning/validity/ompl_messages.h"
-#include "program/study/benchmark_run.h"
+#include "program/study/planner_run.h"
 #include "program/study/recorder.h"
 #include "support/gates_scene.h"
 #include "support/processor_time.h"
@@ -25,7 +25,7 @@ BenchmarkRun runTraced(Problem problem, const Scene& scene, const std::string& p
     RunLimits limits;
     limits.bytes = std::uint64_t(1) << 40;
     limits.simplify = false;
-    limits.trace = CallSampling{};
+    limits.sampling = CallSampling{};
     const planning::OmplMessages unheard;
     std::vector<std::string> warnings;
     return testing::withProcessorTime(seconds, [&](double limit) {

@@ -1,4 +1,4 @@
-#include "program/study/replayed_blocks.h"
+#include "program/study/replay.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -20,15 +20,21 @@ BOOST_AUTO_TEST_CASE(slow_planners_have_fewer_blocks_replayed_evenly_spread) {
     BOOST_TEST(replayedBlocks(0, 32, 10).empty());
 }
 
-TableRow run(const char* planner, int seed, const char* querySeconds) {
-    return {
-        {"scene", "s"},         {"planner", planner},  {"seed", std::to_string(seed)}, {"state_checks", "6"},
-        {"motion_checks", "3"}, {"motion_costs", "1"}, {"query_seconds", querySeconds}};
+RunRow run(const char* planner, int seed, double querySeconds) {
+    RunRow row;
+    row.scene = "s";
+    row.planner = planner;
+    row.seed = seed;
+    row.stateChecks = 6;
+    row.motionChecks = 3;
+    row.motionCosts = 1;
+    row.querySeconds = querySeconds;
+    return row;
 }
 
 BOOST_AUTO_TEST_CASE(a_planner_is_as_slow_as_its_middle_run_with_the_seed) {
-    const std::vector<TableRow> runs = {run("P", 1, "1"), run("P", 1, "2"), run("P", 1, "9"),
-                                        run("P", 2, "50"), run("Q", 1, "70")};
+    const std::vector<RunRow> runs = {run("P", 1, 1), run("P", 1, 2), run("P", 1, 9), run("P", 2, 50),
+                                      run("Q", 1, 70)};
     BOOST_TEST(querySecondsPerCall(runs, "s", "P", 1) == 0.2);
     BOOST_TEST(querySecondsPerCall(runs, "s", "Q", 1) == 7);
     BOOST_TEST(querySecondsPerCall(runs, "other", "P", 1) == 0);

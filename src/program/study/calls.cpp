@@ -1,4 +1,4 @@
-#include "program/study/call_file.h"
+#include "program/study/calls.h"
 
 #include <filesystem>
 #include <ostream>

@@ -1,0 +1,164 @@
+#include "program/study/experiment.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "clearway/targets.h"
+#include "core/number.h"
+#include "planning/setup/planning_reach.h"
+
+namespace clearway::study {
+namespace {
+
+const Engine kBest;
+
+EngineGroup groupOf(const StudyOptions& options, const std::string& generalSplit) {
+    EngineGroup group;
+    for (const std::string& leafSplit : options.leafSplits) {
+        Engine engine;
+        engine.generalSplit = generalSplit;
+        engine.leafSplit = leafSplit;
+        group.push_back(engine);
+    }
+    return group;
+}
+
+template <class Value>
+EngineGroup changed(EngineGroup group, Value Engine::*member, const Value& value) {
+    for (Engine& engine : group) engine.*member = value;
+    return group;
+}
+
+Model build(const Mesh& mesh, const Engine& engine, const std::string& cache,
+            const std::optional<Reach>& reach = std::nullopt) {
+    if (cache.empty()) return Model::build(mesh, engine.build(), reach);
+    return buildCached(mesh, engine.build(), cache, reach).model;
+}
+
+Box boxOf(const ObstacleGroups& obstacles) {
+    Box box = obstacles.ignoredBox;
+    for (const ObstacleGroup& group : obstacles.groups) box.extend(boundingBox(group.mesh));
+    return box;
+}
+
+/// Independent of where the mesh's file lies and how its name was given.
+std::string keyOf(Mesh mesh) {
+    mesh.origin.file.clear();
+    return std::to_string(modelKey(mesh, {}));
+}
+
+template <class Numbers>
+std::string textOf(const Numbers& numbers) {
+    std::string text;
+    for (int i = 0; i < numbers.size(); ++i) text += " " + formatNumber(numbers[i]);
+    return text;
+}
+
+std::string textOf(const PartState& state) {
+    return textOf(state.position) + textOf(state.rotation.coeffs());
+}
+
+std::string durationText(double seconds) {
+    const auto whole = static_cast<long long>(std::ceil(seconds));
+    if (whole < 120) return std::to_string(whole) + " s";
+    const long long minutes = (whole + 59) / 60;
+    if (minutes < 120) return std::to_string(minutes) + " min";
+    return std::to_string(minutes / 60) + " h " + std::to_string(minutes % 60) + " min";
+}
+
+}  // namespace
+
+BuildOptions Engine::build() const {
+    BuildOptions options;
+    options.generalSplit = generalSplit;
+    options.leafSplit = leafSplit;
+    options.leafSize = leafSize;
+    options.nodeWidth = nodeWidth;
+    return options;
+}
+
+std::string Engine::name() const {
+    std::string name = generalSplit + "/" + leafSplit;
+    if (leafSize != kBest.leafSize) name += " leaves of " + std::to_string(leafSize);
+    if (nodeWidth != kBest.nodeWidth) name += " width " + std::to_string(nodeWidth);
+    if (instructions != kBest.instructions) name += " " + instructions;
+    return name;
+}
+
+bool Engine::sharesTreesWith(const Engine& other) const {
+    return std::tie(generalSplit, leafSplit, leafSize, nodeWidth) ==
+           std::tie(other.generalSplit, other.leafSplit, other.leafSize, other.nodeWidth);
+}
+
+bool Engine::operator==(const Engine& other) const {
+    return sharesTreesWith(other) && instructions == other.instructions;
+}
+
+std::vector<EngineGroup> plannedGroups(const StudyOptions& options) {
+    std::vector<EngineGroup> groups;
+    for (const std::string& general : options.generalSplits) groups.push_back(groupOf(options, general));
+    return groups;
+}
+
+std::vector<EngineGroup> replayedGroups(const StudyOptions& options) {
+    std::vector<std::string> others = availableTargets();
+    others.erase(others.begin());  // the best one
+    others.erase(std::remove(others.begin(), others.end(), "scalar"), others.end());
+    std::vector<std::string> varied = options.generalSplits;
+    if (options.isShort) varied = {varied.back()};
+
+    std::vector<EngineGroup> groups;
+    for (const EngineGroup& planned : plannedGroups(options)) {
+        groups.push_back(planned);
+        if (planned[0].generalSplit != varied.back() && options.isShort) continue;
+        for (const std::string& target : others)
+            groups.push_back(changed(planned, &Engine::instructions, target));
+    }
+    groups.push_back(groupOf(options, "mean"));
+    for (const std::string& general : varied) {
+        for (const int size : {8, 16})
+            groups.push_back(changed(groupOf(options, general), &Engine::leafSize, size));
+        groups.push_back(changed(groupOf(options, general), &Engine::nodeWidth, 2));
+    }
+    return groups;
+}
+
+std::string StudyProblem::fingerprint() const {
+    std::string text = keyOf(part);
+    for (const ObstacleGroup& group : obstacles.groups) {
+        text += " " + keyOf(group.mesh) + " " + formatNumber(group.margin) + " " +
+                std::to_string(group.isIgnoredAtStart) + std::to_string(group.isIgnoredAtGoal) +
+                std::to_string(group.solids != nullptr);
+    }
+    for (const PlannerChoice& choice : problem.planners) {
+        for (const NamedTexts* texts : {&choice.parameters, &choice.settings}) {
+            for (const auto& [key, value] : *texts) text += " " + choice.name + "." + key + "=" + value;
+        }
+    }
+    for (const auto& [key, value] : problem.settings) text += " " + key + "=" + value;
+    const Box bounds = boundsOf(problem, boxOf(obstacles));
+    return text + textOf(problem.start) + textOf(problem.goal) + textOf(bounds.min()) + textOf(bounds.max());
+}
+
+Scene buildScene(const StudyProblem& study, const Engine& engine, const std::string& cache) {
+    const Model part = build(study.part, engine, cache);
+    planning::PlanOptions reaching;
+    reaching.objective = "max_min_clearance";
+    const auto reach = planning::planningReach(study.problem, reaching, part, boxOf(study.obstacles));
+    return makeScene(part, study.partSolids, study.obstacles, study.problem.rules,
+                     poseOf(study.problem.start), poseOf(study.problem.goal),
+                     [&](const Mesh& mesh) { return build(mesh, engine, cache, reach); });
+}
+
+TimeLeft::TimeLeft(std::size_t pieces, double mostEach)
+    : pieces_(pieces), mostEach_(mostEach), begin_(std::chrono::steady_clock::now()) {}
+
+std::string TimeLeft::text() const {
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin_;
+    const double each = done_ > 0 ? elapsed.count() / static_cast<double>(done_) : mostEach_;
+    return (done_ > 0 ? "about " : "at most ") + durationText(each * static_cast<double>(pieces_ - done_)) +
+           " left";
+}
+
+}  // namespace clearway::study

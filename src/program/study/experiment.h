@@ -1,0 +1,134 @@
+// What the leaf-strategy study compares: its options, its engines (ways to build and ask trees), and its
+// problems, whose scenes are built again for each engine.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "clearway/build_options.h"
+#include "clearway/obstacle_groups.h"
+#include "clearway/problem.h"
+#include "clearway/scene.h"
+#include "program/study/calls.h"
+#include "program/study/table.h"
+
+namespace clearway::study {
+
+struct StudyPlanner {
+    std::string name;  ///< OMPL's class
+    std::string
+        objective;  ///< one of objectiveNames(); empty: the first path, or the planner's own objective
+};
+
+struct StudyOptions {
+    std::vector<StudyPlanner> planners = {
+        {"RRTConnect", ""}, {"KPIECE1", ""}, {"PRM", ""}, {"RRTstar", ""}, {"BITstar", "max_min_clearance"}};
+    std::vector<std::string> generalSplits = {"axis", "sah"};
+    /// The others are compared with the first.
+    std::vector<std::string> leafSplits = {"none", "chain", "edge", "all"};
+    int seeds = 10;       ///< the seeds 1 to this, for each planner with each strategy
+    double seconds = 20;  ///< for each run
+    double megabytes = 8192;
+    CallSampling sampling;
+    int repetitions = 7;  ///< of each replay
+    /// Replays leaves of other sizes and the other instruction sets with one general split only.
+    bool isShort = false;
+    int tablePoses = 1000;
+    std::string cache;  ///< folder for built trees; empty: none
+
+    std::function<bool()> isStopped;
+    std::function<void(const std::string&)> tell;  ///< takes one line
+
+    bool mustStop() const { return isStopped && isStopped(); }
+    void report(const std::string& line) const {
+        if (tell) tell(line);
+    }
+};
+
+/// How trees are built, and on which instructions they are asked. The defaults are the preset "best" on the
+/// machine's best instructions.
+struct Engine {
+    std::string generalSplit, leafSplit;
+    int leafSize = BuildOptions().leafSize;
+    int nodeWidth = BuildOptions().nodeWidth;
+    std::string instructions = "best";  ///< a name that useTarget takes
+
+    BuildOptions build() const;
+
+    /// The engine, and what differs from the defaults: "sah/chain", "sah/chain leaves of 16 avx2".
+    std::string name() const;
+
+    bool sharesTreesWith(const Engine& other) const;
+    bool operator==(const Engine& other) const;
+};
+
+/// Engines that differ in the leaf split alone; the others are compared with the first.
+using EngineGroup = std::vector<Engine>;
+
+/// The engines that planners are run with, a group for each general split.
+std::vector<EngineGroup> plannedGroups(const StudyOptions& options);
+
+/// The engines that recorded calls are replayed with: the planned ones, MeanSplit, leaves of up to 8 and 16,
+/// the machine's other vector instruction sets, and nodes of two children. Groups that share trees follow
+/// each other.
+std::vector<EngineGroup> replayedGroups(const StudyOptions& options);
+
+struct StudyProblem {
+    std::string name;  ///< names its rows and files: letters, digits, - . and _
+    Problem problem;
+    Mesh part;
+    ObstacleGroups obstacles;
+    std::shared_ptr<const Solids> partSolids;  ///< null unless an obstacle is solid
+    std::vector<Pose> replayPoses;  ///< for the tables of trees; empty: the poses of recorded calls
+
+    /// Tells the problem from any other by its meshes, ends, bounds and margins, and what it says to
+    /// planners.
+    std::string fingerprint() const;
+};
+
+/// Builds the scene as far as planning can need the environment, also with a clearance objective. cache:
+/// folder for built trees; empty: none.
+Scene buildScene(const StudyProblem& problem, const Engine& engine, const std::string& cache);
+
+/// How long the rest of even pieces of work takes, as words.
+class TimeLeft {
+  public:
+    /// mostEach: seconds, reported until the first piece is done.
+    TimeLeft(std::size_t pieces, double mostEach);
+
+    void step() { ++done_; }
+    std::size_t done() const { return done_; }
+    std::size_t all() const { return pieces_; }
+
+    /// "about 12 min left", "at most 3 h 20 min left".
+    std::string text() const;
+
+  private:
+    std::size_t pieces_;
+    double mostEach_;
+    std::size_t done_ = 0;
+    std::chrono::steady_clock::time_point begin_;
+};
+
+/// The columns general_split, leaf_size, node_width, instructions and leaf_split of an engine's rows.
+template <class Row>
+Columns<Row> engineColumns() {
+    return {{"general_split", &Row::generalSplit},
+            {"leaf_size", &Row::leafSize},
+            {"node_width", &Row::nodeWidth},
+            {"instructions", &Row::instructions},
+            {"leaf_split", &Row::leafSplit}};
+}
+
+/// Appends columns to others.
+template <class Row>
+Columns<Row> operator+(Columns<Row> columns, const Columns<Row>& more) {
+    columns.insert(columns.end(), more.begin(), more.end());
+    return columns;
+}
+
+}  // namespace clearway::study

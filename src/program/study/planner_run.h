@@ -1,0 +1,88 @@
+// One run of one planner, with what OMPL's benchmark logs hold of it.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "clearway/problem.h"
+#include "clearway/scene.h"
+#include "planning/setup/plan.h"
+#include "planning/validity/thread_scratch.h"
+#include "program/study/calls.h"
+#include "program/study/table.h"
+
+namespace clearway::study {
+
+/// Texts by the names that OMPL's logs have for them, which end with a type: "time REAL".
+using Properties = std::map<std::string, std::string>;
+
+/// Queries and the work that they did.
+struct Work {
+    Count distanceQueries, withinQueries;
+    Count volumeTests, triangleTests, triangleLanes, kernelPairs, kernelLanes;
+
+    Work() = default;
+    explicit Work(const planning::QueryTally& tally);
+    double queries() const;
+};
+
+struct PathMeasures {
+    Measure cost;  ///< by the problem's objective, if there is one
+    Measure length, leastClearance;
+    Count isCertified;
+};
+
+/// The numbers of a run. Empty: the planner found no path, nothing was recorded, or nothing is certified.
+struct RunMeasures : Work, PathMeasures {
+    Count isSolved, status;
+    Measure seconds, processorSeconds;
+    Measure firstSolutionSeconds, finalSolutionSeconds;
+    Count stateChecks, motionChecks, motionCosts, undecidedMotions;
+    Measure querySeconds;  ///< in the checker, the validator and the objective; see Recorder::seconds()
+    Measure queryShare;    ///< of the seconds
+    Count graphStates, graphMotions;
+    Measure megabytes;
+};
+
+struct RunProperty {
+    const char* column;    ///< its name in the study's tables
+    const char* property;  ///< its name in logs
+    std::variant<Count RunMeasures::*, Measure RunMeasures::*> member;
+};
+
+/// A row for each member of RunMeasures, in the order of the tables' columns.
+const std::vector<RunProperty>& runProperties();
+
+/// The measures that are not empty, as texts for a log.
+Properties propertiesOf(const RunMeasures& measures);
+
+struct BenchmarkRun {
+    RunMeasures measures;
+    Properties properties;             ///< those of the measures, and others that only logs have
+    std::vector<Properties> progress;  ///< in the order of time
+    bool isSolved = false;
+    double length = 0;             ///< of the path, as OMPL's space measures it
+    std::vector<PartState> path;   ///< the last one there was: simplified, if it was; empty unless solved
+    std::vector<CallBlock> calls;  ///< a sample, if one was asked for
+};
+
+struct RunLimits {
+    double seconds = 0;
+    unsigned long long bytes = 0;  ///< of the whole process
+    bool simplify = true;
+    std::function<bool()> isStopped;
+    /// If given, the run counts and times the planner's calls, and samples them.
+    std::optional<CallSampling> sampling = {};
+};
+
+/// Plans the problem, which names one planner, with that planner and the options' seed. Returns nothing when
+/// it was stopped. A planner that throws has status "Crash" and a warning. Throws what prepare() throws.
+std::optional<BenchmarkRun> runOnce(const Problem& problem, const Scene& scene,
+                                    const planning::PlanOptions& options, const RunLimits& limits,
+                                    std::vector<std::string>& warnings);
+
+}  // namespace clearway::study

@@ -1,0 +1,180 @@
+// Tables of typed rows, kept as CSV files: one list of columns both writes and reads them.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "core/lines.h"
+#include "core/number.h"
+
+namespace clearway::study {
+
+using Count = std::optional<std::uint64_t>;  ///< an empty cell where a row has none
+using Measure = std::optional<double>;       ///< an empty cell where a row has none
+
+/// The name of a column and the member of a row that its cells hold.
+template <class Row>
+struct Column {
+    std::string name;
+    std::variant<std::string Row::*, int Row::*, std::uint64_t Row::*, double Row::*, Count Row::*,
+                 Measure Row::*, std::vector<double> Row::*>
+        member;
+};
+
+template <class Row>
+using Columns = std::vector<Column<Row>>;
+
+/// The text of a cell. Doubles have the fewest digits that read back to the same double; the doubles of a
+/// list are separated by spaces.
+template <class Value>
+std::string cellText(const Value& value) {
+    if constexpr (std::is_same_v<Value, std::string>) {
+        return value;
+    } else if constexpr (std::is_same_v<Value, double>) {
+        return shortNumber(value);
+    } else if constexpr (std::is_integral_v<Value>) {
+        return std::to_string(value);
+    } else if constexpr (std::is_same_v<Value, std::vector<double>>) {
+        std::string text;
+        for (const double each : value) text += (text.empty() ? "" : " ") + shortNumber(each);
+        return text;
+    } else {
+        return value ? cellText(*value) : "";
+    }
+}
+
+/// Reads a number, also one that is not finite. Returns false when the text is none.
+bool readNumber(const std::string& text, double& number);
+
+/// Reads a cell. Returns false when the text is no such value.
+template <class Value>
+bool readCell(const std::string& text, Value& value) {
+    if constexpr (std::is_same_v<Value, std::string>) {
+        value = text;
+        return true;
+    } else if constexpr (std::is_same_v<Value, double>) {
+        return readNumber(text, value);
+    } else if constexpr (std::is_integral_v<Value>) {
+        const std::optional<std::int64_t> number = parseInteger(text);
+        value = static_cast<Value>(number.value_or(0));
+        return number && std::to_string(value) == std::to_string(*number);
+    } else if constexpr (std::is_same_v<Value, std::vector<double>>) {
+        const std::vector<std::string_view> all = words(text);
+        value.assign(all.size(), 0);
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            if (!readNumber(std::string(all[i]), value[i])) return false;
+        }
+        return true;
+    } else {
+        return text.empty() || readCell(text, value.emplace());
+    }
+}
+
+using Cells = std::vector<std::string>;  ///< the cells of one line
+
+/// The cells as a line with its end. Cells hold neither commas nor line ends.
+std::string lineOf(const Cells& cells);
+
+template <class Row>
+Cells namesOf(const Columns<Row>& columns) {
+    Cells names;
+    for (const Column<Row>& column : columns) names.push_back(column.name);
+    return names;
+}
+
+template <class Row>
+Cells cellsOf(const Columns<Row>& columns, const Row& row) {
+    Cells cells;
+    for (const Column<Row>& column : columns)
+        cells.push_back(std::visit([&](auto member) { return cellText(row.*member); }, column.member));
+    return cells;
+}
+
+/// The rows as the text of a CSV file, with the columns' names.
+template <class Row>
+std::string tableText(const Columns<Row>& columns, const std::vector<Row>& rows) {
+    std::string text = lineOf(namesOf(columns));
+    for (const Row& row : rows) text += lineOf(cellsOf(columns, row));
+    return text;
+}
+
+/// The lines of a table's file below its head. Makes the file with the head when there is none, and cuts off
+/// a last line without an end, which an end of the program cut short. Throws std::runtime_error, naming the
+/// file, when it can neither be read nor made, or holds other columns.
+std::vector<Cells> openTable(const std::string& file, const Cells& names);
+
+/// Appends the text at once and makes sure that it is on the disk. Throws std::runtime_error when it cannot;
+/// then the file is as it was.
+void appendText(const std::string& file, const std::string& text);
+
+/// Replaces the file as a whole. Throws std::runtime_error when it cannot; then the file is as it was.
+void replaceText(const std::string& file, const std::string& text);
+
+/// Throws std::runtime_error about a cell that readCell refused. row: counted from 0, below the head.
+[[noreturn]] void refuseCell(const std::string& file, std::size_t row, const std::string& column,
+                             const std::string& text);
+
+/// A table that is kept as a file while it grows: appended rows are there after any end of the program.
+template <class Row>
+class GrowingTable {
+  public:
+    /// Reads the rows of the file, or makes it. Throws as openTable does, and when a cell is no such value.
+    GrowingTable(std::string file, Columns<Row> columns)
+        : file_(std::move(file)), columns_(std::move(columns)) {
+        for (const Cells& cells : openTable(file_, namesOf(columns_))) {
+            Row row;
+            for (std::size_t i = 0; i < columns_.size(); ++i) {
+                const bool isRead = std::visit([&](auto member) { return readCell(cells[i], row.*member); },
+                                               columns_[i].member);
+                if (!isRead) refuseCell(file_, rows_.size(), columns_[i].name, cells[i]);
+            }
+            rows_.push_back(std::move(row));
+        }
+    }
+
+    const std::vector<Row>& rows() const { return rows_; }
+    const std::string& file() const { return file_; }
+
+    /// Throws as appendText does. An end of the program in the midst may leave some of the rows in the file.
+    void append(const std::vector<Row>& rows) {
+        std::string text;
+        for (const Row& row : rows) text += lineOf(cellsOf(columns_, row));
+        appendText(file_, text);
+        rows_.insert(rows_.end(), rows.begin(), rows.end());
+    }
+
+    /// Removes rows from the table and from its file. Throws as replaceText does.
+    template <class IsUnwanted>
+    void remove(const IsUnwanted& isUnwanted) {
+        rows_.erase(std::remove_if(rows_.begin(), rows_.end(), isUnwanted), rows_.end());
+        replaceText(file_, tableText(columns_, rows_));
+    }
+
+  private:
+    std::string file_;
+    Columns<Row> columns_;
+    std::vector<Row> rows_;
+};
+
+/// Keeps a second program out of a study's folder until its end, or the program's, however that comes.
+class FolderLock {
+  public:
+    /// Throws std::runtime_error naming the folder when another program holds it. On a file system without
+    /// locks, nobody is kept out.
+    explicit FolderLock(const std::string& folder);
+    ~FolderLock();
+    FolderLock(const FolderLock&) = delete;
+    FolderLock& operator=(const FolderLock&) = delete;
+
+  private:
+    int folder_;
+};
+
+}  // namespace clearway::study
