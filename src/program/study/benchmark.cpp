@@ -10,9 +10,9 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "clearway/planning/ompl_messages.h"
+#include "clearway/planning/plan_setup.h"
 #include "core/number.h"
-#include "planning/setup/setup.h"
-#include "planning/validity/ompl_messages.h"
 #include "program/study/benchmark_run.h"
 
 namespace clearway::study {
@@ -22,7 +22,7 @@ using Clock = std::chrono::steady_clock;
 
 using planning::PlanOptions;
 using planning::PlanReport;
-using planning::Setup;
+using planning::PlanSetup;
 
 /// One of each kind: two trees, one tree, by density, by projection, a roadmap.
 constexpr const char* kDefaultPlanners[] = {"RRTConnect", "RRT", "EST", "KPIECE1", "PRM"};
@@ -90,7 +90,7 @@ void addOnce(std::vector<std::string>& warnings, const std::vector<std::string>&
 PlannerBenchmark describePlanner(const Problem& problem, const Scene& scene, const BenchmarkOptions& options,
                                  Benchmark& benchmark) {
     PlanReport report;
-    const Setup setup = planning::prepare(problem, scene, planOptions(options, 0), report);
+    const PlanSetup setup = planning::makePlanSetup(problem, scene, planOptions(options, 0), report);
     addOnce(benchmark.warnings, report.warnings);
     const ompl::base::Planner& planner = *setup.planners[0];
     PlannerBenchmark result;

@@ -1,17 +1,22 @@
 #include "program/study/benchmark_log.h"
 
 #include <ompl/base/PlannerStatus.h>
+#include <ompl/config.h>
 
 #include <algorithm>
 #include <ostream>
 #include <set>
 
-#include "planning/validity/ompl_version.h"
-
 namespace clearway::study {
 namespace {
 
 namespace ob = ompl::base;
+
+/// "1.5.2". OMPL_VERSION is an empty text in Debian 12.
+std::string omplVersion() {
+    return std::to_string(OMPL_MAJOR_VERSION) + "." + std::to_string(OMPL_MINOR_VERSION) + "." +
+           std::to_string(OMPL_PATCH_VERSION);
+}
 
 /// The script splits values of runs at "; ", of progress at commas and semicolons, of settings at line ends.
 std::string without(const std::string& separators, std::string value, char instead) {
@@ -31,7 +36,7 @@ void writeText(const std::string& text, std::ostream& out) {
 }
 
 void writeHead(const Benchmark& benchmark, std::ostream& out) {
-    out << "OMPL version " << planning::omplVersion() << "\nExperiment " << benchmark.experiment << "\n"
+    out << "OMPL version " << omplVersion() << "\nExperiment " << benchmark.experiment << "\n"
         << benchmark.parameters.size() << " experiment properties\n";
     for (const auto& [name, value] : benchmark.parameters) out << name << " = " << line(value) << "\n";
     out << "Running on " << (benchmark.host.empty() ? "UNKNOWN" : benchmark.host) << "\nStarting at "

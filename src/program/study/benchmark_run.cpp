@@ -8,10 +8,10 @@
 #include <chrono>
 #include <ctime>
 
+#include "clearway/planning/finish.h"
+#include "clearway/planning/plan_setup.h"
+#include "clearway/planning/problem_setup.h"
 #include "core/number.h"
-#include "planning/setup/finish.h"
-#include "planning/setup/planning_space.h"
-#include "planning/setup/setup.h"
 #include "program/study/recorder.h"
 #include "program/study/run_watch.h"
 
@@ -27,7 +27,7 @@ using planning::MotionVerdict;
 using planning::PathAudit;
 using planning::PlanOptions;
 using planning::PlanReport;
-using planning::Setup;
+using planning::PlanSetup;
 
 constexpr double kLeastPeriod = 0.05;  ///< seconds between two looks at a planner's progress
 constexpr double kLooksPerRun = 500;   ///< at most, in the run's time
@@ -100,7 +100,7 @@ class RunEnd {
     std::optional<Clock::time_point> begin_;
 };
 
-ob::PlannerStatus solve(const Setup& setup, const RunLimits& limits, RunEnd& end, Recorder* recorder,
+ob::PlannerStatus solve(const PlanSetup& setup, const RunLimits& limits, RunEnd& end, Recorder* recorder,
                         BenchmarkRun& run, std::vector<std::string>& warnings) {
     ob::Planner& planner = *setup.planners[0];
     const double period = std::max(kLeastPeriod, limits.seconds / kLooksPerRun);
@@ -132,7 +132,7 @@ ob::PlannerStatus solve(const Setup& setup, const RunLimits& limits, RunEnd& end
     return status;
 }
 
-void describeAnswers(const Setup& setup, Properties& properties) {
+void describeAnswers(const PlanSetup& setup, Properties& properties) {
     const auto put = [&](const char* name, std::uint64_t count) { properties[name] = std::to_string(count); };
     CheckCounters checks = setup.truth->counters();
     if (setup.checker != setup.truth) checks = setup.checker->counters();
@@ -148,7 +148,7 @@ void describeAnswers(const Setup& setup, Properties& properties) {
     put("motion queries INTEGER", motions.queries);
 }
 
-void describeGraph(const Setup& setup, Properties& properties) {
+void describeGraph(const PlanSetup& setup, Properties& properties) {
     ob::PlannerData graph(setup.si);
     setup.planners[0]->getPlannerData(graph);
     properties["graph states INTEGER"] = std::to_string(graph.numVertices());
@@ -158,7 +158,7 @@ void describeGraph(const Setup& setup, Properties& properties) {
 
 /// which: "" or "simplified ", before OMPL's names. "correct" and "strict" are told by certifying the path,
 /// where OMPL looks at states.
-void describePath(const Setup& setup, const og::PathGeometric& path, const PathAudit& found,
+void describePath(const PlanSetup& setup, const og::PathGeometric& path, const PathAudit& found,
                   const std::string& which, Properties& properties) {
     properties[which + "solution length REAL"] = shortNumber(path.length());
     properties[which + "solution smoothness REAL"] = shortNumber(path.smoothness());
@@ -174,15 +174,12 @@ void describePath(const Setup& setup, const og::PathGeometric& path, const PathA
     }
 }
 
-void keepPath(const Problem& problem, const og::PathGeometric& path, BenchmarkRun& run) {
+void keepPath(const og::PathGeometric& path, BenchmarkRun& run) {
     run.length = path.length();
-    for (unsigned int i = 0; i < path.getStateCount(); ++i) {
-        run.path.push_back(planning::fromOmpl(problem.space, path.getState(i)));
-    }
+    run.path = planning::partStates(path);
 }
 
-void describeSolution(const Setup& setup, const Problem& problem, const RunLimits& limits,
-                      BenchmarkRun& run) {
+void describeSolution(const PlanSetup& setup, const RunLimits& limits, BenchmarkRun& run) {
     Properties& properties = run.properties;
     properties["approximate solution BOOLEAN"] = flag(setup.definition->hasApproximateSolution());
     properties["solution difference REAL"] = shortNumber(setup.definition->getSolutionDifference());
@@ -194,7 +191,7 @@ void describeSolution(const Setup& setup, const Problem& problem, const RunLimit
         properties["simplification time REAL"] = shortNumber(secondsSince(begin));
         describePath(setup, path, found, "simplified ", properties);
     }
-    if (run.isSolved) keepPath(problem, path, run);
+    if (run.isSolved) keepPath(path, run);
 }
 
 }  // namespace
@@ -205,11 +202,11 @@ std::optional<BenchmarkRun> runOnce(const Problem& problem, const Scene& scene, 
     RunEnd end(limits);
     const auto isOver = [&] { return end.isReached(); };
     std::optional<Recorder> recorder;
-    const auto record = [&](Setup& setup) {
+    const auto record = [&](PlanSetup& setup) {
         if (limits.trace)
             recordInto(recorder.emplace(setup.si->getStateSpace(), *limits.trace), setup, scene, isOver);
     };
-    const Setup setup = planning::prepare(problem, scene, options, settings, isOver, record);
+    const PlanSetup setup = planning::makePlanSetup(problem, scene, options, settings, isOver, record);
     BenchmarkRun run;
     const ob::PlannerStatus status =
         solve(setup, limits, end, recorder ? &*recorder : nullptr, run, warnings);
@@ -225,7 +222,7 @@ std::optional<BenchmarkRun> runOnce(const Problem& problem, const Scene& scene, 
     run.properties["seed INTEGER"] = std::to_string(options.seed);
     describeAnswers(setup, run.properties);
     describeGraph(setup, run.properties);
-    if (setup.definition->hasSolution()) describeSolution(setup, problem, limits, run);
+    if (setup.definition->hasSolution()) describeSolution(setup, limits, run);
     if (isStopped()) return std::nullopt;
     return run;
 }

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "planning/setup/plan.h"
+#include "clearway/planning/plan.h"
 #include "program/study/benchmark.h"
 
 namespace clearway::study {
@@ -20,7 +20,7 @@ struct RunLimits {
 };
 
 /// Plans the problem, which names one planner, with that planner and the options' seed. Nothing when it was
-/// stopped. A planner that throws has status "Crash" and a warning. Throws what prepare() throws.
+/// stopped. A planner that throws has status "Crash" and a warning. Throws what makePlanSetup() throws.
 std::optional<BenchmarkRun> runOnce(const Problem& problem, const Scene& scene,
                                     const planning::PlanOptions& options, const RunLimits& limits,
                                     std::vector<std::string>& warnings);

@@ -4,9 +4,9 @@
 #include <set>
 #include <stdexcept>
 
+#include "clearway/planning/ompl_messages.h"
 #include "clearway/planning/planners.h"
 #include "core/replace_file.h"
-#include "planning/validity/ompl_messages.h"
 #include "program/study/benchmark_run.h"
 #include "program/study/call_file.h"
 #include "program/study/time_left.h"

@@ -1,7 +1,7 @@
 #include "program/study/study_problem.h"
 
+#include "clearway/planning/plan.h"
 #include "core/number.h"
-#include "planning/setup/planning_reach.h"
 
 namespace clearway::study {
 namespace {
