@@ -1,5 +1,5 @@
-// demos/certificate.cpp: what it means that a motion is certified. A cover, 2 mm thin, moves in a space of
-// the size of a car: first through a panel as thin as itself, then past the panel's edge. Millimetres.
+// demos/certificate.cpp: shows what certified motions are. A cover, 2 mm thin, moves in a space of the size of
+// a car: first through a panel as thin as itself, then past the panel's edge. Millimetres.
 #include <clearway/planning/discrete_motion_validator.h>
 #include <clearway/planning/problem_setup.h>
 #include <ompl/base/DiscreteMotionValidator.h>
@@ -46,7 +46,7 @@ void throughThePanel(const ompl::base::SpaceInformationPtr& si, const cp::Motion
                 certified.whyInvalid(blocked.get()).c_str());
 }
 
-/// A motion that is valid: what is known of it between the poses that were looked at.
+/// A valid motion, with its certified clearance between the poses that were looked at.
 void pastTheEdge(const ompl::base::SpaceInformationPtr& si, const cp::MotionValidator& certified) {
     const auto path = cp::pathThrough(si, {at({-150, 601, 0}, -0.35), at({150, 601, 0}, 0.35)});
     const cp::MotionProfile profile = certified.profile(path.getState(0), path.getState(1));

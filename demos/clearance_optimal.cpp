@@ -1,5 +1,5 @@
-// demos/clearance_optimal.cpp PROBLEM.cfg OUT.path: the path that stays farthest from everything. A planner
-// of OMPL's goes on improving one, and how good it is at any time is certified.
+// demos/clearance_optimal.cpp PROBLEM.cfg OUT.path: plans for the path that stays farthest from everything. An
+// optimising planner of OMPL improves the path, whose least clearance is certified at any time.
 #include <clearway/planning/clearance_objectives.h>
 #include <clearway/planning/problem_setup.h>
 #include <clearway/planning/simplify.h>
@@ -28,7 +28,7 @@ int main(int argc, char** argv) try {
     double seconds = 0;
     for (unsigned int total = 0; total < 700; total += 100) {
         ompl::base::IterationTerminationCondition hundred(100);
-        setup.solve(hundred);  // goes on where it stopped
+        setup.solve(hundred);  // continues where it stopped
         seconds += setup.getLastPlanComputationTime();
         std::printf("%10u  %7.2f  ", total + 100, seconds);
         if (setup.haveExactSolutionPath()) {
@@ -43,7 +43,7 @@ int main(int argc, char** argv) try {
 
     ompl::geometric::PathGeometric path = setup.getSolutionPath();
     cp::SimplifyOptions keep;
-    keep.floor = path.cost(objective).value();  // so that shortcuts lose nothing of it
+    keep.floor = path.cost(objective).value();  // so that shortcuts keep it
     const cp::PathAudit audit = cp::simplify(path, cp::motionValidatorOf(si), keep);
     std::printf("shortened by motions that keep it, to a length of %.0f\n", path.length());
     const cp::SegmentAudit& tight = audit.segments[audit.closest];

@@ -1,6 +1,5 @@
-// demos/console.cpp PROBLEM.cfg OUT.path: plans a part's way out of an assembly, with motions that are
-// certified along their whole length, shortens it without letting it come closer, and writes it with an
-// audit.
+// demos/console.cpp PROBLEM.cfg OUT.path: plans a part's way out of an assembly with motions that are certified
+// along their whole length, shortens the path without letting it come closer, writes it and prints its audit.
 #include <clearway/planning/problem_setup.h>
 #include <clearway/planning/simplify.h>
 #include <ompl/geometric/planners/rrt/RRTConnect.h>
@@ -27,7 +26,7 @@ int main(int argc, char** argv) try {
     const clearway::Problem problem = clearway::readProblem(argv[1]);
     const clearway::Scene scene = clearway::loadScene(problem).scene;
     std::printf("part: %zu triangles\n", scene.part.report().triangles);
-    for (const clearway::Obstacle& obstacle : scene.obstacles)  // one for each margin that the problem has
+    for (const clearway::Obstacle& obstacle : scene.obstacles)  // one for each margin of the problem
         std::printf("environment: %zu triangles, margin %g\n", obstacle.model.report().triangles,
                     obstacle.margin);
 

@@ -1,5 +1,5 @@
-// demos/replan.cpp PROBLEM.cfg OUT_FOLDER: an obstacle appears on a path that was found. Its model alone is
-// built, the old path is audited among all obstacles, and a new one is planned.
+// demos/replan.cpp PROBLEM.cfg OUT_FOLDER: replans when an obstacle appears on a path. Only the new obstacle's
+// model is built. The old path is audited among all obstacles, and a new path is planned.
 #include <clearway/planning/problem_setup.h>
 #include <clearway/planning/simplify.h>
 #include <ompl/geometric/planners/rrt/RRTConnect.h>
@@ -30,7 +30,7 @@ PathGeometric plan(ompl::geometric::SimpleSetup setup, const clearway::Problem& 
     return path;
 }
 
-/// A box as large as the given half sides, where the path comes closest to what is there.
+/// A box with the given half sides, where the path comes closest to the other obstacles.
 clearway::Mesh boxInTheWayOf(const PathGeometric& path, const cp::MotionValidator& motions,
                              const Vector3& half) {
     const cp::PathAudit audit = cp::audit(path, motions);
@@ -44,7 +44,7 @@ int main(int argc, char** argv) try {
     ompl::RNG::setSeed(1);
     clearway::Problem problem = clearway::readProblem(argv[1]);
     clearway::Scene scene = clearway::loadScene(problem).scene;
-    for (const clearway::Obstacle& obstacle : scene.obstacles) {  // one for each margin that the problem has
+    for (const clearway::Obstacle& obstacle : scene.obstacles) {  // one for each margin of the problem
         const clearway::BuildReport& report = obstacle.model.report();
         std::printf("environment: %zu triangles, built in %.2f ms\n", report.triangles, 1e3 * report.seconds);
     }
@@ -56,7 +56,7 @@ int main(int argc, char** argv) try {
     const clearway::Mesh box =
         boxInTheWayOf(old, cp::motionValidatorOf(before.getSpaceInformation()), {3, 3, 3});
     scene.obstacles.push_back(
-        {clearway::Model::build(box), margin});  // the models that were there are shared
+        {clearway::Model::build(box), margin});  // the other models are shared, not built again
     std::printf("a box appears: %zu triangles, margin %g, built in %.2f ms\n", box.triangles.size(), margin,
                 1e3 * scene.obstacles.back().model.report().seconds);
 

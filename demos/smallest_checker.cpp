@@ -1,4 +1,4 @@
-// demos/smallest_checker.cpp PART ENVIRONMENT: clearway in an OMPL program, on two mesh files.
+// demos/smallest_checker.cpp PART ENVIRONMENT: uses clearway in an OMPL program, on two mesh files.
 #include <clearway/planning/motion_validator.h>
 #include <clearway/planning/validity_checker.h>
 #include <ompl/base/spaces/SE3StateSpace.h>
@@ -10,7 +10,7 @@ int main(int, char** files) {
     const clearway::Scene scene{build(files[1]), build(files[2]), /*margin, mesh units*/ 1.0};
     auto space = std::make_shared<ompl::base::SE3StateSpace>();
     space->as<ompl::base::RealVectorStateSpace>(0)->setBounds(-80, 80);
-    space->setSubspaceWeight(1, scene.part.radiusAboutOrigin());  // else turns hardly count
+    space->setSubspaceWeight(1, scene.part.radiusAboutOrigin());  // without it rotations hardly count
     ompl::geometric::SimpleSetup setup(space);
     const auto si = setup.getSpaceInformation();
     si->setStateValidityChecker(std::make_shared<clearway::planning::ValidityChecker>(si, scene));

@@ -31,22 +31,22 @@ set(planning planning/validity planning/motion planning/objectives planning/samp
 
 # The program's rooms see the library through its public headers and core.
 set(program/scenes_may_include core mesh problem)
-set(program/render_may_include core mesh model problem ${planning} program/scenes)
-set(program/report_may_include core mesh model problem ${planning} program/scenes program/render)
-set(program/study_may_include core mesh model problem ${planning} program/scenes)
-set(program/cli_may_include core mesh tree exact model problem ${planning} program/scenes program/render program/report
+set(program/render_may_include core mesh model problem program/scenes)
+set(program/report_may_include core mesh model problem program/scenes program/render)
+set(program/study_may_include core mesh model problem program/scenes)
+set(program/cli_may_include core mesh tree exact model problem program/scenes program/render program/report
                             program/study)
 set(program program/scenes program/render program/report program/study program/cli)
 set(layers ${library} ${planning} ${program})
 
 # The room of planning that holds each public planning header's source: including the header counts as including the room.
-set(validity_headers validity_checker.h state_to_pose.h)
-set(motion_headers motion_validator.h discrete_motion_validator.h displacement_bound.h)
-set(objectives_headers clearance_objectives.h)
+set(validity_headers validity_checker.h scene_clearance.h state_to_pose.h displacement_bound.h)
+set(motion_headers motion_validator.h discrete_motion_validator.h)
+set(objectives_headers clearance_objectives.h objectives.h)
 set(samplers_headers valid_state_samplers.h)
 set(planners_headers planners.h)
 set(paths_headers audit.h simplify.h)
-set(setup_headers problem_setup.h)
+set(setup_headers problem_setup.h plan.h plan_setup.h finish.h check_path.h ompl_messages.h)
 
 # Public headers that only declare values and free functions are open to every layer, the others from model on.
 set(value_headers types.h mesh.h build_options.h build_report.h query.h targets.h)

@@ -11,7 +11,7 @@
 #include "clearway/planning/motion_validator.h"
 #include "core/number.h"
 #include "core/replace_file.h"
-#include "planning/setup/planning_space.h"
+#include "planning/validity/ompl_states.h"
 #include "support/oracle.h"
 
 namespace clearway::testing {

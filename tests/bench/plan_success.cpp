@@ -5,9 +5,9 @@
 #include <iostream>
 #include <string>
 
+#include "clearway/planning/plan.h"
 #include "core/number.h"
 #include "core/replace_file.h"
-#include "planning/setup/plan.h"
 #include "support/oracle.h"
 #include "support/path_check.h"
 

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "clearway/planning/plan.h"
 #include "core/number.h"
 #include "core/replace_file.h"
-#include "planning/setup/plan.h"
 
 namespace clearway::testing {
 namespace {

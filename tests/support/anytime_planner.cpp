@@ -7,12 +7,13 @@
 #include <atomic>
 #include <limits>
 
+#include "clearway/planning/finish.h"
+#include "clearway/planning/objectives.h"
+#include "clearway/planning/ompl_messages.h"
 #include "clearway/planning/planners.h"
 #include "clearway/planning/validity_checker.h"
 #include "core/number.h"
-#include "planning/objectives/objectives.h"
-#include "planning/setup/planning_space.h"
-#include "planning/validity/ompl_messages.h"
+#include "planning/validity/ompl_states.h"
 #include "support/processor_time.h"
 
 namespace clearway::testing {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "planning/setup/planning_space.h"
+#include "planning/validity/ompl_states.h"
 #include "program/scenes/scenes.h"
 #include "support/window_scene.h"
 

@@ -1,5 +1,4 @@
-// What planners of OMPL that optimise can be asked for beside short paths: clearance, certified along whole
-// motions.
+// Clearance objectives for OMPL's optimising planners, certified along whole motions.
 #pragma once
 
 #include <ompl/base/OptimizationObjective.h>
@@ -18,29 +17,30 @@ namespace clearway::planning {
 class ObjectiveMotions;
 struct ClosenessWeight;
 
-/// What a motion or state that is invalid costs, with the sign that makes it the worst. Finite: where
-/// another validator has let it pass, graph searches of OMPL would take an infinite cost for a missing edge.
+/// The cost of an invalid motion or state, with the sign that makes it the worst. It is finite because graph
+/// searches of OMPL take an infinite cost for a missing edge, where another validator has let the motion
+/// pass.
 constexpr double kInvalidMotionCost = 1e200;
 
-/// What an objective has been asked since it was made.
+/// Counts since the objective was made.
 struct ObjectiveCounters {
     std::uint64_t motions = 0;   ///< whose cost was asked for
-    std::uint64_t invalid = 0;   ///< of these: a pose was found invalid
+    std::uint64_t invalid = 0;   ///< of these, with a pose that was found invalid
     std::uint64_t unusable = 0;  ///< states or motions without a pose or a bound, or whose callback threw
     std::uint64_t queries = 0;   ///< of distances
 };
 
-/// What the objectives here have in common. The clearance is the least distance less margin of the obstacles
-/// that count at a pose; a reach bounds it (see ValidityChecker::clearance). They may be used before
+/// The base of the objectives here. The clearance is the least distance - margin over the obstacles that
+/// count at a pose; a reach limits it (see ValidityChecker::clearance). Objectives may be used before
 /// si->setup().
 ///
 /// Where OMPL interpolates the same way in both directions, as in SE(3) and SE(2), a motion and its reverse
-/// cost exactly the same, for both are looked at in one direction. (A space without OMPL's serialisation
-/// gives both directions to rounding.) The cost holds for either.
+/// cost exactly the same, because both are looked at in one direction. (In a space without OMPL's
+/// serialisation the two costs agree to rounding.) The cost holds for either direction.
 ///
-/// Any number of threads may use one objective: each has its own scratch and takes no lock. Nothing is thrown
-/// out of OMPL's callbacks: what cannot be judged costs kInvalidMotionCost, is counted, and logged once
-/// through OMPL's console.
+/// Any number of threads may use one objective: each has its own scratch and takes no lock. Objectives throw
+/// nothing out of OMPL's callbacks: a state or motion that cannot be judged costs kInvalidMotionCost and is
+/// counted, and the first one is logged through OMPL's console.
 class ClearanceObjective : public ompl::base::OptimizationObjective {
   public:
     ~ClearanceObjective() override;
@@ -50,51 +50,53 @@ class ClearanceObjective : public ompl::base::OptimizationObjective {
 
   protected:
     /// For OMPL's SE(3) and SE(2). Throws std::invalid_argument when si is null or has another space (see
-    /// displacementBound), the margin is negative or not finite, the two models cannot be queried together,
-    /// or the environment was built with a reach that ends before the margin.
+    /// displacementBound), a margin is negative or not finite, the part and an obstacle cannot be queried
+    /// together, or the environment was built with a reach that is not longer than the margin.
     ClearanceObjective(const ompl::base::SpaceInformationPtr& si, Scene scene);
 
-    /// For any space. Throws likewise, and when a callback is empty. See MotionValidator for what poses of
-    /// interpolated states must be.
+    /// For any space. Throws as the first constructor does, and when a callback is empty. The poses of
+    /// interpolated states must be those that MotionValidator's constructor asks for.
     ClearanceObjective(const ompl::base::SpaceInformationPtr& si, Scene scene, StateToPose stateToPose,
                        DisplacementBound bound);
 
     std::unique_ptr<const ObjectiveMotions> motions_;
 };
 
-/// The scene of the validity checker that si has. Throws std::invalid_argument when si is null or its checker
-/// is none of clearway's.
+/// Returns the scene of si's validity checker. Throws std::invalid_argument when si is null or its checker is
+/// none of clearway's.
 const Scene& sceneOf(const ompl::base::SpaceInformationPtr& si);
 
 struct MinClearanceOptions {
-    /// More clearance is as good as this. Environment units, finite, > 0. The default is the diagonal of the
-    /// part's box.
+    /// Clearances above the cap count as the cap. Environment units, finite, > 0. The default is the diagonal
+    /// of the part's box.
     std::optional<double> cap;
 };
 
 /// Maximises the least clearance along the whole path, both ends included. Costs are clearances, in
-/// environment units: larger is better, the cost of a path is that of its worst motion.
+/// environment units: larger is better, and a path costs as much as its worst motion.
 ///
-/// A motion's cost is certified: no pose of it has less clearance, and some pose has no more than 1 % on top
-/// or, where that is more, 1e-3 of the part's diagonal, but then no more than 10 % or 1e-5 of the diagonal.
-/// (Also counted off: how far the end of OMPL's interpolation is off the motion's end, where it leaves out
-/// rotations below 1.6e-4 rad.) At most 0: the motion is not certified to be valid.
+/// A motion's cost is certified: no pose of it has less clearance. Some pose exceeds the cost by no more than
+/// 1 % or, where that is more, 1e-3 of the part's diagonal, but then by no more than 10 % or 1e-5 of the
+/// diagonal. (The cost is also lowered by the distance from the end of OMPL's interpolation to the motion's
+/// end, because OMPL leaves out rotations below 1.6e-4 rad.) A cost of at most 0 means that the motion is not
+/// certified to be valid.
 class MinClearanceObjective : public ClearanceObjective {
   public:
-    /// Throws as ClearanceObjective does, and when an option is wrong.
+    /// Throws as ClearanceObjective does, and when the cap is not finite and above 0.
     MinClearanceObjective(const ompl::base::SpaceInformationPtr& si, Scene scene,
                           const MinClearanceOptions& options = {});
     MinClearanceObjective(const ompl::base::SpaceInformationPtr& si, Scene scene, StateToPose stateToPose,
                           DisplacementBound bound, const MinClearanceOptions& options = {});
 
-    /// As of OMPL's MaximizeMinClearanceObjective: larger is better, of two costs the worse counts.
+    /// Costs compare and combine as in OMPL's MaximizeMinClearanceObjective: larger is better, and the worse
+    /// of two costs counts.
     bool isCostBetterThan(ompl::base::Cost c1, ompl::base::Cost c2) const override;
     ompl::base::Cost combineCosts(ompl::base::Cost c1, ompl::base::Cost c2) const override;
     ompl::base::Cost identityCost() const override;  ///< infinity
     ompl::base::Cost infiniteCost() const override;  ///< -infinity
 
-    /// Better than the threshold, or the cap, which nothing is better than. The threshold is the cap unless
-    /// it is set: planners then go on until their time is up.
+    /// True for costs better than the threshold, and for the cap, because no cost is better. The threshold is
+    /// the cap unless it is set: planners then go on until their time is up.
     bool isSatisfied(ompl::base::Cost cost) const override;
 
     ompl::base::Cost stateCost(const ompl::base::State* state) const override;
@@ -102,7 +104,7 @@ class MinClearanceObjective : public ClearanceObjective {
     ompl::base::Cost terminalCost(const ompl::base::State* state) const override;  ///< stateCost
     ompl::base::Cost motionCost(const ompl::base::State* s1, const ompl::base::State* s2) const override;
 
-    /// The cap: no motion is better. So is the cost to go.
+    /// The cap, because no motion is better. The heuristic of the cost to go is the cap too.
     ompl::base::Cost motionCostHeuristic(const ompl::base::State* s1,
                                          const ompl::base::State* s2) const override;
 
@@ -113,17 +115,17 @@ class MinClearanceObjective : public ClearanceObjective {
     double cap_ = 0;
 };
 
-/// Lengths, weighted by how close the part is. Length is si->distance: in SE(3) and SE(2) that of the
-/// translation plus that of the rotation times its subspace weight. At every pose it counts 1 + extra times,
-/// extra >= 0 depending on the clearance there, so that length is an admissible heuristic for the cost, and
-/// for the cost to go when the goal is a state or several.
+/// Minimises length, weighted by how close the part is. Length is si->distance: in SE(3) and SE(2) that of
+/// the translation plus that of the rotation times its subspace weight. At every pose length counts 1 + extra
+/// times, where extra >= 0 depends on the clearance there. So length is an admissible heuristic for the cost,
+/// and for the cost to go when the goal consists of states.
 ///
-/// Where a contact zone ignores obstacles, the clearance is how far the part may move until they count, if
-/// that is more than they leave.
+/// Where a contact zone ignores obstacles, the clearance is how far the part may move before they count, if
+/// that is more than the clearance they leave.
 ///
-/// A motion is divided where what is certain of the clearance between the poses looked at leaves its cost
-/// less sure than the resolution, and nowhere else. Poses within 1e-5 of the part's diagonal of contact may
-/// be taken for valid: the motion validator says what is.
+/// A motion is divided only where the clearances known so far leave its cost less sure than the resolution.
+/// Poses within 1e-5 of the part's diagonal of contact may be taken for valid: the motion validator decides
+/// what is valid.
 class WeightedLengthObjective : public ClearanceObjective {
   public:
     ~WeightedLengthObjective() override;
@@ -148,9 +150,9 @@ class WeightedLengthObjective : public ClearanceObjective {
 struct ClearanceIntegralOptions {
     /// Lengths in environment units, finite, > 0. Each default is a share of the diagonal of the part's box.
     std::optional<double> reference;  ///< the clearance at which length counts about twice; 5 %
-    std::optional<double> floor;      ///< what keeps the weight of contact finite; 0.1 %
-    std::optional<double> cap;        ///< from here on length counts once; 100 %
-    double resolution = 0.1;          ///< a cost is off by at most this share of it; > 0, at most 1
+    std::optional<double> floor;      ///< keeps the weight of contact finite; 0.1 %
+    std::optional<double> cap;        ///< from this clearance on length counts once; 100 %
+    double resolution = 0.1;          ///< the largest error of a cost, as a share of it; > 0, at most 1
 };
 
 /// Minimises the length weighted by closeness: extra(c) = reference / (c + floor) - reference / (cap + floor)
@@ -170,12 +172,16 @@ struct LengthWithClearanceOptions {
     /// part's box.
     std::optional<double> wanted;
     double strictness = 10;   ///< >= 0, finite
-    double resolution = 0.1;  ///< a cost is off by at most this share of it; > 0, at most 1
+    double resolution = 0.1;  ///< the largest error of a cost, as a share of it; > 0, at most 1
 };
 
+/// Returns options.wanted or its default. Throws std::invalid_argument unless the length is finite and above
+/// 0.
+double wantedClearance(const LengthWithClearanceOptions& options, const Model& part);
+
 /// Minimises the length of paths that keep a wanted clearance where they can: extra(c) = strictness
-/// (1 - c / wanted) at clearances c < wanted. So a way past contact is worth up to 1 + strictness times its
-/// length to go round.
+/// (1 - c / wanted) at clearances c < wanted. So a detour of up to 1 + strictness times the length is worth
+/// while to avoid contact.
 class LengthWithClearanceObjective : public WeightedLengthObjective {
   public:
     /// Throws as WeightedLengthObjective does, and when an option is wrong.

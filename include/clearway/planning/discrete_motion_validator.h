@@ -5,8 +5,8 @@
 #include <ompl/base/MotionValidator.h>
 #include <ompl/base/SpaceInformation.h>
 
-#include <atomic>
 #include <cstdint>
+#include <memory>
 #include <utility>
 
 #include "clearway/model.h"
@@ -14,37 +14,40 @@
 
 namespace clearway::planning {
 
-/// The states checked are s1, s2 and OMPL's own interpolation between them, by the space information's
-/// validity checker. What is thinner than the step can be jumped: choose at most half the thinnest wall.
+class PosedScene;
+
+/// Asks the space information's validity checker about s1, s2 and states of OMPL's own interpolation between
+/// them. The part can jump over anything thinner than the step: choose at most half the thinnest wall.
 ///
 /// Any number of threads may use one validator.
 class DiscreteMotionValidator : public ompl::base::MotionValidator {
   public:
-    /// For OMPL's SE(3) and SE(2). step: environment units. Throws std::invalid_argument when si has another
-    /// space (see displacementBound) or the step is not a finite number above 0.
+    /// For OMPL's SE(3) and SE(2). step: environment units. Throws std::invalid_argument when si is null or
+    /// has another space (see displacementBound), or the step is not a finite number above 0.
     DiscreteMotionValidator(const ompl::base::SpaceInformationPtr& si, const Model& part, double step);
 
-    /// For any space. Throws likewise, and when the bound is empty.
+    /// For any space. Throws as the first constructor does, and when the bound is empty.
     DiscreteMotionValidator(const ompl::base::SpaceInformationPtr& si, DisplacementBound bound, double step);
 
-    /// Invalid as well: a motion whose interpolation ends farther from s2 than the step (OMPL leaves out
-    /// rotations below 1.6e-4 rad), for it cannot be checked that closely, and one without a finite bound.
+    /// A motion is also invalid when its interpolation ends farther from s2 than the step (OMPL leaves out
+    /// rotations below 1.6e-4 rad), because it cannot be checked that closely, and when it has no finite
+    /// bound.
     bool checkMotion(const ompl::base::State* s1, const ompl::base::State* s2) const override;
 
-    /// On false lastValid.second is in [0, 1) and lastValid.first, unless null, holds the state there, the
-    /// last valid one before the first invalid one (s1 when s1 itself is invalid). lastValid.first may be s1
-    /// or s2. On true both stay.
+    /// On false lastValid.second is in [0, 1) and lastValid.first, unless null, holds the state at that time:
+    /// the last valid one before the first invalid one (s1 when s1 itself is invalid). lastValid.first may be
+    /// s1 or s2. On true lastValid stays as it is.
     bool checkMotion(const ompl::base::State* s1, const ompl::base::State* s2,
                      std::pair<ompl::base::State*, double>& lastValid) const override;
 
-    /// The number n of equal parts the motion is checked in: at the states at 0, 1/n, ..., 1. 0 when it
-    /// cannot be checked.
+    /// The number n of equal parts that the motion is checked in: the states at times 0, 1/n, ..., 1 are
+    /// checked. 0 when the motion cannot be checked.
     std::uint64_t partsOf(const ompl::base::State* s1, const ompl::base::State* s2) const;
 
     double step() const { return step_; }
 
-    /// Motions that began in an invalid state, against OMPL's contract.
-    std::uint64_t invalidStarts() const { return invalidStarts_.load(std::memory_order_relaxed); }
+    /// The number of motions that began in an invalid state, against OMPL's contract.
+    std::uint64_t invalidStarts() const;
 
   private:
     bool isMotionValid(const ompl::base::State* s1, const ompl::base::State* s2) const;
@@ -52,9 +55,8 @@ class DiscreteMotionValidator : public ompl::base::MotionValidator {
     bool isStartValid(const ompl::base::State* s1) const;
     bool count(bool valid) const;
 
-    DisplacementBound bound_;
+    std::shared_ptr<const PosedScene> posed_;
     double step_;
-    mutable std::atomic<std::uint64_t> invalidStarts_{0};
 };
 
 }  // namespace clearway::planning

@@ -9,21 +9,22 @@
 
 namespace clearway::planning {
 
-/// L for the motion from one state to another, in environment units: no point of the part moves further than
-/// L |b - a| between interpolate(a) and interpolate(b), nor further than L between the poses of the two
-/// states themselves. Called from several threads at once; a result that is not finite means that the motion
-/// has no bound.
+/// Returns L for the motion from one state to another, in environment units: no point of the part moves
+/// further than L |b - a| between interpolate(a) and interpolate(b), nor further than L between the poses of
+/// the two states themselves. It is called from several threads at once. A result that is not finite means
+/// that the motion has no bound.
 using DisplacementBound = std::function<double(const ompl::base::State* from, const ompl::base::State* to)>;
 
-/// For OMPL's SE(3) (straight translation, slerp about a fixed axis) and SE(2), with any subspace weights.
-/// NaN when a quaternion is not of unit length to 1e-9, which OMPL does not interpolate. partRadius: largest
-/// distance of a vertex of the part from the origin of its own coordinates (Model::radiusAboutOrigin). Throws
-/// std::invalid_argument that names the space when it is another one, even one derived from these: it may
-/// interpolate in its own way, so its bound must come from a callback.
+/// Makes the bound for OMPL's SE(3) (straight translation, slerp about a fixed axis) and SE(2), with any
+/// subspace weights. The bound is NaN when a quaternion does not have unit length to 1e-9, because OMPL does
+/// not interpolate such a state. partRadius: the largest distance of a vertex of the part from the origin of
+/// its own coordinates (Model::radiusAboutOrigin). Throws std::invalid_argument that names the space when it
+/// is another one, even one derived from these: it may interpolate in its own way, so that its bound must
+/// come from a callback.
 DisplacementBound displacementBound(const ompl::base::StateSpace& space, double partRadius);
 
-/// The same, tightened: a rotation is taken to move the part by its radius about the axis that it turns about
-/// (Model::radiusAboutAxis).
+/// Makes a tighter bound: a rotation moves the part by the part's radius about the axis of that rotation
+/// (Model::radiusAboutAxis). Throws as the other overload does.
 DisplacementBound displacementBound(const ompl::base::StateSpace& space, const Model& part);
 
 }  // namespace clearway::planning

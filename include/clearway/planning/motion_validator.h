@@ -1,4 +1,4 @@
-// Certifies a motion along its whole length: no pose between two checked ones is left to luck.
+// Certifies a motion along its whole length, so that no pose between two checked ones is left to luck.
 // Source: Schwarzer, Saha, Latombe, Adaptive Dynamic Collision Checking for Single and Multiple Articulated
 // Robots in Complex Environments, 2005.
 #pragma once
@@ -6,7 +6,6 @@
 #include <ompl/base/MotionValidator.h>
 #include <ompl/base/SpaceInformation.h>
 
-#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -22,31 +21,31 @@
 
 namespace clearway::planning {
 
-class Motion;
-class SceneClearance;
+class PosedScene;
 
 struct MotionOptions {
-    /// What is not certified in stretches that move the part by more than this is given up as undecided:
-    /// there the part comes closer to the margin than about half of it. Environment units, finite, > 0. The
-    /// default is 1e-5 of the diagonal of the part's box.
+    /// A motion is undecided where it cannot be certified in stretches that move the part by more than this:
+    /// there the part comes closer to the margin than about half of this length. Environment units, finite,
+    /// > 0. The default is 1e-5 of the diagonal of the part's box.
     std::optional<double> leastInterval;
 
-    /// Asked between queries, also from other threads; true leaves the motion undecided. One that slides
-    /// along a face may take seconds.
+    /// Called between queries, also from other threads; true leaves the motion undecided. A motion that
+    /// slides along a face may take seconds.
     std::function<bool()> isStopped;
 };
 
-/// Of all motions since the validator was made.
+/// Counts since the validator was made.
 struct MotionCounters {
     std::uint64_t valid = 0;
     std::uint64_t invalid = 0;        ///< answered invalid, for whatever reason
-    std::uint64_t undecided = 0;      ///< of these: no invalid pose was found, but not all are certified
-    std::uint64_t invalidStarts = 0;  ///< of these: began in an invalid state, against OMPL's contract
-    std::uint64_t unusable = 0;  ///< of these: a state without a pose, no bound, or a callback that threw
-    std::uint64_t queries = 0;   ///< of distances, or whether one is within the margin
+    std::uint64_t undecided = 0;      ///< of these, without an invalid pose, but not certified throughout
+    std::uint64_t invalidStarts = 0;  ///< of these, begun in an invalid state, against OMPL's contract
+    std::uint64_t unusable =
+        0;                      ///< of these, with a state without a pose, no bound, or a callback that threw
+    std::uint64_t queries = 0;  ///< of distances, or whether one is within the margin
 };
 
-/// Of a motion from 0 to 1.
+/// Times of a motion, from 0 to 1.
 struct TimeSpan {
     double first = 0, last = 0;
 };
@@ -55,89 +54,93 @@ enum class MotionVerdict { kValid, kInvalid, kUndecided };
 
 struct MotionReport {
     MotionVerdict verdict = MotionVerdict::kInvalid;
-    double certifiedTime =
-        0;  ///< all poses of [0, certifiedTime] are valid, unless the start is not; 1: all are
-    /// Of the least of distance - margin along the motion, of obstacles that count. Environment units.
+    /// All poses of [0, certifiedTime] are valid, unless the start is not. 1: all poses are.
+    double certifiedTime = 0;
+    /// Bounds of the least distance - margin along the motion, over the obstacles that count. Environment
+    /// units.
     double lowerClearance = 0;
     double upperClearance = 0;
-    double closestTime = 0;  ///< of the pose that is closest, of those looked at; 1 is s2 itself
-    /// There: both triangles, their components and points, and the obstacle. Its ids are -1 when the pose is
-    /// farther than the environment's reach tells, or no pose was looked at.
+    double closestTime = 0;  ///< of the closest of the poses looked at; 1 is s2 itself
+    /// Both triangles, their components and points, and the obstacle at closestTime. The ids are -1 when that
+    /// pose is farther than the environment's reach, or no pose was looked at.
     SceneDistance closest;
-    /// From the first to the last of the poses looked at that are within the scene's contact zones, where
-    /// obstacles are ignored.
+    /// The times from the first to the last of the poses looked at that are within the scene's contact zones,
+    /// where obstacles are ignored.
     std::optional<TimeSpan> startContact, goalContact;
-    double travel = 0;          ///< no point of the part moves further along the motion
-    double blockedTime = 1;     ///< of a motion that is not valid: of the pose that is invalid or undecided
-    bool leavesBounds = false;  ///< that pose is invalid for being out of the space's bounds
+    double travel = 0;       ///< no point of the part moves further along the motion
+    double blockedTime = 1;  ///< of the pose that makes the motion invalid or undecided; 1 for a valid motion
+    bool leavesBounds = false;  ///< that pose is invalid because it is out of the space's bounds
     std::uint64_t queries = 0;
     std::string problem;  ///< why the motion cannot be judged; empty when it can
 };
 
-/// A pose of a motion and what is known from there to the next one.
+/// A pose of a motion, and the clearance from there to the next point.
 struct ProfilePoint {
     double time = 0;
     double clearance = 0;  ///< lower bound of distance - margin there; above 0 when the pose is valid
-    /// No pose from this one to the next one has less. Where nothing is certified, what holds of any pose.
+    /// No pose from this one to the next one has less clearance. Where nothing is certified, this is the
+    /// bound that holds for any pose: minus the largest margin.
     double lowerToNext = 0;
 };
 
 struct MotionProfile {
     MotionReport report;
-    std::vector<ProfilePoint> points;  ///< from time 0 to 1, in order; none when it cannot be judged
+    std::vector<ProfilePoint> points;  ///< from time 0 to 1, in order; none when the motion cannot be judged
 };
 
-/// checkMotion true means: every pose of OMPL's own interpolation between the two states, s1 and s2 itself
-/// are within the bounds, and the part is farther from each obstacle that counts there than its margin, and
+/// When checkMotion returns true, s1, s2 and every pose of OMPL's own interpolation between them are within
+/// the bounds, and there the part is farther from each obstacle that counts than the obstacle's margin, and
 /// inside no solid.
 ///
 /// An interval is certified when the clearances at its ends add up to more than the part can move between
 /// them. A valid motion costs about ds / clearance queries, summed along it; a motion that touches the margin
 /// is invalid or undecided, which counts as invalid.
 ///
-/// Any number of threads may use one validator: each has its own scratch and takes no lock. Nothing is
-/// thrown out of checkMotion: what cannot be judged is invalid, counted, and logged once through OMPL's
-/// console.
+/// Any number of threads may use one validator: each has its own scratch and takes no lock. checkMotion
+/// throws nothing: it answers a motion that cannot be judged as invalid, counts it, and logs the first one
+/// through OMPL's console.
 class MotionValidator : public ompl::base::MotionValidator {
   public:
-    /// For OMPL's SE(3) and SE(2). Throws std::invalid_argument that names the space when si has another one
-    /// (see displacementBound), a margin is negative or not finite, the part and an obstacle cannot be
-    /// queried together, leastInterval is no length, or the environment was built with a reach that ends
-    /// before the margin and the least interval on top. Where such a reach ends, clearances count as no more.
+    /// For OMPL's SE(3) and SE(2). Throws std::invalid_argument when si is null or has another space, which
+    /// the message names (see displacementBound), a margin is negative or not finite, the part and an
+    /// obstacle cannot be queried together, leastInterval is not finite and above 0, or the environment was
+    /// built with a reach shorter than the margin plus the least interval. Clearances beyond such a reach
+    /// count as the reach's end.
     MotionValidator(const ompl::base::SpaceInformationPtr& si, Scene scene,
                     const MotionOptions& options = {});
 
     /// For any space. The bounds of the space are checked at s1, at s2 and at each pose that is queried.
-    /// Throws likewise, and when a callback is empty. What the poses of interpolated states are off those
-    /// that the bound is meant for must be rounding: at most 2^-47 of the lengths involved.
+    /// Throws as the first constructor does, and when a callback is empty. The poses of interpolated states
+    /// may differ only by rounding from those that the bound is made for: by at most 2^-47 of the lengths
+    /// involved.
     MotionValidator(const ompl::base::SpaceInformationPtr& si, Scene scene, StateToPose stateToPose,
                     DisplacementBound bound, const MotionOptions& options = {});
 
     ~MotionValidator() override;
 
-    /// The far end is looked at first, then the middle of the widest stretch that is not certified.
+    /// Looks at the far end first, then at the middle of the widest stretch that is not certified.
     bool checkMotion(const ompl::base::State* s1, const ompl::base::State* s2) const override;
 
-    /// Goes forward. On false lastValid.second is in [0, 1), all poses up to it are certified, and
-    /// lastValid.first, unless null, holds the state there, which was looked at as interpolated. It is within
-    /// a hundred least intervals of what blocks, in displacement. (From s1 to that state may be another
-    /// motion: OMPL leaves out turns below 1.6e-4 rad.) When s1 is invalid, it is s1, at 0. lastValid.first
-    /// may be s1 or s2. On true both stay.
+    /// Goes forward. On false lastValid.second is in [0, 1), all poses up to that time are certified, and
+    /// lastValid.first, unless null, holds the state there, as it was interpolated and looked at. That state
+    /// is within a hundred least intervals, in displacement, of the pose that blocks. (OMPL's motion from s1
+    /// to that state may be another one: OMPL leaves out turns below 1.6e-4 rad.) When s1 is invalid,
+    /// lastValid is s1 at time 0. lastValid.first may be s1 or s2. On true lastValid stays as it is.
     bool checkMotion(const ompl::base::State* s1, const ompl::base::State* s2,
                      std::pair<ompl::base::State*, double>& lastValid) const override;
 
-    /// All there is to know of a motion. The bounds of a valid motion's clearance are no farther apart than
-    /// 1 % of it or, where that is more, 1e-3 of the part's diagonal, but then no farther than 10 % of it or
-    /// the least interval; unless the environment's reach ends before. Not counted.
+    /// Reports a motion in full. The bounds of a valid motion's clearance are no farther apart than 1 % of it
+    /// or, where that is more, 1e-3 of the part's diagonal, but then no farther than 10 % of it or the least
+    /// interval; unless the environment's reach ends before. Not counted.
     MotionReport report(const ompl::base::State* s1, const ompl::base::State* s2) const;
 
-    /// The same, and clearances along the motion. As far as it is certified they stand so close that four
-    /// fifths of them are certain from each to the next one, or a least interval apart; beyond there are a
-    /// few, so that it is known how the motion goes on.
+    /// Reports a motion with clearances along it. Along the certified part the points stand so close that
+    /// four fifths of their clearance is certain from each point to the next one, or a least interval apart.
+    /// A few points after it show how the motion goes on.
     MotionProfile profile(const ompl::base::State* s1, const ompl::base::State* s2) const;
 
-    /// What checkMotion would answer if all margins were larger by `more`, in environment units. Counted as a
-    /// motion checked. isStopped: as MotionOptions has it, besides the validator's own. Throws
+    /// Answers as checkMotion would if all margins were larger by `more`, in environment units. Counted as a
+    /// motion checked. isStopped: like MotionOptions::isStopped, besides the validator's own. Throws
     /// std::invalid_argument when `more` is negative or not finite.
     virtual bool keepsClearance(const ompl::base::State* s1, const ompl::base::State* s2, double more,
                                 const std::function<bool()>& isStopped = {}) const;
@@ -147,14 +150,17 @@ class MotionValidator : public ompl::base::MotionValidator {
     const Scene& scene() const;
 
     /// X_environmentPart at a state, by the validator's own callback.
-    Pose pose(const ompl::base::State* state) const { return stateToPose_(state); }
+    Pose pose(const ompl::base::State* state) const;
 
-    /// Why a state is not valid, as ValidityChecker::whyInvalid.
+    /// Says why a state is not valid, in the words of ValidityChecker::whyInvalid.
     std::string whyInvalid(const ompl::base::State* state) const;
 
     const ompl::base::StateSpace& space() const { return *si_->getStateSpace(); }
 
   private:
+    MotionValidator(const ompl::base::SpaceInformationPtr& si, std::shared_ptr<const PosedScene> posed,
+                    const MotionOptions& options);
+
     struct Outcome;
     struct Judging {
         bool forward = false;
@@ -166,19 +172,10 @@ class MotionValidator : public ompl::base::MotionValidator {
                         std::vector<ProfilePoint>* profile) const;
     double timeWithinBounds(const ompl::base::State* s1, const ompl::base::State* s2, double time) const;
     bool count(const Outcome& outcome) const;
-    void logOnce(const std::string& problem) const;
-    Motion motion(const ompl::base::State* s1, const ompl::base::State* s2, bool isReported,
-                  double floor) const;
 
-    std::shared_ptr<const SceneClearance> clearance_;
-    StateToPose stateToPose_;
-    DisplacementBound bound_;
+    std::shared_ptr<const PosedScene> posed_;
     double leastInterval_;
     std::function<bool()> isStopped_;
-    bool areBoundsConvex_ = false;
-    mutable std::atomic<std::uint64_t> validMotions_{0}, invalidMotions_{0}, undecided_{0}, invalidStarts_{0},
-        unusable_{0}, queries_{0};
-    mutable std::atomic<bool> isLogged_{false};
 };
 
 }  // namespace clearway::planning

@@ -1,9 +1,11 @@
-// OMPL's geometric planners by name, and one of ours, with parameters as text.
+// OMPL's geometric planners and one of clearway's: made by name, set by text, run side by side.
 #pragma once
 
 #include <ompl/base/Planner.h>
+#include <ompl/base/PlannerTerminationCondition.h>
 #include <ompl/base/SpaceInformation.h>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -12,26 +14,35 @@
 namespace clearway::planning {
 
 /// OMPL's class names ("RRTConnect", "BITstar", ...), in alphabetical order, and RisingFloor, which plans for
-/// paths of more and more least clearance. That one needs a clearway::planning::ValidityChecker, and an
-/// environment with no lesser reach than that objective asks for.
+/// paths of more and more least clearance. RisingFloor needs a clearway::planning::ValidityChecker, and an
+/// environment whose reach covers the clearances of max_min_clearance.
 std::vector<std::string> plannerNames();
 
 /// OMPL's class name for a planner written in any case, or for one of OMPL.app's short names ("kpiece",
 /// "bkpiece", "lbkpiece", "spars2", "aps"). Throws std::invalid_argument that lists the known planners.
 std::string plannerClassName(const std::string& name);
 
-/// False for planners that use several threads, their own clock or values never set: the same seed and number
-/// of iterations may give another path. name: as plannerClassName takes it.
+/// False for planners that use several threads, their own clock or values that were never set: the same seed
+/// and number of iterations may give another path. name: as plannerClassName takes it.
 bool isRepeatable(const std::string& name);
 
-/// Throws like plannerClassName.
+/// Throws as plannerClassName does.
 ompl::base::PlannerPtr makePlanner(const ompl::base::SpaceInformationPtr& si, const std::string& name);
 
 /// True when the planner declares such a parameter.
 bool hasParameter(const ompl::base::Planner& planner, const std::string& parameter);
 
-/// Sets one of the parameters that the planner declares. Throws std::invalid_argument when there is none of
-/// that name (lists them), or the value is not of its type or below the least one that OMPL suggests.
+/// Sets one of the parameters that the planner declares. Throws std::invalid_argument when the planner has no
+/// parameter of that name (and lists its parameters), or the value is not of the parameter's type or below
+/// the least value that OMPL suggests.
 void setParameter(ompl::base::Planner& planner, const std::string& parameter, const std::string& value);
+
+/// Runs planners side by side, the first one in the calling thread and each other one in a thread of its own,
+/// and returns when all have ended. onFound is called by each planner that ends with an exact solution, in
+/// that planner's thread; make isSpent true there when the first solution is to end the others. Returns the
+/// status of the first planner. Throws what a planner throws. At least one planner must be given.
+ompl::base::PlannerStatus solveSideBySide(const std::vector<ompl::base::PlannerPtr>& planners,
+                                          const ompl::base::PlannerTerminationCondition& isSpent,
+                                          const std::function<void()>& onFound);
 
 }  // namespace clearway::planning

@@ -1,4 +1,5 @@
-// Shortens a path by cutting corners, without letting it come closer to its surroundings.
+// Shortens paths by cutting corners, either keeping a certified clearance or by the path's own motion
+// validator.
 #pragma once
 
 #include <ompl/geometric/PathGeometric.h>
@@ -10,20 +11,26 @@
 namespace clearway::planning {
 
 struct SimplifyOptions {
-    /// Clearance (distance - margin) that new motions keep, in environment units.
+    /// The clearance (distance - margin) that new motions keep, in environment units.
     double floor = 0;
-    std::function<bool()> isSpent;  ///< asked often, also within motions; true ends the shortening
+    std::function<bool()> isSpent;  ///< called often, also within motions; true ends the shortening
 };
 
-/// Rounds of OMPL's vertex removal and shortcuts, until they stop paying. A new motion is certified to keep
-/// the floor. What then is left of stretches that did not keep it, as next to a tight start, is shortened on
-/// its own by motions that keep a quarter of the floor, and so on down to the stretch's own least clearance.
-/// So the least clearance of the path never falls below the floor or, where that is less, below what it was.
+/// Runs rounds of OMPL's vertex removal and shortcuts until they stop paying. Each new motion is certified to
+/// keep the floor. Stretches that did not keep it before, such as those next to a tight start, are then
+/// shortened on their own by motions that keep a quarter of the floor, and so on down to the stretch's own
+/// least clearance. So the least clearance of the path never falls below the floor or, where that is less,
+/// below the path's former least clearance.
 ///
-/// Returns the audit of the path as it then is. It is left as it was when not all of its motions are valid.
-/// Throws std::invalid_argument when the floor is negative or not finite, the path has no state, or is one of
-/// another space than the validator's.
+/// Returns the audit of the resulting path. The path stays as it was when not all of its motions are valid.
+/// Throws std::invalid_argument when the floor is negative or not finite, the path has no state, or the path
+/// is in another space than the validator's.
 PathAudit simplify(ompl::geometric::PathGeometric& path, const MotionValidator& validator,
                    const SimplifyOptions& options);
+
+/// Runs the same rounds by the motion validator of the path's own space information, until they stop paying
+/// or isSpent returns true. Every new motion has passed checkMotion in one direction. Audit the result:
+/// OMPL's simplified paths have collided.
+void shorten(ompl::geometric::PathGeometric& path, const std::function<bool()>& isSpent);
 
 }  // namespace clearway::planning

@@ -9,15 +9,15 @@
 
 namespace clearway::planning {
 
-/// X_environmentPart at a state. Called from several threads at once. A state that has no pose (an entry is
-/// not finite, a quaternion of norm 0) gives a pose that is not finite, which every checker here answers as
-/// invalid.
+/// Returns X_environmentPart at a state. It is called from several threads at once. For a state without a
+/// pose (an entry is not finite, a quaternion has norm 0) it returns a pose that is not finite, which every
+/// checker here answers as invalid.
 using StateToPose = std::function<Pose(const ompl::base::State*)>;
 
-/// For OMPL's SE(3) and SE(2), classes derived from them (Dubins, Reeds-Shepp) and wrappers around them. A
-/// quaternion is normalised in double: OMPL's own are of unit length only to 1e-9. In SE(2) the part turns
-/// about z and keeps its z. Throws std::invalid_argument that names the space when it is none of these: then
-/// hand in a callback of your own.
+/// Makes the callback for OMPL's SE(3) and SE(2), classes derived from them (Dubins, Reeds-Shepp) and
+/// wrappers around them. It normalises quaternions in double, because OMPL's own have unit length only to
+/// 1e-9. In SE(2) the part turns about z and keeps its z. Throws std::invalid_argument that names the space
+/// when it is none of these: hand in a callback of your own then.
 StateToPose stateToPose(const ompl::base::StateSpace& space);
 
 }  // namespace clearway::planning

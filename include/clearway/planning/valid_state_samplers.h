@@ -1,5 +1,5 @@
-// Samples of valid states where a planner's roadmap lacks them: beside obstacles, and in gaps between them.
-// For planners that ask for valid states (PRM and its kin), by
+// Samplers of valid states where a planner's roadmap lacks them: beside obstacles, and in gaps between them.
+// Planners that ask for valid states (PRM and its kin) use one after
 //   si->setValidStateSamplerAllocator([](const auto* si) { return std::make_shared<NarrowGapSampler>(si); });
 #pragma once
 
@@ -13,7 +13,8 @@
 
 namespace clearway::planning {
 
-/// Moves the part by what its scene says at a state. Not to be shared by threads, as OMPL's samplers.
+/// The base of samplers that move the part along the witness normal of its nearest obstacle. Like OMPL's
+/// samplers, one must not be shared by threads.
 class WitnessSampler : public ompl::base::ValidStateSampler {
   protected:
     /// Throws std::invalid_argument when si's validity checker is none of clearway's or its space is neither
@@ -23,8 +24,9 @@ class WitnessSampler : public ompl::base::ValidStateSampler {
 
     struct Room {
         bool isValid = false;
-        double clearance = 0;            ///< as ValidityChecker::clearance
-        Vector3 away = Vector3::Zero();  ///< of length 1, from the nearest obstacle; 0 when there is none
+        double clearance = 0;  ///< ValidityChecker::clearance
+        Vector3 away =
+            Vector3::Zero();  ///< unit vector away from the nearest obstacle; 0 without an obstacle
     };
     Room roomAt(const ompl::base::State* state) const;
     void translate(ompl::base::State* state, const Vector3& by) const;
@@ -36,11 +38,11 @@ class WitnessSampler : public ompl::base::ValidStateSampler {
     bool isPlanar_;
 };
 
-/// A state as it is drawn when it is valid and has the wanted clearance. One that is too near is moved along
-/// the witness normal until it has that clearance, or as much of it as a few moves give. One that collides is
-/// first moved towards a valid one beside it, as far as it collides.
-/// Its parameter "clearance" is that length, in environment units; a hundredth of the part's diagonal at
-/// first.
+/// Keeps a drawn state that is valid and has the wanted clearance. A state that is too near is moved along
+/// the witness normal until it has that clearance, or as much of it as a few moves give. A state that
+/// collides is first moved towards a valid state beside it, until it collides no more. The parameter
+/// "clearance" is the wanted clearance, in environment units. Its default is a hundredth of the part's
+/// diagonal.
 class ContactNormalSampler : public WitnessSampler {
   public:
     /// Throws as WitnessSampler does.
@@ -49,7 +51,7 @@ class ContactNormalSampler : public WitnessSampler {
 
     bool sample(ompl::base::State* state) override;
 
-    /// No farther than distance from near. False when no attempt gave one.
+    /// Samples no farther than `distance` from `near`. Returns false when no attempt succeeded.
     bool sampleNear(ompl::base::State* state, const ompl::base::State* near, double distance) override;
 
   private:
@@ -61,21 +63,20 @@ class ContactNormalSampler : public WitnessSampler {
     ompl::base::State* free_;  ///< scratch
 };
 
-/// Only states in gaps: the part, moved away from its nearest obstacle, comes near another one on the far
-/// side. It is put in the middle between the two, where its clearance is at most half the gap. Candidates are
-/// valid states near obstacles, and those in the middle between two that collide (the bridge test of Hsu,
-/// Jiang, Reif and Sun, 2003).
-/// Its parameter "gap" is how far the part may be able to move between the two, in environment units; a tenth
-/// of the part's diagonal at first.
+/// Samples only states in gaps: the part, moved away from its nearest obstacle, comes near another obstacle
+/// on the far side. The sampler puts it in the middle between the two, where its clearance is at most half
+/// the gap. Candidates are valid states near obstacles, and states in the middle between two that collide
+/// (the bridge test of Hsu, Jiang, Reif and Sun, 2003). The parameter "gap" is the farthest that the part can
+/// move between the two obstacles, in environment units. Its default is a tenth of the part's diagonal.
 class NarrowGapSampler : public WitnessSampler {
   public:
     /// Throws as WitnessSampler does.
     explicit NarrowGapSampler(const ompl::base::SpaceInformation* si);
 
-    /// False when no attempt met a gap: planners try again.
+    /// Returns false when no attempt met a gap: planners try again.
     bool sample(ompl::base::State* state) override;
 
-    /// No farther than distance from near. False when no attempt gave one.
+    /// Samples no farther than `distance` from `near`. Returns false when no attempt succeeded.
     bool sampleNear(ompl::base::State* state, const ompl::base::State* near, double distance) override;
 
   private:

@@ -4,7 +4,6 @@
 #include <ompl/base/SpaceInformation.h>
 #include <ompl/base/StateValidityChecker.h>
 
-#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -15,9 +14,9 @@
 
 namespace clearway::planning {
 
-class SceneClearance;
+class PosedScene;
 
-/// What a checker has been asked since it was made.
+/// Counts since the checker was made.
 struct CheckCounters {
     std::uint64_t checks = 0;       ///< states asked about
     std::uint64_t invalid = 0;      ///< answered invalid, for whatever reason
@@ -28,33 +27,33 @@ struct CheckCounters {
 /// A state is valid when it satisfies the space's bounds and the distance between the part and each obstacle
 /// is larger than the obstacle's margin; with margin 0, when the two share no point.
 ///
-/// Any number of threads may use one checker: each has its own scratch and takes no lock. Nothing is thrown
-/// out of OMPL's callbacks: a state without a pose is invalid, counted, and logged once through OMPL's
-/// console.
+/// Any number of threads may use one checker: each has its own scratch and takes no lock. The checker throws
+/// nothing out of OMPL's callbacks: it answers a state without a pose as invalid, counts it, and logs the
+/// first one through OMPL's console.
 class ValidityChecker : public ompl::base::StateValidityChecker {
   public:
-    /// For OMPL's SE(3) and SE(2). Throws std::invalid_argument when si has another space (see stateToPose),
-    /// a margin is negative or not finite, or the part and an obstacle cannot be queried together. An
-    /// environment built with a reach (Model::reach) must hold all positions within the bounds: a state
-    /// within the bounds and out of the reach is answered invalid, as one without a pose.
+    /// For OMPL's SE(3) and SE(2). Throws std::invalid_argument when si is null or has another space (see
+    /// stateToPose), a margin is negative or not finite, or the part and an obstacle cannot be queried
+    /// together. An environment built with a reach (Model::reach) must hold all positions within the bounds:
+    /// a state within the bounds and out of the reach is answered invalid, as one without a pose.
     ValidityChecker(const ompl::base::SpaceInformationPtr& si, Scene scene);
 
-    /// For any space. Throws likewise, and when the callback is empty.
+    /// For any space. Throws as the first constructor does, and when the callback is empty.
     ValidityChecker(const ompl::base::SpaceInformationPtr& si, Scene scene, StateToPose stateToPose);
 
     bool isValid(const ompl::base::State* state) const override;
 
-    /// One query for both answers. clearance: as clearance() gives it.
+    /// Gives both answers by one query. clearance: as clearance() returns it.
     bool isValid(const ompl::base::State* state, double& clearance) const override;
 
-    /// The same; no state in a valid direction is ever offered.
+    /// As above; the checker never offers a state in a valid direction.
     bool isValid(const ompl::base::State* state, double& clearance, ompl::base::State* validState,
                  bool& validStateAvailable) const override;
 
-    /// A lower bound of distance - margin, the least over the obstacles, in environment units. Above 0
+    /// A lower bound of distance - margin, the least over the obstacles, in environment units. It is above 0
     /// exactly when the state is valid: it is raised to the least positive double for a valid state and
-    /// lowered to at most 0 for another one. It is no penetration depth. An environment's reach bounds it to
-    /// its cap - margin.
+    /// lowered to at most 0 for another one. It is no penetration depth. An environment's reach limits it to
+    /// the reach's cap - margin.
     double clearance(const ompl::base::State* state) const override;
     using ompl::base::StateValidityChecker::clearance;
 
@@ -62,12 +61,12 @@ class ValidityChecker : public ompl::base::StateValidityChecker {
     /// Throws std::invalid_argument when the state has no pose or is out of the environment's reach.
     SceneDistance distance(const ompl::base::State* state) const;
 
-    /// Why a state is not valid, as words after "is", with meshes and triangles: "in collision: ...". Empty
-    /// when it is valid. Not counted. Throws as distance() does.
+    /// Says why a state is not valid, as words after "is", with meshes and triangles: "in collision: ...".
+    /// Empty when the state is valid. Not counted. Throws as distance() does.
     std::string whyInvalid(const ompl::base::State* state) const;
 
     /// X_environmentPart at a state, by the checker's own callback.
-    Pose pose(const ompl::base::State* state) const { return stateToPose_(state); }
+    Pose pose(const ompl::base::State* state) const;
 
     const Scene& scene() const;
     CheckCounters counters() const;
@@ -76,12 +75,10 @@ class ValidityChecker : public ompl::base::StateValidityChecker {
     enum class Usable { kYes, kOutOfBounds, kNoPose };
     Usable findPose(const ompl::base::State* state, Pose& X_environmentPart) const;
     bool count(bool valid, Usable usable) const;
-    void reportUnusable(const char* reason) const;
+    void warn(const char* reason) const;
+    bool unusable(const char* reason) const;
 
-    std::shared_ptr<const SceneClearance> clearance_;
-    StateToPose stateToPose_;
-    mutable std::atomic<std::uint64_t> checks_{0}, invalid_{0}, outOfBounds_{0}, unusable_{0};
-    mutable std::atomic<bool> reportedUnusable_{false};
+    std::shared_ptr<const PosedScene> posed_;
 };
 
 }  // namespace clearway::planning

@@ -4,15 +4,15 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "planning/motion/motion_callbacks.h"
-#include "planning/validity/space_of.h"
+#include "planning/validity/ompl_states.h"
+#include "planning/validity/posed_scene.h"
 
 namespace clearway::planning {
 namespace {
 
 namespace ob = ompl::base;
 
-/// More checks than this would take days: the motion counts as one that cannot be checked.
+/// More checks than this would take days, so that the motion counts as one that cannot be checked.
 constexpr double kMostParts = 1 << 30;
 
 /// The state at i/n. The far end is s2 itself, which OMPL's interpolation may miss.
@@ -35,8 +35,7 @@ DiscreteMotionValidator::DiscreteMotionValidator(const ob::SpaceInformationPtr& 
 
 DiscreteMotionValidator::DiscreteMotionValidator(const ob::SpaceInformationPtr& si, DisplacementBound bound,
                                                  double step)
-    : MotionValidator(si), bound_(std::move(bound)), step_(step) {
-    if (!bound_) throw std::invalid_argument("the displacement bound is empty, expected a function");
+    : MotionValidator(si), posed_(std::make_shared<const PosedScene>(si, std::move(bound))), step_(step) {
     if (!(step > 0) || !std::isfinite(step)) {
         std::ostringstream message;
         message << "step is " << step << ", expected a finite length above 0";
@@ -57,17 +56,18 @@ bool DiscreteMotionValidator::checkMotion(const ob::State* s1, const ob::State* 
 }
 
 std::uint64_t DiscreteMotionValidator::partsOf(const ob::State* s1, const ob::State* s2) const {
-    const double whole = bound_(s1, s2);
-    if (!std::isfinite(whole)) return 0;  // before OMPL interpolates: Debian's asserts unit quaternions
+    const double whole = posed_->bound(s1, s2);
+    if (!std::isfinite(whole))
+        return 0;  // before OMPL interpolates, because Debian's asserts unit quaternions
     const ScratchState end(*si_);
     si_->getStateSpace()->interpolate(s1, s2, 1, end.get());
-    const double jump = bound_(end.get(), s2);  // comes on top of the last part's own displacement
+    const double jump = posed_->bound(end.get(), s2);  // comes on top of the last part's own displacement
     const double parts = std::ceil(whole / (step_ - jump));
     if (!(jump < step_) || !(parts <= kMostParts)) return 0;
     return parts < 1 ? 1 : static_cast<std::uint64_t>(parts);
 }
 
-// s2 first, then ever finer halves: a motion that collides is likely to be told so early.
+// Looks at s2 first, then at ever finer halves, because that order is likely to find a collision early.
 bool DiscreteMotionValidator::isMotionValid(const ob::State* s1, const ob::State* s2) const {
     const std::uint64_t n = partsOf(s1, s2);
     if (n == 0 || !si_->isValid(s2)) return false;
@@ -94,8 +94,12 @@ double DiscreteMotionValidator::lastValidTime(const ob::State* s1, const ob::Sta
 
 bool DiscreteMotionValidator::isStartValid(const ob::State* s1) const {
     const bool valid = si_->isValid(s1);
-    if (!valid) invalidStarts_.fetch_add(1, std::memory_order_relaxed);
+    if (!valid) posed_->count(Count::kInvalidStarts);
     return valid;
+}
+
+std::uint64_t DiscreteMotionValidator::invalidStarts() const {
+    return posed_->counted(Count::kInvalidStarts);
 }
 
 bool DiscreteMotionValidator::count(bool valid) const {

@@ -1,4 +1,4 @@
-// Answers about motions as a certified validator whose margins are larger by a floor.
+// A motion validator that certifies motions with margins raised by a floor.
 #pragma once
 
 #include <functional>
@@ -10,7 +10,7 @@ namespace clearway::planning {
 
 class FloorValidator : public ompl::base::MotionValidator {
   public:
-    /// The validator must outlive this one. isStopped: as MotionOptions has it.
+    /// The validator must outlive this one. isStopped: like MotionOptions::isStopped.
     FloorValidator(const ompl::base::SpaceInformationPtr& si, const planning::MotionValidator& validator,
                    double floor, std::function<bool()> isStopped = {})
         : ompl::base::MotionValidator(si),
@@ -22,8 +22,8 @@ class FloorValidator : public ompl::base::MotionValidator {
         return validator_.keepsClearance(s1, s2, floor_, isStopped_);
     }
 
-    /// Of a motion that is not valid no more than s1 is told. The planners and short cuts that are given this
-    /// validator do not ask for more.
+    /// For an invalid motion, lastValid is always s1 at time 0. The planners and shortcuts that use this
+    /// validator do not need a later state.
     bool checkMotion(const ompl::base::State* s1, const ompl::base::State* s2,
                      std::pair<ompl::base::State*, double>& lastValid) const override {
         if (checkMotion(s1, s2)) return true;

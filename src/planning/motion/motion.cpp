@@ -9,19 +9,21 @@ namespace {
 
 namespace ob = ompl::base;
 
-/// How far a point of the part is, at the pose that was queried, from where the motion in exact arithmetic
-/// has it: of the part's radius, the positions and the length, with the margin, whose subtraction rounds too.
-/// OMPL's slerp: sines, the factors and the sum are off by at most 10 in 2^-53 for each of four entries,
-/// which turns the part by at most 40; the matrix adds 18, the position 4. Altogether less than 2^6.
+/// How far a point of the part is, at the pose that was queried, from its place in the motion in exact
+/// arithmetic: a share of the sum of the part's radius, the positions, the length and the margin, whose
+/// subtraction rounds too. In units of 2^-53: in OMPL's slerp the sines, the factors and the sum are off by
+/// at most 10 for each of four entries, which turns the part by at most 40; the matrix adds 18, the position
+/// 4. Altogether less than 2^6.
 constexpr double kPoseRounding = 0x1p-47;
 
-/// Where the interpolation ends; time 1 stands for s2.
+/// The last time of the interpolation; time 1 stands for s2.
 constexpr double kJustBeforeEnd = 1 - 0x1p-53;
 
-/// Of it: from each end of an interval two or, where s2 stands for the end, three roundings count.
+/// How many errors of kPoseRounding can add up over one interval: two per end, three where s2 replaces the
+/// interpolated end. The rest is room.
 constexpr double kRoundingsOfAnInterval = 8;
 
-/// A rough clearance is so to within a tenth of itself, which may be all that it has above a floor.
+/// A rough clearance is known to a tenth of itself, which may be all that it has above a floor.
 bool isTooRough(const PoseClearance& found, double floor) {
     constexpr double kEnough = 0.9;
     if (floor == 0 || std::isinf(found.upper) || found.upper <= floor) return false;
@@ -41,23 +43,25 @@ double most(double a, double b) {
     return std::max(a, b);
 }
 
-/// One of each two lower bounds and one of each two upper ones.
+/// Combines two samples: low chooses among their lower bounds, high among their upper bounds.
 template <class Low, class High>
 MotionSample combined(const MotionSample& a, const MotionSample& b, const Low& low, const High& high) {
+    const auto both = [&](const Bounds& x, const Bounds& y) {
+        return Bounds{low(x.lower, y.lower), high(x.upper, y.upper)};
+    };
     MotionSample result = a;
-    result.clearance = low(a.clearance, b.clearance);
+    result.room = both(a.room, b.room);
+    result.lower = low(a.lower, b.lower);
     result.upper = high(a.upper, b.upper);
-    result.counting = low(a.counting, b.counting);
-    result.countingUpper = high(a.countingUpper, b.countingUpper);
-    result.always = low(a.always, b.always);
+    result.always = both(a.always, b.always);
     for (std::size_t i = 0; i < kMostZones; ++i) {
-        result.zones[i].clearance = low(a.zones[i].clearance, b.zones[i].clearance);
-        result.zones[i].spare = low(a.zones[i].spare, b.zones[i].spare);
+        result.zones[i].clearance = both(a.zones[i].clearance, b.zones[i].clearance);
+        result.zones[i].spare = both(a.zones[i].spare, b.zones[i].spare);
     }
     return result;
 }
 
-/// What is certain wherever the part is moved by so much.
+/// What is certain wherever the part is moved by at most `jump`.
 MotionSample lessened(const MotionSample& sample, double jump) {
     const auto less = [jump](double a, double) { return a - jump; };
     const auto more = [jump](double a, double) { return a + jump; };
@@ -66,32 +70,33 @@ MotionSample lessened(const MotionSample& sample, double jump) {
 
 }  // namespace
 
-Motion::Motion(const MotionTools& tools, const ob::State* s1, const ob::State* s2)
-    : tools_(tools), s1_(s1), s2_(s2), scratch_(tools.si) {}
+Motion::Motion(const PosedScene& posed, ClearanceDetail detail, double floor, const ob::State* s1,
+               const ob::State* s2)
+    : posed_(posed), detail_(detail), floor_(floor), s1_(s1), s2_(s2), scratch_(posed.si()) {}
 
 bool Motion::isEndValid() {
-    if (!tools_.si.satisfiesBounds(s2_)) return false;
-    if (tools_.floor > 0) return true;  // asked for states of a path, which keep it mostly
+    if (!posed_.si().satisfiesBounds(s2_)) return false;
+    if (floor_ > 0) return true;  // asked for states of a path, which mostly keep the floor
     ++queries_;
-    isOutside_ = tools_.clearance.isFree(tools_.stateToPose(s2_));
+    isOutside_ = posed_.clearance().isFree(posed_.pose(s2_));
     return isOutside_;
 }
 
 void Motion::measure() {
-    length_ = tools_.bound(s1_, s2_);
-    if (!(length_ >= 0) ||
-        !std::isfinite(length_)) {  // before OMPL interpolates: it asserts unit quaternions
+    length_ = posed_.bound(s1_, s2_);
+    // Checked before OMPL interpolates, because OMPL asserts unit quaternions.
+    if (!(length_ >= 0) || !std::isfinite(length_)) {
         throw std::runtime_error("the motion between two states has no finite displacement bound");
     }
-    const Scene& scene = tools_.clearance.scene();
+    const Scene& scene = posed_.scene();
     const double position =
-        std::max(tools_.stateToPose(s1_).translation.norm(), tools_.stateToPose(s2_).translation.norm());
+        std::max(posed_.pose(s1_).translation.norm(), posed_.pose(s2_).translation.norm());
     slack_ = kRoundingsOfAnInterval * kPoseRounding *
-             (scene.part.radiusAboutOrigin() + position + length_ + scene.largestMargin() + tools_.floor);
+             (scene.part.radiusAboutOrigin() + position + length_ + scene.largestMargin() + floor_);
     if (!std::isfinite(slack_)) {
         throw std::runtime_error("one of two states has no pose: an entry is not finite");
     }
-    checksBoundsBetween_ = !tools_.areBoundsConvex || !tools_.si.satisfiesBounds(s2_);
+    checksBoundsBetween_ = !posed_.areBoundsConvex() || !posed_.si().satisfiesBounds(s2_);
 }
 
 MotionSample Motion::atStart(double wanted) {
@@ -101,7 +106,7 @@ MotionSample Motion::atStart(double wanted) {
 }
 
 MotionSample Motion::at(double time, double wanted) {
-    tools_.si.getStateSpace()->interpolate(s1_, s2_, time, scratch_.get());
+    posed_.space().interpolate(s1_, s2_, time, scratch_.get());
     return look(scratch_.get(), time, wanted, checksBoundsBetween_);
 }
 
@@ -111,8 +116,8 @@ MotionSample Motion::atEnd(double wanted) {
     isOutside_ = true;
     endJump_ = findEndJump();
     const MotionSample certain = lessened(end, endJump_);
-    if (certain.clearance > end.clearance / 2) return certain;
-    // Two poses with more between them than can be told: solids may lie there.
+    if (certain.room.lower > end.room.lower / 2) return certain;
+    // The end's clearance does not cover the jump between the two poses: solids may lie between them.
     isOutside_ = false;
     end = look(s2_, 1, wanted, true);
     const MotionSample interpolated = at(kJustBeforeEnd, wanted);
@@ -122,14 +127,14 @@ MotionSample Motion::atEnd(double wanted) {
 }
 
 double Motion::findEndJump() const {
-    tools_.si.getStateSpace()->interpolate(s1_, s2_, 1, scratch_.get());
-    const double jump = tools_.bound(scratch_.get(), s2_);
+    posed_.space().interpolate(s1_, s2_, 1, scratch_.get());
+    const double jump = posed_.bound(scratch_.get(), s2_);
     if (std::isfinite(jump)) return jump;
     throw std::runtime_error("the jump at the end of the interpolation has no finite displacement bound");
 }
 
 MotionSample Motion::look(const ob::State* state, double time, double wanted, bool checksBounds) {
-    if (checksBounds && !tools_.si.satisfiesBounds(state)) {
+    if (checksBounds && !posed_.si().satisfiesBounds(state)) {
         MotionSample outside;
         outside.time = time;
         outside.isOutOfBounds = true;
@@ -137,18 +142,18 @@ MotionSample Motion::look(const ob::State* state, double time, double wanted, bo
     }
     ClearanceOptions options;
     options.isOutside = isOutside_;
-    options.isRough = tools_.detail == ClearanceDetail::kRough;
+    options.isRough = detail_ == ClearanceDetail::kRough;
     options.leastSpare = 2 * (length_ + slack_);
-    if (tools_.detail != ClearanceDetail::kWhole) {
+    if (detail_ != ClearanceDetail::kWhole) {
         options.leastSpare = wanted;
-        options.cap = wanted + tools_.floor;
+        options.cap = wanted + floor_;
     }
-    const Pose X_environmentPart = tools_.stateToPose(state);
-    PoseClearance found = tools_.clearance.at(X_environmentPart, options);
+    const Pose X_environmentPart = posed_.pose(state);
+    PoseClearance found = posed_.clearance().at(X_environmentPart, options);
     queries_ += found.queries;
-    if (options.isRough && isTooRough(found, tools_.floor)) {
+    if (options.isRough && isTooRough(found, floor_)) {
         options.isRough = false;
-        found = tools_.clearance.at(X_environmentPart, options);
+        found = posed_.clearance().at(X_environmentPart, options);
         queries_ += found.queries;
     }
     if (found.isInStartContact) widen(startContact_, time);
@@ -162,22 +167,24 @@ MotionSample Motion::look(const ob::State* state, double time, double wanted, bo
 }
 
 MotionSample Motion::sampleOf(double time, const PoseClearance& found) const {
-    const double floor = tools_.floor;
+    const auto aboveFloor = [this](const Bounds& clearance) {
+        return Bounds{clearance.lower - floor_, clearance.upper - floor_};
+    };
     MotionSample sample;
     sample.time = time;
-    sample.counting = found.lower - floor;
-    sample.countingUpper = found.upper - floor;
-    sample.always = sample.clearance = found.lowerAlways - floor;
-    sample.upper = found.upperAlways - floor;
+    sample.lower = found.lower - floor_;
+    sample.upper = found.upper - floor_;
+    sample.always = sample.room = aboveFloor(found.always);
     for (std::size_t i = 0; i < zoneCount(); ++i) {
-        const ZoneClearance& zone = found.zones[i];
-        sample.zones[i] = {zone.clearance - floor, zone.spare};
-        sample.clearance = std::min(sample.clearance, std::max(zone.clearance - floor, zone.spare));
-        sample.upper = std::min(sample.upper, std::max(zone.upper - floor, zone.mostSpare));
+        const Bounds& spare = found.zones[i].spare;
+        const Bounds clearance = aboveFloor(found.zones[i].clearance);
+        sample.zones[i] = {clearance, spare};
+        sample.room.lower = std::min(sample.room.lower, std::max(clearance.lower, spare.lower));
+        sample.room.upper = std::min(sample.room.upper, std::max(clearance.upper, spare.upper));
     }
-    const bool isValid = sample.counting > 0;
-    sample.clearance = isValid ? std::max(sample.clearance, std::numeric_limits<double>::denorm_min())
-                               : std::min(sample.clearance, sample.counting);
+    const bool isValid = sample.lower > 0;
+    sample.room.lower = isValid ? std::max(sample.room.lower, std::numeric_limits<double>::denorm_min())
+                                : std::min(sample.room.lower, sample.lower);
     return sample;
 }
 

@@ -1,104 +1,91 @@
-// One motion of the part, and how much room it has at a pose of it.
+// One motion of the part, and how much room the part has at the poses of that motion.
 #pragma once
 
 #include <ompl/base/SpaceInformation.h>
 
-#include <array>
 #include <cstdint>
 #include <limits>
 #include <optional>
 
-#include "clearway/planning/displacement_bound.h"
 #include "clearway/planning/motion_validator.h"
-#include "clearway/planning/state_to_pose.h"
-#include "planning/validity/scene_clearance.h"
-#include "planning/validity/scratch_state.h"
+#include "clearway/planning/scene_clearance.h"
+#include "planning/validity/ompl_states.h"
+#include "planning/validity/posed_scene.h"
 
 namespace clearway::planning {
 
-/// How clearances along a motion are told.
+/// How closely the clearances along a motion are found.
 enum class ClearanceDetail {
-    kRough,  ///< up to what is wanted, within a tenth
-    kTight,  ///< up to what is wanted, as tight as distances come
-    kWhole,  ///< as tight, and whatever is wanted
+    kRough,  ///< up to the wanted length, within a tenth
+    kTight,  ///< up to the wanted length, as tight as distances come
+    kWhole,  ///< as tight, whatever length is wanted
 };
 
-/// What a motion is looked at with; outlives it.
-struct MotionTools {
-    const ompl::base::SpaceInformation& si;
-    const SceneClearance& clearance;
-    const StateToPose& stateToPose;
-    const DisplacementBound& bound;
-    bool areBoundsConvex;  ///< of the space: what is between two states within them is within them
-    ClearanceDetail detail;
-    double floor = 0;  ///< asked of the part on top of the margin: clearances here are less this
-};
-
-struct MotionSample {
+/// The clearances at one pose of a motion, less the motion's floor.
+struct MotionSample : Clearances {
     double time = 0;
-    /// How far any point of the part may move for sure, and the pose stays valid: the lower bound of
-    /// distance - margin - floor, or where obstacles are ignored, how far they stay so. At most 0: it is
+    /// How far any point of the part may move while the pose stays valid: distance - margin - floor or, where
+    /// obstacles are ignored, how far they stay ignored. A lower bound of at most 0 means that the pose is
     /// invalid.
-    double clearance = 0;
+    Bounds room;
     bool isOutOfBounds = false;
 
-    /// Upper bound of the same; infinite beyond what was wanted.
-    double upper = std::numeric_limits<double>::infinity();
-
-    double counting = 0;  ///< lower bound of distance - margin - floor, of the obstacles that count here
-    double countingUpper = std::numeric_limits<double>::infinity();
-    double always = 0;                            ///< lower bound, of those that count everywhere
-    std::array<ZoneRoom, kMostZones> zones = {};  ///< of the others
-
-    bool isValid() const { return clearance > 0 && !isOutOfBounds; }
+    MotionSample() { lower = always.lower = room.lower = 0; }  ///< of a pose that no query was asked about
+    bool isValid() const { return room.lower > 0 && !isOutOfBounds; }
 };
 
 /// The motion in exact arithmetic that OMPL's interpolation rounds: no point of the part moves further than
-/// length() |b - a| between its times a and b.
+/// length() |b - a| between its times a and b. The scene and the states must outlive it.
 class Motion {
   public:
-    Motion(const MotionTools& tools, const ompl::base::State* s1, const ompl::base::State* s2);
+    /// floor: clearance that is asked of the part on top of the margins.
+    Motion(const PosedScene& posed, ClearanceDetail detail, double floor, const ompl::base::State* s1,
+           const ompl::base::State* s2);
 
-    /// Whether s2 is valid: by far the cheapest thing to know of a motion. Throws what queries and callbacks
-    /// throw.
+    /// Whether s2 is valid: by far the cheapest test of a motion. Throws what queries and callbacks throw.
     bool isEndValid();
 
-    /// Finds length() and slack(), before anything that follows. Throws std::runtime_error when the motion
-    /// has no finite bound, and what the callbacks throw.
+    /// Finds length() and slack(); call it before anything that follows. Throws std::runtime_error when the
+    /// motion has no finite bound, and what the callbacks throw.
     void measure();
 
     double length() const { return length_; }
 
-    /// By the space's own metric.
-    double distance() const { return tools_.si.distance(s1_, s2_); }
+    /// The distance between the states by the space's own metric.
+    double distance() const { return posed_.si().distance(s1_, s2_); }
 
-    /// What two clearances that certify an interval must have to spare, for poses are rounded.
+    /// The rooms at both ends must add up to this much more than the motion between them to certify an
+    /// interval, because poses are rounded.
     double slack() const { return slack_; }
 
-    std::size_t zoneCount() const { return tools_.clearance.zoneCount(); }
+    std::size_t zoneCount() const { return posed_.clearance().zoneCount(); }
 
-    /// Lengths up to `wanted` are of interest. All of them throw what queries and callbacks throw.
+    /// The next three functions look at a pose; lengths above `wanted` need not be found. All of them throw
+    /// what queries and callbacks throw.
     MotionSample atStart(double wanted);
     MotionSample at(double time, double wanted);  ///< as interpolated; 0 < time < 1
 
-    /// s2 itself. When it is valid, the clearance is what is certain at s2 and at time 1 of the
+    /// Looks at s2 itself. When s2 is valid, the sample holds what is certain both at s2 and at time 1 of the
     /// interpolation, which need not be s2: OMPL leaves out rotations below 1.6e-4 rad.
     MotionSample atEnd(double wanted);
 
-    /// Known after atEnd: no point of the part moves further than this between the end of the interpolation
-    /// and s2, nor between the poses of this motion and those of OMPL's motion from s2 to s1, but for
-    /// rounding.
+    /// No point of the part moves further than this between the end of the interpolation and s2, nor between
+    /// the poses of this motion and those of OMPL's motion from s2 to s1, but for rounding. Known after
+    /// atEnd.
     double endJump() const { return endJump_; }
 
     std::uint64_t queries() const { return queries_; }
-    const PoseClearance& closest() const { return closest_; }  ///< of the poses looked at
+    const PoseClearance& closest() const {
+        return closest_;
+    }  ///< of the poses looked at, floor not subtracted
     double closestTime() const { return closestTime_; }
-    /// From now on solids are looked at again: where the poses that follow are is not known from any other.
+    double leastUpper() const { return leastUpper_; }  ///< of the poses looked at, floor not subtracted
+
+    /// Makes the following samples look at solids again: nothing known so far says on which side of them the
+    /// poses are.
     void forgetOutside() { isOutside_ = false; }
 
-    double leastUpper() const { return leastUpper_; }
-
-    /// From the first to the last of the poses looked at that are within the contact zone.
+    /// The times from the first to the last of the poses looked at that are within the contact zone.
     const std::optional<TimeSpan>& startContact() const { return startContact_; }
     const std::optional<TimeSpan>& goalContact() const { return goalContact_; }
 
@@ -107,7 +94,9 @@ class Motion {
     MotionSample sampleOf(double time, const PoseClearance& found) const;
     double findEndJump() const;
 
-    MotionTools tools_;
+    const PosedScene& posed_;
+    ClearanceDetail detail_;
+    double floor_;
     const ompl::base::State* s1_;
     const ompl::base::State* s2_;
     ScratchState scratch_;
@@ -115,7 +104,7 @@ class Motion {
     double slack_ = 0;
     double endJump_ = 0;
     bool checksBoundsBetween_ = true;
-    bool isOutside_ = false;  ///< of the solids that always count: known at one pose, it holds at all
+    bool isOutside_ = false;  ///< no solid that always counts holds the part at one pose, so none does at any
     std::uint64_t queries_ = 0;
     PoseClearance closest_;
     double closestTime_ = 0;

@@ -8,6 +8,10 @@ namespace {
 
 constexpr double kDefaultLeastInterval = 1e-5;  ///< of the part's diagonal
 
+constexpr double kSpareShare = 0.1;    ///< of the spare at the ends, for planning
+constexpr double kFinestShare = 1e-3;  ///< of the default least interval
+constexpr double kAuditShare = 1.0 / 16;
+
 constexpr double kUsualShare = 1e-2;
 constexpr double kUsualLargestShare = 0.1;
 constexpr double kUsualDiagonal = 1e-3;  ///< of the part's diagonal
@@ -16,11 +20,11 @@ double diagonalOf(const Box& box) {
     return box.isEmpty() ? 0 : box.diagonal().norm();
 }
 
-/// A pose's clearance is asked for as far as both halves of an interval need it, and this much more, for the
-/// query's answer is rounded.
+/// A pose's clearance is asked for as far as both halves of an interval need it. The factor covers the
+/// rounding of the query's answer.
 constexpr double kWantedMore = 1 + 1e-9;
 
-/// The heap's first: with the least lower bound, which is the widest stretch that is not certified.
+/// Puts the interval with the least lower bound first: the widest stretch that is not certified.
 bool isLessUrgent(const MotionInterval& a, const MotionInterval& b) {
     return a.lower > b.lower;
 }
@@ -41,6 +45,19 @@ double defaultLeastInterval(const Scene& scene) {
     return kDefaultLeastInterval * (size > 0 ? size : 1);
 }
 
+MotionOptions planningMotions(const Scene& scene, double spareAtEnds) {
+    const double usual = defaultLeastInterval(scene);
+    MotionOptions options;
+    options.leastInterval = std::clamp(kSpareShare * spareAtEnds, kFinestShare * usual, usual);
+    return options;
+}
+
+MotionOptions auditMotions(const Scene& scene, double spareAtEnds) {
+    MotionOptions options;
+    options.leastInterval = kAuditShare * *planningMotions(scene, spareAtEnds).leastInterval;
+    return options;
+}
+
 ClearanceResolution usualResolution(const Scene& scene, double leastInterval) {
     return {kUsualShare, kUsualLargestShare, kUsualDiagonal * diagonalOf(scene.part.box()), leastInterval};
 }
@@ -52,54 +69,58 @@ MotionSearch::MotionSearch(Motion& motion, double leastInterval, double contactI
       contactInterval_(contactInterval),
       isStopped_(std::move(isStopped)) {}
 
-/// A slack is rounding: what is shorter is not looked into.
+/// Stretches shorter than a few slacks are not looked into, because a slack is rounding.
 void MotionSearch::measure() {
     motion_.measure();
     leastInterval_ = std::max(leastInterval_, 4 * motion_.slack());
     contactInterval_ = std::max(contactInterval_, 4 * motion_.slack());
 }
 
-/// Twice what is certain at the pose that the clearances of both ends tell least about.
+/// Twice the room that is certain at the pose between two samples that they tell least about.
 double MotionSearch::spare(const MotionSample& from, const MotionSample& to) const {
-    if (motion_.length() == 0) return from.clearance + to.clearance;  // s1's own pose throughout
-    return from.clearance + to.clearance - motion_.length() * (to.time - from.time) - motion_.slack();
+    const double rooms = from.room.lower + to.room.lower;
+    if (motion_.length() == 0) return rooms;  // the part stays at s1's pose
+    return rooms - motion_.length() * (to.time - from.time) - motion_.slack();
 }
 
 MotionInterval MotionSearch::interval(const MotionSample& from, const MotionSample& to) const {
     if (motion_.zoneCount() == 0) {
-        return {from, to, std::min({0.5 * spare(from, to), from.clearance, to.clearance})};
+        return {from, to, std::min({0.5 * spare(from, to), from.room.lower, to.room.lower})};
     }
     const double way = motion_.length() == 0 ? 0 : motion_.length() * (to.time - from.time) + motion_.slack();
-    double lower = std::min({0.5 * (from.always + to.always - way), from.always, to.always});
+    const double first = from.always.lower, last = to.always.lower;
+    double lower = std::min({0.5 * (first + last - way), first, last});
     for (std::size_t i = 0; i < motion_.zoneCount(); ++i) {
         lower = std::min(lower, lowerBetween(from.zones[i], to.zones[i], way));
     }
     return {from, to, lower};
 }
 
-/// Having moved by x, the part is at least from.clearance - x away, and no less than to.clearance - (way -
-/// x). It counts for x between what it is ignored for after one sample and before the other.
-double MotionSearch::lowerBetween(const ZoneRoom& from, const ZoneRoom& to, double way) const {
-    const double low = std::max(from.spare, 0.0), high = way - std::max(to.spare, 0.0);
+/// When the part has moved by x from the first sample, its clearance is at least from's - x and at least to's
+/// - (way - x). The zone's obstacles count only for x beyond the spare of the first sample and before the
+/// spare of the last.
+double MotionSearch::lowerBetween(const ZoneClearance& from, const ZoneClearance& to, double way) const {
+    const double low = std::max(from.spare.lower, 0.0), high = way - std::max(to.spare.lower, 0.0);
     const bool isIgnoredThroughout = low > high || (way == 0 && from.isIgnored());
     if (isIgnoredThroughout) return std::numeric_limits<double>::infinity();
-    const double x = std::clamp(0.5 * (way + from.clearance - to.clearance), low, high);
-    return std::max(from.clearance - x, to.clearance - (way - x));
+    const double first = from.clearance.lower, last = to.clearance.lower;
+    const double x = std::clamp(0.5 * (way + first - last), low, high);
+    return std::max(first - x, last - (way - x));
 }
 
-/// The middle of what the ends' clearances leave open, where they tell least.
+/// The middle of the stretch that the rooms at both ends leave open.
 double MotionSearch::dividingTime(const MotionSample& from, const MotionSample& to) const {
     const double middle = middleOf(from, to);
-    const double time = middle + 0.5 * (from.clearance - to.clearance) / motion_.length();
+    const double time = middle + 0.5 * (from.room.lower - to.room.lower) / motion_.length();
     return isBetween(time, from, to) ? time : middle;
 }
 
-/// Where lower bounds are least sure. In contact zones that is another place than where the motion is.
+/// The time where lower bounds are least sure. In contact zones that need not be where the room is least.
 double MotionSearch::profiledTime(const MotionSample& from, const MotionSample& to) const {
     return motion_.zoneCount() == 0 ? dividingTime(from, to) : middleOf(from, to);
 }
 
-/// The clearance with which both halves of a stretch are certified that its ends leave open so far.
+/// The room at the middle of a stretch that certifies both halves, given the length that its ends leave open.
 double MotionSearch::wantedFor(double open) const {
     return (motion_.slack() + 0.5 * open) * kWantedMore;
 }
@@ -174,7 +195,8 @@ MotionVerdict MotionSearch::goForward() {
     return MotionVerdict::kValid;
 }
 
-/// Where the part comes near by grazing, it may be too close to tell before it collides.
+/// Before a grazing contact, the stretch just ahead of the collision may be too close to decide. The
+/// collision is reported all the same.
 MotionVerdict MotionSearch::verdictBefore(const std::vector<MotionSample>& ahead) {
     const auto invalid = std::find_if(ahead.rbegin(), ahead.rend(),
                                       [](const MotionSample& sample) { return !sample.isValid(); });
@@ -183,8 +205,8 @@ MotionVerdict MotionSearch::verdictBefore(const std::vector<MotionSample>& ahead
     return MotionVerdict::kInvalid;
 }
 
-/// Before a pose in collision only the last sample's clearance certifies anything; how far the bounds reach
-/// is found by halving.
+/// Before a pose in collision only the last sample's room certifies anything. Where the motion leaves the
+/// bounds is found by halving.
 MotionSearch::Stretch MotionSearch::stretchBefore(const MotionSample& next) const {
     if (next.isOutOfBounds) {
         const double step = next.time - reached_.time;
@@ -192,7 +214,7 @@ MotionSearch::Stretch MotionSearch::stretchBefore(const MotionSample& next) cons
     }
     MotionSample sample;
     sample.time = next.time;
-    sample.clearance = std::max(next.clearance, 0.0);
+    sample.room.lower = std::max(next.room.lower, 0.0);
     return {-spare(reached_, sample), dividingTime(reached_, sample)};
 }
 
@@ -201,11 +223,11 @@ void MotionSearch::advance(const MotionSample& next) {
     reached_ = next;
 }
 
-/// What the last sample alone certifies beyond itself counts too, but for half a stop, which the last valid
-/// pose keeps as clearance: a planner goes on from there.
+/// Adds what the last sample alone certifies beyond itself, less half a stop. The last valid pose keeps that
+/// half as clearance, because a planner goes on from there.
 void MotionSearch::stopBefore(const MotionSample& blocked, double stop) {
     blocked_ = blocked;
-    const double certain = reached_.clearance - 0.5 * stop;
+    const double certain = reached_.room.lower - 0.5 * stop;
     const double time = reached_.time + certain / motion_.length();
     if (certain <= 0.5 * stop || !isBetween(time, reached_, blocked)) return;
     const MotionSample last = motion_.at(time, stop);
@@ -214,8 +236,8 @@ void MotionSearch::stopBefore(const MotionSample& blocked, double stop) {
 
 double MotionSearch::refineLower(const ClearanceResolution& resolution) {
     std::make_heap(intervals_.begin(), intervals_.end(), isLessUrgent);
-    double least = reached_.counting;
-    for (const MotionInterval& known : intervals_) least = std::min(least, known.from.counting);
+    double least = reached_.lower;
+    for (const MotionInterval& known : intervals_) least = std::min(least, known.from.lower);
     refine(least, resolution);
     return intervals_.front().lower;
 }
@@ -226,15 +248,15 @@ std::optional<double> MotionSearch::leastClearance(double cap, const ClearanceRe
     const MotionSample end = motion_.atEnd(wanted);
     if (!end.isValid() || !lookAtStart(wanted)) return std::nullopt;
     intervals_ = {interval(reached_, end)};
-    if (!refine(std::min({cap, reached_.counting, end.counting}), resolution)) return std::nullopt;
+    if (!refine(std::min({cap, reached_.lower, end.lower}), resolution)) return std::nullopt;
     return intervals_.front().lower;
 }
 
-/// Divides the interval of the least lower bound until that is known well enough, given a pose of so little
-/// clearance. A pose is asked for as much as certifies that clearance in both halves. False when one is
-/// invalid.
+/// Divides the interval with the least lower bound until that bound is known well enough. least: the
+/// clearance of some pose of the motion; each new pose is asked for as much as certifies that clearance in
+/// both halves. Returns false when a pose is invalid.
 bool MotionSearch::refine(double least, const ClearanceResolution& resolution) {
-    // Infinite: nothing counts at the poses looked at so far, but between them something may.
+    // An infinite least means that nothing counts at the poses looked at so far; something may between them.
     const auto isKnown = [&](double lower) {
         if (std::isinf(least)) return std::isinf(lower);
         return lower >= least - std::max(resolution.of(least), leastInterval_);
@@ -246,7 +268,7 @@ bool MotionSearch::refine(double least, const ClearanceResolution& resolution) {
         const double open = 2 * least - spare(from, to);
         const MotionSample middle = motion_.at(time, least + wantedFor(open));
         if (!middle.isValid()) return false;
-        least = std::min(least, middle.countingUpper);
+        least = std::min(least, middle.upper);
         std::pop_heap(intervals_.begin(), intervals_.end(), isLessUrgent);
         intervals_.back() = interval(from, middle);
         std::push_heap(intervals_.begin(), intervals_.end(), isLessUrgent);
@@ -263,7 +285,7 @@ std::vector<MotionInterval> MotionSearch::profile(double share) {
         open.pop_back();
         const double time = profiledTime(from, to);
         const bool isShort = motion_.length() * (to.time - from.time) <= leastInterval_;
-        if (lower >= share * std::min(from.clearance, to.clearance) || isShort ||
+        if (lower >= share * std::min(from.room.lower, to.room.lower) || isShort ||
             !isBetween(time, from, to)) {
             settled.push_back({from, to, lower});
             continue;

@@ -1,4 +1,4 @@
-// Which poses of a motion to look at, until it is certified or something is in the way.
+// Chooses the poses of a motion to look at, until the motion is certified or something is in the way.
 #pragma once
 
 #include <algorithm>
@@ -11,15 +11,15 @@
 
 namespace clearway::planning {
 
-/// From one sample to the next one along the motion. lower: no pose between them has less clearance from
-/// what counts there; above 0 the interval is certified.
+/// The interval from one sample to the next one along the motion. No pose of it has less clearance from the
+/// obstacles that count there than `lower`; above 0 the interval is certified.
 struct MotionInterval {
     MotionSample from, to;
     double lower = 0;
 };
 
-/// How well the least clearance of a motion is to be known: to `share` of it, or to `length` where that is
-/// more, but no worse than to `largestShare` of it, unless it is less than `least`.
+/// How well the least clearance of a motion is to be known: to `share` of it or, where that is more, to
+/// `length`, but no worse than to `largestShare` of it or, where that is more, to `least`.
 struct ClearanceResolution {
     double share, largestShare, length, least;
     double of(double clearance) const {
@@ -27,24 +27,34 @@ struct ClearanceResolution {
     }
 };
 
-/// 1e-5 of the diagonal of the part's box, of the environment's when the part is a point.
+/// 1e-5 of the diagonal of the part's box, or of the environment's box when the part is a point.
 double defaultLeastInterval(const Scene& scene);
 
-/// How well least clearances are told to users: 1 % or, where that is more, 1e-3 of the part's diagonal, but
-/// no worse than 10 % or leastInterval.
+/// Options for planning between a start and a goal of which the tighter one has `spareAtEnds` clearance: a
+/// least interval of a tenth of that clearance where this is less than the default, but no less than a
+/// thousandth of the default. So paths that begin at a tight start can be planned and audited.
+MotionOptions planningMotions(const Scene& scene, double spareAtEnds);
+
+/// Options for auditing a path with such ends: a sixteenth of planningMotions' interval, so that motions that
+/// passed in one order of samples pass in another order.
+MotionOptions auditMotions(const Scene& scene, double spareAtEnds);
+
+/// The resolution of the least clearances in reports: 1 % or, where that is more, 1e-3 of the part's
+/// diagonal, but no worse than 10 % or leastInterval.
 ClearanceResolution usualResolution(const Scene& scene, double leastInterval);
 
 class MotionSearch {
   public:
-    /// leastInterval, contactInterval: what is not certified is given up when it is this short; the latter
-    /// where an invalid pose is at its end. isStopped, unless empty: of MotionOptions.
+    /// A stretch that is not certified is given up when it is as short as leastInterval, or as
+    /// contactInterval where an invalid pose is at its end. isStopped: MotionOptions::isStopped, may be
+    /// empty.
     MotionSearch(Motion& motion, double leastInterval, double contactInterval,
                  std::function<bool()> isStopped = {});
 
-    /// The far end first, then the middle of the widest stretch that is not certified.
+    /// Looks at the far end first, then at the middle of the widest stretch that is not certified.
     MotionVerdict certify();
 
-    /// From the start to the end. certifiedTime() tells how far it came.
+    /// Goes from the start to the end. certifiedTime() is how far it came.
     MotionVerdict goForward();
 
     double certifiedTime() const { return reached_.time; }
@@ -52,27 +62,27 @@ class MotionSearch {
     bool isStartInvalid() const { return isStartInvalid_; }
 
     /// Looks at more poses of a motion that goForward found valid, where the clearance may be least, until
-    /// its least over all intervals is known well enough. Returns that: no pose has less.
+    /// the least clearance is known well enough. Returns a clearance that no pose is below.
     double refineLower(const ClearanceResolution& resolution);
 
-    /// Looks at a motion not looked at before until its least clearance is known well enough, or is known to
-    /// be `cap` but for the resolution. Returns a clearance that no pose is below; it may be more than the
-    /// cap, and is at most 0 when the motion cannot be told from an invalid one. Nothing when a pose is
-    /// invalid.
+    /// Looks at a motion, in place of certify or goForward, until its least clearance is known well enough or
+    /// known to be `cap` but for the resolution. Returns a clearance that no pose is below. It may be more
+    /// than the cap, and is at most 0 when the motion cannot be told from an invalid one. Returns nothing
+    /// when a pose is invalid.
     std::optional<double> leastClearance(double cap, const ClearanceResolution& resolution);
 
-    /// The certified intervals up to certifiedTime() in order, divided until each one's bound is at least
-    /// this share of the lesser clearance at its ends, or it is as short as the least interval.
+    /// The certified intervals up to certifiedTime() in order, divided until each interval's bound is at
+    /// least `share` of the lesser room at its ends, or the interval is as short as the least interval.
     std::vector<MotionInterval> profile(double share);
 
-    /// So many poses evenly spread over what follows certifiedTime(), its end included, valid or not.
+    /// Samples of poses, valid or not, evenly spread over the motion after certifiedTime(), its end included.
     std::vector<MotionSample> lookAhead(int poses);
 
     /// The pose that ended goForward, unless the motion is valid.
     const MotionSample& blocked() const { return blocked_; }
 
   private:
-    /// What two samples leave open between them, as a length, and where to divide it.
+    /// The length that two samples leave open between them, and the time at which to divide it.
     struct Stretch {
         double open;
         double time;
@@ -84,7 +94,7 @@ class MotionSearch {
     bool isCertified(const MotionSample& from, const MotionSample& to) const {
         return interval(from, to).lower > 0;
     }
-    double lowerBetween(const ZoneRoom& from, const ZoneRoom& to, double way) const;
+    double lowerBetween(const ZoneClearance& from, const ZoneClearance& to, double way) const;
     double dividingTime(const MotionSample& from, const MotionSample& to) const;
     double profiledTime(const MotionSample& from, const MotionSample& to) const;
     double wantedFor(double open) const;
@@ -104,7 +114,7 @@ class MotionSearch {
     MotionSample reached_;
     MotionSample blocked_;
     bool isStartInvalid_ = false;
-    std::vector<MotionInterval> intervals_;  ///< certify: a heap of the open ones; else the certified ones
+    std::vector<MotionInterval> intervals_;  ///< a heap of the open ones in certify, else the certified ones
 };
 
 }  // namespace clearway::planning

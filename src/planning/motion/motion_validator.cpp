@@ -1,7 +1,5 @@
 #include "clearway/planning/motion_validator.h"
 
-#include <ompl/util/Console.h>
-
 #include <algorithm>
 #include <cmath>
 #include <exception>
@@ -10,22 +8,22 @@
 
 #include "core/number.h"
 #include "planning/motion/motion.h"
-#include "planning/motion/motion_callbacks.h"
 #include "planning/motion/motion_search.h"
-#include "planning/validity/scene_clearance.h"
-#include "planning/validity/space_of.h"
+#include "planning/validity/ompl_states.h"
+#include "planning/validity/posed_scene.h"
 
 namespace clearway::planning {
 namespace {
 
 namespace ob = ompl::base;
 
-/// In least intervals: how near to a pose in collision the last valid one is looked for. A planner has no use
-/// for more, and each halving is a query.
+/// How near to a pose in collision the last valid pose is looked for, in least intervals. A planner has no
+/// use for a closer pose, and each halving is a query.
 constexpr double kContactIntervals = 100;
 
-constexpr double kProfiledShare = 0.8;  ///< of the clearance at a profile's points: certain between them
-constexpr int kPosesAhead = 32;         ///< of a profile, beyond what is certified
+constexpr double kProfiledShare =
+    0.8;                         ///< of the clearance at a profile's points that is certain between them
+constexpr int kPosesAhead = 32;  ///< in a profile, after the certified part of the motion
 
 double chooseLeastInterval(const Scene& scene, const MotionOptions& options) {
     if (!options.leastInterval) return defaultLeastInterval(scene);
@@ -34,26 +32,26 @@ double chooseLeastInterval(const Scene& scene, const MotionOptions& options) {
                                 ", expected a finite length above 0");
 }
 
-/// Whether one of the two says so; each may be empty.
+/// True when one of the two returns true; each may be empty.
 std::function<bool()> either(const std::function<bool()>& a, const std::function<bool()>& b) {
     if (!a || !b) return a ? a : b;
     return [a, b] { return a() || b(); };
 }
 
-/// What is certified, and a look at the rest.
+/// The points of the certified part of a motion, and some poses of the rest.
 std::vector<ProfilePoint> pointsOf(MotionSearch& search, const MotionReport& report) {
     std::vector<ProfilePoint> points;
     const double least = report.lowerClearance;
     for (const MotionInterval& known : search.profile(kProfiledShare)) {
-        points.push_back({known.from.time, known.from.counting, std::max(known.lower, least)});
+        points.push_back({known.from.time, known.from.lower, std::max(known.lower, least)});
     }
-    points.push_back({search.reached().time, search.reached().counting, least});
+    points.push_back({search.reached().time, search.reached().lower, least});
     if (report.verdict == MotionVerdict::kValid) {
         points.back().lowerToNext = points.back().clearance;
         return points;
     }
     for (const MotionSample& sample : search.lookAhead(kPosesAhead)) {
-        points.push_back({sample.time, sample.counting, least});
+        points.push_back({sample.time, sample.lower, least});
     }
     return points;
 }
@@ -69,34 +67,38 @@ struct MotionValidator::Outcome {
 };
 
 MotionValidator::MotionValidator(const ob::SpaceInformationPtr& si, Scene scene, const MotionOptions& options)
-    : MotionValidator(si, scene, planning::stateToPose(spaceOf(si)),
-                      displacementBound(spaceOf(si), scene.part), options) {
-    areBoundsConvex_ = true;
-}
+    : MotionValidator(si, std::make_shared<const PosedScene>(si, std::move(scene)), options) {}
 
 MotionValidator::MotionValidator(const ob::SpaceInformationPtr& si, Scene scene, StateToPose stateToPose,
                                  DisplacementBound bound, const MotionOptions& options)
+    : MotionValidator(
+          si,
+          std::make_shared<const PosedScene>(si, std::move(scene), std::move(stateToPose), std::move(bound)),
+          options) {}
+
+MotionValidator::MotionValidator(const ob::SpaceInformationPtr& si, std::shared_ptr<const PosedScene> posed,
+                                 const MotionOptions& options)
     : ob::MotionValidator(si),
-      clearance_(std::make_shared<const SceneClearance>(std::move(scene))),
-      stateToPose_(std::move(stateToPose)),
-      bound_(std::move(bound)),
-      leastInterval_(chooseLeastInterval(clearance_->scene(), options)),
+      posed_(std::move(posed)),
+      leastInterval_(chooseLeastInterval(scene(), options)),
       isStopped_(options.isStopped) {
-    if (!stateToPose_) throw std::invalid_argument("stateToPose is empty, expected a function");
-    if (!bound_) throw std::invalid_argument("the displacement bound is empty, expected a function");
-    if (clearance_->mostClearance() < leastInterval_) {
-        const double margin = clearance_->scene().largestMargin();
-        throw std::invalid_argument("the environment was built with a reach whose cap is " +
-                                    shortNumber(clearance_->mostClearance() + margin) +
-                                    ", expected at least the margin and the least interval, " +
-                                    shortNumber(margin + leastInterval_));
+    const double most = posed_->clearance().mostClearance();
+    if (most < leastInterval_) {
+        const double margin = scene().largestMargin();
+        throw std::invalid_argument(
+            "the environment was built with a reach whose cap is " + shortNumber(most + margin) +
+            ", expected at least the margin and the least interval, " + shortNumber(margin + leastInterval_));
     }
 }
 
 MotionValidator::~MotionValidator() = default;
 
 const Scene& MotionValidator::scene() const {
-    return clearance_->scene();
+    return posed_->scene();
+}
+
+Pose MotionValidator::pose(const ob::State* state) const {
+    return posed_->pose(state);
 }
 
 bool MotionValidator::checkMotion(const ob::State* s1, const ob::State* s2) const {
@@ -114,7 +116,7 @@ bool MotionValidator::checkMotion(const ob::State* s1, const ob::State* s2,
 
 std::string MotionValidator::whyInvalid(const ob::State* state) const {
     if (!si_->satisfiesBounds(state)) return "outside of the bounds of the state space";
-    return clearance_->whyInvalid(pose(state));
+    return posed_->clearance().whyInvalid(pose(state));
 }
 
 bool MotionValidator::keepsClearance(const ob::State* s1, const ob::State* s2, double more,
@@ -126,7 +128,7 @@ bool MotionValidator::keepsClearance(const ob::State* s1, const ob::State* s2, d
     return count(judge(s1, s2, {false, more, isStopped}));
 }
 
-/// Interpolated between two states on the bounds' border, a state may be outside by rounding.
+/// A state interpolated between two states on the border of the bounds may be outside by rounding.
 double MotionValidator::timeWithinBounds(const ob::State* s1, const ob::State* s2, double time) const {
     if (time == 0) return time;
     const ScratchState scratch(*si_);
@@ -134,17 +136,11 @@ double MotionValidator::timeWithinBounds(const ob::State* s1, const ob::State* s
     return si_->satisfiesBounds(scratch.get()) ? time : 0;
 }
 
-Motion MotionValidator::motion(const ob::State* s1, const ob::State* s2, bool isReported,
-                               double floor) const {
-    const ClearanceDetail detail = isReported ? ClearanceDetail::kWhole : ClearanceDetail::kRough;
-    return Motion({*si_, *clearance_, stateToPose_, bound_, areBoundsConvex_, detail, floor}, s1, s2);
-}
-
 MotionValidator::Outcome MotionValidator::judge(const ob::State* s1, const ob::State* s2,
                                                 const Judging& judging) const {
     Outcome outcome;
     try {
-        Motion looked = motion(s1, s2, false, judging.floor);
+        Motion looked(*posed_, ClearanceDetail::kRough, judging.floor, s1, s2);
         MotionSearch search(looked, leastInterval_, kContactIntervals * leastInterval_,
                             either(judging.isStopped, isStopped_));
         outcome.verdict = judging.forward ? search.goForward() : search.certify();
@@ -154,7 +150,7 @@ MotionValidator::Outcome MotionValidator::judge(const ob::State* s1, const ob::S
     } catch (const std::exception& error) {
         outcome = {};
         outcome.isUnusable = true;
-        logOnce(error.what());
+        posed_->warnOnce("a motion was answered invalid", error.what());
     }
     return outcome;
 }
@@ -172,10 +168,10 @@ MotionProfile MotionValidator::profile(const ob::State* s1, const ob::State* s2)
 MotionReport MotionValidator::report(const ob::State* s1, const ob::State* s2,
                                      std::vector<ProfilePoint>* profile) const {
     MotionReport report;
-    report.lowerClearance = -scene().largestMargin();  // of a distance that is at least 0
+    report.lowerClearance = -scene().largestMargin();  // because a distance is at least 0
     report.upperClearance = std::numeric_limits<double>::infinity();
     try {
-        Motion looked = motion(s1, s2, true, 0);
+        Motion looked(*posed_, ClearanceDetail::kWhole, 0, s1, s2);
         MotionSearch search(looked, leastInterval_, leastInterval_, isStopped_);
         report.verdict = search.goForward();
         report.certifiedTime = search.certifiedTime();
@@ -202,38 +198,25 @@ MotionReport MotionValidator::report(const ob::State* s1, const ob::State* s2,
 }
 
 bool MotionValidator::count(const Outcome& outcome) const {
-    const auto add = [](std::atomic<std::uint64_t>& counter, std::uint64_t more) {
-        if (more > 0) counter.fetch_add(more, std::memory_order_relaxed);
-    };
     const bool valid = outcome.verdict == MotionVerdict::kValid;
     countAtomically(valid ? valid_ : invalid_);
-    add(valid ? validMotions_ : invalidMotions_, 1);
-    add(undecided_, outcome.verdict == MotionVerdict::kUndecided);
-    add(invalidStarts_, outcome.isStartInvalid);
-    add(unusable_, outcome.isUnusable);
-    add(queries_, outcome.queries);
+    posed_->count(valid ? Count::kValid : Count::kInvalid);
+    posed_->count(Count::kUndecided, outcome.verdict == MotionVerdict::kUndecided);
+    posed_->count(Count::kInvalidStarts, outcome.isStartInvalid);
+    posed_->count(Count::kUnusable, outcome.isUnusable);
+    posed_->count(Count::kQueries, outcome.queries);
     return valid;
 }
 
 MotionCounters MotionValidator::counters() const {
-    const auto read = [](const std::atomic<std::uint64_t>& counter) {
-        return counter.load(std::memory_order_relaxed);
-    };
     MotionCounters counters;
-    counters.valid = read(validMotions_);
-    counters.invalid = read(invalidMotions_);
-    counters.undecided = read(undecided_);
-    counters.invalidStarts = read(invalidStarts_);
-    counters.unusable = read(unusable_);
-    counters.queries = read(queries_);
+    counters.valid = posed_->counted(Count::kValid);
+    counters.invalid = posed_->counted(Count::kInvalid);
+    counters.undecided = posed_->counted(Count::kUndecided);
+    counters.invalidStarts = posed_->counted(Count::kInvalidStarts);
+    counters.unusable = posed_->counted(Count::kUnusable);
+    counters.queries = posed_->counted(Count::kQueries);
     return counters;
-}
-
-void MotionValidator::logOnce(const std::string& problem) const {
-    if (!isLogged_.exchange(true, std::memory_order_relaxed)) {
-        OMPL_WARN("clearway: a motion was answered invalid: %s. Further ones are only counted.",
-                  problem.c_str());
-    }
 }
 
 }  // namespace clearway::planning

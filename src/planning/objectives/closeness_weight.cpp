@@ -7,15 +7,16 @@
 namespace clearway::planning {
 namespace {
 
-/// Between two samples of a motion: bounds of the integral of `extra` over time, and how far the part moves.
+/// The part of a motion between two samples, with bounds of the integral of `extra` over its time.
 struct Part {
     MotionSample from, to;
-    double displacement;
+    double displacement;  ///< how far the part moves
     double low, high;
     bool isCertified;
     bool isClosed;  ///< too short to be divided
 
-    /// Divided first: what is not certified, the longest of it; then what is least sure.
+    /// Parts that are not certified are divided first, the longest of them before others; then the parts
+    /// whose bounds are farthest apart.
     bool isLessUrgentThan(const Part& other) const {
         if (isClosed != other.isClosed) return isClosed;
         if (isCertified != other.isCertified) return isCertified;
@@ -23,7 +24,7 @@ struct Part {
     }
 };
 
-/// Of the weight's extra over clearances that fall evenly from `far` > 0 to `near`, times far - near.
+/// Upper bound of the integral of the weight's extra over clearances that fall from `far` > 0 to `near`.
 double mostOverSide(const ClosenessWeight& weight, double far, double near) {
     const double inContact = std::max(0.0, -near);
     const double upper = std::min(far, weight.end), lower = std::clamp(near, 0.0, weight.end);
@@ -31,7 +32,7 @@ double mostOverSide(const ClosenessWeight& weight, double far, double near) {
     return inContact * weight.extra(0) + between;
 }
 
-/// Likewise, near > 0.
+/// Lower bound of that integral, for near > 0.
 double leastOverSide(const ClosenessWeight& weight, double far, double near) {
     const double upper = std::min(far, weight.end);
     return std::max(0.0, upper - near) * weight.extra(0.5 * (upper + near));
@@ -39,10 +40,11 @@ double leastOverSide(const ClosenessWeight& weight, double far, double near) {
 
 Part makePart(const MotionSample& from, const MotionSample& to, double displacement,
               const ClosenessWeight& weight) {
-    const double h = displacement, a = from.clearance, b = to.clearance;
+    const double h = displacement, a = from.room.lower, b = to.room.lower;
     const double deepest = std::min({0.5 * (a + b - h), a, b});
     const double perLength = (to.time - from.time) / h;
-    const double mostA = std::min(from.upper, to.upper + h), mostB = std::min(to.upper, from.upper + h);
+    const double mostA = std::min(from.room.upper, to.room.upper + h),
+                 mostB = std::min(to.room.upper, from.room.upper + h);
     const double highest = 0.5 * (mostA + mostB + h);
     const double high = perLength * (mostOverSide(weight, a, deepest) + mostOverSide(weight, b, deepest));
     const double low =
@@ -52,12 +54,12 @@ Part makePart(const MotionSample& from, const MotionSample& to, double displacem
     return {from, to, h, std::min(low, high), high, deepest > 0, false};
 }
 
-/// So short that all of it is as close as its closer end, but for its length.
+/// A part so short that all of it counts as close as its closer end, but for its length.
 Part makeShortPart(const MotionSample& from, const MotionSample& to, double displacement,
                    const ClosenessWeight& weight) {
     const double step = to.time - from.time;
-    const double deepest = std::min(from.clearance, to.clearance) - displacement;
-    const double highest = std::min({from.upper, to.upper, weight.end}) + displacement;
+    const double deepest = std::min(from.room.lower, to.room.lower) - displacement;
+    const double highest = std::min({from.room.upper, to.room.upper, weight.end}) + displacement;
     return {from,
             to,
             displacement,
@@ -87,8 +89,8 @@ class WeightSearch {
         return first.isClosed || (first.isCertified && 0.5 * (high_ - low_) <= resolution * (1 + low_));
     }
 
-    /// False when the pose in the middle is invalid. One of so much clearance as is asked for leaves nothing
-    /// open in both halves.
+    /// Returns false when the pose in the middle is invalid. If that pose has the requested clearance, both
+    /// halves are fully certified.
     bool divideFirst() {
         std::pop_heap(parts_.begin(), parts_.end(), isLessUrgent);
         const Part part = parts_.back();

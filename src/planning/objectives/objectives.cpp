@@ -1,17 +1,14 @@
-#include "planning/objectives/objectives.h"
+#include "clearway/planning/objectives.h"
 
 #include <ompl/base/objectives/MechanicalWorkOptimizationObjective.h>
 #include <ompl/base/objectives/PathLengthOptimizationObjective.h>
-#include <ompl/geometric/PathGeometric.h>
 
 #include <boost/algorithm/string/predicate.hpp>
-#include <cmath>
 #include <memory>
 #include <stdexcept>
 
 #include "clearway/planning/clearance_objectives.h"
 #include "core/text.h"
-#include "planning/objectives/objective_length.h"
 
 namespace clearway::planning {
 namespace {
@@ -76,22 +73,6 @@ const NamedObjective& findObjective(const std::string& name) {
                                 joined(namesOf(kObjectives)));
 }
 
-/// Nothing as soon as the motions so far cost no less than the best: there may be thousands of paths.
-std::optional<double> costBetterThan(const std::optional<BestSolution>& best,
-                                     const ob::OptimizationObjective& objective,
-                                     const std::vector<ob::State*>& states) {
-    const auto isWorse = [&](ob::Cost cost) {
-        return best && !objective.isCostBetterThan(cost, ob::Cost(best->cost));
-    };
-    ob::Cost cost =
-        objective.combineCosts(objective.initialCost(states.front()), objective.terminalCost(states.back()));
-    for (std::size_t i = 1; i < states.size() && !isWorse(cost); ++i) {
-        cost = objective.combineCosts(cost, objective.motionCost(states[i - 1], states[i]));
-    }
-    if (isWorse(cost)) return std::nullopt;
-    return cost.value();
-}
-
 }  // namespace
 
 std::vector<std::string> objectiveNames() {
@@ -111,19 +92,6 @@ ob::OptimizationObjectivePtr makeObjective(const ob::SpaceInformationPtr& si, co
 
 double largestClearance(const ObjectiveChoice& choice, const Model& part) {
     return findObjective(choice.name).largestClearance(choice, part);
-}
-
-std::optional<BestSolution> bestSolution(const ob::ProblemDefinition& definition) {
-    const ob::OptimizationObjectivePtr& objective = definition.getOptimizationObjective();
-    std::optional<BestSolution> best;
-    for (const ob::PlannerSolution& solution : definition.getSolutions()) {
-        if (solution.approximate_) continue;
-        if (!objective) return BestSolution{solution, std::nan("")};
-        auto& path = *solution.path_->as<ompl::geometric::PathGeometric>();
-        const auto cost = costBetterThan(best, *objective, path.getStates());
-        if (cost) best = BestSolution{solution, *cost};
-    }
-    return best;
 }
 
 }  // namespace clearway::planning

@@ -4,8 +4,8 @@
 #include <limits>
 #include <stdexcept>
 
-#include "planning/validity/mesh_names.h"
-#include "planning/validity/scratch_state.h"
+#include "clearway/planning/scene_clearance.h"
+#include "planning/validity/ompl_states.h"
 
 namespace clearway::planning {
 namespace {
@@ -13,7 +13,7 @@ namespace {
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
 
-/// By what wrappers pass on, as that of CForest around the space of its planners.
+/// Compares only properties that wrapper spaces (such as CForest's) forward.
 bool isSameKind(const ob::StateSpace& a, const ob::StateSpace& b) {
     return a.getDimension() == b.getDimension() && a.getSerializationLength() == b.getSerializationLength();
 }
@@ -61,20 +61,19 @@ SegmentAudit describe(const og::PathGeometric& path, const MotionValidator& vali
     SegmentAudit segment;
     segment.motion = std::move(motion);
     segment.trouble = troubleOf(path, validator, ends, segment.motion);
-    if (!segment.motion.problem.empty()) return segment;  // its states have no poses
+    if (!segment.motion.problem.empty()) return segment;  // the states have no poses
     const Pose from = validator.pose(ends.from), to = validator.pose(ends.to);
     segment.length = (to.translation - from.translation).norm();
     segment.turned = angleBetween(from, to);
     segment.X_environmentPart =
         askAt(path, validator, ends, segment.motion.closestTime, &MotionValidator::pose);
-    const SceneDistance& closest = segment.motion.closest;
-    if (closest.partTriangle < 0) return segment;
-    segment.partMesh = meshName(validator.scene().part, closest.partComponent);
-    segment.environmentMesh = obstacleName(validator.scene(), closest);
+    const MeshNames names = meshNames(validator.scene(), segment.motion.closest);
+    segment.partMesh = names.part;
+    segment.environmentMesh = names.environment;
     return segment;
 }
 
-/// Invalid is worse than undecided.
+/// Returns the worse verdict: invalid is worse than undecided.
 MotionVerdict worse(MotionVerdict a, MotionVerdict b) {
     for (const MotionVerdict verdict : {MotionVerdict::kInvalid, MotionVerdict::kUndecided}) {
         if (a == verdict || b == verdict) return verdict;
@@ -96,7 +95,8 @@ void add(PathAudit& audit, SegmentAudit segment) {
     audit.segments.push_back(std::move(segment));
 }
 
-/// Where one segment ends the next one begins: that point is told once, as the next one's.
+/// The end of one segment is the beginning of the next one. That point stands in the profile once, as the
+/// next segment's.
 void addProfile(PathAudit& audit, const std::vector<ProfilePoint>& points, double travelBefore,
                 double travel) {
     const std::size_t segment = audit.segments.size();

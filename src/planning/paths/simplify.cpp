@@ -1,5 +1,8 @@
 #include "clearway/planning/simplify.h"
 
+#include <ompl/config.h>
+#include <ompl/geometric/PathSimplifier.h>
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -8,7 +11,6 @@
 
 #include "core/number.h"
 #include "planning/motion/floor_validator.h"
-#include "planning/paths/shorten.h"
 
 namespace clearway::planning {
 namespace {
@@ -19,8 +21,25 @@ namespace og = ompl::geometric;
 /// Where a floor cannot be kept, this share of it is tried next.
 constexpr double kNextFloor = 0.25;
 
-/// As long as a path does not keep the floor all along: shortcuts are random, and others may.
+/// How often a path that does not keep the floor throughout is simplified: other random shortcuts may keep
+/// it.
 constexpr int kTries = 3;
+
+constexpr int kMostRounds = 200;
+constexpr int kIdleRounds = 8;  ///< this many rounds in a row without gain are the last
+constexpr double kGain = 1e-3;  ///< of the length; less is no gain
+/// Motions tried by each part of a round: few, so that isSpent takes effect soon.
+constexpr unsigned int kSteps = 12;
+
+/// Makes shortcuts between random points of the path. OMPL renamed the function in 1.7.
+void shortcutPath(og::PathSimplifier& simplifier, og::PathGeometric& path, unsigned int mostSteps,
+                  unsigned int mostEmptySteps) {
+#if OMPL_VERSION_VALUE >= 1007000
+    simplifier.partialShortcutPath(path, mostSteps, mostEmptySteps);
+#else
+    simplifier.shortcutPath(path, mostSteps, mostEmptySteps);
+#endif
+}
 
 class Simplifier {
   public:
@@ -29,8 +48,8 @@ class Simplifier {
 
     bool isSpent() const { return options_.isSpent && options_.isSpent(); }
 
-    /// The whole path by motions that keep the floor; then each run of motions that do not, on its own, by
-    /// motions that keep a lower one, down to what the run keeps.
+    /// Shortens the whole path by motions that keep the floor. Then shortens each run of motions that do not
+    /// keep it on its own, by motions that keep a lower floor, down to the clearance that the run keeps.
     void shortenKeeping(double floor, double least, og::PathGeometric& path) const {
         shortenBy(floor, path);
         if (least >= floor || isSpent()) return;
@@ -61,7 +80,7 @@ class Simplifier {
                                          options_.isSpent);
     }
 
-    /// OMPL asks the path's own space information.
+    /// Works on a copy with a space information of its own, because OMPL asks the path's space information.
     void shortenBy(double floor, og::PathGeometric& path) const {
         const ob::SpaceInformationPtr& given = path.getSpaceInformation();
         const auto si = std::make_shared<ob::SpaceInformation>(given->getStateSpace());
@@ -108,11 +127,24 @@ PathAudit simplify(og::PathGeometric& path, const MotionValidator& validator,
         after = audit(shorter, validator);
         if (!after.isValid() || after.upperClearance >= options.floor) break;
     }
-    // What is left of an old motion is a motion of its own for OMPL, which leaves out turns below 1.6e-4 rad.
+    // OMPL interpolates the rest of an old motion as a motion of its own, which may come closer: OMPL leaves
+    // out turns below 1.6e-4 rad.
     const double kept = std::min(options.floor, before.lowerClearance);
     if (!after.isValid() || after.upperClearance < kept) return before;
     path = shorter;
     return after;
+}
+
+void shorten(og::PathGeometric& path, const std::function<bool()>& isSpent) {
+    og::PathSimplifier simplifier(path.getSpaceInformation());
+    int idle = 0;
+    for (int round = 0; round < kMostRounds && idle < kIdleRounds && !isSpent(); ++round) {
+        const double before = path.length();
+        simplifier.reduceVertices(path, kSteps, kSteps);
+        if (isSpent()) return;
+        shortcutPath(simplifier, path, kSteps, kSteps);
+        idle = path.length() < before * (1 - kGain) ? 0 : idle + 1;
+    }
 }
 
 }  // namespace clearway::planning

@@ -39,13 +39,13 @@
 
 #include <algorithm>
 #include <boost/algorithm/string/predicate.hpp>
+#include <future>
 #include <memory>
 #include <stdexcept>
 #include <type_traits>
 
 #include "core/number.h"
 #include "core/text.h"
-#include "planning/planners/marching_tree.h"
 #include "planning/planners/rising_floor.h"
 
 namespace clearway::planning {
@@ -59,7 +59,24 @@ ob::PlannerPtr make(const ob::SpaceInformationPtr& si) {
     return std::make_shared<PlannerClass>(si);
 }
 
-/// OMPL renames these, with a warning, unless they are given the name of the variant that they are.
+/// FMT and BFMT with neighbours that are near. OMPL uses the costs of motions as distances between states.
+/// Costs of clearance are no distances, and a state is not the nearest to itself, which OMPL's neighbourhoods
+/// rely on: searches miss most neighbours, or crash. With length as the cost this is OMPL's own planner.
+template <class Tree>
+class MarchingTree : public Tree {
+  public:
+    using Tree::Tree;
+
+    void setup() override {
+        Tree::setup();
+        if (!this->nn_) return;  // without a problem definition; OMPL calls setup again later
+        this->nn_->setDistanceFunction([this](const auto* a, const auto* b) {
+            return this->si_->distance(a->getState(), b->getState());
+        });
+    }
+};
+
+/// OMPL renames these planners, with a warning, unless they are given the name of the variant that they are.
 template <class PlannerClass>
 ob::PlannerPtr makeNearest(const ob::SpaceInformationPtr& si) {
     return std::make_shared<PlannerClass>(
@@ -72,9 +89,9 @@ struct NamedPlanner {
     bool isRepeatable;
 };
 
-// Not repeatable: several threads (AnytimePathShortening, CForest, pRRT, pSBL; PRM, PRMstar, SPARS and
-// SPARStwo look for the solution in a thread of their own, and take turns by the clock), and costs that are
-// read before they are set (LBTRRT).
+// Planners are not repeatable for two reasons. Some use several threads: AnytimePathShortening, CForest,
+// pRRT, pSBL, and PRM, PRMstar, SPARS and SPARStwo, which look for the solution in a thread of their own and
+// take turns by the clock. LBTRRT reads costs before they are set.
 constexpr NamedPlanner kPlanners[] = {
     {"ABITstar", makeNearest<og::ABITstar>, true},
     {"AITstar", make<og::AITstar>, true},
@@ -147,8 +164,8 @@ bool isWhole(const ob::GenericParam& parameter) {
            holds<unsigned long long>(parameter);
 }
 
-/// What is wrong with the value: what was expected instead, or nothing. OMPL's own conversion reads "1x"
-/// as 1.
+/// Returns what was expected instead of the value, empty when the value is right. OMPL's own conversion would
+/// read "1x" as 1.
 std::string expectedInstead(const ob::GenericParam& parameter, const std::string& value) {
     if (holds<std::string>(parameter) || holds<char>(parameter)) return "";
     if (holds<bool>(parameter)) return value == "0" || value == "1" ? "" : "0 or 1";
@@ -158,7 +175,8 @@ std::string expectedInstead(const ob::GenericParam& parameter, const std::string
     const bool isUnsigned = holds<unsigned int>(parameter) || holds<unsigned long>(parameter) ||
                             holds<unsigned long long>(parameter);
     if (isUnsigned && *number < 0) return "a whole number of at least 0";
-    // "least:step:most" or "least:most". The most is a mere suggestion: it knows nothing of millimetres.
+    // OMPL's ranges are "least:step:most" or "least:most". Values above `most` are allowed, because OMPL does
+    // not know the unit of length.
     const std::string& range = parameter.getRangeSuggestion();
     const std::size_t colon = range.find(':');
     if (colon == std::string::npos) return "";
@@ -215,6 +233,23 @@ void setParameter(ob::Planner& planner, const std::string& parameter, const std:
         throw std::invalid_argument(problem + ", which OMPL refuses" +
                                     (range.empty() ? "" : "; it suggests " + range));
     }
+}
+
+ob::PlannerStatus solveSideBySide(const std::vector<ob::PlannerPtr>& planners,
+                                  const ob::PlannerTerminationCondition& isSpent,
+                                  const std::function<void()>& onFound) {
+    const auto solveOne = [&](const ob::PlannerPtr& planner) {
+        const ob::PlannerStatus status = planner->solve(isSpent);
+        if (status == ob::PlannerStatus::EXACT_SOLUTION) onFound();
+        return status;
+    };
+    std::vector<std::future<ob::PlannerStatus>> others;
+    for (std::size_t i = 1; i < planners.size(); ++i) {
+        others.push_back(std::async(std::launch::async, solveOne, planners[i]));
+    }
+    const ob::PlannerStatus status = solveOne(planners.at(0));
+    for (auto& other : others) other.get();
+    return status;
 }
 
 }  // namespace clearway::planning

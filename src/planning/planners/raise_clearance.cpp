@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "clearway/planning/validity_checker.h"
-#include "planning/validity/scratch_state.h"
+#include "planning/validity/ompl_states.h"
 
 namespace clearway::planning {
 namespace {
@@ -16,13 +16,13 @@ namespace {
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
 
-constexpr int kTries = 6;        ///< of a state in a round
-constexpr int kIdleRounds = 12;  ///< so many in a row without gain end it
-constexpr double kGain = 1;      ///< of the clearance, tried first
+constexpr int kTries = 6;        ///< moves tried for a state in a round
+constexpr int kIdleRounds = 12;  ///< this many rounds in a row without gain are the last
+constexpr double kGain = 1;      ///< the first gain tried, as a share of the clearance
 constexpr double kLeastGain = 5e-3;
-constexpr double kRoomy = 2;  ///< times the path's clearance: states that have more stay
+constexpr double kRoomy = 2;  ///< times the path's clearance; states that have more are not moved
 constexpr double kLongestMove = 1e-2, kShortestMove = 1e-4;  ///< of the part's diagonal
-constexpr double kNearEnd = 0.1;  ///< of a motion: a state so close to its end would say nothing new
+constexpr double kNearEnd = 0.1;  ///< of a motion; a new state so close to its end would change nothing
 
 class Raiser {
   public:
@@ -58,7 +58,8 @@ class Raiser {
                                          options_.isSpent);
     }
 
-    /// The first motion that does not keep so much, beginning with the one that was it last.
+    /// Remembers the first motion that does not keep the clearance. The search begins with the one found
+    /// last.
     bool allKeep(double clearance) {
         const std::size_t count = path_.getStateCount() - 1;
         for (std::size_t i = 0; i < count; ++i) {

@@ -10,15 +10,15 @@
 namespace clearway::planning {
 
 struct RaiseOptions {
-    double clearance = 0;  ///< that all motions of the path keep, by MotionValidator::keepsClearance
-    double enough = 0;     ///< no more is looked for
+    double clearance = 0;  ///< kept by all motions of the path, by MotionValidator::keepsClearance
+    double enough = 0;     ///< more clearance than this is not looked for
     std::function<bool()> isSpent;
 };
 
-/// Rounds of small random moves of the states between the first and the last, until they stop paying or
-/// isSpent says so. A state is moved to where it has more clearance, if its motions still keep what all of
-/// them keep; where a motion comes closest it gets a state. Returns what all motions then keep, at least what
-/// was given.
+/// Moves the states between the first and the last by small random moves, in rounds, until rounds stop paying
+/// or isSpent returns true. A state moves to where it has more clearance, if its motions still keep the
+/// clearance that all motions keep. The tightest motion gets a new state where it comes closest. Returns the
+/// clearance that all motions then keep, which is at least options.clearance.
 double raiseClearance(ompl::geometric::PathGeometric& path, const MotionValidator& validator,
                       const RaiseOptions& options);
 

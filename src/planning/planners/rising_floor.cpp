@@ -8,11 +8,11 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <future>
 #include <vector>
 
 #include "clearway/planning/audit.h"
 #include "clearway/planning/clearance_objectives.h"
+#include "clearway/planning/planners.h"
 #include "clearway/planning/validity_checker.h"
 #include "planning/motion/floor_validator.h"
 #include "planning/planners/raise_clearance.h"
@@ -24,12 +24,12 @@ namespace ob = ompl::base;
 namespace og = ompl::geometric;
 using Clock = std::chrono::steady_clock;
 
-constexpr double kFirstShare = 0.3;       ///< of what there is between the best and the most
-constexpr double kLeastShare = 1.0 / 32;  ///< after that it begins anew, with more patience
-constexpr double kPatience = 4;           ///< times the round that found the best path
+constexpr double kFirstShare = 0.3;       ///< of the difference between the best and the most clearance
+constexpr double kLeastShare = 1.0 / 32;  ///< below it the shares begin anew, with more patience
+constexpr double kPatience = 4;           ///< times the duration of the round that found the best path
 constexpr double kLeastPatience = 0.05;   ///< seconds
 constexpr double kGrowth = 1.5;           ///< of patience, when a round finds nothing
-constexpr double kNearlyMost = 0.99;      ///< is as good as the most: clearances are told to 1 %
+constexpr double kNearlyMost = 0.99;      ///< of the most: as good as it, since clearances are known to 1 %
 
 double secondsSince(Clock::time_point begin) {
     return std::chrono::duration<double>(Clock::now() - begin).count();
@@ -37,7 +37,7 @@ double secondsSince(Clock::time_point begin) {
 
 }  // namespace
 
-/// One problem with a floor, and the planners for it.
+/// The problem with margins raised by a floor, and the planners for it.
 class RisingFloor::Round {
   public:
     Round(const RisingFloor& owner, double floor)
@@ -58,18 +58,10 @@ class RisingFloor::Round {
         }
     }
 
-    /// The states of a path, or nothing.
+    /// Returns a path, or null.
     std::shared_ptr<og::PathGeometric> solve(const ob::PlannerTerminationCondition& isSpent) {
         const ob::PlannerTerminationCondition isOver([&] { return isFound_ || isSpent(); });
-        std::vector<std::future<void>> others;
-        const auto solveOne = [&](const ob::PlannerPtr& planner) {
-            if (planner->solve(isOver) == ob::PlannerStatus::EXACT_SOLUTION) isFound_ = true;
-        };
-        for (std::size_t i = 1; i < planners_.size(); ++i) {
-            others.push_back(std::async(std::launch::async, solveOne, planners_[i]));
-        }
-        solveOne(planners_[0]);
-        for (std::future<void>& other : others) other.get();
+        solveSideBySide(planners_, isOver, [&] { isFound_ = true; });
         if (!definition_->hasExactSolution()) return nullptr;
         return std::static_pointer_cast<og::PathGeometric>(definition_->getSolutionPath());
     }
@@ -103,7 +95,8 @@ void RisingFloor::clear() {
     patience_ = 0;
 }
 
-/// No path can have more than its ends, nor more than the environment's reach or the objective tell.
+/// No path can have more clearance than its ends, nor more than the environment's reach or the objective's
+/// cap.
 double RisingFloor::mostClearance() const {
     const MinClearanceObjective objective(si_, validator_->scene());
     double most = objective.cap();
@@ -140,7 +133,7 @@ void RisingFloor::raise(const ob::PlannerTerminationCondition& isSpent, double s
     best_->clearance = raiseClearance(*best_->path, *validator_, options);
 }
 
-/// Without a valid start every round would end at once, with as many words.
+/// Without a valid start each round would fail immediately and print OMPL's error again.
 bool RisingFloor::hasValidStart() const {
     for (unsigned int i = 0; i < pdef_->getStartStateCount(); ++i) {
         const ob::State* start = pdef_->getStartState(i);
@@ -158,7 +151,7 @@ ob::PlannerStatus RisingFloor::solve(const ob::PlannerTerminationCondition& isSp
     validator_ = std::dynamic_pointer_cast<const MotionValidator>(si_->getMotionValidator());
     if (!validator_) validator_ = std::make_shared<MotionValidator>(si_, sceneOf(si_));
     const double most = mostClearance();
-    double share = 0;  // of the way from the best to the most
+    double share = 0;  // of the difference between the best and the most clearance
     while (!isSpent() && !(best_ && isSatisfied(*best_, most))) {
         const Clock::time_point begin = Clock::now();
         const ob::PlannerTerminationCondition isOver(

@@ -1,6 +1,6 @@
-// A planner for least clearance: plans for a path, then for one that keeps more clearance than it, and so on.
-// With a floor motions are found as quickly as without one until it leaves little room, where planners that
-// ask an objective what each motion costs see but few motions.
+// A planner for least clearance: it plans for a path, then for a path that keeps more clearance, and so on.
+// Motions that keep a floor are found as quickly as others until the floor leaves little room. Planners that
+// ask an objective for the cost of each motion see far fewer motions in the same time.
 #pragma once
 
 #include <ompl/base/Planner.h>
@@ -13,14 +13,14 @@
 
 namespace clearway::planning {
 
-/// RRTConnect and RRT side by side, the first path of a round ends it. Then the path is raised,
-/// see raiseClearance, for as long as the round took. The next floor is a third of the way from what the path
-/// keeps to the most that start and goal leave; where no path is found in the time of some earlier rounds,
-/// half as far up, and so on.
+/// Each round runs RRTConnect and RRT side by side until the first path. Then the path is raised (see
+/// raiseClearance) for as long as the round took. The next floor is a third of the way from the clearance
+/// that the path keeps to the most that start and goal leave. When a round finds no path in the time of some
+/// earlier rounds, the next floor is half as far up, and so on.
 ///
-/// It plans by certified motions, whatever validator the space information has, and in the scene of its
-/// validity checker, which has to be one of clearway's: see sceneOf. The problem definition gets the best
-/// path when its time is over; a further solve() goes on from there.
+/// RisingFloor plans by certified motions, whatever validator the space information has, in the scene of the
+/// space information's validity checker, which must be one of clearway's: see sceneOf. The problem definition
+/// gets the best path when the time is over. A further solve() goes on from there.
 class RisingFloor : public ompl::base::Planner {
   public:
     explicit RisingFloor(const ompl::base::SpaceInformationPtr& si);
@@ -31,7 +31,7 @@ class RisingFloor : public ompl::base::Planner {
 
     void setRange(double range) { range_ = range; }  ///< longest edge of the trees; 0: OMPL's
     double getRange() const { return range_; }
-    void setThreads(unsigned int threads) { threads_ = threads; }  ///< planners side by side
+    void setThreads(unsigned int threads) { threads_ = threads; }  ///< how many planners run side by side
     unsigned int getThreads() const { return threads_; }
 
   private:

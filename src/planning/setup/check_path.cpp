@@ -1,4 +1,4 @@
-#include "planning/setup/check_path.h"
+#include "clearway/planning/check_path.h"
 
 #include <ompl/geometric/PathGeometric.h>
 
@@ -9,19 +9,20 @@
 #include "clearway/planning/displacement_bound.h"
 #include "clearway/planning/validity_checker.h"
 #include "core/number.h"
-#include "planning/motion/motion_options.h"
-#include "planning/setup/planning_reach.h"
-#include "planning/setup/planning_space.h"
+#include "planning/motion/motion_search.h"
+#include "planning/setup/problem_settings.h"
+#include "planning/validity/ompl_states.h"
 
 namespace clearway::planning {
 namespace {
 
 namespace ob = ompl::base;
 
-/// Of the part's diagonal: paths written with 6 digits are off by less.
+/// The tolerance of ends, as a share of the part's diagonal. Paths written with 6 digits are off by less.
 constexpr double kTolerancePerDiagonal = 1e-4;
 
-/// Of the largest coordinate of the scene: queries tell nothing of positions that far.
+/// The farthest position, as a multiple of the scene's largest coordinate. Queries know nothing about
+/// positions beyond it.
 constexpr double kFarthest = 1e12;
 
 double largestCoordinate(const Box& box) {

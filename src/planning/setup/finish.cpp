@@ -1,12 +1,10 @@
-#include "planning/setup/finish.h"
+#include "clearway/planning/finish.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "clearway/planning/clearance_objectives.h"
 #include "clearway/planning/simplify.h"
-#include "planning/objectives/objectives.h"
-#include "planning/paths/shorten.h"
 
 namespace clearway::planning {
 namespace {
@@ -14,14 +12,15 @@ namespace {
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
 
-bool passesSteps(const Setup& setup, const og::PathGeometric& path) {
+bool passesSteps(const PlanSetup& setup, const og::PathGeometric& path) {
     for (unsigned int i = 1; i < path.getStateCount(); ++i) {
         if (!setup.discrete->checkMotion(path.getState(i - 1), path.getState(i))) return false;
     }
     return true;
 }
 
-PathAudit shortenBySteps(const Setup& setup, og::PathGeometric& path, const std::function<bool()>& isSpent) {
+PathAudit shortenBySteps(const PlanSetup& setup, og::PathGeometric& path,
+                         const std::function<bool()>& isSpent) {
     og::PathGeometric shorter = path;
     shorten(shorter, isSpent);
     PathAudit found = audit(shorter, *setup.auditor);
@@ -33,8 +32,8 @@ PathAudit shortenBySteps(const Setup& setup, og::PathGeometric& path, const std:
     return found;
 }
 
-/// By the objective, if there is one.
-PathAudit shortenUnlessWorse(const Setup& setup, og::PathGeometric& path,
+/// Keeps the path as it is when shortening makes it worse by the objective, if there is one.
+PathAudit shortenUnlessWorse(const PlanSetup& setup, og::PathGeometric& path,
                              const std::function<bool()>& isSpent) {
     og::PathGeometric shorter = path;
     const PathAudit found = setup.discrete ? shortenBySteps(setup, shorter, isSpent)
@@ -47,15 +46,16 @@ PathAudit shortenUnlessWorse(const Setup& setup, og::PathGeometric& path,
     return found;
 }
 
-bool keepsAll(const Setup& setup, const og::PathGeometric& path, double clearance) {
+bool keepsAll(const PlanSetup& setup, const og::PathGeometric& path, double clearance) {
     for (unsigned int i = 1; i < path.getStateCount(); ++i) {
         if (!setup.auditor->keepsClearance(path.getState(i - 1), path.getState(i), clearance)) return false;
     }
     return true;
 }
 
-/// What all motions of the path keep, to 1 % if time allows: an audit tells of small clearances to 10 %.
-double keptBy(const Setup& setup, const og::PathGeometric& path, const PathAudit& found,
+/// Finds the clearance that all motions of the path keep, to 1 % if time allows. An audit knows small
+/// clearances only to 10 %.
+double keptBy(const PlanSetup& setup, const og::PathGeometric& path, const PathAudit& found,
               const std::function<bool()>& isSpent) {
     double kept = std::max(0.0, found.lowerClearance), most = found.upperClearance;
     while (std::isfinite(most) && most - kept > 0.01 * most && !isSpent()) {
@@ -69,24 +69,54 @@ bool isLeastClearance(const ob::OptimizationObjectivePtr& objective) {
     return dynamic_cast<const MinClearanceObjective*>(objective.get()) != nullptr;
 }
 
+/// Returns the cost of a path if it is better than the best. Stops as soon as the motions so far cost no
+/// less, because there may be thousands of paths.
+std::optional<double> costBetterThan(const std::optional<BestSolution>& best,
+                                     const ob::OptimizationObjective& objective,
+                                     const std::vector<ob::State*>& states) {
+    const auto isWorse = [&](ob::Cost cost) {
+        return best && !objective.isCostBetterThan(cost, ob::Cost(best->cost));
+    };
+    ob::Cost cost =
+        objective.combineCosts(objective.initialCost(states.front()), objective.terminalCost(states.back()));
+    for (std::size_t i = 1; i < states.size() && !isWorse(cost); ++i) {
+        cost = objective.combineCosts(cost, objective.motionCost(states[i - 1], states[i]));
+    }
+    if (isWorse(cost)) return std::nullopt;
+    return cost.value();
+}
+
 }  // namespace
 
-ob::PlannerSolution solutionOf(const Setup& setup) {
+std::optional<BestSolution> bestSolution(const ob::ProblemDefinition& definition) {
+    const ob::OptimizationObjectivePtr& objective = definition.getOptimizationObjective();
+    std::optional<BestSolution> best;
+    for (const ob::PlannerSolution& solution : definition.getSolutions()) {
+        if (solution.approximate_) continue;
+        if (!objective) return BestSolution{solution, std::nan("")};
+        auto& path = *solution.path_->as<og::PathGeometric>();
+        const auto cost = costBetterThan(best, *objective, path.getStates());
+        if (cost) best = BestSolution{solution, *cost};
+    }
+    return best;
+}
+
+ob::PlannerSolution solutionOf(const PlanSetup& setup) {
     if (const auto best = bestSolution(*setup.definition)) return best->solution;
     return setup.definition->getSolutions().at(0);
 }
 
-og::PathGeometric pathOf(const Setup& setup, const ob::PlannerSolution& solution) {
+og::PathGeometric pathOf(const PlanSetup& setup, const ob::PlannerSolution& solution) {
     og::PathGeometric path(setup.si);
     for (const ob::State* state : solution.path_->as<og::PathGeometric>()->getStates()) path.append(state);
     return path;
 }
 
-PathAudit finish(const Setup& setup, og::PathGeometric& path, const std::function<bool()>& isSpent) {
+PathAudit finish(const PlanSetup& setup, og::PathGeometric& path, const std::function<bool()>& isSpent) {
     if (setup.discrete) return shortenUnlessWorse(setup, path, isSpent);
     const auto& objective = setup.definition->getOptimizationObjective();
     if (!isLeastClearance(objective)) return shortenUnlessWorse(setup, path, isSpent);
-    // More than the cap is as good, and where nothing counts there is no end to it.
+    // Clearances above the cap are no better, and where no obstacle counts the clearance is infinite.
     const double cap = static_cast<const MinClearanceObjective&>(*objective).cap();
     const PathAudit found = audit(path, *setup.auditor);
     if (isSpent()) return found;

@@ -1,18 +1,19 @@
-#include "planning/setup/plan.h"
+#include "clearway/planning/plan.h"
 
 #include <ompl/geometric/PathGeometric.h>
 
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <future>
 #include <optional>
 #include <sstream>
 
-#include "planning/setup/finish.h"
-#include "planning/setup/planning_space.h"
-#include "planning/setup/setup.h"
-#include "planning/validity/ompl_messages.h"
+#include "clearway/planning/finish.h"
+#include "clearway/planning/ompl_messages.h"
+#include "clearway/planning/plan_setup.h"
+#include "clearway/planning/planners.h"
+#include "planning/setup/problem_settings.h"
+#include "planning/validity/ompl_states.h"
 
 namespace clearway::planning {
 namespace {
@@ -25,14 +26,18 @@ double secondsSince(Clock::time_point begin) {
     return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-/// Of the time, for planners that would use all of it: the rest is for shortening.
+/// The share of the time that planners get that would use all of it. The rest is for shortening.
 constexpr double kImprovingShare = 0.75;
 
-/// Seconds for shortening, or as many as the planning took: where there is hardly room it could go on for
-/// ever.
+/// Slack of a reach's positions, as a share of the bounds' diagonal: OMPL accepts a state that is outside the
+/// bounds by rounding.
+constexpr double kBoundsSlack = 1e-9;
+
+/// Seconds that shortening gets at least; it gets as many as the planning took where that is more. In a scene
+/// with hardly any room shortening could go on without end.
 constexpr double kLeastFinishing = 5;
 
-/// When the planner has to end. Asked from several threads by some planners.
+/// Decides when the planner has to end. Some planners ask from several threads.
 class Budget {
   public:
     explicit Budget(const PlanOptions& options) : options_(options) {}
@@ -70,20 +75,6 @@ class Budget {
     std::atomic<bool> isEnded_{false};
 };
 
-/// The first planner with a path ends them all.
-void solve(const Setup& setup, Budget& budget) {
-    const ob::PlannerTerminationCondition isSpent([&] { return budget.spendIteration(); });
-    std::vector<std::future<void>> others;
-    const auto solveOne = [&](const ob::PlannerPtr& planner) {
-        if (planner->solve(isSpent) == ob::PlannerStatus::EXACT_SOLUTION) budget.end();
-    };
-    for (std::size_t i = 1; i < setup.planners.size(); ++i) {
-        others.push_back(std::async(std::launch::async, solveOne, setup.planners[i]));
-    }
-    solveOne(setup.planners[0]);
-    for (std::future<void>& other : others) other.get();
-}
-
 void describe(const Problem& problem, const og::PathGeometric& path, PlanReport& report) {
     for (unsigned int i = 0; i < path.getStateCount(); ++i) {
         report.path.push_back(fromOmpl(problem.space, path.getState(i)));
@@ -92,7 +83,7 @@ void describe(const Problem& problem, const og::PathGeometric& path, PlanReport&
     report.turned = report.audit.turned;
 }
 
-/// Where a path that was checked in steps is not certified.
+/// Says where a path that was checked in steps is not certified.
 std::string doubtOf(const PathAudit& audit) {
     std::ostringstream text;
     const std::size_t first = audit.notValid.at(0);
@@ -103,7 +94,8 @@ std::string doubtOf(const PathAudit& audit) {
     return text.str();
 }
 
-void describeSolution(const Setup& setup, const Problem& problem, const Budget& budget, PlanReport& report) {
+void describeSolution(const PlanSetup& setup, const Problem& problem, const Budget& budget,
+                      PlanReport& report) {
     const ob::PlannerSolution solution = solutionOf(setup);
     report.foundBy = solution.plannerName_;
     og::PathGeometric path = pathOf(setup, solution);
@@ -122,7 +114,7 @@ void describeSolution(const Setup& setup, const Problem& problem, const Budget& 
     }
 }
 
-std::uint64_t checksOf(const Setup& setup) {
+std::uint64_t checksOf(const PlanSetup& setup) {
     std::uint64_t checks = setup.truth->counters().checks;
     if (setup.checker != setup.truth) checks += setup.checker->counters().checks;
     if (setup.certified) checks += setup.certified->counters().queries;
@@ -135,12 +127,14 @@ PlanReport plan(const Problem& problem, const Scene& scene, const PlanOptions& o
     PlanReport report;
     const OmplMessages messages;
     Budget budget(options);
-    const Setup setup = prepare(problem, scene, options, report, [&] { return budget.isPlanningOver(); });
+    const PlanSetup setup =
+        makePlanSetup(problem, scene, options, report, [&] { return budget.isPlanningOver(); });
     report.isCertified = setup.certified != nullptr;
 
     const Clock::time_point begin = Clock::now();
     budget.begin(!report.objective.empty());
-    solve(setup, budget);
+    const ob::PlannerTerminationCondition isSpent([&] { return budget.spendIteration(); });
+    solveSideBySide(setup.planners, isSpent, [&] { budget.end(); });
     report.planningSeconds = secondsSince(begin);
 
     const Clock::time_point planned = Clock::now();
@@ -154,6 +148,19 @@ PlanReport plan(const Problem& problem, const Scene& scene, const PlanOptions& o
     report.checks = checksOf(setup) + report.audit.queries;
     for (const std::string& warning : messages.warnings()) report.warnings.push_back("OMPL: " + warning);
     return report;
+}
+
+std::optional<Reach> planningReach(const Problem& problem, const PlanOptions& options, const Model& part,
+                                   const Box& environmentBox) {
+    if (mayUseSampler(problem, "max_clearance")) return std::nullopt;
+    const Box bounds = boundsOf(problem, environmentBox);
+    const Vector3 slack = Vector3::Constant(kBoundsSlack * bounds.diagonal().norm());
+    const double radius = part.radiusAboutOrigin();
+    const auto objective = chooseObjective(problem, options);
+    const double clearance = objective ? largestClearance(*objective, part) : 0;
+    const double told = std::max(stepOf(problem, options, part), clearance);
+    const double cap = largestMargin(problem) + told + 2 * radius;
+    return Reach{Box(bounds.min() - slack, bounds.max() + slack), radius, cap};
 }
 
 }  // namespace clearway::planning

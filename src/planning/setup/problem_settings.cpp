@@ -1,19 +1,59 @@
 #include "planning/setup/problem_settings.h"
 
+#include <ompl/base/samplers/BridgeTestValidStateSampler.h>
+#include <ompl/base/samplers/GaussianValidStateSampler.h>
+#include <ompl/base/samplers/MaximizeClearanceValidStateSampler.h>
+#include <ompl/base/samplers/ObstacleBasedValidStateSampler.h>
+#include <ompl/base/samplers/UniformValidStateSampler.h>
+
 #include <algorithm>
+#include <memory>
 #include <set>
 #include <stdexcept>
 
+#include "clearway/planning/clearance_objectives.h"
 #include "clearway/planning/planners.h"
+#include "clearway/planning/valid_state_samplers.h"
 #include "core/number.h"
-#include "planning/setup/planning_space.h"
+#include "planning/motion/motion_search.h"
 
 namespace clearway::planning {
 namespace {
 
 namespace ob = ompl::base;
 
-/// Values that the set takes; returns the names of those it has.
+constexpr double kDefaultStepPerDiagonal = 1.0 / 500;
+
+constexpr const char* kLength = "length";
+
+/// The least cost that the best path can be given: the resolution of costs below its clearance.
+double attainable(const MinClearanceObjective& objective, double clearanceOfEnds) {
+    const Scene& scene = objective.scene();
+    const double best = std::min(clearanceOfEnds, objective.cap());
+    return best - 1.01 * usualResolution(scene, defaultLeastInterval(scene)).of(best);
+}
+
+template <class Sampler>
+ob::ValidStateSamplerPtr allocate(const ob::SpaceInformation* si) {
+    return std::make_shared<Sampler>(si);
+}
+
+struct NamedSampler {
+    const char* name;
+    ob::ValidStateSamplerPtr (*allocate)(const ob::SpaceInformation*);
+};
+
+constexpr NamedSampler kSamplers[] = {
+    {"uniform", allocate<ob::UniformValidStateSampler>},
+    {"gaussian", allocate<ob::GaussianValidStateSampler>},
+    {"obstacle_based", allocate<ob::ObstacleBasedValidStateSampler>},
+    {"max_clearance", allocate<ob::MaximizeClearanceValidStateSampler>},
+    {"bridge_test", allocate<ob::BridgeTestValidStateSampler>},
+    {"contact_normal", allocate<ContactNormalSampler>},
+    {"narrow_gap", allocate<NarrowGapSampler>},
+};
+
+/// Sets the values that belong to the parameters, and returns their names.
 std::set<std::string> apply(ob::ParamSet& parameters, const NamedTexts& settings) {
     std::set<std::string> known;
     for (const auto& [name, value] : settings) {
@@ -45,7 +85,7 @@ Problem problemFor(const std::string& planner, const Problem& problem) {
         } else if (name == "objective.threshold") {
             result.objectiveThreshold = parseNumber(value);
         } else {
-            result.settings.emplace_back(name, value);  // the later one counts
+            result.settings.emplace_back(name, value);  // the later value counts
         }
     }
     return result;
@@ -60,7 +100,25 @@ bool mayUseSampler(const Problem& problem, const std::string& sampler) {
            });
 }
 
-void setUp(ob::SpaceInformation& si, const Problem& problem, std::vector<std::string>& warnings) {
+void setSampler(ob::SpaceInformation& si, const std::string& name,
+                const std::function<void(ob::ValidStateSampler&)>& adjust) {
+    if (name.empty()) return;
+    std::string known;
+    for (const NamedSampler& row : kSamplers) {
+        if (name == row.name) {
+            return si.setValidStateSamplerAllocator(
+                [adjust, allocate = row.allocate](const ob::SpaceInformation* space) {
+                    const ob::ValidStateSamplerPtr sampler = allocate(space);
+                    adjust(*sampler);
+                    return sampler;
+                });
+        }
+        known += (known.empty() ? "" : ", ") + std::string(row.name);
+    }
+    throw std::invalid_argument("unknown sampler '" + name + "', expected one of " + known);
+}
+
+void applySettings(ob::SpaceInformation& si, const Problem& problem, std::vector<std::string>& warnings) {
     std::set<std::string> known = apply(si.getStateSpace()->params(), problem.settings);
     const bool isDefault = problem.sampler.empty() && !problem.settings.empty();
     setSampler(
@@ -74,6 +132,66 @@ void setUp(ob::SpaceInformation& si, const Problem& problem, std::vector<std::st
         warnings.push_back(problem.file + ": neither the space nor the sampler has a setting '" + name +
                            "'; it is left out");
     }
+}
+
+double requireValid(const ValidityChecker& checker, const ob::State* state, const std::string& what) {
+    double clearance = 0;
+    if (checker.isValid(state, clearance)) return clearance;
+    throw std::invalid_argument(what + " is " + checker.whyInvalid(state));
+}
+
+double stepOf(const Problem& problem, const PlanOptions& options, const Model& part) {
+    if (options.step) return *options.step;
+    if (problem.step) return *problem.step;
+    return kDefaultStepPerDiagonal * part.box().diagonal().norm();
+}
+
+void requireReachOf(const Scene& scene, const Box& bounds, double step) {
+    for (const Obstacle& obstacle : scene.obstacles) {
+        if (!obstacle.model.reach()) continue;
+        const Reach& reach = *obstacle.model.reach();
+        if (!reach.positions.contains(bounds)) {
+            throw std::invalid_argument(
+                "the environment was built with a reach that leaves out positions within the bounds, "
+                "expected one that holds them all");
+        }
+        if (!(reach.cap >= obstacle.margin + step)) {
+            throw std::invalid_argument(
+                "the environment was built with a reach whose cap is " + shortNumber(reach.cap) +
+                ", expected at least the margin and a step, " + shortNumber(obstacle.margin + step));
+        }
+    }
+}
+
+std::optional<ObjectiveChoice> chooseObjective(const Problem& problem, const PlanOptions& options) {
+    if (!options.objective.empty()) {
+        return ObjectiveChoice{objectiveName(options.objective), options.wantedClearance};
+    }
+    std::string name;
+    try {
+        name = objectiveName(problem.objective);
+    } catch (const std::invalid_argument&) {
+        return std::nullopt;
+    }
+    if (name == kLength && !problem.objectiveThreshold) return std::nullopt;
+    return ObjectiveChoice{name, options.wantedClearance};
+}
+
+bool asksForClearance(const std::optional<ObjectiveChoice>& choice, const Model& part) {
+    return choice && largestClearance(*choice, part) > 0;
+}
+
+ob::OptimizationObjectivePtr makePlanObjective(const ob::SpaceInformationPtr& si, const Scene& scene,
+                                               const ObjectiveChoice& choice,
+                                               const std::optional<double>& threshold,
+                                               double clearanceOfEnds) {
+    const ob::OptimizationObjectivePtr objective = makeObjective(si, scene, choice);
+    const auto* least = dynamic_cast<const MinClearanceObjective*>(objective.get());
+    if (least != nullptr) objective->setCostThreshold(ob::Cost(attainable(*least, clearanceOfEnds)));
+    if (threshold && (least == nullptr || *threshold < objective->getCostThreshold().value())) {
+        objective->setCostThreshold(ob::Cost(*threshold));
+    }
+    return objective;
 }
 
 }  // namespace clearway::planning

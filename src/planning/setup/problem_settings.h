@@ -1,25 +1,66 @@
-// What a problem sets of OMPL's space and sampler, for all planners or for one.
+// What a problem and the options of plan() ask for: OMPL's settings, sampler, step and objective.
 #pragma once
 
 #include <ompl/base/SpaceInformation.h>
+#include <ompl/base/ValidStateSampler.h>
 
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "clearway/planning/objectives.h"
+#include "clearway/planning/plan.h"
+#include "clearway/planning/validity_checker.h"
 #include "clearway/problem.h"
 
 namespace clearway::planning {
 
-/// The problem as it is for one planner (OMPL's class name): its first choice of that planner may set the
-/// sampler, the objective's threshold and other settings in its own way.
+/// The problem as it is for one planner (OMPL's class name): the problem's first choice of that planner may
+/// override the sampler, the objective's threshold and other settings.
 Problem problemFor(const std::string& planner, const Problem& problem);
 
-/// Whether any planner of the problem may draw its states so.
+/// True when a planner of the problem may use the sampler.
 bool mayUseSampler(const Problem& problem, const std::string& sampler);
 
-/// Sets up the space information, with the problem's sampler and settings. Adds a warning for a setting that
-/// neither the space nor the sampler has. Throws std::invalid_argument for an unknown sampler and for a value
-/// that OMPL refuses.
-void setUp(ompl::base::SpaceInformation& si, const Problem& problem, std::vector<std::string>& warnings);
+/// Sets the sampler of planners that sample valid states: "uniform", "gaussian", "obstacle_based",
+/// "max_clearance" or "bridge_test", as OMPL.app names them, or clearway's "contact_normal" and "narrow_gap";
+/// "" leaves OMPL's default. adjust: called with each sampler that is made, also from several threads. Throws
+/// std::invalid_argument for another name.
+void setSampler(ompl::base::SpaceInformation& si, const std::string& name,
+                const std::function<void(ompl::base::ValidStateSampler&)>& adjust);
+
+/// Calls si.setup(), with the problem's sampler and settings. Adds a warning for each setting that neither
+/// the space nor the sampler has. Throws std::invalid_argument for an unknown sampler and for a value that
+/// OMPL refuses.
+void applySettings(ompl::base::SpaceInformation& si, const Problem& problem,
+                   std::vector<std::string>& warnings);
+
+/// Returns the clearance of a state. Throws std::invalid_argument, naming the two closest meshes and
+/// triangles, unless the state is valid. what: "start".
+double requireValid(const ValidityChecker& checker, const ompl::base::State* state, const std::string& what);
+
+/// The step of the options or of the problem, else 1/500 of the part's diagonal.
+double stepOf(const Problem& problem, const PlanOptions& options, const Model& part);
+
+/// Throws std::invalid_argument when the environment was built with a reach that lacks positions within the
+/// bounds, or ends before margin + step. Queries themselves refuse a part whose radius is too large.
+void requireReachOf(const Scene& scene, const Box& bounds, double step);
+
+/// The objective of the options, else of the problem. Nothing when the first path will do: where neither asks
+/// for more than length without a threshold, or the problem names an unknown objective. Throws
+/// std::invalid_argument when the options name an unknown one.
+std::optional<ObjectiveChoice> chooseObjective(const Problem& problem, const PlanOptions& options);
+
+/// True when the choice depends on clearance.
+bool asksForClearance(const std::optional<ObjectiveChoice>& choice, const Model& part);
+
+/// Makes the objective. Its threshold is the problem's or, for the least clearance where that is less, the
+/// largest clearance that any path can have, which the tighter one of start and goal limits. Throws as
+/// makeObjective does.
+ompl::base::OptimizationObjectivePtr makePlanObjective(const ompl::base::SpaceInformationPtr& si,
+                                                       const Scene& scene, const ObjectiveChoice& choice,
+                                                       const std::optional<double>& threshold,
+                                                       double clearanceOfEnds);
 
 }  // namespace clearway::planning

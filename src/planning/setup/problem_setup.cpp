@@ -9,10 +9,8 @@
 #include <stdexcept>
 
 #include "clearway/planning/validity_checker.h"
-#include "planning/setup/end_states.h"
-#include "planning/setup/planning_space.h"
 #include "planning/setup/problem_settings.h"
-#include "planning/validity/space_of.h"
+#include "planning/validity/ompl_states.h"
 
 namespace clearway::planning {
 namespace {
@@ -45,7 +43,7 @@ og::SimpleSetup makeSetup(const Problem& problem, const Scene& scene) {
                                 problem.goalThreshold.value_or(std::numeric_limits<double>::epsilon()));
 
     std::vector<std::string> warnings;
-    setUp(*si, problem, warnings);
+    applySettings(*si, problem, warnings);
     for (const std::string& warning : warnings) OMPL_WARN("%s", warning.c_str());
     return setup;
 }

@@ -1,23 +1,32 @@
-#include "planning/validity/scene_clearance.h"
+#include "clearway/planning/scene_clearance.h"
+
+#include <tbb/enumerable_thread_specific.h>
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <stdexcept>
-#include <string>
+#include <utility>
 
 #include "core/number.h"
+#include "model/solids.h"
+#include "planning/validity/contact_zones.h"
 
 namespace clearway::planning {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Measured on planners' motions: twice as fast as exact distances, for a few more queries.
+/// Relative error of rough distances. On planners' motions rough distances are twice as fast as exact ones,
+/// for a few more queries.
 constexpr double kRoughError = 0.05;
-constexpr double kRoughEnough = 0.9;  ///< of upper: what lower must be, or a tight distance is asked for
+/// The share of upper that lower must reach; otherwise a tight distance is asked for.
+constexpr double kRoughEnough = 0.9;
 
-/// Visits the obstacles, the one that was nearest last time first, until `visit` says no: it blocks most
-/// often, and caps what the others are asked for.
+thread_local QueryTally tallyOfThisThread;
+
+/// Visits the obstacles until `visit` returns false. The obstacle that was nearest last time comes first: it
+/// blocks most often, and it caps what the others are asked for.
 template <class Visit>
 bool visitAll(std::size_t count, std::size_t first, const Visit& visit) {
     if (count == 0) return true;
@@ -28,14 +37,7 @@ bool visitAll(std::size_t count, std::size_t first, const Visit& visit) {
     return true;
 }
 
-void requireContact(const char* name, const std::optional<ContactZone>& contact) {
-    if (!contact) return;
-    requirePose(contact->X_environmentPart);
-    if (contact->distance > 0 && std::isfinite(contact->distance)) return;
-    throw std::invalid_argument(std::string(name) + ".distance is " + shortNumber(contact->distance) +
-                                ", expected a finite length above 0");
-}
-
+/// The answer when no obstacle was asked.
 SceneDistance nowhere() {
     constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
     SceneDistance result;
@@ -44,11 +46,74 @@ SceneDistance nowhere() {
     return result;
 }
 
+std::string meshName(const Model& model, std::int64_t component) {
+    const auto& components = model.components();
+    if (component >= 0 && static_cast<std::size_t>(component) < components.size()) {
+        const std::string& name = components[static_cast<std::size_t>(component)].name;
+        if (!name.empty()) return name;
+    }
+    const std::string& file = model.origin().file;
+    return file.empty() ? "unnamed" : file.substr(file.find_last_of('/') + 1);
+}
+
+double marginOf(const Scene& scene, const SceneDistance& nearest) {
+    return nearest.obstacle < 0 ? 0 : scene.obstacles[static_cast<std::size_t>(nearest.obstacle)].margin;
+}
+
+/// Describes a pair that touches or is closer than the margin.
+std::string describePair(const Scene& scene, const SceneDistance& nearest) {
+    const double margin = marginOf(scene, nearest);
+    const MeshNames names = meshNames(scene, nearest);
+    std::ostringstream message;
+    message << "triangle " << nearest.partTriangle << " of the part's mesh '" << names.part
+            << "' and triangle " << nearest.environmentTriangle << " of the environment's mesh '"
+            << names.environment << "' are ";
+    if (nearest.collides()) {
+        message << "touching, expected a distance above " << margin;
+    } else {
+        message << nearest.distance << " apart, expected more than the margin " << margin;
+    }
+    return message.str();
+}
+
 }  // namespace
 
-SceneClearance::SceneClearance(Scene scene) : scene_(std::move(scene)), owner_(newScratchOwner()) {
-    requireContact("startContact", scene_.startContact);
-    requireContact("goalContact", scene_.goalContact);
+/// What one thread keeps from query to query.
+struct SceneClearance::Scratch {
+    std::vector<Workspace> workspaces;  ///< one for each obstacle
+    std::size_t nearest = 0;            ///< the obstacle that was nearest, or in the way, last time
+};
+
+struct SceneClearance::ThreadScratch {
+    explicit ThreadScratch(std::size_t obstacles)
+        : perThread([obstacles] { return Scratch{std::vector<Workspace>(obstacles)}; }) {}
+    tbb::enumerable_thread_specific<Scratch> perThread;
+};
+
+/// The clearance of one obstacle, whether or not the obstacle counts.
+struct SceneClearance::Asked {
+    Bounds clearance;
+    SceneDistance nearest;
+    std::uint64_t queries = 0;
+
+    /// True when reports are to name this obstacle: it has less clearance, as far as that is known.
+    bool isNearerThan(const PoseClearance& sofar) const {
+        if (sofar.nearest.obstacle < 0) return true;
+        const bool isFar = std::isinf(clearance.upper) && std::isinf(sofar.upper);
+        return isFar ? clearance.lower < sofar.lower : clearance.upper < sofar.upper;
+    }
+};
+
+struct SceneClearance::Enclosure {
+    const std::string* obstacleMesh;
+    const std::string* partMesh;
+    bool isPartInside;
+};
+
+SceneClearance::SceneClearance(Scene scene)
+    : scene_(std::move(scene)),
+      zones_(std::make_unique<ContactZones>(scene_)),
+      scratch_(std::make_unique<ThreadScratch>(scene_.obstacles.size())) {
     for (std::size_t i = 0; i < scene_.obstacles.size(); ++i) {
         const Obstacle& obstacle = scene_.obstacles[i];
         if (!(obstacle.margin >= 0) || !std::isfinite(obstacle.margin)) {
@@ -57,18 +122,19 @@ SceneClearance::SceneClearance(Scene scene) : scene_(std::move(scene)), owner_(n
         }
         if (obstacle.solids && !scene_.partSolids) {
             throw std::invalid_argument(
-                "an obstacle is solid and partSolids is null, expected makeSolids of "
-                "the part's mesh");
+                "an obstacle is solid and partSolids is null, expected makeSolids of the part's mesh");
         }
         hasSolids_ = hasSolids_ || obstacle.solids;
-        addZone(i);
-        // Models that cannot be queried together are the caller's mistake: better told here than inside a
-        // planner.
+        zones_->add(scene_, obstacle);
+        // A query here refuses models that cannot be queried together, rather than later inside a planner.
         Pose somewhere;
         if (const auto& reach = obstacle.model.reach()) somewhere.translation = reach->positions.center();
-        isFree(i, somewhere);
+        isFree(i, somewhere, scratch_->perThread.local());
     }
+    zoneCount_ = zones_->count();
 }
+
+SceneClearance::~SceneClearance() = default;
 
 double SceneClearance::mostClearance() const {
     double most = kInfinity;
@@ -80,69 +146,66 @@ double SceneClearance::mostClearance() const {
 
 bool SceneClearance::isFree(const Pose& X_environmentPart) const {
     PoseClearance at;
-    findSpares(X_environmentPart, at);
-    ThreadScratch& mine = scratch();
+    zones_->findSpares(scene_, X_environmentPart, at);
+    Scratch& mine = scratch_->perThread.local();
     const bool isApart = visitAll(scene_.obstacles.size(), mine.nearest, [&](std::size_t i) {
-        if (isIgnored(i, at) || isFree(i, X_environmentPart)) return true;
+        if (zones_->isIgnored(i, at) || isFree(i, X_environmentPart, mine)) return true;
         mine.nearest = i;
         return false;
     });
     if (!isApart || !hasSolids_) return isApart;
     for (std::size_t i = 0; i < scene_.obstacles.size(); ++i) {
-        if (!isIgnored(i, at) && enclosureBy(i, X_environmentPart)) return false;
+        if (!zones_->isIgnored(i, at) && enclosureBy(i, X_environmentPart)) return false;
     }
     return true;
 }
 
-bool SceneClearance::isFree(std::size_t i, const Pose& X_environmentPart) const {
+bool SceneClearance::isFree(std::size_t i, const Pose& X_environmentPart, Scratch& scratch) const {
     const Obstacle& obstacle = scene_.obstacles[i];
-    ThreadScratch& mine = scratch();
-    Workspace& workspace = mine.workspaces[i];
+    Workspace& workspace = scratch.workspaces[i];
     const bool isBlocked =
         obstacle.margin == 0
             ? collides(scene_.part, obstacle.model, X_environmentPart, workspace)
             : isWithin(scene_.part, obstacle.model, X_environmentPart, obstacle.margin, workspace);
-    mine.tally->addWithin(workspace.counters());
+    ++tallyOfThisThread.withins;
+    tallyOfThisThread.work += workspace.counters();
     return !isBlocked;
 }
 
-// What the nearest obstacle so far leaves caps what the next ones are asked for.
 PoseClearance SceneClearance::at(const Pose& X_environmentPart, const ClearanceOptions& options) const {
     PoseClearance answer;
-    if (zoneOf_.size() == 1 && zoneOf_[0] < 0 && !hasSolids_) {  // most scenes: nothing to compare
-        const Asked found = ask(0, X_environmentPart, options);
-        answer.lower = answer.lowerAlways = found.lower;
-        answer.upper = answer.upperAlways = found.upper;
+    Scratch& mine = scratch_->perThread.local();
+    if (scene_.obstacles.size() == 1 && zoneCount_ == 0 && !hasSolids_) {  // most scenes: nothing to compare
+        const Asked found = ask(0, X_environmentPart, options, mine);
+        answer.lower = found.clearance.lower;
+        answer.upper = found.clearance.upper;
+        answer.always = found.clearance;
         answer.nearest = found.nearest;
         answer.queries = found.queries;
         nameTriangle(answer.nearest);
         return answer;
     }
-    findSpares(X_environmentPart, answer);
-    ThreadScratch& mine = scratch();
+    zones_->findSpares(scene_, X_environmentPart, answer);
     visitAll(scene_.obstacles.size(), mine.nearest, [&](std::size_t i) {
         ClearanceOptions asked = options;
-        asked.cap = std::min(options.cap, answer.upper);
+        asked.cap =
+            std::min(options.cap, answer.upper);  // more than the nearest one so far is of no interest
         if (asked.cap + scene_.obstacles[i].margin < 0) return true;
-        ZoneClearance* zone = zoneOf_[i] < 0 ? nullptr : &answer.zones[static_cast<std::size_t>(zoneOf_[i])];
-        if (zone && zone->isIgnored() && zone->spare >= options.leastSpare) return true;
-        const Asked found = ask(i, X_environmentPart, asked);
+        ZoneClearance* zone = zones_->zoneOf(i, answer);
+        if (zone && zone->isIgnored() && zone->spare.lower >= options.leastSpare) return true;
+        const Asked found = ask(i, X_environmentPart, asked, mine);
         answer.queries += found.queries;
-        if (zone) {
-            const bool isFirst = zone->clearance == kUnknownClearance;
-            zone->clearance = isFirst ? found.lower : std::min(zone->clearance, found.lower);
-            zone->upper = std::min(zone->upper, found.upper);
-            if (zone->isIgnored()) return true;
-        } else {
-            answer.lowerAlways = std::min(answer.lowerAlways, found.lower);
-            answer.upperAlways = std::min(answer.upperAlways, found.upper);
-        }
-        if (isNearer(found, answer)) {
+        Bounds& least = zone ? zone->clearance : answer.always;
+        const bool isFirst = least.lower == kUnknownClearance;
+        least.lower = isFirst ? found.clearance.lower : std::min(least.lower, found.clearance.lower);
+        least.upper = std::min(least.upper, found.clearance.upper);
+        if (zone && zone->isIgnored()) return true;
+        if (found.isNearerThan(answer)) {
             answer.nearest = found.nearest;
             mine.nearest = i;
         }
-        answer.lower = std::min(answer.lower, found.lower);
-        answer.upper = std::min(answer.upper, found.upper);
+        answer.lower = std::min(answer.lower, found.clearance.lower);
+        answer.upper = std::min(answer.upper, found.clearance.upper);
         return true;
     });
     if (answer.nearest.obstacle < 0) answer.nearest = nowhere();
@@ -151,55 +214,51 @@ PoseClearance SceneClearance::at(const Pose& X_environmentPart, const ClearanceO
     return answer;
 }
 
-/// Whether it is what reports are to tell of: less clearance, as far as it is told.
-bool SceneClearance::isNearer(const Asked& found, const PoseClearance& sofar) {
-    if (sofar.nearest.obstacle < 0) return true;
-    const bool isFar = std::isinf(found.upper) && std::isinf(sofar.upper);
-    return isFar ? found.lower < sofar.lower : found.upper < sofar.upper;
-}
-
 SceneClearance::Asked SceneClearance::ask(std::size_t i, const Pose& X_environmentPart,
-                                          const ClearanceOptions& options) const {
+                                          const ClearanceOptions& options, Scratch& scratch) const {
     Asked answer;
     DistanceOptions asked;
     asked.cap = options.cap + scene_.obstacles[i].margin;
     if (options.isRough) {
         asked.relativeError = kRoughError;
-        ask(i, X_environmentPart, asked, answer);
-        const bool isBeyondCap = std::isinf(answer.upper) && answer.lower > 0;
-        if (answer.upper <= 0 || isBeyondCap || answer.lower >= kRoughEnough * answer.upper) return answer;
+        ask(i, X_environmentPart, asked, scratch, answer);
+        const auto& [lower, upper] = answer.clearance;
+        const bool isBeyondCap = std::isinf(upper) && lower > 0;
+        if (upper <= 0 || isBeyondCap || lower >= kRoughEnough * upper) return answer;
         asked.relativeError = 0;
     }
-    ask(i, X_environmentPart, asked, answer);
+    ask(i, X_environmentPart, asked, scratch, answer);
     return answer;
 }
 
-// lower > margin and upper <= margin decide at once; only an interval that holds the margin asks a second
-// time.
+// lower > margin or upper <= margin decides at once. Only an interval that holds the margin needs a second
+// query.
 void SceneClearance::ask(std::size_t i, const Pose& X_environmentPart, const DistanceOptions& options,
-                         Asked& answer) const {
+                         Scratch& scratch, Asked& answer) const {
     const Obstacle& obstacle = scene_.obstacles[i];
     const double margin = obstacle.margin;
     DistanceResult& d = answer.nearest;
-    ThreadScratch& mine = scratch();
-    d = clearway::distance(scene_.part, obstacle.model, X_environmentPart, options, mine.workspaces[i]);
-    mine.tally->addDistance(mine.workspaces[i].counters());
+    Workspace& workspace = scratch.workspaces[i];
+    d = clearway::distance(scene_.part, obstacle.model, X_environmentPart, options, workspace);
+    ++tallyOfThisThread.distances;
+    tallyOfThisThread.work += workspace.counters();
     answer.nearest.obstacle = static_cast<int>(i);
     ++answer.queries;
     bool valid = d.upper > margin;
     const bool isSure = margin == 0 || d.lower > margin || !valid;
     if (!isSure && (options.relativeError == 0 || std::isinf(d.upper))) {
-        valid = isFree(i, X_environmentPart);
+        valid = isFree(i, X_environmentPart, scratch);
         ++answer.queries;
     }
     const double above = d.lower - margin;
-    answer.lower = valid ? std::max(above, std::numeric_limits<double>::denorm_min()) : std::min(above, 0.0);
-    answer.upper = d.upper - margin;
+    answer.clearance.lower =
+        valid ? std::max(above, std::numeric_limits<double>::denorm_min()) : std::min(above, 0.0);
+    answer.clearance.upper = d.upper - margin;
 }
 
 SceneDistance SceneClearance::distance(const Pose& X_environmentPart) const {
     SceneDistance least = nowhere();
-    ThreadScratch& mine = scratch();
+    Scratch& mine = scratch_->perThread.local();
     visitAll(scene_.obstacles.size(), mine.nearest, [&](std::size_t i) {
         DistanceOptions options;
         options.cap = least.upper;
@@ -227,7 +286,7 @@ void SceneClearance::nameTriangle(SceneDistance& nearest) const {
 }
 
 void SceneClearance::forgetWarmStart() const {
-    ThreadScratch& mine = scratch();
+    Scratch& mine = scratch_->perThread.local();
     for (Workspace& workspace : mine.workspaces) workspace.forgetWarmStart();
     mine.nearest = 0;
 }
@@ -237,6 +296,69 @@ bool SceneClearance::isOutOfReach(const Pose& X_environmentPart) const {
         const std::optional<Reach>& reach = obstacle.model.reach();
         return reach && !reach->positions.contains(X_environmentPart.translation);
     });
+}
+
+std::optional<SceneClearance::Enclosure> SceneClearance::enclosureBy(std::size_t i,
+                                                                     const Pose& X_environmentPart) const {
+    const Obstacle& obstacle = scene_.obstacles[i];
+    if (!obstacle.solids) return std::nullopt;
+    if (const auto found = obstacle.solids->holding({}, *scene_.partSolids, X_environmentPart)) {
+        return Enclosure{found->outer, found->inner, true};
+    }
+    if (const auto found = scene_.partSolids->holding(X_environmentPart, *obstacle.solids, {})) {
+        return Enclosure{found->inner, found->outer, false};
+    }
+    return std::nullopt;
+}
+
+/// Solids are looked at only where they can turn a verdict: elsewhere the surfaces are too close already, and
+/// may touch.
+void SceneClearance::lookAtSolids(const Pose& X_environmentPart, bool isOutside,
+                                  PoseClearance& answer) const {
+    for (std::size_t i = 0; i < scene_.obstacles.size(); ++i) {
+        ZoneClearance* zone = zones_->zoneOf(i, answer);
+        double& lower = zone ? zone->clearance.lower : answer.always.lower;
+        if (!(lower > 0) || (!zone && isOutside)) continue;
+        if (!enclosureBy(i, X_environmentPart)) continue;
+        lower = 0;
+        if (zones_->isIgnored(i, answer)) continue;
+        answer.lower = std::min(answer.lower, 0.0);
+        answer.upper = std::min(answer.upper, 0.0);
+    }
+}
+
+/// Names the solid and the mesh inside it, of the obstacles that count. Empty when nothing is enclosed.
+std::string SceneClearance::describeEnclosure(const Pose& X_environmentPart) const {
+    PoseClearance at;
+    zones_->findSpares(scene_, X_environmentPart, at);
+    for (std::size_t i = 0; i < scene_.obstacles.size(); ++i) {
+        if (zones_->isIgnored(i, at)) continue;
+        const auto found = enclosureBy(i, X_environmentPart);
+        if (!found) continue;
+        const std::string part = "the part's mesh '" + *found->partMesh + "'",
+                          obstacle = "the solid '" + *found->obstacleMesh + "'";
+        return found->isPartInside ? part + " is inside " + obstacle : obstacle + " is inside " + part;
+    }
+    return "";
+}
+
+std::string SceneClearance::whyInvalid(const Pose& X_environmentPart) const {
+    const PoseClearance found = at(X_environmentPart);
+    if (found.isValid()) return "";
+    if (found.nearest.collides()) return "in collision: " + describePair(scene_, found.nearest);
+    const bool isApart = found.nearest.lower > marginOf(scene_, found.nearest);
+    if (!isApart) return "too close: " + describePair(scene_, found.nearest);
+    return "in collision: " + describeEnclosure(X_environmentPart);
+}
+
+QueryTally takeQueryTally() {
+    return std::exchange(tallyOfThisThread, {});
+}
+
+MeshNames meshNames(const Scene& scene, const SceneDistance& nearest) {
+    if (nearest.partTriangle < 0 || nearest.obstacle < 0) return {};
+    const Model& environment = scene.obstacles[static_cast<std::size_t>(nearest.obstacle)].model;
+    return {meshName(scene.part, nearest.partComponent), meshName(environment, nearest.environmentComponent)};
 }
 
 }  // namespace clearway::planning

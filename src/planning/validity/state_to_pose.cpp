@@ -8,7 +8,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "planning/validity/part_state.h"
+#include "planning/validity/ompl_states.h"
 
 namespace clearway::planning {
 namespace {
@@ -24,18 +24,6 @@ Pose poseOrNone(const PartState& state) {
 
 }  // namespace
 
-PartState partStateOfSe3(const ob::State* state) {
-    const auto* se3 = state->as<ob::SE3StateSpace::StateType>();
-    const auto& q = se3->rotation();
-    return {{se3->getX(), se3->getY(), se3->getZ()}, {q.w, q.x, q.y, q.z}};
-}
-
-PartState partStateOfSe2(const ob::State* state) {
-    const auto* se2 = state->as<ob::SE2StateSpace::StateType>();
-    const double half = se2->getYaw() / 2;
-    return {{se2->getX(), se2->getY(), 0}, {std::cos(half), 0, 0, std::sin(half)}};
-}
-
 StateToPose stateToPose(const ob::StateSpace& space) {
     if (dynamic_cast<const ob::SE3StateSpace*>(&space)) {
         return [](const ob::State* state) { return poseOrNone(partStateOfSe3(state)); };
@@ -48,9 +36,8 @@ StateToPose stateToPose(const ob::StateSpace& space) {
             return inner(state->as<ob::WrapperStateSpace::StateType>()->getState());
         };
     }
-    throw std::invalid_argument(
-        "state space '" + space.getName() +
-        "' is neither SE(3) nor SE(2): a callback from its states to poses is needed");
+    throw std::invalid_argument("state space '" + space.getName() +
+                                "' is neither SE(3) nor SE(2), expected a callback from its states to poses");
 }
 
 }  // namespace clearway::planning

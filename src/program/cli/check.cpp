@@ -3,9 +3,9 @@
 #include <iostream>
 #include <stdexcept>
 
+#include "clearway/planning/check_path.h"
 #include "clearway/targets.h"
 #include "core/replace_file.h"
-#include "planning/setup/check_path.h"
 #include "program/cli/command_line.h"
 #include "program/cli/elapsed_line.h"
 #include "program/cli/path_report.h"

@@ -3,8 +3,8 @@
 #include <iostream>
 #include <stdexcept>
 
+#include "clearway/planning/plan.h"
 #include "clearway/problem.h"
-#include "planning/setup/planning_reach.h"
 #include "program/cli/command_line.h"
 #include "program/cli/describe_mesh.h"
 #include "program/cli/describe_problem.h"

@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "clearway/query.h"
-#include "planning/validity/mesh_names.h"
 #include "program/cli/print.h"
 
 namespace clearway::cli {
@@ -30,11 +29,10 @@ void chooseGhosts(const Model& part, std::vector<render::PosedPart>& poses) {
 namespace {
 
 void printPose(double share, const Scene& scene, const planning::PoseClearance& at) {
-    const SceneDistance& nearest = at.nearest;
-    const std::string between = nearest.partTriangle < 0
+    const planning::MeshNames names = planning::meshNames(scene, at.nearest);
+    const std::string between = at.nearest.partTriangle < 0
                                     ? " or more"
-                                    : ", between '" + planning::meshName(scene.part, nearest.partComponent) +
-                                          "' and '" + planning::obstacleName(scene, nearest) + "'";
+                                    : ", between '" + names.part + "' and '" + names.environment + "'";
     printRow("pose at " + readable(share),
              std::isinf(at.lower) ? "nothing to keep clear of" : "clearance " + readable(at.lower) + between);
 }

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "planning/validity/scene_clearance.h"
+#include "clearway/planning/scene_clearance.h"
 #include "program/render/render.h"
 #include "program/report/path_line.h"
 

@@ -1,13 +1,13 @@
 // clearway plan: from a problem file to a path file.
-#include "planning/setup/plan.h"
+#include "clearway/planning/plan.h"
 
 #include <stdexcept>
 
+#include "clearway/planning/check_path.h"
+#include "clearway/planning/objectives.h"
 #include "clearway/planning/planners.h"
 #include "clearway/targets.h"
 #include "core/replace_file.h"
-#include "planning/objectives/objectives.h"
-#include "planning/setup/check_path.h"
 #include "program/cli/command_line.h"
 #include "program/cli/elapsed_line.h"
 #include "program/cli/interrupts.h"

@@ -4,7 +4,7 @@
 #include <iostream>
 #include <stdexcept>
 
-#include "planning/setup/planning_reach.h"
+#include "clearway/planning/plan.h"
 #include "program/cli/load_guard.h"
 #include "program/cli/print.h"
 #include "program/cli/tree_options.h"

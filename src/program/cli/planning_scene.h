@@ -6,9 +6,9 @@
 
 #include "clearway/build_options.h"
 #include "clearway/obstacle_groups.h"
+#include "clearway/planning/plan.h"
 #include "clearway/problem.h"
 #include "clearway/scene.h"
-#include "planning/setup/plan.h"
 
 namespace clearway::cli {
 

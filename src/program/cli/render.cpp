@@ -5,9 +5,9 @@
 #include <boost/algorithm/string/split.hpp>
 #include <stdexcept>
 
+#include "clearway/planning/scene_clearance.h"
 #include "core/number.h"
 #include "core/replace_file.h"
-#include "planning/validity/scene_clearance.h"
 #include "program/cli/command_line.h"
 #include "program/cli/elapsed_line.h"
 #include "program/cli/load_guard.h"

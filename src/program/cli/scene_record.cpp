@@ -9,9 +9,9 @@
 #include <iostream>
 #include <limits>
 
+#include "clearway/planning/check_path.h"
 #include "clearway/query.h"
 #include "core/number.h"
-#include "planning/setup/check_path.h"
 #include "program/cli/path_poses.h"
 #include "program/cli/print.h"
 

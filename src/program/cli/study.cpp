@@ -5,10 +5,10 @@
 #include <iostream>
 #include <stdexcept>
 
+#include "clearway/planning/objectives.h"
 #include "clearway/planning/planners.h"
 #include "core/replace_file.h"
 #include "core/text.h"
-#include "planning/objectives/objectives.h"
 #include "program/cli/command_line.h"
 #include "program/cli/interrupts.h"
 #include "program/cli/load_guard.h"

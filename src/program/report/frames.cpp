@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "planning/validity/mesh_names.h"
-
 namespace clearway::report {
 
 namespace {
@@ -17,11 +15,9 @@ ReportFrame frameAt(double share, const PartState& state, const planning::SceneC
     frame.isInReach = !clearance.isOutOfReach(frame.X_environmentPart);
     if (!frame.isInReach) return frame;
     frame.clearance = clearance.at(frame.X_environmentPart);
-    const SceneDistance& nearest = frame.clearance.nearest;
-    if (nearest.partTriangle >= 0) {
-        frame.partMesh = planning::meshName(clearance.scene().part, nearest.partComponent);
-        frame.environmentMesh = planning::obstacleName(clearance.scene(), nearest);
-    }
+    const planning::MeshNames names = planning::meshNames(clearance.scene(), frame.clearance.nearest);
+    frame.partMesh = names.part;
+    frame.environmentMesh = names.environment;
     return frame;
 }
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "clearway/planning/audit.h"
-#include "planning/validity/scene_clearance.h"
+#include "clearway/planning/scene_clearance.h"
 #include "program/report/path_line.h"
 
 namespace clearway::report {

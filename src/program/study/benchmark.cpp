@@ -1,6 +1,7 @@
 #include "program/study/benchmark.h"
 
 #include <ompl/base/PlannerStatus.h>
+#include <ompl/config.h>
 #include <ompl/tools/benchmark/MachineSpecs.h>
 #include <ompl/util/Time.h>
 
@@ -13,10 +14,9 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "clearway/planning/ompl_messages.h"
+#include "clearway/planning/plan_setup.h"
 #include "core/number.h"
-#include "planning/setup/setup.h"
-#include "planning/validity/ompl_messages.h"
-#include "planning/validity/ompl_version.h"
 
 namespace clearway::study {
 namespace {
@@ -24,11 +24,19 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 using planning::PlanOptions;
+using planning::PlanReport;
+using planning::PlanSetup;
 
 /// One planner of each kind: two trees, one tree, by density, by projection, a roadmap.
 constexpr const char* kDefaultPlanners[] = {"RRTConnect", "RRT", "EST", "KPIECE1", "PRM"};
 constexpr double kBytesPerMegabyte = 1024.0 * 1024.0;
 constexpr double kMostMegabytes = 1e12;  ///< more than any machine has; in bytes the integer type holds it
+
+/// "1.5.2". OMPL_VERSION is an empty text in Debian 12.
+std::string omplVersion() {
+    return std::to_string(OMPL_MAJOR_VERSION) + "." + std::to_string(OMPL_MINOR_VERSION) + "." +
+           std::to_string(OMPL_PATCH_VERSION);
+}
 
 double secondsSince(Clock::time_point begin) {
     return std::chrono::duration<double>(Clock::now() - begin).count();
@@ -90,8 +98,8 @@ void addOnce(std::vector<std::string>& warnings, const std::vector<std::string>&
 /// Makes the planner once, so that its mistakes show before the first run, and describes it for the log.
 PlannerBenchmark describePlanner(const Problem& problem, const Scene& scene, const BenchmarkOptions& options,
                                  Benchmark& benchmark) {
-    planning::PlanReport report;
-    const planning::Setup setup = planning::prepare(problem, scene, planOptions(options, 0), report);
+    PlanReport report;
+    const PlanSetup setup = planning::makePlanSetup(problem, scene, planOptions(options, 0), report);
     addOnce(benchmark.warnings, report.warnings);
     const ompl::base::Planner& planner = *setup.planners[0];
     PlannerBenchmark result;
@@ -174,7 +182,7 @@ void writeText(const std::string& text, std::ostream& out) {
 }
 
 void writeHead(const Benchmark& benchmark, std::ostream& out) {
-    out << "OMPL version " << planning::omplVersion() << "\nExperiment " << benchmark.experiment << "\n"
+    out << "OMPL version " << omplVersion() << "\nExperiment " << benchmark.experiment << "\n"
         << benchmark.parameters.size() << " experiment properties\n";
     for (const auto& [name, value] : benchmark.parameters) out << name << " = " << line(value) << "\n";
     out << "Running on " << (benchmark.host.empty() ? "UNKNOWN" : benchmark.host) << "\nStarting at "

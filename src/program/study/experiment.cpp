@@ -4,9 +4,9 @@
 #include <cmath>
 #include <tuple>
 
+#include "clearway/planning/plan.h"
 #include "clearway/targets.h"
 #include "core/number.h"
-#include "planning/setup/planning_reach.h"
 
 namespace clearway::study {
 namespace {

@@ -12,10 +12,10 @@
 #include <mutex>
 #include <thread>
 
+#include "clearway/planning/finish.h"
+#include "clearway/planning/plan_setup.h"
+#include "clearway/planning/problem_setup.h"
 #include "core/number.h"
-#include "planning/setup/finish.h"
-#include "planning/setup/planning_space.h"
-#include "planning/setup/setup.h"
 #include "program/study/recorder.h"
 
 namespace clearway::study {
@@ -24,7 +24,7 @@ namespace {
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
 using planning::PathAudit;
-using planning::Setup;
+using planning::PlanSetup;
 using Clock = std::chrono::steady_clock;
 
 constexpr double kLeastPeriod = 0.05;  ///< seconds between two looks at a planner's progress
@@ -135,8 +135,8 @@ void measureCalls(const Recorder& recorder, double seconds, BenchmarkRun& run) {
 }
 
 /// recorder: null unless calls are recorded.
-void solve(const Setup& setup, const RunLimits& limits, RunEnd& end, Recorder* recorder, BenchmarkRun& run,
-           std::vector<std::string>& warnings) {
+void solve(const PlanSetup& setup, const RunLimits& limits, RunEnd& end, Recorder* recorder,
+           BenchmarkRun& run, std::vector<std::string>& warnings) {
     ob::Planner& planner = *setup.planners[0];
     RunMeasures& measures = run.measures;
     const double period = std::max(kLeastPeriod, limits.seconds / kLooksPerRun);
@@ -167,7 +167,7 @@ void solve(const Setup& setup, const RunLimits& limits, RunEnd& end, Recorder* r
     measures.status = static_cast<std::uint64_t>(static_cast<ob::PlannerStatus::StatusType>(status));
 }
 
-void describeAnswers(const Setup& setup, BenchmarkRun& run) {
+void describeAnswers(const PlanSetup& setup, BenchmarkRun& run) {
     const auto put = [&](const char* name, std::uint64_t count) {
         run.properties[name] = std::to_string(count);
     };
@@ -184,7 +184,7 @@ void describeAnswers(const Setup& setup, BenchmarkRun& run) {
     put("motion queries INTEGER", motions.queries);
 }
 
-void describeGraph(const Setup& setup, BenchmarkRun& run) {
+void describeGraph(const PlanSetup& setup, BenchmarkRun& run) {
     ob::PlannerData graph(setup.si);
     setup.planners[0]->getPlannerData(graph);
     run.measures.graphStates = graph.numVertices();
@@ -194,7 +194,7 @@ void describeGraph(const Setup& setup, BenchmarkRun& run) {
 
 /// which: "" or "simplified ", before OMPL's names. Unlike OMPL, which looks at states, "correct" and
 /// "strict" come from certifying the path.
-PathMeasures describePath(const Setup& setup, const og::PathGeometric& path, const PathAudit& found,
+PathMeasures describePath(const PlanSetup& setup, const og::PathGeometric& path, const PathAudit& found,
                           const std::string& which, Properties& properties) {
     properties[which + "solution smoothness REAL"] = shortNumber(path.smoothness());
     properties[which + "solution clearance REAL"] = shortNumber(path.clearance());
@@ -211,15 +211,12 @@ PathMeasures describePath(const Setup& setup, const og::PathGeometric& path, con
     return measures;
 }
 
-void keepPath(const Problem& problem, const og::PathGeometric& path, BenchmarkRun& run) {
+void keepPath(const og::PathGeometric& path, BenchmarkRun& run) {
     run.length = path.length();
-    for (unsigned int i = 0; i < path.getStateCount(); ++i) {
-        run.path.push_back(planning::fromOmpl(problem.space, path.getState(i)));
-    }
+    run.path = planning::partStates(path);
 }
 
-void describeSolution(const Setup& setup, const Problem& problem, bool simplify, const RunEnd& end,
-                      BenchmarkRun& run) {
+void describeSolution(const PlanSetup& setup, bool simplify, const RunEnd& end, BenchmarkRun& run) {
     Properties& properties = run.properties;
     properties["approximate solution BOOLEAN"] = flag(setup.definition->hasApproximateSolution());
     properties["solution difference REAL"] = shortNumber(setup.definition->getSolutionDifference());
@@ -234,7 +231,7 @@ void describeSolution(const Setup& setup, const Problem& problem, bool simplify,
         static_cast<PathMeasures&>(simplified) = describePath(setup, path, found, "simplified ", properties);
         for (const auto& [name, text] : propertiesOf(simplified)) properties["simplified " + name] = text;
     }
-    if (run.isSolved) keepPath(problem, path, run);
+    if (run.isSolved) keepPath(path, run);
 }
 
 }  // namespace
@@ -303,12 +300,12 @@ std::optional<BenchmarkRun> runOnce(const Problem& problem, const Scene& scene,
     RunEnd end(limits);
     const auto isOver = [&] { return end.isReached(); };
     std::optional<Recorder> recorder;
-    const auto record = [&](Setup& setup) {
+    const auto record = [&](PlanSetup& setup) {
         if (!limits.sampling) return;
         recorder.emplace(setup.si->getStateSpace(), *limits.sampling);
         recordInto(*recorder, setup, scene, isOver);
     };
-    const Setup setup = planning::prepare(problem, scene, options, settings, isOver, record);
+    const PlanSetup setup = planning::makePlanSetup(problem, scene, options, settings, isOver, record);
     BenchmarkRun run;
     solve(setup, limits, end, recorder ? &*recorder : nullptr, run, warnings);
     if (end.isStopped()) return std::nullopt;
@@ -319,7 +316,7 @@ std::optional<BenchmarkRun> runOnce(const Problem& problem, const Scene& scene,
     run.properties["seed INTEGER"] = std::to_string(options.seed);
     describeAnswers(setup, run);
     describeGraph(setup, run);
-    if (setup.definition->hasSolution()) describeSolution(setup, problem, limits.simplify, end, run);
+    if (setup.definition->hasSolution()) describeSolution(setup, limits.simplify, end, run);
     run.properties.merge(propertiesOf(run.measures));
     if (end.isStopped()) return std::nullopt;
     return run;

@@ -8,10 +8,10 @@
 #include <variant>
 #include <vector>
 
+#include "clearway/planning/plan.h"
+#include "clearway/planning/scene_clearance.h"
 #include "clearway/problem.h"
 #include "clearway/scene.h"
-#include "planning/setup/plan.h"
-#include "planning/validity/thread_scratch.h"
 #include "program/study/calls.h"
 #include "program/study/table.h"
 
@@ -80,7 +80,7 @@ struct RunLimits {
 };
 
 /// Plans the problem, which names one planner, with that planner and the options' seed. Returns nothing when
-/// it was stopped. A planner that throws has status "Crash" and a warning. Throws what prepare() throws.
+/// it was stopped. A planner that throws has status "Crash" and a warning. Throws what makePlanSetup() throws.
 std::optional<BenchmarkRun> runOnce(const Problem& problem, const Scene& scene,
                                     const planning::PlanOptions& options, const RunLimits& limits,
                                     std::vector<std::string>& warnings);

@@ -10,9 +10,9 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "clearway/planning/ompl_messages.h"
 #include "clearway/planning/planners.h"
 #include "core/replace_file.h"
-#include "planning/validity/ompl_messages.h"
 #include "program/study/benchmark.h"
 
 namespace clearway::study {

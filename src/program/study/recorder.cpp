@@ -82,7 +82,7 @@ class RecordingObjective : public Objective {
 /// Replaces the definition's objective if it is of this class. Its options are the defaults: a study has no
 /// others.
 template <class Objective>
-void recordObjective(Recorder& recorder, planning::Setup& setup, const Scene& scene) {
+void recordObjective(Recorder& recorder, planning::PlanSetup& setup, const Scene& scene) {
     const ob::OptimizationObjectivePtr& objective = setup.definition->getOptimizationObjective();
     if (dynamic_cast<const Objective*>(objective.get()) == nullptr) return;
     const auto recording = std::make_shared<RecordingObjective<Objective>>(recorder, setup.si, scene);
@@ -142,7 +142,7 @@ std::vector<CallBlock> Recorder::sample() const {
     return blocks;
 }
 
-void recordInto(Recorder& recorder, planning::Setup& setup, const Scene& scene,
+void recordInto(Recorder& recorder, planning::PlanSetup& setup, const Scene& scene,
                 const std::function<bool()>& isOver) {
     setup.si->setStateValidityChecker(std::make_shared<RecordingChecker>(recorder, setup.si, setup.checker));
     if (setup.certified) {

@@ -1,30 +1,32 @@
 #include "program/study/replayer.h"
 
+#include <ompl/base/ScopedState.h>
+#include <ompl/base/spaces/SE2StateSpace.h>
+#include <ompl/base/spaces/SE3StateSpace.h>
+
 #include <stdexcept>
 #include <string>
 
 #include "clearway/planning/clearance_objectives.h"
+#include "clearway/planning/ompl_messages.h"
+#include "clearway/planning/plan_setup.h"
 #include "clearway/planning/state_to_pose.h"
-#include "planning/setup/planning_space.h"
-#include "planning/setup/setup.h"
-#include "planning/validity/ompl_messages.h"
-#include "planning/validity/scratch_state.h"
 #include "program/study/thread_clock.h"
 
 namespace clearway::study {
 namespace {
 
 namespace ob = ompl::base;
-using planning::Setup;
+using planning::PlanSetup;
 
-Setup setupFor(const Problem& problem, const Scene& scene) {
+PlanSetup setupFor(const Problem& problem, const Scene& scene) {
     const planning::OmplMessages unheard;
     planning::PlanOptions options;
     options.planner = "RRTConnect";
     options.objective = "max_min_clearance";
     options.threads = 1;
     planning::PlanReport report;
-    return planning::prepare(problem, scene, options, report);
+    return planning::makePlanSetup(problem, scene, options, report);
 }
 
 void setState(const ob::StateSpace& space, ob::State* state, const std::vector<double>& reals) {
@@ -39,9 +41,9 @@ void setState(const ob::StateSpace& space, ob::State* state, const std::vector<d
 }  // namespace
 
 std::vector<Pose> posesOf(const Problem& problem, const std::vector<CallBlock>& blocks) {
-    const ob::StateSpacePtr space =
-        planning::makeSpace(problem.space, Box(Vector3::Zero(), Vector3::Ones()), 1);
-    space->setup();
+    ob::StateSpacePtr space = std::make_shared<ob::SE3StateSpace>();
+    if (problem.space == Space::kSe2) space = std::make_shared<ob::SE2StateSpace>();
+    space->computeLocations();  // of the reals of its states; its bounds do not matter
     const planning::StateToPose toPose = planning::stateToPose(*space);
     ob::ScopedState<> state(space);
     std::vector<Pose> poses;
@@ -59,17 +61,17 @@ std::vector<Pose> posesOf(const Problem& problem, const std::vector<CallBlock>& 
 }
 
 struct Replayer::Tools {
-    Setup setup;
-    planning::ScratchState from, to, lastValid;
+    PlanSetup setup;
+    ob::ScopedState<> from, to, lastValid;
 
     Tools(const Problem& problem, const Scene& scene)
-        : setup(setupFor(problem, scene)), from(*setup.si), to(*setup.si), lastValid(*setup.si) {}
+        : setup(setupFor(problem, scene)), from(setup.si), to(setup.si), lastValid(setup.si) {}
 
-    void set(const planning::ScratchState& state, const std::vector<double>& reals) const {
+    void set(ob::ScopedState<>& state, const std::vector<double>& reals) {
         setState(*setup.si->getStateSpace(), state.get(), reals);
     }
 
-    void set(const Call& call) const {
+    void set(const Call& call) {
         set(from, call.from);
         if (call.kind != CallKind::kState && call.kind != CallKind::kClearance) set(to, call.to);
     }
@@ -82,7 +84,7 @@ struct Replayer::Tools {
         return cost <= -planning::kInvalidMotionCost ? CallAnswer::kNo : CallAnswer::kUndecided;
     }
 
-    CallAnswer motionAnswer(bool isForward) const {
+    CallAnswer motionAnswer(bool isForward) {
         const std::uint64_t before = setup.certified->counters().undecided;
         bool isValid = false;
         if (isForward) {
@@ -95,7 +97,7 @@ struct Replayer::Tools {
         return setup.certified->counters().undecided > before ? CallAnswer::kUndecided : CallAnswer::kNo;
     }
 
-    CallAnswer ask(CallKind kind) const {
+    CallAnswer ask(CallKind kind) {
         double clearance = 0;
         switch (kind) {
             case CallKind::kState:

@@ -7,7 +7,6 @@
 
 #include "clearway/problem.h"
 #include "clearway/scene.h"
-#include "planning/validity/thread_scratch.h"
 #include "program/study/calls.h"
 
 namespace clearway::study {

@@ -11,8 +11,8 @@
 #include <variant>
 #include <vector>
 
-#include "core/lines.h"
 #include "core/number.h"
+#include "core/text.h"
 
 namespace clearway::study {
 

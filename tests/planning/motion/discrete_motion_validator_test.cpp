@@ -20,7 +20,7 @@ namespace ob = ompl::base;
 
 constexpr double kRadius = 450;
 
-/// Remembers the poses it is asked about; says what it is told to say.
+/// Remembers the poses that it is asked about, and answers as the test sets it to.
 class SpyChecker : public ob::StateValidityChecker {
   public:
     SpyChecker(const ob::SpaceInformationPtr& si, std::function<bool(const Pose&)> answer)
@@ -42,7 +42,7 @@ class SpyChecker : public ob::StateValidityChecker {
     mutable std::mutex mutex_;
 };
 
-/// SE(3) without obstacles other than what the spy says.
+/// SE(3) without obstacles: the spy alone decides what is valid.
 struct Fixture {
     explicit Fixture(
         double step, std::function<bool(const Pose&)> answer = [](const Pose&) { return true; }) {
@@ -77,8 +77,7 @@ double largestDisplacement(const Pose& a, const Pose& b, const std::vector<Vecto
     return largest;
 }
 
-/// Of the poses asked about, ordered along the motion: those of a straight line by how far they are from its
-/// start.
+/// Orders the poses that were asked about along a straight motion, by their distance from its start.
 double largestGap(std::vector<Pose> poses, const std::vector<Vector3>& points) {
     const Pose start = poses.front();
     std::sort(poses.begin(), poses.end(), [&](const Pose& a, const Pose& b) {
@@ -105,7 +104,7 @@ BOOST_AUTO_TEST_CASE(no_point_of_the_part_moves_further_than_the_step_between_tw
         const auto s2 = f.state(p + random.inBox(100), random.direction(), angle);
         ob::ScopedState<ob::SE3StateSpace> end(f.space);
         end = s2;
-        if (seed % 2 == 0) {  // a small turn from s1 rather than a large one
+        if (seed % 2 == 0) {  // every other motion turns little
             const Eigen::Quaterniond q1(s1->rotation().w, s1->rotation().x, s1->rotation().y,
                                         s1->rotation().z);
             const Eigen::Quaterniond q2 = Eigen::AngleAxisd(angle, random.direction()) * q1;
@@ -148,7 +147,7 @@ BOOST_AUTO_TEST_CASE(both_ends_and_every_part_between_are_checked_once) {
     BOOST_TEST(f.validator->partsOf(s1.get(), s2.get()) == 10u);
     BOOST_TEST(f.validator->checkMotion(s1.get(), s2.get()));
     BOOST_TEST(f.spy->asked.size() == 11u);
-    BOOST_TEST(f.spy->asked[0].translation.x() == 94.9);  // far end first
+    BOOST_TEST(f.spy->asked[0].translation.x() == 94.9);  // the far end comes first
     BOOST_TEST(f.spy->asked[1].translation.x() == 0.8 * 94.9);
     BOOST_TEST(f.spy->asked.back().translation.x() == 0);
     BOOST_TEST(f.validator->partsOf(s1.get(), s1.get()) == 1u);

@@ -6,7 +6,7 @@
 #include "clearway/planning/discrete_motion_validator.h"
 #include "clearway/planning/motion_validator.h"
 #include "clearway/planning/validity_checker.h"
-#include "planning/setup/planning_space.h"
+#include "planning/validity/ompl_states.h"
 #include "support/window_scene.h"
 
 namespace clearway::planning {
@@ -29,7 +29,7 @@ struct Fixture {
         return toOmpl(space, Space::kSe3, state);
     }
 
-    /// Upright on one side of the wall and on the other, through which the part does not fit.
+    /// States on both sides of the wall, where the part stands upright and does not fit through the window.
     testing::ContractMotions motions() const {
         return {at({-60, 0, 0}), at({-50, 20, 5}, 0.3), at({60, 10, 0}, 0.5), at({0, 0, 0}, 0.1)};
     }

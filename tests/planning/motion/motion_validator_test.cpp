@@ -66,7 +66,7 @@ BOOST_AUTO_TEST_CASE(a_motion_that_would_take_long_is_undecided_as_soon_as_it_is
     options.isStopped = [&] { return ++asked > 50; };
     const Fixture f(0, options);
     const auto s1 = f.at({-32 - 1e-4, -20, 30}), s2 = f.at({-32 - 1e-4, 20, 30});
-    BOOST_TEST(!f.check(s1, s2));  // 400,000 queries of it
+    BOOST_TEST(!f.check(s1, s2));  // takes 400,000 queries
     BOOST_TEST(f.validator->counters().undecided == 1u);
     BOOST_TEST(f.validator->counters().queries < 60u);
     BOOST_TEST((f.report(s1, s2).verdict == MotionVerdict::kUndecided));
@@ -103,7 +103,7 @@ BOOST_AUTO_TEST_CASE(a_motion_that_stays_is_valid_however_close_it_is) {
 }
 
 BOOST_AUTO_TEST_CASE(a_turn_that_ompl_leaves_out_until_the_end_counts_at_the_end) {
-    // The plate's corner is 20 to the side: turned by 8e-5 it comes 0.0016 nearer.
+    // The plate's corner is 20 to the side: a turn by 8e-5 brings it 0.0016 nearer.
     const Fixture f(0, withLeastInterval(1e-6));
     for (const double gap : {0.001, 0.01}) {
         const auto s1 = f.at({-32 - gap, 0, 30}), s2 = f.at({-32 - gap, 0, 30}, 8e-5);
@@ -112,7 +112,7 @@ BOOST_AUTO_TEST_CASE(a_turn_that_ompl_leaves_out_until_the_end_counts_at_the_end
         BOOST_TEST((end == s1));
         BOOST_TEST(f.check(s1, s2) == (gap > 20 * 8e-5));
         BOOST_TEST(f.check(s2, s1) == (gap > 20 * 8e-5));
-        // s2 is free, but what is interpolated up to it keeps the turn of s1.
+        // s2 is free, but the interpolated states before it keep the turn of s1.
         const auto turned = f.at({-40, 0, 30}, 8e-5), straight = f.at({-32 - gap, 0, 30});
         BOOST_TEST(f.si->isValid(straight.get()));
         BOOST_TEST(f.check(turned, straight) == (gap > 20 * 8e-5));

@@ -29,7 +29,7 @@ void requireRefused(const Call& call, const std::string& words) {
     });
 }
 
-/// What OMPL logs while it lives, rather than on the terminal.
+/// Catches OMPL's log while it lives, and keeps it off the terminal.
 class Log : public ompl::msg::OutputHandler {
   public:
     Log() { ompl::msg::useOutputHandler(this); }

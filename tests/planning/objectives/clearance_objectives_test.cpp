@@ -93,7 +93,7 @@ BOOST_AUTO_TEST_CASE(
     }
 }
 
-/// The plate's faces are parallel to the wall's: many pairs of triangles are nearly closest.
+/// The plate's faces are parallel to the wall's, so that many pairs of triangles are nearly the closest.
 BOOST_AUTO_TEST_CASE(a_motion_and_its_reverse_cost_exactly_the_same_whatever_was_asked_before) {
     const Fixture f(0.5);
     const MinClearanceObjective least(f.si, f.window.scene);

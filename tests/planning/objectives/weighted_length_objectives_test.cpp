@@ -21,7 +21,7 @@ double cost(const ob::OptimizationObjective& objective, const ob::ScopedState<>&
     return objective.motionCost(a.get(), b.get()).value();
 }
 
-/// The length times the mean of 1 + extra at the middles of so many equal parts.
+/// The length times the mean of 1 + extra at the middles of equal parts of the motion.
 double weightedLength(const testing::MotionScene& scene, const ob::ScopedState<>& a,
                       const ob::ScopedState<>& b, int parts, const Extra& extra) {
     ob::ScopedState<> between(scene.space);
@@ -35,7 +35,7 @@ double weightedLength(const testing::MotionScene& scene, const ob::ScopedState<>
 
 struct Judged {
     int motions = 0;
-    double worst = 0;  ///< share of the truth that a cost was off
+    double worst = 0;  ///< the largest error of a cost, as a share of the truth
 };
 
 Judged judge(const testing::MotionScene& scene, const ob::OptimizationObjective& objective,
@@ -91,7 +91,7 @@ BOOST_AUTO_TEST_CASE(poses_are_looked_at_where_it_is_close_and_not_by_a_step) {
         objective.motionCost(a.get(), b.get());
         return objective.counters().queries - before;
     };
-    // Of the same length: away from the wall, along it, along it and 0.2 from it.
+    // Motions of equal length: away from the wall, along it, and along it at a distance of 0.2.
     const auto far = queriesOf(wanted, f.at({-60, -30, 0}), f.at({-60, 30, 0}));
     const auto near = queriesOf(wanted, f.at({-34, -30, 0}), f.at({-34, 30, 0}));
     BOOST_TEST(far <= 5u);

@@ -86,7 +86,7 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_told_is_undecided) {
 }
 
 BOOST_AUTO_TEST_CASE(where_a_contact_zone_was_used_is_told) {
-    // Assembled, the plate is half a unit within the wall; it counts again 5 further on.
+    // The assembled plate is half a unit within the wall. The wall counts again 5 further on.
     const Fixture f;
     Scene scene = f.window.scene;
     scene.obstacles[0].isIgnoredAtStart = true;

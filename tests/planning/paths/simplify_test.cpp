@@ -33,7 +33,8 @@ SimplifyOptions withFloor(double floor) {
     return options;
 }
 
-/// A zigzag of valid motions along a scene's own path. Nothing when luck does not give three states.
+/// A zigzag of valid motions along a scene's own path. Nothing when the random draws give fewer than three
+/// states.
 std::optional<og::PathGeometric> zigzag(const MotionScene& scene, testing::Random& random, double off) {
     og::PathGeometric path(scene.si);
     for (int i = 0; i < 200 && path.getStateCount() < 12; ++i) {
@@ -52,7 +53,7 @@ double lengthOf(const og::PathGeometric& path) {
     return og::PathGeometric(path).length();
 }
 
-/// By the oracle, of so many poses of each motion.
+/// Asks the oracle about evenly spread poses of each motion.
 double trueLeast(const MotionScene& scene, const og::PathGeometric& path) {
     double least = std::numeric_limits<double>::infinity();
     for (unsigned int k = 0; k + 1 < path.getStateCount(); ++k) {
@@ -79,7 +80,7 @@ BOOST_AUTO_TEST_CASE(the_least_clearance_never_falls_below_the_floor_or_what_it_
                 BOOST_TEST(was.isValid());
                 BOOST_TEST(is.isValid());
                 BOOST_TEST(is.upperClearance >= kept);
-                BOOST_TEST(is.lowerClearance >= 0.89 * kept - 1e-9 * size);  // as well as audits tell
+                BOOST_TEST(is.lowerClearance >= 0.89 * kept - 1e-9 * size);  // as well as audits know it
                 BOOST_TEST(trueLeast(*scene, path) >= kept * (1 - 1e-9) - 1e-12 * size);
                 BOOST_TEST(lengthOf(path) <= lengthOf(*before) * (1 + 1e-9));
                 BOOST_TEST(scene->space->equalStates(path.getState(0), before->getState(0)) == true);
@@ -106,7 +107,7 @@ og::PathGeometric pathOf(const Fixture& f, const std::vector<ob::ScopedState<>>&
 }
 
 BOOST_AUTO_TEST_CASE(a_tight_start_does_not_let_the_rest_come_closer) {
-    // The wall's face is at x = -2, the plate reaches 30: at -32.01 it all but touches.
+    // The wall's face is at x = -2 and the plate reaches 30, so that at -32.01 it nearly touches.
     const Fixture f;
     auto path =
         pathOf(f, {f.at({-32.01, 0, 30}), f.at({-36, -5, 30}), f.at({-40, 5, 30}), f.at({-50, -20, 30}),
@@ -117,7 +118,7 @@ BOOST_AUTO_TEST_CASE(a_tight_start_does_not_let_the_rest_come_closer) {
     BOOST_TEST(is.upperClearance == 0.01, boost::test_tools::tolerance(1e-6));
     for (unsigned int k = 1; k < path.getStateCount(); ++k) {
         const MotionReport motion = f.validator->report(path.getState(k - 1), path.getState(k));
-        // What is left of the first motion, or a motion in its place, leads away from the wall.
+        // The rest of the first motion, or a motion in its place, leads away from the wall.
         if (k > 1) BOOST_TEST(motion.upperClearance >= 2);
     }
     const Pose exit = f.validator->pose(path.getState(1));
@@ -125,7 +126,7 @@ BOOST_AUTO_TEST_CASE(a_tight_start_does_not_let_the_rest_come_closer) {
 }
 
 BOOST_AUTO_TEST_CASE(where_the_floor_cannot_be_kept_a_quarter_of_it_is_tried) {
-    // Through the window there are 11 above and below the plate: 12 cannot be kept, 3 can.
+    // The window leaves 11 above and below the plate, so that 12 cannot be kept and 3 can.
     const Fixture f;
     auto path =
         pathOf(f, {f.at({-60, 0, 0}), f.at({-34, 0, 0}), f.at({-20, 0, 10.99}), f.at({-10, 0, -10.99}),

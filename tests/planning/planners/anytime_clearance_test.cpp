@@ -1,4 +1,5 @@
-// Planners that go on find paths of more clearance, and of more than a planner that ends at its first path.
+// Anytime planners find paths of more and more clearance, and of more than a planner that ends at its first
+// path.
 #include <boost/test/unit_test.hpp>
 #include <string>
 #include <vector>

@@ -9,9 +9,9 @@
 #include <set>
 #include <stdexcept>
 
+#include "clearway/planning/ompl_messages.h"
 #include "clearway/types.h"
-#include "planning/setup/planning_space.h"
-#include "planning/validity/ompl_messages.h"
+#include "planning/validity/ompl_states.h"
 #include "support/motion_window.h"
 
 namespace clearway::planning {
@@ -27,7 +27,7 @@ ob::SpaceInformationPtr spaceInformation() {
     return si;
 }
 
-/// What the call throws as std::invalid_argument, or "nothing".
+/// The text of the std::invalid_argument that the call throws, or "nothing".
 std::string refusal(const std::function<void()>& call) {
     try {
         call();

@@ -10,7 +10,8 @@
 #include <string>
 
 #include "clearway/problem.h"
-#include "planning/setup/planning_space.h"
+#include "planning/setup/problem_settings.h"
+#include "planning/validity/ompl_states.h"
 #include "support/motion_window.h"
 
 namespace clearway::planning {
@@ -31,7 +32,7 @@ struct Seeded {
 };
 BOOST_TEST_GLOBAL_FIXTURE(Seeded);
 
-/// So many states the sampler gave, each checked to be valid.
+/// States from the sampler, each checked to be valid.
 std::vector<ob::ScopedState<>> draw(const Fixture& f, ob::ValidStateSampler& sampler, int tries) {
     std::vector<ob::ScopedState<>> states;
     ob::ScopedState<> state(f.space);

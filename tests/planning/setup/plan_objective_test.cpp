@@ -1,9 +1,9 @@
-// Plans for clearance.
+// Plans with objectives of clearance.
 #include <boost/test/unit_test.hpp>
 #include <stdexcept>
 
-#include "planning/objectives/objectives.h"
-#include "planning/setup/plan.h"
+#include "clearway/planning/objectives.h"
+#include "clearway/planning/plan.h"
 #include "support/gates_scene.h"
 #include "support/oracle.h"
 #include "support/path_check.h"
@@ -16,7 +16,7 @@ using testing::gatesScene;
 using Outcome = PlanReport::Outcome;
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr double kTunnelSeconds = 150;  // a sanitizer's
+constexpr double kTunnelSeconds = 150;  // enough under a sanitizer
 #else
 constexpr double kTunnelSeconds = 12;
 #endif
@@ -95,7 +95,7 @@ BOOST_AUTO_TEST_CASE(the_problem_names_the_objective_unless_the_options_do) {
 
 BOOST_AUTO_TEST_CASE(planning_ends_when_no_path_can_have_more_clearance_for_its_ends_have_not) {
     auto gates = gatesScene();
-    gates.problem.start.position = {-43, 0, 0};  // 43 - 32 - 10 = 1 before the wall, or to the gate's side
+    gates.problem.start.position = {-43, 0, 0};  // 43 - 32 - 10 = 1 in front of the wall, or beside the gate
     gates.problem.start.position.y() = 18;
     PlanReport report;
     const double seconds = testing::processorSecondsOf(

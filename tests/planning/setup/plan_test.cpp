@@ -1,4 +1,4 @@
-#include "planning/setup/plan.h"
+#include "clearway/planning/plan.h"
 
 #include <ompl/base/ScopedState.h>
 
@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "clearway/planning/planners.h"
-#include "planning/setup/planning_space.h"
+#include "planning/validity/ompl_states.h"
 #include "support/oracle.h"
 #include "support/path_check.h"
 #include "support/processor_time.h"
@@ -104,7 +104,7 @@ BOOST_AUTO_TEST_CASE(a_sheet_without_thickness_is_not_planned_through) {
     sheet.vertices = {{0, -200, -200}, {0, 200, -200}, {0, 0, 400}};
     sheet.triangles = {{0, 1, 2}};
     window.scene.obstacles[0].model = Model::build(sheet);
-    window.problem.step = 100;  // nothing that a motion is checked by: edges are 20 times as long
+    window.problem.step = 100;  // motions are not checked by it: edges are 20 times as long
     BOOST_TEST((plan(window.problem, window.scene, withIterations(2000)).outcome == Outcome::kNotFound));
 }
 
@@ -212,7 +212,7 @@ BOOST_AUTO_TEST_CASE(a_start_in_collision_is_refused_with_the_meshes_and_triangl
     BOOST_TEST(contains(touching, "touching"));
 
     window = windowScene();
-    window.problem.goal.position.x() = 36;  // 4 from the wall
+    window.problem.goal.position.x() = 36;  // the part is 4 from the wall
     window.scene.obstacles[0].margin = 5;
     const std::string close = refusal(planIt);
     BOOST_TEST(contains(close, "goal is too close: triangle "));
@@ -227,7 +227,7 @@ BOOST_AUTO_TEST_CASE(bounds_that_leave_out_the_start_are_refused) {
 
 BOOST_AUTO_TEST_CASE(a_start_closer_than_half_a_step_shortens_the_step) {
     auto window = windowScene();
-    window.problem.start.position.x() = -32.25;  // a quarter from the wall, half a step is a half
+    window.problem.start.position.x() = -32.25;  // 0.25 from the wall; half a step is 0.5
     PlanOptions options = withIterations(200000);
     options.step = 1;
     const PlanReport report = plan(window.problem, window.scene, options);

@@ -1,5 +1,5 @@
-// Planning among what is within reach finds what planning among everything finds.
-#include "planning/setup/planning_reach.h"
+// Planning with the environment cut to its reach finds what planning with all of it finds.
+#include "clearway/planning/plan.h"
 
 #include <ompl/base/ScopedState.h>
 #include <ompl/util/Console.h>
@@ -11,7 +11,7 @@
 #include <stdexcept>
 
 #include "clearway/planning/validity_checker.h"
-#include "planning/setup/planning_space.h"
+#include "planning/validity/ompl_states.h"
 #include "support/random_meshes.h"
 #include "support/window_scene.h"
 
@@ -55,7 +55,7 @@ void checkSame(const PlanReport& whole, const PlanReport& reduced) {
         BOOST_TEST(whole.path[i].rotation.coeffs() == reduced.path[i].rotation.coeffs());
     }
     BOOST_TEST(whole.guard == reduced.guard);
-    if (!whole.isCertified) {  // certifying looks where clearances, which the cap may cut, tell it to
+    if (!whole.isCertified) {  // certified motions look at other poses where the cap cuts clearances
         BOOST_TEST(whole.checks - whole.audit.queries == reduced.checks - reduced.audit.queries);
     }
     if (whole.path.empty()) return;
@@ -86,7 +86,7 @@ BOOST_AUTO_TEST_CASE(the_same_seed_gives_the_same_path_with_and_without_what_is_
                     BOOST_TEST((report.outcome == PlanReport::Outcome::kFound));
                     checkSame(report, plan(walls.problem, reduced, options));
                 }
-                options = withIterations(300, seed);  // another one, to wherever it comes
+                options = withIterations(300, seed);  // another seed, as far as it comes
                 options.planner = "KPIECE1";
                 checkSame(plan(walls.problem, whole, options), plan(walls.problem, reduced, options));
             }
@@ -217,7 +217,7 @@ BOOST_AUTO_TEST_CASE(a_state_out_of_bounds_and_reach_is_out_of_bounds_and_not_wi
         BOOST_TEST(checker.counters().outOfBounds == 2u);
         BOOST_TEST(checker.counters().unusable == 0u);
         BOOST_CHECK_THROW(checker.distance(state.get()), std::invalid_argument);
-        BOOST_TEST(checker.isValid(f.at({-80, 40, -40}).get()));  // the very border
+        BOOST_TEST(checker.isValid(f.at({-80, 40, -40}).get()));  // on the border
     }
 }
 
@@ -228,7 +228,7 @@ BOOST_AUTO_TEST_CASE(positions_may_lie_anywhere_off_the_origin) {
     const ValidityChecker checker(f.si, f.walls.scene(reach));
     BOOST_TEST(checker.isValid(f.at({60, 35, 30}).get()));
     ompl::msg::noOutputHandler();
-    BOOST_TEST(!checker.isValid(f.at({-60, 0, 0}).get()));  // within the bounds: it cannot be told
+    BOOST_TEST(!checker.isValid(f.at({-60, 0, 0}).get()));  // within the bounds, but out of the reach
     ompl::msg::restorePreviousOutputHandler();
     BOOST_TEST(checker.counters().unusable == 1u);
 }

@@ -33,7 +33,7 @@ auto says(const std::string& word) {
     };
 }
 
-/// A plate and four boxes far from it, with lines under [clearway].
+/// A plate and four boxes far from it, with additional lines under [clearway].
 Problem boxesWith(const TemporaryFolder& folder, const std::string& lines) {
     saveMesh(boxMesh(Box(Vector3(-1, -1, -1), Vector3(1, 1, 1)), "plate"), folder.file("plate.obj"));
     std::string worlds;

@@ -1,6 +1,6 @@
 #include <boost/test/unit_test.hpp>
 
-#include "planning/setup/plan.h"
+#include "clearway/planning/plan.h"
 #include "support/oracle.h"
 #include "support/path_check.h"
 #include "support/processor_time.h"
@@ -10,12 +10,12 @@ namespace clearway::testing {
 using planning::PlanReport;
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr double kSeconds = 400;  // a sanitizer's
+constexpr double kSeconds = 400;  // enough under a sanitizer
 #else
 constexpr double kSeconds = 30;
 #endif
 
-// Ten seeds: tests/bench/plan_success.cpp.
+// tests/bench/plan_success.cpp runs ten seeds.
 BOOST_AUTO_TEST_CASE(the_small_tunnel_console_is_solved_in_30_seconds_and_the_path_is_free_by_the_oracle) {
     const Problem problem = readProblem(CLEARWAY_DATA_DIR "/tunnel-console-small/tunnel-console.cfg");
     const MeshOracle oracle(loadPart(problem), loadEnvironment(problem));

@@ -1,5 +1,5 @@
-// Assembled parts touch: what an obstacle is ignored for, up to where, and what motions across that border
-// are, beside the oracle.
+// Contact zones: which obstacles are ignored, up to where, and how motions across that border are judged,
+// compared with the oracle.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <functional>
@@ -18,7 +18,7 @@ using planning::MotionReport;
 using planning::MotionVerdict;
 
 constexpr double kStartLength = 4, kGoalLength = 6;
-constexpr double kBand = 2e-6;  ///< of the length: how much further a vertex may seem to have moved
+constexpr double kBand = 2e-6;  ///< by this share of the length a vertex may seem to have moved further
 
 Mesh at(const Mesh& mesh, const Vector3& place) {
     return transformed(mesh, {Matrix3::Identity(), place});
@@ -49,8 +49,8 @@ struct Assembly {
         return largest;
     }
 
-    /// Least distance - margin of the obstacles that count. Those whose zone ends within the band count
-    /// according to `inBand`.
+    /// The least distance - margin of the obstacles that count. `inBand` decides whether obstacles count
+    /// whose zone ends within the band.
     double clearance(const Pose& X, bool inBand) const {
         const double slack = inBand ? 1 - kBand : 1 + 1e-12;
         const bool isAtStart = displacement(part, start, X) <= kStartLength * slack,
@@ -76,7 +76,7 @@ struct Assembly {
     Scene scene{Model::build(part)};
 };
 
-/// Near the assembled pose or on the way, so that many are about as far as the zone reaches.
+/// Poses near the assembled pose or on the way, many of them about as far away as the zone reaches.
 PartState randomState(const Assembly& assembly, Random& random) {
     const bool isAtStart = random.below(3) > 0;
     const Pose& X = isAtStart ? assembly.start : assembly.goal;
@@ -106,7 +106,7 @@ BOOST_AUTO_TEST_CASE(an_obstacle_is_ignored_while_no_vertex_is_further_from_the_
     int ignored = 0, border = 0, valid = 0;
     for (int i = 0; i < 600; ++i) {
         PartState state = randomState(assembly, random);
-        if (i % 2 == 0) {  // to the very border of the zone
+        if (i % 2 == 0) {  // to the border of the zone
             state.rotation = Eigen::Quaterniond::Identity();
             const double length = kStartLength * (1 + (i % 4 - 1) * 1e-5);
             state.position = assembly.start.translation + random.direction() * length;

@@ -1,4 +1,5 @@
-// A part inside a solid obstacle touches nothing, and is invalid all the same; so is one around it.
+// A part inside a solid obstacle touches nothing and is invalid all the same. So is a part around an
+// obstacle.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
@@ -99,7 +100,7 @@ BOOST_AUTO_TEST_CASE(an_obstacle_inside_a_closed_part_counts_and_inside_an_open_
     BOOST_TEST(!PartInSpace(solidScene(bolt, named(box({10, 10, 10}), "block"))).isValid({0, 0, 0}));
 }
 
-// By solid angles, for random poses of a part of two pieces among shells within shells.
+// Compares with solid angles, for random poses of a part of two pieces among shells within shells.
 BOOST_AUTO_TEST_CASE(verdicts_are_those_of_distances_and_solid_angles) {
     Mesh obstacle =
         joined(reversed(torus(40, 15, 12)), joined(box({20, 20, 20}), reversed(box({15, 15, 15}))));

@@ -1,4 +1,4 @@
-// Several obstacles with margins of their own answer as each of them would, the nearest in clearance first.
+// A scene of several obstacles with different margins answers with the obstacle that leaves least clearance.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <limits>
@@ -164,7 +164,7 @@ BOOST_AUTO_TEST_CASE(eight_threads_among_several_obstacles_solids_and_zones_agre
     for (std::size_t t = 0; t < found.size(); ++t) {
         threads.emplace_back([&, t] {
             for (std::size_t k = 0; k < states.size(); ++k) {
-                const std::size_t i = k * (t + 1) % states.size();  // each in an order of its own
+                const std::size_t i = k * (t + 1) % states.size();  // each thread has an order of its own
                 found[t][i] = space.checker->clearance(states[i].get());
             }
         });

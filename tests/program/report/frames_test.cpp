@@ -2,7 +2,7 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include "planning/setup/check_path.h"
+#include "clearway/planning/check_path.h"
 #include "support/random_meshes.h"
 #include "support/window_scene.h"
 

@@ -3,8 +3,8 @@
 #include <boost/test/unit_test.hpp>
 #include <nlohmann/json.hpp>
 
+#include "clearway/planning/check_path.h"
 #include "core/json.h"
-#include "planning/setup/check_path.h"
 #include "support/temporary_folder.h"
 #include "support/window_scene.h"
 

@@ -6,8 +6,8 @@
 #include <boost/test/unit_test.hpp>
 #include <stdexcept>
 
-#include "planning/setup/check_path.h"
-#include "planning/setup/plan.h"
+#include "clearway/planning/check_path.h"
+#include "clearway/planning/plan.h"
 #include "program/scenes/scene_checks.h"
 #include "program/scenes/scenes.h"
 #include "support/temporary_folder.h"

@@ -19,8 +19,8 @@
 #include <string>
 #include <vector>
 
+#include "clearway/planning/plan_setup.h"
 #include "core/number.h"
-#include "planning/setup/setup.h"
 #include "program/scenes/scene_checks.h"
 
 namespace clearway::testing {
@@ -180,8 +180,8 @@ inline TrialEnd firstMotions(const BuiltScene& made, const Trial& trial, std::si
     options.threads = 1;
     if (trial.range) options.parameters = {{"range", formatNumber(*trial.range)}};
     planning::PlanReport report;
-    const planning::Setup setup =
-        planning::prepare(made.scene.problem, Scene(made.part, made.environment), options, report);
+    const planning::PlanSetup setup =
+        planning::makePlanSetup(made.scene.problem, Scene(made.part, made.environment), options, report);
     const auto checked = [&] {
         const planning::MotionCounters counters = setup.certified->counters();
         return static_cast<std::size_t>(counters.valid + counters.invalid);

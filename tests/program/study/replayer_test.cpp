@@ -3,8 +3,8 @@
 #include <boost/test/unit_test.hpp>
 #include <set>
 
-#include "planning/setup/planning_space.h"
-#include "planning/validity/ompl_messages.h"
+#include "clearway/planning/ompl_messages.h"
+#include "planning/validity/ompl_states.h"
 #include "program/study/planner_run.h"
 #include "program/study/recorder.h"
 #include "support/gates_scene.h"

@@ -1,4 +1,4 @@
-#include "planning/setup/planning_space.h"
+#include "planning/validity/ompl_states.h"
 
 #include <boost/test/unit_test.hpp>
 

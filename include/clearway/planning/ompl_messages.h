@@ -1,4 +1,4 @@
-// Keeps OMPL's console quiet and its warnings for a report.
+// Keeps OMPL's console quiet and collects its warnings for a report.
 #pragma once
 
 #include <ompl/util/Console.h>
@@ -9,8 +9,8 @@
 
 namespace clearway::planning {
 
-/// While it lives, what OMPL says goes here instead of to the terminal. Two of them end in the reverse order
-/// of their making.
+/// While an object lives, OMPL's messages go to it instead of to the terminal. Objects must be destroyed in
+/// the reverse order of their construction.
 class OmplMessages : public ompl::msg::OutputHandler {
   public:
     OmplMessages();
@@ -20,7 +20,7 @@ class OmplMessages : public ompl::msg::OutputHandler {
 
     void log(const std::string& text, ompl::msg::LogLevel level, const char* file, int line) override;
 
-    /// Warnings and errors so far, each text once, in order.
+    /// Returns the warnings and errors so far, each text once, in order.
     std::vector<std::string> warnings() const;
 
   private:

@@ -51,7 +51,7 @@ void randomSe3(testing::Random& random, double halfSide, ob::SE3StateSpace::Stat
     const Pose pose = random.pose(halfSide);
     const Eigen::Quaterniond q(pose.rotation);
     state.setXYZ(pose.translation.x(), pose.translation.y(), pose.translation.z());
-    const double norm = 1 + random.uniform(-1e-9, 1e-9);  // what OMPL lets pass
+    const double norm = 1 + random.uniform(-1e-9, 1e-9);  // as far off as OMPL accepts
     state.rotation().x = q.x() * norm;
     state.rotation().y = q.y() * norm;
     state.rotation().z = q.z() * norm;

@@ -1,20 +1,16 @@
-#include "planning/setup/planning_space.h"
+#include "planning/validity/ompl_states.h"
 
-#include <ompl/base/samplers/BridgeTestValidStateSampler.h>
-#include <ompl/base/samplers/GaussianValidStateSampler.h>
-#include <ompl/base/samplers/MaximizeClearanceValidStateSampler.h>
-#include <ompl/base/samplers/ObstacleBasedValidStateSampler.h>
-#include <ompl/base/samplers/UniformValidStateSampler.h>
 #include <ompl/base/spaces/SE2StateSpace.h>
 #include <ompl/base/spaces/SE3StateSpace.h>
+#include <ompl/config.h>
 
 #include <cmath>
 #include <memory>
 #include <stdexcept>
 
-#include "clearway/planning/valid_state_samplers.h"
-#include "core/text.h"
-#include "planning/validity/part_state.h"
+#if OMPL_VERSION_VALUE < 1005000
+#error "clearway needs OMPL 1.5 or later"
+#endif
 
 namespace clearway::planning {
 
@@ -35,27 +31,12 @@ std::shared_ptr<SpaceClass> makeBounded(const Box& box, unsigned int dimension, 
     return space;
 }
 
-template <class Sampler>
-ob::ValidStateSamplerPtr allocate(const ob::SpaceInformation* si) {
-    return std::make_shared<Sampler>(si);
-}
-
-struct NamedSampler {
-    const char* name;
-    ob::ValidStateSamplerPtr (*allocate)(const ob::SpaceInformation*);
-};
-
-constexpr NamedSampler kSamplers[] = {
-    {"uniform", allocate<ob::UniformValidStateSampler>},
-    {"gaussian", allocate<ob::GaussianValidStateSampler>},
-    {"obstacle_based", allocate<ob::ObstacleBasedValidStateSampler>},
-    {"max_clearance", allocate<ob::MaximizeClearanceValidStateSampler>},
-    {"bridge_test", allocate<ob::BridgeTestValidStateSampler>},
-    {"contact_normal", allocate<ContactNormalSampler>},
-    {"narrow_gap", allocate<NarrowGapSampler>},
-};
-
 }  // namespace
+
+const ob::StateSpace& spaceOf(const ob::SpaceInformationPtr& si) {
+    if (si) return *si->getStateSpace();
+    throw std::invalid_argument("the space information is null, expected that of the planner");
+}
 
 ob::StateSpacePtr makeSpace(Space kind, const Box& bounds, double turnWeight) {
     if (kind == Space::kSe2) return makeBounded<ob::SE2StateSpace>(bounds, 2, turnWeight);
@@ -85,21 +66,26 @@ PartState fromOmpl(Space kind, const ob::State* state) {
     return kind == Space::kSe2 ? partStateOfSe2(state) : partStateOfSe3(state);
 }
 
-void setSampler(ob::SpaceInformation& si, const std::string& name,
-                const std::function<void(ob::ValidStateSampler&)>& adjust) {
-    if (name.empty()) return;
-    for (const NamedSampler& row : kSamplers) {
-        if (name == row.name) {
-            return si.setValidStateSamplerAllocator(
-                [adjust, allocate = row.allocate](const ob::SpaceInformation* space) {
-                    const ob::ValidStateSamplerPtr sampler = allocate(space);
-                    adjust(*sampler);
-                    return sampler;
-                });
-        }
-    }
-    throw std::invalid_argument("unknown sampler '" + name + "', expected one of " +
-                                joined(namesOf(kSamplers)));
+PartState partStateOfSe3(const ob::State* state) {
+    const auto* se3 = state->as<ob::SE3StateSpace::StateType>();
+    const auto& q = se3->rotation();
+    return {{se3->getX(), se3->getY(), se3->getZ()}, {q.w, q.x, q.y, q.z}};
+}
+
+PartState partStateOfSe2(const ob::State* state) {
+    const auto* se2 = state->as<ob::SE2StateSpace::StateType>();
+    const double half = se2->getYaw() / 2;
+    return {{se2->getX(), se2->getY(), 0}, {std::cos(half), 0, 0, std::sin(half)}};
+}
+
+void setLastValid(const ob::SpaceInformation& si, const ob::State* s1, const ob::State* s2, double time,
+                  std::pair<ob::State*, double>& lastValid) {
+    lastValid.second = time;
+    if (lastValid.first == nullptr) return;
+    const ScratchState scratch(si);
+    si.copyState(scratch.get(), s1);
+    if (time > 0) si.getStateSpace()->interpolate(s1, s2, time, scratch.get());
+    si.copyState(lastValid.first, scratch.get());
 }
 
 }  // namespace clearway::planning

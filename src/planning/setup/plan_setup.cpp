@@ -1,4 +1,4 @@
-#include "planning/setup/setup.h"
+#include "clearway/planning/plan_setup.h"
 
 #include <ompl/util/RandomNumbers.h>
 
@@ -9,38 +9,37 @@
 #include <stdexcept>
 #include <thread>
 
+#include "clearway/planning/ompl_messages.h"
 #include "clearway/planning/planners.h"
 #include "core/number.h"
-#include "planning/motion/motion_options.h"
-#include "planning/setup/end_states.h"
-#include "planning/setup/plan_objective.h"
-#include "planning/setup/planning_reach.h"
-#include "planning/setup/planning_space.h"
+#include "planning/motion/motion_search.h"
 #include "planning/setup/problem_settings.h"
-#include "planning/validity/ompl_messages.h"
+#include "planning/validity/ompl_states.h"
 
 namespace clearway::planning {
 namespace {
 
 namespace ob = ompl::base;
 
-/// Side by side, for each is quick where the other is not: RRTConnect when both ends are free to move, RRT
-/// when the part is shut in at its start only (bench/plan_success). Alone, the first.
+/// These planners run side by side, because each is quick where the other is not: RRTConnect when both ends
+/// are free to move, RRT when the part is shut in at its start only (bench/plan_success). A single planner is
+/// the first of them.
 constexpr const char* kDefaultPlanners[] = {"RRTConnect", "RRT"};
-/// With an objective of clearance, anytime ones that find paths through tight places, where RRTstar and
-/// PRMstar find none in their time (bench/anytime_clearance). The last with iterations: it is repeatable.
+/// With an objective of clearance the defaults are anytime planners that find paths through tight places,
+/// where RRTstar and PRMstar find none in their time (bench/anytime_clearance). With iterations the default
+/// is RRTstar, because it is repeatable.
 constexpr const char* kLeastClearancePlanner = "RisingFloor";
 constexpr const char* kClearancePlanner = "AnytimePathShortening";
 constexpr const char* kRepeatableClearancePlanner = "RRTstar";
 constexpr std::size_t kMostThreads = 4;  ///< unless more are asked for
-constexpr double kMostRefinement = 8;    ///< times the step is divided for a tight start or goal
-/// Longest edge of a planner's tree: of a scene whose step is given, and so how fine it is, in steps; else by
-/// the part's diagonal. Measured on the tunnel-console (tests/bench/plan_success.cpp) and on OMPL.app's
-/// problems.
+constexpr double kMostRefinement = 8;    ///< by which the step is divided for a tight start or goal
+/// The longest edge of a planner's tree: in steps where a step is given, because the step says how fine the
+/// scene is, else as a share of the part's diagonal. Measured on the tunnel-console
+/// (tests/bench/plan_success.cpp) and on OMPL.app's problems.
 constexpr double kRangeInSteps = 20;
 constexpr double kRangePerDiagonal = 0.25;
-/// Shortened paths keep this share of the part's diagonal where they can. On tunnel-console-small paths are
-/// no longer for it; of ten times as much they lose 2 %.
+/// Shortened paths keep this share of the part's diagonal as clearance where they can. On
+/// tunnel-console-small paths get no longer by it; a floor of ten times as much costs 2 %.
 constexpr double kFloorPerDiagonal = 1e-3;
 
 void requireOptions(const Problem& problem, const PlanOptions& options) {
@@ -73,21 +72,21 @@ void requireOptions(const Problem& problem, const PlanOptions& options) {
     }
 }
 
-/// A second call in a process makes OMPL complain: objects made before it would go on with their old seeds.
-/// Ours are made after it.
+/// OMPL warns about a second call in a process, because objects made before it go on with their old seeds.
+/// Ours are made after it, so that the warning is dropped.
 void setSeed(std::uint32_t seed) {
     const OmplMessages unheard;
     ompl::RNG::setSeed(seed);
 }
 
-/// How many planners run side by side, of so many kinds.
+/// How many planners run side by side when there are `kinds` kinds of them.
 std::size_t planCount(const PlanOptions& options, std::size_t kinds) {
     if (options.threads > 0) return static_cast<std::size_t>(options.threads);
     const auto cores = static_cast<std::size_t>(std::thread::hardware_concurrency());
     return std::clamp(cores, kinds, std::max(kinds, kMostThreads));
 }
 
-/// Unless one is named; null when clearance is not asked for.
+/// The planner for an objective of clearance, unless one is named. Null for other objectives.
 const char* clearancePlanner(const std::optional<ObjectiveChoice>& objective, const PlanOptions& options,
                              const Model& part) {
     if (!asksForClearance(objective, part)) return nullptr;
@@ -119,7 +118,7 @@ void addOnce(std::vector<std::string>& warnings, const std::string& warning) {
     if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end()) warnings.push_back(warning);
 }
 
-/// Unknown ones are warned of: old files carry dead ones.
+/// Unknown parameters only give a warning, because old files hold parameters that OMPL no longer has.
 void setFileParameters(ob::Planner& planner, const std::string& plannerName, const Problem& problem,
                        std::vector<std::string>& warnings) {
     for (const PlannerChoice& choice : problem.planners) {
@@ -134,7 +133,7 @@ void setFileParameters(ob::Planner& planner, const std::string& plannerName, con
                                       "'; it is left out");
             }
         }
-        return;  // a planner named several times is several runs of a benchmark: the first one counts
+        return;  // a planner named several times is several runs of a benchmark; the first counts
     }
 }
 
@@ -156,10 +155,10 @@ std::shared_ptr<ValidityChecker> makeChecker(const ob::SpaceInformationPtr& si, 
     return std::make_shared<ValidityChecker>(si, guarded);
 }
 
-/// Between two checked states no point is farther than half a step from where it is at one of them. So when
-/// the checked states keep half a step more than the margin, every state between them keeps the margin. Start
-/// and goal must have as much to spare: the step is shortened for them, within reason; beyond it the checked
-/// states alone are known to be valid.
+/// Between two checked states each point is within half a step of its place at one of them. So when the
+/// checked states keep half a step more than the margin, every state between them keeps the margin. Start and
+/// goal must have as much to spare: the step is shortened for them, at most by kMostRefinement. If that is
+/// not enough, only the checked states are known to be valid.
 void setGuard(PlanReport& report, double spare) {
     const double asked = report.step;
     std::ostringstream warning;
@@ -176,8 +175,8 @@ void setGuard(PlanReport& report, double spare) {
     report.warnings.push_back(warning.str());
 }
 
-/// Motions checked at states a step apart.
-void useSteps(Setup& setup, const Scene& scene, const PlanOptions& options, double spare,
+/// Lets motions be checked at states a step apart.
+void useSteps(PlanSetup& setup, const Scene& scene, const PlanOptions& options, double spare,
               PlanReport& report) {
     report.step = *options.step;
     setGuard(report, spare);
@@ -186,7 +185,7 @@ void useSteps(Setup& setup, const Scene& scene, const PlanOptions& options, doub
     setup.si->setMotionValidator(setup.discrete);
 }
 
-void useCertified(Setup& setup, const Scene& scene, double spare, const std::function<bool()>& isOver,
+void useCertified(PlanSetup& setup, const Scene& scene, double spare, const std::function<bool()>& isOver,
                   PlanReport& report) {
     MotionOptions motions = planningMotions(scene, spare);
     motions.isStopped = isOver;
@@ -201,7 +200,7 @@ void useCertified(Setup& setup, const Scene& scene, double spare, const std::fun
     setup.si->setMotionValidator(setup.certified);
 }
 
-ob::ProblemDefinitionPtr defineProblem(const Setup& setup, const Problem& problem) {
+ob::ProblemDefinitionPtr defineProblem(const PlanSetup& setup, const Problem& problem) {
     const ob::StateSpacePtr& space = setup.si->getStateSpace();
     const auto definition = std::make_shared<ob::ProblemDefinition>(setup.si);
     definition->setStartAndGoalStates(toOmpl(space, problem.space, problem.start),
@@ -210,7 +209,7 @@ ob::ProblemDefinitionPtr defineProblem(const Setup& setup, const Problem& proble
     return definition;
 }
 
-/// Those that AnytimePathShortening runs.
+/// The planners that AnytimePathShortening runs.
 std::string innerPlanners(const PlanOptions& options, const PlanReport& report) {
     const std::size_t kinds = std::size(kDefaultPlanners), count = planCount(options, kinds);
     std::string all;
@@ -221,8 +220,8 @@ std::string innerPlanners(const PlanOptions& options, const PlanReport& report) 
     return all;
 }
 
-ob::PlannerPtr preparePlanner(const Setup& setup, const std::string& name, const Problem& problem,
-                              const PlanOptions& options, PlanReport& report) {
+ob::PlannerPtr setUpPlanner(const PlanSetup& setup, const std::string& name, const Problem& problem,
+                            const PlanOptions& options, PlanReport& report) {
     const ob::PlannerPtr planner = makePlanner(setup.si, name);
     if (hasParameter(*planner, "range")) setParameter(*planner, "range", formatNumber(report.range));
     if (hasParameter(*planner, "planners"))
@@ -239,8 +238,9 @@ ob::PlannerPtr preparePlanner(const Setup& setup, const std::string& name, const
 
 }  // namespace
 
-Setup prepare(const Problem& stated, const Scene& scene, const PlanOptions& options, PlanReport& report,
-              const std::function<bool()>& isOver, const std::function<void(Setup&)>& beforePlanners) {
+PlanSetup makePlanSetup(const Problem& stated, const Scene& scene, const PlanOptions& options,
+                        PlanReport& report, const std::function<bool()>& isOver,
+                        const std::function<void(PlanSetup&)>& beforePlanners) {
     requireOptions(stated, options);
     const std::optional<ObjectiveChoice> objective = chooseObjective(stated, options);
     report.planners = choosePlanners(stated, options, clearancePlanner(objective, options, scene.part));
@@ -255,7 +255,7 @@ Setup prepare(const Problem& stated, const Scene& scene, const PlanOptions& opti
     setFloor(report, scene, options);
     setSeed(options.seed);
 
-    Setup setup;
+    PlanSetup setup;
     const double turnWeight = options.omplWeights ? 1.0 : scene.part.radiusAboutOrigin();
     const Box bounds = boundsOf(problem, scene.environmentBox());
     requireReachOf(scene, bounds, stepOf(problem, options, scene.part));
@@ -265,7 +265,7 @@ Setup prepare(const Problem& stated, const Scene& scene, const PlanOptions& opti
         const auto omplState = toOmpl(setup.si->getStateSpace(), problem.space, state);
         return requireValid(*setup.truth, omplState.get(), what);
     };
-    const double startSpare = spare(problem.start, "start");  // in this order: the start is refused first
+    const double startSpare = spare(problem.start, "start");  // the start is refused before the goal
     const double leastSpare = std::min(startSpare, spare(problem.goal, "goal"));
     if (options.step) {
         useSteps(setup, scene, options, leastSpare, report);
@@ -283,9 +283,9 @@ Setup prepare(const Problem& stated, const Scene& scene, const PlanOptions& opti
             makePlanObjective(setup.si, scene, *objective, problem.objectiveThreshold, leastSpare));
     }
     if (beforePlanners) beforePlanners(setup);
-    setUp(*setup.si, problem, report.warnings);
+    applySettings(*setup.si, problem, report.warnings);
     for (const std::string& name : report.planners) {
-        setup.planners.push_back(preparePlanner(setup, name, problem, options, report));
+        setup.planners.push_back(setUpPlanner(setup, name, problem, options, report));
     }
     return setup;
 }

@@ -1,4 +1,4 @@
-#include "planning/validity/ompl_messages.h"
+#include "clearway/planning/ompl_messages.h"
 
 #include <algorithm>
 
@@ -9,7 +9,7 @@ OmplMessages::OmplMessages() : previous_(ompl::msg::getOutputHandler()) {
 }
 
 OmplMessages::~OmplMessages() {
-    ompl::msg::useOutputHandler(previous_);  // OMPL's own way back is good for one level only
+    ompl::msg::useOutputHandler(previous_);  // OMPL's own way back works for one level only
 }
 
 void OmplMessages::log(const std::string& text, ompl::msg::LogLevel level, const char* /*file*/,

@@ -9,33 +9,33 @@
 #include <string>
 #include <typeinfo>
 
-#include "planning/validity/part_state.h"
+#include "planning/validity/ompl_states.h"
 
 namespace clearway::planning {
 namespace {
 
 namespace ob = ompl::base;
 
-// OMPL's slerp takes its own acos of quaternions that have unit length only to 1e-9; this also covers our
-// rounding.
+/// OMPL's slerp takes its own acos of quaternions that have unit length only to 1e-9. The factor covers that
+/// and our own rounding.
 constexpr double kUp = 1 + 1e-7;
 
-// sine of half the angle; below it the axis is not known well enough to split the translation along it.
+/// Sine of half the angle. Below it the axis is not known well enough to split the translation along it.
 constexpr double kLeastAxisSine = 1e-6;
 
-// The axis' rounding, radians times that sine: a few 2^-53.
+/// Rounding of the axis, in radians times that sine: a few 2^-53.
 constexpr double kAxisRounding = 1e-14;
 
-// How far OMPL lets a quaternion's norm be off 1: it satisfies no bounds beyond, and asserts so when
-// interpolating.
+/// How far OMPL lets a quaternion's norm be off 1. Beyond it a state satisfies no bounds, and OMPL asserts
+/// when it interpolates.
 constexpr double kOmplNormError = 1e-9;
 
 bool canBeInterpolated(const PartState& state) {
     return std::abs(state.rotation.norm() - 1) < kOmplNormError;
 }
 
-/// RadiusAbout: from the rotation's axis in the part's frame, of any length, to how far from it the part
-/// reaches. radius: about the origin.
+/// radiusAbout(axis): how far the part reaches from an axis of any length in the part's frame. radius: the
+/// part's radius about its origin.
 template <class RadiusAbout>
 double se3Bound(const ob::State* from, const ob::State* to, double radius, const RadiusAbout& radiusAbout) {
     const PartState a = partStateOfSe3(from), b = partStateOfSe3(to);
@@ -46,8 +46,8 @@ double se3Bound(const ob::State* from, const ob::State* to, double radius, const
     const double angle = 4 * std::atan2((qa - qb).norm(), (qa + qb).norm());
     const Vector3 d = b.position - a.position;
 
-    // Axis of the rotation qb * conjugate(qa), in the environment's frame; turned by conjugate(qa), the
-    // part's.
+    // The axis of the rotation qb * conjugate(qa), in the environment's frame. Turned by conjugate(qa), it is
+    // the axis in the part's frame.
     const Vector3 crossed = qb.head<3>().cross(qa.head<3>());
     const Vector3 difference = qa.w() * qb.head<3>() - qb.w() * qa.head<3>();
     const Vector3 axis = difference - crossed, axisInPart = difference + crossed;
@@ -59,7 +59,7 @@ double se3Bound(const ob::State* from, const ob::State* to, double radius, const
     return std::hypot(along, across + angle * reach) * kUp;
 }
 
-/// radius: about z through the origin.
+/// radius: the part's radius about z through its origin.
 double se2Bound(const ob::State* from, const ob::State* to, double radius) {
     const auto* a = from->as<ob::SE2StateSpace::StateType>();
     const auto* b = to->as<ob::SE2StateSpace::StateType>();
@@ -80,7 +80,7 @@ DisplacementBound makeBound(const ob::StateSpace& space, double radius, const Ra
     }
     throw std::invalid_argument(
         "state space '" + space.getName() +
-        "' is neither OMPL's SE(3) nor its SE(2): a displacement bound of its own is needed");
+        "' is neither OMPL's SE(3) nor its SE(2), expected a displacement bound of its own");
 }
 
 }  // namespace

@@ -1,0 +1,39 @@
+// From the solutions of planners to a finished path: the best solution, shortened and audited.
+#pragma once
+
+#include <ompl/base/ProblemDefinition.h>
+#include <ompl/geometric/PathGeometric.h>
+
+#include <functional>
+#include <optional>
+
+#include "clearway/planning/audit.h"
+#include "clearway/planning/plan_setup.h"
+
+namespace clearway::planning {
+
+/// The exact solution that costs least by the definition's objective, else OMPL's first one. (OMPL puts the
+/// solutions of some planners in the order of their lengths.) Nothing when there is no exact solution.
+struct BestSolution {
+    ompl::base::PlannerSolution solution;
+    double cost = 0;  ///< NaN without an objective
+};
+std::optional<BestSolution> bestSolution(const ompl::base::ProblemDefinition& definition);
+
+/// Returns the best exact solution, else OMPL's first solution, which is approximate. Throws
+/// std::out_of_range when the definition has no solution.
+ompl::base::PlannerSolution solutionOf(const PlanSetup& setup);
+
+/// Copies the solution's states into a path in the setup's own space information: the solution's may be a
+/// wrapper that dies with its planner.
+ompl::geometric::PathGeometric pathOf(const PlanSetup& setup, const ompl::base::PlannerSolution& solution);
+
+/// Shortens the path until isSpent returns true, by certified motions that keep setup.floor or, with a step,
+/// in the setup's steps, and audits the result. With a step the planner's own path is kept when only that one
+/// is valid along its whole length, or when the shortened one does not pass the steps (OMPL's shortcuts have
+/// collided). The gain by the objective is kept: a shortened path that costs more is dropped, and a path
+/// found for its least clearance is shortened by motions that keep that clearance.
+PathAudit finish(const PlanSetup& setup, ompl::geometric::PathGeometric& path,
+                 const std::function<bool()>& isSpent);
+
+}  // namespace clearway::planning

@@ -1,0 +1,106 @@
+// From a problem to a path: one call around OMPL, from the check of the start state to the audit of the
+// simplified path.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "clearway/planning/audit.h"
+#include "clearway/problem.h"
+#include "clearway/scene.h"
+
+namespace clearway::planning {
+
+constexpr double kDefaultSeconds = 30;
+
+struct PlanOptions {
+    /// OMPL's class name in any case. Empty: the problem's planner when it names exactly one, else RRTConnect
+    /// and RRT side by side. With an objective of clearance the default is RisingFloor for the least
+    /// clearance and AnytimePathShortening of RRTConnect and RRT for the others, or RRTstar with iterations.
+    std::string planner;
+    /// Parameters of this planner, on top of the problem's. An unknown parameter here is an error; the
+    /// problem's unknown parameters only give a warning.
+    std::vector<std::pair<std::string, std::string>> parameters;
+
+    /// The planner ends after `seconds`, or when it has asked `iterations` times whether to end, which most
+    /// planners do once an iteration and which is the repeatable limit. Give at most one of the two. Without
+    /// either the limit is kDefaultSeconds.
+    std::optional<double> seconds;
+    std::optional<std::uint64_t> iterations;
+
+    /// How many planners run side by side until the first one has a path. A planner with threads of its own
+    /// runs alone. 0: one for each core, at most 4. With iterations only one planner runs, by default
+    /// RRTConnect.
+    int threads = 0;
+
+    std::uint32_t seed = 1;  ///< > 0; set before any OMPL object is made
+    /// Without a step, motions are certified along their whole length. With a step, in environment units,
+    /// motions are checked at states so close that no point of the part moves further than the step from one
+    /// to the next. The part can then jump over anything thinner.
+    std::optional<double> step;
+    /// Clearance that shortening the path keeps, in environment units, see simplify(). The default is a share
+    /// of the part's diagonal. Not allowed together with a step.
+    std::optional<double> floor;
+    /// The objective of planners that can go on improving a path for all the time they have, see
+    /// objectiveNames(). Empty: the problem's objective, unless that is length without a threshold.
+    std::string objective;
+    std::optional<double> wantedClearance;  ///< see LengthWithClearanceOptions
+    bool omplWeights = false;  ///< weights rotation as OMPL does, instead of by the part's radius
+
+    /// Called often, also from other threads and within motions. True ends the planning without a path.
+    std::function<bool()> isStopped;
+};
+
+struct PlanReport {
+    enum class Outcome { kFound, kNotFound, kStopped };
+    Outcome outcome = Outcome::kNotFound;
+    std::vector<std::string> planners;  ///< those that ran side by side
+    std::string foundBy;                ///< OMPL's name of the planner that found the path
+    std::string objective;              ///< name of the objective; empty: the first path is taken
+    double cost = 0;                    ///< the path's cost by the objective, if there is one
+    bool isRepeatable = false;          ///< with the same seed and number of iterations
+    bool isCertified = false;           ///< the planners' motions were certified, not checked in steps
+    /// The step used, which is shorter than the requested one when start or goal have less than half of that
+    /// to spare. 0 without a step.
+    double step = 0;
+    /// Clearance on top of the margin that checked states keep, so that all states between them are valid
+    /// too.
+    double guard = 0;
+    double range = 0;  ///< longest edge of a planner's tree, unless the planner's parameters set another one
+
+    std::vector<PartState> path;   ///< empty unless found
+    double length = 0;             ///< travelled by the origin of the part's coordinates
+    double turned = 0;             ///< radians, summed over the path
+    std::size_t statesBefore = 0;  ///< in the path as the planner found it
+    double floor = 0;              ///< clearance that shortening kept, where the planner's path kept it
+    /// The audit of the path, certified however the planners' motions were checked. The path is valid without
+    /// a step. With a step it may not be; a warning then says where.
+    PathAudit audit;
+
+    double planningSeconds = 0;
+    double finishingSeconds = 0;  ///< for simplifying and auditing
+    std::uint64_t checks = 0;     ///< states asked about, in all
+    std::vector<std::string> warnings;
+};
+
+/// Plans for the scene. The scene's margins count; the problem's own margin and mesh files do not. The path
+/// begins at the problem's start, ends at its goal, and is valid along its whole length. With a step it is
+/// valid at every state that was looked at, and its audit tells about the rest. Throws std::invalid_argument
+/// when an option is wrong, the problem names an unknown planner, the bounds leave out the start or the goal,
+/// the environment was built with too small a reach (see planningReach), or start or goal is not valid: then
+/// the message names the two closest meshes and triangles.
+PlanReport plan(const Problem& problem, const Scene& scene, const PlanOptions& options);
+
+/// The reach that plan() and checkPath() need of an environment's model: all positions within the problem's
+/// bounds, and distances up to the problem's largest margin plus the step (as plan() chooses it) or, where
+/// that is more, the largest clearance that an objective distinguishes, plus the part's diameter. Nothing
+/// when clearances of any size decide what is found (the sampler max_clearance). environmentBox: the box of
+/// the whole environment. Throws std::invalid_argument as boundsOf does.
+std::optional<Reach> planningReach(const Problem& problem, const PlanOptions& options, const Model& part,
+                                   const Box& environmentBox);
+
+}  // namespace clearway::planning

@@ -1,0 +1,42 @@
+// plan() in steps, for programs that run, time or trace the planners themselves.
+#pragma once
+
+#include <ompl/base/Planner.h>
+#include <ompl/base/SpaceInformation.h>
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "clearway/planning/discrete_motion_validator.h"
+#include "clearway/planning/motion_validator.h"
+#include "clearway/planning/plan.h"
+#include "clearway/planning/validity_checker.h"
+
+namespace clearway::planning {
+
+/// Everything that planners need, made from a problem.
+struct PlanSetup {
+    ompl::base::SpaceInformationPtr si;
+    std::shared_ptr<ValidityChecker> truth;    ///< checks the scene's margins themselves
+    std::shared_ptr<ValidityChecker> checker;  ///< the planners' own: adds the guard, if any, to the margins
+    /// The planners' own motion validator is one of these two: `discrete` with a step, else `certified`. The
+    /// other one is null.
+    std::shared_ptr<MotionValidator> certified;
+    std::shared_ptr<DiscreteMotionValidator> discrete;
+    /// Audits the final path, with and without a step. Without a step it also certifies the shortening.
+    std::shared_ptr<MotionValidator> auditor;
+    double floor = 0;  ///< clearance that shortening keeps, without a step
+    ompl::base::ProblemDefinitionPtr definition;
+    std::vector<ompl::base::PlannerPtr> planners;  ///< set up, in the order of report.planners
+};
+
+/// Makes the space, checkers, validators and planners for a problem, and fills in the report's settings and
+/// warnings. isOver: called within the planners' certified motions; true leaves a motion undecided.
+/// beforePlanners: may replace the checker, validator or objective before the planners see them. Throws
+/// std::invalid_argument as plan() does.
+PlanSetup makePlanSetup(const Problem& problem, const Scene& scene, const PlanOptions& options,
+                        PlanReport& report, const std::function<bool()>& isOver = {},
+                        const std::function<void(PlanSetup&)>& beforePlanners = {});
+
+}  // namespace clearway::planning

@@ -1,0 +1,152 @@
+// How much room the part has at a pose: the one place where a scene's margins, solids and contact zones meet
+// its distances.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "clearway/query.h"
+#include "clearway/scene.h"
+
+namespace clearway::planning {
+
+class ContactZones;
+
+/// Bounds of one length, in environment units.
+struct Bounds {
+    double lower = std::numeric_limits<double>::infinity();
+    double upper = std::numeric_limits<double>::infinity();
+};
+
+/// The lower bound of a clearance that was not asked for.
+constexpr double kUnknownClearance = -1e300;
+
+/// A zone is the set of obstacles that share one pair of the flags isIgnoredAtStart and isIgnoredAtGoal.
+/// Obstacles with neither flag count at every pose and belong to no zone.
+constexpr std::size_t kMostZones = 3;
+
+/// How much room the obstacles of one zone leave at a pose.
+struct ZoneClearance {
+    /// Distance - margin. The lower bound is at most 0 where a solid holds the other body.
+    Bounds clearance{0, std::numeric_limits<double>::infinity()};
+    /// How far any vertex of the part may move while the obstacles stay ignored. Below 0 they count.
+    Bounds spare{-1, -1};
+    bool isIgnored() const { return spare.lower >= 0; }
+};
+
+/// Clearances at a pose: distance - margin, the least over some obstacles, in environment units. An upper
+/// bound is infinite where the clearance is beyond the cap that was asked for.
+struct Clearances {
+    /// Over the obstacles that count at the pose; infinite without any.
+    double lower = std::numeric_limits<double>::infinity();
+    double upper = std::numeric_limits<double>::infinity();
+    Bounds always;                                ///< over the obstacles that count at every pose
+    std::array<ZoneClearance, kMostZones> zones;  ///< of the others; only the first zoneCount() are used
+};
+
+struct PoseClearance : Clearances {
+    SceneDistance nearest;      ///< the pair that lower and upper belong to; its ids are -1 beyond the cap
+    std::uint64_t queries = 0;  ///< that the answer took
+    bool isInStartContact = false, isInGoalContact = false;  ///< within the scene's contact zones
+
+    /// lower is above 0 exactly when all distances are larger than the margins and no solid holds the other
+    /// body: it is raised to the least positive double then, and lowered to at most 0 otherwise.
+    bool isValid() const { return lower > 0; }
+};
+
+struct ClearanceOptions {
+    /// A clearance above the cap need not be known closer: lower is then at least the cap, but for the
+    /// rounding of lower + margin.
+    double cap = std::numeric_limits<double>::infinity();
+    /// Lets lower be less than upper by a tenth of upper. Otherwise both are as tight as distances come.
+    bool isRough = false;
+    /// Skips the solids that always count: the caller knows that none of them holds the part, nor the part
+    /// one of them.
+    bool isOutside = false;
+    /// Ignored obstacles are queried all the same where the part may move less than this before they count.
+    double leastSpare = 0;
+};
+
+/// Any number of threads may use one object: each has its own scratch and takes no lock.
+class SceneClearance {
+  public:
+    /// Throws std::invalid_argument when a margin is negative or not finite, an obstacle and the part cannot
+    /// be queried together, a contact zone's pose or distance is unusable, or an obstacle needs a contact
+    /// zone or solids of the part that the scene lacks.
+    explicit SceneClearance(Scene scene);
+    ~SceneClearance();
+    SceneClearance(const SceneClearance&) = delete;
+    SceneClearance& operator=(const SceneClearance&) = delete;
+
+    const Scene& scene() const { return scene_; }
+    std::size_t zoneCount() const { return zoneCount_; }
+
+    /// The largest clearance that queries can tell: the least of the environment models' reaches less their
+    /// margins, else infinity.
+    double mostClearance() const;
+
+    /// True when all distances that count are larger than the margins, and no solid holds the other body.
+    /// This function and the next ones throw what queries throw.
+    bool isFree(const Pose& X_environmentPart) const;
+
+    PoseClearance at(const Pose& X_environmentPart, const ClearanceOptions& options = {}) const;
+
+    /// The least distance of all obstacles, whatever the margins, solids and contact zones.
+    SceneDistance distance(const Pose& X_environmentPart) const;
+
+    /// Makes the calling thread's next answer independent, to the last digit, of what it asked before.
+    void forgetWarmStart() const;
+
+    /// Says why a pose is not valid, whatever the bounds, as words after "is", with meshes and triangles.
+    /// Empty when the pose is valid.
+    std::string whyInvalid(const Pose& X_environmentPart) const;
+
+    /// True when an obstacle was built with a reach that does not hold the pose, so that queries would throw.
+    bool isOutOfReach(const Pose& X_environmentPart) const;
+
+  private:
+    struct Scratch;
+    struct ThreadScratch;
+    struct Asked;
+    struct Enclosure;
+
+    bool isFree(std::size_t obstacle, const Pose& X_environmentPart, Scratch& scratch) const;
+    Asked ask(std::size_t obstacle, const Pose& X_environmentPart, const ClearanceOptions& options,
+              Scratch& scratch) const;
+    void ask(std::size_t obstacle, const Pose& X_environmentPart, const DistanceOptions& options,
+             Scratch& scratch, Asked& answer) const;
+    std::optional<Enclosure> enclosureBy(std::size_t obstacle, const Pose& X_environmentPart) const;
+    std::string describeEnclosure(const Pose& X_environmentPart) const;
+    void lookAtSolids(const Pose& X_environmentPart, bool isOutside, PoseClearance& answer) const;
+    void nameTriangle(SceneDistance& nearest) const;
+
+    Scene scene_;
+    std::unique_ptr<ContactZones> zones_;
+    std::size_t zoneCount_ = 0;
+    bool hasSolids_ = false;
+    std::unique_ptr<ThreadScratch> scratch_;
+};
+
+/// Queries of scenes, and their work.
+struct QueryTally {
+    std::uint64_t distances = 0;
+    std::uint64_t withins = 0;  ///< whether the part is in contact, or within a margin
+    QueryCounters work;
+};
+
+/// Returns the tally of the calling thread's queries, of all scenes, and starts a new one at 0.
+QueryTally takeQueryTally();
+
+/// Names of the two meshes of a pair: a component's name, else its file's. Both are empty when `nearest` is
+/// no pair of triangles.
+struct MeshNames {
+    std::string part, environment;
+};
+MeshNames meshNames(const Scene& scene, const SceneDistance& nearest);
+
+}  // namespace clearway::planning

@@ -1,0 +1,51 @@
+// OMPL's state spaces for a part, and its states to and from those of path files.
+#pragma once
+
+#include <ompl/base/ScopedState.h>
+#include <ompl/base/SpaceInformation.h>
+
+#include <utility>
+
+#include "clearway/problem.h"
+
+namespace clearway::planning {
+
+/// The space that a constructor's other arguments are made from. Throws std::invalid_argument when si is
+/// null.
+const ompl::base::StateSpace& spaceOf(const ompl::base::SpaceInformationPtr& si);
+
+/// SE(3) or SE(2) with the position within the bounds. turnWeight: the length, in environment units, that one
+/// unit of OMPL's rotation distance counts as (half the angle in SE(3), the angle in SE(2), in radians).
+ompl::base::StateSpacePtr makeSpace(Space kind, const Box& bounds, double turnWeight);
+
+ompl::base::ScopedState<> toOmpl(const ompl::base::StateSpacePtr& space, Space kind, const PartState& state);
+PartState fromOmpl(Space kind, const ompl::base::State* state);
+PartState partStateOfSe3(const ompl::base::State* state);
+PartState partStateOfSe2(const ompl::base::State* state);
+
+/// A state that is freed when it goes out of scope. si must outlive it.
+class ScratchState {
+  public:
+    explicit ScratchState(const ompl::base::SpaceInformation& si) : si_(si), state_(si.allocState()) {}
+    ~ScratchState() { si_.freeState(state_); }
+    ScratchState(const ScratchState&) = delete;
+    ScratchState& operator=(const ScratchState&) = delete;
+    ompl::base::State* get() const { return state_; }
+
+  private:
+    const ompl::base::SpaceInformation& si_;
+    ompl::base::State* state_;
+};
+
+/// Fills in checkMotion's lastValid, through a scratch state because lastValid.first may be s1 or s2. It may
+/// also be null.
+void setLastValid(const ompl::base::SpaceInformation& si, const ompl::base::State* s1,
+                  const ompl::base::State* s2, double time, std::pair<ompl::base::State*, double>& lastValid);
+
+/// Adds 1 to a counter of ompl::base::MotionValidator. These are plain integers behind getters that cannot be
+/// overridden, and several threads count at once.
+inline void countAtomically(unsigned int& counter) {
+    __atomic_fetch_add(&counter, 1u, __ATOMIC_RELAXED);
+}
+
+}  // namespace clearway::planning

@@ -1,0 +1,74 @@
+// A scene as the states of a planner's space see it: what checkers, motion validators and objectives share.
+#pragma once
+
+#include <ompl/base/SpaceInformation.h>
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <optional>
+
+#include "clearway/planning/displacement_bound.h"
+#include "clearway/planning/scene_clearance.h"
+#include "clearway/planning/state_to_pose.h"
+#include "clearway/scene.h"
+
+namespace clearway::planning {
+
+/// Answers that are counted. Each class counts only what its own counters report.
+enum class Count { kAsked, kValid, kInvalid, kUndecided, kInvalidStarts, kOutOfBounds, kUnusable, kQueries };
+constexpr std::size_t kCounts = 8;
+
+/// Holds the space information by reference only, because the space information owns its checker and
+/// validator. Any number of threads may use one object.
+class PosedScene {
+  public:
+    /// For OMPL's SE(3) and SE(2): poses and bounds come from stateToPose and displacementBound. All
+    /// constructors throw std::invalid_argument when si is null or a callback is empty, and what
+    /// SceneClearance, stateToPose and displacementBound throw.
+    PosedScene(const ompl::base::SpaceInformationPtr& si, Scene scene);
+
+    /// For any space, by callbacks.
+    PosedScene(const ompl::base::SpaceInformationPtr& si, Scene scene, StateToPose stateToPose,
+               DisplacementBound bound);
+
+    /// For single states: there is no displacement bound.
+    PosedScene(const ompl::base::SpaceInformationPtr& si, Scene scene, StateToPose stateToPose);
+
+    /// For motions whose states the space's own checker judges: there is no scene and no pose.
+    PosedScene(const ompl::base::SpaceInformationPtr& si, DisplacementBound bound);
+
+    const ompl::base::SpaceInformation& si() const { return *si_; }
+    const ompl::base::StateSpace& space() const { return *si_->getStateSpace(); }
+    const SceneClearance& clearance() const { return *clearance_; }
+    const Scene& scene() const { return clearance_->scene(); }
+
+    Pose pose(const ompl::base::State* state) const { return stateToPose_(state); }
+    double bound(const ompl::base::State* from, const ompl::base::State* to) const {
+        return bound_(from, to);
+    }
+
+    /// True when all states between two states within the space's bounds are within the bounds.
+    bool areBoundsConvex() const { return areBoundsConvex_; }
+
+    void count(Count what, std::uint64_t more = 1) const {
+        if (more > 0) counters_[static_cast<std::size_t>(what)].fetch_add(more, std::memory_order_relaxed);
+    }
+    std::uint64_t counted(Count what) const {
+        return counters_[static_cast<std::size_t>(what)].load(std::memory_order_relaxed);
+    }
+
+    /// Logs the first problem through OMPL's console: "a state was answered invalid", and why.
+    void warnOnce(const char* what, const char* why) const;
+
+  private:
+    const ompl::base::SpaceInformation* si_;
+    std::optional<SceneClearance> clearance_;
+    StateToPose stateToPose_;
+    DisplacementBound bound_;
+    bool areBoundsConvex_ = false;
+    mutable std::array<std::atomic<std::uint64_t>, kCounts> counters_{};
+    mutable std::atomic<bool> hasWarned_{false};
+};
+
+}  // namespace clearway::planning
