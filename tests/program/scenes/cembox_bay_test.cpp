@@ -21,7 +21,7 @@ Piece block(const Vector3& centre) {
     return roundedBox(centre - Vector3::Ones(), centre + Vector3::Ones(), 0.5, 0.1, 2);
 }
 
-/// A bar of 100 x 10 x 10 that goes 200 up.
+/// The room of a bar of 100 x 10 x 10 that moves up by 200.
 KeptFree lifted(double margin) {
     KeptFree room({Box(Vector3(-50, -5, -5), Vector3(50, 5, 5))});
     room.addMotion(at({0, 0, 0}), at({0, 0, 200}), margin);
@@ -38,7 +38,7 @@ BOOST_AUTO_TEST_CASE(what_stands_in_the_way_is_told_from_what_stands_beside_it) 
     BOOST_TEST(room.isClearOf(block({0, 0, 230})));
 }
 
-/// The margin holds everywhere; 2 mm more of it is always enough.
+/// The margin is kept everywhere; 2 mm beyond it are always enough.
 BOOST_AUTO_TEST_CASE(the_margin_is_kept_and_hardly_exceeded) {
     for (const double margin : {0.0, 2.0, 10.0}) {
         const KeptFree room = lifted(margin);

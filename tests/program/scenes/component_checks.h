@@ -1,4 +1,4 @@
-// What the tests of the scenes ask of a mesh's components: which of them touch.
+// Checks of a mesh's components for the tests of the scenes: which of them touch.
 #pragma once
 
 #include <map>
@@ -10,7 +10,7 @@
 
 namespace clearway::testing {
 
-/// Without the vertices of others.
+/// One component as a mesh of its own, with only its own vertices.
 inline Mesh only(const Mesh& mesh, const Component& component) {
     Mesh alone;
     std::map<std::uint32_t, std::uint32_t> moved;
@@ -26,7 +26,7 @@ inline Mesh only(const Mesh& mesh, const Component& component) {
     return alone;
 }
 
-/// "a x b" for the components that touch.
+/// The pairs of components that touch, each as "a x b".
 inline std::vector<std::string> touchingComponents(const Mesh& mesh) {
     std::vector<Model> models;
     for (const Component& component : mesh.components) {

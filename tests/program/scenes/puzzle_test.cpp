@@ -31,7 +31,7 @@ GeneratedScene make(int version, const SceneOptions& options) {
 
 const auto kVersions = data::make({1, 2});
 
-/// The bar's triangles from a share of them to another; they follow its length.
+/// The bar's triangles between two shares of them; the triangles are in the order of its length.
 Mesh stretch(const Mesh& bar, double from, double to) {
     Mesh some;
     some.vertices = bar.vertices;
@@ -129,7 +129,7 @@ BOOST_DATA_TEST_CASE(the_oracle_finds_no_less_clearance_on_the_path, kVersions, 
         BOOST_TEST(oracle.distance(poseOf(state)).distance >= kPuzzle.clearance);
 }
 
-/// Tried in many directions; the way through the eye is the only one that was built.
+/// Straight pulls in many directions collide; the way through the eye is the only one that was built.
 BOOST_DATA_TEST_CASE(no_straight_motion_frees_the_part, kVersions* data::xrange(1, 6), version, seed) {
     const GeneratedScene scene = make(version, with(seed, 2000, 2));
     const Model part = Model::build(scene.part), environment = Model::build(scene.environment);

@@ -1,4 +1,4 @@
-// What the tests of the scenes ask of a scene: closed components, clearance along a path.
+// Checks of a scene for the tests of the scenes: closed components, clearance along a path.
 #pragma once
 
 #include <algorithm>
@@ -29,8 +29,8 @@ inline PartState between(const PartState& from, const PartState& to, double t) {
     return state;
 }
 
-/// No point within `radius` of the part's origin moves further than this between the two states, nor than its
-/// share of it between two states on the way.
+/// An upper bound on the motion of any point within `radius` of the part's origin between the two states.
+/// Between two states on the way the bound is the same share of it.
 inline double longestMotion(const PartState& from, const PartState& to, double radius) {
     return (to.position - from.position).norm() + radius * from.rotation.angularDistance(to.rotation);
 }
@@ -49,7 +49,7 @@ inline bool isClosed(const Mesh& mesh, const Component& component) {
     return true;
 }
 
-/// Every component is closed, turned outwards and has a name of its own; together they are the mesh.
+/// Every component is closed, turned outwards and has a unique name; together the components are the mesh.
 inline void testNamedClosedSolids(const Mesh& mesh) {
     std::set<std::string> names;
     std::uint32_t covered = 0;
@@ -82,15 +82,15 @@ inline void testSlivers(const Mesh& mesh) {
 }
 
 struct PathClearance {
-    double least = std::numeric_limits<double>::infinity();  ///< of those sampled
+    double least = std::numeric_limits<double>::infinity();  ///< over the samples
     double length = 0;                                       ///< sum of longestMotion
-    double tightLength = 0;                                  ///< where the clearance is <= tight
-    bool proven = true;  ///< everywhere on the way, not only at the samples, the distance is > `never`
+    double tightLength = 0;                                  ///< part of the length with a clearance <= tight
+    bool proven = true;  ///< the distance is > `never` everywhere on the way, not only at the samples
     std::size_t samples = 0;
 };
 
-/// Walks along the path in steps no longer than the clearance above `never` at their beginning allows any
-/// point of the part to move, nor than `longestStep`: the distance cannot fall to `never` in between.
+/// Walks along the path in steps of at most `longestStep`. A step moves no point of the part farther than the
+/// clearance above `never` at its beginning, so the distance cannot fall to `never` in between.
 inline PathClearance walkPath(const Model& part, const Model& environment, const std::vector<PartState>& path,
                               double never, double tight, double longestStep) {
     Workspace workspace;

@@ -80,7 +80,8 @@ BOOST_AUTO_TEST_CASE(the_screw_carries_what_it_bends_along_itself) {
         const Vector3 moved = poseOf(screw.motion(angle)) * screw.bend(point);
         BOOST_TEST((moved - screw.bend(point + Vector3(angle * screw.radius, 0, 0))).norm() < 1e-9);
     }
-    // At its lowest point the bend is the identity up to first order, before it the tangent plane goes on.
+    // At its lowest point the bend is the identity up to first order; before that point it continues in the
+    // tangent plane.
     BOOST_TEST((screw.bend({0, 5, 7}) - Vector3(0, 5, 7)).norm() < 1e-9);
     BOOST_TEST(screw.bendAfterStart({-50, 5, 7}).z() == 7);
     BOOST_TEST((screw.bendAfterStart(point) - screw.bend(point)).norm() == 0);

@@ -1,5 +1,5 @@
-// What the tests of the scenes ask of a scene to know that it is no toy: how far translations lead, what the
-// straight motion runs into, and what planners find, with and without rotations.
+// Checks that a scene is no toy: how far translations lead, what the straight motion runs into, and what
+// planners find, with and without rotations.
 #pragma once
 
 #include <ompl/base/goals/GoalState.h>
@@ -25,7 +25,7 @@
 
 namespace clearway::testing {
 
-/// The long form of a test is wanted.
+/// True when the long form of a test is wanted.
 inline bool isFull() {
     const char* value = std::getenv("CLEARWAY_FULL");
     return value != nullptr && std::string(value) == "1";
@@ -44,7 +44,7 @@ struct BuiltScene {
     }
 };
 
-/// The scene with what begins with one of the stems alone around the part.
+/// The scene whose environment is only the components with names that begin with one of the stems.
 inline GeneratedScene keeping(const GeneratedScene& scene, const std::vector<std::string>& stems) {
     GeneratedScene kept = scene;
     kept.environment.triangles.clear();
@@ -63,10 +63,10 @@ inline GeneratedScene keeping(const GeneratedScene& scene, const std::vector<std
 
 struct StraightMotion {
     double colliding = 0;  ///< share of its poses
-    std::size_t hit = 0;   ///< components, the closest one of each pose
+    std::size_t hit = 0;   ///< number of components hit, counting the closest one of each pose
 };
 
-/// Start to goal, as a planner interpolates.
+/// The straight motion from start to goal, as a planner interpolates.
 inline StraightMotion straightMotion(const BuiltScene& made) {
     constexpr int kSamples = 200;
     Workspace workspace;
@@ -85,11 +85,11 @@ inline StraightMotion straightMotion(const BuiltScene& made) {
 
 struct Flood {
     std::size_t freeCells = 0;
-    bool isOut = false;  ///< one of them is so many cells away along an axis
+    bool isOut = false;  ///< a free cell is at least `out` away along an axis
 };
 
-/// Of the translations from the start. Neighbouring free cells count as connected whatever lies between them,
-/// so the flood leaks rather than stops.
+/// Floods the translations from the start. Neighbouring free cells count as connected whatever lies between
+/// them, so the flood leaks rather than stops.
 inline Flood flood(const BuiltScene& made, double cellSize, double out) {
     using Cell = std::array<int, 3>;
     Workspace workspace;
@@ -122,8 +122,9 @@ inline PartState translatedGoal(const BuiltScene& made) {
     return goal;
 }
 
-/// Whether RRTConnect finds a way to there by translations alone, checked every step of the problem. range:
-/// longest edge of its trees. OMPL complains of every seed of a process but the first, and takes it.
+/// True when RRTConnect finds a way to translatedGoal by translations alone, checked every step of the
+/// problem. range: longest edge of its trees. OMPL complains of every seed of a process but the first, and
+/// takes it.
 inline bool translatesOut(const BuiltScene& made, double range, std::uint32_t seed, double seconds) {
     namespace ob = ompl::base;
     ompl::RNG::setSeed(seed);
@@ -163,16 +164,16 @@ inline bool translatesOut(const BuiltScene& made, double range, std::uint32_t se
 struct Trial {
     std::string planner;
     std::uint32_t seed = 1;
-    std::optional<double> range;  ///< longest edge of its trees; without one it is as `plan` has it
+    std::optional<double> range;  ///< longest edge of its trees; without a value, the one of `plan`
 };
 
 struct TrialEnd {
     bool isSolved = false;
-    std::size_t motions = 0;  ///< checked
-    double drawn = 0;         ///< from the seed, after the run
+    std::size_t motions = 0;  ///< checked motions
+    double drawn = 0;         ///< a random number after the run, which tells seeds apart
 };
 
-/// The run as `plan` begins it, ended when so many motions have been checked.
+/// Runs the planner as `plan` does and stops it after `motions` checked motions.
 inline TrialEnd firstMotions(const BuiltScene& made, const Trial& trial, std::size_t motions) {
     planning::PlanOptions options;
     options.planner = trial.planner;

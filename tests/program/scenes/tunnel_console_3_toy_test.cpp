@@ -1,5 +1,5 @@
-// The tunnel console at full size is no toy: the small ones' tests, at both clearances, and what planners
-// make of it in their first motions. Each test is put to a toy too: the console above a bare floor.
+// The tunnel console at full size is no toy, at both clearances: the small scenes' checks, and what planners
+// reach in their first motions. Each check also runs on a toy: the console above a bare floor.
 #include <ompl/util/Console.h>
 
 #include <boost/test/data/monomorphic.hpp>
@@ -61,7 +61,7 @@ BOOST_DATA_TEST_CASE(the_straight_motion_collides_over_half_its_length_with_thre
 }
 
 BOOST_DATA_TEST_CASE(a_flood_of_translations_stays_near_the_start, kClearances, clearance) {
-    // A cell's diagonal is less than the clearance; in the narrow scene that is few free cells.
+    // A cell's diagonal is less than the clearance; the narrow scene then has few free cells.
     const Flood found = flood(real(clearance), clearance == 10 ? 4 : 1, kOut);
     BOOST_TEST_MESSAGE(found.freeCells << " free cells");
     BOOST_TEST(found.freeCells > 27);
@@ -91,8 +91,8 @@ BOOST_DATA_TEST_CASE(no_seed_solves_it_within_its_first_100_motions, kPlanners* 
     BOOST_TEST(drawn.size() == seedCount());  // no two runs are the same one
 }
 
-/// A hundred edges of the length that `plan` has are hardly as long as the straight way, and RRT's do not go
-/// straight: so also with edges of any length, of which one could be all of the way.
+/// A hundred edges of `plan`'s length are hardly as long as the straight way, and RRT's do not go straight.
+/// So the check also runs with edges of any length: one of them could be the whole way.
 BOOST_DATA_TEST_CASE(no_seed_solves_it_within_its_first_100_motions_of_any_length, kPlanners* kClearances,
                      planner, clearance) {
     for (std::uint32_t seed = 1; seed <= seedCount(); ++seed) {
