@@ -8,7 +8,7 @@
 #include "core/replace_file.h"
 #include "program/cli/print.h"
 #include "program/cli/shared_options.h"
-#include "program/study/benchmark_log.h"
+#include "program/study/benchmark.h"
 
 namespace clearway::cli {
 
