@@ -2,7 +2,7 @@
 
 find_package(Eigen3 3.3 REQUIRED NO_MODULE)
 find_package(hwy 1.0 REQUIRED CONFIG)
-find_package(Boost 1.71 REQUIRED COMPONENTS program_options)
+find_package(Boost 1.71 REQUIRED)
 if(CLEARWAY_TESTS)
   find_package(Boost 1.71 REQUIRED COMPONENTS unit_test_framework)
   set(CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE TRUE)
@@ -21,8 +21,7 @@ target_link_libraries(clearway_assimp INTERFACE assimp::assimp)
 add_library(clearway_boost INTERFACE)
 target_link_libraries(clearway_boost INTERFACE Boost::headers)
 
-add_library(clearway_program_options INTERFACE)
-target_link_libraries(clearway_program_options INTERFACE Boost::program_options)
+find_package(CLI11 2.1 REQUIRED CONFIG)  # tells the options of a command line apart
 
 find_package(embree 4 CONFIG QUIET)
 if(NOT embree_FOUND)

@@ -35,6 +35,7 @@ struct ObstacleGroups {
 
     double largestMargin() const;  ///< 0 without groups
     bool hasSolids() const;
+    Box environmentBox() const;  ///< of all groups and ignoredBox: where a problem's bounds come from
 };
 
 /// Puts each component of the files into one group, or among the ignored ones. margin: for components that no

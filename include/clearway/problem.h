@@ -1,6 +1,7 @@
 // Planning problems as in OMPL.app's .cfg files, and the .path files of their solutions.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -8,7 +9,9 @@
 #include <vector>
 
 #include "clearway/mesh.h"
+#include "clearway/obstacle_groups.h"
 #include "clearway/obstacle_rules.h"
+#include "clearway/reach.h"
 #include "clearway/scene.h"
 #include "clearway/types.h"
 
@@ -104,23 +107,42 @@ std::vector<std::string> worldFiles(const Problem& problem);
 /// The larger one of problem.margin and the largest margin of a rule.
 double largestMargin(const Problem& problem);
 
+/// Reads a mesh file as loadMesh does, which is the default wherever a MeshReader is taken.
+using MeshReader = std::function<Mesh(const std::string& file, const LoadOptions& options)>;
+
 /// Loads the meshes of the part and of the environment with the MeshReading that fits the problem.
 /// loadEnvironment joins the meshes of several files (joinedEnvironment).
-Mesh loadPart(const Problem& problem);
-std::vector<Mesh> loadWorlds(const Problem& problem);
+Mesh loadPart(const Problem& problem, const MeshReader& read = loadMesh);
+std::vector<Mesh> loadWorlds(const Problem& problem, const MeshReader& read = loadMesh);
 Mesh loadEnvironment(const Problem& problem);
 
-/// A problem's scene, and one line each about what its user should know of it: components turned over because
-/// all their triangles faced inwards, and those of the part that enclose nothing.
+/// Groups the environment's files by the problem's margin and rules. Throws as groupObstacles does, naming the
+/// problem's file.
+ObstacleGroups obstaclesOf(const Problem& problem, const std::vector<Mesh>& worlds);
+
+/// The steps of loadScene that a caller may replace.
+struct SceneLoading {
+    MeshReader read = loadMesh;
+    /// Builds the part's model (without a reach) and each obstacle's. A cache calls buildCached here.
+    std::function<Model(const Mesh& mesh, const BuildOptions& options, const std::optional<Reach>& reach)>
+        build = Model::build;
+    /// Says how much of the environment the obstacles' models need to hold; null: all of it. environmentBox
+    /// holds the whole environment, ignored obstacles included.
+    std::function<std::optional<Reach>(const Model& part, const Box& environmentBox)> reach = nullptr;
+};
+
+/// A problem's scene, and notes for its user, one line each: components turned over because all their triangles
+/// faced inwards, and components of the part that enclose nothing.
 struct LoadedScene {
     Scene scene;
     std::vector<std::string> notes;
 };
 
 /// Loads the meshes and builds their models: the part, and the obstacles with their margins, solids and
-/// contact zones as the problem has them. Throws as loadPart, groupObstacles (naming the problem's file) and
-/// Model::build do.
-LoadedScene loadScene(const Problem& problem, const BuildOptions& options = {});
+/// contact zones as the problem has them. Throws as loadPart, obstaclesOf and Model::build do, and what the
+/// steps of `loading` throw.
+LoadedScene loadScene(const Problem& problem, const BuildOptions& options = {},
+                      const SceneLoading& loading = {});
 
 /// problem.volume, or else OMPL.app's rule: the environment's box grown to hold start and goal. In SE(2) z is
 /// 0 to 0. Throws std::invalid_argument when the bounds leave out the start or the goal, or have no extent

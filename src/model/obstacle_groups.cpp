@@ -148,6 +148,12 @@ bool ObstacleGroups::hasSolids() const {
                        [](const ObstacleGroup& group) { return group.solids != nullptr; });
 }
 
+Box ObstacleGroups::environmentBox() const {
+    Box box = ignoredBox;
+    for (const ObstacleGroup& group : groups) box.extend(boundingBox(group.mesh));
+    return box;
+}
+
 ObstacleGroups groupObstacles(const std::vector<Mesh>& files, double margin, const ObstacleRules& rules) {
     const ObstacleNames names(files);
     Rules applied(names, margin);

@@ -1,3 +1,4 @@
+// From a problem to the scene that planning asks about.
 #include <stdexcept>
 
 #include "clearway/obstacle_groups.h"
@@ -5,10 +6,7 @@
 
 namespace clearway {
 
-namespace {
-
-ObstacleGroups loadObstacles(const Problem& problem) {
-    const std::vector<Mesh> worlds = loadWorlds(problem);
+ObstacleGroups obstaclesOf(const Problem& problem, const std::vector<Mesh>& worlds) {
     try {
         return groupObstacles(worlds, problem.margin, problem.rules);
     } catch (const std::invalid_argument& error) {
@@ -16,23 +14,23 @@ ObstacleGroups loadObstacles(const Problem& problem) {
     }
 }
 
-}  // namespace
-
-LoadedScene loadScene(const Problem& problem, const BuildOptions& options) {
-    const Mesh part = loadPart(problem);
-    const ObstacleGroups obstacles = loadObstacles(problem);
+LoadedScene loadScene(const Problem& problem, const BuildOptions& options, const SceneLoading& loading) {
+    const Mesh partMesh = loadPart(problem, loading.read);
+    const ObstacleGroups obstacles = obstaclesOf(problem, loadWorlds(problem, loading.read));
+    const Model part = loading.build(partMesh, options, std::nullopt);
+    std::optional<Reach> reach;
+    if (loading.reach) reach = loading.reach(part, obstacles.environmentBox());
     std::vector<std::string> notes = obstacles.notes;
     std::shared_ptr<const Solids> partSolids;
     if (obstacles.hasSolids()) {
-        const MadeSolids made = makeSolids(part);
+        const MadeSolids made = makeSolids(partMesh);
         for (const std::string& refusal : made.refusals) {
-            notes.push_back("of the part, " + refusal + ": obstacles inside it go unseen");
+            notes.push_back("part: " + refusal + "; obstacles inside it go unnoticed");
         }
         partSolids = made.solids;
     }
-    const auto build = [&](const Mesh& mesh) { return Model::build(mesh, options); };
-    return {makeScene(build(part), partSolids, obstacles, problem.rules, poseOf(problem.start),
-                      poseOf(problem.goal), build),
+    return {makeScene(part, partSolids, obstacles, problem.rules, poseOf(problem.start), poseOf(problem.goal),
+                      [&](const Mesh& mesh) { return loading.build(mesh, options, reach); }),
             notes};
 }
 

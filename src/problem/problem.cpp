@@ -40,10 +40,11 @@ void requireExtent(const Problem& problem, const Box& bounds) {
     }
 }
 
-Mesh loadAs(const Problem& problem, const std::string& file, MeshReading omplAppReading) {
+Mesh loadAs(const Problem& problem, const std::string& file, MeshReading omplAppReading,
+            const MeshReader& read) {
     LoadOptions options;
     options.reading = problem.asOmplApp ? omplAppReading : MeshReading::kAsStored;
-    return loadMesh(file, options);
+    return read(file, options);
 }
 
 }  // namespace
@@ -84,16 +85,16 @@ Box boundsOf(const Problem& problem, const Box& environmentBox) {
     return bounds;
 }
 
-Mesh loadPart(const Problem& problem) {
+Mesh loadPart(const Problem& problem, const MeshReader& read) {
     const bool isSpatial = problem.space == Space::kSe3;
     return loadAs(problem, problem.robot,
-                  isSpatial ? MeshReading::kOmplAppRobot : MeshReading::kOmplAppPlanarRobot);
+                  isSpatial ? MeshReading::kOmplAppRobot : MeshReading::kOmplAppPlanarRobot, read);
 }
 
-std::vector<Mesh> loadWorlds(const Problem& problem) {
+std::vector<Mesh> loadWorlds(const Problem& problem, const MeshReader& read) {
     std::vector<Mesh> worlds;
     for (const std::string& file : worldFiles(problem)) {
-        worlds.push_back(loadAs(problem, file, MeshReading::kOmplAppEnvironment));
+        worlds.push_back(loadAs(problem, file, MeshReading::kOmplAppEnvironment, read));
     }
     return worlds;
 }

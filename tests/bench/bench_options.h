@@ -1,7 +1,6 @@
 // The command line of bench_queries.
 #pragma once
 
-#include <iosfwd>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,11 +16,11 @@ struct BenchChoices : TaskChoices {
     BuildSchedule builds;
     std::vector<std::string> targets;  ///< instruction sets besides the best one
     BuildOptions trees;
-    std::size_t oraclePoses = 0;
+    std::size_t oraclePoses = 3;
 };
 
-/// Reads the command line. If it asks for help, prints the help and returns nothing. Throws
-/// std::invalid_argument, or an exception of boost::program_options, for an option that makes no sense.
-std::optional<BenchChoices> readOptions(int count, char** words, std::ostream& help);
+/// Prints the help and returns nothing when it is asked for. Throws std::invalid_argument that names a wrong
+/// option, its value and what was expected.
+std::optional<BenchChoices> readOptions(int count, char** words);
 
 }  // namespace clearway::testing

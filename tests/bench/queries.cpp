@@ -62,7 +62,7 @@ std::size_t measure(const BenchTask& task, const BenchChoices& choices, bool wit
     std::vector<BuildRow> builds;
     if (withBuilds) builds = measureBuilds(task, buildChoices(choices.trees), choices.builds);
     std::vector<Peer> peers;
-    if (choices.withPeers) peers = makePeers(task.part, task.environment);
+    if (!choices.withoutPeers) peers = makePeers(task.part, task.environment);
     if (withBuilds) {
         for (const BuildRow& row : buildsOf(peers, task)) builds.push_back(row);
     }
@@ -105,7 +105,7 @@ int run(const BenchChoices& choices) {
 
 int main(int count, char** words) {
     try {
-        const auto choices = clearway::testing::readOptions(count, words, std::cout);
+        const auto choices = clearway::testing::readOptions(count, words);
         return choices ? clearway::testing::run(*choices) : 0;
     } catch (const std::exception& error) {
         std::cerr << "bench_queries: " << error.what() << '\n';

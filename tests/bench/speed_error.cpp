@@ -13,28 +13,22 @@
 namespace clearway::testing {
 namespace {
 
-namespace options = boost::program_options;
-
 const std::vector<double> kMarginShares = {0, 1e-6, 1e-3};  // shares of the scene's size
 
 struct ErrorChoices : TaskChoices {
-    int nearBases = 0;
+    int nearBases = 20;
 };
 
 std::optional<ErrorChoices> readOptions(int count, char** words) {
-    options::options_description all("options");
-    addTaskOptions(all, "A,B,C,D,E,F", "speed_error.csv");
-    all.add_options()("near-bases", options::value<int>()->default_value(20),
-                      "poses that are moved near to each margin, each to nine or thirteen distances");
-    options::variables_map given;
-    options::store(options::parse_command_line(count, words, all), given);
-    if (given.count("help") != 0) {
-        std::cout << all;
-        return std::nullopt;
-    }
     ErrorChoices choices;
-    static_cast<TaskChoices&>(choices) = taskChoices(given);
-    choices.nearBases = atLeast(0, given, "near-bases");
+    choices.scenes = {"A", "B", "C", "D", "E", "F"};
+    cli::CommandLine line("bench_speed_error [options]",
+                          "Times the ways to answer \"how far?\" and has the oracle say their errors.");
+    addTaskOptions(line, "speed_error.csv", choices);
+    line.option("--near-bases N",
+                "poses that are moved near to each margin, each to nine or thirteen distances (20)",
+                cli::integer<int>(choices.nearBases, 0, INT32_MAX));
+    if (!line.parse({words + 1, words + count})) return std::nullopt;
     return choices;
 }
 
@@ -67,7 +61,7 @@ VerdictCounts verdictsOf(const Mode& mode, const PosesNearMargin& near) {
 ErrorReport measure(const BenchTask& task, const ErrorChoices& choices) {
     const TreePair trees = buildTrees(task, BuildOptions{});
     std::vector<Peer> peers;
-    if (choices.withPeers) peers = makePeers(task.part, task.environment);
+    if (!choices.withoutPeers) peers = makePeers(task.part, task.environment);
     std::vector<Mode> modes = makeModes(task, trees, peers);
     run(modes, task.poses, choices.schedule);
 

@@ -1,36 +1,10 @@
 #include "bench/task_options.h"
 
 #include <sstream>
-#include <stdexcept>
-
-#include "core/number.h"
 
 namespace clearway::testing {
-namespace {
 
-namespace options = boost::program_options;
-
-template <typename Number>
-Number requireAtLeast(Number least, Number value, const char* option) {
-    if (value >= least) return value;
-    throw std::invalid_argument(std::string(option) + " is " + shortNumber(double(value)) +
-                                ", expected at least " + shortNumber(double(least)));
-}
-
-std::optional<std::size_t> triangles(const options::variables_map& given, const char* option) {
-    if (given.count(option) == 0) return std::nullopt;
-    return static_cast<std::size_t>(atLeast(1, given, option));
-}
-
-}  // namespace
-
-int atLeast(int least, const options::variables_map& given, const char* option) {
-    return requireAtLeast(least, given[option].as<int>(), option);
-}
-
-double atLeast(double least, const options::variables_map& given, const char* option) {
-    return requireAtLeast(least, given[option].as<double>(), option);
-}
+using cli::integer, cli::nonNegative, cli::to;
 
 std::vector<std::string> splitAtCommas(const std::string& list) {
     std::vector<std::string> words;
@@ -39,51 +13,38 @@ std::vector<std::string> splitAtCommas(const std::string& list) {
     return words;
 }
 
-std::string allSceneNames() {
-    std::string all;
-    for (const BenchScene& scene : benchScenes()) all += (all.empty() ? "" : ",") + std::string(scene.name);
+std::vector<std::string> allSceneNames() {
+    std::vector<std::string> all;
+    for (const BenchScene& scene : benchScenes()) all.push_back(scene.name);
     return all;
 }
 
-void addTaskOptions(options::options_description& all, const std::string& scenes,
-                    const std::string& outFiles) {
-    auto add = all.add_options();
-    add("help", "print this");
-    add("scenes", options::value<std::string>()->default_value(scenes), "the scenes to measure, by letter");
-    add("small", "small scenes, which only show that all answers agree");
-    add("part-triangles", options::value<int>(),
-        "triangles of every part, instead of the scene's own number");
-    add("environment-triangles", options::value<int>(),
-        "triangles of every environment, instead of the scene's own number");
-    add("pose-count", options::value<int>()->default_value(200), "poses of each scene");
-    add("seed", options::value<std::uint64_t>()->default_value(1),
-        "seed of the poses and of their random orders");
-    add("repetitions", options::value<int>()->default_value(5), "repetitions of every pass");
-    add("peer-budget", options::value<double>()->default_value(60),
-        "seconds for each question to a peer, which repeats less often if it needs more");
-    add("lead-in", options::value<double>()->default_value(0.02), "most untimed seconds before a pass");
-    add("cpu", options::value<int>()->default_value(-1),
-        "keeps passes of one thread on this CPU; -1: any CPU");
-    add("without-peers", "measures clearway alone");
-    add("out", options::value<std::string>(), ("folder for " + outFiles).c_str());
-}
-
-TaskChoices taskChoices(const options::variables_map& given) {
-    TaskChoices choices;
-    choices.scenes = splitAtCommas(given["scenes"].as<std::string>());
-    for (const std::string& name : choices.scenes) benchSceneNamed(name);
-    choices.small = given.count("small") != 0;
-    choices.partTriangles = triangles(given, "part-triangles");
-    choices.environmentTriangles = triangles(given, "environment-triangles");
-    choices.poseCount = atLeast(1, given, "pose-count");
-    choices.seed = given["seed"].as<std::uint64_t>();
-    choices.schedule.repetitions = atLeast(1, given, "repetitions");
-    choices.schedule.peerBudget = atLeast(0.0, given, "peer-budget");
-    choices.schedule.leadIn = atLeast(0.0, given, "lead-in");
-    choices.schedule.cpu = atLeast(-1, given, "cpu");
-    choices.withPeers = given.count("without-peers") == 0;
-    if (given.count("out") != 0) choices.out = given["out"].as<std::string>();
-    return choices;
+void addTaskOptions(cli::CommandLine& line, const std::string& outFiles, TaskChoices& choices) {
+    constexpr std::int64_t kMost = INT32_MAX;
+    line.option("--scenes LETTERS", "scenes, with commas between them (" + cli::joined(choices.scenes) + ")",
+                [&](const std::string& letters) {
+                    choices.scenes = splitAtCommas(letters);
+                    for (const std::string& name : choices.scenes) benchSceneNamed(name);
+                });
+    line.flag("--small", "small scenes, which only show that all answers agree", choices.small);
+    line.option("--part-triangles N", "triangles of every scene's part, instead of its own number",
+                integer<std::size_t>(choices.partTriangles, 1, kMost));
+    line.option("--environment-triangles N",
+                "triangles of every scene's environment, instead of its own number",
+                integer<std::size_t>(choices.environmentTriangles, 1, kMost));
+    line.option("--pose-count N", "poses of each scene (200)", integer<int>(choices.poseCount, 1, kMost));
+    line.option("--seed N", "seed of the poses and of their random orders (1)",
+                integer<std::uint64_t>(choices.seed, 0, INT64_MAX));
+    line.option("--repetitions N", "repetitions of every pass (5)",
+                integer<int>(choices.schedule.repetitions, 1, kMost));
+    line.option("--peer-budget S", "seconds for each question to a peer, which then repeats less often (60)",
+                nonNegative(choices.schedule.peerBudget));
+    line.option("--lead-in S", "most seconds of untimed queries before a pass (0.02)",
+                nonNegative(choices.schedule.leadIn));
+    line.option("--cpu N", "keeps passes of one thread on this CPU; -1: on any (-1)",
+                integer<int>(choices.schedule.cpu, -1, kMost));
+    line.flag("--without-peers", "measures clearway alone", choices.withoutPeers);
+    line.option("--out DIR", "folder for " + outFiles, to(choices.out));
 }
 
 BenchTask makeTask(const TaskChoices& choices, const std::string& scene) {

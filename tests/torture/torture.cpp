@@ -1,15 +1,13 @@
 // The torture program: checks the queries' answers in exact arithmetic, on families of hard pairs of
 // triangles and of hard poses of small meshes. Ends with 1 if a promise of include/clearway/query.h is
 // broken.
-#include <algorithm>
-#include <boost/program_options.hpp>
 #include <exception>
 #include <iostream>
 #include <optional>
 #include <sstream>
-#include <stdexcept>
 
 #include "core/replace_file.h"
+#include "program/cli/command_line.h"
 #include "torture/mesh_families.h"
 #include "torture/pair_families.h"
 #include "torture/resting.h"
@@ -18,81 +16,48 @@
 namespace clearway::testing {
 namespace {
 
-namespace options = boost::program_options;
+using cli::integer;
 
-std::vector<std::string> split(const std::string& list) {
-    std::vector<std::string> words;
-    std::istringstream in(list);
-    for (std::string word; std::getline(in, word, ',');) words.push_back(word);
-    return words;
-}
+constexpr double kDefaultMinutes = 3;
 
-options::options_description allOptions() {
-    options::options_description all("options");
-    auto add = all.add_options();
-    add("help", "print this help");
-    add("pairs", options::value<std::int64_t>(), "number of triangle pairs, over all families");
-    add("poses", options::value<std::int64_t>(), "number of mesh poses, over all families");
-    add("minutes", options::value<double>()->default_value(3),
-        "run time, if neither --pairs nor --poses is given");
-    add("seed", options::value<std::uint64_t>()->default_value(1), "seed of all random draws");
-    add("families", options::value<std::string>(),
-        "comma-separated families of pairs or meshes, instead of all");
-    add("without-fcl", "do not ask FCL");
-    add("csv", options::value<std::string>(), "file for the figures");
-    add("resting", "measure only the cost of resting contact for `collides`");
-    return all;
-}
-
-std::uint64_t count(const options::variables_map& values, const char* name) {
-    if (values.count(name) == 0) return 0;
-    const auto given = values[name].as<std::int64_t>();
-    if (given >= 0) return std::uint64_t(given);
-    throw std::invalid_argument("--" + std::string(name) + " is " + std::to_string(given) +
-                                ", expected a number of at least 0");
-}
-
-void requireKnown(const std::vector<std::string>& names) {
-    std::string all;
-    std::vector<std::string> known;
+/// The families in a list with commas.
+std::vector<std::string> familiesOf(const std::string& list) {
+    std::vector<std::string> known, names;
     for (const PairFamily& family : pairFamilies()) known.push_back(family.name);
     for (const MeshFamily& family : meshFamilies()) known.push_back(family.name);
-    for (const std::string& name : known) all += (all.empty() ? "" : ", ") + name;
-    for (const std::string& name : names) {
-        if (std::find(known.begin(), known.end(), name) != known.end()) continue;
-        throw std::invalid_argument("there is no family '" + name + "', expected one of " + all);
-    }
+    std::istringstream in(list);
+    for (std::string name; std::getline(in, name, ',');) names.push_back(cli::oneOf(name, known));
+    return names;
 }
 
-/// Reads the command line. Returns nothing if help was asked for and printed. Throws std::invalid_argument if
-/// a value is wrong, with the value and what was expected, and std::runtime_error if the CSV cannot be
-/// written.
+/// Reads the command line. Prints the help and returns nothing when it is asked for. Throws
+/// std::invalid_argument that names a wrong option, its value and what was expected, and std::runtime_error if
+/// the CSV cannot be written.
 std::optional<TortureOptions> readOptions(int argc, char** argv) {
-    options::variables_map values;
-    options::store(options::parse_command_line(argc, argv, allOptions()), values);
-    if (values.count("help") > 0) {
-        std::cout << allOptions();
-        return std::nullopt;
-    }
     TortureOptions result;
-    result.pairs = count(values, "pairs");
-    result.poses = count(values, "poses");
-    if (values.count("pairs") + values.count("poses") == 0) {
-        result.minutes = values["minutes"].as<double>();
-        if (!(result.minutes > 0)) {
-            throw std::invalid_argument("--minutes is " + std::to_string(result.minutes) +
-                                        ", expected more than 0");
-        }
-    }
-    result.seed = values["seed"].as<std::uint64_t>();
-    if (values.count("families") > 0) result.families = split(values["families"].as<std::string>());
-    requireKnown(result.families);
-    result.withFcl = values.count("without-fcl") == 0;
-    result.resting = values.count("resting") > 0;
-    if (values.count("csv") > 0) {
-        result.csv = values["csv"].as<std::string>();
-        requireReplaceable(result.csv);
-    }
+    std::optional<std::uint64_t> pairs, poses;
+    double minutes = kDefaultMinutes;
+    cli::CommandLine line("torture [options]", "Judges pairs and poses that are hard to answer truthfully.");
+    line.option("--pairs N", "number of triangle pairs, over all families",
+                integer<std::uint64_t>(pairs, 0, INT64_MAX));
+    line.option("--poses N", "number of mesh poses, over all families",
+                integer<std::uint64_t>(poses, 0, INT64_MAX));
+    line.option("--minutes M", "run time, if neither --pairs nor --poses is given (3)",
+                cli::positive(minutes));
+    line.option("--seed N", "seed of all random draws (1)",
+                integer<std::uint64_t>(result.seed, 0, INT64_MAX));
+    line.option("--families NAMES", "comma-separated families of pairs or meshes, instead of all",
+                [&](const std::string& list) { result.families = familiesOf(list); });
+    line.option("--without-fcl", "does not ask FCL", [&](const std::string&) { result.withFcl = false; });
+    line.option("--csv FILE", "file for the figures", [&](const std::string& file) {
+        requireReplaceable(file);
+        result.csv = file;
+    });
+    line.flag("--resting", "measures only the cost of resting contact for `collides`", result.resting);
+    if (!line.parse({argv + 1, argv + argc})) return std::nullopt;
+    result.pairs = pairs.value_or(0);
+    result.poses = poses.value_or(0);
+    if (!pairs && !poses) result.minutes = minutes;
     return result;
 }
 

@@ -3,18 +3,11 @@
 #include <filesystem>
 #include <iostream>
 #include <optional>
-#include <stdexcept>
 
 #include "clearway/planning/planners.h"
-#include "clearway/targets.h"
 #include "core/replace_file.h"
-#include "program/cli/command_line.h"
-#include "program/cli/elapsed_line.h"
-#include "program/cli/interrupts.h"
-#include "program/cli/planning_scene.h"
 #include "program/cli/print.h"
-#include "program/cli/study.h"
-#include "program/cli/tree_options.h"
+#include "program/cli/shared_options.h"
 #include "program/study/benchmark_log.h"
 
 namespace clearway::cli {
@@ -27,52 +20,66 @@ using study::BenchmarkOptions;
 using study::BenchmarkRun;
 using study::PlannerBenchmark;
 
-CommandLine benchCommandLine() {
-    CommandLine commandLine;
-    commandLine.usage = "clearway bench PROBLEM.cfg [options]";
-    commandLine.purpose =
-        "Runs every planner the problem names (without any: RRTConnect, RRT, EST, KPIECE1 and PRM) several "
-        "times\nand writes OMPL's benchmark log, for ompl_benchmark_statistics.py and Planner Arena.\n"
-        "Ctrl-C leaves a log of the runs that have ended; exit code 1 then.\n"
-        "`clearway bench --study leaf-strategies --help` is about studies.";
-    commandLine.positional = {"PROBLEM.cfg"};
-    commandLine.options.add_options()                                                                  //
-        ("log", optionValue("FILE"), "the log (PROBLEM.log, in the problem's output folder)")          //
-        ("time", optionValue("S"), "seconds for each run, in place of the problem's time_limit (30)")  //
-        ("memory", optionValue("MB"),
-         "by which the program may grow, in place of the problem's mem_limit (4096)")            //
-        ("runs", optionValue("N"), "of each planner, in place of the problem's run_count (10)")  //
-        ("planner", optionValues("NAME"),
-         "only this one, with the problem's parameters for it if it names it; may be repeated")          //
-        ("seed", optionValue("N"), "of the first run of each planner; each next run's is one more (1)")  //
-        ("margin", optionValue("M"),
-         "distance to keep from the environment, in place of the problem's margin; its margin.NAME stay")  //
-        ("step", optionValue("S"),
-         "checks motions at states no farther apart than this, instead of certifying them")  //
-        ("ompl-weights", "rotation weighted as OMPL does, not by the part's radius")         //
-        ("no-simplify", "leaves paths as the planners found them")                           //
-        ("save-paths", optionValue("WHICH"),
-         "none, all or shortest (of each planner), beside the log, in place of the problem's save_paths")  //
-        ("target", optionValue("NAME"), "instruction set, of those this machine runs (best)");
-    addTreeOptions(commandLine);
-    addCacheOption(commandLine);
-    return commandLine;
-}
+/// What stands in place of the problem's values is optional.
+struct BenchArguments {
+    ProblemChoice problem;
+    std::optional<double> seconds, megabytes;
+    std::optional<int> runs;
+    std::vector<std::string> planners;
+    std::optional<SavedPaths> savedPaths;
+    bool keepsPathsAsFound = false;
+    BenchmarkOptions benchmark;
+    TreeChoice trees;
+    std::string log;
+};
 
-SavedPaths savedPaths(const Options& options) {
-    const std::string which = options.text("save-paths");
+SavedPaths savedPaths(const std::string& which) {
     if (which == "none") return SavedPaths::kNone;
     if (which == "all") return SavedPaths::kAll;
     if (which == "shortest") return SavedPaths::kShortest;
-    throw std::invalid_argument("--save-paths is '" + which + "', expected none, all or shortest");
+    throw Expected{"none, all or shortest"};
 }
 
-/// The problem's planners of these names, and one without parameters of each name that it lacks.
+bool readArguments(const Arguments& arguments, BenchArguments& given) {
+    CommandLine line(
+        "clearway bench PROBLEM.cfg [options]",
+        "Runs every planner the problem names (without any: RRTConnect, RRT, EST, KPIECE1 and PRM) several\n"
+        "times and writes OMPL's benchmark log, for ompl_benchmark_statistics.py and Planner Arena.\n"
+        "Ctrl-C leaves a log of the runs that have ended, with exit code 1.\n"
+        "For studies see `clearway bench --study leaf-strategies --help`.");
+    addProblem(line, given.problem);
+    line.option("--log FILE", "the log (PROBLEM.log, in the problem's output folder)", to(given.log));
+    line.option("--time S", "seconds for each run, in place of the problem's time_limit (30)",
+                positive(given.seconds));
+    line.option("--memory MB", "memory growth limit in MB, in place of the problem's mem_limit (4096)",
+                positive(given.megabytes));
+    line.option("--runs N", "runs of each planner, in place of the problem's run_count (10)",
+                integer<int>(given.runs, 1, 1000000));
+    line.option(
+        "--planner NAME",
+        "runs only this planner, with the problem's parameters for it if any; may be repeated",
+        [&](const std::string& name) { given.planners.push_back(planning::plannerClassName(name)); },
+        CommandLine::Count::kRepeatable);
+    line.option("--seed N", "seed of each planner's first run, incremented per run (1)",
+                integer<std::uint32_t>(given.benchmark.seed, 1, INT32_MAX));
+    addMotionOptions(line, given.benchmark.step, given.benchmark.omplWeights);
+    line.flag("--no-simplify", "leaves paths as the planners found them", given.keepsPathsAsFound);
+    line.option(
+        "--save-paths WHICH",
+        "paths to write beside the log: none, all or shortest (of each planner), in place of the problem's "
+        "save_paths",
+        [&](const std::string& which) { given.savedPaths = savedPaths(which); });
+    addTarget(line);
+    addTreeOptions(line, given.trees.options);
+    addCache(line, given.trees);
+    return line.parse(arguments);
+}
+
+/// The problem's planners of these names; a name that the problem lacks becomes a planner without parameters.
 std::vector<PlannerChoice> choose(const std::vector<std::string>& names,
                                   const std::vector<PlannerChoice>& planners) {
     std::vector<PlannerChoice> chosen;
-    for (const std::string& given : names) {
-        const std::string name = planning::plannerClassName(given);
+    for (const std::string& name : names) {
         const std::size_t before = chosen.size();
         for (const PlannerChoice& planner : planners) {
             if (planning::plannerClassName(planner.name) == name) chosen.push_back(planner);
@@ -82,64 +89,37 @@ std::vector<PlannerChoice> choose(const std::vector<std::string>& names,
     return chosen;
 }
 
-/// What the options say goes before what the file says.
-Problem readProblemFor(const Options& options) {
-    Problem problem = readProblem(options.text("PROBLEM.cfg"));
-    if (options.has("margin")) problem.margin = options.nonNegative("margin");
-    if (options.has("time")) problem.timeLimit = options.positive("time");
-    if (options.has("memory")) problem.memoryLimit = options.positive("memory");
-    if (options.has("runs")) problem.runCount = static_cast<int>(options.integer("runs", 1, 1000000));
-    if (options.has("planner")) problem.planners = choose(options.texts("planner"), problem.planners);
-    if (options.has("save-paths")) problem.savedPaths = savedPaths(options);
-    if (options.has("no-simplify")) problem.simplify = false;
+/// The problem with the values that were given in place of its own.
+Problem readProblemFor(const BenchArguments& given) {
+    Problem problem = given.problem.read();
+    if (given.seconds) problem.timeLimit = given.seconds;
+    if (given.megabytes) problem.memoryLimit = given.megabytes;
+    if (given.runs) problem.runCount = given.runs;
+    if (!given.planners.empty()) problem.planners = choose(given.planners, problem.planners);
+    if (given.savedPaths) problem.savedPaths = *given.savedPaths;
+    if (given.keepsPathsAsFound) problem.simplify = false;
     return problem;
 }
 
-BenchmarkOptions benchmarkOptions(const Options& options, const Problem& problem) {
-    BenchmarkOptions result;
+BenchmarkOptions benchmarkOptions(const BenchArguments& given, const Problem& problem) {
+    BenchmarkOptions result = given.benchmark;
     result.seconds = problem.timeLimit.value_or(result.seconds);
     result.megabytes = problem.memoryLimit.value_or(result.megabytes);
     result.runs = problem.runCount.value_or(result.runs);
     result.simplify = problem.simplify;
-    if (options.has("seed")) result.seed = static_cast<std::uint32_t>(options.integer("seed", 1, INT32_MAX));
-    if (options.has("step")) result.step = options.positive("step");
-    result.omplWeights = options.has("ompl-weights");
     result.isStopped = isInterrupted;
     return result;
 }
 
-/// Wrong options before any file is read.
-void requireOptions(const Options& options) {
-    benchmarkOptions(options, {});
-    for (const char* name : {"time", "memory"}) {
-        if (options.has(name)) options.positive(name);
-    }
-    if (options.has("margin")) options.nonNegative("margin");
-    if (options.has("runs")) options.integer("runs", 1, 1000000);
-    if (options.has("save-paths")) savedPaths(options);
-    choose(options.texts("planner"), {});
-    if (options.has("target")) useTarget(options.text("target"));
-}
-
-/// Refuses one that would replace what is read.
-std::string logFile(const Options& options, const Problem& problem) {
-    const std::vector<std::string> inputs = inputsOf(problem);
-    if (options.has("log")) {
-        options.requireOtherFile("log", inputs);
-        return options.text("log");
-    }
+/// By default in the problem's output folder, which is made.
+std::string logFile(const BenchArguments& given, const Problem& problem) {
+    if (!given.log.empty()) return given.log;
     const fs::path folder = fs::path(problem.file).parent_path() / problem.outputFolder;
     if (!problem.outputFolder.empty()) makeFolder(folder.string());
-    const fs::path log = folder / fs::path(problem.file).filename().replace_extension(".log");
-    for (const std::string& input : inputs) {
-        std::error_code ignored;
-        if (!fs::equivalent(log, input, ignored)) continue;
-        throw std::invalid_argument("the log would replace the input file '" + input + "', expected --log");
-    }
-    return log.string();
+    return (folder / fs::path(problem.file).filename().replace_extension(".log")).string();
 }
 
-/// As part of a file's name, on any system.
+/// The text with only characters that file names may have on any system.
 std::string fileName(std::string text) {
     for (char& c : text) {
         const bool isPlain = (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') ||
@@ -149,7 +129,8 @@ std::string fileName(std::string text) {
     return text;
 }
 
-/// Of one planner: EXPERIMENT_PLANNER_RUN.path, runs counted from 0 as OMPL.app does. returns how many.
+/// Writes one planner's paths as EXPERIMENT_PLANNER_RUN.path, runs counted from 0 as OMPL.app does. Returns how
+/// many.
 std::size_t writePaths(const std::string& stem, const PlannerBenchmark& planner, const Problem& problem) {
     std::optional<std::size_t> shortest;
     std::size_t written = 0;
@@ -196,7 +177,7 @@ void printPlanner(const PlannerBenchmark& planner) {
     printRow(planner.name, text + (seconds.empty() ? "" : " in the median"));
 }
 
-/// So that logs of several kinds of trees can be told apart in one database.
+/// Tells logs of different trees apart when they are in one database.
 void describeTrees(const BuildOptions& tree, Benchmark& benchmark) {
     benchmark.parameters["general_split VARCHAR"] = tree.generalSplit;
     benchmark.parameters["leaf_split VARCHAR"] = tree.leafSplit;
@@ -219,23 +200,19 @@ Benchmark runShown(const Problem& problem, const Scene& scene, BenchmarkOptions 
 int bench(const Arguments& arguments) {
     const auto isStudy = [](const std::string& argument) { return argument.rfind("--study", 0) == 0; };
     if (std::any_of(arguments.begin(), arguments.end(), isStudy)) return study(arguments);
-    const std::optional<Options> given = parse(benchCommandLine(), arguments);
-    if (!given) return kDone;
-    const Options& options = *given;
-    requireOptions(options);
-    const BuildOptions tree = treeOptions(options);
-    const std::string cache = cacheFolder(options);
-    const Problem problem = readProblemFor(options);
-    const std::string log = logFile(options, problem);
-    requireReplaceable(log);
+    BenchArguments given;
+    if (!readArguments(arguments, given)) return kDone;
+    const Problem problem = readProblemFor(given);
+    const std::string log = logFile(given, problem);
+    OutputFiles(inputsOf(problem)).add("--log", log);
     heedInterrupts();
 
-    const BenchmarkOptions benchmarkGiven = benchmarkOptions(options, problem);
+    const BenchmarkOptions options = benchmarkOptions(given, problem);
     planning::PlanOptions reaching;
-    reaching.step = benchmarkGiven.step;
-    const Scene scene = buildScene(problem, reaching, tree, cache);
-    Benchmark benchmark = runShown(problem, scene, benchmarkGiven);
-    describeTrees(tree, benchmark);
+    reaching.step = options.step;
+    const Scene scene = given.trees.load(problem, reaching);
+    Benchmark benchmark = runShown(problem, scene, options);
+    describeTrees(given.trees.options, benchmark);
     replaceFile(log, [&](std::ostream& out) { study::writeBenchmarkLog(benchmark, out); });
 
     printWarnings(problem.warnings);

@@ -1,63 +1,58 @@
 // clearway check: a path file, audited along its whole length.
 #include <cmath>
 #include <iostream>
-#include <stdexcept>
 
-#include "clearway/targets.h"
-#include "core/replace_file.h"
 #include "planning/setup/check_path.h"
-#include "program/cli/command_line.h"
-#include "program/cli/elapsed_line.h"
-#include "program/cli/path_report.h"
-#include "program/cli/planning_scene.h"
+#include "program/cli/path_outputs.h"
 #include "program/cli/print.h"
 #include "program/cli/print_audit.h"
-#include "program/cli/tree_options.h"
+#include "program/cli/shared_options.h"
 
 namespace clearway::cli {
 
 namespace {
 
-CommandLine checkCommandLine() {
-    CommandLine commandLine;
-    commandLine.usage = "clearway check PROBLEM.cfg IN.path [options]";
-    commandLine.purpose =
-        "Audits a path along its whole length, between its states too: how close it comes to the "
-        "environment, where, between which meshes, and which of its segments are not valid.\n"
-        "Clearance is the distance less the margin; what is printed as certain is rounded down. t runs from "
-        "0 to 1 along a segment.\n"
-        "Exit code 1 when the path is not valid, or cannot be certified.";
-    commandLine.positional = {"PROBLEM.cfg", "IN.path"};
-    commandLine.options.add_options()  //
-        ("csv", optionValue("FILE"),
-         "writes the profile: segment, t, travel, clearance there and certain up to the next line")  //
-        ("margin", optionValue("M"),
-         "distance to keep from the environment, in place of the problem's margin; its margin.NAME stay")  //
-        ("target", optionValue("NAME"), "instruction set, of those this machine runs (best)");
-    addPathOutputs(commandLine);
-    addTreeOptions(commandLine);
-    addCacheOption(commandLine);
-    return commandLine;
+struct CheckOptions {
+    ProblemChoice problem;
+    TreeChoice trees;
+    std::string path, csv;
+    PathOutputs outputs;
+};
+
+bool readOptions(const Arguments& arguments, CheckOptions& options) {
+    CommandLine line("clearway check PROBLEM.cfg IN.path [options]",
+                     "Audits a path along its whole length, between its states too: how close it comes to "
+                     "the environment,\n"
+                     "where, between which meshes, and which of its segments are not valid.\n"
+                     "Clearance is the distance less the margin; certified values are rounded down. t runs "
+                     "from 0 to 1 along\n"
+                     "a segment. Exit code 1 when the path is not valid or cannot be certified.");
+    addProblem(line, options.problem);
+    line.argument("IN.path", to(options.path));
+    line.option(
+        "--csv FILE",
+        "writes the profile: segment, t, travel, clearance there, and clearance certified up to the next "
+        "line",
+        to(options.csv));
+    addTarget(line);
+    addPathOutputs(line, options.outputs);
+    addTreeOptions(line, options.trees.options);
+    addCache(line, options.trees);
+    return line.parse(arguments);
 }
 
-/// With the margin asked for. Refuses to write files that are read.
-Problem readProblemFor(const Options& options) {
-    Problem problem = readProblem(options.text("PROBLEM.cfg"));
-    if (options.has("margin")) problem.margin = options.nonNegative("margin");
-    std::vector<std::string> files = inputsOf(problem);
-    files.push_back(options.text("IN.path"));
-    if (options.has("csv")) {
-        options.requireOtherFile("csv", files);
-        files.push_back(options.text("csv"));
-    }
-    requirePathOutputs(options, files);
-    return problem;
+void requireFiles(const CheckOptions& options, const Problem& problem) {
+    std::vector<std::string> inputs = inputsOf(problem);
+    inputs.push_back(options.path);
+    OutputFiles files(inputs);
+    files.add("--csv", options.csv);
+    options.outputs.require(files);
 }
 
 void warnOfEnd(const char* verb, double off, double tolerance, const char* end) {
     if (off <= tolerance) return;
-    std::cerr << "clearway: warning: the path " << verb << " " << readable(off) << " from the problem's "
-              << end << ", expected at most " << readable(tolerance) << "\n";
+    printWarnings({std::string("the path ") + verb + " " + readable(off) + " from the problem's " + end +
+                   ", expected at most " + readable(tolerance)});
 }
 
 void print(const Scene& scene, const planning::PathCheck& check) {
@@ -76,18 +71,12 @@ void print(const Scene& scene, const planning::PathCheck& check) {
 }  // namespace
 
 int check(const Arguments& arguments) {
-    const std::optional<Options> given = parse(checkCommandLine(), arguments);
-    if (!given) return kDone;
-    const Options& options = *given;
-    const BuildOptions tree = treeOptions(options);
-    if (options.has("margin")) options.nonNegative("margin");  // all wrong usage first
-    if (options.has("target")) useTarget(options.text("target"));
-    if (options.has("csv")) requireReplaceable(options.text("csv"));
-    const std::string cache = cacheFolder(options);
-
-    const Problem problem = readProblemFor(options);
-    const std::vector<PartState> path = readPath(options.text("IN.path"), problem.space);
-    const Scene scene = buildScene(problem, {}, tree, cache);
+    CheckOptions options;
+    if (!readOptions(arguments, options)) return kDone;
+    const Problem problem = options.problem.read();
+    requireFiles(options, problem);
+    const std::vector<PartState> path = readPath(options.path, problem.space);
+    const Scene scene = options.trees.load(problem);
     planning::PathCheck found;
     {
         const ElapsedLine elapsed("checking");
@@ -97,8 +86,8 @@ int check(const Arguments& arguments) {
     warnOfEnd("begins", found.offStart, found.tolerance, "start");
     warnOfEnd("ends", found.offGoal, found.tolerance, "goal");
     print(scene, found);
-    if (options.has("csv")) writeProfile(found.audit, options.text("csv"));
-    writePathOutputs(options, problem, scene, path, found.audit, {});
+    if (!options.csv.empty()) writeProfile(found.audit, options.csv);
+    options.outputs.write(problem, scene, path, found.audit, {});
     requirePrinted();
     return found.audit.isValid() ? kDone : kAnswerIsNo;
 }

@@ -1,148 +1,227 @@
 #include "program/cli/command_line.h"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
-#include <boost/program_options/errors.hpp>
-#include <boost/program_options/parsers.hpp>
-#include <boost/program_options/positional_options.hpp>
+#include <csignal>
 #include <filesystem>
 #include <iostream>
+#include <optional>
+#include <sstream>
 #include <stdexcept>
 
 #include "core/number.h"
 
 namespace clearway::cli {
 
-namespace po = boost::program_options;
-
 namespace {
 
-/// Names and values exactly as declared: no short options, so that "-1" is a value, and no guessed
-/// abbreviations.
-constexpr int kStyle = po::command_line_style::allow_long | po::command_line_style::long_allow_adjacent |
-                       po::command_line_style::long_allow_next;
+constexpr std::size_t kHelpColumn = 28, kHelpWidth = 110;
 
-bool isHelp(const std::string& argument) {
-    return argument == "--help" || argument == "-h";
+volatile std::sig_atomic_t interrupted = 0;
+
+bool isFlag(const std::string& shown) {
+    return shown.find(' ') == std::string::npos;
 }
 
-bool takesAll(const CommandLine& commandLine) {
-    return !commandLine.positional.empty() && commandLine.positional.back().find("...") != std::string::npos;
-}
-
-void requirePositional(const CommandLine& commandLine, const Arguments& given) {
-    const auto& expected = commandLine.positional;
-    if (given.size() > expected.size() && !takesAll(commandLine)) {
-        throw std::invalid_argument("unexpected argument '" + given[expected.size()] +
-                                    "', expected: " + commandLine.usage);
+/// One option: its declaration, then the help in lines of words beside it.
+void printOption(const std::string& shown, const std::string& help) {
+    std::string line = "  " + shown;
+    if (line.size() >= kHelpColumn) {
+        std::cout << line << "\n";
+        line.clear();
     }
-    if (given.size() < expected.size() && expected[given.size()][0] != '[') {
-        throw std::invalid_argument(commandLine.positional[given.size()] +
-                                    " is missing, expected: " + commandLine.usage);
-    }
-}
-
-po::variables_map parseStrictly(const CommandLine& commandLine, const Arguments& arguments) {
-    po::options_description all;
-    all.add(commandLine.options);
-    all.add_options()("positional", po::value<Arguments>());
-    po::positional_options_description positional;
-    positional.add("positional", -1);
-
-    po::variables_map values;
-    po::store(po::command_line_parser(arguments).options(all).positional(positional).style(kStyle).run(),
-              values);
-    const Arguments given = values.count("positional") ? values["positional"].as<Arguments>() : Arguments{};
-    requirePositional(commandLine, given);
-    for (std::size_t i = 0; i < given.size(); ++i) {
-        const std::string& name = commandLine.positional[std::min(i, commandLine.positional.size() - 1)];
-        if (given[i].empty()) {
-            throw std::invalid_argument(name + " is '', expected: " + commandLine.usage);
+    line.resize(kHelpColumn, ' ');
+    std::istringstream words(help);
+    for (std::string word; words >> word;) {
+        if (line.size() + word.size() >= kHelpWidth) {
+            std::cout << line << "\n";
+            line.assign(kHelpColumn, ' ');
         }
-        if (takesAll(commandLine) && i + 1 >= commandLine.positional.size()) {
-            const Arguments rest(given.begin() + static_cast<std::ptrdiff_t>(i), given.end());
-            values.insert({name, po::variable_value(rest, false)});
-            break;
-        }
-        values.insert({name, po::variable_value(given[i], false)});
+        line += (line.size() > kHelpColumn ? " " : "") + word;
     }
-    return values;
+    std::cout << line << "\n";
 }
 
 }  // namespace
 
-po::typed_value<std::string>* optionValue(const char* shownAs) {
-    return po::value<std::string>()->value_name(shownAs);
+void heedInterrupts() {
+    struct sigaction action = {};
+    action.sa_handler = [](int) { interrupted = 1; };
+    action.sa_flags = static_cast<int>(SA_RESETHAND);
+    sigaction(SIGINT, &action, nullptr);
+    sigaction(SIGTERM, &action, nullptr);
 }
 
-po::typed_value<std::vector<std::string>>* optionValues(const char* shownAs) {
-    return po::value<std::vector<std::string>>()->value_name(shownAs)->composing();
+bool isInterrupted() {
+    return interrupted != 0;
 }
 
-std::string Options::text(const std::string& name) const {
-    if (!has(name)) throw std::invalid_argument("--" + name + " is missing, expected: " + usage_);
-    const std::string value = values_[name].as<std::string>();
-    if (value.empty()) throw std::invalid_argument("--" + name + " is '', expected a value");
+double number(const std::string& text, const std::string& expected) {
+    const std::optional<double> value = parseNumber(text);
+    if (!value) throw Expected{expected};
+    return *value;
+}
+
+double positiveNumber(const std::string& text) {
+    const Expected expected{"a number above 0"};
+    const double value = number(text, expected.what);
+    if (!(value > 0)) throw expected;
     return value;
 }
 
-std::vector<std::string> Options::texts(const std::string& name) const {
-    return has(name) ? values_[name].as<std::vector<std::string>>() : std::vector<std::string>();
+double nonNegativeNumber(const std::string& text) {
+    const Expected expected{"a number of at least 0"};
+    const double value = number(text, expected.what);
+    if (!(value >= 0)) throw expected;
+    return value;
 }
 
-void Options::requireOtherFile(const std::string& name, const std::vector<std::string>& inputs) const {
-    const std::string file = text(name);
-    for (const std::string& input : inputs) {
-        std::error_code ignored;  // files that do not exist are no input to lose
-        if (!std::filesystem::equivalent(file, input, ignored)) continue;
-        throw std::invalid_argument("--" + name + " is '" + file + "', the input file '" + input +
-                                    "', expected another file to write");
-    }
-}
-
-std::int64_t Options::integer(const std::string& name, std::int64_t least, std::int64_t most) const {
-    const std::optional<std::int64_t> value = parseInteger(text(name));
+std::int64_t integerFrom(const std::string& text, std::int64_t least, std::int64_t most) {
+    const std::optional<std::int64_t> value = parseInteger(text);
     if (!value || *value < least || *value > most) {
-        throw std::invalid_argument("--" + name + " is '" + text(name) + "', expected an integer from " +
-                                    std::to_string(least) + " to " + std::to_string(most));
+        throw Expected{"an integer from " + std::to_string(least) + " to " + std::to_string(most)};
     }
     return *value;
 }
 
-double Options::number(const std::string& name, const char* expected) const {
-    const std::optional<double> value = parseNumber(text(name));
-    if (!value) refuse(name, expected);
-    return *value;
+std::string oneOf(const std::string& text, const std::vector<std::string>& names) {
+    if (std::find(names.begin(), names.end(), text) == names.end()) throw Expected{"one of " + joined(names)};
+    return text;
 }
 
-double Options::positive(const std::string& name) const {
-    constexpr const char* kExpected = "a number above 0";
-    const double value = number(name, kExpected);
-    if (!(value > 0)) refuse(name, kExpected);
-    return value;
+std::string joined(const std::vector<std::string>& names) {
+    return CLI::detail::join(names, ", ");
 }
 
-double Options::nonNegative(const std::string& name) const {
-    constexpr const char* kExpected = "a number of at least 0";
-    const double value = number(name, kExpected);
-    if (!(value >= 0)) refuse(name, kExpected);
-    return value;
+Reader to(std::string& text) {
+    return [&text](const std::string& value) { text = value; };
 }
 
-void Options::refuse(const std::string& name, const char* expected) const {
-    throw std::invalid_argument("--" + name + " is '" + text(name) + "', expected " + expected);
+Reader appendedTo(std::vector<std::string>& texts) {
+    return [&texts](const std::string& value) { texts.push_back(value); };
 }
 
-std::optional<Options> parse(const CommandLine& commandLine, const Arguments& arguments) {
-    if (std::any_of(arguments.begin(), arguments.end(), isHelp)) {
-        std::cout << "Usage: " << commandLine.usage << "\n\n" << commandLine.purpose << "\n";
-        if (!commandLine.options.options().empty()) std::cout << "\n" << commandLine.options;
-        return std::nullopt;
+Reader folder(std::string& to) {
+    return [&to](const std::string& value) {
+        std::error_code ignored;
+        if (std::filesystem::exists(value, ignored) && !std::filesystem::is_directory(value, ignored)) {
+            throw Expected{"a folder or a new name, not a file"};
+        }
+        to = value;
+    };
+}
+
+CommandLine::CommandLine(std::string usage, std::string purpose)
+    : usage_(std::move(usage)), purpose_(std::move(purpose)) {}
+
+void CommandLine::argument(const std::string& name, Reader read) {
+    const Count count = name[0] != '['                          ? Count::kRequired
+                        : name.find("...") != std::string::npos ? Count::kRepeatable
+                                                                : Count::kOptional;
+    arguments_.push_back({name, name, "", std::move(read), count});
+}
+
+void CommandLine::option(const std::string& declaration, const std::string& help, Reader read, Count count) {
+    options_.push_back(
+        {declaration.substr(0, declaration.find(' ')), declaration, help, std::move(read), count});
+}
+
+void CommandLine::flag(const std::string& name, const std::string& help, bool& to) {
+    option(name, help, [&to](const std::string&) { to = true; });
+}
+
+bool CommandLine::parse(const Arguments& words) {
+    const auto isHelp = [](const std::string& word) { return word == "--help" || word == "-h"; };
+    if (std::any_of(words.begin(), words.end(), isHelp)) return printHelp(), false;
+    takeWords(words);
+    requireCounts();
+    for (const auto* all : {&arguments_, &options_}) {
+        for (const Declared& declared : *all) {
+            for (const std::string& value : declared.values) {
+                try {
+                    declared.read(value);
+                } catch (const Expected& expected) {
+                    throw std::invalid_argument(declared.name + " is '" + value + "', expected " +
+                                                expected.what);
+                }
+            }
+        }
+    }
+    return true;
+}
+
+void CommandLine::printHelp() const {
+    std::cout << "Usage: " << usage_ << "\n\n" << purpose_ << "\n";
+    if (!options_.empty()) std::cout << "\nOptions:\n";
+    for (const Declared& option : options_) printOption(option.shown, option.help);
+}
+
+/// CLI11 tells options, their values and positional arguments apart; it leaves checks and conversions to us.
+void CommandLine::takeWords(const Arguments& words) {
+    CLI::App parser;
+    parser.set_help_flag();
+    parser.allow_extras();
+    CLI::Option* const positional = parser.add_option("arguments")->expected(0, -1)->allow_extra_args();
+    for (const Declared& option : options_) {
+        if (isFlag(option.shown)) {
+            parser.add_flag(option.name)->disable_flag_override();
+        } else {
+            parser.add_option(option.name)->take_all();
+            if (!words.empty() && words.back() == option.name) refuse(option.name + " has no value");
+        }
     }
     try {
-        return Options(parseStrictly(commandLine, arguments), commandLine.usage);
-    } catch (const po::error& error) {
-        throw std::invalid_argument(std::string(error.what()) + ", expected: " + commandLine.usage);
+        parser.parse(Arguments(words.rbegin(), words.rend()));
+    } catch (const CLI::ParseError& error) {
+        refuse(std::string("an option without a value is given one: ") + error.what());
     }
+    if (parser.remaining_size() > 0) refuse("unknown option '" + parser.remaining()[0] + "'");
+    for (Declared& option : options_) option.values = parser.get_option(option.name)->results();
+    takePositional(positional->results());
+}
+
+void CommandLine::takePositional(const Arguments& words) {
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const bool isLast = i + 1 >= arguments_.size();
+        if (arguments_.empty() || (i >= arguments_.size() && arguments_.back().count != Count::kRepeatable)) {
+            refuse("unexpected argument '" + words[i] + "'");
+        }
+        Declared& argument = isLast ? arguments_.back() : arguments_[i];
+        if (words[i].empty()) refuse(argument.name + " is ''");
+        argument.values.push_back(words[i]);
+    }
+}
+
+void CommandLine::requireCounts() const {
+    for (const auto* all : {&arguments_, &options_}) {
+        for (const Declared& declared : *all) {
+            if (declared.values.empty() && declared.count == Count::kRequired) {
+                refuse(declared.name + " is missing");
+            }
+            if (declared.values.size() > 1 && declared.count != Count::kRepeatable) {
+                refuse(declared.name + " is given more than once");
+            }
+            for (const std::string& value : declared.values) {
+                // A following option is no value: "--path --time 3" lacks one.
+                if (value.empty() || value.compare(0, 2, "--") == 0) {
+                    throw std::invalid_argument(declared.name + " is '" + value + "', expected a value");
+                }
+            }
+        }
+    }
+    for (const auto& [a, b] : excluded_) {
+        if (named(a).values.empty() || named(b).values.empty()) continue;
+        throw std::invalid_argument(a + " and " + b + " are both given, expected one of them");
+    }
+}
+
+const CommandLine::Declared& CommandLine::named(const std::string& name) const {
+    return *std::find_if(options_.begin(), options_.end(),
+                         [&](const Declared& option) { return option.name == name; });
+}
+
+void CommandLine::refuse(const std::string& fault) const {
+    throw std::invalid_argument(fault + ", expected: " + usage_);
 }
 
 }  // namespace clearway::cli

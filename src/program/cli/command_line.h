@@ -1,64 +1,130 @@
-// What the subcommands share in reading their arguments: long options, positional arguments, --help, strict
-// numbers.
+// The command line: the program's subcommands and exit codes, and options that are declared and read in one line.
 #pragma once
 
-#include <boost/program_options/options_description.hpp>
-#include <boost/program_options/variables_map.hpp>
 #include <cstdint>
-#include <optional>
+#include <functional>
 #include <string>
 #include <vector>
 
-#include "program/cli/subcommands.h"
-
 namespace clearway::cli {
 
-/// What a subcommand takes. Options that carry a value are declared as strings (optionValue) and read as
-/// numbers through Options, so that every wrong number is refused in the same words.
-struct CommandLine {
-    std::string usage;    ///< "clearway info MESH [options]"
-    std::string purpose;  ///< printed under the usage by --help
-    /// Names of the positional arguments; the last ones may be left out when they stand in brackets:
-    /// "[IN.path]"; the last one takes all that follow when it ends with dots: "[PROBLEM.cfg...]", read by
-    /// Options::texts.
-    std::vector<std::string> positional;
-    boost::program_options::options_description options{"Options", 110};
+using Arguments = std::vector<std::string>;  ///< the words after the subcommand's name
+
+/// Exit codes of the program. Every subcommand returns one of the first two. When it throws, main prints the
+/// message as one line on stderr and returns kBadInput.
+constexpr int kDone = 0;
+constexpr int kAnswerIsNo = 1;  ///< no path found, path not valid
+constexpr int kBadInput = 2;
+
+struct Subcommand {
+    const char* name;
+    const char* purpose;  ///< one line for --help
+    int (*run)(const Arguments& arguments);
 };
 
-/// A string value that --help shows under the given name: ("seed", optionValue("N"), "...").
-boost::program_options::typed_value<std::string>* optionValue(const char* shownAs);
+// The subcommands: one file each, one row each in the table of main.cpp.
+int info(const Arguments& arguments);
+int query(const Arguments& arguments);
+int plan(const Arguments& arguments);
+int check(const Arguments& arguments);
+int bench(const Arguments& arguments);
+int study(const Arguments& arguments);  ///< `bench --study`
+int render(const Arguments& arguments);
+int scene(const Arguments& arguments);
 
-/// The same for an option that may be given several times, to be read by Options::texts.
-boost::program_options::typed_value<std::vector<std::string>>* optionValues(const char* shownAs);
+/// From now on the first Ctrl-C (SIGINT, SIGTERM) ends the work at hand, not the program: what is done is still
+/// written. The second one has its usual effect.
+void heedInterrupts();
+bool isInterrupted();
 
-/// The arguments as given. Every getter throws std::invalid_argument, naming the option, its value and what
-/// was expected, when the value is wrong, and naming the option when it was not given.
-class Options {
+/// A Reader throws it for a wrong value: what was expected of it ("a number above 0").
+struct Expected {
+    std::string what;
+};
+
+/// Takes the value of an option or argument. Never called with an empty value.
+using Reader = std::function<void(const std::string& value)>;
+
+// The numbers that a text holds, finite. They throw Expected.
+double number(const std::string& text, const std::string& expected = "a number");
+double positiveNumber(const std::string& text);
+double nonNegativeNumber(const std::string& text);
+std::int64_t integerFrom(const std::string& text, std::int64_t least, std::int64_t most);
+
+/// The text when it is one of the names. Throws Expected.
+std::string oneOf(const std::string& text, const std::vector<std::string>& names);
+
+/// "a, b, c"
+std::string joined(const std::vector<std::string>& names);
+
+// Readers that store a value. `to` may be an optional: it then tells whether the option was given.
+Reader to(std::string& text);
+Reader appendedTo(std::vector<std::string>& texts);
+Reader folder(std::string& to);  ///< an existing folder or a new name
+
+template <class To>
+Reader positive(To& to) {
+    return [&to](const std::string& value) { to = positiveNumber(value); };
+}
+
+template <class To>
+Reader nonNegative(To& to) {
+    return [&to](const std::string& value) { to = nonNegativeNumber(value); };
+}
+
+/// Whole numbers from `least` to `most`. Integer: the type to store.
+template <class Integer, class To>
+Reader integer(To& to, std::int64_t least, std::int64_t most) {
+    return [&to, least, most](const std::string& value) {
+        to = static_cast<Integer>(integerFrom(value, least, most));
+    };
+}
+
+/// What a subcommand takes, and where the values go.
+class CommandLine {
   public:
-    Options(boost::program_options::variables_map values, std::string usage)
-        : values_(std::move(values)), usage_(std::move(usage)) {}
+    enum class Count { kOptional, kRequired, kRepeatable };
 
-    bool has(const std::string& name) const { return values_.count(name) > 0; }
-    /// A positional argument or the value of an option. Never empty.
-    std::string text(const std::string& name) const;
-    /// All values of an option declared with optionValues, in order; empty when it was not given.
-    std::vector<std::string> texts(const std::string& name) const;
-    /// Throws when the file the option wants written is one of those to be read, by whatever path.
-    void requireOtherFile(const std::string& name, const std::vector<std::string>& inputs) const;
-    std::int64_t integer(const std::string& name, std::int64_t least, std::int64_t most) const;
-    double positive(const std::string& name) const;     ///< finite, > 0
-    double nonNegative(const std::string& name) const;  ///< finite, >= 0
+    /// usage: "clearway info MESH [options]".  purpose: --help prints it below the usage.
+    CommandLine(std::string usage, std::string purpose);
+
+    /// A positional argument: "PROBLEM.cfg"; in brackets when it may be left out, "[IN.path]"; with dots when it
+    /// takes all that follow, "[PROBLEM.cfg...]": `read` is then called once for each.
+    void argument(const std::string& name, Reader read);
+
+    /// declaration: "--seed N".  help: ends with the default in brackets.
+    void option(const std::string& declaration, const std::string& help, Reader read,
+                Count count = Count::kOptional);
+    void flag(const std::string& name, const std::string& help, bool& to);
+
+    /// Not both options may be given.
+    void exclude(const std::string& a, const std::string& b) { excluded_.push_back({a, b}); }
+
+    /// Prints the help and returns false when --help is among the arguments. Otherwise first checks which
+    /// options and arguments are given, then reads their values in the order of declaration. Throws
+    /// std::invalid_argument that names the option or argument, its value and what was expected.
+    bool parse(const Arguments& arguments);
 
   private:
-    double number(const std::string& name, const char* expected) const;
-    [[noreturn]] void refuse(const std::string& name, const char* expected) const;
-    boost::program_options::variables_map values_;
-    std::string usage_;
-};
+    struct Declared {
+        std::string name;   ///< "--seed" or "PROBLEM.cfg"
+        std::string shown;  ///< "--seed N"
+        std::string help;
+        Reader read;
+        Count count;
+        Arguments values{};
+    };
 
-/// The options given, or nothing when --help was among them and the help has been printed.
-/// Throws std::invalid_argument for an unknown or repeated option, a missing value, and too few or too many
-/// positional arguments.
-std::optional<Options> parse(const CommandLine& commandLine, const Arguments& arguments);
+    void printHelp() const;
+    void takeWords(const Arguments& words);
+    void takePositional(const Arguments& words);
+    void requireCounts() const;
+    const Declared& named(const std::string& name) const;
+    [[noreturn]] void refuse(const std::string& fault) const;
+
+    std::string usage_, purpose_;
+    std::vector<Declared> options_, arguments_;
+    std::vector<std::pair<std::string, std::string>> excluded_;
+};
 
 }  // namespace clearway::cli

@@ -1,35 +1,153 @@
 // clearway info: what a mesh or a problem holds, what was applied on reading, and the trees it builds.
 #include <boost/algorithm/string/predicate.hpp>
 #include <iostream>
+#include <optional>
 #include <stdexcept>
 
 #include "clearway/problem.h"
+#include "mesh/clean.h"
+#include "mesh/topology.h"
 #include "planning/setup/planning_reach.h"
-#include "program/cli/command_line.h"
-#include "program/cli/describe_mesh.h"
-#include "program/cli/describe_problem.h"
 #include "program/cli/load_guard.h"
-#include "program/cli/planning_scene.h"
-#include "program/cli/tree_options.h"
+#include "program/cli/print.h"
+#include "program/cli/shared_options.h"
 
 namespace clearway::cli {
 
 namespace {
 
-void describeMeshFile(const std::string& file, const Options& options, const BuildOptions& tree) {
-    LoadOptions load;
-    if (options.has("scale")) load.scale = options.positive("scale");
-    describeMesh(guardedLoadMesh(file, load), "as stored", tree);
+Box inFileUnits(const Box& box, const MeshOrigin& origin) {
+    return Box((box.min() - origin.shift) / origin.scale, (box.max() - origin.shift) / origin.scale);
 }
 
-void describeProblemFile(const std::string& file, const Options& options, const BuildOptions& tree) {
-    if (options.has("scale")) {
-        throw std::invalid_argument("--scale is '" + options.text("scale") +
-                                    "', expected only with a mesh: a problem's meshes are read as it says");
+void describeReading(const Mesh& mesh, const std::string& reading) {
+    const MeshOrigin& origin = mesh.origin;
+    const Box box = boundingBox(mesh);
+    printRow("mesh", origin.file);
+    printRow("read", reading);
+    printRow("applied", "scale " + readable(origin.scale) + ", then shift " + readable(origin.shift));
+    for (const std::string& note : origin.notes) printRow("note", note);
+    if (origin.ignoredFaces > 0) {
+        printRow("left out",
+                 counted(origin.ignoredFaces, "face") + " (points, lines, not to be triangulated)");
     }
+    printRow("box in file units", readable(inFileUnits(box, origin)));
+    printRow("box as applied", readable(box));
+    printRow("size as applied", readable(Vector3(box.sizes())));
+}
+
+void describeTriangles(const Mesh& mesh, const CleanMesh& cleaned) {
+    printRow("triangles", std::to_string(mesh.triangles.size()));
+    printRow("vertices", std::to_string(mesh.vertices.size()) + " read, " +
+                             std::to_string(cleaned.vertices.size()) + " different ones in use");
+    printRow("components", std::to_string(mesh.components.size()));
+    for (const Component& component : mesh.components) {
+        printRow("  " + component.name, counted(component.triangleCount, "triangle"));
+    }
+    const EdgeReport edges = checkEdges(cleaned.triangles);
+    std::string surface = "closed";
+    if (edges.closedEdges == 0 && edges.isClosed()) {
+        surface = "none: every triangle is a point or a line";
+    } else if (!edges.isClosed()) {
+        surface = "open: " + counted(edges.openEdges, "edge") + " of one triangle, " +
+                  std::to_string(edges.overfullEdges) + " of more than two, " +
+                  std::to_string(edges.twistedEdges) + " where the two neighbours face different sides";
+    }
+    printRow("surface", surface);
+    const CleanReport& report = cleaned.report;
+    printRow("cleaning", counted(report.weldedVertices, "vertex copy", "vertex copies") + " welded, " +
+                             std::to_string(report.unusedVertices) + " unused, " +
+                             counted(report.degenerateTriangles, "triangle") + " without area kept, " +
+                             counted(report.duplicateTriangles, "duplicate") + " dropped");
+}
+
+void describeReach(const Reach& reach, const BuildReport& report) {
+    printRow("out of reach", counted(report.unreachableTriangles, "triangle") + ", never within " +
+                                 readable(reach.cap) + " of the part; planning leaves them out");
+}
+
+void describeTree(const BuildReport& report) {
+    const TreeStatistics& tree = report.tree;
+    std::string leaves = std::to_string(tree.leaves);
+    for (std::size_t size = 1; size < tree.leavesBySize.size(); ++size) {
+        leaves += (size == 1 ? ": " : ", ") + std::to_string(tree.leavesBySize[size]) + " of " +
+                  std::to_string(size);
+    }
+    printRow("tree", treeDescription(report.options));
+    printRow("  nodes",
+             std::to_string(tree.nodes) + ", " + readable(tree.meanChildren) + " children on average");
+    printRow("  leaves", leaves);
+    printRow("  depth", std::to_string(tree.depth));
+    printRow("  bytes",
+             std::to_string(tree.bytes) + ", " +
+                 readable(static_cast<double>(tree.bytes) / static_cast<double>(report.triangles)) +
+                 " per triangle");
+    printRow("  build seconds", readable(report.seconds));
+}
+
+/// Prints what was read and applied, the box, whether the surface is closed, what cleaning did, and the tree.
+/// reading: how the file was read, in words. With a reach, the tree leaves out the triangles beyond it and a row
+/// counts them.
+Model describeMesh(const Mesh& mesh, const std::string& reading, const BuildOptions& options,
+                   const std::optional<Reach>& reach = std::nullopt) {
+    describeReading(mesh, reading);
+    describeTriangles(mesh, clean(mesh));
+    const Model model = Model::build(mesh, options, reach);
+    if (reach) describeReach(*reach, model.report());
+    describeTree(model.report());
+    return model;
+}
+
+std::string description(const PartState& state) {
+    const auto& q = state.rotation;
+    return "position " + readable(state.position) + ", quaternion (x, y, z, w) (" + readable(q.x()) + ", " +
+           readable(q.y()) + ", " + readable(q.z()) + ", " + readable(q.w()) + ")";
+}
+
+std::string description(const PlannerChoice& planner) {
+    std::string text = planner.name;
+    for (const auto& [name, value] : planner.parameters) text += ", " + name + " = " + value;
+    for (const auto& [name, value] : planner.settings) text += ", problem." + name + " = " + value;
+    return text;
+}
+
+void printContact(const char* where, const std::optional<ContactRule>& contact) {
+    if (contact) printRow(where, readable(contact->distance));
+}
+
+/// Prints what the problem says besides its meshes. environmentBox: bounds the part's position where the problem
+/// states no volume. Throws std::invalid_argument when the bounds leave out start or goal.
+void describeProblem(const Problem& problem, const Box& environmentBox) {
+    const Box bounds = boundsOf(problem, environmentBox);
+    printRow("problem", problem.file + (problem.name.empty() ? "" : " (" + problem.name + ")"));
+    printRow("space", problem.space == Space::kSe3 ? "SE(3)" : "SE(2)");
+    printRow("start", description(problem.start));
+    printRow("goal", description(problem.goal));
+    printRow("bounds", readable(bounds) +
+                           (problem.volume ? "" : " (the environment's box, grown to hold start and goal)"));
+    printRow("objective", problem.objective + (problem.objectiveThreshold
+                                                   ? ", threshold " + readable(*problem.objectiveThreshold)
+                                                   : std::string()));
+    if (!problem.sampler.empty()) printRow("sampler", problem.sampler);
+    if (problem.goalThreshold) printRow("goal threshold", readable(*problem.goalThreshold));
+    for (const auto& [name, value] : problem.settings) printRow("setting", name + " = " + value);
+    printRow("margin", readable(problem.margin));
+    printContact("contact at start", problem.rules.startContact);
+    printContact("contact at goal", problem.rules.goalContact);
+    printRow("step", problem.step ? readable(*problem.step) : "not stated");
+    printRow("planners", problem.planners.empty() ? "not stated" : std::to_string(problem.planners.size()));
+    for (const PlannerChoice& planner : problem.planners) printRow("  planner", description(planner));
+    if (problem.timeLimit) printRow("time limit", readable(*problem.timeLimit) + " s");
+    if (problem.memoryLimit) printRow("memory limit", readable(*problem.memoryLimit) + " MB");
+    if (problem.runCount) printRow("runs", std::to_string(*problem.runCount));
+    if (!problem.outputFolder.empty()) printRow("log folder", problem.outputFolder);
+    for (const std::string& warning : problem.warnings) printRow("warning", warning);
+}
+
+void describeProblemFile(const std::string& file, const BuildOptions& tree) {
     const Problem problem = readProblem(file);
-    const Mesh part = guardedLoadPart(problem);
-    const std::vector<Mesh> worlds = guardedLoadWorlds(problem);
+    const Mesh part = loadPart(problem, guardedLoadMesh);
+    const std::vector<Mesh> worlds = loadWorlds(problem, guardedLoadMesh);
     const Mesh environment = joinedEnvironment(worlds);
     const ObstacleGroups obstacles = obstaclesOf(problem, worlds);
     describeProblem(problem, boundingBox(environment));
@@ -45,24 +163,28 @@ void describeProblemFile(const std::string& file, const Options& options, const 
 }  // namespace
 
 int info(const Arguments& arguments) {
-    CommandLine commandLine;
-    commandLine.usage = "clearway info MESH|PROBLEM.cfg [options]";
-    commandLine.purpose =
+    std::string file;
+    std::optional<double> scale;
+    BuildOptions tree;
+    CommandLine line(
+        "clearway info MESH|PROBLEM.cfg [options]",
         "Shows what a mesh or a problem's two meshes hold: triangles, components, box, whether the\n"
-        "surface is closed, what was applied on reading, what cleaning did, and the tree built from it.";
-    commandLine.positional = {"MESH|PROBLEM.cfg"};
-    commandLine.options.add_options()  //
-        ("scale", optionValue("F"), "multiplies the mesh's coordinates (1)");
-    addTreeOptions(commandLine);
-    const std::optional<Options> options = parse(commandLine, arguments);
-    if (!options) return kDone;
+        "surface is closed, what was applied on reading, what cleaning did, and the tree built from it.");
+    line.argument("MESH|PROBLEM.cfg", to(file));
+    line.option("--scale F", "factor for the coordinates of a mesh file (1)", positive(scale));
+    addTreeOptions(line, tree);
+    if (!line.parse(arguments)) return kDone;
 
-    const std::string file = options->text(commandLine.positional[0]);
-    const BuildOptions tree = treeOptions(*options);
-    if (boost::iends_with(file, ".cfg")) {
-        describeProblemFile(file, *options, tree);
+    if (!boost::iends_with(file, ".cfg")) {
+        LoadOptions load;
+        load.scale = scale.value_or(1);
+        describeMesh(guardedLoadMesh(file, load), "as stored", tree);
+    } else if (scale) {
+        throw std::invalid_argument(
+            "--scale is '" + readable(*scale) +
+            "', expected only with a mesh: a problem file says how its meshes are read");
     } else {
-        describeMeshFile(file, *options, tree);
+        describeProblemFile(file, tree);
     }
     return kDone;
 }

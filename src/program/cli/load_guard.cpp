@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <iostream>
 
+#include "program/cli/command_line.h"
 #include "program/cli/print.h"
-#include "program/cli/subcommands.h"
 
 namespace clearway::cli {
 
@@ -19,7 +19,7 @@ constexpr std::size_t kStackBytes = 1 << 16;
 constexpr int kLeastSeconds = 20;
 constexpr double kSlowestBytesPerSecond = 1e5;  ///< assimp reads text at a hundred times that
 
-// A signal handler may touch little: the two lines are made before.
+// A signal handler may do little, so both lines are made beforehand.
 std::string crashLine;
 std::string overtimeLine;
 
@@ -41,7 +41,7 @@ std::string lineAbout(const std::string& file, const std::string& fault) {
            "\n";
 }
 
-/// Takes all that is written and keeps nothing.
+/// Drops what is written to it.
 class Sink : public std::streambuf {
   protected:
     int overflow(int character) override { return character; }
@@ -99,23 +99,6 @@ int secondsToLoad(const std::string& file) {
 Mesh guardedLoadMesh(const std::string& file, const LoadOptions& options) {
     const LoadGuard guard(file, secondsToLoad(file));
     return loadMesh(file, options);
-}
-
-Mesh guardedLoadPart(const Problem& problem) {
-    const LoadGuard guard(problem.robot, secondsToLoad(problem.robot));
-    return loadPart(problem);
-}
-
-std::vector<Mesh> guardedLoadWorlds(const Problem& problem) {
-    std::vector<Mesh> worlds;
-    for (const std::string& file : worldFiles(problem)) {
-        Problem one = problem;
-        one.world = file;
-        one.furtherWorlds.clear();
-        const LoadGuard guard(file, secondsToLoad(file));
-        worlds.push_back(std::move(loadWorlds(one)[0]));
-    }
-    return worlds;
 }
 
 }  // namespace clearway::cli

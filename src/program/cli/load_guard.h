@@ -1,5 +1,5 @@
-// What stands between the program and the library that reads mesh files: assimp crashes on some damaged ones,
-// does not end on others, and writes to the standard streams.
+// Protects the program from the library that reads mesh files: assimp crashes on some damaged files, never ends on
+// others, and writes to the standard streams.
 #pragma once
 
 #include <csignal>
@@ -8,14 +8,13 @@
 #include <vector>
 
 #include "clearway/mesh.h"
-#include "clearway/problem.h"
 
 namespace clearway::cli {
 
-/// While it lives, a crash (SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT; a full stack as well), and more than
-/// `seconds` of the processor's time, end the program with exit code 2 and one line on standard error that
-/// names the file. What is written to std::cout and std::cerr is dropped. For the thread it is made in, one
-/// at a time; the destructor puts back what was there.
+/// While a LoadGuard lives, the program ends with exit code 2 and one line on stderr that names the file when it
+/// crashes (SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT; a full stack too) or takes more than `seconds` of processor
+/// time. Output to std::cout and std::cerr is dropped. Guards the thread it is made in; one guard at a time. The
+/// destructor restores handlers, timer and streams.
 class LoadGuard {
   public:
     LoadGuard(const std::string& file, int seconds);
@@ -30,18 +29,16 @@ class LoadGuard {
         struct sigaction action;
     };
     std::vector<Previous> previous_;
-    std::vector<char> stack_;  ///< the handler's own: the usual one may be what is full
+    std::vector<char> stack_;  ///< of the handler: the usual stack may be full
     stack_t previousStack_;
     std::streambuf* out_;
     std::streambuf* err_;
 };
 
-/// Of the processor's time: far more than a file of that size takes to read, 20 for small ones.
+/// Processor time that reading the file may take: 20 s for small files, always far more than is needed.
 int secondsToLoad(const std::string& file);
 
-/// loadMesh, loadPart and loadWorlds behind a LoadGuard.
+/// loadMesh behind a LoadGuard: the MeshReader of the program.
 Mesh guardedLoadMesh(const std::string& file, const LoadOptions& options);
-Mesh guardedLoadPart(const Problem& problem);
-std::vector<Mesh> guardedLoadWorlds(const Problem& problem);
 
 }  // namespace clearway::cli

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "program/cli/command_line.h"
 #include "program/cli/print.h"
-#include "program/cli/subcommands.h"
 
 namespace clearway::cli {
 
@@ -27,10 +27,9 @@ constexpr Subcommand kSubcommands[] = {
 };
 
 std::string names() {
-    std::string all;
-    for (const Subcommand& subcommand : kSubcommands)
-        all += (all.empty() ? "" : ", ") + std::string(subcommand.name);
-    return all;
+    std::vector<std::string> all;
+    for (const Subcommand& subcommand : kSubcommands) all.push_back(subcommand.name);
+    return joined(all);
 }
 
 void printHelp() {
@@ -43,9 +42,9 @@ void printHelp() {
     }
     std::cout << "\n  clearway SUBCOMMAND --help   shows its arguments\n"
                  "  clearway --version           shows the version\n\n"
-                 "Exit codes: 0 done; 1 the answer is no (no path found, or it is not valid); 2 bad input or "
-                 "usage, said in one "
-                 "line on stderr\n";
+                 "Exit codes: 0 done; 1 the answer is no (no path found, or the path is not valid); 2 bad "
+                 "input or\n"
+                 "usage, with one line on stderr\n";
 }
 
 int run(const Arguments& words) {
@@ -64,7 +63,7 @@ int run(const Arguments& words) {
 }  // namespace clearway::cli
 
 int main(int argc, char** argv) {
-    // A reader that has gone and a file that may not grow are errors to report, not to die of half-way.
+    // A closed pipe and a file that may not grow become errors to report, instead of ending the program.
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);
     const clearway::cli::Arguments words(argv + 1, argv + argc);

@@ -1,119 +1,91 @@
 // clearway plan: from a problem file to a path file.
 #include "planning/setup/plan.h"
 
-#include <stdexcept>
+#include <cmath>
 
 #include "clearway/planning/planners.h"
-#include "clearway/targets.h"
-#include "core/replace_file.h"
 #include "planning/objectives/objectives.h"
 #include "planning/setup/check_path.h"
-#include "program/cli/command_line.h"
-#include "program/cli/elapsed_line.h"
-#include "program/cli/interrupts.h"
-#include "program/cli/path_report.h"
-#include "program/cli/planning_scene.h"
+#include "program/cli/path_outputs.h"
 #include "program/cli/print.h"
 #include "program/cli/print_audit.h"
-#include "program/cli/tree_options.h"
+#include "program/cli/shared_options.h"
 
 namespace clearway::cli {
 
 namespace {
 
-using planning::PlanOptions;
 using planning::PlanReport;
 
-CommandLine planCommandLine() {
-    CommandLine commandLine;
-    commandLine.usage = "clearway plan PROBLEM.cfg --path OUT.path [options]";
-    commandLine.purpose =
-        "Finds a path from the problem's start to its goal, shortens it, audits it along its whole length "
-        "and writes it.\n"
-        "Exit code 1 when none was found. With --step the audit may find that the path is not valid: it is "
-        "written all the same, with a warning, and the exit code is 1.";
-    commandLine.positional = {"PROBLEM.cfg"};
-    commandLine.options.add_options()                                                 //
-        ("path", optionValue("FILE"), "where the path is written, one state a line")  //
-        ("planner", optionValue("NAME"),
-         "OMPL's class name, in any case, or RisingFloor (RRTConnect and RRT side by side; for "
-         "max_min_clearance RisingFloor)")                                                               //
-        ("planner-param", optionValues("K=V"), "sets one of the planner's parameters; may be repeated")  //
-        ("objective", optionValue("NAME"),
-         "what planners that can go on improving a path for, until the time is up: length, "
-         "max_min_clearance (the least clearance of the path), clearance_integral (length weighted by "
-         "closeness), length_with_clearance, mechanical_work (the problem's)")  //
-        ("wanted-clearance", optionValue("D"),
-         "what length_with_clearance keeps where it can (5 % of the part's diagonal)")  //
-        ("time", optionValue("S"),
-         "seconds in all (30); shortening takes as many as planning at most, or 5")             //
-        ("iterations", optionValue("N"), "in place of --time: repeatable, with the same seed")  //
-        ("threads", optionValue("N"),
-         "planners side by side, the first path ends them (one a core, at most 4)")  //
-        ("seed", optionValue("N"), "of OMPL's random numbers (1)")                   //
-        ("margin", optionValue("M"),
-         "distance to keep from the environment, in place of the problem's margin; its margin.NAME stay")  //
-        ("step", optionValue("S"),
-         "checks motions at states no farther apart than this, instead of certifying them")  //
-        ("floor", optionValue("D"),
-         "clearance that shortening the path keeps (a thousandth of the part's diagonal)")  //
-        ("ompl-weights", "rotation weighted as OMPL does, not by the part's radius")        //
-        ("target", optionValue("NAME"), "instruction set, of those this machine runs (best)");
-    addPathOutputs(commandLine);
-    addTreeOptions(commandLine);
-    addCacheOption(commandLine);
-    return commandLine;
-}
+struct PlanArguments {
+    ProblemChoice problem;
+    planning::PlanOptions plan;
+    TreeChoice trees;
+    std::string path;
+    PathOutputs outputs;
+};
 
 std::pair<std::string, std::string> parameterOf(const std::string& text) {
     const std::size_t equals = text.find('=');
-    if (equals == std::string::npos || equals == 0) {
-        throw std::invalid_argument("--planner-param is '" + text + "', expected NAME=VALUE");
-    }
+    if (equals == std::string::npos || equals == 0) throw Expected{"NAME=VALUE"};
     return {text.substr(0, equals), text.substr(equals + 1)};
 }
 
-PlanOptions planOptions(const Options& options) {
-    PlanOptions result;
-    if (options.has("planner")) result.planner = planning::plannerClassName(options.text("planner"));
-    for (const std::string& text : options.texts("planner-param"))
-        result.parameters.push_back(parameterOf(text));
-    if (options.has("objective")) result.objective = planning::objectiveName(options.text("objective"));
-    if (options.has("wanted-clearance")) result.wantedClearance = options.positive("wanted-clearance");
-    if (options.has("time") && options.has("iterations")) {
-        throw std::invalid_argument("--time and --iterations are both given, expected one of them");
-    }
-    if (options.has("time")) result.seconds = options.positive("time");
-    if (options.has("iterations")) {
-        result.iterations = static_cast<std::uint64_t>(options.integer("iterations", 1, INT64_MAX));
-    }
-    if (options.has("threads")) result.threads = static_cast<int>(options.integer("threads", 1, 256));
-    if (options.has("seed")) result.seed = static_cast<std::uint32_t>(options.integer("seed", 1, UINT32_MAX));
-    if (options.has("step")) result.step = options.positive("step");
-    if (options.has("floor")) result.floor = options.nonNegative("floor");
-    if (result.step && result.floor) {
-        throw std::invalid_argument("--step and --floor are both given, expected one of them");
-    }
-    result.omplWeights = options.has("ompl-weights");
-    result.isStopped = isInterrupted;
-    return result;
+void addPlannerOptions(CommandLine& line, planning::PlanOptions& plan) {
+    line.option("--planner NAME",
+                "OMPL's class name, in any case, or RisingFloor (RRTConnect and RRT side by side; for "
+                "max_min_clearance RisingFloor)",
+                [&](const std::string& name) { plan.planner = planning::plannerClassName(name); });
+    line.option(
+        "--planner-param K=V", "sets one of the planner's parameters; may be repeated",
+        [&](const std::string& text) { plan.parameters.push_back(parameterOf(text)); },
+        CommandLine::Count::kRepeatable);
+    line.option(
+        "--objective NAME",
+        "what optimising planners improve the path for until the time is up: length, max_min_clearance "
+        "(the least clearance of the path), clearance_integral (length weighted by closeness), "
+        "length_with_clearance, mechanical_work (the problem's objective)",
+        [&](const std::string& name) { plan.objective = planning::objectiveName(name); });
+    line.option("--wanted-clearance D",
+                "clearance that length_with_clearance keeps where it can (5 % of the part's diagonal)",
+                positive(plan.wantedClearance));
+    line.option("--time S",
+                "seconds in all (30); shortening takes at most as long as planning, or 5 s if that is more",
+                positive(plan.seconds));
+    line.option("--iterations N", "planner iterations, in place of --time: repeatable, with the same seed",
+                integer<std::uint64_t>(plan.iterations, 1, INT64_MAX));
+    line.exclude("--time", "--iterations");
+    line.option("--threads N", "planners side by side; the first path ends them (one a core, at most 4)",
+                integer<int>(plan.threads, 1, 256));
+    line.option("--seed N", "seed of OMPL's random numbers (1)",
+                integer<std::uint32_t>(plan.seed, 1, UINT32_MAX));
 }
 
-/// With the margin asked for. Refuses a path that would replace what is read.
-Problem readProblemFor(const Options& options) {
-    Problem problem = readProblem(options.text("PROBLEM.cfg"));
-    if (options.has("margin")) problem.margin = options.nonNegative("margin");
-    std::vector<std::string> files = inputsOf(problem);
-    options.requireOtherFile("path", files);
-    files.push_back(options.text("path"));
-    requirePathOutputs(options, files);
-    return problem;
+bool readArguments(const Arguments& arguments, PlanArguments& given) {
+    CommandLine line(
+        "clearway plan PROBLEM.cfg --path OUT.path [options]",
+        "Finds a path from the problem's start to its goal, shortens it, audits it along its whole length "
+        "and\n"
+        "writes it. Exit code 1 when no path was found. With --step the audit may find that the path is not\n"
+        "valid: the path is then written with a warning, and the exit code is 1.");
+    addProblem(line, given.problem);
+    line.option("--path FILE", "where the path is written, one state a line", to(given.path),
+                CommandLine::Count::kRequired);
+    addPlannerOptions(line, given.plan);
+    addMotionOptions(line, given.plan.step, given.plan.omplWeights);
+    line.option("--floor D", "clearance that shortening the path keeps (a thousandth of the part's diagonal)",
+                nonNegative(given.plan.floor));
+    line.exclude("--step", "--floor");
+    addTarget(line);
+    addPathOutputs(line, given.outputs);
+    addTreeOptions(line, given.trees.options);
+    addCache(line, given.trees);
+    given.plan.isStopped = isInterrupted;
+    return line.parse(arguments);
 }
 
-Rows settingsRows(const PlanOptions& options, const PlanReport& report) {
-    std::string planners;
-    for (const std::string& name : report.planners) planners += (planners.empty() ? "" : ", ") + name;
-    Rows rows = {{"planner", planners + ", seed " + std::to_string(options.seed)}};
+Rows settingsRows(const planning::PlanOptions& options, const PlanReport& report) {
+    Rows rows = {{"planner", joined(report.planners) + ", seed " + std::to_string(options.seed)}};
     if (options.iterations) {
         rows.push_back({"repeatable",
                         report.isRepeatable ? "yes" : "no: this planner does not give the same path again"});
@@ -142,15 +114,6 @@ Rows pathRows(const PlanReport& report) {
     return rows;
 }
 
-/// The path is audited again, for a profile of what is certified: planning itself has no use for it.
-void writeOutputs(const Options& options, const Problem& problem, const Scene& scene,
-                  const PlanReport& report, Rows figures) {
-    if (!options.has("report") && !options.has("export")) return;
-    for (const auto& row : pathRows(report)) figures.push_back(row);
-    const planning::PathCheck checked = planning::checkPath(problem, scene, report.path);
-    writePathOutputs(options, problem, scene, report.path, checked.audit, figures);
-}
-
 void printOutcome(const PlanReport& report, const Problem& problem, const std::string& file) {
     if (report.outcome == PlanReport::Outcome::kFound) {
         printRows(pathRows(report));
@@ -166,34 +129,33 @@ void printOutcome(const PlanReport& report, const Problem& problem, const std::s
 }  // namespace
 
 int plan(const Arguments& arguments) {
-    const std::optional<Options> given = parse(planCommandLine(), arguments);
-    if (!given) return kDone;
-    const Options& options = *given;
-    const std::string file = options.text("path");
-    const PlanOptions planOptionsGiven = planOptions(options);
-    const BuildOptions tree = treeOptions(options);
-    if (options.has("margin")) options.nonNegative("margin");  // all wrong usage first
-    if (options.has("target")) useTarget(options.text("target"));
-    requireReplaceable(file);
-    const std::string cache = cacheFolder(options);
+    PlanArguments given;
+    if (!readArguments(arguments, given)) return kDone;
     heedInterrupts();
-
-    const Problem problem = readProblemFor(options);
-    const Scene scene = buildScene(problem, planOptionsGiven, tree, cache);
+    const Problem problem = given.problem.read();
+    OutputFiles files(inputsOf(problem));
+    files.add("--path", given.path);
+    given.outputs.require(files);
+    const Scene scene = given.trees.load(problem, given.plan);
     PlanReport report;
     {
         const ElapsedLine elapsed("planning");
-        report = planning::plan(problem, scene, planOptionsGiven);
+        report = planning::plan(problem, scene, given.plan);
     }
     printWarnings(problem.warnings);
     printWarnings(report.warnings);
     printMesh("part", scene.part);
     printObstacles(scene);
-    const Rows settings = settingsRows(planOptionsGiven, report);
-    printRows(settings);
-    printOutcome(report, problem, file);
+    Rows figures = settingsRows(given.plan, report);
+    printRows(figures);
+    printOutcome(report, problem, given.path);
     const bool isFound = report.outcome == PlanReport::Outcome::kFound;
-    if (isFound) writeOutputs(options, problem, scene, report, settings);
+    if (isFound && !given.outputs.isEmpty()) {
+        for (const auto& row : pathRows(report)) figures.push_back(row);
+        // Planning audits without a profile; the outputs show one.
+        const planning::PathCheck checked = planning::checkPath(problem, scene, report.path);
+        given.outputs.write(problem, scene, report.path, checked.audit, figures);
+    }
     requirePrinted();
     return isFound && report.audit.isValid() ? kDone : kAnswerIsNo;
 }

@@ -1,15 +1,38 @@
 #include "program/cli/print.h"
 
+#include <unistd.h>
+
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <iostream>
 #include <stdexcept>
+
+#include "program/cli/command_line.h"
 
 namespace clearway::cli {
 
 namespace {
 
 constexpr std::size_t kLabelWidth = 20;
+constexpr std::size_t kMostNames = 6;  // of obstacles in one row
+
+/// One group of obstacles, and how it counts.
+void printObstacle(const std::vector<Component>& components, std::size_t triangles, double margin,
+                   bool isSolid, bool atStart, bool atGoal) {
+    std::vector<std::string> names;
+    for (const Component& component : components) names.push_back("'" + component.name + "'");
+    const std::size_t shown = std::min(names.size(), kMostNames);
+    const std::string more =
+        shown < names.size() ? " and " + std::to_string(names.size() - shown) + " more" : "";
+    names.resize(shown);
+    const char* const where = atStart && atGoal ? ", ignored near the start and the goal"
+                              : atStart         ? ", ignored near the start"
+                              : atGoal          ? ", ignored near the goal"
+                                                : "";
+    printRow("obstacle", joined(names) + more + ": " + counted(triangles, "triangle") + ", margin " +
+                             readable(margin) + (isSolid ? ", solid" : "") + where);
+}
 
 }  // namespace
 
@@ -40,6 +63,45 @@ void printRows(const Rows& rows) {
     for (const auto& [label, value] : rows) printRow(label, value);
 }
 
+void printObstacles(const Scene& scene) {
+    const bool isPlain = scene.obstacles.size() == 1 && !scene.obstacles[0].solids && !scene.startContact &&
+                         !scene.goalContact && scene.ignoredBox.isEmpty();
+    for (const Obstacle& obstacle : scene.obstacles) {
+        printMesh("environment", obstacle.model);
+        if (isPlain) continue;
+        printObstacle(obstacle.model.components(), obstacle.model.report().triangles, obstacle.margin,
+                      obstacle.solids != nullptr, obstacle.isIgnoredAtStart, obstacle.isIgnoredAtGoal);
+    }
+    if (scene.obstacles.empty()) printRow("environment", "all of it is ignored");
+    printRow("margin", scene.obstacles.size() == 1
+                           ? readable(scene.largestMargin())
+                           : "by obstacle, at most " + readable(scene.largestMargin()));
+    const auto printContact = [](const char* where, const std::optional<ContactZone>& contact) {
+        if (contact) printRow(where, readable(contact->distance));
+    };
+    printContact("contact at start", scene.startContact);
+    printContact("contact at goal", scene.goalContact);
+}
+
+void printObstacles(const ObstacleGroups& obstacles) {
+    for (const ObstacleGroup& group : obstacles.groups) {
+        printObstacle(group.mesh.components, group.mesh.triangles.size(), group.margin,
+                      group.solids != nullptr, group.isIgnoredAtStart, group.isIgnoredAtGoal);
+    }
+    for (const std::string& name : obstacles.ignored) printRow("ignored", "'" + name + "'");
+    for (const std::string& note : obstacles.notes) printRow("note", note);
+}
+
+void printMesh(const std::string& label, const Model& model) {
+    const std::size_t leftOut = model.report().unreachableTriangles;
+    printRow(label, model.origin().file + ", " + counted(model.report().triangles, "triangle") +
+                        (leftOut > 0 ? ", " + std::to_string(leftOut) + " out of reach left out" : ""));
+}
+
+void printWarnings(const std::vector<std::string>& warnings) {
+    for (const std::string& warning : warnings) std::cerr << "clearway: warning: " << warning << "\n";
+}
+
 std::string oneLine(std::string message) {
     while (!message.empty() && message.back() == '\n') message.pop_back();
     for (char& c : message) {
@@ -50,6 +112,29 @@ std::string oneLine(std::string message) {
 
 void requirePrinted() {
     if (!std::cout.flush()) throw std::runtime_error("cannot write to standard output");
+}
+
+ElapsedLine::ElapsedLine(std::string what) : what_(std::move(what)) {
+    if (isatty(STDERR_FILENO)) thread_ = std::thread([this] { run(); });
+}
+
+ElapsedLine::~ElapsedLine() {
+    if (!thread_.joinable()) return;
+    {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        isEnded_ = true;
+    }
+    ended_.notify_one();
+    thread_.join();
+}
+
+void ElapsedLine::run() {
+    std::unique_lock<std::mutex> lock(mutex_);
+    for (int seconds = 1; !ended_.wait_for(lock, std::chrono::seconds(1), [this] { return isEnded_; });
+         ++seconds) {
+        std::cerr << '\r' << what_ << ' ' << seconds << " s" << std::flush;
+    }
+    std::cerr << "\r\033[K" << std::flush;
 }
 
 }  // namespace clearway::cli

@@ -1,11 +1,15 @@
-// How the subcommands print what they found: one labelled row a line.
+// How the program shows its work: labelled rows on standard output; warnings and a running clock on stderr.
 #pragma once
 
+#include <condition_variable>
+#include <mutex>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
-#include "clearway/types.h"
+#include "clearway/obstacle_groups.h"
+#include "clearway/scene.h"
 
 namespace clearway::cli {
 
@@ -14,21 +18,48 @@ std::string readable(double value);
 std::string readable(const Vector3& v);  ///< (x, y, z)
 std::string readable(const Box& box);    ///< (x, y, z) to (x, y, z)
 
-/// "1 triangle", "5 triangles"; an irregular plural is given.
+/// "1 triangle", "5 triangles"; pass the plural when it is irregular.
 std::string counted(std::size_t count, const std::string& singular, const std::string& plural = "");
 
 /// The label, padded, then the value, to standard output.
 void printRow(const std::string& label, const std::string& value);
 
-/// Labels and values.
-using Rows = std::vector<std::pair<std::string, std::string>>;
-
+using Rows = std::vector<std::pair<std::string, std::string>>;  ///< labels and values
 void printRows(const Rows& rows);
 
-/// A message is one line of plain characters, whatever it quotes of a file or of a library.
+/// A row with the model's file, its triangles, and how many were left out.
+void printMesh(const std::string& label, const Model& model);
+
+/// Rows about the obstacles (by name when rules tell them apart), the margin and the contact zones.
+void printObstacles(const Scene& scene);
+void printObstacles(const ObstacleGroups& obstacles);
+
+/// One line each on stderr.
+void printWarnings(const std::vector<std::string>& warnings);
+
+/// The message as one line of plain characters, whatever it quotes from a file or a library.
 std::string oneLine(std::string message);
 
 /// Flushes standard output. Throws std::runtime_error when what was printed could not be written.
 void requirePrinted();
+
+/// While it lives, a line on stderr counts the seconds: "planning 12 s". Prints nothing unless stderr is a
+/// terminal.
+class ElapsedLine {
+  public:
+    explicit ElapsedLine(std::string what);
+    ~ElapsedLine();  ///< wipes the line
+    ElapsedLine(const ElapsedLine&) = delete;
+    ElapsedLine& operator=(const ElapsedLine&) = delete;
+
+  private:
+    void run();
+
+    std::string what_;
+    std::mutex mutex_;
+    std::condition_variable ended_;
+    bool isEnded_ = false;
+    std::thread thread_;  ///< last: starts when the other members are ready
+};
 
 }  // namespace clearway::cli

@@ -1,11 +1,14 @@
 #include "program/cli/print_audit.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <iostream>
+#include <limits>
 #include <optional>
 #include <ostream>
 #include <utility>
+#include <vector>
 
 #include "core/number.h"
 #include "core/replace_file.h"
@@ -17,9 +20,10 @@ namespace {
 
 using planning::MotionReport;
 using planning::PathAudit;
+using planning::PathProfilePoint;
 using planning::SegmentAudit;
 
-/// So many digits, towards zero: what is certified is never rounded up.
+/// Rounds to so many digits towards zero: a certified value must not be rounded up.
 std::string shortened(double value, int digits = 4) {
     if (value == 0 || !std::isfinite(value)) return value == 0 ? "0" : "inf";
     const double unit = std::pow(10.0, std::floor(std::log10(std::abs(value))) + 1 - digits);
@@ -28,7 +32,7 @@ std::string shortened(double value, int digits = 4) {
     return text;
 }
 
-/// In one word.
+/// The verdict in a word or two.
 std::string nameOf(const SegmentAudit& segment) {
     constexpr std::pair<const char*, const char*> kNames[] = {{"in collision", "collides"},
                                                               {"too close", "too close"},
@@ -41,14 +45,14 @@ std::string nameOf(const SegmentAudit& segment) {
     return "unusable";
 }
 
-/// The pair that is closest, and its triangles.
+/// The closest pair of meshes and its triangles.
 std::string pairOf(const SegmentAudit& segment) {
     if (segment.partMesh.empty()) return "";
     return "'" + segment.partMesh + "' (" + std::to_string(segment.motion.closest.partTriangle) + ") and '" +
            segment.environmentMesh + "' (" + std::to_string(segment.motion.closest.environmentTriangle) + ")";
 }
 
-/// How far a segment that is not valid is so.
+/// How far an invalid segment is valid.
 std::string validUpTo(const SegmentAudit& segment) {
     const double time = segment.motion.certifiedTime;
     return time > 0 ? "valid up to t = " + shortened(time) : "not valid from its beginning";
@@ -63,7 +67,7 @@ void printCells(const std::string& segment, const std::string& verdict, const st
     std::cout << text << (between.empty() ? "" : "  ") << between << "\n";
 }
 
-/// Where obstacles were ignored for the part was within a contact zone.
+/// Prints where obstacles were ignored because the part was within a contact zone.
 void printContact(const char* label, const PathAudit& audit,
                   std::optional<planning::TimeSpan> MotionReport::*contact) {
     std::string spans;
@@ -74,6 +78,61 @@ void printContact(const char* label, const PathAudit& audit,
                  " from t = " + shortened(span->first) + " to " + shortened(span->last);
     }
     if (!spans.empty()) printRow(label, "used " + spans);
+}
+
+// The profile as a plot of characters.
+constexpr int kColumns = 66;
+constexpr int kRows = 14;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+struct Column {
+    double certain = kInfinity;  ///< the clearance is nowhere less in this column
+    double found = kInfinity;    ///< the least at the poses queried, else interpolated between them
+};
+
+int columnOf(double travel, double whole) {
+    return std::clamp(static_cast<int>(kColumns * travel / whole), 0, kColumns - 1);
+}
+
+std::vector<Column> columnsOf(const std::vector<PathProfilePoint>& profile) {
+    std::vector<Column> columns(kColumns);
+    const double whole = profile.back().travel;
+    for (std::size_t k = 0; k < profile.size(); ++k) {
+        const PathProfilePoint& here = profile[k];
+        const PathProfilePoint& next = profile[std::min(k + 1, profile.size() - 1)];
+        const int first = columnOf(here.travel, whole), last = columnOf(next.travel, whole);
+        columns[first].found = std::min(columns[first].found, here.clearance);
+        for (int c = first; c <= last; ++c) {
+            columns[c].certain = std::min(columns[c].certain, here.lowerToNext);
+            if (c == first || c == last) continue;
+            const double share = (whole * (c + 0.5) / kColumns - here.travel) / (next.travel - here.travel);
+            columns[c].found = here.clearance + share * (next.clearance - here.clearance);
+        }
+    }
+    return columns;
+}
+
+/// The clearances of the plot's rows, lowest first, evenly spaced on a logarithmic scale.
+std::vector<double> levelsOf(const std::vector<Column>& columns) {
+    double low = kInfinity, high = 0;
+    for (const Column& column : columns) {
+        for (const double value : {column.certain, column.found}) {
+            if (value > 0) low = std::min(low, value);
+        }
+        if (std::isfinite(column.found)) high = std::max(high, column.found);
+    }
+    std::vector<double> levels;
+    if (!(low < kInfinity) || !(high > 0)) return levels;
+    low = std::max(low, 1e-6 * high);  // a clearance near 0 must not flatten the rest
+    for (int row = 0; row < kRows; ++row) {
+        levels.push_back(low * std::pow(high / low, static_cast<double>(row) / (kRows - 1)));
+    }
+    return levels;
+}
+
+char footOf(const Column& column) {
+    if (column.found <= 0) return 'x';
+    return column.certain > 0 ? '-' : '?';
 }
 
 }  // namespace
@@ -124,10 +183,34 @@ void printSegments(const PathAudit& audit) {
     }
 }
 
+void printProfile(const PathAudit& audit) {
+    if (audit.profile.empty() || !(audit.profile.back().travel > 0)) return;
+    const std::vector<Column> columns = columnsOf(audit.profile);
+    const std::vector<double> levels = levelsOf(columns);
+    std::cout << "clearance along the path: # certain, : found"
+              << (audit.isValid() ? "" : ", x not valid, ? not certified") << "\n";
+    char label[32];
+    for (int row = static_cast<int>(levels.size()) - 1; row >= 0; --row) {
+        const double level = levels[static_cast<std::size_t>(row)] * (1 - 1e-12);
+        std::snprintf(label, sizeof label, "%9.3g |", level);
+        std::string line = label;
+        for (const Column& column : columns) {
+            line += column.certain >= level ? '#' : column.found >= level ? ':' : ' ';
+        }
+        std::cout << line.substr(0, line.find_last_not_of(' ') + 1) << "\n";
+    }
+    std::string foot = "          +";
+    for (const Column& column : columns) foot += footOf(column);
+    std::snprintf(label, sizeof label, "travelled %.6g", audit.profile.back().travel);
+    const std::string end = label;
+    std::cout << foot << "\n"
+              << std::string(11, ' ') << "0" << std::string(kColumns - 1 - end.size(), ' ') << end << "\n";
+}
+
 void writeProfile(const PathAudit& audit, const std::string& file) {
     replaceFile(file, [&](std::ostream& stream) {
         stream << "segment,t,travel,clearance,clearance_to_next\n";
-        for (const planning::PathProfilePoint& point : audit.profile) {
+        for (const PathProfilePoint& point : audit.profile) {
             stream << point.segment + 1 << "," << formatNumber(point.time) << ","
                    << formatNumber(point.travel) << "," << formatNumber(point.clearance) << ","
                    << formatNumber(point.lowerToNext) << "\n";

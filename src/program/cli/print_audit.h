@@ -1,4 +1,4 @@
-// How the program tells of an audited path: rows, a table of its segments, a plot of its clearance.
+// How the program shows an audited path: rows, a table of its segments, a plot of its clearance.
 #pragma once
 
 #include <string>
@@ -16,10 +16,11 @@ std::string leastClearanceOf(const planning::PathAudit& audit);
 /// One line for each segment.
 void printSegments(const planning::PathAudit& audit);
 
-/// The profile as a plot of less than 80 columns; nothing for a path that does not move.
+/// The profile as a plot below 80 columns wide: # certain clearance, : clearance found at poses. Prints nothing for
+/// a path that does not move.
 void printProfile(const planning::PathAudit& audit);
 
-/// The profile as lines of "segment,t,travel,clearance,clearance_to_next", numbers with 17 digits. Throws
+/// Writes the profile as CSV: segment,t,travel,clearance,clearance_to_next; numbers with 17 digits. Throws
 /// std::runtime_error when the file cannot be written.
 void writeProfile(const planning::PathAudit& audit, const std::string& file);
 

@@ -2,6 +2,11 @@
 #include "clearway/query.h"
 
 #include <algorithm>
+#include <chrono>
+#include <numeric>
+#include <optional>
+#include <ostream>
+#include <random>
 #include <stdexcept>
 
 #include "clearway/model.h"
@@ -9,89 +14,235 @@
 #include "clearway/targets.h"
 #include "core/number.h"
 #include "core/replace_file.h"
-#include "program/cli/command_line.h"
 #include "program/cli/load_guard.h"
 #include "program/cli/print.h"
-#include "program/cli/query_run.h"
-#include "program/cli/tree_options.h"
+#include "program/cli/shared_options.h"
 
 namespace clearway::cli {
 
 namespace {
 
-CommandLine queryCommandLine() {
-    CommandLine commandLine;
-    commandLine.usage =
-        "clearway query --part MESH --environment MESH --poses FILE --query distance|collide|within=D "
-        "[options]";
-    commandLine.purpose =
-        "Asks one question about the part at every pose (environment coordinates of the part's). A pose is "
-        "one line of\n"
-        "12 numbers (rotation row-major, translation) or 7 (x y z qx qy qz qw). Meshes are read as stored.";
-    commandLine.options.add_options()                                                               //
-        ("part", optionValue("MESH"), "mesh of the moving part")                                    //
-        ("environment", optionValue("MESH"), "mesh of what stands still")                           //
-        ("poses", optionValue("FILE"), "the poses, one a line")                                     //
-        ("query", optionValue("Q"), "distance, collide, or within=D: is the distance at most D?")   //
-        ("csv", optionValue("FILE"), "writes the answers, one row a pose in the file's order")      //
-        ("scale", optionValue("F"), "multiplies both meshes' coordinates, not the poses (1)")       //
-        ("cap", optionValue("C"), "distances beyond C are not of interest: inf, triangles -1")      //
-        ("relative-error", optionValue("E"), "the interval may be E times its lower end wide (0)")  //
-        ("absolute-error", optionValue("E"), "or E wide, whichever is more (0)")                    //
-        ("target", optionValue("NAME"), "instruction set, of those this machine runs (best)")       //
-        ("cold", "forgets the last closest pair before every query")                                //
-        ("shuffle", optionValue("SEED"), "asks in a random order; the answers' order is the file's");
-    addTreeOptions(commandLine);
-    addCacheOption(commandLine);
-    return commandLine;
+struct Question {
+    enum class Kind { kDistance, kCollide, kWithin };
+    Kind kind = Kind::kDistance;
+    double within = 0;
+    DistanceOptions distance;
+    bool isCold = false;
+    std::optional<std::uint64_t> shuffleSeed;
+};
+
+struct Answer {
+    DistanceResult distance;       ///< of kDistance
+    bool verdict = false;          ///< of the others
+    std::int64_t nanoseconds = 0;  ///< the query alone
+};
+
+struct QueryRun {
+    std::vector<Answer> answers;  ///< in the poses' order
+    QueryCounters counters;       ///< summed over all queries
+};
+
+/// Fisher-Yates on the engine itself: std::shuffle and the standard's distributions differ between libraries.
+std::vector<std::size_t> orderOf(std::size_t count, std::optional<std::uint64_t> shuffleSeed) {
+    std::vector<std::size_t> order(count);
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    if (!shuffleSeed) return order;
+    std::mt19937_64 random(*shuffleSeed);
+    for (std::size_t left = count; left > 1; --left) std::swap(order[left - 1], order[random() % left]);
+    return order;
 }
+
+Answer askOnce(const Question& question, const Model& part, const Model& environment,
+               const Pose& X_environmentPart, Workspace& workspace) {
+    Answer answer;
+    const auto begin = std::chrono::steady_clock::now();
+    switch (question.kind) {
+        case Question::Kind::kDistance:
+            answer.distance = distance(part, environment, X_environmentPart, question.distance, workspace);
+            break;
+        case Question::Kind::kCollide:
+            answer.verdict = collides(part, environment, X_environmentPart, workspace);
+            break;
+        case Question::Kind::kWithin:
+            answer.verdict = isWithin(part, environment, X_environmentPart, question.within, workspace);
+            break;
+    }
+    const auto end = std::chrono::steady_clock::now();
+    answer.nanoseconds = std::chrono::duration_cast<std::chrono::nanoseconds>(end - begin).count();
+    return answer;
+}
+
+/// A refusal says which pose it is about, counted as in the table.
+Answer askAbout(std::size_t pose, const Question& question, const Model& part, const Model& environment,
+                const Pose& X_environmentPart, Workspace& workspace) {
+    try {
+        return askOnce(question, part, environment, X_environmentPart, workspace);
+    } catch (const std::invalid_argument& refusal) {
+        throw std::invalid_argument("pose " + std::to_string(pose) + ": " + refusal.what());
+    }
+}
+
+std::string outOf(std::size_t count, const QueryRun& run) {
+    return std::to_string(count) + " of " + std::to_string(run.answers.size());
+}
+
+bool isBeyondCap(const DistanceResult& result) {
+    return result.partTriangle < 0;
+}
+
+void printDistances(const QueryRun& run) {
+    std::size_t colliding = 0;
+    std::size_t beyond = 0;
+    const Answer* least = nullptr;
+    const Answer* most = nullptr;
+    double width = 0;
+    for (const Answer& answer : run.answers) {
+        if (isBeyondCap(answer.distance)) {
+            ++beyond;
+            continue;
+        }
+        if (answer.distance.collides()) ++colliding;
+        width = std::max(width, answer.distance.upper - answer.distance.lower);
+        if (!least || answer.distance.distance < least->distance.distance) least = &answer;
+        if (!most || answer.distance.distance > most->distance.distance) most = &answer;
+    }
+    const auto row = [&](const char* label, const Answer& answer) {
+        printRow(label, readable(answer.distance.distance) + " at pose " +
+                            std::to_string(&answer - run.answers.data()));
+    };
+    printRow("colliding", outOf(colliding, run));
+    if (beyond > 0) printRow("beyond the cap", outOf(beyond, run));
+    if (!least) return;
+    row("least distance", *least);
+    row("most distance", *most);
+    printRow("widest interval", readable(width));
+}
+
+std::string rowOf(const DistanceResult& result) {
+    return formatNumber(result.distance) + "," + formatNumber(result.lower) + "," +
+           formatNumber(result.upper) + "," + std::to_string(result.partTriangle) + "," +
+           std::to_string(result.environmentTriangle);
+}
+
+/// Asks at every pose, in the file's order or shuffled, with one workspace.
+QueryRun ask(const Question& question, const Model& part, const Model& environment,
+             const std::vector<Pose>& poses) {
+    QueryRun run;
+    run.answers.resize(poses.size());
+    Workspace workspace;
+    for (const std::size_t pose : orderOf(poses.size(), question.shuffleSeed)) {
+        if (question.isCold) workspace.forgetWarmStart();
+        run.answers[pose] = askAbout(pose, question, part, environment, poses[pose], workspace);
+        run.counters += workspace.counters();
+    }
+    return run;
+}
+
+void printSummary(const Question& question, const QueryRun& run) {
+    if (question.kind == Question::Kind::kDistance) return printDistances(run);
+    const auto yes = std::count_if(run.answers.begin(), run.answers.end(),
+                                   [](const Answer& answer) { return answer.verdict; });
+    const bool isWithin = question.kind == Question::Kind::kWithin;
+    printRow(isWithin ? "within " + readable(question.within) : "colliding",
+             outOf(static_cast<std::size_t>(yes), run));
+}
+
+void printCosts(const QueryRun& run, const Model& part, const Model& environment) {
+    const double count = static_cast<double>(run.answers.size());
+    std::int64_t nanoseconds = 0;
+    for (const Answer& answer : run.answers) nanoseconds += answer.nanoseconds;
+    const double bytes = static_cast<double>(part.report().tree.bytes + environment.report().tree.bytes);
+    const double triangles = static_cast<double>(part.report().triangles + environment.report().triangles);
+    printRow("queries/s",
+             readable(count / (1e-9 * static_cast<double>(std::max<std::int64_t>(nanoseconds, 1)))));
+    printRow("volume tests per query", readable(static_cast<double>(run.counters.volumeTests) / count));
+    printRow("triangle tests per query", readable(static_cast<double>(run.counters.triangleTests) / count));
+    printRow("pairs in double per query", readable(static_cast<double>(run.counters.refinedPairs) / count));
+    printRow("  in double-double", readable(static_cast<double>(run.counters.doubleDoublePairs) / count));
+    printRow("  exact", readable(static_cast<double>(run.counters.exactPairs) / count));
+    printRow("bytes per triangle", readable(bytes / triangles));
+    printRow("build seconds", readable(part.report().seconds + environment.report().seconds));
+}
+
+/// A header and one row a pose, 17 digits.
+void writeCsv(const Question& question, const QueryRun& run, const std::string& file) {
+    const bool isDistance = question.kind == Question::Kind::kDistance;
+    replaceFile(file, [&](std::ostream& stream) {
+        stream << (isDistance ? "pose,distance,lower,upper,part_triangle,environment_triangle,nanoseconds\n"
+                              : "pose,verdict,nanoseconds\n");
+        for (std::size_t pose = 0; pose < run.answers.size(); ++pose) {
+            const Answer& answer = run.answers[pose];
+            stream << pose << ","
+                   << (isDistance       ? rowOf(answer.distance)
+                       : answer.verdict ? "1"
+                                        : "0")
+                   << "," << answer.nanoseconds << "\n";
+        }
+    });
+}
+
+struct QueryArguments {
+    std::string part, environment, poses, csv;
+    LoadOptions load;
+    Question question;
+    TreeChoice trees;
+};
 
 /// distance, collide or within=D.
-void readQuestion(const Options& options, Question& question) {
-    constexpr const char* kWithin = "within=";
-    const std::string text = options.text("query");
-    if (text == "distance") {
-        question.kind = Question::Kind::kDistance;
+void readQuestion(const std::string& text, Question& question) {
+    const bool isWithin = text.rfind("within=", 0) == 0;
+    if (isWithin) {
+        question.kind = Question::Kind::kWithin;
+        question.within = parseNumber(text.substr(7)).value_or(-1);
     } else if (text == "collide") {
         question.kind = Question::Kind::kCollide;
-    } else {
-        const bool isWithin = text.rfind(kWithin, 0) == 0;
-        const std::optional<double> d = isWithin ? parseNumber(text.substr(7)) : std::nullopt;
-        if (!d || *d < 0) {
-            throw std::invalid_argument(
-                "--query is '" + text +
-                "', expected distance, collide or within=D with a number D of at least 0");
-        }
-        question.kind = Question::Kind::kWithin;
-        question.within = *d;
+    }
+    if (isWithin ? question.within < 0 : text != "distance" && text != "collide") {
+        throw Expected{"distance, collide or within=D with a number D of at least 0"};
     }
 }
 
-void readDistanceOptions(const Options& options, Question& question) {
-    for (const char* name : {"cap", "relative-error", "absolute-error"}) {
-        if (options.has(name) && question.kind != Question::Kind::kDistance) {
-            throw std::invalid_argument(std::string("--") + name + " is '" + options.text(name) +
-                                        "', expected only with --query distance");
-        }
-    }
-    DistanceOptions& distance = question.distance;
-    if (options.has("cap")) distance.cap = options.nonNegative("cap");
-    if (options.has("relative-error")) distance.relativeError = options.nonNegative("relative-error");
-    if (options.has("absolute-error")) distance.absoluteError = options.nonNegative("absolute-error");
+bool readArguments(const Arguments& arguments, QueryArguments& given) {
+    constexpr auto kRequired = CommandLine::Count::kRequired;
+    Question& question = given.question;
+    CommandLine line(
+        "clearway query --part MESH --environment MESH --poses FILE --query distance|collide|within=D "
+        "[options]",
+        "Asks one question about the part at every pose (environment coordinates of the part's). A pose is "
+        "one line\n"
+        "of 12 numbers (rotation row-major, translation) or 7 (x y z qx qy qz qw). Meshes are read as "
+        "stored.");
+    line.option("--part MESH", "mesh of the moving part", to(given.part), kRequired);
+    line.option("--environment MESH", "mesh of what stands still", to(given.environment), kRequired);
+    line.option("--poses FILE", "the poses, one a line", to(given.poses), kRequired);
+    line.option(
+        "--query Q", "distance, collide, or within=D: is the distance at most D?",
+        [&](const std::string& text) { readQuestion(text, question); }, kRequired);
+    line.option("--csv FILE", "writes the answers, one row a pose in the file's order", to(given.csv));
+    line.option("--scale F", "factor for both meshes' coordinates, not for the poses (1)",
+                positive(given.load.scale));
+    const auto distanceOnly = [&](double& to) {
+        return [&](const std::string& value) {
+            if (question.kind != Question::Kind::kDistance) throw Expected{"only with --query distance"};
+            to = nonNegativeNumber(value);
+        };
+    };
+    line.option("--cap C", "reports a distance beyond C only as inf, with triangles -1",
+                distanceOnly(question.distance.cap));
+    line.option("--relative-error E", "allows an interval of E times its lower end (0)",
+                distanceOnly(question.distance.relativeError));
+    line.option("--absolute-error E", "allows an interval of width E; the wider of the two counts (0)",
+                distanceOnly(question.distance.absoluteError));
+    addTarget(line);
+    line.flag("--cold", "forgets the last closest pair before every query", question.isCold);
+    line.option("--shuffle SEED", "asks in a random order; the answers keep the file's order",
+                integer<std::uint64_t>(question.shuffleSeed, 0, INT64_MAX));
+    addTreeOptions(line, given.trees.options);
+    addCache(line, given.trees);
+    return line.parse(arguments);
 }
 
-Question questionOf(const Options& options) {
-    Question question;
-    readQuestion(options, question);
-    readDistanceOptions(options, question);
-    question.isCold = options.has("cold");
-    if (options.has("shuffle")) {
-        question.shuffleSeed = static_cast<std::uint64_t>(options.integer("shuffle", 0, INT64_MAX));
-    }
-    return question;
-}
-
-void printMesh(const char* label, const Model& model) {
+void describeMesh(const char* label, const Model& model) {
     printRow(label, counted(model.report().triangles, "triangle"));
     for (const std::string& note : model.origin().notes) printRow("  note", note);
 }
@@ -99,38 +250,24 @@ void printMesh(const char* label, const Model& model) {
 }  // namespace
 
 int query(const Arguments& arguments) {
-    const std::optional<Options> given = parse(queryCommandLine(), arguments);
-    if (!given) return kDone;
-    const Options& options = *given;
-    for (const char* name : {"part", "environment", "poses", "query"})
-        options.text(name);  // all wrong usage first
-    const Question question = questionOf(options);
-    const BuildOptions tree = treeOptions(options);
-    LoadOptions load;
-    if (options.has("scale")) load.scale = options.positive("scale");
-    if (options.has("target")) useTarget(options.text("target"));
-    if (options.has("csv")) {
-        requireReplaceable(options.text("csv"));
-        options.requireOtherFile("csv",
-                                 {options.text("part"), options.text("environment"), options.text("poses")});
-    }
-    const std::string cache = cacheFolder(options);
+    QueryArguments given;
+    if (!readArguments(arguments, given)) return kDone;
+    OutputFiles({given.part, given.environment, given.poses}).add("--csv", given.csv);
+    const PoseFile poses = readPoses(given.poses);
+    const Model part = given.trees.build(guardedLoadMesh(given.part, given.load));
+    const Model environment = given.trees.build(guardedLoadMesh(given.environment, given.load));
+    const QueryRun run = ask(given.question, part, environment, poses.poses);
 
-    const PoseFile poses = readPoses(options.text("poses"));
-    const Model part = buildModel(guardedLoadMesh(options.text("part"), load), tree, cache);
-    const Model environment = buildModel(guardedLoadMesh(options.text("environment"), load), tree, cache);
-    const QueryRun run = ask(question, part, environment, poses.poses);
-
-    printMesh("part", part);
-    printMesh("environment", environment);
-    printRow("trees", description(tree));
+    describeMesh("part", part);
+    describeMesh("environment", environment);
+    printRow("trees", treeDescription(given.trees.options));
     printRow("instruction set", currentTarget());
     printRow("poses", std::to_string(poses.poses.size()) + ", " + std::to_string(poses.projected) +
                           " of them projected to the nearest rotation");
-    printSummary(question, run);
+    printSummary(given.question, run);
     printCosts(run, part, environment);
     requirePrinted();
-    if (options.has("csv")) writeCsv(question, run, options.text("csv"));
+    if (!given.csv.empty()) writeCsv(given.question, run, given.csv);
     return kDone;
 }
 

@@ -1,13 +1,20 @@
-// clearway scene: makes a demo scene and writes its meshes, its problem, a path that solves it, poses to
-// replay and a picture.
-#include <filesystem>
-#include <stdexcept>
+#include "program/cli/scene.h"
 
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+#include <limits>
+
+#include "clearway/query.h"
+#include "core/number.h"
+#include "planning/setup/check_path.h"
 #include "program/cli/command_line.h"
-#include "program/cli/elapsed_line.h"
 #include "program/cli/print.h"
-#include "program/cli/scene_record.h"
-#include "program/scenes/scenes.h"
+#include "program/cli/render.h"
 
 namespace clearway::cli {
 
@@ -15,18 +22,112 @@ namespace {
 
 constexpr std::int64_t kMostTriangles = 4000000;
 
-scenes::SceneOptions sceneOptions(const Options& options, scenes::SceneOptions scene) {
-    const auto triangles = [&](const char* name, std::size_t& count) {
-        if (options.has(name)) count = static_cast<std::size_t>(options.integer(name, 1, kMostTriangles));
-    };
-    if (options.has("seed")) scene.seed = static_cast<std::uint64_t>(options.integer("seed", 0, INT64_MAX));
-    triangles("part-triangles", scene.partTriangles);
-    triangles("environment-triangles", scene.environmentTriangles);
-    if (options.has("clearance")) scene.clearance = options.positive("clearance");
-    return scene;
+constexpr double kNear = 1.5;               // near: up to so many stated clearances
+constexpr std::size_t kNearSamples = 2000;  // along the path
+constexpr int kReplayPoses = 1000;
+constexpr std::uint64_t kReplaySeed = 1;
+constexpr int kPreviewWidth = 960, kPreviewHeight = 540;
+
+/// Rounded down to so many decimals.
+std::string roundedDown(double value, int decimals) {
+    const double unit = std::pow(10.0, decimals);
+    char text[64];
+    std::snprintf(text, sizeof text, "%.*f", decimals, std::floor(value * unit) / unit);
+    return text;
 }
 
-/// One line a scene: its name, what it is, what it has unless told otherwise.
+std::string percent(double share) {
+    return readable(std::round(1000 * share) / 10) + " %";
+}
+
+struct Recorder {
+    const SceneOrigin& origin;
+    const scenes::SceneFiles& files;
+    const Mesh& environmentMesh;
+    Problem problem = readProblem(files.problem);
+    std::vector<PartState> path = readPath(files.path, problem.space);
+    Mesh partMesh = loadPart(problem);
+    // The whole environment: replayed poses may leave the problem's bounds.
+    Model part = Model::build(partMesh, buildPreset("fast")),
+          environment = Model::build(environmentMesh, buildPreset("fast"));
+    planning::SceneClearance clearance{Scene(part, environment)};
+
+    double stated() const { return origin.options.clearance; }
+    std::string command() const;
+    std::string contents() const;
+    double nearShare() const;
+    std::vector<planning::PathAudit> auditMotions() const;
+    std::string writeReplay() const;
+    void writePreview() const;
+};
+
+/// The command that makes the same files again.
+std::string Recorder::command() const {
+    const scenes::SceneOptions& options = origin.options;
+    return "clearway scene " + std::string(origin.row.name) + " --seed " + std::to_string(options.seed) +
+           " --part-triangles " + std::to_string(options.partTriangles) + " --environment-triangles " +
+           std::to_string(options.environmentTriangles) + " --clearance " + shortNumber(options.clearance);
+}
+
+std::string Recorder::contents() const {
+    const auto of = [](const Mesh& mesh) {
+        return counted(mesh.triangles.size(), "triangle") + " in " +
+               counted(mesh.components.size(), "component");
+    };
+    return "Part: " + of(partMesh) + "; environment: " + of(environmentMesh) + ".";
+}
+
+/// The share of the path's length where the environment is near.
+double Recorder::nearShare() const {
+    const report::PathLine line(path, part.radiusAboutOrigin());
+    std::size_t near = 0;
+    for (const double share : report::evenShares(kNearSamples))
+        near += clearance.at(poseOf(line.at(share))).lower <= kNear * stated();
+    return static_cast<double>(near) / kNearSamples;
+}
+
+/// Audits the motions in parallel: this is most of the run time. An audit certifies only a share of the clearance
+/// above the margin; with the whole stated clearance as the margin it certifies nearly all.
+std::vector<planning::PathAudit> Recorder::auditMotions() const {
+    const Scene scene(part, environment, stated());
+    std::vector<planning::PathAudit> audits(path.size() - 1);
+    tbb::parallel_for(std::size_t(0), audits.size(), [&](std::size_t i) {
+        audits[i] = planning::checkPath(problem, scene, {path[i], path[i + 1]}, {/*profile*/ false}).audit;
+    });
+    return audits;
+}
+
+/// Returns what the row about the replay poses says.
+std::string Recorder::writeReplay() const {
+    const scenes::Replay& replay = origin.row.replay;
+    const scenes::PoseTask task{part, environment, scenes::beginningOf(path, replay.pathEnd)};
+    const std::vector<Pose> poses =
+        scenes::posesColliding(task, replay.collidingShare, kReplayPoses, kReplaySeed, replay.turns);
+    Workspace workspace;
+    std::size_t colliding = 0;
+    for (const Pose& pose : poses) colliding += collides(task.part, task.environment, pose, workspace);
+    const std::string about = counted(poses.size(), "pose") + " beside the path, " +
+                              percent(static_cast<double>(colliding) / static_cast<double>(poses.size())) +
+                              " of them colliding";
+    writePoses(poses, files.replay);
+    scenes::addComment(files.replay, {about + "; made by", command()});
+    return about;
+}
+
+void Recorder::writePreview() const {
+    const report::PathLine line(path, part.radiusAboutOrigin());
+    std::vector<render::PosedPart> poses = posesAt(line, report::evenShares(kUsualPoses), clearance, false);
+    chooseGhosts(part, poses);
+    render::RenderOptions drawing;
+    drawing.view = origin.row.preview;
+    drawing.width = kPreviewWidth;
+    drawing.height = kPreviewHeight;
+    render::writePng(render::render(partMesh, environmentMesh, poses,
+                                    posesAt(line, report::evenShares(kWayPoses), clearance, false), drawing),
+                     files.preview);
+}
+
+/// One line a scene: its name, what it is, and its defaults.
 std::string sceneList() {
     std::string all;
     for (const scenes::NamedScene& scene : scenes::namedScenes()) {
@@ -39,55 +140,91 @@ std::string sceneList() {
     return all;
 }
 
-/// Said before the scene is made rather than after.
-void requireFolderOrNothing(const std::string& folder) {
-    std::error_code ignored;
-    if (std::filesystem::exists(folder, ignored) && !std::filesystem::is_directory(folder, ignored)) {
-        throw std::invalid_argument("--out is '" + folder + "', a file, expected a folder or a new name");
-    }
-}
+struct SceneArguments {
+    const scenes::NamedScene* named = nullptr;
+    scenes::SceneOptions options;
+    std::string folder;
+    bool hasNoPreview = false;
+};
 
-CommandLine sceneCommandLine() {
-    CommandLine commandLine;
-    commandLine.usage = "clearway scene NAME --out DIR [options]";
-    commandLine.purpose =
-        "Makes a demo scene and writes into DIR its two meshes, the problem (.cfg), a path that solves it "
-        "(.path), audited,\nposes beside the path to measure queries at (_replay.poses), so many of them "
-        "colliding, and a picture (.png).\nScenes, and what they are made with unless options say "
-        "otherwise:\n" +
-        sceneList() +
-        "A name without its version means the newest. The same options make the same files. Lengths are "
-        "millimetres.";
-    commandLine.positional = {"NAME"};
-    commandLine.options.add_options()                                                        //
-        ("out", optionValue("DIR"), "folder for the files, made if need be")                 //
-        ("seed", optionValue("N"), "varies the details")                                     //
-        ("part-triangles", optionValue("N"), "triangles of the part, to 5 %")                //
-        ("environment-triangles", optionValue("N"), "triangles of the environment, to 5 %")  //
-        ("clearance", optionValue("D"), "least distance along the path that is written")     //
-        ("no-preview", "leaves the picture out");
-    return commandLine;
+bool readArguments(const Arguments& arguments, SceneArguments& given) {
+    CommandLine line("clearway scene NAME --out DIR [options]",
+                     "Makes a demo scene and writes into DIR its two meshes, the problem (.cfg), an audited "
+                     "path that solves it\n"
+                     "(.path), poses beside the path to measure queries at (_replay.poses), a stated share "
+                     "of them colliding,\n"
+                     "and a picture (.png). Scenes and their defaults:\n" +
+                         sceneList() +
+                         "A name without its version means the newest. The same options make the same files. "
+                         "Lengths are in "
+                         "millimetres.");
+    // Arguments are read before options, which then change the scene's defaults.
+    line.argument("NAME", [&](const std::string& name) {
+        given.named = &scenes::sceneNamed(name);
+        given.options = given.named->defaults;
+    });
+    line.option("--out DIR", "folder for the files, made if need be", folder(given.folder),
+                CommandLine::Count::kRequired);
+    line.option("--seed N", "varies the details", integer<std::uint64_t>(given.options.seed, 0, INT64_MAX));
+    line.option("--part-triangles N", "triangles of the part, to 5 %",
+                integer<std::size_t>(given.options.partTriangles, 1, kMostTriangles));
+    line.option("--environment-triangles N", "triangles of the environment, to 5 %",
+                integer<std::size_t>(given.options.environmentTriangles, 1, kMostTriangles));
+    line.option("--clearance D", "least distance along the path that is written",
+                positive(given.options.clearance));
+    line.flag("--no-preview", "writes no picture", given.hasNoPreview);
+    return line.parse(arguments);
 }
 
 }  // namespace
 
+bool recordScene(const SceneOrigin& origin, const scenes::SceneFiles& files, const Mesh& environment,
+                 bool wantsPreview) {
+    const Recorder recorder{origin, files, environment};
+    const double stated = recorder.stated();
+    double least = std::numeric_limits<double>::infinity();
+    for (const planning::PathAudit& motion : recorder.auditMotions()) {
+        if (!motion.isValid()) {
+            std::cerr << "clearway: the path does not keep the clearance " << readable(stated) << ": "
+                      << motion.segments[0].trouble << "\n";
+            return false;
+        }
+        least = std::min(least, stated + motion.lowerClearance);
+    }
+    const std::string kept = roundedDown(least, 3) + " (certified), expected " + readable(stated);
+    const std::string near =
+        percent(recorder.nearShare()) + " of the path is within " + readable(kNear * stated);
+    const std::string replay = recorder.writeReplay();
+
+    const std::string pathFile = std::filesystem::path(files.path).filename().string();
+    scenes::addComment(files.problem,
+                       {"Made by", recorder.command(), recorder.contents(),
+                        pathFile + " solves it; least clearance along it: " + kept + "; " + near + "."});
+    scenes::addComment(files.path,
+                       {"Made by", recorder.command(), "Least clearance: " + kept + "; " + near + "."});
+    printRow("least clearance", kept);
+    printRow("near", near);
+    printRow("replay", files.replay + ", " + replay);
+    if (!wantsPreview) return true;
+    recorder.writePreview();
+    printRow("preview", files.preview);
+    return true;
+}
+
 int scene(const Arguments& arguments) {
-    const std::optional<Options> options = parse(sceneCommandLine(), arguments);
-    if (!options) return kDone;
-    const scenes::NamedScene& named = scenes::sceneNamed(options->text("NAME"));
-    const std::string folder = options->text("out");
-    requireFolderOrNothing(folder);
-    const SceneOrigin origin{named, sceneOptions(*options, named.defaults)};
+    SceneArguments given;
+    if (!readArguments(arguments, given)) return kDone;
+    const SceneOrigin origin{*given.named, given.options};
     const ElapsedLine elapsed("making the scene");
-    const scenes::GeneratedScene made = named.make(origin.options);
-    const scenes::SceneFiles files = writeScene(made, folder);
+    const scenes::GeneratedScene made = given.named->make(given.options);
+    const scenes::SceneFiles files = writeScene(made, given.folder);
 
     printRow("part", files.part + ", " + counted(made.part.triangles.size(), "triangle"));
     printRow("environment",
              files.environment + ", " + counted(made.environment.triangles.size(), "triangle"));
     printRow("problem", files.problem);
     printRow("path", files.path + ", " + counted(made.path.size(), "state"));
-    const bool isKept = recordScene(origin, files, made.environment, !options->has("no-preview"));
+    const bool isKept = recordScene(origin, files, made.environment, !given.hasNoPreview);
     requirePrinted();
     return isKept ? kDone : kAnswerIsNo;
 }

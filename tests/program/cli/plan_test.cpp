@@ -199,7 +199,7 @@ BOOST_AUTO_TEST_CASE(a_report_and_an_animation_of_the_path_are_written_beside_it
                    {"--export is 'out.glb'", "another file"});
     requireRefused(folder, added("--report nowhere/out.html"), {"nowhere/out.html"});
     requireRefused(folder, added("--report out.path"), {"--report is 'out.path'", "another file"});
-    requireRefused(folder, added("--report ./wall.obj"), {"--report is './wall.obj'", "read or written"});
+    requireRefused(folder, added("--report ./wall.obj"), {"--report is './wall.obj'", "input file"});
 }
 
 BOOST_AUTO_TEST_CASE(a_path_never_replaces_a_file_that_is_read) {

@@ -1,4 +1,4 @@
-// Poses along a path as pictures show them: with their clearances, solid or to be seen through.
+// Poses along a path as pictures show them: with their clearances, solid or transparent.
 #pragma once
 
 #include <cstddef>
@@ -11,14 +11,14 @@
 namespace clearway::cli {
 
 constexpr std::size_t kUsualPoses = 4;
-constexpr std::size_t kWayPoses = 240;  ///< that the line along the path is drawn through
+constexpr std::size_t kWayPoses = 240;  ///< of the line drawn along the path
 
-/// The part at these shares of the path. A pose out of the problem's bounds has all the clearance there is.
-/// isPrinted: with a row for each.
+/// The part at these shares of the path. A pose outside the problem's bounds has infinite clearance.
+/// isPrinted: also prints a row for each pose.
 std::vector<render::PosedPart> posesAt(const report::PathLine& line, const std::vector<double>& shares,
                                        const planning::SceneClearance& clearance, bool isPrinted);
 
-/// The tightest pose is drawn solid, and the others are unless they run through one that is.
+/// Draws the tightest pose solid, and each other pose unless it intersects a solid one.
 void chooseGhosts(const Model& part, std::vector<render::PosedPart>& poses);
 
 }  // namespace clearway::cli

@@ -1,4 +1,4 @@
-#include "program/cli/path_report.h"
+#include "program/cli/path_outputs.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,6 @@
 
 #include "core/replace_file.h"
 #include "program/cli/load_guard.h"
-#include "program/cli/planning_scene.h"
 #include "program/cli/print.h"
 #include "program/cli/print_audit.h"
 #include "program/report/export_motion.h"
@@ -82,52 +81,41 @@ void writePage(const Problem& problem, const Mesh& part, const Mesh& environment
     printRow("report", file + ", " + megabytes(written.bytes));
 }
 
-/// Whether both would be the same file, which need not be there yet: ./a.html and a.html.
-bool isSameName(const std::string& a, const std::string& b) {
-    namespace fs = std::filesystem;
-    std::error_code unknown;
-    const fs::path wholeA = fs::weakly_canonical(fs::absolute(a, unknown), unknown);
-    const fs::path wholeB = fs::weakly_canonical(fs::absolute(b, unknown), unknown);
-    return a == b || (!unknown && wholeA == wholeB);
-}
-
 }  // namespace
 
-void addPathOutputs(CommandLine& commandLine) {
-    commandLine.options.add_options()  //
-        ("report", optionValue("FILE"),
-         "writes a page to look at the path in a browser: 3D view, clearance profile, tables")  //
-        ("export", optionValue("FILE"), "writes the motion as an animated .glb file, for Blender and others");
+void PathOutputs::require(OutputFiles& files) const {
+    files.add("--report", report);
+    files.add("--export", motion);
+    if (!motion.empty()) report::requireMotionFile(motion);
 }
 
-void requirePathOutputs(const Options& options, const std::vector<std::string>& otherFiles) {
-    std::vector<std::string> taken = otherFiles;
-    for (const char* name : {"report", "export"}) {
-        if (!options.has(name)) continue;
-        const std::string file = options.text(name);
-        if (std::any_of(taken.begin(), taken.end(),
-                        [&](const std::string& other) { return isSameName(file, other); })) {
-            throw std::invalid_argument(std::string("--") + name + " is '" + file +
-                                        "', which is read or written otherwise, expected another file");
-        }
-        options.requireOtherFile(name, otherFiles);
-        if (name == std::string("export")) report::requireMotionFile(file);
-        requireReplaceable(file);
-        taken.push_back(file);
-    }
-}
-
-void writePathOutputs(const Options& options, const Problem& problem, const Scene& scene,
-                      const std::vector<PartState>& path, const planning::PathAudit& audit,
-                      const Rows& planner) {
-    if (!options.has("report") && !options.has("export")) return;
-    const Mesh part = guardedLoadPart(problem);
+void PathOutputs::write(const Problem& problem, const Scene& scene, const std::vector<PartState>& path,
+                        const planning::PathAudit& audit, const Rows& planner) const {
+    if (isEmpty()) return;
+    const Mesh part = loadPart(problem, guardedLoadMesh);
     const Mesh environment = shownEnvironment(problem);
-    if (options.has("report"))
-        writePage(problem, part, environment, scene, path, audit, planner, options.text("report"));
-    if (!options.has("export")) return;
-    report::exportMotion(part, environment, path, scene.part.radiusAboutOrigin(), options.text("export"));
-    printRow("export", options.text("export"));
+    if (!report.empty()) writePage(problem, part, environment, scene, path, audit, planner, report);
+    if (motion.empty()) return;
+    report::exportMotion(part, environment, path, scene.part.radiusAboutOrigin(), motion);
+    printRow("export", motion);
+}
+
+void addPathOutputs(CommandLine& commandLine, PathOutputs& outputs) {
+    commandLine.option("--report FILE",
+                       "writes a page to look at the path in a browser: 3D view, clearance profile, tables",
+                       to(outputs.report));
+    commandLine.option("--export FILE", "writes the motion as an animated .glb file, for Blender and others",
+                       to(outputs.motion));
+}
+
+Mesh shownEnvironment(const Problem& problem) {
+    Problem allAlike = problem;
+    allAlike.margin = 0;
+    allAlike.rules = ObstacleRules();
+    allAlike.rules.ignored = problem.rules.ignored;
+    const std::vector<Mesh> worlds = loadWorlds(problem, guardedLoadMesh);
+    const ObstacleGroups obstacles = obstaclesOf(allAlike, worlds);
+    return obstacles.groups.empty() ? joinedEnvironment(worlds) : obstacles.groups[0].mesh;
 }
 
 }  // namespace clearway::cli

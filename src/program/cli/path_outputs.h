@@ -1,0 +1,34 @@
+// The report page and the animated 3D file that `plan` and `check` write about a path.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "clearway/planning/audit.h"
+#include "clearway/problem.h"
+#include "clearway/scene.h"
+#include "program/cli/print.h"
+#include "program/cli/shared_options.h"
+
+namespace clearway::cli {
+
+/// The files of --report and --export; empty: not asked for.
+struct PathOutputs {
+    std::string report, motion;
+
+    bool isEmpty() const { return report.empty() && motion.empty(); }
+    void require(OutputFiles& files) const;
+
+    /// Writes the files and prints a row about each. planner: figures of the planner that found the path; may
+    /// be empty. audit: of the path, with its profile.
+    void write(const Problem& problem, const Scene& scene, const std::vector<PartState>& path,
+               const planning::PathAudit& audit, const Rows& planner) const;
+};
+
+/// --report and --export.
+void addPathOutputs(CommandLine& commandLine, PathOutputs& to);
+
+/// The environment as one mesh to show: without the obstacles that the problem ignores, unless it ignores all.
+Mesh shownEnvironment(const Problem& problem);
+
+}  // namespace clearway::cli

@@ -1,0 +1,141 @@
+#include "program/cli/shared_options.h"
+
+#include <filesystem>
+#include <stdexcept>
+
+#include "clearway/targets.h"
+#include "core/replace_file.h"
+#include "planning/setup/planning_reach.h"
+#include "program/cli/load_guard.h"
+#include "program/cli/print.h"
+
+namespace clearway::cli {
+
+namespace {
+
+constexpr int kLargestLeaf = 16;  // triangles; requireBuildOptions refuses more
+
+/// Whether both names are one file, which need not exist yet: ./a.html and a.html.
+bool isSameFile(const std::string& a, const std::string& b) {
+    namespace fs = std::filesystem;
+    std::error_code missing, unknown;
+    if (a == b || fs::equivalent(a, b, missing)) return true;
+    const fs::path wholeA = fs::weakly_canonical(fs::absolute(a, unknown), unknown);
+    const fs::path wholeB = fs::weakly_canonical(fs::absolute(b, unknown), unknown);
+    return !unknown && wholeA == wholeB;
+}
+
+Model buildFrom(const std::string& cache, const Mesh& mesh, const BuildOptions& options,
+                const std::optional<Reach>& reach) {
+    if (cache.empty()) return Model::build(mesh, options, reach);
+    const CachedModel cached = buildCached(mesh, options, cache, reach);
+    if (!cached.warning.empty()) printWarnings({cached.warning});
+    return cached.model;
+}
+
+}  // namespace
+
+Problem ProblemChoice::read() const {
+    Problem problem = readProblem(file);
+    problem.margin = margin.value_or(problem.margin);
+    return problem;
+}
+
+void addProblem(CommandLine& commandLine, ProblemChoice& choice) {
+    commandLine.argument("PROBLEM.cfg", to(choice.file));
+    commandLine.option(
+        "--margin M",
+        "distance to keep from the environment, in place of the problem's margin; its margin.NAME "
+        "values stay",
+        nonNegative(choice.margin));
+}
+
+void addMotionOptions(CommandLine& commandLine, std::optional<double>& step, bool& omplWeights) {
+    commandLine.option(
+        "--step S", "checks motions at states no farther apart than S, instead of certifying whole motions",
+        positive(step));
+    commandLine.flag("--ompl-weights", "weights rotation as OMPL does, not by the part's radius",
+                     omplWeights);
+}
+
+void addTarget(CommandLine& commandLine) {
+    commandLine.option("--target NAME", "instruction set, one that this machine has (the best)", useTarget);
+}
+
+Model TreeChoice::build(const Mesh& mesh) const {
+    return buildFrom(cache, mesh, options, std::nullopt);
+}
+
+Scene TreeChoice::load(const Problem& problem, const planning::PlanOptions& plan) const {
+    SceneLoading loading;
+    loading.read = guardedLoadMesh;
+    loading.build = [&](const Mesh& mesh, const BuildOptions& build, const std::optional<Reach>& reach) {
+        return buildFrom(cache, mesh, build, reach);
+    };
+    loading.reach = [&](const Model& part, const Box& environmentBox) {
+        return planning::planningReach(problem, plan, part, environmentBox);
+    };
+    const LoadedScene loaded = loadScene(problem, options, loading);
+    printWarnings(loaded.notes);
+    return loaded.scene;
+}
+
+void addTreeOptions(CommandLine& commandLine, BuildOptions& options) {
+    const BuildOptions defaults;
+    const auto choice = [&](const char* declaration, const char* about, const std::vector<std::string>& names,
+                            const std::string& usual, const std::function<void(const std::string&)>& store) {
+        commandLine.option(declaration, std::string(about) + ": " + joined(names) + " (" + usual + ")",
+                           [names, store](const std::string& value) { store(oneOf(value, names)); });
+    };
+    // The preset is declared first, hence read first: the other options then change it.
+    choice("--preset NAME", "tree options to start from", buildPresetNames(), "best",
+           [&](const std::string& name) { options = buildPreset(name); });
+    choice("--general-split NAME", "how nodes are split", generalSplitNames(), defaults.generalSplit,
+           to(options.generalSplit));
+    choice("--leaf-split NAME", "how leaves are split", leafSplitNames(), defaults.leafSplit,
+           to(options.leafSplit));
+    choice("--fit NAME", "how volumes are fitted", fitNames(), defaults.fit, to(options.fit));
+    commandLine.option("--leaf-size N",
+                       "most triangles in a leaf, 1 to 16 (" + std::to_string(defaults.leafSize) + ")",
+                       integer<int>(options.leafSize, 1, kLargestLeaf));
+    std::vector<std::string> widths;
+    for (const int width : nodeWidths()) widths.push_back(std::to_string(width));
+    choice("--node-width N", "children of a node", widths, std::to_string(defaults.nodeWidth),
+           [&](const std::string& width) { options.nodeWidth = std::stoi(width); });
+}
+
+std::string treeDescription(const BuildOptions& options) {
+    return options.generalSplit + ", fitted by " + options.fit + ", leaves of up to " +
+           std::to_string(options.leafSize) + " split by " + options.leafSplit + ", " +
+           std::to_string(options.nodeWidth) + " wide";
+}
+
+void addCache(CommandLine& commandLine, TreeChoice& choice) {
+    commandLine.option("--cache DIR",
+                       "keeps built trees in this folder and takes them from there the next time",
+                       folder(choice.cache));
+}
+
+std::vector<std::string> inputsOf(const Problem& problem) {
+    std::vector<std::string> files = worldFiles(problem);
+    files.push_back(problem.file);
+    files.push_back(problem.robot);
+    return files;
+}
+
+void OutputFiles::add(const std::string& option, const std::string& file) {
+    if (file.empty()) return;
+    const auto refuse = [&](const std::string& taken) {
+        throw std::invalid_argument(option + " is '" + file + "', " + taken + ", expected another file");
+    };
+    for (const std::string& input : inputs_) {
+        if (isSameFile(file, input)) refuse("the input file '" + input + "'");
+    }
+    for (const Output& output : outputs_) {
+        if (isSameFile(file, output.file)) refuse("which is also the file of " + output.option);
+    }
+    requireReplaceable(file);
+    outputs_.push_back({option, file});
+}
+
+}  // namespace clearway::cli
