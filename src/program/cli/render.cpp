@@ -150,10 +150,10 @@ bool readArguments(const Arguments& arguments, RenderArguments& given) {
 
 void printPose(double share, const Scene& scene, const planning::PoseClearance& at) {
     const SceneDistance& nearest = at.nearest;
+    const planning::MeshNames names = planning::meshNames(scene, nearest);
     const std::string between = nearest.partTriangle < 0
                                     ? " or more"
-                                    : ", between '" + planning::meshName(scene.part, nearest.partComponent) +
-                                          "' and '" + planning::obstacleName(scene, nearest) + "'";
+                                    : ", between '" + names.part + "' and '" + names.environment + "'";
     printRow("pose at " + readable(share),
              std::isinf(at.lower) ? "nothing to keep clear of" : "clearance " + readable(at.lower) + between);
 }
