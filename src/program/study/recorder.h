@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "clearway/planning/plan_setup.h"
+#include "clearway/planning/scene_clearance.h"
 #include "clearway/scene.h"
 #include "program/study/calls.h"
 
@@ -78,10 +79,10 @@ class Recorder {
     planning::QueryTally tally_;
 };
 
-/// Puts recording decorators in place of the setup's checker, certified validator and clearance objective. They
-/// answer as the originals do and are of the originals' classes, to which planners and samplers cast them. To be
-/// called before the setup's planners are made. The recorder must outlive the setup. isOver: as the setup's
-/// motions have it.
+/// Puts recording decorators in place of the setup's checker, certified validator and clearance objective.
+/// They answer as the originals do and are of the originals' classes, to which planners and samplers cast
+/// them. To be called before the setup's planners are made. The recorder must outlive the setup. isOver: as
+/// the setup's motions have it.
 void recordInto(Recorder& recorder, planning::PlanSetup& setup, const Scene& scene,
                 const std::function<bool()>& isOver);
 

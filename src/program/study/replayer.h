@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "clearway/planning/scene_clearance.h"
 #include "clearway/problem.h"
 #include "clearway/scene.h"
 #include "program/study/calls.h"
