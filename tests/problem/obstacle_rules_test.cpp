@@ -67,8 +67,8 @@ BOOST_AUTO_TEST_CASE(wrong_rules_are_refused_with_their_line) {
     BOOST_TEST(refusal("margin.door = nan\n").find("expected a finite number") != std::string::npos);
     BOOST_TEST(refusal("margin.a = 1\nmargin.\"a\" = 2\n").find("each name once") != std::string::npos);
     BOOST_TEST(refusal("margin. = 1\n").find("expected margin.NAME = M") != std::string::npos);
-    BOOST_TEST(refusal("ignore = a,, b\n").find("expected names, with commas") != std::string::npos);
-    BOOST_TEST(refusal("ignore = a\"b\"\n").find("expected names, with commas") != std::string::npos);
+    BOOST_TEST(refusal("ignore = a,, b\n").find("expected names, separated by commas") != std::string::npos);
+    BOOST_TEST(refusal("ignore = a\"b\"\n").find("expected names, separated by commas") != std::string::npos);
     for (const char* wrong : {"tray", "5", "tray, 0", "tray, -1", "tray, far", "tray, nan"}) {
         BOOST_TEST(refusal(std::string("contact.start = ") + wrong + "\n")
                            .find("expected names and a length above 0") != std::string::npos,

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "clearway/model.h"
+#include "clearway/planning/plan.h"
 #include "clearway/problem.h"
 #include "clearway/scene.h"
-#include "clearway/planning/plan.h"
 #include "program/cli/command_line.h"
 
 namespace clearway::cli {
