@@ -1,4 +1,4 @@
-// What all arithmetic that knows its own error shares: verdicts, bounds of a length, and vectors of such
+// Shared by all arithmetic that knows its own error: verdicts, bounds of a length, and vectors of such
 // numbers.
 #pragma once
 

@@ -32,7 +32,7 @@ inline float nextFloatAbove(double x) {
 /// The rounding part of an answer's default width, in u64 M.
 constexpr double kWidthRoundoffs = 32;
 
-/// What traversal and kernels read of one query.
+/// The data of one query that traversal and kernels read.
 struct PairQuery {
     const FlatTree* part;
     const FlatTree* environment;

@@ -41,7 +41,7 @@ struct Run {
     bool isFree = false;  ///< the whole path is certified
 };
 
-/// What a planner checks states and motions with.
+/// The checker and the validator of a planner.
 struct Checking {
     std::function<ob::StateValidityCheckerPtr(const ob::SpaceInformationPtr&)> checker;
     std::function<ob::MotionValidatorPtr(const ob::SpaceInformationPtr&)> validator;

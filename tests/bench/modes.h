@@ -19,7 +19,7 @@ constexpr double kCapShare = 0.01;
 constexpr double kTimedMargin = 1e-3;
 
 struct Mode {
-    /// What an answer holds. It decides when a pose is valid at a margin: if lower exceeds the margin, if the
+    /// Checks an answer. It decides when a pose is valid at a margin: if lower exceeds the margin, if the
     /// number does, or if the verdict says so.
     enum class Says { kInterval, kLowerBound, kNumber, kVerdict };
 

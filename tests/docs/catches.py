@@ -61,7 +61,7 @@ def fenced(language, text):
     return f"{FENCE}{language}\n{text}\n{FENCE}\n"
 
 
-# What is checked, the document, and words of the refusal; no words: there is nothing to refuse.
+# Each case: the check, the document, and words of the refusal; no words: the document is good.
 CASES = [
     ("links", SOUND, ""),
     ("code", SOUND, ""),

@@ -1,4 +1,4 @@
-// What OMPL requires of every motion validator, as checks that any validator can be put through.
+// Checks of OMPL's contract for motion validators, for any validator.
 #pragma once
 
 #include <ompl/base/MotionValidator.h>

@@ -61,7 +61,7 @@ MotionSample combined(const MotionSample& a, const MotionSample& b, const Low& l
     return result;
 }
 
-/// What is certain wherever the part is moved by at most `jump`.
+/// Holds wherever the part is moved by at most `jump`.
 MotionSample lessened(const MotionSample& sample, double jump) {
     const auto less = [jump](double a, double) { return a - jump; };
     const auto more = [jump](double a, double) { return a + jump; };

@@ -1,4 +1,4 @@
-// What a problem and the options of plan() ask for: OMPL's settings, sampler, step and objective.
+// Applies the wishes of a problem and of the options of plan(): OMPL's settings, sampler, step and objective.
 #pragma once
 
 #include <ompl/base/SpaceInformation.h>

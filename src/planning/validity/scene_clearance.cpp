@@ -78,7 +78,7 @@ std::string describePair(const Scene& scene, const SceneDistance& nearest) {
 
 }  // namespace
 
-/// What one thread keeps from query to query.
+/// The data that one thread keeps from query to query.
 struct SceneClearance::Scratch {
     std::vector<Workspace> workspaces;  ///< one for each obstacle
     std::size_t nearest = 0;            ///< the obstacle that was nearest, or in the way, last time

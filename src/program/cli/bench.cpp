@@ -20,7 +20,7 @@ using study::BenchmarkOptions;
 using study::BenchmarkRun;
 using study::PlannerBenchmark;
 
-/// What stands in place of the problem's values is optional.
+/// Fields that replace values of the problem are optional.
 struct BenchArguments {
     ProblemChoice problem;
     std::optional<double> seconds, megabytes;

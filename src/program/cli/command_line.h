@@ -80,7 +80,7 @@ Reader integer(To& to, std::int64_t least, std::int64_t most) {
     };
 }
 
-/// What a subcommand takes, and where the values go.
+/// The options of a subcommand, and where their values go.
 class CommandLine {
   public:
     enum class Count { kOptional, kRequired, kRepeatable };

@@ -18,7 +18,7 @@ struct CarBody {
     double approach = 0.14;     ///< radians above the horizontal; the carrier arrives from the rear
     double entry = 0.24;        ///< radians about z while the carrier passes the door opening
 
-    // What varies with the seed.
+    // The quantities that vary with the seed.
     double beadDepth = 7;
     double tunnelHeight = 140;
     double crown = 45;  ///< drop of the roof from its middle to its edges

@@ -1,4 +1,4 @@
-// What stands around the engine: battery, air filter, fluid tanks, brakes and fuse box; hoses, pipes and
+// The equipment around the engine: battery, air filter, fluid tanks, brakes and fuse box; hoses, pipes and
 // cables.
 #pragma once
 

@@ -144,7 +144,7 @@ GeneratedScene makeTunnelConsole1(const SceneOptions& options);
 GeneratedScene makeTunnelConsole2(const SceneOptions& options);
 GeneratedScene makeTunnelConsole3(const SceneOptions& options);
 
-// What generators share.
+// Definitions that all generators share.
 
 /// Throws std::invalid_argument, naming the value and the range, when the clearance is out of it.
 void requireClearance(double clearance, double least, double most);

@@ -12,7 +12,7 @@ namespace clearway::scenes {
 using Vector2 = Eigen::Vector2d;
 using Polyline = std::vector<Vector2>;
 
-/// What a sweep pulls through space.
+/// The cross section that a sweep pulls through space.
 struct Section {
     Polyline points;
     std::vector<std::vector<std::uint32_t>> loops;  ///< boundaries, the material on their left

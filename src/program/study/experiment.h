@@ -1,4 +1,4 @@
-// What the leaf-strategy study compares: its options, its engines (ways to build and ask trees), and its
+// The subjects of the leaf-strategy study: its options, its engines (ways to build and ask trees), and its
 // problems, whose scenes are built again for each engine.
 #pragma once
 

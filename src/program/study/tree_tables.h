@@ -14,7 +14,7 @@
 
 namespace clearway::study {
 
-/// What the thesis measured: on one Core 2 Duo of 2.66 GHz, 32 bit, with leaves of up to 4 triangles, on
+/// Figures of the thesis, measured on one Core 2 Duo of 2.66 GHz, 32 bit, with leaves of up to 4 triangles, on
 /// scenes of its own that are not public. Rates are per second, with AxisSplit, by the leaf splits in the
 /// order of kThesisLeafSplits.
 struct ThesisScene {
