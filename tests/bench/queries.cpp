@@ -1,5 +1,5 @@
 // Every kind of query of clearway and of its peers, on the same meshes, poses, process and repetitions.
-//   bench_queries [--scenes A,B] [--out DIR] ...      see --help and README.md in this folder
+//   bench_queries [--scenes E,K] [--out DIR] ...      see --help and README.md in this folder
 // Ends with 1 when an answer of clearway is wrong, with 2 when it cannot run.
 #include <filesystem>
 #include <iostream>

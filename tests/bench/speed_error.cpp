@@ -1,6 +1,6 @@
 // Speed against error: every way to answer "how far?", timed in one process, and judged by the oracle at
 // every pose.
-//   bench_speed_error [--scenes A,B] [--out DIR] ...      see --help and README.md in this folder
+//   bench_speed_error [--scenes E,K] [--out DIR] ...      see --help and README.md in this folder
 // Ends with 1 when an answer of clearway is wrong, with 2 when it cannot run.
 #include <filesystem>
 #include <iostream>
@@ -23,7 +23,7 @@ struct ErrorChoices : TaskChoices {
 
 std::optional<ErrorChoices> readOptions(int count, char** words) {
     options::options_description all("options");
-    addTaskOptions(all, "A,B,C,D,E,F", "speed_error.csv");
+    addTaskOptions(all, "E,F,I,J,K,L", "speed_error.csv");
     all.add_options()("near-bases", options::value<int>()->default_value(20),
                       "poses that are moved near to each margin, each to nine or thirteen distances");
     options::variables_map given;
