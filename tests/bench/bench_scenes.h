@@ -17,7 +17,7 @@ struct BenchSize {
 
 /// One column of the tables of figures.
 struct BenchScene {
-    const char* name;   ///< "A", "B", ...
+    const char* name;   ///< "E", "F", ...
     const char* scene;  ///< a row of scenes/scenes.h, with its version
     BenchSize full;
     BenchSize small;             ///< for runs that only show that all answers agree

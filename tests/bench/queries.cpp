@@ -1,6 +1,6 @@
 // Measures every kind of query of clearway and of its peers, on the same meshes and poses, in one process, in
 // turns.
-//   bench_queries [--scenes A,B] [--out DIR] ...      see --help and README.md in this folder
+//   bench_queries [--scenes E,K] [--out DIR] ...      see --help and README.md in this folder
 // Ends with 1 when an answer of clearway is wrong, with 2 when it cannot run.
 #include <filesystem>
 #include <iostream>

@@ -1,6 +1,6 @@
 // Measures speed against error: times every way to answer "how far?" in one process. The oracle judges every
 // pose.
-//   bench_speed_error [--scenes A,B] [--out DIR] ...      see --help and README.md in this folder
+//   bench_speed_error [--scenes E,K] [--out DIR] ...      see --help and README.md in this folder
 // Ends with 1 when an answer of clearway is wrong, with 2 when it cannot run.
 #include <filesystem>
 #include <iostream>
@@ -21,7 +21,7 @@ struct ErrorChoices : TaskChoices {
 
 std::optional<ErrorChoices> readOptions(int count, char** words) {
     ErrorChoices choices;
-    choices.scenes = {"A", "B", "C", "D", "E", "F"};
+    choices.scenes = allSceneNames();
     cli::CommandLine line("bench_speed_error [options]",
                           "Times the ways to answer \"how far?\" and has the oracle say their errors.");
     addTaskOptions(line, "speed_error.csv", choices);

@@ -118,9 +118,6 @@ CarBody designCarBody(std::uint64_t seed, double clearance) {
     body.gap = clearance * (1 + kEase) + 0.01;  // faces at the gap are plane: only rounding reduces it
     body.beadDepth = random.between(5, 8);
     body.tunnelHeight = random.between(130, 145);
-    body.crown = random.between(38, 50);
-    body.approach = random.between(0.12, 0.16);
-    body.entry = random.between(0.2, 0.26);
     return body;
 }
 
@@ -140,10 +137,6 @@ double CarBody::floorZ(double x, double y) const {
     for (const double middle : {2680.0, 2780.0, 3620.0, 3700.0}) cross += beadAt(x, middle, 16, 22);
     cross *= 1 - smoothStep(std::abs(y), 420, 460);
     return 250 + tunnel + 130 * rear - well - beadDepth * (beads + cross);
-}
-
-double CarBody::roofZ(double x, double y) const {
-    return 1420 - 55 * squared((x - 2300) / 900) - crown * squared(y / 620);
 }
 
 double CarBody::bonnetZ(double x, double y) const {

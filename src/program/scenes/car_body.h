@@ -15,18 +15,14 @@ struct CarBody {
     double carrierHalf = 540;   ///< half its width: the outer faces of its end plates
     double carrierFront = 955;  ///< front faces of its mounting plates, its foremost ones
     double carrierFoot = 430;   ///< undersides of its feet
-    double approach = 0.14;     ///< radians above the horizontal; the carrier arrives from the rear
-    double entry = 0.24;        ///< radians about z while the carrier passes the door opening
 
     // The quantities that vary with the seed.
     double beadDepth = 7;
     double tunnelHeight = 140;
-    double crown = 45;  ///< drop of the roof from its middle to its edges
 
     /// Half the width of the body's outer skin.
     double halfWidth(double x, double z) const;
     double floorZ(double x, double y) const;
-    double roofZ(double x, double y) const;
     double bonnetZ(double x, double y) const;
 
     /// The skin of the right side; v is z except at the wheel arches, u is x except at the leaning windscreen

@@ -11,7 +11,7 @@ void addDash(const CarBody& body, SheetMetal& metal, Random& random);
 void addMountings(const CarBody& body, SheetMetal& metal);
 void addFrontEnd(const CarBody& body, SheetMetal& metal, Random& random);
 
-/// The fittings of version 2: seats, springs and brakes, exhaust and tank, steering, bolts and lines.
+/// Adds seats, springs and brakes, exhaust and tank, steering, bolts and lines.
 void addFittings(const CarBody& body, SheetMetal& metal, Random& random);
 
 }  // namespace clearway::scenes

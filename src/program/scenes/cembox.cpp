@@ -245,37 +245,6 @@ void Builder::addStuds(int studs) {
 constexpr double kRoom = 120;  // mm around the path's positions that planners may use
 constexpr FinenessRange kFineness{60, 0.1};
 
-/// In version 2, small components may be left out, except those that hold the module or limit its way.
-GeneratedScene makeVersion(int version, const SceneOptions& options) {
-    const CemboxDesign design = designCembox(options);
-    const KeptFree keptFree = keptFreeFor(design);
-    const Random partRandom(options.seed ^ 0xCE3B0Cu), bayRandom(options.seed ^ 0xE36B4Eu);
-    const auto module = [&](const Detail& detail, int studs) {
-        return buildModule(design, detail, partRandom, studs);
-    };
-    const auto bay = [&](const Detail& detail, int studs) {
-        return buildEngineBay(design, keptFree, detail, bayRandom, studs, version >= 2);
-    };
-    const char *const part = "part-triangles", *const environment = "environment-triangles";
-    GeneratedScene scene;
-    scene.name = "cembox";
-    if (version == 1) {
-        scene.part = buildTo(options.partTriangles, part, kFineness, module);
-        scene.environment = buildTo(options.environmentTriangles, environment, kFineness, bay);
-    } else {
-        scene.part = buildTo(options.partTriangles, part, kFineness,
-                             {"housing", "guide_edge", "connector_shroud", "solder_point"}, module);
-        scene.environment =
-            buildTo(options.environmentTriangles, environment, kFineness,
-                    {"guide_rail", "buffer", "wiper_tube", "strut_brace", "bulkhead", "weld_stud"}, bay);
-    }
-    scene.path = design.path();
-    statePathAsProblem(scene, kRoom);
-    scene.problem.name = "cembox v" + std::to_string(version);
-    scene.problem.step = design.thinnestSheet / 2;
-    return scene;
-}
-
 }  // namespace
 
 std::vector<Box> CemboxDesign::envelope() const {
@@ -339,12 +308,28 @@ Assembly buildModule(const CemboxDesign& design, const Detail& detail, Random ra
     return builder.assembly;
 }
 
-GeneratedScene makeCembox(const SceneOptions& options) {
-    return makeVersion(1, options);
-}
-
 GeneratedScene makeCembox2(const SceneOptions& options) {
-    return makeVersion(2, options);
+    const CemboxDesign design = designCembox(options);
+    const KeptFree keptFree = keptFreeFor(design);
+    const Random partRandom(options.seed ^ 0xCE3B0Cu), bayRandom(options.seed ^ 0xE36B4Eu);
+    GeneratedScene scene;
+    scene.name = "cembox";
+    scene.part = buildTo(
+        options.partTriangles, "part-triangles", kFineness,
+        {"housing", "guide_edge", "connector_shroud", "solder_point"},
+        [&](const Detail& detail, int studs) { return buildModule(design, detail, partRandom, studs); });
+    // The components stay that hold the module or limit its way.
+    scene.environment =
+        buildTo(options.environmentTriangles, "environment-triangles", kFineness,
+                {"guide_rail", "buffer", "wiper_tube", "strut_brace", "bulkhead", "weld_stud"},
+                [&](const Detail& detail, int studs) {
+                    return buildEngineBay(design, keptFree, detail, bayRandom, studs);
+                });
+    scene.path = design.path();
+    statePathAsProblem(scene, kRoom);
+    scene.problem.name = "cembox v2";
+    scene.problem.step = design.thinnestSheet / 2;
+    return scene;
 }
 
 }  // namespace clearway::scenes

@@ -288,7 +288,7 @@ void Bay::addBoltRow(const Vector3& from, const Vector3& to, const Vector3& axis
 }
 
 Assembly buildEngineBay(const CemboxDesign& design, const KeptFree& keptFree, const Detail& detail,
-                        Random random, int studs, bool withFittings) {
+                        Random random, int studs) {
     Bay bay{design, keptFree, detail, random};
     addSlot(bay);
     addBody(bay);
@@ -296,7 +296,7 @@ Assembly buildEngineBay(const CemboxDesign& design, const KeptFree& keptFree, co
     addCooling(bay);
     addAggregates(bay);
     addLines(bay);
-    if (withFittings) addBayFittings(bay);
+    addBayFittings(bay);
     addWeldStuds(bay, studs);
     return bay.assembly;
 }

@@ -85,9 +85,8 @@ struct Bay {
     void addBoltRow(const Vector3& from, const Vector3& to, const Vector3& axis, double shank, double number);
 };
 
-/// Everything around the module, with `studs` weld studs on the bulkhead. withFittings: adds the fittings of
-/// version 2.
+/// Everything around the module, with `studs` weld studs on the bulkhead.
 Assembly buildEngineBay(const CemboxDesign& design, const KeptFree& keptFree, const Detail& detail,
-                        Random random, int studs, bool withFittings);
+                        Random random, int studs);
 
 }  // namespace clearway::scenes

@@ -8,7 +8,7 @@ namespace clearway::scenes {
 void addBody(Bay& bay);
 void addWeldStuds(Bay& bay, int studs);
 
-/// The fittings of version 2: front end, chassis, insulation, wing braces, wipers.
+/// Adds front end, chassis, insulation, wing braces, wipers.
 void addBayFittings(Bay& bay);
 
 }  // namespace clearway::scenes

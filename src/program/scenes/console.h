@@ -1,4 +1,4 @@
-// The console of version 3: one pressed shell with its openings, cup holders, a bin with its lid, a gear
+// The console: one pressed shell with its openings, cup holders, a bin with its lid, a gear
 // lever's gate and boot, and the parts that hold and stiffen it inside.
 #pragma once
 

@@ -1,4 +1,4 @@
-// The scene large-environment, version 2: the roof between its skin and its lining, around the slot of the
+// The scene large-environment: the roof between its skin and its lining, around the slot of the
 // tray, and the car body below it.
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-// The measures of the scene large-environment, version 2: a slot between two beaded sheets under a car's
+// The measures of the scene large-environment: a slot between two beaded sheets under a car's
 // roof, and the tray of a sliding roof that fills it. Millimetres; the coordinates are the car's, see
 // car_body.h.
 #pragma once

@@ -12,7 +12,7 @@ namespace clearway::scenes {
 
 namespace {
 
-/// "tunnel-console-1" without its "-1".
+/// "tunnel-console-3" without its "-3".
 std::string withoutVersion(const std::string& name) {
     return name.substr(0, name.rfind('-'));
 }
@@ -63,17 +63,11 @@ Vector3 writeCentred(Mesh part, const std::string& file) {
 
 const std::vector<NamedScene>& namedScenes() {
     static const std::vector<NamedScene> kScenes = {
-        {"tunnel-console-1", "a centre console to be threaded out of a bent tunnel", kTunnelConsole,
-         makeTunnelConsole1, kInTunnel, "inside"},
-        {"tunnel-console-2", "the same, near its tunnel in places only", kTunnelConsole, makeTunnelConsole2,
-         kInTunnel, "inside"},
-        {"tunnel-console-3", "the same, with all that a car has there", kTunnelConsole3, makeTunnelConsole3,
-         kInTunnel},
-        {"cembox-1", "a control module to be drawn out of its rails in an engine bay", kCembox, makeCembox},
-        {"cembox-2", "the same in a fuller engine bay, at any size", kCembox, makeCembox2},
+        {"tunnel-console-3",
+         "a centre console to be threaded out of a bent tunnel with all that a car has there",
+         kTunnelConsole3, makeTunnelConsole3, kInTunnel},
+        {"cembox-2", "a control module to be drawn out of its rails in an engine bay", kCembox, makeCembox2},
         {"boxes-1", "a box that slides along two others, face to face", kBoxes, makeBoxes, kParallel},
-        {"large-environment-1", "an instrument carrier on its way into a car body of fine sheets in layers",
-         kLargeEnvironment, makeLargeEnvironment},
         {"large-environment-2", "the tray of a sliding roof between two sheets that follow it, in a car body",
          kLargeEnvironment2, makeLargeEnvironment2},
         {"puzzle-1", "two interlocked bent bars, one to be slid through the eye of the other", kPuzzle,

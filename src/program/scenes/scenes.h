@@ -31,7 +31,7 @@ struct GeneratedScene {
 };
 
 struct NamedScene {
-    const char* name;   ///< with its version: "tunnel-console-1"
+    const char* name;   ///< with its version: "tunnel-console-3"
     const char* about;  ///< one line, for lists
     SceneOptions defaults;
     /// Throws std::invalid_argument that names the option, its value and what was expected if the scene
@@ -76,30 +76,19 @@ GeneratedScene makeBoxes(const SceneOptions& options);
 /// wiper's tube, drawn out over the strut brace, and turned. Beyond the rails nothing is nearer than 1.5
 /// times the clearance, or 3 times once the part is above the rails. problem.step is half the thinnest sheet.
 ///
-/// The shapes of version 1 need about 3,300 and 41,000 triangles; larger numbers give more and finer details.
-/// Neighbours may reach into each other a little where sheets are joined or screws are driven in. Version 2
-/// adds bumper and grille, subframe, steering and drive shafts, insulation in layers, sheets with lightening
-/// holes and wipers to the same module, rails and path. If fewer triangles are asked for than its coarsest
+/// Larger numbers of triangles give more and finer details. Neighbours may reach into each other a little
+/// where sheets are joined or screws are driven in. If fewer triangles are asked for than the coarsest
 /// components have, small components are left out.
 constexpr SceneOptions kCembox{1, 30000, 500000, 4};  // clearance 0.5 to 8 mm
-GeneratedScene makeCembox(const SceneOptions& options);
 GeneratedScene makeCembox2(const SceneOptions& options);
 
-/// Version 1: an instrument carrier (1.1 m wide) is brought through a door opening to its place in a car body
-/// (3.9 x 1.6 x 1.3 m) of fine sheets that follow each other in layers. The path begins outside the right
-/// front door opening, enters it turned a little, turns straight and moves down and forward. In its place,
-/// plane pads on both sides, in front and below are at least the clearance and less than a quarter more away
-/// from the carrier; those at the sides are as near for the last 8 cm. Before that there is more room.
-/// problem.step is half the thinnest sheet.
-constexpr SceneOptions kLargeEnvironment{1, 100000, 1700000, 4};  // clearance 1 to 12 mm
-GeneratedScene makeLargeEnvironment(const SceneOptions& options);
-
-/// Version 2: the tray of a sliding roof (0.88 x 0.88 m) is drawn out under the roof of the car body. The
-/// path leads to the rear along the roof's curve, between two beaded sheets that follow the tray's own over
-/// all of its area, until the tray has left them behind the car; then up and away. In front of the tray's
-/// opening the sheets are at least the clearance and less than half as much more away from the tray all along
-/// the slot; towards its edges they are a few millimetres farther. problem.step is half the thinnest sheet.
-/// If fewer triangles are asked for than all components have when coarsest, small components are left out.
+/// The tray of a sliding roof (0.88 x 0.88 m) is drawn out under the roof of a car body (3.9 x 1.6 x 1.3 m)
+/// of fine sheets that follow each other in layers. The path leads to the rear along the roof's curve,
+/// between two beaded sheets that follow the tray's own over all of its area, until the tray has left them
+/// behind the car; then up and away. In front of the tray's opening the sheets are at least the clearance and
+/// less than half as much more away from the tray all along the slot; towards its edges they are a few
+/// millimetres farther. problem.step is half the thinnest sheet. If fewer triangles are asked for than all
+/// components have when coarsest, small components are left out.
 constexpr SceneOptions kLargeEnvironment2{1, 120000, 1700000, 10};  // clearance 1 to 12 mm
 GeneratedScene makeLargeEnvironment2(const SceneOptions& options);
 
@@ -128,20 +117,13 @@ GeneratedScene makePuzzle2(const SceneOptions& options);
 /// motion, in chords, then one more motion through the free room to the goal. The part's bounding box has a
 /// diagonal of about 900 mm. problem.step is half the thinnest sheet.
 ///
-/// Version 1 is near everywhere: the floor pan lies at the gap below the whole part, and every rib leaves the
-/// gap all around. In version 2, as in a car, floor, walls and roof keep farther off, at least twice the
-/// clearance (four times at 10 mm), and only some places are at the gap: mounts on the floor, guides on the
+/// As in a car, floor, walls and roof keep farther off than the gap, at least twice the clearance (four times
+/// at 10 mm, and at least 14 mm), and only some places are at the gap: mounts on the floor, guides on the
 /// walls and some ribs, each on one side. The other mounts, guides and ribs keep farther off, by different
-/// lengths.
-///
-/// Version 3 is version 2 with everything a car has there: sheets with beads, flanges and holes, flanged
-/// ribs, bolts, brackets, pipes, hoses, cables, propeller shaft and exhaust; a console with bin, lid, gear
-/// lever, vents, ribs and cables. At narrow clearances its sheets keep farther off than version 2's.
-constexpr SceneOptions kTunnelConsole{1, 2000, 8000,
-                                      10};  // clearance 1 to 25 mm; planners solve it in seconds
-constexpr SceneOptions kTunnelConsole3{1, 73425, 300401, 10};  // as large as a car maker's
-GeneratedScene makeTunnelConsole1(const SceneOptions& options);
-GeneratedScene makeTunnelConsole2(const SceneOptions& options);
+/// lengths. There are sheets with beads, flanges and holes, flanged ribs, bolts, brackets, pipes, hoses,
+/// cables, propeller shaft and exhaust; a console with bin, lid, gear lever, vents, ribs and cables. The
+/// numbers of triangles are by default those of a car maker's meshes.
+constexpr SceneOptions kTunnelConsole3{1, 73425, 300401, 10};  // clearance 1 to 25 mm
 GeneratedScene makeTunnelConsole3(const SceneOptions& options);
 
 // Definitions that all generators share.

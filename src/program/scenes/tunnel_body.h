@@ -1,4 +1,4 @@
-// The tunnel, version 3, while it is built: sheet metal with beads, flanges and holes, and everything bolted,
+// The tunnel while it is built: sheet metal with beads, flanges and holes, and everything bolted,
 // clipped and laid to it.
 #pragma once
 

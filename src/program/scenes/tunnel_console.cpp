@@ -22,9 +22,8 @@ constexpr double kEase = 0.15;
 /// The share of the clearance that each sweep's chords may use up.
 constexpr double kChordShare = 0.08;
 
-/// The room beyond the gap, in gaps; its limit in mm is what fits beside the tunnel; version 3 keeps at least
-/// kLeastRoom3.
-constexpr double kRoom = 2.5, kMostRoom = 28, kLeastRoom3 = 14;
+/// The room beyond the gap, in gaps, and its limits in mm; more does not fit beside the tunnel.
+constexpr double kRoom = 2.5, kLeastRoom = 14, kMostRoom = 28;
 
 /// The length along s at which the bent console's bounding box has the diagonal kDiagonal.
 double lengthFor(const TunnelConsoleDesign& design) {
@@ -88,50 +87,9 @@ PartState outside(const PartState& exit, double drift) {
     return goal;
 }
 
-/// Versions 1 and 2 share their build.
-void buildMeshes(GeneratedScene& scene, const TunnelConsoleDesign& design, int version,
-                 const SceneOptions& options) {
-    const Random partRandom(options.seed ^ 0xC0501Eu), tunnelRandom(options.seed ^ 0x7A22E1u);
-    const FinenessRange range{design.longestStep};
-    const char *const part = "part-triangles", *const environment = "environment-triangles";
-    if (version >= 3) {
-        scene.part = sheetMetalTo(options.partTriangles, part, range,
-                                  [&](const Detail& detail, int studs, bool onlyCount) {
-                                      return buildConsoleBody(design, detail, partRandom, studs, onlyCount);
-                                  });
-        scene.environment =
-            sheetMetalTo(options.environmentTriangles, environment, range,
-                         [&](const Detail& detail, int studs, bool onlyCount) {
-                             return buildTunnelBody(design, detail, tunnelRandom, studs, onlyCount);
-                         });
-        return;
-    }
-    scene.part = buildTo(options.partTriangles, part, range, [&](const Detail& detail, int studs) {
-        return buildConsole(design, detail, partRandom, studs);
-    });
-    scene.environment = buildTo(
-        options.environmentTriangles, environment, range,
-        [&](const Detail& detail, int studs) { return buildTunnel(design, detail, tunnelRandom, studs); });
-}
-
-GeneratedScene makeVersion(int version, const SceneOptions& options) {
-    const TunnelConsoleDesign design = designTunnelConsole(options, version);
-    GeneratedScene scene;
-    scene.name = "tunnel-console";
-    buildMeshes(scene, design, version, options);
-    scene.path = constructedPath(design);
-    centrePart(scene);
-    scene.path.push_back(outside(scene.path.back(), design.screw.drift));
-
-    setProblem(scene, kPlanningRoom);
-    scene.problem.name = "tunnel-console v" + std::to_string(version);
-    scene.problem.step = design.thinnestSheet() / 2;
-    return scene;
-}
-
 }  // namespace
 
-TunnelConsoleDesign designTunnelConsole(const SceneOptions& options, int version) {
+TunnelConsoleDesign designTunnelConsole(const SceneOptions& options) {
     const double clearance = options.clearance;
     requireClearance(clearance, kLeastClearance, kMostClearance);
     Random random(options.seed);
@@ -154,8 +112,7 @@ TunnelConsoleDesign designTunnelConsole(const SceneOptions& options, int version
     const double inSpace = clearance * (1 + kEase + (1 + 1.0 / 3) * kChordShare) + 0.01;
     design.gap = inSpace * design.screw.obliquity(radius - design.height - inSpace);
 
-    if (version >= 2) design.room = std::min(kRoom * design.gap, kMostRoom);
-    if (version >= 3) design.room = std::max(design.room, kLeastRoom3);
+    design.room = std::clamp(kRoom * design.gap, kLeastRoom, kMostRoom);
     design.wallHalfWidth = design.flangeHalfWidth + design.gap + design.room + random.between(12, 20);
     design.roofHeight = design.height + design.gap + design.room + random.between(20, 30);
     design.startAt = 60;
@@ -181,16 +138,29 @@ Polyline ribOpening(const TunnelConsoleDesign& design, const RibGaps& gaps, doub
     return filleted(opening.line, opening.radii, segmentsPerQuarter);
 }
 
-GeneratedScene makeTunnelConsole1(const SceneOptions& options) {
-    return makeVersion(1, options);
-}
-
-GeneratedScene makeTunnelConsole2(const SceneOptions& options) {
-    return makeVersion(2, options);
-}
-
 GeneratedScene makeTunnelConsole3(const SceneOptions& options) {
-    return makeVersion(3, options);
+    const TunnelConsoleDesign design = designTunnelConsole(options);
+    const Random partRandom(options.seed ^ 0xC0501Eu), tunnelRandom(options.seed ^ 0x7A22E1u);
+    const FinenessRange range{design.longestStep};
+    GeneratedScene scene;
+    scene.name = "tunnel-console";
+    scene.part = sheetMetalTo(options.partTriangles, "part-triangles", range,
+                              [&](const Detail& detail, int studs, bool onlyCount) {
+                                  return buildConsoleBody(design, detail, partRandom, studs, onlyCount);
+                              });
+    scene.environment =
+        sheetMetalTo(options.environmentTriangles, "environment-triangles", range,
+                     [&](const Detail& detail, int studs, bool onlyCount) {
+                         return buildTunnelBody(design, detail, tunnelRandom, studs, onlyCount);
+                     });
+    scene.path = constructedPath(design);
+    centrePart(scene);
+    scene.path.push_back(outside(scene.path.back(), design.screw.drift));
+
+    setProblem(scene, kPlanningRoom);
+    scene.problem.name = "tunnel-console v3";
+    scene.problem.step = design.thinnestSheet() / 2;
+    return scene;
 }
 
 }  // namespace clearway::scenes

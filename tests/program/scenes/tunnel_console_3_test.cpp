@@ -1,5 +1,4 @@
-// The tunnel console at full size: what the scene says of itself. That it is no toy:
-// tunnel_console_3_toy_test.cpp.
+// The tunnel console at full size. The checks that it is no toy are in tunnel_console_3_toy_test.cpp.
 #include <boost/test/data/monomorphic.hpp>
 #include <boost/test/data/test_case.hpp>
 #include <boost/test/unit_test.hpp>
@@ -22,7 +21,7 @@ SceneOptions atClearance(double clearance) {
     return options;
 }
 
-/// Of full size, with trees that are built quickly; made once for each clearance.
+/// The scene at full size, with trees that are built quickly; made once for each clearance.
 struct FullSize {
     explicit FullSize(double clearance)
         : scene(makeTunnelConsole3(atClearance(clearance))),
@@ -42,7 +41,7 @@ bool isWithin(std::size_t count, std::size_t wanted, double share) {
     return count <= wanted && static_cast<double>(count) >= (1 - share) * static_cast<double>(wanted);
 }
 
-/// Its convex hull has at least twice its volume.
+/// True when the part's convex hull has at least twice its volume.
 bool isHollow(const Mesh& part) {
     std::vector<Vector3> some;  // their hull is within that of all
     for (std::size_t i = 0; i < part.vertices.size(); i += part.vertices.size() / 400)
@@ -98,7 +97,7 @@ BOOST_DATA_TEST_CASE(the_path_keeps_the_clearance_and_is_tight_for_three_tenths,
 
 namespace {
 
-/// Of a size that is made quickly.
+/// Options of a size that is made quickly.
 SceneOptions small(std::uint64_t seed = 1, double clearance = 10) {
     return {seed, 28000, 120000, clearance};
 }
@@ -184,12 +183,37 @@ BOOST_AUTO_TEST_CASE(the_oracle_finds_no_less_clearance_on_the_path) {
     BOOST_TEST(oracle.distance(poseOf(scene.path.back())).distance >= 10);
 }
 
+/// Along the path except for its last motion: from the assembled pose to where the part has left the tunnel.
+BOOST_AUTO_TEST_CASE(the_sheets_keep_farther_off_than_the_parts_at_the_gap) {
+    const GeneratedScene scene = makeTunnelConsole3(small());
+    Mesh sheets;
+    sheets.vertices = scene.environment.vertices;
+    for (const Component& component : scene.environment.components) {
+        if (!begins(component.name, "floor_pan") && !begins(component.name, "tunnel_")) continue;
+        const auto first = scene.environment.triangles.begin() + component.firstTriangle;
+        sheets.triangles.insert(sheets.triangles.end(), first, first + component.triangleCount);
+    }
+    const Model part = Model::build(scene.part), far = Model::build(sheets);
+    Workspace workspace;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i + 2 < scene.path.size(); ++i) {
+        for (const double t : {0.0, 0.5}) {
+            const Pose pose = poseOf(between(scene.path[i], scene.path[i + 1], t));
+            least = std::min(least, distance(part, far, pose, {}, workspace).lower);
+        }
+    }
+    BOOST_TEST_MESSAGE("sheets at least " << least << " mm off");
+    BOOST_TEST(least >= 2 * 10);
+}
+
 BOOST_AUTO_TEST_CASE(what_cannot_be_made_is_refused_by_name) {
     BOOST_TEST(begins(refusal({1, 1000, 60000, 10}), "part-triangles is 1000, expected "));
     BOOST_TEST(begins(refusal({1, 20000, 1000, 10}), "environment-triangles is 1000, expected "));
     BOOST_TEST(begins(refusal({1, 4000001, 60000, 10}), "part-triangles is 4000001, expected "));
     for (const double clearance : {0.0, -3.0, 0.9, 26.0, std::nan(""), 1e300}) {
-        BOOST_TEST(begins(refusal({1, 20000, 60000, clearance}), "clearance is "));
+        const std::string said = refusal({1, 20000, 60000, clearance});
+        BOOST_TEST(begins(said, "clearance is "));
+        BOOST_TEST(said.find(", expected 1 to 25") != std::string::npos);
     }
 }
 
