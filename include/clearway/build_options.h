@@ -6,11 +6,13 @@
 
 namespace clearway {
 
+constexpr int kLargestLeafSize = 16;  ///< triangles
+
 /// The options of a build. Their default values are those of the preset "best".
 struct BuildOptions {
     std::string generalSplit = "sah";  ///< see generalSplitNames()
     std::string leafSplit = "none";    ///< see leafSplitNames()
-    int leafSize = 4;                  ///< most triangles that a leaf may hold, 1 to 16
+    int leafSize = 4;                  ///< most triangles that a leaf may hold, 1 to kLargestLeafSize
     int nodeWidth = 8;  ///< children of a node: 8, or 2 for the binary engine with exact rectangle distances
     std::string fit = "frames";  ///< see fitNames()
     /// Most threads to build with, 0 to 1024 (0: as many as oneTBB gives the caller). The tree does not

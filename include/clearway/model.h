@@ -11,11 +11,22 @@
 #include "clearway/build_options.h"
 #include "clearway/build_report.h"
 #include "clearway/mesh.h"
-#include "clearway/reach.h"
+#include "clearway/types.h"
 
 namespace clearway {
 
 struct FlatTree;
+
+/// The poses X_environmentPart of future queries, with any rotation, and the largest distance from the part
+/// that matters. Lengths in environment units. An environment built for a reach leaves out its triangles
+/// beyond it.
+struct Reach {
+    /// The poses' translations, that is, the places of the origin of the part's mesh coordinates, in the
+    /// environment's frame. The border belongs to the box.
+    Box positions;
+    double partRadius = 0;  ///< at least Model::radiusAboutOrigin() of the part
+    double cap = 0;         ///< larger distances do not matter
+};
 
 /// A mesh prepared for queries. Copies share one immutable tree, so copying is cheap and any number of
 /// threads may query the model at once.

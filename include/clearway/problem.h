@@ -11,7 +11,6 @@
 #include "clearway/mesh.h"
 #include "clearway/obstacle_groups.h"
 #include "clearway/obstacle_rules.h"
-#include "clearway/reach.h"
 #include "clearway/scene.h"
 #include "clearway/types.h"
 

@@ -1,6 +1,7 @@
 // Scenes: one rigid part, the static obstacles around it, and the margins to keep.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -71,8 +72,19 @@ struct Scene {
     /// bounds are taken.
     Box ignoredBox;
 
-    double largestMargin() const;  ///< 0 without obstacles
-    Box environmentBox() const;    ///< of all obstacles, including triangles beyond their reach
+    /// 0 without obstacles.
+    double largestMargin() const {
+        double largest = 0;
+        for (const Obstacle& obstacle : obstacles) largest = std::max(largest, obstacle.margin);
+        return largest;
+    }
+
+    /// The box of all obstacles, including triangles beyond their reach.
+    Box environmentBox() const {
+        Box box = ignoredBox;
+        for (const Obstacle& obstacle : obstacles) box.extend(obstacle.model.box());
+        return box;
+    }
 };
 
 /// The distance to one of a scene's obstacles. environmentComponent is an index into that obstacle's model;

@@ -15,8 +15,6 @@ namespace clearway {
 
 namespace {
 
-constexpr int kLargestLeaf = 16;
-
 constexpr int kMostThreads = 1024;
 
 struct NamedPreset {
@@ -84,9 +82,9 @@ void requireBuildOptions(const BuildOptions& options) {
     generalSplitNamed(options.generalSplit);
     leafSplitNamed(options.leafSplit);
     fitNamed(options.fit);
-    if (options.leafSize < 1 || options.leafSize > kLargestLeaf) {
+    if (options.leafSize < 1 || options.leafSize > kLargestLeafSize) {
         throw std::invalid_argument("leafSize is " + std::to_string(options.leafSize) + ", expected 1 to " +
-                                    std::to_string(kLargestLeaf));
+                                    std::to_string(kLargestLeafSize));
     }
     if (options.threads < 0 || options.threads > kMostThreads) {
         throw std::invalid_argument("threads is " + std::to_string(options.threads) + ", expected 0 to " +

@@ -6,12 +6,11 @@
 #include <stdexcept>
 #include <string>
 
+#include "clearway/build_options.h"
 #include "core/text.h"
 
 namespace clearway {
 namespace {
-
-constexpr std::uint32_t kLargestLeaf = 16;
 
 template <class Value>
 std::size_t bytesOf(const std::vector<Value>& values) {
@@ -97,8 +96,8 @@ const char* faultOf(const FlatTree& tree, std::size_t meshTriangles) {
     if (!isNodeWidth(tree.nodeWidth, NodeWidths())) return "its node width is unknown";
     if (!areNodesSound(tree, NodeWidths())) return "its nodes refer to what is not there";
     for (const Leaf& leaf : tree.leaves) {
-        if (leaf.triangleCount < 1 || leaf.triangleCount > kLargestLeaf || leaf.firstTriangle > triangles ||
-            leaf.triangleCount > triangles - leaf.firstTriangle) {
+        if (leaf.triangleCount < 1 || leaf.triangleCount > std::uint32_t(kLargestLeafSize) ||
+            leaf.firstTriangle > triangles || leaf.triangleCount > triangles - leaf.firstTriangle) {
             return "its leaves refer to triangles that are not there";
         }
     }

@@ -1,5 +1,4 @@
 // A model without its unreachable triangles answers like the whole model, or says why it cannot.
-#include "clearway/reach.h"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>

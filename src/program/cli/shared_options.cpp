@@ -13,8 +13,6 @@ namespace clearway::cli {
 
 namespace {
 
-constexpr int kLargestLeaf = 16;  // triangles; requireBuildOptions refuses more
-
 /// Whether both names are one file, which need not exist yet: ./a.html and a.html.
 bool isSameFile(const std::string& a, const std::string& b) {
     namespace fs = std::filesystem;
@@ -97,7 +95,7 @@ void addTreeOptions(CommandLine& commandLine, BuildOptions& options) {
     choice("--fit NAME", "how volumes are fitted", fitNames(), defaults.fit, to(options.fit));
     commandLine.option("--leaf-size N",
                        "most triangles in a leaf, 1 to 16 (" + std::to_string(defaults.leafSize) + ")",
-                       integer<int>(options.leafSize, 1, kLargestLeaf));
+                       integer<int>(options.leafSize, 1, kLargestLeafSize));
     std::vector<std::string> widths;
     for (const int width : nodeWidths()) widths.push_back(std::to_string(width));
     choice("--node-width N", "children of a node", widths, std::to_string(defaults.nodeWidth),

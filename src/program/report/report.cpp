@@ -14,9 +14,14 @@
 #include "program/report/coding.h"
 #include "program/report/frames.h"
 #include "program/report/page_mesh.h"
-#include "program/report/page_texts.h"
 
 namespace clearway::report {
+
+// The page's files, which the build embeds in the program (cmake/embed.cmake).
+extern const char kPageHtml[];       ///< page/page.html, a template with {{places}}
+extern const char kPageViewer[];     ///< page/viewer.js, a module
+extern const char kThreeModule[];    ///< three.js
+extern const char kOrbitControls[];  ///< its controls, a separate module
 
 namespace {
 

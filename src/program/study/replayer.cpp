@@ -11,7 +11,7 @@
 #include "clearway/planning/ompl_messages.h"
 #include "clearway/planning/plan_setup.h"
 #include "clearway/planning/state_to_pose.h"
-#include "program/study/thread_clock.h"
+#include "program/study/experiment.h"
 
 namespace clearway::study {
 namespace {

@@ -7,7 +7,6 @@
 #include <stdexcept>
 
 #include "program/study/statistics.h"
-#include "program/study/thread_clock.h"
 
 namespace clearway::study {
 namespace {
