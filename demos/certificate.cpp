@@ -1,5 +1,5 @@
-// demos/certificate.cpp: shows what certified motions are. A cover, 2 mm thin, moves in a space of the size of
-// a car: first through a panel as thin as itself, then past the panel's edge. Millimetres.
+// demos/certificate.cpp: shows what certified motions are. A cover, 2 mm thin, moves in a space of the size
+// of a car: first through a panel as thin as itself, then past the panel's edge. Millimetres.
 #include <clearway/planning/discrete_motion_validator.h>
 #include <clearway/planning/problem_setup.h>
 #include <ompl/base/DiscreteMotionValidator.h>

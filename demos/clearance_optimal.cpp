@@ -1,5 +1,5 @@
-// demos/clearance_optimal.cpp PROBLEM.cfg OUT.path: plans for the path that stays farthest from everything. An
-// optimising planner of OMPL improves the path, whose least clearance is certified at any time.
+// demos/clearance_optimal.cpp PROBLEM.cfg OUT.path: plans for the path that stays farthest from everything.
+// An optimising planner of OMPL improves the path, whose least clearance is certified at any time.
 #include <clearway/planning/clearance_objectives.h>
 #include <clearway/planning/problem_setup.h>
 #include <clearway/planning/simplify.h>

@@ -1,5 +1,6 @@
-// demos/console.cpp PROBLEM.cfg OUT.path: plans a part's way out of an assembly with motions that are certified
-// along their whole length, shortens the path without letting it come closer, writes it and prints its audit.
+// demos/console.cpp PROBLEM.cfg OUT.path: plans a part's way out of an assembly with motions that are
+// certified along their whole length, shortens the path without letting it come closer, writes it and prints
+// its audit.
 #include <clearway/planning/problem_setup.h>
 #include <clearway/planning/simplify.h>
 #include <ompl/geometric/planners/rrt/RRTConnect.h>

@@ -1,6 +1,6 @@
-// demos/leaf_strategies.cpp PROBLEM.cfg: compares how fast trees with different leaf splits answer a planner's
-// queries. The states of one run of RRTConnect are asked again of trees built with each leaf split, so that all
-// of them answer equal questions.
+// demos/leaf_strategies.cpp PROBLEM.cfg: compares how fast trees with different leaf splits answer a
+// planner's queries. The states of one run of RRTConnect are asked again of trees built with each leaf split,
+// so that all of them answer equal questions.
 #include <clearway/planning/discrete_motion_validator.h>
 #include <clearway/planning/problem_setup.h>
 #include <clearway/planning/validity_checker.h>
@@ -39,8 +39,8 @@ struct Replay {
     std::size_t near = 0;  ///< poses that collide
 };
 
-/// Calls the query, which returns true when the part collides, for all poses in the planner's order, each with
-/// the warm start of the last.
+/// Calls the query, which returns true when the part collides, for all poses in the planner's order, each
+/// with the warm start of the last.
 Replay replay(const std::vector<clearway::Pose>& poses,
               const std::function<bool(const clearway::Pose&, clearway::Workspace&)>& query) {
     Replay best;

@@ -1,5 +1,5 @@
-// demos/replan.cpp PROBLEM.cfg OUT_FOLDER: replans when an obstacle appears on a path. Only the new obstacle's
-// model is built. The old path is audited among all obstacles, and a new path is planned.
+// demos/replan.cpp PROBLEM.cfg OUT_FOLDER: replans when an obstacle appears on a path. Only the new
+// obstacle's model is built. The old path is audited among all obstacles, and a new path is planned.
 #include <clearway/planning/problem_setup.h>
 #include <clearway/planning/simplify.h>
 #include <ompl/geometric/planners/rrt/RRTConnect.h>

@@ -115,8 +115,8 @@ Mesh loadPart(const Problem& problem, const MeshReader& read = loadMesh);
 std::vector<Mesh> loadWorlds(const Problem& problem, const MeshReader& read = loadMesh);
 Mesh loadEnvironment(const Problem& problem);
 
-/// Groups the environment's files by the problem's margin and rules. Throws as groupObstacles does, naming the
-/// problem's file.
+/// Groups the environment's files by the problem's margin and rules. Throws as groupObstacles does, naming
+/// the problem's file.
 ObstacleGroups obstaclesOf(const Problem& problem, const std::vector<Mesh>& worlds);
 
 /// The steps of loadScene that a caller may replace.
@@ -130,8 +130,8 @@ struct SceneLoading {
     std::function<std::optional<Reach>(const Model& part, const Box& environmentBox)> reach = nullptr;
 };
 
-/// A problem's scene, and notes for its user, one line each: components turned over because all their triangles
-/// faced inwards, and components of the part that enclose nothing.
+/// A problem's scene, and notes for its user, one line each: components turned over because all their
+/// triangles faced inwards, and components of the part that enclose nothing.
 struct LoadedScene {
     Scene scene;
     std::vector<std::string> notes;

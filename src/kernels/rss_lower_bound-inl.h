@@ -4,8 +4,8 @@
 // rectangles' frames and one support gap. The support gap's direction is found in one of two ways:
 //  - cheap: by alternating projections between the rectangles;
 //  - exact: as the difference of the closest points over all pairs of edges and all corners and faces. This
-//    gives the rectangles' distance up to rounding. It is the test of Ytterlid's thesis, which node width 2 keeps
-//    for comparison.
+//    gives the rectangles' distance up to rounding. It is the test of Ytterlid's thesis, which node width 2
+//    keeps for comparison.
 // The support gap (min v.q - max v.p) / |v| is a true lower bound for ANY direction v, so a badly conditioned
 // closest pair makes the bound loose, never false. A computed closest distance is not a lower bound and is
 // never used as one.

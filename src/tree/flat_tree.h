@@ -1,8 +1,9 @@
-// The tree as queries read it: wide nodes as structures of arrays, the leaves' triangles in float relative to the leaf's
-// centre, and the exact vertices in double. Here too: the node widths a tree may have.
+// The tree as queries read it: wide nodes as structures of arrays, the leaves' triangles in float relative to
+// the leaf's centre, and the exact vertices in double. Here too: the node widths a tree may have.
 //
-// All floats are in the tree's unit, 2^unitExponent mesh units. The unit is chosen so that the mesh's radius about the
-// tree's origin is at most 1: floats neither overflow nor vanish at any scale, and scaling by the unit is exact.
+// All floats are in the tree's unit, 2^unitExponent mesh units. The unit is chosen so that the mesh's radius
+// about the tree's origin is at most 1: floats neither overflow nor vanish at any scale, and scaling by the
+// unit is exact.
 #pragma once
 
 #include <algorithm>
@@ -48,8 +49,8 @@ auto withNodeWidth(int nodeWidth, const Work& work) {
     return withNodeWidth(nodeWidth, work, NodeWidths());
 }
 
-/// The volumes of a node's kWidth children, one lane per child. An unused lane has child kNoChild and radius -infinity,
-/// so that its lower bound is +infinity. kWidth * 56 bytes.
+/// The volumes of a node's kWidth children, one lane per child. An unused lane has child kNoChild and radius
+/// -infinity, so that its lower bound is +infinity. kWidth * 56 bytes.
 template <int kWidth>
 struct alignas(kWidth * 4) WideNode {
     float centre[3][kWidth];
@@ -58,7 +59,8 @@ struct alignas(kWidth * 4) WideNode {
     float halfLength0[kWidth];
     float halfLength1[kWidth];
     float radius[kWidth];
-    /// Side of a square with the area of the rectangle grown by the radius; decides which of two volumes to open.
+    /// Side of a square with the area of the rectangle grown by the radius; decides which of two volumes to
+    /// open.
     float size[kWidth];
     std::int32_t child[kWidth];  ///< >= 0 a node, < 0 the leaf ~child; used lanes come first
 };
@@ -90,8 +92,9 @@ struct FlatTree {
 
     WideNodesByWidth nodesByWidth;  ///< only the array of nodeWidth has nodes
     std::vector<Leaf> leaves;
-    /// A leaf of n triangles has 9 n floats from 9 * firstTriangle on: x of the n first corners, their y, their z, then
-    /// the second corners and the third. Each is (vertex - leaf centre) / unit, rounded. kLeafPadding zeros follow.
+    /// A leaf of n triangles has 9 n floats from 9 * firstTriangle on: x of the n first corners, their y,
+    /// their z, then the second corners and the third. Each is (vertex - leaf centre) / unit, rounded.
+    /// kLeafPadding zeros follow.
     std::vector<float> leafVertices;
 
     std::vector<Vector3> vertices;                        ///< exact, mesh coordinates
@@ -116,8 +119,8 @@ constexpr std::size_t kLeafPadding = 16;
 /// Counts what the tree holds. Node 0, which holds only the root's volume, counts like any other.
 TreeStatistics statistics(const FlatTree& tree);
 
-/// Checks a tree from outside: returns nullptr when every reference stays within the tree and no search can run in a
-/// circle, otherwise the fault in words. All triangle ids must be below meshTriangles.
+/// Checks a tree from outside: returns nullptr when every reference stays within the tree and no search can
+/// run in a circle, otherwise the fault in words. All triangle ids must be below meshTriangles.
 const char* faultOf(const FlatTree& tree, std::size_t meshTriangles);
 
 }  // namespace clearway

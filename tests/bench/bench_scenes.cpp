@@ -8,8 +8,8 @@ namespace clearway::testing {
 
 using namespace scenes;
 
-/// K's poses stay where the console is in the tunnel; those of L go on into the free room. Letters are never used again, so
-/// that older results stay readable.
+/// K's poses stay where the console is in the tunnel; those of L go on into the free room. Letters are never
+/// used again, so that older results stay readable.
 const std::vector<BenchScene>& benchScenes() {
     static const std::vector<BenchScene> kScenes = {
         {"E", "puzzle-1", {2000, 2000}, {2000, 2000}, 0.1, 0, 0, 1, true},

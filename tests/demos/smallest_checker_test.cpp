@@ -36,7 +36,8 @@ std::vector<PartState> runDemo(const std::string& part, const std::string& wall)
 BOOST_AUTO_TEST_CASE(the_readme_example_runs_and_its_path_keeps_clear) {
     const std::string part = CLEARWAY_DATA_DIR "/window/plate.obj",
                       wall = CLEARWAY_DATA_DIR "/window/wall.obj";
-    // The demo's planner has no seed, and on a busy machine ten seconds may not suffice: the first path counts.
+    // The demo's planner has no seed, and on a busy machine ten seconds may not suffice: the first path
+    // counts.
     std::vector<PartState> path;
     for (int run = 0; run < 20 && path.empty(); ++run) path = runDemo(part, wall);
     BOOST_TEST_REQUIRE(path.size() >= 2u);

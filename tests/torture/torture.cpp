@@ -31,8 +31,8 @@ std::vector<std::string> familiesOf(const std::string& list) {
 }
 
 /// Reads the command line. Prints the help and returns nothing when it is asked for. Throws
-/// std::invalid_argument that names a wrong option, its value and what was expected, and std::runtime_error if
-/// the CSV cannot be written.
+/// std::invalid_argument that names a wrong option, its value and what was expected, and std::runtime_error
+/// if the CSV cannot be written.
 std::optional<TortureOptions> readOptions(int argc, char** argv) {
     TortureOptions result;
     std::optional<std::uint64_t> pairs, poses;

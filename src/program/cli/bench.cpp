@@ -129,8 +129,8 @@ std::string fileName(std::string text) {
     return text;
 }
 
-/// Writes one planner's paths as EXPERIMENT_PLANNER_RUN.path, runs counted from 0 as OMPL.app does. Returns how
-/// many.
+/// Writes one planner's paths as EXPERIMENT_PLANNER_RUN.path, runs counted from 0 as OMPL.app does. Returns
+/// how many.
 std::size_t writePaths(const std::string& stem, const PlannerBenchmark& planner, const Problem& problem) {
     std::optional<std::size_t> shortest;
     std::size_t written = 0;

@@ -1,4 +1,5 @@
-// The command line: the program's subcommands and exit codes, and options that are declared and read in one line.
+// The command line: the program's subcommands and exit codes, and options that are declared and read in one
+// line.
 #pragma once
 
 #include <cstdint>
@@ -32,8 +33,8 @@ int study(const Arguments& arguments);  ///< `bench --study`
 int render(const Arguments& arguments);
 int scene(const Arguments& arguments);
 
-/// From now on the first Ctrl-C (SIGINT, SIGTERM) ends the work at hand, not the program: what is done is still
-/// written. The second one has its usual effect.
+/// From now on the first Ctrl-C (SIGINT, SIGTERM) ends the work at hand, not the program: what is done is
+/// still written. The second one has its usual effect.
 void heedInterrupts();
 bool isInterrupted();
 
@@ -88,8 +89,8 @@ class CommandLine {
     /// usage: "clearway info MESH [options]".  purpose: --help prints it below the usage.
     CommandLine(std::string usage, std::string purpose);
 
-    /// A positional argument: "PROBLEM.cfg"; in brackets when it may be left out, "[IN.path]"; with dots when it
-    /// takes all that follow, "[PROBLEM.cfg...]": `read` is then called once for each.
+    /// A positional argument: "PROBLEM.cfg"; in brackets when it may be left out, "[IN.path]"; with dots when
+    /// it takes all that follow, "[PROBLEM.cfg...]": `read` is then called once for each.
     void argument(const std::string& name, Reader read);
 
     /// declaration: "--seed N".  help: ends with the default in brackets.

@@ -86,8 +86,8 @@ void describeTree(const BuildReport& report) {
 }
 
 /// Prints what was read and applied, the box, whether the surface is closed, what cleaning did, and the tree.
-/// reading: how the file was read, in words. With a reach, the tree leaves out the triangles beyond it and a row
-/// counts them.
+/// reading: how the file was read, in words. With a reach, the tree leaves out the triangles beyond it and a
+/// row counts them.
 Model describeMesh(const Mesh& mesh, const std::string& reading, const BuildOptions& options,
                    const std::optional<Reach>& reach = std::nullopt) {
     describeReading(mesh, reading);
@@ -115,8 +115,8 @@ void printContact(const char* where, const std::optional<ContactRule>& contact) 
     if (contact) printRow(where, readable(contact->distance));
 }
 
-/// Prints what the problem says besides its meshes. environmentBox: bounds the part's position where the problem
-/// states no volume. Throws std::invalid_argument when the bounds leave out start or goal.
+/// Prints what the problem says besides its meshes. environmentBox: bounds the part's position where the
+/// problem states no volume. Throws std::invalid_argument when the bounds leave out start or goal.
 void describeProblem(const Problem& problem, const Box& environmentBox) {
     const Box bounds = boundsOf(problem, environmentBox);
     printRow("problem", problem.file + (problem.name.empty() ? "" : " (" + problem.name + ")"));

@@ -1,5 +1,5 @@
-// Protects the program from the library that reads mesh files: assimp crashes on some damaged files, never ends on
-// others, and writes to the standard streams.
+// Protects the program from the library that reads mesh files: assimp crashes on some damaged files, never
+// ends on others, and writes to the standard streams.
 #pragma once
 
 #include <csignal>
@@ -11,10 +11,10 @@
 
 namespace clearway::cli {
 
-/// While a LoadGuard lives, the program ends with exit code 2 and one line on stderr that names the file when it
-/// crashes (SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT; a full stack too) or takes more than `seconds` of processor
-/// time. Output to std::cout and std::cerr is dropped. Guards the thread it is made in; one guard at a time. The
-/// destructor restores handlers, timer and streams.
+/// While a LoadGuard lives, the program ends with exit code 2 and one line on stderr that names the file when
+/// it crashes (SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT; a full stack too) or takes more than `seconds` of
+/// processor time. Output to std::cout and std::cerr is dropped. Guards the thread it is made in; one guard
+/// at a time. The destructor restores handlers, timer and streams.
 class LoadGuard {
   public:
     LoadGuard(const std::string& file, int seconds);

@@ -28,7 +28,8 @@ struct PathOutputs {
 /// --report and --export.
 void addPathOutputs(CommandLine& commandLine, PathOutputs& to);
 
-/// The environment as one mesh to show: without the obstacles that the problem ignores, unless it ignores all.
+/// The environment as one mesh to show: without the obstacles that the problem ignores, unless it ignores
+/// all.
 Mesh shownEnvironment(const Problem& problem);
 
 }  // namespace clearway::cli

@@ -16,8 +16,8 @@ std::string leastClearanceOf(const planning::PathAudit& audit);
 /// One line for each segment.
 void printSegments(const planning::PathAudit& audit);
 
-/// The profile as a plot below 80 columns wide: # certain clearance, : clearance found at poses. Prints nothing for
-/// a path that does not move.
+/// The profile as a plot below 80 columns wide: # certain clearance, : clearance found at poses. Prints
+/// nothing for a path that does not move.
 void printProfile(const planning::PathAudit& audit);
 
 /// Writes the profile as CSV: segment,t,travel,clearance,clearance_to_next; numbers with 17 digits. Throws

@@ -86,8 +86,8 @@ double Recorder::nearShare() const {
     return static_cast<double>(near) / kNearSamples;
 }
 
-/// Audits the motions in parallel: this is most of the run time. An audit certifies only a share of the clearance
-/// above the margin; with the whole stated clearance as the margin it certifies nearly all.
+/// Audits the motions in parallel: this is most of the run time. An audit certifies only a share of the
+/// clearance above the margin; with the whole stated clearance as the margin it certifies nearly all.
 std::vector<planning::PathAudit> Recorder::auditMotions() const {
     const Scene scene(part, environment, stated());
     std::vector<planning::PathAudit> audits(path.size() - 1);

@@ -1,5 +1,5 @@
-// Options of several subcommands, and what they choose: the problem, how motions and trees are made, the files
-// to write.
+// Options of several subcommands, and what they choose: the problem, how motions and trees are made, the
+// files to write.
 #pragma once
 
 #include <optional>

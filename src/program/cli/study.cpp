@@ -122,7 +122,8 @@ std::string plainName(const std::string& problemFile) {
     return name;
 }
 
-/// Makes the scenes in the folder, unless they are there, and returns their problem files; fewer when interrupted.
+/// Makes the scenes in the folder, unless they are there, and returns their problem files; fewer when
+/// interrupted.
 std::vector<std::string> makeScenes(bool isShort, const std::string& folder) {
     std::vector<MadeScene> scenes(std::begin(kFullScenes), std::end(kFullScenes));
     if (isShort) scenes.assign(std::begin(kShortScenes), std::end(kShortScenes));

@@ -9,22 +9,25 @@
 namespace clearway::study {
 namespace {
 
-constexpr double kLeastDifference = 1.02;       ///< of speeds, memory and leaves; less is none
-constexpr double kLeastBuildDifference = 1.10;  ///< of build seconds, which are measured once
-constexpr double kAlike = 1.05;                 ///< an interval no further off than this shows no difference
+/// Ratios below these are no difference: of speed, memory and leaves, and of build times, which are measured
+/// only once.
+constexpr double kLeastDifference = 1.02, kLeastBuildDifference = 1.10;
+
+/// Two kinds of trees are alike when the interval of their ratio lies within this ratio.
+constexpr double kAlike = 1.05;
 
 struct Trees {
     const char* general;
     const char* leaf;
 };
 
-/// Claims that trees a have more of the measure than trees b; or as much.
+/// Claims that trees a have more of the measure than trees b, or as much if isEqual.
 struct Claim {
     const char* text;
     TreeMeasure measure;
     Trees a, b;
     bool isEqual = false;
-    /// The thesis's own figures make the claim for scenes of one family alone, or for all but one family.
+    /// The thesis's figures support some claims in one family of scenes only, others in all families but one.
     const char* onlyIn = "";
     const char* notIn = "";
 };

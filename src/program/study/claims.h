@@ -1,4 +1,4 @@
-// The thesis's claims about its strategies, judged by what is measured here.
+// Judges the thesis's claims about its strategies by our measurements.
 #pragma once
 
 #include <string>
@@ -13,10 +13,9 @@ namespace clearway::study {
 /// The rule by which claims are judged, for people to read.
 std::string claimRule();
 
-/// A row of claims.csv: the ratio of a measure between the claim's two kinds of trees, and the verdict on the
-/// claim. When the claim is that one is faster or more, the verdict is "holds", "no difference", "the
-/// opposite" or "undecided"; when it is that both are alike, "holds", "the first is faster", "the first is
-/// slower" or "undecided".
+/// A row of claims.csv: the ratio of a measure between the claim's two kinds of trees, and the verdict. A claim
+/// that one kind is faster or more gets "holds", "no difference", "the opposite" or "undecided". A claim that
+/// both are alike gets "holds", "the first is faster", "the first is slower" or "undecided".
 struct ClaimRow : PairedRatio {
     std::string scene;
     int nodeWidth = 0;

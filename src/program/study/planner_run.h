@@ -80,7 +80,8 @@ struct RunLimits {
 };
 
 /// Plans the problem, which names one planner, with that planner and the options' seed. Returns nothing when
-/// it was stopped. A planner that throws has status "Crash" and a warning. Throws what makePlanSetup() throws.
+/// it was stopped. A planner that throws has status "Crash" and a warning. Throws what makePlanSetup()
+/// throws.
 std::optional<BenchmarkRun> runOnce(const Problem& problem, const Scene& scene,
                                     const planning::PlanOptions& options, const RunLimits& limits,
                                     std::vector<std::string>& warnings);

@@ -1,4 +1,5 @@
-// Measures the effect of strategies alone: the calls that planners' runs recorded, asked again of every engine.
+// Measures the effect of strategies alone: the calls that planners' runs recorded, asked again of every
+// engine.
 #pragma once
 
 #include <cstddef>

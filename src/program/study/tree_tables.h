@@ -1,6 +1,6 @@
-// The thesis's tables 5 to 11 for a scene of ours: what trees of its strategies cost to build, what they look
-// like and how fast they answer, in its engine (nodes of 2 children, volumes fitted by covariance) and in
-// ours; beside what the thesis measured.
+// The thesis's tables 5 to 11, measured on one of our scenes: build cost, leaves and speed of trees by its
+// strategies. Each is measured in the thesis's engine (nodes of 2 children, volumes fitted by covariance) and
+// in ours, and stands beside the thesis's own figure.
 // Source: R. Ytterlid, SIMD Optimized Bounding Volume Hierarchies for Fast Proximity Queries, 2013.
 #pragma once
 
@@ -14,8 +14,8 @@
 
 namespace clearway::study {
 
-/// Figures of the thesis, measured on one Core 2 Duo of 2.66 GHz, 32 bit, with leaves of up to 4 triangles, on
-/// scenes of its own that are not public. Rates are per second, with AxisSplit, by the leaf splits in the
+/// Figures of the thesis, measured on one Core 2 Duo of 2.66 GHz, 32 bit, with leaves of up to 4 triangles,
+/// on scenes of its own that are not public. Rates are per second, with AxisSplit, by the leaf splits in the
 /// order of kThesisLeafSplits.
 struct ThesisScene {
     const char* name;
@@ -42,7 +42,7 @@ enum class TreeMeasure { kDistancesPerSecond, kCollisionsPerSecond, kBuildSecond
 Measure thesisValue(const ThesisScene& scene, TreeMeasure measure, const std::string& generalSplit,
                     const std::string& leafSplit);
 
-/// A row of trees.csv, about the trees of a scene's environment; the queries ask the part's tree, too.
+/// A row of trees.csv: the trees of a scene's environment. The part's tree is built in the same way.
 struct TreeRow {
     std::string scene;
     int nodeWidth = 0;
