@@ -1,10 +1,10 @@
 #include "program/study/study.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <stdexcept>
 
 #include "clearway/targets.h"
+#include "core/hash.h"
 #include "core/number.h"
 #include "core/replace_file.h"
 #include "core/text.h"
@@ -20,11 +20,10 @@ using Settings = std::vector<Setting>;
 
 const Columns<Setting> kSettingColumns = {{"setting", &Setting::name}, {"value", &Setting::value}};
 
-/// FNV-1a.
 std::string hashOf(const std::string& text) {
-    std::uint64_t hash = 14695981039346656037ull;
-    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ull;
-    return std::to_string(hash);
+    Hash hash;
+    hash.add(text);
+    return std::to_string(hash.value());
 }
 
 Settings settingsOf(const std::vector<StudyProblem>& problems, const StudyOptions& options) {
