@@ -1,5 +1,6 @@
 // All pairs of triangles of two leaves, one pair per lane. A cheap bound drops most pairs; the others go
 // through the visitor's triangle kernel.
+#include "clearway/build_options.h"
 #include "hwy/highway.h"
 #include "kernels/tri_tri_distance-inl.h"
 #include "query/pair_query.h"
@@ -20,7 +21,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 /// 4 of the part's block and triangle p % 4 of the environment's.
 constexpr int kBlock = 4;
 constexpr int kBlockPairs = kBlock * kBlock;
-constexpr int kMostBlocks = 4;  ///< in a leaf, which holds at most 16 triangles
+constexpr int kMostBlocks = (kLargestLeafSize + kBlock - 1) / kBlock;  ///< in a leaf
 constexpr int kWalkSteps = 1;  ///< of the cheap bound; a second one drops a third of the rest, but costs more
 using PairTag = hn::CappedTag<float, kBlockPairs>;
 

@@ -76,9 +76,7 @@ const NamedObjective& findObjective(const std::string& name) {
 }  // namespace
 
 std::vector<std::string> objectiveNames() {
-    std::vector<std::string> names;
-    for (const NamedObjective& row : kObjectives) names.push_back(row.name);
-    return names;
+    return namesOf(kObjectives);
 }
 
 std::string objectiveName(const std::string& name) {

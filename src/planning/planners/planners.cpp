@@ -189,9 +189,7 @@ std::string expectedInstead(const ob::GenericParam& parameter, const std::string
 }  // namespace
 
 std::vector<std::string> plannerNames() {
-    std::vector<std::string> names;
-    for (const NamedPlanner& row : kPlanners) names.push_back(row.name);
-    return names;
+    return namesOf(kPlanners);
 }
 
 std::string plannerClassName(const std::string& name) {

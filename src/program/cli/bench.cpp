@@ -204,7 +204,7 @@ int bench(const Arguments& arguments) {
     if (!readArguments(arguments, given)) return kDone;
     const Problem problem = readProblemFor(given);
     const std::string log = logFile(given, problem);
-    OutputFiles(inputsOf(problem)).add("--log", log);
+    OutputFiles(inputsOf(problem)).add(given.log.empty() ? "the log" : "--log", log);
     heedInterrupts();
 
     const BenchmarkOptions options = benchmarkOptions(given, problem);

@@ -1,6 +1,5 @@
 #include "program/cli/command_line.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <csignal>
 #include <filesystem>
@@ -10,6 +9,7 @@
 #include <stdexcept>
 
 #include "core/number.h"
+#include "core/text.h"
 
 namespace clearway::cli {
 
@@ -89,10 +89,6 @@ std::string oneOf(const std::string& text, const std::vector<std::string>& names
     return text;
 }
 
-std::string joined(const std::vector<std::string>& names) {
-    return CLI::detail::join(names, ", ");
-}
-
 Reader to(std::string& text) {
     return [&text](const std::string& value) { text = value; };
 }
@@ -156,28 +152,34 @@ void CommandLine::printHelp() const {
     for (const Declared& option : options_) printOption(option.shown, option.help);
 }
 
-/// CLI11 tells options, their values and positional arguments apart; it leaves checks and conversions to us.
+/// Tells options, their values and positional arguments apart. After the word -- all words are arguments.
 void CommandLine::takeWords(const Arguments& words) {
-    CLI::App parser;
-    parser.set_help_flag();
-    parser.allow_extras();
-    CLI::Option* const positional = parser.add_option("arguments")->expected(0, -1)->allow_extra_args();
-    for (const Declared& option : options_) {
-        if (isFlag(option.shown)) {
-            parser.add_flag(option.name)->disable_flag_override();
+    Arguments positional;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        if (words[i] == "--") {
+            positional.insert(positional.end(), words.begin() + std::ptrdiff_t(i) + 1, words.end());
+            break;
+        }
+        if (words[i].compare(0, 2, "--") != 0) {
+            positional.push_back(words[i]);
+            continue;
+        }
+        const std::size_t equals = words[i].find('=');
+        const auto option = std::find_if(
+            options_.begin(), options_.end(),
+            [name = words[i].substr(0, equals)](const Declared& one) { return one.name == name; });
+        if (option == options_.end()) refuse("unknown option '" + words[i] + "'");
+        if (isFlag(option->shown)) {
+            if (equals != std::string::npos) refuse(words[i] + " gives a value to an option that takes none");
+            option->values.push_back("yes");
+        } else if (equals != std::string::npos) {
+            option->values.push_back(words[i].substr(equals + 1));
         } else {
-            parser.add_option(option.name)->take_all();
-            if (!words.empty() && words.back() == option.name) refuse(option.name + " has no value");
+            if (i + 1 == words.size()) refuse(option->name + " has no value");
+            option->values.push_back(words[++i]);
         }
     }
-    try {
-        parser.parse(Arguments(words.rbegin(), words.rend()));
-    } catch (const CLI::ParseError& error) {
-        refuse(std::string("an option without a value is given one: ") + error.what());
-    }
-    if (parser.remaining_size() > 0) refuse("unknown option '" + parser.remaining()[0] + "'");
-    for (Declared& option : options_) option.values = parser.get_option(option.name)->results();
-    takePositional(positional->results());
+    takePositional(positional);
 }
 
 void CommandLine::takePositional(const Arguments& words) {

@@ -55,9 +55,6 @@ std::int64_t integerFrom(const std::string& text, std::int64_t least, std::int64
 /// The text when it is one of the names. Throws Expected.
 std::string oneOf(const std::string& text, const std::vector<std::string>& names);
 
-/// "a, b, c"
-std::string joined(const std::vector<std::string>& names);
-
 // Readers that store a value. `to` may be an optional: it then tells whether the option was given.
 Reader to(std::string& text);
 Reader appendedTo(std::vector<std::string>& texts);

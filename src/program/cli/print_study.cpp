@@ -99,13 +99,12 @@ void printAnswers(const study::StudyResult& result, const std::string& scene) {
 }
 
 void printWork(const study::StudyResult& result, const std::string& scene) {
-    printRuns(
-        result, scene, "what answers took",
-        {"calls/s", "time in queries", "volumes/query", "triangles/query", "blocks full", "kernels full"},
-        [](const study::SummaryRow& row) -> std::vector<std::string> {
-            return {short3(row.callsPerSecond), percent(row.queryShare), short3(row.volumeTests),
-                    short3(row.triangleTests),  percent(row.blockFill),  percent(row.kernelFill)};
-        });
+    printRuns(result, scene, "what answers took",
+              {"calls/s", "time in calls", "volumes/query", "triangles/query", "blocks full", "kernels full"},
+              [](const study::SummaryRow& row) -> std::vector<std::string> {
+                  return {short3(row.callsPerSecond), percent(row.queryShare), short3(row.volumeTests),
+                          short3(row.triangleTests),  percent(row.blockFill),  percent(row.kernelFill)};
+              });
 }
 
 /// Runs of which times say nothing.
@@ -182,7 +181,7 @@ void printRatios(const study::StudyResult& result, const std::string& scene, con
 constexpr Ratios kRatios[] = {
     {"seconds to the first solution, pairs of runs", "runs", "first_solution_seconds", true},
     {"planners' seconds for each call, pairs of runs", "runs", "seconds_per_call", true},
-    {"seconds in queries for each call, pairs of runs", "runs", "query_seconds_per_call", true},
+    {"seconds within each call, pairs of runs", "runs", "query_seconds_per_call", true},
     {"seconds of the same calls, replayed", "replay", "seconds", true},
     {"seconds of the same calls, replayed, all planners'", "replay", "seconds", false},
     {"triangle tests of the same calls, replayed", "replay", "triangle_tests", false},

@@ -111,7 +111,12 @@ std::string treeDescription(const BuildOptions& options) {
 void addCache(CommandLine& commandLine, TreeChoice& choice) {
     commandLine.option("--cache DIR",
                        "keeps built trees in this folder and takes them from there the next time",
-                       folder(choice.cache));
+                       [&choice](const std::string& value) {
+                           std::error_code failed;
+                           std::filesystem::create_directories(value, failed);
+                           if (failed) throw Expected{"a folder that exists or can be made"};
+                           choice.cache = value;
+                       });
 }
 
 std::vector<std::string> inputsOf(const Problem& problem) {

@@ -36,12 +36,6 @@ Model build(const Mesh& mesh, const Engine& engine, const std::string& cache,
     return buildCached(mesh, engine.build(), cache, reach).model;
 }
 
-Box boxOf(const ObstacleGroups& obstacles) {
-    Box box = obstacles.ignoredBox;
-    for (const ObstacleGroup& group : obstacles.groups) box.extend(boundingBox(group.mesh));
-    return box;
-}
-
 /// Independent of where the mesh's file lies and how its name was given.
 std::string keyOf(Mesh mesh) {
     mesh.origin.file.clear();
@@ -137,7 +131,7 @@ std::string StudyProblem::fingerprint() const {
         }
     }
     for (const auto& [key, value] : problem.settings) text += " " + key + "=" + value;
-    const Box bounds = boundsOf(problem, boxOf(obstacles));
+    const Box bounds = boundsOf(problem, obstacles.environmentBox());
     return text + textOf(problem.start) + textOf(problem.goal) + textOf(bounds.min()) + textOf(bounds.max());
 }
 
@@ -145,7 +139,8 @@ Scene buildScene(const StudyProblem& study, const Engine& engine, const std::str
     const Model part = build(study.part, engine, cache);
     planning::PlanOptions reaching;
     reaching.objective = "max_min_clearance";
-    const auto reach = planning::planningReach(study.problem, reaching, part, boxOf(study.obstacles));
+    const auto reach =
+        planning::planningReach(study.problem, reaching, part, study.obstacles.environmentBox());
     return makeScene(part, study.partSolids, study.obstacles, study.problem.rules,
                      poseOf(study.problem.start), poseOf(study.problem.goal),
                      [&](const Mesh& mesh) { return build(mesh, engine, cache, reach); });

@@ -32,7 +32,7 @@ Columns<ReplayRow> replayColumns();
 bool replayCalls(const StudyProblem& problem, const StudyOptions& options, const std::string& folder,
                  const std::vector<RunRow>& runs, GrowingTable<ReplayRow>& replays);
 
-/// The seconds in queries for each call of a planner: the median of the runs with that seed. 0 without runs.
+/// The seconds of a planner's call: the median of the runs with that seed. 0 without runs.
 double querySecondsPerCall(const std::vector<RunRow>& runs, const std::string& scene,
                            const std::string& planner, int seed);
 

@@ -8,6 +8,7 @@
 #include "program/scenes/roof_slot.h"
 #include "program/scenes/scene_checks.h"
 #include "program/scenes/scenes.h"
+#include "support/oracle.h"
 
 using namespace clearway;
 using namespace clearway::scenes;
@@ -213,6 +214,18 @@ BOOST_AUTO_TEST_CASE(it_takes_more_volume_tests_a_query_than_the_other_families)
             BOOST_TEST(own > 2 * other);
         }
     }
+}
+
+BOOST_AUTO_TEST_CASE(the_oracle_finds_no_less_clearance_on_the_path) {
+    const GeneratedScene& scene = smallScene();
+    const MeshOracle oracle(scene.part, scene.environment);
+    for (std::size_t i = 0; i + 1 < scene.path.size(); i += 4) {
+        for (const double t : {0.0, 0.5}) {
+            const PartState state = between(scene.path[i], scene.path[i + 1], t);
+            BOOST_TEST(oracle.distance(poseOf(state)).distance >= kSmall.clearance);
+        }
+    }
+    BOOST_TEST(oracle.distance(poseOf(scene.path.back())).distance >= kSmall.clearance);
 }
 
 BOOST_AUTO_TEST_CASE(what_cannot_be_made_is_refused_by_name) {
