@@ -67,7 +67,7 @@ def found_by(rows, names):
 
 CHECKS = ("state_checks", "motion_checks", "motion_costs")
 QUERIES = ("distance_queries", "within_queries")
-LEAST_SHARE = 0.95  # of a processor; a run with less was disturbed, as in src/program/study/study_rows.cpp
+LEAST_SHARE = 0.95  # of a processor; a run with less was disturbed, as in src/program/study/planner_runs.cpp
 
 
 def total(run, columns):
@@ -79,7 +79,7 @@ def share(part, whole):
 
 
 def medians(runs, value):
-    """Returns the median over the runs that have such a value; None if no run has one."""
+    """Returns the median over the runs that have the value; None if no run has one."""
     values = [v for v in map(value, runs) if v is not None]
     return median(values) if values else None
 

@@ -1,4 +1,4 @@
-// clearway check: a path file, audited along its whole length.
+// clearway check: audits a path file along its whole length.
 #include <cmath>
 #include <iostream>
 

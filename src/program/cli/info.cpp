@@ -1,4 +1,4 @@
-// clearway info: what a mesh or a problem holds, what was applied on reading, and the trees it builds.
+// clearway info: shows the content of a mesh or a problem, the conversions on reading, and the trees built.
 #include <boost/algorithm/string/predicate.hpp>
 #include <iostream>
 #include <optional>
@@ -85,9 +85,9 @@ void describeTree(const BuildReport& report) {
     printRow("  build seconds", readable(report.seconds));
 }
 
-/// Prints what was read and applied, the box, whether the surface is closed, what cleaning did, and the tree.
-/// reading: how the file was read, in words. With a reach, the tree leaves out the triangles beyond it and a
-/// row counts them.
+/// Prints the file and the conversions on reading, the box, whether the surface is closed, the findings of
+/// cleaning, and the tree. reading: how the file was read, in words. With a reach, the tree leaves out the
+/// triangles beyond it and a row counts them.
 Model describeMesh(const Mesh& mesh, const std::string& reading, const BuildOptions& options,
                    const std::optional<Reach>& reach = std::nullopt) {
     describeReading(mesh, reading);
@@ -115,8 +115,8 @@ void printContact(const char* where, const std::optional<ContactRule>& contact) 
     if (contact) printRow(where, readable(contact->distance));
 }
 
-/// Prints what the problem says besides its meshes. environmentBox: bounds the part's position where the
-/// problem states no volume. Throws std::invalid_argument when the bounds leave out start or goal.
+/// Prints all of the problem but its meshes. environmentBox: bounds the part's position where the problem
+/// states no volume. Throws std::invalid_argument when the bounds leave out start or goal.
 void describeProblem(const Problem& problem, const Box& environmentBox) {
     const Box bounds = boundsOf(problem, environmentBox);
     printRow("problem", problem.file + (problem.name.empty() ? "" : " (" + problem.name + ")"));

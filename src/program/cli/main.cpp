@@ -14,7 +14,7 @@ namespace clearway::cli {
 
 namespace {
 
-/// In the order of --help.
+/// The subcommands, in the order of --help.
 constexpr Subcommand kSubcommands[] = {
     {"info", "shows what a mesh or a problem holds and what its trees look like", info},
     {"query", "asks for the distance or for contact at every pose of a file, and how fast", query},

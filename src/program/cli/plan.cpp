@@ -1,4 +1,4 @@
-// clearway plan: from a problem file to a path file.
+// clearway plan: plans a path for a problem file and writes it.
 #include "clearway/planning/plan.h"
 
 #include <cmath>
@@ -152,7 +152,7 @@ int plan(const Arguments& arguments) {
     const bool isFound = report.outcome == PlanReport::Outcome::kFound;
     if (isFound && !given.outputs.isEmpty()) {
         for (const auto& row : pathRows(report)) figures.push_back(row);
-        // Planning audits without a profile; the outputs show one.
+        // Planning audits the path without a profile; the outputs show a profile.
         const planning::PathCheck checked = planning::checkPath(problem, scene, report.path);
         given.outputs.write(problem, scene, report.path, checked.audit, figures);
     }

@@ -15,9 +15,9 @@ namespace clearway::cli {
 namespace {
 
 constexpr std::size_t kLabelWidth = 20;
-constexpr std::size_t kMostNames = 6;  // of obstacles in one row
+constexpr std::size_t kMostNames = 6;  // most names of obstacles in one row
 
-/// One group of obstacles, and how it counts.
+/// Prints a row about one group of obstacles.
 void printObstacle(const std::vector<Component>& components, std::size_t triangles, double margin,
                    bool isSolid, bool atStart, bool atGoal) {
     std::vector<std::string> names;

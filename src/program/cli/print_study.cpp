@@ -15,7 +15,7 @@ namespace {
 
 using Lines = std::vector<std::vector<std::string>>;
 
-/// Columns as wide as their widest cell; the first line is the head.
+/// Prints columns as wide as their widest cell. The first line is the head.
 void printTable(const std::string& title, const Lines& lines) {
     if (lines.size() < 2) return;
     std::cout << "\n" << title << "\n";
@@ -55,13 +55,13 @@ std::string ratioText(const study::PairedRatio& ratio) {
     return short3(ratio.median) + " (" + short3(ratio.low) + " to " + short3(ratio.high) + ")";
 }
 
-/// Leaf splits from the fewest leaves to the most.
+/// Orders leaf splits from the fewest leaves to the most.
 std::size_t placeOf(const std::string& leafSplit) {
     const std::vector<std::string> all = leafSplitNames();
     return static_cast<std::size_t>(std::find(all.begin(), all.end(), leafSplit) - all.begin());
 }
 
-/// Of a scene's runs a line for each planner and strategy.
+/// Prints a line for each planner and strategy of a scene's runs.
 template <class Cells>
 void printRuns(const study::StudyResult& result, const std::string& scene, const std::string& title,
                const std::vector<std::string>& head, const Cells& cells) {
@@ -108,7 +108,7 @@ void printWork(const study::StudyResult& result, const std::string& scene) {
         });
 }
 
-/// Runs of which times say nothing.
+/// Counts the runs whose times say nothing.
 void printDisturbed(const study::StudyResult& result, const std::string& scene) {
     std::uint64_t disturbed = 0, runs = 0;
     for (const study::SummaryRow& row : result.summary) {
@@ -123,7 +123,7 @@ void printDisturbed(const study::StudyResult& result, const std::string& scene) 
                  "ratios of seconds\nto the first solution and in queries.\n";
 }
 
-const study::Engine kUsual;  ///< but for its splits
+const study::Engine kUsual;  ///< the engine of planner runs, but for the splits
 
 bool isUsual(const study::Engine& engine) {
     return engine.leafSize == kUsual.leafSize && engine.nodeWidth == kUsual.nodeWidth &&
@@ -142,14 +142,14 @@ struct Ratios {
     const char* title;
     const char* source;
     const char* measure;
-    bool isByPlanner;  ///< of the usual trees; else of all trees, by all planners' calls
+    bool isByPlanner;  ///< true: planners with the usual trees; false: all trees, with all planners' calls
 };
 
-/// A line for each tree or planner, a column for each leaf split.
+/// Prints a line for each tree or planner, and a column for each leaf split.
 void printRatios(const study::StudyResult& result, const std::string& scene, const Ratios& of) {
     std::vector<std::string> splits, names;
     std::map<std::string, std::map<std::string, std::string>> ratios;
-    std::map<std::string, std::tuple<std::string, std::string, bool, int, int>> keys;  // of names, to sort by
+    std::map<std::string, std::tuple<std::string, std::string, bool, int, int>> keys;  // names' sort keys
     std::string baseline;
     for (const study::StatisticRow& row : result.statistics) {
         if (row.scene != scene || row.source != of.source || row.measure != of.measure) continue;
@@ -189,7 +189,7 @@ constexpr Ratios kRatios[] = {
     {"share of blocks in use, replayed", "replay", "block_fill", false},
 };
 
-/// Ours, then the thesis's in brackets.
+/// Clearway's figure, then the thesis's in brackets.
 std::string beside(double ours, const study::Measure& thesis) {
     return short3(ours) + (thesis ? " [" + short3(thesis) + "]" : "");
 }

@@ -1,4 +1,4 @@
-// clearway query: one question at every pose of a file, the answers as a table, and what they cost.
+// clearway query: asks one question at every pose of a file; writes the answers as a table, and their cost.
 #include "clearway/query.h"
 
 #include <algorithm>
@@ -32,9 +32,9 @@ struct Question {
 };
 
 struct Answer {
-    DistanceResult distance;       ///< of kDistance
-    bool verdict = false;          ///< of the others
-    std::int64_t nanoseconds = 0;  ///< the query alone
+    DistanceResult distance;       ///< the answer of kDistance
+    bool verdict = false;          ///< the answer of the other kinds
+    std::int64_t nanoseconds = 0;  ///< time of the query alone
 };
 
 struct QueryRun {
@@ -42,7 +42,8 @@ struct QueryRun {
     QueryCounters counters;       ///< summed over all queries
 };
 
-/// Fisher-Yates on the engine itself: std::shuffle and the standard's distributions differ between libraries.
+/// Shuffles by Fisher-Yates on the engine itself, because std::shuffle and the standard's distributions
+/// differ between libraries.
 std::vector<std::size_t> orderOf(std::size_t count, std::optional<std::uint64_t> shuffleSeed) {
     std::vector<std::size_t> order(count);
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -72,7 +73,7 @@ Answer askOnce(const Question& question, const Model& part, const Model& environ
     return answer;
 }
 
-/// A refusal says which pose it is about, counted as in the table.
+/// Asks once. A refusal names the pose, counted as in the table.
 Answer askAbout(std::size_t pose, const Question& question, const Model& part, const Model& environment,
                 const Pose& X_environmentPart, Workspace& workspace) {
     try {
@@ -164,7 +165,7 @@ void printCosts(const QueryRun& run, const Model& part, const Model& environment
     printRow("build seconds", readable(part.report().seconds + environment.report().seconds));
 }
 
-/// A header and one row a pose, 17 digits.
+/// Writes a header and one row a pose, with 17 digits.
 void writeCsv(const Question& question, const QueryRun& run, const std::string& file) {
     const bool isDistance = question.kind == Question::Kind::kDistance;
     replaceFile(file, [&](std::ostream& stream) {
@@ -188,7 +189,7 @@ struct QueryArguments {
     TreeChoice trees;
 };
 
-/// distance, collide or within=D.
+/// Reads "distance", "collide" or "within=D".
 void readQuestion(const std::string& text, Question& question) {
     const bool isWithin = text.rfind("within=", 0) == 0;
     if (isWithin) {

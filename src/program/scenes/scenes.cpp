@@ -23,7 +23,7 @@ std::string allNames() {
 
 /// Three quarters of the poses collide, and the poses stay where the part is in the tunnel.
 constexpr Replay kInTunnel{0.75, 0.75, true};
-/// Faces stay parallel.
+/// The deviation does not turn the part, so faces stay parallel.
 constexpr Replay kParallel{0.1, 1, false};
 
 /// How often the part is moved and written until its mean lies at its origin. One move suffices up to

@@ -9,8 +9,8 @@
 namespace clearway::study {
 namespace {
 
-/// Ratios below these are no difference: of speed, memory and leaves, and of build times, which are measured
-/// only once.
+/// Least ratios that count as a difference: in speed, memory and leaves, and in build times, which are
+/// measured only once.
 constexpr double kLeastDifference = 1.02, kLeastBuildDifference = 1.10;
 
 /// Two kinds of trees are alike when the interval of their ratio lies within this ratio.
@@ -85,7 +85,7 @@ std::vector<double> valuesOf(const TreeRow& row, TreeMeasure measure) {
     return {static_cast<double>(row.leaves)};
 }
 
-/// a's measure over b's. For rates, blocks of poses take b longer by that ratio.
+/// The ratio of a's measure to b's. For rates it is the ratio of b's seconds to a's.
 PairedRatio ratioOf(const Claim& claim, const TreeRow& a, const TreeRow& b) {
     std::vector<double> over = valuesOf(a, claim.measure), under = valuesOf(b, claim.measure);
     if (claim.measure == kDistances || claim.measure == kCollisions) std::swap(over, under);
@@ -139,7 +139,7 @@ Columns<ClaimRow> claimColumns() {
 }
 
 std::vector<ClaimRow> judgeClaims(const std::vector<TreeRow>& trees) {
-    // by scene and width, then by both splits
+    // Keyed by scene and width, then by both splits.
     std::map<std::pair<std::string, int>, std::map<std::string, const TreeRow*>> byEngine;
     for (const TreeRow& row : trees) {
         byEngine[{row.scene, row.nodeWidth}][row.generalSplit + "/" + row.leafSplit] = &row;

@@ -42,7 +42,7 @@ Box boxOf(const ObstacleGroups& obstacles) {
     return box;
 }
 
-/// Independent of where the mesh's file lies and how its name was given.
+/// A key of the mesh that does not depend on the folder or name of the mesh's file.
 std::string keyOf(Mesh mesh) {
     mesh.origin.file.clear();
     return std::to_string(modelKey(mesh, {}));
@@ -103,7 +103,7 @@ std::vector<EngineGroup> plannedGroups(const StudyOptions& options) {
 
 std::vector<EngineGroup> replayedGroups(const StudyOptions& options) {
     std::vector<std::string> others = availableTargets();
-    others.erase(others.begin());  // the best one
+    others.erase(others.begin());  // the first is the best one, which the planned engines use
     others.erase(std::remove(others.begin(), others.end(), "scalar"), others.end());
     std::vector<std::string> varied = options.generalSplits;
     if (options.isShort) varied = {varied.back()};
