@@ -21,7 +21,7 @@ struct CheckOptions {
 
 bool readOptions(const Arguments& arguments, CheckOptions& options) {
     CommandLine line("clearway check PROBLEM.cfg IN.path [options]",
-                     "Audits a path along its whole length, between its states too: how close it comes to "
+                     "Audits a path along its whole length, also between its states: how close it comes to "
                      "the environment,\n"
                      "where, between which meshes, and which of its segments are not valid.\n"
                      "Clearance is the distance less the margin; certified values are rounded down. t runs "

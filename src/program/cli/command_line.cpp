@@ -174,7 +174,7 @@ void CommandLine::takeWords(const Arguments& words) {
     try {
         parser.parse(Arguments(words.rbegin(), words.rend()));
     } catch (const CLI::ParseError& error) {
-        refuse(std::string("an option without a value is given one: ") + error.what());
+        refuse(std::string("an option that takes no value has one: ") + error.what());
     }
     if (parser.remaining_size() > 0) refuse("unknown option '" + parser.remaining()[0] + "'");
     for (Declared& option : options_) option.values = parser.get_option(option.name)->results();

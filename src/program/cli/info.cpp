@@ -28,8 +28,8 @@ void describeReading(const Mesh& mesh, const std::string& reading) {
     printRow("applied", "scale " + readable(origin.scale) + ", then shift " + readable(origin.shift));
     for (const std::string& note : origin.notes) printRow("note", note);
     if (origin.ignoredFaces > 0) {
-        printRow("left out",
-                 counted(origin.ignoredFaces, "face") + " (points, lines, not to be triangulated)");
+        printRow("left out", counted(origin.ignoredFaces, "face") +
+                                 " (points, lines, and faces that cannot be triangulated)");
     }
     printRow("box in file units", readable(inFileUnits(box, origin)));
     printRow("box as applied", readable(box));
@@ -169,7 +169,7 @@ int info(const Arguments& arguments) {
     CommandLine line(
         "clearway info MESH|PROBLEM.cfg [options]",
         "Shows what a mesh or a problem's two meshes hold: triangles, components, box, whether the\n"
-        "surface is closed, what was applied on reading, what cleaning did, and the tree built from it.");
+        "surface is closed, the conversions on reading, the findings of cleaning, and the tree built.");
     line.argument("MESH|PROBLEM.cfg", to(file));
     line.option("--scale F", "factor for the coordinates of a mesh file (1)", positive(scale));
     addTreeOptions(line, tree);

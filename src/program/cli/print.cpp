@@ -72,7 +72,7 @@ void printObstacles(const Scene& scene) {
         printObstacle(obstacle.model.components(), obstacle.model.report().triangles, obstacle.margin,
                       obstacle.solids != nullptr, obstacle.isIgnoredAtStart, obstacle.isIgnoredAtGoal);
     }
-    if (scene.obstacles.empty()) printRow("environment", "all of it is ignored");
+    if (scene.obstacles.empty()) printRow("environment", "every obstacle is ignored");
     printRow("margin", scene.obstacles.size() == 1
                            ? readable(scene.largestMargin())
                            : "by obstacle, at most " + readable(scene.largestMargin()));

@@ -82,7 +82,7 @@ void printRuns(const study::StudyResult& result, const std::string& scene, const
 }
 
 void printAnswers(const study::StudyResult& result, const std::string& scene) {
-    printRuns(result, scene, "what planners found (medians), and what they asked about (means of a run)",
+    printRuns(result, scene, "solutions (medians) and questions of the planners (means of a run)",
               {"solved", "first solution s", "last one s", "cost", "states", "motions", "motion costs",
                "distance queries", "within queries"},
               [](const study::SummaryRow& row) -> std::vector<std::string> {
@@ -100,7 +100,7 @@ void printAnswers(const study::StudyResult& result, const std::string& scene) {
 
 void printWork(const study::StudyResult& result, const std::string& scene) {
     printRuns(
-        result, scene, "what answers took",
+        result, scene, "cost of the answers",
         {"calls/s", "time in queries", "volumes/query", "triangles/query", "blocks full", "kernels full"},
         [](const study::SummaryRow& row) -> std::vector<std::string> {
             return {short3(row.callsPerSecond), percent(row.queryShare), short3(row.volumeTests),
@@ -117,10 +117,11 @@ void printDisturbed(const study::StudyResult& result, const std::string& scene) 
         runs += row.runs.value_or(0);
     }
     if (disturbed == 0) return;
-    std::cout << "\n"
-              << disturbed << " of " << runs << " runs of " << scene
-              << " had less than 95 % of a processor: the machine was at other work. They are left out of "
-                 "ratios of seconds\nto the first solution and in queries.\n";
+    std::cout
+        << "\n"
+        << disturbed << " of " << runs << " runs of " << scene
+        << " had less than 95 % of a processor: the machine did other work, too. These runs are left out "
+           "of ratios of\nseconds to the first solution and in queries.\n";
 }
 
 const study::Engine kUsual;  ///< the engine of planner runs, but for the splits
@@ -239,10 +240,9 @@ void printStudy(const study::StudyResult& result) {
         printTrees(result, scene);
         printClaims(result, scene);
     }
-    std::cout
-        << "\nRatios are medians, with intervals of 95 in 100 bootstrap resamples of runs; of seconds, one "
-           "below 1 is quicker.\nPlanners' seconds for each call are the processor's.\n"
-        << study::claimRule() << "\n\n";
+    std::cout << "\nRatios are medians, with intervals of 95 in 100 bootstrap resamples of runs. A ratio of "
+                 "seconds below 1 means\nquicker. Planners' seconds for each call are processor time.\n"
+              << study::claimRule() << "\n\n";
 }
 
 }  // namespace clearway::cli

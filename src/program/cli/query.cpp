@@ -214,7 +214,8 @@ bool readArguments(const Arguments& arguments, QueryArguments& given) {
         "of 12 numbers (rotation row-major, translation) or 7 (x y z qx qy qz qw). Meshes are read as "
         "stored.");
     line.option("--part MESH", "mesh of the moving part", to(given.part), kRequired);
-    line.option("--environment MESH", "mesh of what stands still", to(given.environment), kRequired);
+    line.option("--environment MESH", "mesh of the obstacles, which stand still", to(given.environment),
+                kRequired);
     line.option("--poses FILE", "the poses, one a line", to(given.poses), kRequired);
     line.option(
         "--query Q", "distance, collide, or within=D: is the distance at most D?",
@@ -228,7 +229,7 @@ bool readArguments(const Arguments& arguments, QueryArguments& given) {
             to = nonNegativeNumber(value);
         };
     };
-    line.option("--cap C", "reports a distance beyond C only as inf, with triangles -1",
+    line.option("--cap C", "reports a distance above C as inf, with triangles -1",
                 distanceOnly(question.distance.cap));
     line.option("--relative-error E", "allows an interval of E times its lower end (0)",
                 distanceOnly(question.distance.relativeError));

@@ -62,14 +62,14 @@ bool readArguments(const Arguments& arguments, StudyArguments& given) {
     std::vector<study::StudyPlanner> planners;
     std::vector<std::string> generalSplits, leafSplits;
     CommandLine line("clearway bench --study leaf-strategies [PROBLEM.cfg...] --out DIR [options]",
-                     "Shows how splitting leaves changes what planners need: runs planners with every leaf "
+                     "Measures how leaf splits change the work of planners: runs planners with every leaf "
                      "split and seed, then\n"
                      "repeats their queries in trees of other splits, leaf sizes, widths and instruction "
                      "sets. Without a problem\n"
                      "it makes the scenes tunnel-console, cembox and large-environment at full size.\n"
                      "DIR then holds runs.csv, replay.csv, statistics.csv, summary.csv and logs for OMPL's "
                      "statistics script.\n"
-                     "The same command continues a stopped study: what DIR holds is not done again.");
+                     "The same command continues a stopped study and repeats nothing that DIR holds.");
     line.argument("[PROBLEM.cfg...]", appendedTo(given.problems));
     line.option(
         "--study NAME", "leaf-strategies",
@@ -162,7 +162,7 @@ study::StudyProblem loadProblem(const std::string& file) {
 }
 
 int tellInterrupted(const std::string& folder) {
-    printRow("study", folder + ", interrupted: the same command goes on with it");
+    printRow("study", folder + ", interrupted: the same command continues it");
     requirePrinted();
     return kAnswerIsNo;
 }

@@ -121,13 +121,13 @@ std::string percentOff(double ratio) {
 }  // namespace
 
 std::string claimRule() {
-    return "Claims: a ratio is the median over 20 blocks of poses; of build seconds, memory and leaves, it "
-           "is the one "
-           "value.\nThe first has more, or less, when the whole 95 % interval says so and the ratio is at "
-           "least " +
+    return "Claims: a ratio is the median over 20 blocks of poses; build seconds, memory and leaves have one "
+           "value each.\nThe first has more, or less, when the whole 95 % interval is on one side of 1 and "
+           "the ratio is at least " +
            percentOff(kLeastDifference) + " off (build seconds " + percentOff(kLeastBuildDifference) +
-           ").\nThere is no difference when the interval reaches no further than " + percentOff(kAlike) +
-           " (build seconds " + percentOff(kLeastBuildDifference) + "). Otherwise the claim is undecided.";
+           ").\nThere is no difference when the interval stays within " + percentOff(kAlike) +
+           " of 1 (build seconds " + percentOff(kLeastBuildDifference) +
+           "). Otherwise the claim is undecided.";
 }
 
 Columns<ClaimRow> claimColumns() {

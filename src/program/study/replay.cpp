@@ -191,8 +191,7 @@ class Replay {
                                          " '" + static_cast<char>(here) + "'";
                 const bool isOpen = here == CallAnswer::kUndecided || there == CallAnswer::kUndecided;
                 if (!isOpen) throw std::logic_error("strategies contradict each other: " + what);
-                options_.report(problem_.name +
-                                ": a motion that is undecided with one strategy only: " + what);
+                options_.report(problem_.name + ": a motion is undecided with one strategy only: " + what);
             }
         }
     }
