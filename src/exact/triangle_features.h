@@ -25,8 +25,8 @@ struct PlaceOnTriangle {
 ///                                            matter; denominator >= 0
 ///   void take(feasible, feature, onA, onB)   the closest points of the features that wants() accepted last.
 ///                                            feasible: whether the points lie on the features.  feature: the
-///                                            number of the pair of features in query/pair_query.h, or -1 where
-///                                            an edge pierces a face
+///                                            number of the pair of features in query/pair_query.h, or -1
+///                                            where an edge pierces a face
 ///   bool done() const
 template <class Number>
 class TriangleFeatures {

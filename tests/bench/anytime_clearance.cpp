@@ -1,8 +1,8 @@
 // Records how the best certified least clearance grows with planning time, or with FMT's samples.
 //   bench_anytime_clearance SECONDS SEEDS OUT.csv [SCENE...]
-// SCENE: posts, gates, window, or a problem's .cfg; by default the first three and tunnel-console-small.
-// There is a row at SECONDS of processor time, at a half, a quarter and an eighth of it. RRTConnect's row is
-// for its first path.
+// SCENE: posts, gates, window, or a problem's .cfg; by default the first three and tunnel-console-small. The
+// table has rows at SECONDS of processor time, and at a half, a quarter and an eighth of SECONDS.
+// RRTConnect's row is for its first path.
 #include <exception>
 #include <iostream>
 #include <string>
@@ -29,7 +29,7 @@ struct Contender {
     Parameters parameters;
 };
 
-/// A planner with the parameters of OMPL and of `clearway plan`, except for those named here.
+/// The planners, with the parameters of OMPL and of `clearway plan` except for those named here.
 const std::vector<Contender> kAnytime = {
     {"RRTstar", {{"range", "60"}}},
     {"PRMstar", {}},
@@ -92,7 +92,7 @@ class Table {
         "objective_queries\n";
 };
 
-/// Only for problems in the plane: in space FMT's neighbourhoods have hundreds of states.
+/// Only for problems in the plane, because in space FMT's neighbourhoods have hundreds of states.
 template <class PlannerFor>
 void measureFmt(const Place& place, std::uint32_t seed, const PlannerFor& plannerFor, Table& table) {
     for (const Marching& marching : kMarching) {

@@ -13,7 +13,7 @@ using cli::integer, cli::nonNegative, cli::to;
 
 namespace {
 
-/// The instruction sets asked for that this machine and build have.
+/// The requested instruction sets that this machine and build have.
 std::vector<std::string> targetsOf(const std::string& targets) {
     std::vector<std::string> chosen;
     const std::vector<std::string> available = availableTargets();

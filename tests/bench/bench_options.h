@@ -10,7 +10,7 @@
 
 namespace clearway::testing {
 
-/// If files are given, `scenes` is empty.
+/// The choices of bench_queries. If mesh files are given, `scenes` is empty.
 struct BenchChoices : TaskChoices {
     std::string part, environment, poses;  ///< files; empty when scenes are chosen
     BuildSchedule builds;

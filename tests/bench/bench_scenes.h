@@ -18,7 +18,7 @@ struct BenchSize {
 /// One column of the tables of figures.
 struct BenchScene {
     const char* name;   ///< "E", "F", ...
-    const char* scene;  ///< a row of scenes/scenes.h, with its version
+    const char* scene;  ///< a row of program/scenes/scenes.cpp, with its version
     BenchSize full;
     BenchSize small;             ///< for runs that only show that all answers agree
     double collidingShare;       ///< 0: no pose collides, and the distances lie in the range below

@@ -19,7 +19,7 @@ struct BuildRow {
 
 struct BuildSchedule {
     int rounds = 5;
-    double seconds = 60;  ///< no round starts that would end later, except the first one
+    double seconds = 60;  ///< a round starts only if it would end within this time, except the first round
 };
 
 /// Build options with a name.
@@ -35,7 +35,7 @@ std::vector<BuildChoice> buildChoices(const BuildOptions& chosen);
 std::vector<BuildRow> measureBuilds(const BenchTask& task, const std::vector<BuildChoice>& choices,
                                     const BuildSchedule& schedule);
 
-/// The one build of each peer, without ratios.
+/// One build of each peer, without ratios.
 std::vector<BuildRow> buildsOf(const std::vector<Peer>& peers, const BenchTask& task);
 
 }  // namespace clearway::testing

@@ -99,7 +99,7 @@ Series withinBatchSeries(const TreePair& trees, const std::string& asked, double
     return series;
 }
 
-/// Makes a peer's series for the question. `ask` is empty if the peer cannot answer it.
+/// Makes a peer's series for the question. `ask` is empty if the peer has no such query.
 Series theirs(const Peer& peer, const std::string& asked, std::function<Answer(const Pose&)> ask) {
     Series series;
     series.asked = asked;

@@ -1,4 +1,4 @@
-// The questions to clearway and to its peers, and the pairs of series that are compared.
+// The questions to clearway and to its peers, and the pairs of series to compare.
 #pragma once
 
 #include <cstdint>
@@ -21,11 +21,12 @@ TreePair buildTrees(const BenchTask& task, const BuildOptions& options);
 
 struct SeriesOptions {
     std::vector<std::string> targets;  ///< further instruction sets to time, besides the best one
-    std::uint64_t seed = 1;            ///< of the shuffled order
+    std::uint64_t seed = 1;            ///< seed of the shuffled order
 };
 
 /// Distances in path order (warm, cold, per instruction set, with the fast trees), shuffled and in batches;
-/// collisions; isWithin at 0.1 % and 1 % of the part's size. For each question, what the peers can be asked.
+/// collisions; isWithin at 0.1 % and 1 % of the part's size. Each question also goes to the peers that have
+/// such a query.
 std::vector<Series> allSeries(const BenchTask& task, const TreePair& trees, const TreePair& fastTrees,
                               const std::vector<Peer>& peers, const SeriesOptions& options);
 

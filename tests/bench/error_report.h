@@ -10,15 +10,15 @@
 
 namespace clearway::testing {
 
-/// Over the poses that have a value; in shares of the scene's size.
+/// The spread of values over the poses that have one, in shares of the scene's size.
 struct Spread {
     std::size_t count = 0;
     double median = 0, p999 = 0, worst = 0;
 };
 
 struct VerdictCounts {
-    int falseValid = 0;    ///< called valid, although the distance is not larger than the margin
-    int falseInvalid = 0;  ///< called invalid, although the distance is larger
+    int falseValid = 0;    ///< poses called valid although the distance is not larger than the margin
+    int falseInvalid = 0;  ///< poses called invalid although the distance is larger
 };
 
 struct ModeFigures {
@@ -26,7 +26,7 @@ struct ModeFigures {
     bool isQuery = false;
     double queriesPerSecond = 0;
     double overFloatOnly = 0;        ///< time relative to float only, from the median repetition of each pose
-    std::vector<double> passRatios;  ///< the same ratio for whole passes, one value per repetition
+    std::vector<double> passRatios;  ///< this ratio for whole passes, one value per repetition
     Spread errors;                   ///< |answer - true distance|; verdicts have none
     Spread widths;                   ///< upper - lower, where there is an interval
     int beyondCap = 0;               ///< answers "farther than the cap": they have no number and no width

@@ -1,4 +1,4 @@
-// The figures agree with the answers.
+// Tests that the figures agree with the answers.
 #include "bench/error_report.h"
 
 #include <boost/test/unit_test.hpp>
@@ -85,7 +85,7 @@ BOOST_AUTO_TEST_CASE(answers_beyond_the_cap_are_counted_and_have_no_error) {
     BOOST_TEST(figures.widths.count == 1);
     BOOST_TEST(figures.outside == 0);
     BOOST_TEST(figuresOf(mode, mode.series, {{10, 0}, {40, 0}}, 100).outside ==
-               1);  // not farther than it says
+               1);  // the true distance is less than the answer says
 }
 
 BOOST_AUTO_TEST_CASE(table_has_a_field_for_every_column) {

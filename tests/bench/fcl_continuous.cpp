@@ -19,7 +19,7 @@ namespace {
 namespace ob = ompl::base;
 
 constexpr int kPoses = 200;  ///< poses along each motion; a search between them follows
-constexpr int kJudged = 5;   ///< the oracle judges so many of these poses, the closest ones
+constexpr int kJudged = 5;   ///< the oracle judges this many of these poses, the closest ones
 
 /// One way to check motions, and its results.
 struct Checked {

@@ -1,5 +1,5 @@
-// Measures the time to the first path that is really free: RRTConnect with certified motions, beside
-// RRTConnect with FCL at states a step apart, at the coarsest step at which 95 % of its paths are free. A
+// Measures the time to the first path that is really free, by RRTConnect with certified motions and by
+// RRTConnect with FCL at states a step apart. The step is the coarsest at which 95 % of the paths are free. A
 // path counts if every motion of it is certified. A run without such a path counts with the time limit. Times
 // are processor times of one thread, so other work on the machine hardly matters.
 //   bench_fcl_first_path PROBLEM.cfg SEEDS LIMIT STEP|find [OUT.csv]
@@ -30,7 +30,7 @@ using planning::DiscreteMotionValidator;
 using planning::MotionValidator;
 using planning::ValidityChecker;
 
-constexpr double kRangeInSteps = 20, kRangePerDiagonal = 0.25;  // as `clearway plan` has it
+constexpr double kRangeInSteps = 20, kRangePerDiagonal = 0.25;  // as in `clearway plan`
 constexpr double kCoarsestPerDiagonal = 0.02;  ///< the first step tried; each further step is half as long
 constexpr int kMostHalvings = 12;
 constexpr double kEnough = 0.95;  ///< share of the paths found
@@ -61,7 +61,8 @@ class Bench {
         return {[this](const auto& si) { return std::make_shared<ValidityChecker>(si, scene_); },
                 [this](const auto& si) { return std::make_shared<MotionValidator>(si, scene_); }};
     }
-    /// Both planners get one step. So a seed gives both the same tree wherever their verdicts agree.
+    /// Makes the checker and validator in steps. Both libraries get one step, so that a seed gives both equal
+    /// trees wherever their verdicts agree.
     Checking stepped(double step, bool isFcl) const {
         return {[this, isFcl](const ob::SpaceInformationPtr& si) -> ob::StateValidityCheckerPtr {
                     if (isFcl) return std::make_shared<FclValidityChecker>(si, fcl_);
@@ -103,8 +104,8 @@ class Bench {
     double limit() const { return limit_; }
 
   private:
-    /// Its least interval is finer than the planners', so that a motion that passed in one direction passes
-    /// in the other.
+    /// True if the whole path is certified. The least interval here is finer than the planners', so that a
+    /// motion that passed in one direction passes in the other.
     bool isFree(const ob::SpaceInformationPtr& si, const og::PathGeometric& path) const {
         planning::MotionOptions options;
         options.leastInterval = 1e-6 * diagonal();
@@ -135,7 +136,7 @@ struct Series {
         return static_cast<int>(
             std::count_if(runs.begin(), runs.end(), [](const Run& r) { return r.isFree; }));
     }
-    /// Until there is a path that is free.
+    /// The median of the seconds until a free path; runs without a free path count with the limit.
     double median(double limit) const {
         std::vector<double> seconds;
         for (const Run& run : runs) seconds.push_back(run.isFree ? run.seconds : limit);
@@ -150,8 +151,8 @@ std::string rowOf(const Series& series, double limit) {
            shortNumber(series.median(limit)) + "," + shortNumber(limit) + "\n";
 }
 
-/// The coarsest step at which 95 % of the paths found are free. Clearway's checker stands in for FCL here:
-/// its verdicts are the same, and it is many times faster.
+/// Finds the coarsest step at which 95 % of the paths found are free. Clearway's checker stands in for FCL
+/// here: its verdicts are equal, and it is many times faster.
 std::vector<Series> findStep(const Bench& bench, std::uint32_t seeds) {
     std::vector<Series> tried;
     double step = kCoarsestPerDiagonal * bench.diagonal();

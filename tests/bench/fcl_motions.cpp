@@ -1,5 +1,5 @@
-// Compares FCL and clearway as checkers of one planner: both judge the same recorded states and motions,
-// behind OMPL's discrete motion validator at its default resolution, and at states the problem's step apart.
+// Compares FCL and clearway as checkers of one planner. Both judge equal recorded states and motions, behind
+// OMPL's discrete motion validator at its default resolution, and at states the problem's step apart.
 //   bench_fcl_motions PROBLEM.cfg EDGES SEED [OUT.csv]
 #include <ompl/base/DiscreteMotionValidator.h>
 #include <ompl/util/Console.h>
@@ -24,7 +24,7 @@ namespace {
 
 namespace ob = ompl::base;
 
-constexpr double kRangeInSteps = 20;  // as `clearway plan` has it
+constexpr double kRangeInSteps = 20;  // as in `clearway plan`
 constexpr int kPasses =
     3;  ///< passes over all questions; the checkers take turns, and each question counts with its least time
 
@@ -70,8 +70,8 @@ void pass(Side& side, const std::vector<Edge>& edges) {
             time(questions[i], [&] { return ask(edges[i].from.get(), edges[i].to.get()); });
         }
     };
-    // First all states, then all motions: a checker that keeps its last answer would know a motion's end
-    // state otherwise.
+    // All states are asked before all motions. Otherwise a checker that keeps its last answer would know a
+    // motion's end state.
     forEach(side.asked.states, [&](const ob::State*, const ob::State* to) { return side.si->isValid(to); });
     forEach(side.asked.motions,
             [&](const ob::State* from, const ob::State* to) { return side.si->checkMotion(from, to); });
@@ -79,7 +79,7 @@ void pass(Side& side, const std::vector<Edge>& edges) {
             [&](const ob::State* from, const ob::State* to) { return side.inSteps->checkMotion(from, to); });
 }
 
-/// Sums over the questions that clearway answers with `which`.
+/// Sums over the questions that clearway answers alike: all valid, or all invalid.
 struct Sums {
     std::size_t count = 0;
     double clearway = 0, fcl = 0;

@@ -37,7 +37,7 @@ class FclContinuousValidator : public ompl::base::MotionValidator {
     FclContinuousValidator(const ompl::base::SpaceInformationPtr& si,
                            std::shared_ptr<const FclMeshes> meshes);
     bool checkMotion(const ompl::base::State* s1, const ompl::base::State* s2) const override;
-    /// Differs from OMPL.app's: for an invalid motion, lastValid is always s1.
+    /// Unlike OMPL.app's validator, this one sets lastValid to s1 for every invalid motion.
     bool checkMotion(const ompl::base::State* s1, const ompl::base::State* s2,
                      std::pair<ompl::base::State*, double>& lastValid) const override;
 

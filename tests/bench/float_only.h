@@ -9,17 +9,17 @@
 
 namespace clearway::testing {
 
-/// The models must have the same node width. Threads must not share an object: it keeps a stack and a warm
-/// start, as a Workspace does.
+/// Queries in float for two models of equal node width. Threads must not share an object, because it keeps a
+/// stack and a warm start, as a Workspace does.
 class FloatOnly {
   public:
     FloatOnly(const Model& part, const Model& environment);
     ~FloatOnly();
 
-    /// lower <= true distance <= upper, both proved in float. A pair that float does not prove apart is taken
-    /// for contact and ends the query: value and lower are then 0, upper is that of the pairs met so far.
-    /// Else the value is the middle of the nearest pair's bounds: what the kernel computed, its margins taken
-    /// off again.
+    /// lower <= true distance <= upper, both proved in float. A pair that float does not prove apart counts
+    /// as contact and ends the query: value and lower are then 0, and upper is that of the pairs met so far.
+    /// Otherwise the value is the middle of the nearest pair's bounds, without the rounding margins: the
+    /// number that the kernel computed.
     Answer distance(const Pose& X_environmentPart);
 
     /// Forgets the warm start, so that the next query is cold.

@@ -1,4 +1,4 @@
-// "Float only" keeps the promise that its measurement relies on: its interval holds the true distance.
+// Tests the promise that the measurement of "float only" relies on: its interval holds the true distance.
 #include "bench/float_only.h"
 
 #include <boost/test/data/test_case.hpp>
@@ -29,7 +29,7 @@ BOOST_DATA_TEST_CASE(interval_in_float_holds_the_true_distance_and_answer, eachT
                 BOOST_TEST(answer.value <= answer.upper);
                 BOOST_TEST((answer.lower == 0) == (answer.value == 0));
             }
-            // Narrow enough to be worth measuring.
+            // The interval is narrow enough to be worth measuring.
             const double size = queryCase.oracle->sceneSize();
             answered += answer.lower > 0 && answer.upper - answer.lower <= 1e-4 * size;
         }

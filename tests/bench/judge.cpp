@@ -15,7 +15,7 @@ double distanceOf(const Answer& answer) {
 }
 
 bool isOff(double a, double b, double tolerance) {
-    return !(std::abs(a - b) <= tolerance);  // NaN is off
+    return !(std::abs(a - b) <= tolerance);  // NaN is too far off
 }
 
 /// Clearway's own distance at the pose, with its interval.

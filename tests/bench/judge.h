@@ -14,12 +14,12 @@ using Referee = std::function<double(std::size_t pose)>;
 
 struct Judgement {
     std::vector<double> distances;  ///< the true distance of each pose
-    std::vector<bool> byOracle;     ///< whether the referee decided it; else all agree on clearway's answer
+    std::vector<bool> byOracle;     ///< whether the referee decided; otherwise all agree on clearway's answer
     std::vector<int> wrong;         ///< number of wrong answers of each series
     std::vector<std::string> complaints;  ///< a line for each wrong answer of clearway
 
     int collidingPoses() const;
-    int askedPoses() const;  ///< how many poses the referee was asked about
+    int askedPoses() const;  ///< the number of poses that the referee was asked about
 };
 
 /// A distance is wrong if it is off by more than `tolerance`, or if clearway's interval misses the true

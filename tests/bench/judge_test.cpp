@@ -79,7 +79,7 @@ BOOST_AUTO_TEST_CASE(a_wrong_distance_of_clearway_is_a_complaint_when_only_the_r
     const Judgement judgement = court.verdict(/*refereed*/ 3);
     BOOST_TEST(judgement.askedPoses() == 3);
     BOOST_TEST(judgement.wrong[0] == 1);
-    BOOST_TEST(judgement.wrong[1] == 1);  // the peer that agreed with it
+    BOOST_TEST(judgement.wrong[1] == 1);  // the peer that agreed with clearway's wrong answer
 }
 
 BOOST_AUTO_TEST_CASE(an_interval_that_misses_the_true_distance_is_wrong) {

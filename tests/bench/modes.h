@@ -1,4 +1,4 @@
-// The ways to answer "how far?" whose speed and errors are compared.
+// The ways to measure a distance whose speed and errors are compared.
 #pragma once
 
 #include <functional>
@@ -14,13 +14,13 @@ namespace clearway::testing {
 constexpr const char* kFloatOnly = "float only";
 constexpr const char* kDefault = "default";
 
-/// Share of the scene's size.
+/// The cap of the mode `cap`, as a share of the scene's size.
 constexpr double kCapShare = 0.01;
 constexpr double kTimedMargin = 1e-3;
 
 struct Mode {
-    /// Checks an answer. It decides when a pose is valid at a margin: if lower exceeds the margin, if the
-    /// number does, or if the verdict says so.
+    /// How an answer decides that a pose is valid at a margin: lower exceeds the margin, the number exceeds
+    /// the margin, or the verdict says so.
     enum class Says { kInterval, kLowerBound, kNumber, kVerdict };
 
     Says says;

@@ -1,6 +1,6 @@
-// Measures what certified motions cost on the edges that RRTConnect proposes, valid and invalid edges apart:
-// beside OMPL's discrete validator with our checker at its default resolution, and beside steps as short as a
-// small margin.
+// Measures the cost of certified motions on the edges that RRTConnect proposes, valid and invalid edges
+// apart. Compares them with OMPL's discrete validator and clearway's checker at OMPL's default resolution,
+// and with steps as short as a small margin.
 //   bench_motions PROBLEM.cfg|SCENE [EDGES [SEED]]
 #include <ompl/base/DiscreteMotionValidator.h>
 #include <ompl/util/RandomNumbers.h>
@@ -27,14 +27,14 @@ using planning::MotionValidator;
 using planning::ValidityChecker;
 using Clock = std::chrono::steady_clock;
 
-constexpr double kRangePerDiagonal = 0.25;  // as `clearway plan` has it where no step is known
+constexpr double kRangePerDiagonal = 0.25;  // as in `clearway plan` where no step is known
 constexpr double kSmallMargin = 0.1;        // environment units
 constexpr double kRoomy = 5;                // mean clearance, environment units
 constexpr int kIntegralPoses = 400;
 
 struct Figures {
     std::vector<double> certified, discrete, margined, stepped;  // seconds
-    double queries = 0, integral = 0;                            // over all
+    double queries = 0, integral = 0;                            // over all edges
 };
 
 double median(std::vector<double> values) {
@@ -83,7 +83,7 @@ class Bench {
         std::vector<char> isValid;
     };
 
-    /// Runs twice and counts the second pass only.
+    /// Runs twice and measures the second pass only.
     static Pass pass(const ob::MotionValidator& validator, const std::vector<Edge>& edges) {
         Pass result;
         for (int turn = 0; turn < 2; ++turn) {

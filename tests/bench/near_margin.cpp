@@ -19,7 +19,7 @@ double largestCoordinate(const BenchTask& task, const Pose& pose) {
     return std::max(largest(boundingBox(task.environment)), part + pose.translation.cwiseAbs().maxCoeff());
 }
 
-/// The distances aimed at, including the margin itself.
+/// The wanted distances, including the margin itself.
 std::vector<double> targets(double margin, double sceneSize) {
     std::vector<double> all{margin};
     const auto around = [&](double offset) {
@@ -89,8 +89,8 @@ PosesNearMargin posesNearMargin(const BenchTask& task, const TreePair& trees, co
         const Vector3 between = near.pointOnEnvironment - near.pointOnPart;
         if (!(between.norm() > 0)) continue;
         for (const double target : targets(margin, task.sceneSize())) {
-            // No pair comes nearer by more than the way moved, and the closest pair comes nearer by all of
-            // it.
+            // No pair comes nearer by more than the motion, and the closest pair comes nearer by the whole
+            // motion.
             Pose pose = task.poses[base];
             pose.translation += (near.distance - target) / between.norm() * between;
             collector.add(pose, askOracle(oracle, task, pose));

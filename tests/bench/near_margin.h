@@ -1,4 +1,4 @@
-// Poses whose distance is a hair more or less than a margin, where verdicts are most likely to be wrong.
+// Poses whose distance is slightly more or less than a margin, where verdicts are most likely to be wrong.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace clearway::testing {
 
-/// The oracle's distance and how far it may be off, which is 0 for contact.
+/// The oracle's distance and the oracle's possible error, which is 0 for contact.
 struct Truth {
     double distance;
     double error;
@@ -20,7 +20,7 @@ Truth askOracle(const MeshOracle& oracle, const BenchTask& task, const Pose& pos
 struct PosesNearMargin {
     double margin = 0;  ///< a length
     std::vector<Pose> poses;
-    std::vector<bool> isValid;  ///< whether the true distance is larger than the margin, by the oracle
+    std::vector<bool> isValid;  ///< by the oracle: whether the true distance is larger than the margin
     int undecided = 0;  ///< poses left out, because they are nearer to the margin than the oracle's error
 
     int validPoses() const;

@@ -27,7 +27,7 @@ constexpr double kPrinted = 1e-5;
 struct Figures {
     int states = 0, colliding = 0, outOfBounds = 0;
     int fclColliding = 0, oracleColliding = 0;
-    int clearwayWrong = 0, fclWrong = 0;  ///< the oracle decides
+    int clearwayWrong = 0, fclWrong = 0;  ///< the oracle decides which answers are wrong
     double least = std::numeric_limits<double>::infinity();
     int motions = 0, certified = 0;
     int collidingMotions = 0;  ///< motions with a pose that the oracle finds colliding

@@ -1,4 +1,4 @@
-// The libraries that clearway is measured against, each behind the same few functions.
+// The libraries that clearway is measured against, each behind one set of functions.
 #pragma once
 
 #include <functional>
@@ -32,17 +32,18 @@ struct Peer {
 };
 
 /// FCL 0.7's RSS trees, for distances. Debian's library holds explicit instantiations of the templates used
-/// here, so the traversal timed is Debian's own -O2 code; our flags compile only what the headers inline.
+/// here. So the traversal timed is Debian's own -O2 code; clearway's flags compile only the headers' inline
+/// code.
 Peer makeFclRss(const Mesh& part, const Mesh& environment);
 
 /// FCL 0.7's OBBRSS trees, for collisions; also Debian's code.
 Peer makeFclObbRss(const Mesh& part, const Mesh& environment);
 
-/// PQP 1.3, if the build was pointed at it (CLEARWAY_BENCH_PQP). Its warm start is the models' last closest
-/// pair of triangles.
+/// PQP 1.3, if the build was given a checkout (CLEARWAY_BENCH_PQP). Its warm start is the models' last
+/// closest pair of triangles.
 Peer makePqp(const Mesh& part, const Mesh& environment);
 
-/// Coal's OBBRSS trees, if the build was pointed at them (CLEARWAY_BENCH_COAL).
+/// Coal's OBBRSS trees, if the build was given Coal's prefix (CLEARWAY_BENCH_COAL).
 Peer makeCoal(const Mesh& part, const Mesh& environment);
 
 /// Every library that this build knows, FCL's two trees first.

@@ -1,8 +1,8 @@
-# The peers of the benchmark: FCL always, PQP and Coal when a checkout or an install of the user's own is given. Nothing of
+# The peers of the benchmark: FCL always, PQP and Coal if the user gives a checkout or an install of theirs. Nothing of
 # theirs is in this repository, and nothing is fetched. See README.md in this folder.
 
 set(CLEARWAY_BENCH_PQP "" CACHE PATH "A checkout of PQP to measure against; empty for none")
-set(CLEARWAY_BENCH_PQP_FLAGS "-O3" CACHE STRING "What PQP is compiled with")
+set(CLEARWAY_BENCH_PQP_FLAGS "-O3" CACHE STRING "Flags that PQP is compiled with")
 set(CLEARWAY_BENCH_COAL "" CACHE PATH "The prefix Coal is installed under, to measure against; empty for none")
 
 find_package(fcl 0.7 REQUIRED CONFIG)
@@ -16,7 +16,7 @@ if(CLEARWAY_BENCH_PQP)
   endif()
   add_library(bench_pqp STATIC ${pqp}/Build.cpp ${pqp}/BV.cpp ${pqp}/PQP.cpp ${pqp}/TriDist.cpp)
   target_include_directories(bench_pqp SYSTEM PUBLIC ${pqp})
-  # In place of our own options, some of which would slow it down.
+  # These flags replace clearway's own options, some of which would slow PQP down.
   separate_arguments(pqp_flags UNIX_COMMAND "${CLEARWAY_BENCH_PQP_FLAGS}")
   set_property(TARGET bench_pqp PROPERTY COMPILE_OPTIONS ${pqp_flags} -w)
   target_sources(clearway_bench_support PRIVATE bench/pqp_peer.cpp)

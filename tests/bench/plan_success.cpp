@@ -1,5 +1,5 @@
-// Counts how often and how fast a problem is solved: plans it with seeds 1 to N, as `clearway plan` does. The
-// oracle re-checks every path at 1,000 interpolated states.
+// Counts how often and how fast a problem is solved: plans the problem with seeds 1 to N, as `clearway plan`
+// does. The oracle re-checks every path at 1,000 interpolated states.
 //   bench_plan_success PROBLEM.cfg SEEDS SECONDS OUT.csv [PLANNER [PARAMETER=VALUE...]]
 #include <exception>
 #include <iostream>

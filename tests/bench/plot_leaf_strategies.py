@@ -5,7 +5,7 @@ intervals.
     plot_leaf_strategies.py STUDY... PLOT.svg
 
 STUDY: a study's folder or its statistics.csv; each scene may have its own folder.
-One column per scene. Above, by planner: the planner's own seconds per call (hollow) and those of the same calls replayed
+Each scene has a column. Above, by planner: the planner's own seconds per call (hollow) and the seconds of these calls replayed
 (full). Below, by tree and instruction set: the replayed calls of all planners. Needs matplotlib (Debian: python3-matplotlib).
 """
 import csv

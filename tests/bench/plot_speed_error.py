@@ -14,7 +14,7 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 
-FLOOR = 1e-19  # where no error at all is drawn
+FLOOR = 1e-19  # the height at which an error of 0 is drawn
 
 # Mode in the table: label, colour, marker. Hollow markers are peers.
 STYLES = {

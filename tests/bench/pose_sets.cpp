@@ -15,7 +15,7 @@ namespace clearway::testing {
 using namespace scenes;
 namespace {
 
-/// The state of a walk: how far along the path it is, and how far beside it.
+/// The state of a walk: its place along the path, and its deviation from the path.
 struct Walker {
     double share = 0;
     Deviation deviation = Deviation::Zero();

@@ -11,8 +11,8 @@ namespace clearway::testing {
 
 /// A random walk beside the path, without collisions. Each step goes on along the path and changes the
 /// deviation by about 0.4 % of the part's size (the diagonal of its box), half of it by turning. A step is
-/// possible only where the distance is between from * size and to * size. To spread the clearances over that
-/// range as far as the scene allows, the walk draws a clearance to aim at every eight steps, evenly in its
+/// possible only where the distance is between from * size and to * size. The walk spreads the clearances
+/// over that range as far as the scene allows: every eight steps it draws a wanted clearance, evenly in its
 /// logarithm, and takes the one of four possible steps that comes nearest to it. Where no step is possible
 /// the walk turns round. Throws std::runtime_error when the walk is stuck.
 std::vector<Pose> posesFree(const scenes::PoseTask& task, double from, double to, int count,

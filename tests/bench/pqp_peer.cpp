@@ -90,7 +90,7 @@ Peer makePqp(const Mesh& part, const Mesh& environment) {
     peer.distance = [trees](const Pose& pose) { return distanceBy(*trees, pose); };
     peer.collides = [trees](const Pose& pose) { return collidesBy(*trees, pose); };
     peer.isWithin = [trees](const Pose& pose, double d) { return isWithinBy(*trees, pose, d); };
-    peer.forgetWarmStart = [trees] {  // as after EndModel
+    peer.forgetWarmStart = [trees] {  // restores the state after EndModel
         trees->part.last_tri = trees->part.tris;
         trees->environment.last_tri = trees->environment.tris;
     };

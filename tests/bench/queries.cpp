@@ -1,7 +1,7 @@
-// Measures every kind of query of clearway and of its peers, on the same meshes and poses, in one process, in
+// Measures every kind of query of clearway and of its peers, on equal meshes and poses, in one process, in
 // turns.
 //   bench_queries [--scenes E,K] [--out DIR] ...      see --help and README.md in this folder
-// Ends with 1 when an answer of clearway is wrong, with 2 when it cannot run.
+// Ends with exit code 1 when an answer of clearway is wrong, and with 2 when the benchmark cannot run.
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -35,7 +35,7 @@ BenchTask taskFromFiles(const BenchChoices& choices) {
     return task;
 }
 
-/// The oracle is made when it is first asked, because most runs need it seldom.
+/// Makes the oracle when it is first asked, because most runs need it seldom.
 Referee lazyOracle(const BenchTask& task) {
     auto oracle = std::make_shared<std::unique_ptr<MeshOracle>>();
     return [oracle, &task](std::size_t pose) {
@@ -57,7 +57,7 @@ void writeTables(const BenchChoices& choices, const BenchReport& report, Tables&
     write(choices.out, "builds.csv", tables.builds);
 }
 
-/// Returns how many answers of clearway are wrong.
+/// Returns the number of clearway's wrong answers.
 std::size_t measure(const BenchTask& task, const BenchChoices& choices, bool withBuilds, Tables& tables) {
     std::vector<BuildRow> builds;
     if (withBuilds) builds = measureBuilds(task, buildChoices(choices.trees), choices.builds);

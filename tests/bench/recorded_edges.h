@@ -17,7 +17,7 @@ struct Edge {
     ompl::base::ScopedState<> from, to;
 };
 
-/// The caller sets OMPL's seed.
+/// Records edges. The caller sets OMPL's seed.
 class EdgeRecorder {
   public:
     /// range: the longest edge of the planner's trees. Environment units.
@@ -25,7 +25,7 @@ class EdgeRecorder {
 
     const ompl::base::StateSpacePtr& space() const { return space_; }
 
-    /// A space information of that space with a checker for the scene. The caller sets it up.
+    /// A space information of the problem's space with a checker for the scene. The caller sets it up.
     ompl::base::SpaceInformationPtr makeSpaceInformation(const Scene& scene) const;
 
     /// Plans the problem with certified motions, repeatedly, until there are `count` edges.

@@ -1,4 +1,4 @@
-// Measures what each sampler of valid states gains a roadmap: plans problems by PRM with each sampler and
+// Measures how much each sampler of valid states helps a roadmap: plans problems by PRM with each sampler and
 // seeds 1 to N, and writes how many paths were found and how soon.
 //   bench_samplers PROBLEM.cfg SEEDS SECONDS OUT.csv [SAMPLER...]
 #include <algorithm>

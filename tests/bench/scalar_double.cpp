@@ -104,7 +104,7 @@ double slabGap(const Vector3& v, const Corners& a, const Corners& b) {
     return length > 0 ? std::max(forth, back) / length : -kInfinity;
 }
 
-/// Whether one of three slabs proves a distance of at least `apart`.
+/// True if one of three slabs proves a distance of at least `apart`.
 bool slabsProve(const Corners& a, const Corners& b, double apart) {
     const Vector3 between = (b[0] + b[1] + b[2]) - (a[0] + a[1] + a[2]);
     if (slabGap(between, a, b) >= apart) return true;
@@ -115,7 +115,7 @@ bool slabsProve(const Corners& a, const Corners& b, double apart) {
     return false;
 }
 
-/// One pose, prepared for volumes; the resolution of pairs needs more.
+/// One pose, prepared for volumes. The resolution of pairs needs more.
 struct Placed {
     PairQuery query;
     Matrix3 rotation;

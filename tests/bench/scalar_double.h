@@ -1,5 +1,6 @@
-// The plain way, for comparison with the float traversal: walks the same trees volume by volume in double,
-// without vectors, and resolves in double every pair of triangles that a few slabs do not prove far apart.
+// The plain way, for comparison with the float traversal: searches clearway's trees volume by volume in
+// double, without vectors, and resolves in double every pair of triangles that a few slabs do not prove far
+// apart.
 #pragma once
 
 #include <memory>
@@ -9,7 +10,7 @@
 
 namespace clearway::testing {
 
-/// For models with nodes of 8 children. Threads must not share an object.
+/// Queries in scalar double for models with nodes of 8 children. Threads must not share an object.
 class ScalarDouble {
   public:
     /// Throws std::invalid_argument if a model has nodes of another width.
@@ -20,8 +21,8 @@ class ScalarDouble {
     /// contact.
     Answer distance(const Pose& X_environmentPart);
 
-    /// A single bound: between the volumes around all of the part and all of the environment. value = lower;
-    /// upper is infinite.
+    /// One bound between the volumes around all of the part and all of the environment. value = lower; upper
+    /// is infinite.
     Answer rootBound(const Pose& X_environmentPart) const;
 
     /// Forgets the warm start, so that the next query is cold.

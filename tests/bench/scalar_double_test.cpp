@@ -1,4 +1,4 @@
-// "Scalar double" and "root volumes" keep the promises that their measurements rely on.
+// Tests the promises that the measurements of "scalar double" and "root volumes" rely on.
 #include "bench/scalar_double.h"
 
 #include <boost/test/unit_test.hpp>

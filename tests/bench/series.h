@@ -1,4 +1,4 @@
-// A series is what is timed: one question to one engine at every pose of a set, pass after pass.
+// A series is one question to one engine at every pose of a set, timed pass after pass.
 //
 // All series of a scene run in one process and take turns: each repetition is one pass of every series. A
 // pass begins with an untimed lead-in, which brings the engine's trees back into the caches after the other
@@ -22,7 +22,7 @@ struct Series {
     std::string asked;   ///< series with equal texts are compared: "distance", "distance, shuffled", ...
     std::string engine;  ///< "clearway", "PQP, cold", ...
     bool isClearway = false;
-    std::vector<std::size_t> order;  ///< of the poses
+    std::vector<std::size_t> order;  ///< order of the poses
 
     // The engine. Either ask or askAll is set. askAll gets the poses several times over, because batches are
     // long; its time is divided evenly among the poses.
@@ -36,13 +36,13 @@ struct Series {
     std::vector<std::vector<double>> nanoseconds;  ///< [repetition][pose]
 
     double total(std::size_t repetition) const;  ///< nanoseconds of a pass
-    std::vector<double> medians() const;         ///< of each pose over the repetitions
+    std::vector<double> medians() const;         ///< median of each pose over the repetitions
 };
 
 struct Schedule {
     int repetitions = 5;
-    /// Seconds for each series of another engine than clearway. It runs only as many repetitions as fit in,
-    /// judged by its first pass, but at least one.
+    /// Seconds for each series of a peer. The peer runs only as many repetitions as fit in, judged by its
+    /// first pass, but at least one.
     double peerBudget = 60;
     double leadIn = 0.02;  ///< at most so many seconds and at most one pass
     int cpu = -1;          ///< passes of one thread keep to this CPU; -1: any

@@ -67,7 +67,7 @@ def found_by(rows, names):
 
 CHECKS = ("state_checks", "motion_checks", "motion_costs")
 QUERIES = ("distance_queries", "within_queries")
-LEAST_SHARE = 0.95  # of a processor; a run with less was disturbed, as in src/program/study/study_rows.cpp
+LEAST_SHARE = 0.95  # of a processor; a run with less was disturbed, as in src/program/study/planner_runs.cpp
 
 
 def total(run, columns):
@@ -79,7 +79,7 @@ def share(part, whole):
 
 
 def medians(runs, value):
-    """Returns the median over the runs that have such a value; None if no run has one."""
+    """Returns the median over the runs that have the value; None if no run has one."""
     values = [v for v in map(value, runs) if v is not None]
     return median(values) if values else None
 
@@ -158,7 +158,7 @@ def planners(summary, statistics):
 
 
 def replays(statistics, summary, baseline):
-    """One line per tree, with ratios for the same calls of all planners."""
+    """One line per tree, with ratios for the replayed calls of all planners."""
     speeds = {tree(row): row["calls_per_second"] for row in summary
               if (row["source"], row["planner"], row["leaf_split"]) == ("replay", "all", baseline)}
     rows = [row for row in statistics if row["source"] == "replay" and row["planner"] == "all"]
@@ -208,25 +208,25 @@ def main():
     names = ("runs.csv", "summary.csv", "statistics.csv", "trees.csv", "claims.csv")
     runs, summary, statistics, built, judged = (read(sys.argv[1:], name) for name in names)
     baseline = statistics[0]["baseline"]
-    print(f"Ratios are to `{baseline}`: medians, and in brackets the interval of 95 in 100 bootstrap resamples. Below 1 is "
-          f"quicker, or less. Shares of `{baseline}` are in brackets too.\n")
+    print(f"- Ratios are to `{baseline}`. Below 1 is quicker, or less.\n- A ratio is a median; in brackets stands the interval of "
+          f"95 in 100 bootstrap resamples.\n- Shares of `{baseline}` are in brackets, too.\n")
     for scene in dict.fromkeys(row["scene"] for row in built):
         of = [[row for row in rows if row["scene"] == scene] for rows in (summary, statistics, built)]
         here = [run for run in runs if run["scene"] == scene]
-        print(f"### {scene}\n\nPlanner runs with `{baseline}`, medians of all runs (of times to solutions: of those solved); tests are of "
-              "each query:\n")
+        print(f"### {scene}\n\nPlanner runs with `{baseline}`: medians of all runs; times to solutions are medians of the solved runs. "
+              "Tests are counted per query.\n")
         unsplit(here, baseline)
-        print("The general splits of these; times of each of the planner's calls, medians (least to largest) of pairs of runs:\n")
+        print("The general splits: time per call of the planner, as medians (least to largest) of pairs of runs.\n")
         general_splits(here, baseline)
-        print(f"The other leaf splits over `{baseline}`; the planner's and query time are of each call, triangle tests of each query:\n")
+        print(f"The other leaf splits over `{baseline}`: planner's time and query time per call, triangle tests per query.\n")
         planners(of[0], of[1])
-        print("The same calls of all planners, replayed; triangle tests and blocks in use of the same splits in turn:\n")
+        print("The calls of all planners, replayed. Triangle tests and blocks in use are given for the splits in turn.\n")
         replays(of[1], of[0], baseline)
         first = of[2][0]
         thesis = f"; in brackets the thesis's {first['thesis_scene']}" if first["thesis_scene"] else ""
         print(f"Trees of the environment, {int(first['triangles']):,} triangles; {first['colliding']} of {first['poses']} poses collide{thesis}:\n")
         trees(of[2])
-    print("### The thesis's claims\n\nThe ratio by which the first has more than the second:\n")
+    print("### The thesis's claims\n\nThe ratio by which the first has more than the second.\n")
     claims(judged)
 
 

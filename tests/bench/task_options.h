@@ -13,7 +13,7 @@
 namespace clearway::testing {
 
 struct TaskChoices {
-    std::vector<std::string> scenes;  ///< letters
+    std::vector<std::string> scenes;  ///< the scenes' letters
     bool small = false;
     std::optional<std::size_t> partTriangles, environmentTriangles;
     int poseCount = 200;
@@ -23,8 +23,8 @@ struct TaskChoices {
     std::string out;  ///< folder; empty: writes no files
 };
 
-/// Declares the options that fill `to`; --scenes keeps the scenes it has by default.
-/// outFiles: what --out will hold, for the help text.
+/// Declares the options that fill `to`. By default the scenes stay as they are. outFiles: the files that
+/// --out will hold, for the help text.
 void addTaskOptions(cli::CommandLine& line, const std::string& outFiles, TaskChoices& to);
 
 std::vector<std::string> splitAtCommas(const std::string& list);

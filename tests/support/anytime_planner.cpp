@@ -21,7 +21,7 @@ namespace {
 
 namespace ob = ompl::base;
 
-/// As `clearway plan` has it.
+/// The longest edge of a planner's trees, as `clearway plan` sets it.
 double rangeOf(const Problem& problem, const Model& part) {
     return problem.step ? 20 * *problem.step : 0.25 * part.box().diagonal().norm();
 }

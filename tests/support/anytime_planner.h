@@ -40,7 +40,7 @@ class AnytimePlanner {
     /// Whether the best cost is optimal.
     bool isSatisfied() const;
 
-    /// The least clearance of the best path according to the validator's reports, for any objective.
+    /// The least clearance of the best path, by the validator's reports, whatever the objective.
     double certifiedClearance();
 
     const ompl::base::OptimizationObjective& objective() const { return *objective_; }

@@ -13,7 +13,7 @@ struct ReadLog {
         std::string name;
         Values settings;
         std::vector<Values> runs;
-        std::vector<std::vector<Values>> progress;  ///< for each run, moment by moment
+        std::vector<std::vector<Values>> progress;  ///< one list for each run, moment by moment
     };
 
     std::string version, experiment, host, started, setup, cpu;

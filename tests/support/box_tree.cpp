@@ -82,7 +82,7 @@ double lowerBound(const BoxNode& a, const BoxNode& b) {
         const double gap = std::max({a.low[axis] - b.high[axis], b.low[axis] - a.high[axis], 0.0});
         squared += gap * gap;
     }
-    return std::sqrt(squared) * (1 - 1e-14);  // lowered by more than its few roundings
+    return std::sqrt(squared) * (1 - 1e-14);  // lowered by more than the few roundings in it
 }
 
 double diagonalSquared(const BoxNode& node) {

@@ -25,7 +25,7 @@ struct BoxTree {
 
     explicit BoxTree(const Mesh& mesh);
 
-    /// The same tree around other positions of the mesh's vertices.
+    /// This tree, refitted to other positions of the mesh's vertices.
     BoxTree refitted(const Mesh& mesh, const std::vector<LongVector>& vertices) const;
 
   private:

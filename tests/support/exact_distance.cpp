@@ -114,7 +114,8 @@ void takeCornersOverEdges(const Side& corners, const Side& edges, Least& least) 
     }
 }
 
-// Counts only if the common normal of the two lines meets both edges; otherwise a corner is closest.
+// Takes a pair of edges only if the common normal of their lines meets both edges. Otherwise a corner is
+// closest.
 void takeEdges(const Side& a, const Side& b, Least& least) {
     for (int i = 0; i < 3; ++i) {
         for (int j = 0; j < 3; ++j) {

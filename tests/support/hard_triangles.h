@@ -1,5 +1,5 @@
 // Triangle pairs that published distance routines get wrong: known ones from bug reports, and families to
-// draw from, numbered as in the catalogue of hard cases.
+// draw from, numbered as in tests/properties/hard_cases.md.
 #pragma once
 
 #include <array>

@@ -19,7 +19,7 @@ struct Found {
     bool operator<(const Found& other) const { return distance < other.distance; }
 };
 
-/// Golden section; `distanceAt` keeps what it finds.
+/// Searches by golden section. `distanceAt` records all distances.
 template <class Function>
 void searchLeast(const Function& distanceAt, double low, double high, int steps) {
     constexpr double kGolden = 0.6180339887498949;
@@ -55,7 +55,7 @@ std::shared_ptr<const MotionScene> tunnelConsole(double margin) {
                                                readPath(base + ".path", Space::kSe3));
 }
 
-/// In the plane the plate lies flat; turned to any side it does not fit through.
+/// In the plane the plate lies flat. A turned plate does not fit through the window.
 std::shared_ptr<const MotionScene> window(Space kind, double margin) {
     const WindowScene made = windowScene();
     std::vector<PartState> path(3, made.problem.start);

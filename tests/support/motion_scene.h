@@ -29,7 +29,7 @@ struct MotionScene {
     /// The clearance by the oracle: its distance less the margin.
     double trueClearance(const ompl::base::State* state) const;
 
-    /// The state at a time: s2 for time 1, otherwise interpolated.
+    /// The clearance of a motion's state at a time: s2 for time 1, otherwise interpolated.
     double trueClearance(const ompl::base::State* s1, const ompl::base::State* s2, double time) const;
 
     /// The least clearance along the motion up to a time (1 is s2). It is judged at the `judged` poses where
@@ -47,7 +47,7 @@ struct MotionScene {
     ompl::base::SpaceInformationPtr si;
     std::shared_ptr<planning::ValidityChecker> checker;
     std::shared_ptr<planning::MotionValidator> validator;  ///< both belong to si
-    std::shared_ptr<planning::MotionValidator> close;      ///< with a hundredth of the other's least interval
+    std::shared_ptr<planning::MotionValidator> close;      ///< has a hundredth of the other's least interval
 };
 
 /// The window in SE(3) and SE(2), the small tunnel-console, boxes and puzzle, with and without margins.

@@ -106,7 +106,7 @@ class Search {
 
 OracleAnswer rounded(const Closest& closest) {
     const auto nearest = static_cast<double>(closest.distance);
-    const bool vanished = nearest == 0 && closest.distance > 0;  // it was below the least double
+    const bool vanished = nearest == 0 && closest.distance > 0;  // the distance was below the least double
     return {vanished ? std::numeric_limits<double>::denorm_min() : nearest, closest.partTriangle,
             closest.environmentTriangle};
 }

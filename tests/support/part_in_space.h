@@ -1,4 +1,4 @@
-// A scene in an SE(3) of OMPL's, with our checker and our certified validator.
+// A scene in OMPL's SE(3), with clearway's checker and certified validator.
 #pragma once
 
 #include <ompl/base/ScopedState.h>

@@ -16,7 +16,7 @@ std::vector<Pose> posesAlong(const std::vector<PartState>& path, Space space, do
 double leastDistance(const MeshOracle& oracle, const std::vector<PartState>& path, const Problem& problem,
                      int states);
 
-/// The number of these poses that collide by the oracle: exact, and quicker.
+/// The number of these poses that collide. The oracle decides exactly, and faster than it measures distances.
 int collisionsAlong(const MeshOracle& oracle, const std::vector<PartState>& path, const Problem& problem,
                     int states);
 

@@ -1,5 +1,5 @@
-// Time limits in tests, independent of what else the machine does: processor time, unlike the clock, stands
-// still while other processes hold the processors.
+// Time limits in tests that do not depend on the machine's other work: processor time, unlike the clock,
+// stands still while other processes hold the processors.
 #pragma once
 
 #include <algorithm>
@@ -22,7 +22,8 @@ double processorSecondsOf(Work work) {
     return processorSeconds() - begin;
 }
 
-/// The same seconds divided by the number of processors: never more than a clock shows.
+/// The processor seconds that `work` takes, divided by the number of processors: never more than a clock
+/// shows.
 template <typename Work>
 double secondsOnAllProcessors(Work work) {
     return processorSecondsOf(work) / std::max(1u, std::thread::hardware_concurrency());

@@ -1,4 +1,4 @@
-// Common to the query tests: pairs of meshes with poses that are far, near, touching and colliding, the
+// Material of the query tests: pairs of meshes with poses that are far, near, touching and colliding, the
 // oracle's answers to them, and the check that a result keeps every promise of clearway/query.h.
 #pragma once
 

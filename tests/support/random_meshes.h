@@ -12,8 +12,8 @@
 
 namespace clearway::testing {
 
-/// Random numbers by splitmix64 (Steele, Lea, Flood 2014). Unlike the standard distributions, they are the
-/// same with every standard library.
+/// Random numbers by splitmix64 (Steele, Lea, Flood 2014). Unlike the standard distributions, they do not
+/// depend on the standard library.
 class Random {
   public:
     explicit Random(std::uint64_t seed) : state_(seed) {}

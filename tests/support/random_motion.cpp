@@ -17,7 +17,8 @@ void closeIn(const MotionScene& scene, Random& random, ob::ScopedState<>& state)
     scene.close->checkMotion(state.get(), scene.state(away).get(), lastValid);
 }
 
-/// OMPL accepts norms that are off by 1e-9, which moves the angle below which it omits a turn.
+/// Changes the quaternion's norm by up to 1e-9, as far as OMPL accepts. This moves the angle below which OMPL
+/// omits a turn.
 void unsettleNorm(Random& random, ob::ScopedState<>& state) {
     const double norm = 1 + random.uniform(-0.9e-9, 0.9e-9);
     for (unsigned int i = 3; i < 7; ++i) state[i] *= norm;

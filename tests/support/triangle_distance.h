@@ -19,8 +19,8 @@ struct TriangleDistance {
 };
 
 /// The distance of any triangles, including segments and points (equal or collinear corners). The witness
-/// points lie on their triangles up to rounding and are `distance` apart. It is never too small, but a
-/// piercing pair may come out at some 1e-19 of its size instead of 0 (more for needles).
+/// points lie on their triangles up to rounding and are `distance` apart. The distance is never too small,
+/// but a piercing pair may come out at some 1e-19 of its size instead of 0 (more for needles).
 TriangleDistance triangleDistance(const LongTriangle& a, const LongTriangle& b);
 
 LongVector closestOnTriangle(const LongVector& point, const LongTriangle& triangle);

@@ -13,8 +13,8 @@
 
 namespace clearway::testing {
 
-/// FCL's figures on the same cases: contact called free by each of its two queries, distances too large by
-/// more than 1e-6 of the scene (which a margin would accept as valid), and answers that are not a number.
+/// FCL's figures on these cases: contact called free by each of its two queries, distances too large by more
+/// than 1e-6 of the scene (which a margin would accept as valid), and answers that are not a number.
 struct FclFigures {
     std::uint64_t asked = 0;
     double worstOfScene = 0;
@@ -25,14 +25,14 @@ struct FclFigures {
 
 struct WorstFinish {
     std::uint64_t pairs = 0;
-    double error = 0;  ///< in u64 (M + L)
+    double error = 0;  ///< in units of u64 (M + L)
     double width = 0;
 };
 
 struct PairFigures {
     std::string family;
     std::uint64_t pairs = 0, touching = 0, refused = 0, violations = 0;
-    double worstError = 0;         ///< of `distance`, in u64 (M + L)
+    double worstError = 0;         ///< of `distance`, in units of u64 (M + L)
     double worstErrorOfScene = 0;  ///< in units of the scene's size
     double widest = 0;             ///< in units of the allowed width
     double widestOfScene = 0;
@@ -46,7 +46,7 @@ struct PairFigures {
 struct MeshFigures {
     std::string family;
     std::uint64_t poses = 0, touching = 0;
-    std::uint64_t verge = 0;  ///< free, but nearer than 1e-12 of the scene
+    std::uint64_t verge = 0;  ///< poses that are free, but nearer than 1e-12 of the scene
     std::uint64_t falseValid = 0, violations = 0;
     FclFigures fcl;
 

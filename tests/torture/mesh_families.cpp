@@ -207,7 +207,7 @@ std::vector<MeshFamily> meshFamilies() {
 Pose adversarialPose(Random& random, const MeshFamily& family, const WayToContact& wayToContact) {
     Pose pose = family.resting(random);
     const int kind = random.below(4);
-    if (kind == 1) {  // a resting pose, turned a little
+    if (kind == 1) {  // a resting pose that is turned a little
         pose.rotation = turnAbout(random.below(3), 1e-3 * random.uniform(-1, 1)) * pose.rotation;
     }
     if (kind == 2) pose.rotation = random.rotation();

@@ -14,8 +14,9 @@ struct MeshFamily {
     std::string name;
     Mesh part;
     Mesh environment;
-    double size;                           ///< of the smaller mesh; scales the drawn poses and steps
-    std::function<Pose(Random&)> resting;  ///< in contact, or on the verge of it up to rounding
+    double size;  ///< size of the smaller mesh; scales the drawn poses and steps
+    /// Draws poses in contact, or on the verge of contact up to rounding.
+    std::function<Pose(Random&)> resting;
 };
 
 /// Boxes face to face, combs and stepped profiles in one another, pegs in holes that they fill exactly or

@@ -19,7 +19,7 @@ BOOST_AUTO_TEST_CASE(meshes_that_rest_on_each_other_are_never_called_free) {
         BOOST_TEST_CONTEXT("meshes " << figures.family << ", seed " << kSeed) {
             BOOST_TEST(figures.falseValid == 0u);
             BOOST_TEST(figures.violations == 0u);
-            BOOST_TEST(figures.touching * 4 > figures.poses);  // otherwise they rest too seldom
+            BOOST_TEST(figures.touching * 4 > figures.poses);  // otherwise too few poses are in contact
         }
         verge += figures.verge;
     }

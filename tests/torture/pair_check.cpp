@@ -18,7 +18,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 using Apart = Eigen::Matrix<long double, 3, 1>;
 
-/// One case given to the library, with the truth about it.
+/// One case given to the library, with its true answer.
 class Check {
   public:
     Check(const PosedMeshes& posed, CheckedCase& checked)
@@ -50,8 +50,8 @@ class Check {
                 [&] { return std::string("collides is ") + (says ? "true" : "false"); });
     }
 
-    /// Asks isWithin at zero, at the truth, at the doubles on either side of it, and at some distance from
-    /// it.
+    /// Asks isWithin at zero, at the true distance, at the doubles on either side of it, and at distances
+    /// farther from it.
     void checkVerdicts(Random& random) {
         const auto near = static_cast<double>(checked_.truth);
         for (const double d : {near, std::nextafter(near, 0.0), std::nextafter(near, kInfinity)}) {
@@ -186,7 +186,7 @@ class Check {
                 described);
     }
 
-    /// Whether the point is certainly within reach of the triangle; false proves nothing.
+    /// True if the point is certainly within reach of the triangle; false proves nothing.
     bool isNear(const Vector3& point, const LongTriangle& triangle, double reach) const {
         const LongVector p = point.cast<long double>();
         return (closestOnTriangle(p, triangle) - p).norm() + 0x1p-4L * roundoff_ <= reach;
@@ -212,7 +212,7 @@ double defaultWidth(const CaseLengths& lengths) {
     return 1e-12 * lengths.scene + 32 * kUnitRoundoff * lengths.largest;
 }
 
-/// Whether the sizes, or a size and the distance between the meshes, differ by 2^60 or more, give or take a
+/// True if the sizes, or a size and the distance between the meshes, differ by about 2^60 or more, within a
 /// few powers of two.
 bool mayBeRefused(const CaseLengths& lengths) {
     return lengths.leastSize * 0x1p57 < lengths.largest;
@@ -224,7 +224,8 @@ CheckedCase checkCase(const PosedMeshes& posed, std::uint64_t choices) {
     Random random(choices);
     try {
         Check check(posed, checked);
-        if (random.below(2) == 0) check.checkCollides();  // before or after anything is known of the pair
+        // Before or after other queries have left a warm start.
+        if (random.below(2) == 0) check.checkCollides();
         check.checkDistance();
         check.checkCollides();
         check.checkVerdicts(random);

@@ -11,20 +11,20 @@
 
 namespace clearway::testing {
 
-/// The most exact arithmetic that a query needed.
+/// The last stage of arithmetic that a query needed.
 enum class Stage { kFloat, kDouble, kDoubleDouble, kExact };
 constexpr int kStages = 4;
 Stage stageOf(const QueryCounters& counters);
 
-/// The answer of the finish in double alone, before any later stage; for one triangle against one.
+/// The answer of the resolution in double alone, before any later stage, for one triangle against one.
 struct DoubleFinish {
     bool isAsked = false;
     long double error = 0;  ///< error of the distance between its two points
     long double width = 0;  ///< width of its interval
 };
 
-/// Triangles are regular if they are at least this high over their longest edge. For these the distance from
-/// the double finish is off by at most kFinishRoundoffs u64 (M + L).
+/// Triangles are regular if their height is at least this share of their longest edge. For regular triangles
+/// the distance from the resolution in double is off by at most kFinishRoundoffs u64 (M + L).
 constexpr double kRegularFlatness = 0.01;
 constexpr double kFinishRoundoffs = 16;
 

@@ -43,7 +43,7 @@ Matrix3 quarterTurn(Random& random) {
     return turn;
 }
 
-/// A draw from the named families of hard_triangles.h.
+/// Draws from the named families of hard_triangles.h.
 class Known {
   public:
     explicit Known(std::vector<std::string> names) {
@@ -117,7 +117,7 @@ PosedMeshes scaledAnyhow(Random& random, const TrianglePair& pair) {
     return posed;
 }
 
-/// Far from the origin of the environment, of the part, or of both.
+/// Moves the pair far from the origin of the environment, of the part, or of both.
 PosedMeshes farAway(Random& random, const TrianglePair& pair) {
     const double away = std::pow(10.0, random.uniform(3, 9)), partAway = std::pow(10.0, random.uniform(3, 9));
     TrianglePair moved = pair;
@@ -240,7 +240,7 @@ TrianglePair touchingPair(Random& random) {
         case 0:  // a corner on the face, an edge or a corner; the rest anywhere
             b[random.below(3)] = within;
             break;
-        case 1:  // as above, but the rest on one side of the face
+        case 1:  // as case 0, but the rest on one side of the face
             b[0] = within;
             for (int k = 1; k < 3; ++k) {
                 if ((b[k] - within).dot(normal) < 0) b[k] = 2 * within - b[k];

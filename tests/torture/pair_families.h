@@ -27,7 +27,7 @@ struct PairFamily {
 /// random, grid and cluster (several triangles each). About half of the draws touch or nearly touch.
 std::vector<PairFamily> pairFamilies();
 
-/// Makes a pair into a part and an environment: the part's own coordinates are the pair's, taken back by the
+/// Makes a part and an environment of a pair. The part's own coordinates are the pair's, moved back by the
 /// pose and rounded. Of four poses one is the identity, one a translation, one a quarter turn with a
 /// translation by whole multiples of a power of two, and one is arbitrary. The first three round little or
 /// nothing.

@@ -25,7 +25,8 @@ struct Resting {
     Mesh part;
     Mesh environment;
     std::function<Vector3(Random&)> resting;  ///< draws translations in contact
-    Vector3 away;                             ///< added to any of these, a gap of 1 % of the part's size
+    /// Moves a translation in contact to a gap of 1 % of the part's size.
+    Vector3 away;
 };
 
 /// A whole multiple of 1/8 in [-reach, reach].
@@ -71,7 +72,8 @@ double medianTime(const Model& part, const Model& environment, const std::vector
         for (std::size_t i = 0; i < poses.size(); ++i) {
             const auto start = std::chrono::steady_clock::now();
             for (int call = 0; call < kCallsPerTiming; ++call) {
-                // A warm start comes from the previous pose of the set, not from the same pose.
+                // A warm start comes from the previous pose of the set, not from an earlier repetition of
+                // this pose.
                 if (!isWarm) workspace.forgetWarmStart();
                 collides(part, environment, poses[(i + std::size_t(call)) % poses.size()], workspace);
             }

@@ -1,5 +1,5 @@
-// The cost of contact for `collides`: resting poses compared with the same poses at a gap of a hundredth of
-// the size.
+// The cost of contact for `collides`: resting poses compared with these poses moved to a gap of a hundredth
+// of the size.
 #pragma once
 
 #include <iosfwd>

@@ -12,14 +12,14 @@ namespace {
 
 constexpr int kRound = 20;  ///< cases of a family before the next family's turn
 
-/// The seed of one case, so that any case can be drawn again without those before it.
+/// The seed of one case. Any case can be drawn again without the cases before it.
 std::uint64_t seedOf(std::uint64_t seed, const std::string& family, std::uint64_t number) {
     std::uint64_t hash = seed;
     for (const char c : family) hash = Random(hash ^ static_cast<unsigned char>(c)).bits();
     return Random(hash ^ number).bits();
 }
 
-/// The families whose names were asked for; all if none was.
+/// The families whose names were given; all if none was.
 template <typename Family>
 std::vector<Family> chosen(const std::vector<Family>& all, const std::vector<std::string>& names) {
     if (names.empty()) return all;
@@ -70,8 +70,7 @@ void inTurns(std::size_t families, Progress& progress, const TryOne& tryOne) {
     }
 }
 
-/// Whether the sizes are such that FCL's products of lengths neither overflow nor vanish, as they openly do
-/// beyond.
+/// True if FCL's products of lengths neither overflow nor vanish at these sizes.
 bool isOrdinary(double largestCoordinate) {
     return largestCoordinate > 1e-60 && largestCoordinate < 1e60;
 }

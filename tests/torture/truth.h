@@ -6,7 +6,7 @@
 
 namespace clearway::testing {
 
-/// The distance of all triangles of one mesh from all of the other.
+/// The distance between all triangles of one mesh and all of the other.
 ExactDistance exactDistance(const PosedMeshes& posed);
 
 /// The distance of a point from a triangle of the part at its pose, or of the environment.

@@ -28,11 +28,12 @@ ompl::base::PlannerSolution solutionOf(const PlanSetup& setup);
 /// wrapper that dies with its planner.
 ompl::geometric::PathGeometric pathOf(const PlanSetup& setup, const ompl::base::PlannerSolution& solution);
 
-/// Shortens the path until isSpent, which must not be empty, returns true, by certified motions that keep setup.floor or, with a step,
-/// in the setup's steps, and audits the result. With a step the planner's own path is kept when only that one
-/// is valid along its whole length, or when the shortened one does not pass the steps (OMPL's shortcuts have
-/// collided). The gain by the objective is kept: a shortened path that costs more is dropped, and a path
-/// found for its least clearance is shortened by motions that keep that clearance.
+/// Shortens the path until isSpent, which must not be empty, returns true, by certified motions that keep
+/// setup.floor or, with a step, in the setup's steps, and audits the result. With a step the planner's own
+/// path is kept when only that one is valid along its whole length, or when the shortened one does not pass
+/// the steps (OMPL's shortcuts have collided). The gain by the objective is kept: a shortened path that costs
+/// more is dropped, and a path found for its least clearance is shortened by motions that keep that
+/// clearance.
 PathAudit finish(const PlanSetup& setup, ompl::geometric::PathGeometric& path,
                  const std::function<bool()>& isSpent);
 

@@ -38,9 +38,10 @@ bool hasParameter(const ompl::base::Planner& planner, const std::string& paramet
 void setParameter(ompl::base::Planner& planner, const std::string& parameter, const std::string& value);
 
 /// Runs planners side by side, the first one in the calling thread and each other one in a thread of its own,
-/// and returns when all have ended. onFound, which must not be empty, is called by each planner that ends with an exact solution, in
-/// that planner's thread; make isSpent true there when the first solution is to end the others. Returns the
-/// status of the first planner. Throws what a planner throws. At least one planner must be given.
+/// and returns when all have ended. onFound, which must not be empty, is called by each planner that ends
+/// with an exact solution, in that planner's thread; make isSpent true there when the first solution is to
+/// end the others. Returns the status of the first planner. Throws what a planner throws. At least one
+/// planner must be given.
 ompl::base::PlannerStatus solveSideBySide(const std::vector<ompl::base::PlannerPtr>& planners,
                                           const ompl::base::PlannerTerminationCondition& isSpent,
                                           const std::function<void()>& onFound);

@@ -29,8 +29,8 @@ PathAudit simplify(ompl::geometric::PathGeometric& path, const MotionValidator& 
                    const SimplifyOptions& options);
 
 /// Runs the same rounds by the motion validator of the path's own space information, until they stop paying
-/// or isSpent, which must not be empty, returns true. Every new motion has passed checkMotion in one direction. Audit the result:
-/// OMPL's simplified paths have collided.
+/// or isSpent, which must not be empty, returns true. Every new motion has passed checkMotion in one
+/// direction. Audit the result: OMPL's simplified paths have collided.
 void shorten(ompl::geometric::PathGeometric& path, const std::function<bool()>& isSpent);
 
 }  // namespace clearway::planning

@@ -20,7 +20,7 @@ using study::BenchmarkOptions;
 using study::BenchmarkRun;
 using study::PlannerBenchmark;
 
-/// Fields that replace values of the problem are optional.
+/// The values of the options. Fields that replace values of the problem are optional.
 struct BenchArguments {
     ProblemChoice problem;
     std::optional<double> seconds, megabytes;
@@ -75,7 +75,8 @@ bool readArguments(const Arguments& arguments, BenchArguments& given) {
     return line.parse(arguments);
 }
 
-/// The problem's planners of these names; a name that the problem lacks becomes a planner without parameters.
+/// The problem's planners with these names. A name that the problem lacks becomes a planner without
+/// parameters.
 std::vector<PlannerChoice> choose(const std::vector<std::string>& names,
                                   const std::vector<PlannerChoice>& planners) {
     std::vector<PlannerChoice> chosen;
@@ -89,7 +90,7 @@ std::vector<PlannerChoice> choose(const std::vector<std::string>& names,
     return chosen;
 }
 
-/// The problem with the values that were given in place of its own.
+/// Reads the problem and replaces its values by those of the options.
 Problem readProblemFor(const BenchArguments& given) {
     Problem problem = given.problem.read();
     if (given.seconds) problem.timeLimit = given.seconds;
@@ -111,7 +112,7 @@ BenchmarkOptions benchmarkOptions(const BenchArguments& given, const Problem& pr
     return result;
 }
 
-/// By default in the problem's output folder, which is made.
+/// The log's file: by default in the problem's output folder, which is made.
 std::string logFile(const BenchArguments& given, const Problem& problem) {
     if (!given.log.empty()) return given.log;
     const fs::path folder = fs::path(problem.file).parent_path() / problem.outputFolder;
@@ -119,7 +120,7 @@ std::string logFile(const BenchArguments& given, const Problem& problem) {
     return (folder / fs::path(problem.file).filename().replace_extension(".log")).string();
 }
 
-/// The text with only characters that file names may have on any system.
+/// Replaces the characters that file names may not have on every system.
 std::string fileName(std::string text) {
     for (char& c : text) {
         const bool isPlain = (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') ||
@@ -129,8 +130,8 @@ std::string fileName(std::string text) {
     return text;
 }
 
-/// Writes one planner's paths as EXPERIMENT_PLANNER_RUN.path, runs counted from 0 as OMPL.app does. Returns
-/// how many.
+/// Writes one planner's paths as EXPERIMENT_PLANNER_RUN.path, with runs counted from 0 as in OMPL.app.
+/// Returns the number of files.
 std::size_t writePaths(const std::string& stem, const PlannerBenchmark& planner, const Problem& problem) {
     std::optional<std::size_t> shortest;
     std::size_t written = 0;
@@ -177,7 +178,7 @@ void printPlanner(const PlannerBenchmark& planner) {
     printRow(planner.name, text + (seconds.empty() ? "" : " in the median"));
 }
 
-/// Tells logs of different trees apart when they are in one database.
+/// Adds the build options to the log, so that one database can tell logs of different trees apart.
 void describeTrees(const BuildOptions& tree, Benchmark& benchmark) {
     benchmark.parameters["general_split VARCHAR"] = tree.generalSplit;
     benchmark.parameters["leaf_split VARCHAR"] = tree.leafSplit;

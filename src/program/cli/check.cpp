@@ -1,4 +1,4 @@
-// clearway check: a path file, audited along its whole length.
+// clearway check: audits a path file along its whole length.
 #include <cmath>
 #include <iostream>
 
@@ -21,7 +21,7 @@ struct CheckOptions {
 
 bool readOptions(const Arguments& arguments, CheckOptions& options) {
     CommandLine line("clearway check PROBLEM.cfg IN.path [options]",
-                     "Audits a path along its whole length, between its states too: how close it comes to "
+                     "Audits a path along its whole length, also between its states: how close it comes to "
                      "the environment,\n"
                      "where, between which meshes, and which of its segments are not valid.\n"
                      "Clearance is the distance less the margin; certified values are rounded down. t runs "

@@ -23,7 +23,7 @@ bool isFlag(const std::string& shown) {
     return shown.find(' ') == std::string::npos;
 }
 
-/// One option: its declaration, then the help in lines of words beside it.
+/// Prints one option: its declaration, and beside it the help, broken into lines.
 void printOption(const std::string& shown, const std::string& help) {
     std::string line = "  " + shown;
     if (line.size() >= kHelpColumn) {
@@ -204,7 +204,7 @@ void CommandLine::requireCounts() const {
                 refuse(declared.name + " is given more than once");
             }
             for (const std::string& value : declared.values) {
-                // A following option is no value: "--path --time 3" lacks one.
+                // An option's name is no value: "--path --time 3" lacks the value of --path.
                 if (value.empty() || value.compare(0, 2, "--") == 0) {
                     throw std::invalid_argument(declared.name + " is '" + value + "', expected a value");
                 }

@@ -33,12 +33,12 @@ int study(const Arguments& arguments);  ///< `bench --study`
 int render(const Arguments& arguments);
 int scene(const Arguments& arguments);
 
-/// From now on the first Ctrl-C (SIGINT, SIGTERM) ends the work at hand, not the program: what is done is
-/// still written. The second one has its usual effect.
+/// From now on the first Ctrl-C (SIGINT, SIGTERM) ends the current work, not the program: finished work is
+/// still written. The second Ctrl-C has its usual effect.
 void heedInterrupts();
 bool isInterrupted();
 
-/// A Reader throws it for a wrong value: what was expected of it ("a number above 0").
+/// The exception that a Reader throws for a wrong value. what: the expected value ("a number above 0").
 struct Expected {
     std::string what;
 };
@@ -46,16 +46,16 @@ struct Expected {
 /// Takes the value of an option or argument. Never called with an empty value.
 using Reader = std::function<void(const std::string& value)>;
 
-// The numbers that a text holds, finite. They throw Expected.
+// Read a finite number from the text. They throw Expected.
 double number(const std::string& text, const std::string& expected = "a number");
 double positiveNumber(const std::string& text);
 double nonNegativeNumber(const std::string& text);
 std::int64_t integerFrom(const std::string& text, std::int64_t least, std::int64_t most);
 
-/// The text when it is one of the names. Throws Expected.
+/// Returns the text if it is one of the names. Throws Expected otherwise.
 std::string oneOf(const std::string& text, const std::vector<std::string>& names);
 
-// Readers that store a value. `to` may be an optional: it then tells whether the option was given.
+// Readers that store a value. `to` may be a std::optional, which then tells whether the option was given.
 Reader to(std::string& text);
 Reader appendedTo(std::vector<std::string>& texts);
 Reader folder(std::string& to);  ///< an existing folder or a new name
@@ -70,7 +70,7 @@ Reader nonNegative(To& to) {
     return [&to](const std::string& value) { to = nonNegativeNumber(value); };
 }
 
-/// Whole numbers from `least` to `most`. Integer: the type to store.
+/// Stores whole numbers from `least` to `most`. Integer: the type to store.
 template <class Integer, class To>
 Reader integer(To& to, std::int64_t least, std::int64_t most) {
     return [&to, least, most](const std::string& value) {
@@ -78,7 +78,7 @@ Reader integer(To& to, std::int64_t least, std::int64_t most) {
     };
 }
 
-/// The options of a subcommand, and where their values go.
+/// Declares the options and arguments of a subcommand, with a Reader for the values of each.
 class CommandLine {
   public:
     enum class Count { kOptional, kRequired, kRepeatable };
@@ -86,16 +86,16 @@ class CommandLine {
     /// usage: "clearway info MESH [options]".  purpose: --help prints it below the usage.
     CommandLine(std::string usage, std::string purpose);
 
-    /// A positional argument: "PROBLEM.cfg"; in brackets when it may be left out, "[IN.path]"; with dots when
-    /// it takes all that follow, "[PROBLEM.cfg...]": `read` is then called once for each.
+    /// Declares a positional argument: "PROBLEM.cfg". Brackets make it optional: "[IN.path]". Dots make it
+    /// take all words that follow: "[PROBLEM.cfg...]"; `read` is then called once for each word.
     void argument(const std::string& name, Reader read);
 
-    /// declaration: "--seed N".  help: ends with the default in brackets.
+    /// declaration: "--seed N".  help: a text that ends with the default in brackets.
     void option(const std::string& declaration, const std::string& help, Reader read,
                 Count count = Count::kOptional);
     void flag(const std::string& name, const std::string& help, bool& to);
 
-    /// Not both options may be given.
+    /// Forbids that both options are given.
     void exclude(const std::string& a, const std::string& b) { excluded_.push_back({a, b}); }
 
     /// Prints the help and returns false when --help is among the arguments. Otherwise first checks which

@@ -1,4 +1,4 @@
-// clearway info: what a mesh or a problem holds, what was applied on reading, and the trees it builds.
+// clearway info: shows the content of a mesh or a problem, the conversions on reading, and the trees built.
 #include <boost/algorithm/string/predicate.hpp>
 #include <iostream>
 #include <optional>
@@ -28,8 +28,8 @@ void describeReading(const Mesh& mesh, const std::string& reading) {
     printRow("applied", "scale " + readable(origin.scale) + ", then shift " + readable(origin.shift));
     for (const std::string& note : origin.notes) printRow("note", note);
     if (origin.ignoredFaces > 0) {
-        printRow("left out",
-                 counted(origin.ignoredFaces, "face") + " (points, lines, not to be triangulated)");
+        printRow("left out", counted(origin.ignoredFaces, "face") +
+                                 " (points, lines, and faces that cannot be triangulated)");
     }
     printRow("box in file units", readable(inFileUnits(box, origin)));
     printRow("box as applied", readable(box));
@@ -85,9 +85,9 @@ void describeTree(const BuildReport& report) {
     printRow("  build seconds", readable(report.seconds));
 }
 
-/// Prints what was read and applied, the box, whether the surface is closed, what cleaning did, and the tree.
-/// reading: how the file was read, in words. With a reach, the tree leaves out the triangles beyond it and a
-/// row counts them.
+/// Prints the file and the conversions on reading, the box, whether the surface is closed, the findings of
+/// cleaning, and the tree. reading: how the file was read, in words. With a reach, the tree leaves out the
+/// triangles beyond it and a row counts them.
 Model describeMesh(const Mesh& mesh, const std::string& reading, const BuildOptions& options,
                    const std::optional<Reach>& reach = std::nullopt) {
     describeReading(mesh, reading);
@@ -115,8 +115,8 @@ void printContact(const char* where, const std::optional<ContactRule>& contact) 
     if (contact) printRow(where, readable(contact->distance));
 }
 
-/// Prints what the problem says besides its meshes. environmentBox: bounds the part's position where the
-/// problem states no volume. Throws std::invalid_argument when the bounds leave out start or goal.
+/// Prints all of the problem but its meshes. environmentBox: bounds the part's position where the problem
+/// states no volume. Throws std::invalid_argument when the bounds leave out start or goal.
 void describeProblem(const Problem& problem, const Box& environmentBox) {
     const Box bounds = boundsOf(problem, environmentBox);
     printRow("problem", problem.file + (problem.name.empty() ? "" : " (" + problem.name + ")"));
@@ -169,7 +169,7 @@ int info(const Arguments& arguments) {
     CommandLine line(
         "clearway info MESH|PROBLEM.cfg [options]",
         "Shows what a mesh or a problem's two meshes hold: triangles, components, box, whether the\n"
-        "surface is closed, what was applied on reading, what cleaning did, and the tree built from it.");
+        "surface is closed, the conversions on reading, the findings of cleaning, and the tree built.");
     line.argument("MESH|PROBLEM.cfg", to(file));
     line.option("--scale F", "factor for the coordinates of a mesh file (1)", positive(scale));
     addTreeOptions(line, tree);

@@ -17,9 +17,9 @@ namespace {
 constexpr int kCrashes[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
 constexpr std::size_t kStackBytes = 1 << 16;
 constexpr int kLeastSeconds = 20;
-constexpr double kSlowestBytesPerSecond = 1e5;  ///< assimp reads text at a hundred times that
+constexpr double kSlowestBytesPerSecond = 1e5;  ///< assimp reads text a hundred times faster
 
-// A signal handler may do little, so both lines are made beforehand.
+// The lines are made beforehand, because a signal handler may do little.
 std::string crashLine;
 std::string overtimeLine;
 
@@ -41,7 +41,7 @@ std::string lineAbout(const std::string& file, const std::string& fault) {
            "\n";
 }
 
-/// Drops what is written to it.
+/// Drops all output written to it.
 class Sink : public std::streambuf {
   protected:
     int overflow(int character) override { return character; }
@@ -54,7 +54,7 @@ Sink sink;
 LoadGuard::LoadGuard(const std::string& file, int seconds) : stack_(kStackBytes) {
     crashLine = lineAbout(file, "crashed");
     overtimeLine = lineAbout(file, "had not ended after " + std::to_string(seconds) + " s of computing");
-    std::cout.flush();  // _exit would lose it
+    std::cout.flush();  // _exit would lose the buffered output
     out_ = std::cout.rdbuf(&sink);
     err_ = std::cerr.rdbuf(&sink);
 

@@ -11,10 +11,10 @@
 
 namespace clearway::cli {
 
-/// While a LoadGuard lives, the program ends with exit code 2 and one line on stderr that names the file when
-/// it crashes (SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT; a full stack too) or takes more than `seconds` of
-/// processor time. Output to std::cout and std::cerr is dropped. Guards the thread it is made in; one guard
-/// at a time. The destructor restores handlers, timer and streams.
+/// While a LoadGuard lives, the program ends with exit code 2 and one line on stderr that names the file, if
+/// it crashes (SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, also from a full stack) or takes more than `seconds`
+/// of processor time. Output to std::cout and std::cerr is dropped. A guard protects the thread that makes
+/// it; only one guard may live at a time. The destructor restores handlers, timer and streams.
 class LoadGuard {
   public:
     LoadGuard(const std::string& file, int seconds);
@@ -29,7 +29,7 @@ class LoadGuard {
         struct sigaction action;
     };
     std::vector<Previous> previous_;
-    std::vector<char> stack_;  ///< of the handler: the usual stack may be full
+    std::vector<char> stack_;  ///< the handler's stack: the usual one may be full
     stack_t previousStack_;
     std::streambuf* out_;
     std::streambuf* err_;
@@ -38,7 +38,7 @@ class LoadGuard {
 /// Processor time that reading the file may take: 20 s for small files, always far more than is needed.
 int secondsToLoad(const std::string& file);
 
-/// loadMesh behind a LoadGuard: the MeshReader of the program.
+/// Calls loadMesh behind a LoadGuard. The program reads all meshes with this MeshReader.
 Mesh guardedLoadMesh(const std::string& file, const LoadOptions& options);
 
 }  // namespace clearway::cli

@@ -14,10 +14,10 @@ namespace clearway::cli {
 
 namespace {
 
-/// In the order of --help.
+/// The subcommands, in the order of --help.
 constexpr Subcommand kSubcommands[] = {
-    {"info", "shows what a mesh or a problem holds and what its trees look like", info},
-    {"query", "asks for the distance or for contact at every pose of a file, and how fast", query},
+    {"info", "shows what a mesh or a problem holds, and its trees", info},
+    {"query", "asks for the distance or contact at every pose of a file, and times the queries", query},
     {"plan", "finds a path for the part from the start of a problem to its goal", plan},
     {"check", "audits a path along its whole length: how close it comes, where, and what is not valid",
      check},

@@ -12,7 +12,7 @@
 
 namespace clearway::cli {
 
-/// The files of --report and --export; empty: not asked for.
+/// The files of --report and --export; empty if the option is not given.
 struct PathOutputs {
     std::string report, motion;
 
@@ -20,16 +20,16 @@ struct PathOutputs {
     void require(OutputFiles& files) const;
 
     /// Writes the files and prints a row about each. planner: figures of the planner that found the path; may
-    /// be empty. audit: of the path, with its profile.
+    /// be empty. audit: the path's audit, with its profile.
     void write(const Problem& problem, const Scene& scene, const std::vector<PartState>& path,
                const planning::PathAudit& audit, const Rows& planner) const;
 };
 
-/// --report and --export.
+/// Declares --report and --export.
 void addPathOutputs(CommandLine& commandLine, PathOutputs& to);
 
-/// The environment as one mesh to show: without the obstacles that the problem ignores, unless it ignores
-/// all.
+/// The environment as one mesh to show, without the obstacles that the problem ignores. If the problem
+/// ignores all obstacles, all are shown.
 Mesh shownEnvironment(const Problem& problem);
 
 }  // namespace clearway::cli

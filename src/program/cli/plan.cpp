@@ -1,4 +1,4 @@
-// clearway plan: from a problem file to a path file.
+// clearway plan: plans a path for a problem file and writes it.
 #include "clearway/planning/plan.h"
 
 #include <cmath>
@@ -33,19 +33,18 @@ std::pair<std::string, std::string> parameterOf(const std::string& text) {
 
 void addPlannerOptions(CommandLine& line, planning::PlanOptions& plan) {
     line.option("--planner NAME",
-                "OMPL's class name, in any case, or RisingFloor (RRTConnect and RRT side by side; for "
-                "max_min_clearance RisingFloor)",
+                "OMPL's class name, in any case, or RisingFloor (RRTConnect and RRT side by side; with an "
+                "objective of clearance RisingFloor or AnytimePathShortening)",
                 [&](const std::string& name) { plan.planner = planning::plannerClassName(name); });
     line.option(
         "--planner-param K=V", "sets one of the planner's parameters; may be repeated",
         [&](const std::string& text) { plan.parameters.push_back(parameterOf(text)); },
         CommandLine::Count::kRepeatable);
-    line.option(
-        "--objective NAME",
-        "what optimising planners improve the path for until the time is up: length, max_min_clearance "
-        "(the least clearance of the path), clearance_integral (length weighted by closeness), "
-        "length_with_clearance, mechanical_work (the problem's objective)",
-        [&](const std::string& name) { plan.objective = planning::objectiveName(name); });
+    line.option("--objective NAME",
+                "the cost that optimising planners improve until the time is up: length, max_min_clearance "
+                "(the least clearance of the path), clearance_integral (length weighted by closeness), "
+                "length_with_clearance, mechanical_work (the problem's objective)",
+                [&](const std::string& name) { plan.objective = planning::objectiveName(name); });
     line.option("--wanted-clearance D",
                 "clearance that length_with_clearance keeps where it can (5 % of the part's diagonal)",
                 positive(plan.wantedClearance));
@@ -95,7 +94,7 @@ Rows settingsRows(const planning::PlanOptions& options, const PlanReport& report
     if (report.isCertified) rows.push_back({"floor", readable(report.floor)});
     if (report.guard > 0)
         rows.push_back(
-            {"kept on top", readable(report.guard) + ", so that states between checks are valid too"});
+            {"extra margin", readable(report.guard) + ", so that states between checks are valid, too"});
     rows.push_back({"planning time", readable(report.planningSeconds) + " s"});
     rows.push_back({"states checked", std::to_string(report.checks)});
     return rows;
@@ -152,7 +151,7 @@ int plan(const Arguments& arguments) {
     const bool isFound = report.outcome == PlanReport::Outcome::kFound;
     if (isFound && !given.outputs.isEmpty()) {
         for (const auto& row : pathRows(report)) figures.push_back(row);
-        // Planning audits without a profile; the outputs show one.
+        // Planning audits the path without a profile; the outputs show a profile.
         const planning::PathCheck checked = planning::checkPath(problem, scene, report.path);
         given.outputs.write(problem, scene, report.path, checked.audit, figures);
     }

@@ -15,9 +15,9 @@ namespace clearway::cli {
 namespace {
 
 constexpr std::size_t kLabelWidth = 20;
-constexpr std::size_t kMostNames = 6;  // of obstacles in one row
+constexpr std::size_t kMostNames = 6;  // most names of obstacles in one row
 
-/// One group of obstacles, and how it counts.
+/// Prints a row about one group of obstacles.
 void printObstacle(const std::vector<Component>& components, std::size_t triangles, double margin,
                    bool isSolid, bool atStart, bool atGoal) {
     std::vector<std::string> names;
@@ -72,7 +72,7 @@ void printObstacles(const Scene& scene) {
         printObstacle(obstacle.model.components(), obstacle.model.report().triangles, obstacle.margin,
                       obstacle.solids != nullptr, obstacle.isIgnoredAtStart, obstacle.isIgnoredAtGoal);
     }
-    if (scene.obstacles.empty()) printRow("environment", "all of it is ignored");
+    if (scene.obstacles.empty()) printRow("environment", "every obstacle is ignored");
     printRow("margin", scene.obstacles.size() == 1
                            ? readable(scene.largestMargin())
                            : "by obstacle, at most " + readable(scene.largestMargin()));

@@ -21,20 +21,20 @@ std::string readable(const Box& box);    ///< (x, y, z) to (x, y, z)
 /// "1 triangle", "5 triangles"; pass the plural when it is irregular.
 std::string counted(std::size_t count, const std::string& singular, const std::string& plural = "");
 
-/// The label, padded, then the value, to standard output.
+/// Prints the padded label and the value to standard output.
 void printRow(const std::string& label, const std::string& value);
 
 using Rows = std::vector<std::pair<std::string, std::string>>;  ///< labels and values
 void printRows(const Rows& rows);
 
-/// A row with the model's file, its triangles, and how many were left out.
+/// Prints a row with the model's file, its triangles, and how many triangles were left out.
 void printMesh(const std::string& label, const Model& model);
 
-/// Rows about the obstacles (by name when rules tell them apart), the margin and the contact zones.
+/// Prints rows about the obstacles (by name when rules tell them apart), the margin and the contact zones.
 void printObstacles(const Scene& scene);
 void printObstacles(const ObstacleGroups& obstacles);
 
-/// One line each on stderr.
+/// Prints one line each on stderr.
 void printWarnings(const std::vector<std::string>& warnings);
 
 /// The message as one line of plain characters, whatever it quotes from a file or a library.
@@ -43,8 +43,8 @@ std::string oneLine(std::string message);
 /// Flushes standard output. Throws std::runtime_error when what was printed could not be written.
 void requirePrinted();
 
-/// While it lives, a line on stderr counts the seconds: "planning 12 s". Prints nothing unless stderr is a
-/// terminal.
+/// While an ElapsedLine lives, a line on stderr counts the seconds: "planning 12 s". It prints nothing unless
+/// stderr is a terminal.
 class ElapsedLine {
   public:
     explicit ElapsedLine(std::string what);

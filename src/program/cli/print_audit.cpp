@@ -23,7 +23,7 @@ using planning::PathAudit;
 using planning::PathProfilePoint;
 using planning::SegmentAudit;
 
-/// Rounds to so many digits towards zero: a certified value must not be rounded up.
+/// Rounds to so many digits towards zero, because a certified value must not be rounded up.
 std::string shortened(double value, int digits = 4) {
     if (value == 0 || !std::isfinite(value)) return value == 0 ? "0" : "inf";
     const double unit = std::pow(10.0, std::floor(std::log10(std::abs(value))) + 1 - digits);
@@ -32,7 +32,7 @@ std::string shortened(double value, int digits = 4) {
     return text;
 }
 
-/// The verdict in a word or two.
+/// Names the verdict in one or two words.
 std::string nameOf(const SegmentAudit& segment) {
     constexpr std::pair<const char*, const char*> kNames[] = {{"in collision", "collides"},
                                                               {"too close", "too close"},
@@ -45,14 +45,14 @@ std::string nameOf(const SegmentAudit& segment) {
     return "unusable";
 }
 
-/// The closest pair of meshes and its triangles.
+/// Names the closest pair of meshes and its triangles.
 std::string pairOf(const SegmentAudit& segment) {
     if (segment.partMesh.empty()) return "";
     return "'" + segment.partMesh + "' (" + std::to_string(segment.motion.closest.partTriangle) + ") and '" +
            segment.environmentMesh + "' (" + std::to_string(segment.motion.closest.environmentTriangle) + ")";
 }
 
-/// How far an invalid segment is valid.
+/// Says up to where an invalid segment is valid.
 std::string validUpTo(const SegmentAudit& segment) {
     const double time = segment.motion.certifiedTime;
     return time > 0 ? "valid up to t = " + shortened(time) : "not valid from its beginning";
@@ -80,14 +80,14 @@ void printContact(const char* label, const PathAudit& audit,
     if (!spans.empty()) printRow(label, "used " + spans);
 }
 
-// The profile as a plot of characters.
+// The size of the plot, in characters.
 constexpr int kColumns = 66;
 constexpr int kRows = 14;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 struct Column {
-    double certain = kInfinity;  ///< the clearance is nowhere less in this column
-    double found = kInfinity;    ///< the least at the poses queried, else interpolated between them
+    double certain = kInfinity;  ///< no pose in this column has less clearance
+    double found = kInfinity;    ///< least clearance at the queried poses, else interpolated between them
 };
 
 int columnOf(double travel, double whole) {

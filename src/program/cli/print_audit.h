@@ -7,17 +7,17 @@
 
 namespace clearway::cli {
 
-/// Two rows: whether the path is valid, and where it is closest.
+/// Prints two rows: whether the path is valid, and where it is closest.
 void printAudit(const planning::PathAudit& audit);
 
-/// "1.2 to 1.25".
+/// The bounds of the least clearance: "1.2 to 1.25".
 std::string leastClearanceOf(const planning::PathAudit& audit);
 
-/// One line for each segment.
+/// Prints one line for each segment.
 void printSegments(const planning::PathAudit& audit);
 
-/// The profile as a plot below 80 columns wide: # certain clearance, : clearance found at poses. Prints
-/// nothing for a path that does not move.
+/// Prints the profile as a plot below 80 columns wide: # certified clearance, : clearance found at poses.
+/// Prints nothing for a path that does not move.
 void printProfile(const planning::PathAudit& audit);
 
 /// Writes the profile as CSV: segment,t,travel,clearance,clearance_to_next; numbers with 17 digits. Throws

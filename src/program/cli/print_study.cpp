@@ -15,7 +15,7 @@ namespace {
 
 using Lines = std::vector<std::vector<std::string>>;
 
-/// Columns as wide as their widest cell; the first line is the head.
+/// Prints columns as wide as their widest cell. The first line is the head.
 void printTable(const std::string& title, const Lines& lines) {
     if (lines.size() < 2) return;
     std::cout << "\n" << title << "\n";
@@ -55,13 +55,13 @@ std::string ratioText(const study::PairedRatio& ratio) {
     return short3(ratio.median) + " (" + short3(ratio.low) + " to " + short3(ratio.high) + ")";
 }
 
-/// Leaf splits from the fewest leaves to the most.
+/// Orders leaf splits from the fewest leaves to the most.
 std::size_t placeOf(const std::string& leafSplit) {
     const std::vector<std::string> all = leafSplitNames();
     return static_cast<std::size_t>(std::find(all.begin(), all.end(), leafSplit) - all.begin());
 }
 
-/// Of a scene's runs a line for each planner and strategy.
+/// Prints a line for each planner and strategy of a scene's runs.
 template <class Cells>
 void printRuns(const study::StudyResult& result, const std::string& scene, const std::string& title,
                const std::vector<std::string>& head, const Cells& cells) {
@@ -82,7 +82,7 @@ void printRuns(const study::StudyResult& result, const std::string& scene, const
 }
 
 void printAnswers(const study::StudyResult& result, const std::string& scene) {
-    printRuns(result, scene, "what planners found (medians), and what they asked about (means of a run)",
+    printRuns(result, scene, "solutions (medians) and questions of the planners (means of a run)",
               {"solved", "first solution s", "last one s", "cost", "states", "motions", "motion costs",
                "distance queries", "within queries"},
               [](const study::SummaryRow& row) -> std::vector<std::string> {
@@ -99,7 +99,7 @@ void printAnswers(const study::StudyResult& result, const std::string& scene) {
 }
 
 void printWork(const study::StudyResult& result, const std::string& scene) {
-    printRuns(result, scene, "what answers took",
+    printRuns(result, scene, "cost of the answers",
               {"calls/s", "time in calls", "volumes/query", "triangles/query", "blocks full", "kernels full"},
               [](const study::SummaryRow& row) -> std::vector<std::string> {
                   return {short3(row.callsPerSecond), percent(row.queryShare), short3(row.volumeTests),
@@ -107,7 +107,7 @@ void printWork(const study::StudyResult& result, const std::string& scene) {
               });
 }
 
-/// Runs of which times say nothing.
+/// Counts the runs whose times say nothing.
 void printDisturbed(const study::StudyResult& result, const std::string& scene) {
     std::uint64_t disturbed = 0, runs = 0;
     for (const study::SummaryRow& row : result.summary) {
@@ -116,13 +116,14 @@ void printDisturbed(const study::StudyResult& result, const std::string& scene) 
         runs += row.runs.value_or(0);
     }
     if (disturbed == 0) return;
-    std::cout << "\n"
-              << disturbed << " of " << runs << " runs of " << scene
-              << " had less than 95 % of a processor: the machine was at other work. They are left out of "
-                 "ratios of seconds\nto the first solution and in queries.\n";
+    std::cout
+        << "\n"
+        << disturbed << " of " << runs << " runs of " << scene
+        << " had less than 95 % of a processor: the machine did other work, too. These runs are left out "
+           "of ratios of\nseconds to the first solution and in queries.\n";
 }
 
-const study::Engine kUsual;  ///< but for its splits
+const study::Engine kUsual;  ///< the engine of planner runs, but for the splits
 
 bool isUsual(const study::Engine& engine) {
     return engine.leafSize == kUsual.leafSize && engine.nodeWidth == kUsual.nodeWidth &&
@@ -141,14 +142,14 @@ struct Ratios {
     const char* title;
     const char* source;
     const char* measure;
-    bool isByPlanner;  ///< of the usual trees; else of all trees, by all planners' calls
+    bool isByPlanner;  ///< true: planners with the usual trees; false: all trees, with all planners' calls
 };
 
-/// A line for each tree or planner, a column for each leaf split.
+/// Prints a line for each tree or planner, and a column for each leaf split.
 void printRatios(const study::StudyResult& result, const std::string& scene, const Ratios& of) {
     std::vector<std::string> splits, names;
     std::map<std::string, std::map<std::string, std::string>> ratios;
-    std::map<std::string, std::tuple<std::string, std::string, bool, int, int>> keys;  // of names, to sort by
+    std::map<std::string, std::tuple<std::string, std::string, bool, int, int>> keys;  // names' sort keys
     std::string baseline;
     for (const study::StatisticRow& row : result.statistics) {
         if (row.scene != scene || row.source != of.source || row.measure != of.measure) continue;
@@ -188,7 +189,7 @@ constexpr Ratios kRatios[] = {
     {"share of blocks in use, replayed", "replay", "block_fill", false},
 };
 
-/// Ours, then the thesis's in brackets.
+/// Clearway's figure, then the thesis's in brackets.
 std::string beside(double ours, const study::Measure& thesis) {
     return short3(ours) + (thesis ? " [" + short3(thesis) + "]" : "");
 }
@@ -238,10 +239,9 @@ void printStudy(const study::StudyResult& result) {
         printTrees(result, scene);
         printClaims(result, scene);
     }
-    std::cout
-        << "\nRatios are medians, with intervals of 95 in 100 bootstrap resamples of runs; of seconds, one "
-           "below 1 is quicker.\nPlanners' seconds for each call are the processor's.\n"
-        << study::claimRule() << "\n\n";
+    std::cout << "\nRatios are medians, with intervals of 95 in 100 bootstrap resamples of runs. A ratio of "
+                 "seconds below 1 means\nquicker. Planners' seconds for each call are processor time.\n"
+              << study::claimRule() << "\n\n";
 }
 
 }  // namespace clearway::cli

@@ -1,12 +1,12 @@
-// A study's results as tables to read.
+// Prints a study's results as tables.
 #pragma once
 
 #include "program/study/study.h"
 
 namespace clearway::cli {
 
-/// To standard output: of each scene the planner runs, what strategies change with their runs and by replay,
-/// the thesis's tables beside ours, and the verdicts on its claims.
+/// Prints tables for each scene to standard output: the planner runs, the ratios between strategies in runs
+/// and in replays, the thesis's tables beside clearway's, and the verdicts on the thesis's claims.
 void printStudy(const study::StudyResult& result);
 
 }  // namespace clearway::cli

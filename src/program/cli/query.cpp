@@ -1,4 +1,4 @@
-// clearway query: one question at every pose of a file, the answers as a table, and what they cost.
+// clearway query: asks one question at every pose of a file; writes the answers as a table, and their cost.
 #include "clearway/query.h"
 
 #include <algorithm>
@@ -32,9 +32,9 @@ struct Question {
 };
 
 struct Answer {
-    DistanceResult distance;       ///< of kDistance
-    bool verdict = false;          ///< of the others
-    std::int64_t nanoseconds = 0;  ///< the query alone
+    DistanceResult distance;       ///< the answer of kDistance
+    bool verdict = false;          ///< the answer of the other kinds
+    std::int64_t nanoseconds = 0;  ///< time of the query alone
 };
 
 struct QueryRun {
@@ -42,7 +42,8 @@ struct QueryRun {
     QueryCounters counters;       ///< summed over all queries
 };
 
-/// Fisher-Yates on the engine itself: std::shuffle and the standard's distributions differ between libraries.
+/// Shuffles by Fisher-Yates on the engine itself, because std::shuffle and the standard's distributions
+/// differ between libraries.
 std::vector<std::size_t> orderOf(std::size_t count, std::optional<std::uint64_t> shuffleSeed) {
     std::vector<std::size_t> order(count);
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -72,7 +73,7 @@ Answer askOnce(const Question& question, const Model& part, const Model& environ
     return answer;
 }
 
-/// A refusal says which pose it is about, counted as in the table.
+/// Asks once. A refusal names the pose, counted as in the table.
 Answer askAbout(std::size_t pose, const Question& question, const Model& part, const Model& environment,
                 const Pose& X_environmentPart, Workspace& workspace) {
     try {
@@ -164,7 +165,7 @@ void printCosts(const QueryRun& run, const Model& part, const Model& environment
     printRow("build seconds", readable(part.report().seconds + environment.report().seconds));
 }
 
-/// A header and one row a pose, 17 digits.
+/// Writes a header and one row a pose, with 17 digits.
 void writeCsv(const Question& question, const QueryRun& run, const std::string& file) {
     const bool isDistance = question.kind == Question::Kind::kDistance;
     replaceFile(file, [&](std::ostream& stream) {
@@ -188,7 +189,7 @@ struct QueryArguments {
     TreeChoice trees;
 };
 
-/// distance, collide or within=D.
+/// Reads "distance", "collide" or "within=D".
 void readQuestion(const std::string& text, Question& question) {
     const bool isWithin = text.rfind("within=", 0) == 0;
     if (isWithin) {
@@ -213,7 +214,8 @@ bool readArguments(const Arguments& arguments, QueryArguments& given) {
         "of 12 numbers (rotation row-major, translation) or 7 (x y z qx qy qz qw). Meshes are read as "
         "stored.");
     line.option("--part MESH", "mesh of the moving part", to(given.part), kRequired);
-    line.option("--environment MESH", "mesh of what stands still", to(given.environment), kRequired);
+    line.option("--environment MESH", "mesh of the obstacles, which stand still", to(given.environment),
+                kRequired);
     line.option("--poses FILE", "the poses, one a line", to(given.poses), kRequired);
     line.option(
         "--query Q", "distance, collide, or within=D: is the distance at most D?",
@@ -227,7 +229,7 @@ bool readArguments(const Arguments& arguments, QueryArguments& given) {
             to = nonNegativeNumber(value);
         };
     };
-    line.option("--cap C", "reports a distance beyond C only as inf, with triangles -1",
+    line.option("--cap C", "reports a distance above C as inf, with triangles -1",
                 distanceOnly(question.distance.cap));
     line.option("--relative-error E", "allows an interval of E times its lower end (0)",
                 distanceOnly(question.distance.relativeError));

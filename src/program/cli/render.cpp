@@ -28,10 +28,10 @@ constexpr double kWidestAngle = 170;  ///< degrees
 struct RenderArguments {
     ProblemChoice problem;
     std::string path, out;
-    TreeChoice trees{buildPreset("fast"), ""};  // a few hundred queries do not repay slower builds
+    TreeChoice trees{buildPreset("fast"), ""};  // slow builds do not pay for a few hundred queries
     render::RenderOptions drawing;
     std::size_t poseCount = kUsualPoses;
-    std::vector<double> shares;  ///< of --at
+    std::vector<double> shares;  ///< the values of --at
 };
 
 std::string viewList() {
@@ -41,7 +41,7 @@ std::string viewList() {
     return all;
 }
 
-/// Numbers with commas between them.
+/// Reads numbers with commas between them.
 std::vector<double> numbersOf(const std::string& text, const std::string& expected) {
     std::vector<std::string> words;
     boost::split(words, text, boost::is_any_of(","));

@@ -22,13 +22,13 @@ namespace {
 
 constexpr std::int64_t kMostTriangles = 4000000;
 
-constexpr double kNear = 1.5;               // near: up to so many stated clearances
-constexpr std::size_t kNearSamples = 2000;  // along the path
+constexpr double kNear = 1.5;               // near: within this many stated clearances
+constexpr std::size_t kNearSamples = 2000;  // samples along the path
 constexpr int kReplayPoses = 1000;
 constexpr std::uint64_t kReplaySeed = 1;
 constexpr int kPreviewWidth = 960, kPreviewHeight = 540;
 
-/// Rounded down to so many decimals.
+/// Rounds down to so many decimals.
 std::string roundedDown(double value, int decimals) {
     const double unit = std::pow(10.0, decimals);
     char text[64];
@@ -47,7 +47,7 @@ struct Recorder {
     Problem problem = readProblem(files.problem);
     std::vector<PartState> path = readPath(files.path, problem.space);
     Mesh partMesh = loadPart(problem);
-    // The whole environment: replayed poses may leave the problem's bounds.
+    // The environment's whole tree, because replayed poses may leave the problem's bounds.
     Model part = Model::build(partMesh, buildPreset("fast")),
           environment = Model::build(environmentMesh, buildPreset("fast"));
     planning::SceneClearance clearance{Scene(part, environment)};
@@ -61,7 +61,7 @@ struct Recorder {
     void writePreview() const;
 };
 
-/// The command that makes the same files again.
+/// The command that makes equal files again.
 std::string Recorder::command() const {
     const scenes::SceneOptions& options = origin.options;
     return "clearway scene " + std::string(origin.row.name) + " --seed " + std::to_string(options.seed) +
@@ -77,7 +77,7 @@ std::string Recorder::contents() const {
     return "Part: " + of(partMesh) + "; environment: " + of(environmentMesh) + ".";
 }
 
-/// The share of the path's length where the environment is near.
+/// The share of the path's length along which the environment is near.
 double Recorder::nearShare() const {
     const report::PathLine line(path, part.radiusAboutOrigin());
     std::size_t near = 0;
@@ -97,7 +97,7 @@ std::vector<planning::PathAudit> Recorder::auditMotions() const {
     return audits;
 }
 
-/// Returns what the row about the replay poses says.
+/// Returns the text of the row about the replay poses.
 std::string Recorder::writeReplay() const {
     const scenes::Replay& replay = origin.row.replay;
     const scenes::PoseTask task{part, environment, scenes::beginningOf(path, replay.pathEnd)};
@@ -127,7 +127,7 @@ void Recorder::writePreview() const {
                      files.preview);
 }
 
-/// One line a scene: its name, what it is, and its defaults.
+/// The scenes, one a line: name, description and defaults.
 std::string sceneList() {
     std::string all;
     for (const scenes::NamedScene& scene : scenes::namedScenes()) {
@@ -158,7 +158,7 @@ bool readArguments(const Arguments& arguments, SceneArguments& given) {
                          "A name without its version means the newest. The same options make the same files. "
                          "Lengths are in "
                          "millimetres.");
-    // Arguments are read before options, which then change the scene's defaults.
+    // Arguments are read before options, so that options can change the scene's defaults.
     line.argument("NAME", [&](const std::string& name) {
         given.named = &scenes::sceneNamed(name);
         given.options = given.named->defaults;

@@ -1,4 +1,4 @@
-// A demo scene as files: its meshes, problem and path, poses to replay, and a picture.
+// Writes a demo scene as files: its meshes, problem and path, poses to replay, and a picture.
 #pragma once
 
 #include <string>
@@ -7,16 +7,16 @@
 
 namespace clearway::cli {
 
-/// The row that makes the scene, and with which options.
+/// The table's row and the options that made a scene.
 struct SceneOrigin {
     const scenes::NamedScene& row;
     scenes::SceneOptions options;
 };
 
-/// Completes a scene that writeScene wrote: audits its path, writes the replay poses and, if wanted, the
-/// picture, records in the problem, the path and the poses how they were made and what clearance they keep,
-/// and prints a row about each. Returns false, with a message on stderr, when the path does not keep the
-/// clearance the scene was made with. environment: as written. Throws what writing files throws.
+/// Completes a scene that writeScene wrote. Audits the path; writes the replay poses and, if wanted, the
+/// picture; records in the problem, the path and the poses how they were made and which clearance they keep;
+/// prints a row about each. Returns false, with a message on stderr, when the path does not keep the
+/// clearance that the scene was made with. environment: as written. Throws when a file cannot be written.
 bool recordScene(const SceneOrigin& origin, const scenes::SceneFiles& files, const Mesh& environment,
                  bool wantsPreview);
 

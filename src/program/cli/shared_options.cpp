@@ -13,7 +13,7 @@ namespace clearway::cli {
 
 namespace {
 
-/// Whether both names are one file, which need not exist yet: ./a.html and a.html.
+/// True if both names mean one file, which need not exist yet: ./a.html and a.html.
 bool isSameFile(const std::string& a, const std::string& b) {
     namespace fs = std::filesystem;
     std::error_code missing, unknown;
@@ -85,7 +85,7 @@ void addTreeOptions(CommandLine& commandLine, BuildOptions& options) {
         commandLine.option(declaration, std::string(about) + ": " + joined(names) + " (" + usual + ")",
                            [names, store](const std::string& value) { store(oneOf(value, names)); });
     };
-    // The preset is declared first, hence read first: the other options then change it.
+    // The preset is declared first and so read first. The other options then change it.
     choice("--preset NAME", "tree options to start from", buildPresetNames(), "best",
            [&](const std::string& name) { options = buildPreset(name); });
     choice("--general-split NAME", "how nodes are split", generalSplitNames(), defaults.generalSplit,

@@ -1,5 +1,5 @@
-// Options of several subcommands, and what they choose: the problem, how motions and trees are made, the
-// files to write.
+// Options that several subcommands share, and their values: the problem, how to check motions and build
+// trees, the files to write.
 #pragma once
 
 #include <optional>
@@ -23,16 +23,16 @@ struct ProblemChoice {
     Problem read() const;
 };
 
-/// PROBLEM.cfg and --margin.
+/// Declares PROBLEM.cfg and --margin.
 void addProblem(CommandLine& commandLine, ProblemChoice& to);
 
-/// --step and --ompl-weights.
+/// Declares --step and --ompl-weights.
 void addMotionOptions(CommandLine& commandLine, std::optional<double>& step, bool& omplWeights);
 
-/// --target: an instruction set, in use from the time it is read.
+/// Declares --target: an instruction set, in use as soon as it is read.
 void addTarget(CommandLine& commandLine);
 
-/// How models are built, and the folder that keeps them; empty: none.
+/// How to build models, and the folder that keeps them (empty: none).
 struct TreeChoice {
     BuildOptions options;
     std::string cache;
@@ -41,29 +41,30 @@ struct TreeChoice {
     /// cannot be used, with a warning on stderr.
     Model build(const Mesh& mesh) const;
 
-    /// loadScene as the program calls it: behind the load guard, from the cache, and as far as planning with
-    /// these options reaches. Prints the scene's notes as warnings.
+    /// Calls loadScene with the load guard, the cache, and a reach that suffices for planning with these
+    /// options. Prints the scene's notes as warnings.
     Scene load(const Problem& problem, const planning::PlanOptions& plan = {}) const;
 };
 
-/// --preset, --general-split, --leaf-split, --fit, --leaf-size and --node-width.
+/// Declares --preset, --general-split, --leaf-split, --fit, --leaf-size and --node-width.
 void addTreeOptions(CommandLine& commandLine, BuildOptions& to);
 
-/// "sah, fitted by frames, leaves of up to 4 split by none, 8 wide".
+/// The options in words: "sah, fitted by frames, leaves of up to 4 split by none, 8 wide".
 std::string treeDescription(const BuildOptions& options);
 
-/// --cache.
+/// Declares --cache.
 void addCache(CommandLine& commandLine, TreeChoice& to);
 
 /// The files a problem is read from.
 std::vector<std::string> inputsOf(const Problem& problem);
 
-/// The files a subcommand is to write. No two may be one file, and none a file that is read.
+/// The files that a subcommand will write. Each must differ from the others and from all files that are read.
 class OutputFiles {
   public:
     explicit OutputFiles(std::vector<std::string> inputs) : inputs_(std::move(inputs)) {}
 
-    /// Throws before long work when the option's file cannot be written or is another one's. Empty: no file.
+    /// Adds an option's file. Throws before long work if the file cannot be written, is read, or is another
+    /// option's file. An empty name adds no file.
     void add(const std::string& option, const std::string& file);
 
   private:

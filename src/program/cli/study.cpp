@@ -1,4 +1,4 @@
-// clearway bench --study: planner runs and replays by the hundred that answer one question.
+// clearway bench --study: answers one question by planner runs and replays by the hundred.
 #include "program/study/study.h"
 
 #include <algorithm>
@@ -22,10 +22,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A scene that is made when no problem is given.
+/// A scene that is made when no problem file is given.
 struct MadeScene {
     const char* name;
-    std::size_t partTriangles, environmentTriangles;  ///< 0: the scene's own
+    std::size_t partTriangles, environmentTriangles;  ///< 0: the scene's default number
 };
 constexpr MadeScene kFullScenes[] = {{"tunnel-console", 0, 0}, {"cembox", 0, 0}, {"large-environment", 0, 0}};
 constexpr MadeScene kShortScenes[] = {{"tunnel-console-3", 15000, 60000}, {"cembox-2", 2000, 8000}};
@@ -62,14 +62,14 @@ bool readArguments(const Arguments& arguments, StudyArguments& given) {
     std::vector<study::StudyPlanner> planners;
     std::vector<std::string> generalSplits, leafSplits;
     CommandLine line("clearway bench --study leaf-strategies [PROBLEM.cfg...] --out DIR [options]",
-                     "Shows how splitting leaves changes what planners need: runs planners with every leaf "
+                     "Measures how leaf splits change the work of planners: runs planners with every leaf "
                      "split and seed, then\n"
                      "repeats their queries in trees of other splits, leaf sizes, widths and instruction "
                      "sets. Without a problem\n"
                      "it makes the scenes tunnel-console, cembox and large-environment at full size.\n"
                      "DIR then holds runs.csv, replay.csv, statistics.csv, summary.csv and logs for OMPL's "
                      "statistics script.\n"
-                     "The same command continues a stopped study: what DIR holds is not done again.");
+                     "The same command continues a stopped study and repeats nothing that DIR holds.");
     line.argument("[PROBLEM.cfg...]", appendedTo(given.problems));
     line.option(
         "--study NAME", "leaf-strategies",
@@ -78,7 +78,7 @@ bool readArguments(const Arguments& arguments, StudyArguments& given) {
         },
         kRequired);
     line.option("--out DIR", "folder of the study, made if need be", folder(given.folder), kRequired);
-    // Read before the options below, which then change its values.
+    // --short is read before the options below, which then change its values.
     line.option("--short", "small scenes, few and short runs, fewer replays: shows that everything works",
                 [&](const std::string&) { options = shortStudy(); });
     line.option("--time S", "seconds for each run (20; short 0.5)", positive(options.seconds));
@@ -112,7 +112,7 @@ bool readArguments(const Arguments& arguments, StudyArguments& given) {
     return true;
 }
 
-/// The problem's name in tables and files.
+/// The problem's name as tables and files show it.
 std::string plainName(const std::string& problemFile) {
     std::string name = fs::path(problemFile).stem().string();
     for (char& c : name) {
@@ -122,8 +122,8 @@ std::string plainName(const std::string& problemFile) {
     return name;
 }
 
-/// Makes the scenes in the folder, unless they are there, and returns their problem files; fewer when
-/// interrupted.
+/// Makes the scenes in the folder, unless they are there, and returns their problem files. Returns fewer
+/// files when interrupted.
 std::vector<std::string> makeScenes(bool isShort, const std::string& folder) {
     std::vector<MadeScene> scenes(std::begin(kFullScenes), std::end(kFullScenes));
     if (isShort) scenes.assign(std::begin(kShortScenes), std::end(kShortScenes));
@@ -162,7 +162,7 @@ study::StudyProblem loadProblem(const std::string& file) {
 }
 
 int tellInterrupted(const std::string& folder) {
-    printRow("study", folder + ", interrupted: the same command goes on with it");
+    printRow("study", folder + ", interrupted: the same command continues it");
     requirePrinted();
     return kAnswerIsNo;
 }
@@ -173,7 +173,7 @@ int study(const Arguments& arguments) {
     StudyArguments given;
     if (!readArguments(arguments, given)) return kDone;
     std::vector<std::string> files = given.problems;
-    for (const std::string& file : files) readProblem(file);  // a faulty one is refused before long work
+    for (const std::string& file : files) readProblem(file);  // refuses a faulty file before long work
     heedInterrupts();
 
     if (files.empty()) files = makeScenes(given.options.isShort, given.folder);

@@ -25,8 +25,8 @@ struct Apartment {
 
 constexpr double kLeastClearance = 5, kMostClearance = 70;  // mm
 constexpr double kEase = 0.08;  // extra gap beyond the clearance, as a share of it
-constexpr double kLift = 160;   // mm off the floor while it is carried
-constexpr double kAbove = 600;  // mm that planners may lift it higher
+constexpr double kLift = 160;   // mm; height of the carried piano above the floor
+constexpr double kAbove = 600;  // mm by which planners may lift the piano higher
 constexpr FinenessRange kFineness{400, 0.2};
 
 PartState standing(double x, double y, double turned) {

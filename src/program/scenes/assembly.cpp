@@ -9,7 +9,7 @@ namespace clearway::scenes {
 namespace {
 
 constexpr std::size_t kMostTriangles = 4000000;
-constexpr double kFineness = 40;  // the greatest, see detailFor
+constexpr double kFineness = 40;  // greatest fineness, see detailFor
 
 constexpr char kHere[] = " at this clearance and seed";
 
@@ -118,7 +118,7 @@ std::string Assembly::nextName(const std::string& stem) {
 Mesh Assembly::mesh(const Vector3& shift) const {
     Mesh rounded = mesh_;
     for (Vector3& vertex : rounded.vertices) {
-        // Adding zero turns -0 into 0, which text formats would not keep apart alike.
+        // Adding zero turns -0 into 0. Some text formats would keep the two apart, others not.
         vertex = (vertex + shift).cast<float>().cast<double>() + Vector3::Zero();
     }
     return rounded;

@@ -24,11 +24,11 @@ using Placement = std::function<Vector3(const Vector3&)>;
 Piece placed(Piece piece, const Placement& placement);
 
 /// The placement that puts a piece's origin at `origin` and its z axis along `axis`, turned by `turn` radians
-/// about it.
+/// about the axis.
 Placement standingAt(const Vector3& origin, const Vector3& axis, double turn = 0);
 
-/// The placement that puts a piece's origin at `origin`, its z axis along `up` and its x axis, as nearly as
-/// that allows, along `along`.
+/// The placement that puts a piece's origin at `origin`, its z axis along `up`, and its x axis as nearly
+/// along `along` as `up` allows.
 Placement facing(const Vector3& origin, const Vector3& along, const Vector3& up);
 
 /// Pieces as the named components of one mesh, in the order they were added.
@@ -76,7 +76,7 @@ struct Detail {
     int count(double atRichnessOne) const;  ///< at least 1
 };
 
-/// One number, the fineness, determines the Detail.
+/// The range of the fineness, the one number that determines a Detail.
 struct FinenessRange {
     double step = 60;     ///< mm between a sweep's stations at fineness 1
     double coarsest = 1;  ///< the least fineness; below 1 roundings are single chords and details are few
@@ -91,15 +91,15 @@ Detail finestDetail(std::size_t triangles, const std::string& option, const Fine
 Detail coarsestDetail(const FinenessRange& range);
 
 /// Leaves out small components, the one with the smallest box first, until at most `triangles` remain.
-/// Components whose names begin with an entry of `kept` stay. Throws std::invalid_argument if those alone
-/// have more triangles.
+/// Components whose names begin with an entry of `kept` stay. Throws std::invalid_argument if these
+/// components alone have more triangles.
 Assembly leavingOutSmall(const Assembly& whole, std::size_t triangles, const std::string& option,
                          const std::vector<std::string>& kept);
 
 /// Builds a mesh's pieces at that detail with that number of studs; all studs have equally many triangles.
 using BuildAssembly = std::function<Assembly(const Detail& detail, int studs)>;
 
-/// The build at the finest detail, filled up with studs. Throws as finestDetail.
+/// The build at the finest detail, filled up with studs. Throws as finestDetail does.
 Mesh buildTo(std::size_t triangles, const std::string& option, const FinenessRange& range,
              const BuildAssembly& build);
 

@@ -40,7 +40,7 @@ struct CarBody {
 constexpr double kFrontWheel = 480, kRearWheel = 3080;  // x
 constexpr double kWheelHeight = 200, kWheelArch = 365;  // z of the arches' centres, their radius
 
-/// Throws std::invalid_argument for a clearance out of range.
+/// Makes the measures. Throws std::invalid_argument for a clearance out of range.
 CarBody designCarBody(std::uint64_t seed, double clearance);
 
 void addFloor(const CarBody& body, SheetMetal& metal, Random& random);

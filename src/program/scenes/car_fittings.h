@@ -1,4 +1,4 @@
-// The front of the car body and what is fitted to the body: dash panel with its layers, cowl, the pads of the
+// The front of the car body and the fittings of the body: dash panel with its layers, cowl, the pads of the
 // instrument carrier, wheel houses, bonnet and front end; seats, springs and brakes, exhaust and tank,
 // steering wheel, bolts, lines.
 #pragma once

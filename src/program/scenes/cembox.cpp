@@ -22,8 +22,8 @@ constexpr double kEase = 0.15;
 constexpr double kRounding = 0.01;  // mm; covers rounding to float
 constexpr int kChords = 10;         // per motion that turns the part
 
-/// Appends a motion to `to` in short chords. The part is turned about its centred origin later, which lies
-/// elsewhere; with short chords that changes the motion by hundredths of a millimetre only.
+/// Appends a motion to `to` in short chords. Later the part turns about its centred origin, which lies
+/// elsewhere. With short chords this changes the motion by only hundredths of a millimetre.
 void appendChords(std::vector<PartState>& path, const PartState& to) {
     const PartState from = path.back();
     for (int i = 1; i <= kChords; ++i) {
@@ -49,7 +49,7 @@ struct Builder {
     Random random;
     Assembly assembly{};
 
-    /// Places what was made on z = 0 on the front of a face at y.
+    /// Places a piece that was made on z = 0 on the front of a face at y.
     static Piece onFront(const Piece& piece, double x, double y, double z) {
         return placed(piece, facing({x, y, z}, Vector3::UnitX(), -Vector3::UnitY()));
     }
@@ -318,7 +318,7 @@ GeneratedScene makeCembox2(const SceneOptions& options) {
         options.partTriangles, "part-triangles", kFineness,
         {"housing", "guide_edge", "connector_shroud", "solder_point"},
         [&](const Detail& detail, int studs) { return buildModule(design, detail, partRandom, studs); });
-    // The components stay that hold the module or limit its way.
+    // Components that hold the module or limit its way stay.
     scene.environment =
         buildTo(options.environmentTriangles, "environment-triangles", kFineness,
                 {"guide_rail", "buffer", "wiper_tube", "strut_brace", "bulkhead", "weld_stud"},

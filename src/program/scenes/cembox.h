@@ -40,7 +40,7 @@ struct CemboxDesign {
     std::vector<PartState> path() const;
 };
 
-/// Throws std::invalid_argument for a clearance out of range.
+/// Makes the measures. Throws std::invalid_argument for a clearance out of range.
 CemboxDesign designCembox(const SceneOptions& options);
 
 /// The module, with `studs` solder points inside it.

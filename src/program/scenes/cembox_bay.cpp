@@ -11,7 +11,7 @@ namespace clearway::scenes {
 
 namespace {
 
-/// No point of the part moves farther between two sampled poses; the boxes grow by half of it.
+/// The most that a point of the part moves between two sampled poses. The boxes grow by half the step.
 constexpr double kStep = 3;  // mm
 
 constexpr Box::CornerType corner(int i) {

@@ -12,10 +12,10 @@
 
 namespace clearway::scenes {
 
-/// The room a part needs on its way: what is built around the path stays out of it.
+/// The room that a part needs on its way. Pieces around the path stay out of this room.
 class KeptFree {
   public:
-    /// boxes: together hold the part, in the part's coordinates.
+    /// boxes: in the part's coordinates; together they hold the part.
     explicit KeptFree(std::vector<Box> boxes);
 
     /// Adds the room within `margin` of the boxes on a planner's interpolation between two states: straight

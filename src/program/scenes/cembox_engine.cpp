@@ -179,7 +179,7 @@ struct Pulley {
     const char* name;
     Vector2 centre;  ///< y, z
     double radius;
-    double depth;  ///< of the device behind it that it drives
+    double depth;  ///< depth of the device that the pulley drives
 };
 
 constexpr double kBeltX = kRight - 26;

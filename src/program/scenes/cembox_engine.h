@@ -1,5 +1,5 @@
-// The engine across the bay with its gearbox and what the belt drives, and the radiator with its fans in
-// front of it.
+// The engine across the bay with its gearbox and the devices that the belt drives, and the radiator with its
+// fans in front of the engine.
 #pragma once
 
 #include "program/scenes/cembox_bay.h"

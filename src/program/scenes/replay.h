@@ -49,15 +49,15 @@ struct PoseTask {
 struct Replay {
     double collidingShare = 0.1;
     double pathEnd = 1;  ///< the poses follow this first share of the path's states
-    bool turns = true;   ///< the deviation turns the part too
+    bool turns = true;   ///< the deviation also turns the part
 };
 
 /// Walks along the path once in even steps and adds a smooth deviation: each of the three translations and
 /// three rotations (about the centre of the part's box) is a sum of four sines with up to six periods along
-/// the path. A bisection finds the amplitude at which the share of colliding poses is `share` within 0.02; if
+/// the path. A bisection finds the amplitude at which the share of colliding poses is `share` within 0.02. If
 /// one deviation has no such amplitude, another is drawn. `turns` = false leaves the rotations out, so that
-/// parallel faces stay parallel. Throws std::runtime_error when 50 deviations fail. Deterministic for a seed,
-/// on a machine's libm.
+/// parallel faces stay parallel. Throws std::runtime_error when 50 deviations fail. The seed and the
+/// machine's libm determine the poses.
 std::vector<Pose> posesColliding(const PoseTask& task, double share, int count, std::uint64_t seed,
                                  bool turns = true);
 

@@ -278,8 +278,8 @@ RoofSlot designRoofSlot(const SceneOptions& options) {
     roof.radius = random.between(6700, 7300);
     roof.crown = random.between(38, 50);
     roof.beadDepth = random.between(5, 7.5);
-    // The sheets are cut into chords: of two facing sheets one comes nearer by that and the other recedes;
-    // the path's chords come nearer too.
+    // Sheets are cut into chords, so that one of two facing sheets comes nearer and the other recedes. The
+    // path's chords come nearer, too.
     const double chords =
         sagitta(kStretch * kLongestCell, 0.97 * roof.radius) + sagitta(kChord, 0.97 * roof.radius);
     roof.gap = roof.clearance * (1 + kEase) + chords + kRounding;

@@ -59,7 +59,7 @@ struct RoofSlot {
     std::vector<PartState> path() const;
 };
 
-/// Throws std::invalid_argument for a clearance out of range.
+/// Makes the measures. Throws std::invalid_argument for a clearance out of range.
 RoofSlot designRoofSlot(const SceneOptions& options);
 
 /// The tray in its place: two beaded sheets around an opening, between them a frame, ribs, hat sections,

@@ -23,7 +23,7 @@ std::string allNames() {
 
 /// Three quarters of the poses collide, and the poses stay where the part is in the tunnel.
 constexpr Replay kInTunnel{0.75, 0.75, true};
-/// Faces stay parallel.
+/// The deviation does not turn the part, so faces stay parallel.
 constexpr Replay kParallel{0.1, 1, false};
 
 /// How often the part is moved and written until its mean lies at its origin. One move suffices up to
@@ -64,15 +64,15 @@ Vector3 writeCentred(Mesh part, const std::string& file) {
 const std::vector<NamedScene>& namedScenes() {
     static const std::vector<NamedScene> kScenes = {
         {"tunnel-console-3",
-         "a centre console to be threaded out of a bent tunnel with all that a car has there",
-         kTunnelConsole3, makeTunnelConsole3, kInTunnel},
+         "a centre console to be threaded out of a bent tunnel, with the fittings of a car", kTunnelConsole3,
+         makeTunnelConsole3, kInTunnel},
         {"cembox-2", "a control module to be drawn out of its rails in an engine bay", kCembox, makeCembox2},
         {"boxes-1", "a box that slides along two others, face to face", kBoxes, makeBoxes, kParallel},
         {"large-environment-2", "the tray of a sliding roof between two sheets that follow it, in a car body",
          kLargeEnvironment2, makeLargeEnvironment2},
         {"puzzle-1", "two interlocked bent bars, one to be slid through the eye of the other", kPuzzle,
          makePuzzle},
-        {"puzzle-2", "the same, with loops that are open", kPuzzle, makePuzzle2},
+        {"puzzle-2", "two interlocked bent bars as in puzzle-1, but with open loops", kPuzzle, makePuzzle2},
         {"peg-in-hole-1", "a round peg to be put into a hole, as narrow as the clearance says", kPegInHole,
          makePegInHole},
         {"apartment-1",

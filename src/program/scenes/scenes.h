@@ -1,6 +1,6 @@
-// The demo scenes: their options, what a generator makes, the table of all scenes, and how a scene becomes
-// files. A name ends with a version. What a version makes from its options never changes; a better scene is a
-// new version beside it.
+// The demo scenes: their options, the generators' results, the table of all scenes, and how a scene becomes
+// files. A name ends with a version. A version makes equal scenes from equal options for as long as the
+// program has it; a better scene is a new version.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@
 
 namespace clearway::scenes {
 
-/// The same options make the same scene on every machine, up to the last digits of sine and cosine.
+/// Equal options make equal scenes on every machine, up to the last digits of sine and cosine.
 struct SceneOptions {
     std::uint64_t seed = 1;                ///< varies the details
     std::size_t partTriangles = 0;         ///< reached within 5 %
@@ -135,11 +135,11 @@ void requireClearance(double clearance, double least, double most);
 /// planners turn it, and changes the path's states so that the part's surface stays where it is.
 void centrePart(GeneratedScene& scene);
 
-/// The problem starts at the path's first state and ends at its last; its volume holds all states with `room`
-/// around them.
+/// Lets the problem start at the path's first state and end at its last. The problem's volume holds all
+/// states with `room` around them.
 void setProblem(GeneratedScene& scene, double room);
 
-/// Does both.
+/// Calls centrePart and setProblem.
 void statePathAsProblem(GeneratedScene& scene, double room);
 
 /// The names of a scene's files.
@@ -154,11 +154,11 @@ struct SceneFiles {
 
 /// Writes NAME_part.obj, NAME_environment.obj, NAME.cfg and NAME.path into the folder, which is made if
 /// needed. OMPL.app moves a part so that the mean of its vertices, as assimp counts them, becomes its origin.
-/// The part is written moved by that mean, and start, goal and path are changed with it: they then hold both
-/// for the part as the file has it and for the part as OMPL.app reads it, which differ by float rounding
-/// alone. The files `replay` and `preview` are not written here, but are known to be writable. Existing files
-/// of these names, of another scene maybe, are removed first. Throws std::runtime_error when a file or the
-/// folder cannot be written.
+/// So the part is written moved by that mean, and start, goal and path are changed with it. They then hold
+/// both for the part as the file has it and for the part as OMPL.app reads it; the two parts differ by float
+/// rounding alone. The files `replay` and `preview` are not written here, but are known to be writable.
+/// Existing files of these names are removed first, even if another scene made them. Throws
+/// std::runtime_error when a file or the folder cannot be written.
 SceneFiles writeScene(const GeneratedScene& scene, const std::string& folder);
 
 /// Puts lines, each as "# line", at the top of a .cfg, .path or .poses file. Throws std::runtime_error when

@@ -14,7 +14,8 @@ constexpr double kLeastGap = 0.12;  // least distance of two lines, as a share o
 constexpr double kAtLarge = 5;      // mm; upper limit of that distance at large openings
 constexpr double kLarge =
     100;  // mm; least half width of large openings, which are never left out for coarseness
-constexpr double kMostMargin = 30;  // mm; most that is bent around an opening to its shape
+// mm; greatest width around an opening that is bent to the opening's shape.
+constexpr double kMostMargin = 30;
 
 double marginOf(const Opening& opening) {
     return std::min(0.5 * opening.half.minCoeff(), kMostMargin);

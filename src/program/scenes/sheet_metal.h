@@ -84,13 +84,13 @@ class SheetMetal {
     /// Adds a section pulled along a spine, cut as finely as the detail says.
     void beam(const std::string& name, const Spine& spine, const Section& section);
 
-    /// Adds one of many alike, named by `stem` and a number.
+    /// Adds one of many similar parts, named by `stem` and a number.
     void part(const std::string& stem, const Piece& piece);
 
     /// Adds an outline turned about z (see turned), its foot at `at`, its axis along `axis`.
     void turnedPart(const std::string& stem, const Polyline& outline, const Vector3& at, const Vector3& axis);
 
-    /// Adds everything from the other; the prefix is put before its names. Both count only, or neither does.
+    /// Adds everything from the other; the prefix is put before its names. Both must have equal onlyCount.
     void include(const std::string& prefix, const SheetMetal& other);
 
     /// Runs `build` twice: first unchanged, for the side of positive y, with names that end in _right, then
@@ -127,7 +127,7 @@ class SheetMetal {
 /// triangles.
 using BuildSheetMetal = std::function<SheetMetal(const Detail& detail, int studs, bool onlyCount)>;
 
-/// The build at the finest detail, filled up with studs. Throws as finestDetail.
+/// The build at the finest detail, filled up with studs. Throws as finestDetail does.
 Mesh sheetMetalTo(std::size_t triangles, const std::string& option, const FinenessRange& range,
                   const BuildSheetMetal& build);
 

@@ -84,12 +84,11 @@ class Profile {
 
 using Line = std::vector<Vector3>;
 
-/// Spine::through as a line of points, as pipes are bent: a quarter turn is cut into `segmentsPerQuarter`
-/// chords.
+/// Spine::through as a line of points, for pipes: a quarter turn is cut into `segmentsPerQuarter` chords.
 Line bent(const Line& line, double radius, int segmentsPerQuarter);
 
-/// A smooth curve through all the points (a centripetal Catmull-Rom spline), as hoses and cables hang, in
-/// steps of about `step`, at least two steps between two points.
+/// A smooth curve through all the points (a centripetal Catmull-Rom spline), for hoses and cables, in steps
+/// of about `step`, at least two steps between two points.
 Line smooth(const Line& points, double step);
 
 double lengthOf(const Line& line);

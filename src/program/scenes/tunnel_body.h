@@ -25,9 +25,10 @@ struct TunnelBody {
     /// A line along s; `place` gives its (u, v).
     Line along(double from, double to, const std::function<Vector2(double s)>& place) const;
 
-    /// True for the parts that lie at the gap: among `several` alike the first and at most every fourth.
+    /// True for the parts that lie at the gap: of `several` similar parts the first, and at most every
+    /// fourth.
     static bool isNear(int i, int several) { return i % std::max(4, several / 3) == 0; }
-    /// The extra distance of the others beyond the gap.
+    /// The extra distance of the other parts beyond the gap.
     double farther() { return design.room * random.between(0.25, 1); }
     double outerWall() const { return design.wallHalfWidth + design.skinThickness; }
     int count(double atRichnessOne) const { return metal.detail().count(atRichnessOne); }

@@ -187,7 +187,7 @@ struct Fittings : TunnelBody {
     void addSupports();  ///< guides on the walls, mounts on the floor
     void addDuct();
     void addUnderbody();  ///< propeller shaft, exhaust, heat shield
-    void addLines();      ///< pipes, hoses, cables and what holds them
+    void addLines();      ///< pipes, hoses, cables and their holders
     void addFasteners();  ///< straps, brackets, bolts, weld nuts
     void addStuds(int studs);
 };

@@ -57,7 +57,7 @@ void requireOptions(const BenchmarkOptions& options) {
     }
 }
 
-/// A name without white space: the log's reader takes the last word of its line.
+/// A name without white space, because the log's reader takes the last word of its line.
 std::string experimentName(const Problem& problem) {
     std::string name = problem.name;
     if (name.empty()) name = std::filesystem::path(problem.file).stem().string();
@@ -67,7 +67,7 @@ std::string experimentName(const Problem& problem) {
     return name.empty() ? "NO_NAME" : name;
 }
 
-/// A copy of the problem for each planner, which names that planner alone.
+/// A copy of the problem for each planner. Each copy names one planner alone.
 std::vector<Problem> problemsOf(const Problem& problem) {
     std::vector<PlannerChoice> planners = problem.planners;
     if (planners.empty()) {
@@ -142,7 +142,7 @@ Benchmark begin(const Problem& problem, const BenchmarkOptions& options) {
     return benchmark;
 }
 
-/// Returns false when it was stopped.
+/// Returns false when the benchmark was stopped.
 bool runAll(const std::vector<Problem>& problems, const Scene& scene, Benchmark& benchmark) {
     const BenchmarkOptions& options = benchmark.options;
     const auto bytesBefore = ompl::machine::getProcessMemoryUsage();
@@ -202,7 +202,7 @@ void writeHead(const Benchmark& benchmark, std::ostream& out) {
     out << "\n";
 }
 
-/// A run without a value gets an empty one in its place.
+/// Writes the runs' values. A run without a value gets an empty text in its place.
 void writeRuns(const PlannerBenchmark& planner, std::ostream& out) {
     std::set<std::string> names;
     for (const BenchmarkRun& run : planner.runs) {

@@ -30,7 +30,7 @@ struct BenchmarkOptions {
     bool simplify = true;             ///< simplifies paths and audits them again, after the time is taken
     std::optional<double> step;       ///< see PlanOptions::step
     bool omplWeights = false;         ///< see PlanOptions::omplWeights
-    std::function<bool()> isStopped;  ///< asked often; true ends the benchmark, without the run at hand
+    std::function<bool()> isStopped;  ///< asked often; true ends the benchmark and drops the current run
     std::function<void(const BenchmarkProgress&)> tell;  ///< before each run
 };
 
@@ -48,16 +48,16 @@ struct Benchmark {
     std::string started;  ///< date and time
     std::string setup;    ///< lines that describe the problem, the space and the planners
     BenchmarkOptions options;
-    double seconds = 0;  ///< that all of it took
+    double seconds = 0;  ///< the benchmark's duration
     std::vector<PlannerBenchmark> planners;
-    bool isComplete = false;  ///< not stopped before its end
+    bool isComplete = false;  ///< false when the benchmark was stopped before its end
     std::vector<std::string> warnings;
 };
 
-/// Runs the problem's planners in its order, each with its own parameters and settings; without any, one of
-/// each kind: RRTConnect, RRT, EST, KPIECE1 and PRM. Every run has its own space, checker and planner, made
-/// from its seed. Throws std::invalid_argument as plan() does, and for a mistake in any of the planners,
-/// before the first run.
+/// Runs the problem's planners in the problem's order, each with its own parameters and settings. A problem
+/// without planners gets RRTConnect, RRT, EST, KPIECE1 and PRM. Every run has its own space, checker and
+/// planner, made from its seed. Throws std::invalid_argument as plan() does, and for a mistake in any of the
+/// planners, before the first run.
 Benchmark runBenchmark(const Problem& problem, const Scene& scene, const BenchmarkOptions& options);
 
 /// Writes the log. The format's separators and line ends within values become spaces and commas.

@@ -1,4 +1,4 @@
-// The calls of a planner: the states and motions it asks about, in its order; their answers; and files of
+// The calls of a planner (the states and motions that it asks about, in order), their answers, and files of
 // both.
 #pragma once
 
@@ -16,18 +16,18 @@ enum class CallKind {
     kMotionCost,     ///< a clearance objective's motionCost
 };
 
-/// States as the reals of OMPL's space, which hold all of them.
+/// A call with its states, each given by the real numbers that make up the state in OMPL's space.
 struct Call {
     CallKind kind = CallKind::kState;
     std::vector<double> from;
-    std::vector<double> to;  ///< empty for one state
+    std::vector<double> to;  ///< empty for a call about one state
 };
 
 /// Consecutive calls.
 using CallBlock = std::vector<Call>;
 
-/// Blocks drawn evenly from all calls of a run, in the run's order. Within a block, a replay begins each
-/// query but the first as warm as the planner did.
+/// How to sample a run's calls: blocks are drawn evenly from all calls and kept in the run's order. Within a
+/// block, a replay begins each query but the first with the planner's own warm start.
 struct CallSampling {
     std::size_t blocks = 32;
     std::size_t callsPerBlock = 32;
@@ -37,15 +37,15 @@ struct CallSampling {
 /// The answer to a call. kUndecided: no invalid pose of the motion was found, but not all of it is certified.
 enum class CallAnswer : char { kNo = 'n', kYes = 'y', kUndecided = 'u' };
 
-using Answers = std::vector<std::vector<CallAnswer>>;  ///< of each block's calls
+using Answers = std::vector<std::vector<CallAnswer>>;  ///< one list for each block
 
 /// Writes one call a line, its kind and its reals with 17 digits; an empty line ends a block. Removes the
-/// file of answers to the calls that the file held before. Throws std::runtime_error when it cannot be
+/// file of answers to the calls that the file held before. Throws std::runtime_error when the file cannot be
 /// written.
 void writeCalls(const std::vector<CallBlock>& blocks, const std::string& file);
 
-/// Throws std::runtime_error when the file cannot be read, std::invalid_argument naming the file and the line
-/// that is wrong.
+/// Throws std::runtime_error when the file cannot be read, and std::invalid_argument, naming the file and the
+/// line, when a line is wrong.
 std::vector<CallBlock> readCalls(const std::string& file);
 
 /// The file of the answers, beside the file of the calls.

@@ -9,8 +9,8 @@
 namespace clearway::study {
 namespace {
 
-/// Ratios below these are no difference: of speed, memory and leaves, and of build times, which are measured
-/// only once.
+/// Least ratios that count as a difference: in speed, memory and leaves, and in build times, which are
+/// measured only once.
 constexpr double kLeastDifference = 1.02, kLeastBuildDifference = 1.10;
 
 /// Two kinds of trees are alike when the interval of their ratio lies within this ratio.
@@ -85,7 +85,7 @@ std::vector<double> valuesOf(const TreeRow& row, TreeMeasure measure) {
     return {static_cast<double>(row.leaves)};
 }
 
-/// a's measure over b's. For rates, blocks of poses take b longer by that ratio.
+/// The ratio of a's measure to b's. For rates it is the ratio of b's seconds to a's.
 PairedRatio ratioOf(const Claim& claim, const TreeRow& a, const TreeRow& b) {
     std::vector<double> over = valuesOf(a, claim.measure), under = valuesOf(b, claim.measure);
     if (claim.measure == kDistances || claim.measure == kCollisions) std::swap(over, under);
@@ -121,13 +121,13 @@ std::string percentOff(double ratio) {
 }  // namespace
 
 std::string claimRule() {
-    return "Claims: a ratio is the median over 20 blocks of poses; of build seconds, memory and leaves, it "
-           "is the one "
-           "value.\nThe first has more, or less, when the whole 95 % interval says so and the ratio is at "
-           "least " +
+    return "Claims: a ratio is the median over 20 blocks of poses; build seconds, memory and leaves have one "
+           "value each.\nThe first has more, or less, when the whole 95 % interval is on one side of 1 and "
+           "the ratio is at least " +
            percentOff(kLeastDifference) + " off (build seconds " + percentOff(kLeastBuildDifference) +
-           ").\nThere is no difference when the interval reaches no further than " + percentOff(kAlike) +
-           " (build seconds " + percentOff(kLeastBuildDifference) + "). Otherwise the claim is undecided.";
+           ").\nThere is no difference when the interval stays within " + percentOff(kAlike) +
+           " of 1 (build seconds " + percentOff(kLeastBuildDifference) +
+           "). Otherwise the claim is undecided.";
 }
 
 Columns<ClaimRow> claimColumns() {
@@ -139,7 +139,7 @@ Columns<ClaimRow> claimColumns() {
 }
 
 std::vector<ClaimRow> judgeClaims(const std::vector<TreeRow>& trees) {
-    // by scene and width, then by both splits
+    // Keyed by scene and width, then by both splits.
     std::map<std::pair<std::string, int>, std::map<std::string, const TreeRow*>> byEngine;
     for (const TreeRow& row : trees) {
         byEngine[{row.scene, row.nodeWidth}][row.generalSplit + "/" + row.leafSplit] = &row;

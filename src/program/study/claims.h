@@ -1,4 +1,4 @@
-// Judges the thesis's claims about its strategies by our measurements.
+// Judges the claims of R. Ytterlid's thesis about leaf and general splits by clearway's measurements.
 #pragma once
 
 #include <string>
@@ -13,9 +13,9 @@ namespace clearway::study {
 /// The rule by which claims are judged, for people to read.
 std::string claimRule();
 
-/// A row of claims.csv: the ratio of a measure between the claim's two kinds of trees, and the verdict. A claim
-/// that one kind is faster or more gets "holds", "no difference", "the opposite" or "undecided". A claim that
-/// both are alike gets "holds", "the first is faster", "the first is slower" or "undecided".
+/// A row of claims.csv: the ratio of a measure between the claim's two kinds of trees, and the verdict. A
+/// claim that one kind is faster or more gets "holds", "no difference", "the opposite" or "undecided". A
+/// claim that both are alike gets "holds", "the first is faster", "the first is slower" or "undecided".
 struct ClaimRow : PairedRatio {
     std::string scene;
     int nodeWidth = 0;

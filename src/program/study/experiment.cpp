@@ -36,7 +36,7 @@ Model build(const Mesh& mesh, const Engine& engine, const std::string& cache,
     return buildCached(mesh, engine.build(), cache, reach).model;
 }
 
-/// Independent of where the mesh's file lies and how its name was given.
+/// A key of the mesh that does not depend on the folder or name of the mesh's file.
 std::string keyOf(Mesh mesh) {
     mesh.origin.file.clear();
     return std::to_string(modelKey(mesh, {}));
@@ -97,7 +97,7 @@ std::vector<EngineGroup> plannedGroups(const StudyOptions& options) {
 
 std::vector<EngineGroup> replayedGroups(const StudyOptions& options) {
     std::vector<std::string> others = availableTargets();
-    others.erase(others.begin());  // the best one
+    others.erase(others.begin());  // the first is the best one, which the planned engines use
     others.erase(std::remove(others.begin(), others.end(), "scalar"), others.end());
     std::vector<std::string> varied = options.generalSplits;
     if (options.isShort) varied = {varied.back()};

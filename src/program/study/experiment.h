@@ -1,4 +1,4 @@
-// The subjects of the leaf-strategy study: its options, its engines (ways to build and ask trees), and its
+// The subjects of the leaf-strategy study: its options, its engines (ways to build and query trees), and its
 // problems, whose scenes are built again for each engine.
 #pragma once
 
@@ -29,14 +29,14 @@ struct StudyOptions {
     std::vector<StudyPlanner> planners = {
         {"RRTConnect", ""}, {"KPIECE1", ""}, {"PRM", ""}, {"RRTstar", ""}, {"BITstar", "max_min_clearance"}};
     std::vector<std::string> generalSplits = {"axis", "sah"};
-    /// The others are compared with the first.
+    /// Leaf splits after the first are compared with the first.
     std::vector<std::string> leafSplits = {"none", "chain", "edge", "all"};
     int seeds = 10;       ///< the seeds 1 to this, for each planner with each strategy
     double seconds = 20;  ///< for each run
     double megabytes = 8192;
     CallSampling sampling;
     int repetitions = 7;  ///< of each replay
-    /// Replays leaves of other sizes and the other instruction sets with one general split only.
+    /// True: other leaf sizes and instruction sets are replayed with one general split only.
     bool isShort = false;
     int tablePoses = 1000;
     std::string cache;  ///< folder for built trees; empty: none
@@ -50,8 +50,8 @@ struct StudyOptions {
     }
 };
 
-/// How trees are built, and on which instructions they are asked. The defaults are the preset "best" on the
-/// machine's best instructions.
+/// How trees are built, and which instruction set queries run on. The defaults are the preset "best" and the
+/// machine's best instruction set.
 struct Engine {
     std::string generalSplit, leafSplit;
     int leafSize = BuildOptions().leafSize;
@@ -60,14 +60,14 @@ struct Engine {
 
     BuildOptions build() const;
 
-    /// The engine, and what differs from the defaults: "sah/chain", "sah/chain leaves of 16 avx2".
+    /// The splits, and each value that differs from the defaults: "sah/chain", "sah/chain leaves of 16 avx2".
     std::string name() const;
 
     bool sharesTreesWith(const Engine& other) const;
     bool operator==(const Engine& other) const;
 };
 
-/// Engines that differ in the leaf split alone; the others are compared with the first.
+/// Engines that differ in the leaf split alone. The first engine is the baseline of the others.
 using EngineGroup = std::vector<Engine>;
 
 /// The engines that planners are run with, a group for each general split.
@@ -86,19 +86,19 @@ struct StudyProblem {
     std::shared_ptr<const Solids> partSolids;  ///< null unless an obstacle is solid
     std::vector<Pose> replayPoses;  ///< for the tables of trees; empty: the poses of recorded calls
 
-    /// Tells the problem from any other by its meshes, ends, bounds and margins, and what it says to
-    /// planners.
+    /// A text that differs for problems with different meshes, obstacles, start, goal, bounds or planner
+    /// settings.
     std::string fingerprint() const;
 };
 
-/// Builds the scene as far as planning can need the environment, also with a clearance objective. cache:
+/// Builds the scene. The environment's reach suffices for planning, also with a clearance objective. cache:
 /// folder for built trees; empty: none.
 Scene buildScene(const StudyProblem& problem, const Engine& engine, const std::string& cache);
 
-/// How long the rest of even pieces of work takes, as words.
+/// Estimates how long the remaining pieces of work take, when all pieces take equally long.
 class TimeLeft {
   public:
-    /// mostEach: seconds, reported until the first piece is done.
+    /// mostEach: the most seconds that a piece can take, for the estimate before the first piece is done.
     TimeLeft(std::size_t pieces, double mostEach);
 
     void step() { ++done_; }

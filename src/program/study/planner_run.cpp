@@ -28,7 +28,7 @@ using planning::PlanSetup;
 using Clock = std::chrono::steady_clock;
 
 constexpr double kLeastPeriod = 0.05;  ///< seconds between two looks at a planner's progress
-constexpr double kLooksPerRun = 500;   ///< at most, in the run's time
+constexpr double kLooksPerRun = 500;   ///< most looks in a run
 constexpr double kBytesPerMegabyte = 1024.0 * 1024.0;
 
 double secondsSince(Clock::time_point begin) {
@@ -39,10 +39,10 @@ std::string flag(bool value) {
     return value ? "1" : "0";
 }
 
-/// Watches the process's memory and the planner's progress while it plans, from a thread of its own.
+/// Watches the process's memory and the planner's progress during planning, from a thread of its own.
 class RunWatch {
   public:
-    /// bytes: the process may have. period: seconds between two looks.
+    /// bytes: the most that the process may use. period: seconds between two looks.
     RunWatch(const ob::Planner& planner, unsigned long long bytes, double period)
         : properties_(planner.getPlannerProgressProperties()),
           thread_([this, bytes, period] { run(bytes, period); }) {}
@@ -100,7 +100,7 @@ class Improvements {
     Improvements(const Improvements&) = delete;
     Improvements& operator=(const Improvements&) = delete;
 
-    /// Empty for planners that end with their first solution.
+    /// The time of the first improvement; empty for planners that end with their first solution.
     const Measure& first() const { return first_; }
     const Measure& last() const { return last_; }
 
@@ -109,7 +109,7 @@ class Improvements {
     Measure first_, last_;
 };
 
-/// Decides when a run's planner has to end. Asked within its motions too, maybe from several threads.
+/// Decides when a run's planner must end. Asked also within motions, and from several threads.
 class RunEnd {
   public:
     explicit RunEnd(const RunLimits& limits) : limits_(limits) {}
@@ -255,7 +255,7 @@ const std::vector<RunProperty>& runProperties() {
         {"solved", "solved BOOLEAN", &Run::isSolved},
         {"status", "status ENUM", &Run::status},
         {"seconds", "time REAL", &Run::seconds},
-        // less than the time when the machine was at other work
+        // Processor seconds are less than clock seconds when the machine did other work.
         {"processor_seconds", "processor time REAL", &Run::processorSeconds},
         {"first_solution_seconds", "time to first solution REAL", &Run::firstSolutionSeconds},
         {"final_solution_seconds", "time to final solution REAL", &Run::finalSolutionSeconds},

@@ -1,4 +1,4 @@
-// One run of one planner, with what OMPL's benchmark logs hold of it.
+// Runs one planner once, and collects the properties that OMPL's benchmark logs hold.
 #pragma once
 
 #include <functional>
@@ -17,7 +17,7 @@
 
 namespace clearway::study {
 
-/// Texts by the names that OMPL's logs have for them, which end with a type: "time REAL".
+/// Run properties as texts, keyed as in OMPL's benchmark logs. A key ends with a type: "time REAL".
 using Properties = std::map<std::string, std::string>;
 
 /// Queries and the work that they did.
@@ -36,14 +36,15 @@ struct PathMeasures {
     Count isCertified;
 };
 
-/// The numbers of a run. Empty: the planner found no path, nothing was recorded, or nothing is certified.
+/// The numbers of a run. A number is empty if the planner found no path, nothing was recorded, or nothing is
+/// certified.
 struct RunMeasures : Work, PathMeasures {
     Count isSolved, status;
     Measure seconds, processorSeconds;
     Measure firstSolutionSeconds, finalSolutionSeconds;
     Count stateChecks, motionChecks, motionCosts, undecidedMotions;
     Measure querySeconds;  ///< in the checker, the validator and the objective; see Recorder::seconds()
-    Measure queryShare;    ///< of the seconds
+    Measure queryShare;    ///< share of `seconds`
     Count graphStates, graphMotions;
     Measure megabytes;
 };
@@ -62,11 +63,12 @@ Properties propertiesOf(const RunMeasures& measures);
 
 struct BenchmarkRun {
     RunMeasures measures;
-    Properties properties;             ///< those of the measures, and others that only logs have
+    Properties properties;             ///< the measures, and others that only logs have
     std::vector<Properties> progress;  ///< in the order of time
     bool isSolved = false;
-    double length = 0;             ///< of the path, as OMPL's space measures it
-    std::vector<PartState> path;   ///< the last one there was: simplified, if it was; empty unless solved
+    double length = 0;  ///< of the path, as OMPL's space measures it
+    /// Simplified if paths are, else as the planner found it; empty unless solved.
+    std::vector<PartState> path;
     std::vector<CallBlock> calls;  ///< a sample, if one was asked for
 };
 
@@ -80,8 +82,8 @@ struct RunLimits {
 };
 
 /// Plans the problem, which names one planner, with that planner and the options' seed. Returns nothing when
-/// it was stopped. A planner that throws has status "Crash" and a warning. Throws what makePlanSetup()
-/// throws.
+/// isStopped ended the run. A planner that throws has status "Crash" and a warning. Throws what
+/// makePlanSetup() throws.
 std::optional<BenchmarkRun> runOnce(const Problem& problem, const Scene& scene,
                                     const planning::PlanOptions& options, const RunLimits& limits,
                                     std::vector<std::string>& warnings);

@@ -63,7 +63,8 @@ auto keyOf(const RunRow& row) {
     return std::tie(row.scene, row.planner, row.generalSplit, row.leafSplit, row.seed);
 }
 
-/// Two programs at once, or a hand, may have left a run twice; it would count twice.
+/// Throws when the table has a run twice, because the run would count twice. Two programs at once may have
+/// written it, or a user's edit.
 void requireOnce(const GrowingTable<RunRow>& runs) {
     std::set<std::decay_t<decltype(keyOf(runs.rows().front()))>> seen;
     for (const RunRow& row : runs.rows()) {
@@ -74,7 +75,7 @@ void requireOnce(const GrowingTable<RunRow>& runs) {
     }
 }
 
-/// The problem with that planner alone, and its parameters if the problem has some.
+/// The problem with this planner alone, and with the parameters that the problem has for it.
 Problem problemFor(const Problem& stated, const StudyPlanner& planner) {
     Problem problem = stated;
     problem.planners.clear();
@@ -140,7 +141,7 @@ class Runner {
         return true;
     }
 
-    /// Writes the sample first: a run in the table has its sample.
+    /// Writes the sample before the row, so that every run in the table has its sample.
     void keep(const PlannedRun& planned, const BenchmarkRun& run) {
         if (planned.strategy == static_cast<std::size_t>(planned.seed - 1) % scenes_.size()) {
             writeCalls(run.calls, callsFile(folder_, problem_.name, planned.planner.name, planned.seed));
@@ -154,10 +155,10 @@ class Runner {
     const StudyOptions& options_;
     std::string folder_;
     GrowingTable<RunRow>& runs_;
-    std::vector<std::unique_ptr<Scene>> scenes_;  ///< of each strategy, built when first needed
+    std::vector<std::unique_ptr<Scene>> scenes_;  ///< one for each strategy, built when first needed
 };
 
-/// Local date and time as OMPL's logs have them: 2026-01-31T12:00:00.
+/// Local date and time in the format of OMPL's logs: 2026-01-31T12:00:00.
 std::string timeNow() {
     const std::time_t now = std::time(nullptr);
     std::tm local = {};

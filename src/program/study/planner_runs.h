@@ -10,27 +10,27 @@
 
 namespace clearway::study {
 
-/// Identifies the rows about calls of a planner: runs, and replays of their blocks.
+/// Identifies a row about calls of a planner: a run, or the replay of a block of a run.
 struct CallsRow : Engine {
     std::string scene, planner;
     int seed = 1;
-    std::uint64_t block = 0;  ///< of the recorded ones; 0 for runs
+    std::uint64_t block = 0;  ///< position among the recorded blocks; 0 for runs
 };
 
 /// A row of runs.csv. Runs use the default trees and the best instructions.
 struct RunRow : CallsRow, RunMeasures {
-    /// How many states and motions the planner asked about.
+    /// The number of states and motions that the planner asked about.
     double calls() const;
 
-    /// The processor's seconds; where they are missing, the clock's.
+    /// The run's processor seconds, or its clock seconds where processor seconds are missing.
     Measure askingSeconds() const { return processorSeconds ? processorSeconds : seconds; }
 
     /// Empty unless the run found a path.
     Measure firstSolution() const;
     Measure finiteCost() const;
 
-    /// True when the run had less than 95 % of a processor: the machine was at other work, which the run's
-    /// times by the clock include.
+    /// True when the run had less than 95 % of a processor. The machine was then busy with other work, and
+    /// the run's clock times include it.
     bool wasDisturbed() const;
 };
 
@@ -38,10 +38,9 @@ struct RunRow : CallsRow, RunMeasures {
 Columns<RunRow> runColumns();
 
 /// Does the runs that the table lacks, seed by seed, and appends each as it ends. For each planner and seed,
-/// one run leaves a sample of its calls in the folder; the strategies take turns. Returns false when it was
-/// stopped:
-/// then the run at hand is not in the table. Reports warnings. Throws std::runtime_error when the table has a
-/// run twice.
+/// one run leaves a sample of its calls in the folder; the strategies take turns. Reports warnings. Returns
+/// false when the study was stopped: then the current run is not in the table. Throws std::runtime_error when
+/// the table has a run twice.
 bool runPlanners(const StudyProblem& problem, const StudyOptions& options, const std::string& folder,
                  GrowingTable<RunRow>& runs);
 
@@ -55,7 +54,7 @@ std::string callsFile(const std::string& folder, const std::string& scene, const
 void writeStudyLogs(const StudyProblem& problem, const StudyOptions& options, const std::vector<RunRow>& runs,
                     const std::string& folder);
 
-/// The processor's name; "unknown" when the system does not tell.
+/// The processor's name; "unknown" if the system does not say.
 std::string processorName();
 
 }  // namespace clearway::study

@@ -17,7 +17,7 @@ std::vector<double> realsOf(const ob::StateSpace& space, const ob::State* state)
     return reals;
 }
 
-/// Forwards to the setup's checker, so that the counters of that one count.
+/// Forwards to the setup's checker, so that the setup's counters still count.
 class RecordingChecker : public planning::ValidityChecker {
   public:
     RecordingChecker(Recorder& recorder, const ob::SpaceInformationPtr& si,
@@ -79,8 +79,8 @@ class RecordingObjective : public Objective {
     Recorder& recorder_;
 };
 
-/// Replaces the definition's objective if it is of this class. Its options are the defaults: a study has no
-/// others.
+/// Replaces the definition's objective if it is of this class. The new objective has default options, because
+/// a study sets no others.
 template <class Objective>
 void recordObjective(Recorder& recorder, planning::PlanSetup& setup, const Scene& scene) {
     const ob::OptimizationObjectivePtr& objective = setup.definition->getOptimizationObjective();

@@ -24,7 +24,7 @@ class Recorder {
   public:
     Recorder(const ompl::base::StateSpacePtr& space, const CallSampling& sampling);
 
-    /// Records the calling thread from now on. One recorder at a time in a thread.
+    /// Starts recording the calling thread. A thread can have one recorder at a time.
     void begin();
     void end();
 
@@ -36,7 +36,7 @@ class Recorder {
         return time(answer);
     }
 
-    /// Returns answer() and counts only its time: for calls that are not replayed.
+    /// Returns answer() and counts only its time, for calls that are not replayed.
     template <class Answer>
     auto time(const Answer& answer) {
         if (!isRecording()) return answer();
@@ -60,7 +60,7 @@ class Recorder {
 
   private:
     struct Kept {
-        std::uint64_t place = 0;  ///< of the block in the run
+        std::uint64_t place = 0;  ///< position of the block in the run
         CallBlock calls;
     };
     bool isRecording() const { return thread_ == std::this_thread::get_id(); }
@@ -72,7 +72,7 @@ class Recorder {
     std::mt19937_64 random_;
     std::thread::id thread_;  ///< the recorded thread; none before begin() and after end()
     std::vector<Kept> kept_;
-    Kept* current_ = nullptr;  ///< the block at hand if it is kept
+    Kept* current_ = nullptr;  ///< the current block if it is kept
     std::uint64_t calls_[5] = {};
     std::uint64_t allCalls_ = 0;
     double seconds_ = 0;
@@ -80,9 +80,9 @@ class Recorder {
 };
 
 /// Puts recording decorators in place of the setup's checker, certified validator and clearance objective.
-/// They answer as the originals do and are of the originals' classes, to which planners and samplers cast
-/// them. To be called before the setup's planners are made. The recorder must outlive the setup. isOver: as
-/// the setup's motions have it.
+/// The decorators answer as the originals do. They derive from the originals' classes, because planners and
+/// samplers cast to these classes. Must be called before the setup's planners are made. The recorder must
+/// outlive the setup. isOver: as in makePlanSetup.
 void recordInto(Recorder& recorder, planning::PlanSetup& setup, const Scene& scene,
                 const std::function<bool()>& isOver);
 

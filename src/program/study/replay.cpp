@@ -13,7 +13,7 @@
 namespace clearway::study {
 namespace {
 
-constexpr double kMostSeconds = 0.1;  ///< for all replayed blocks of a sample
+constexpr double kMostSeconds = 0.1;  ///< for all replayed blocks of a sample together
 constexpr std::size_t kLeastBlocks = 4;
 
 /// The recorded blocks of one run that are replayed.
@@ -21,9 +21,9 @@ struct Sample {
     std::string planner;
     int seed = 1;
     std::vector<CallBlock> blocks;
-    std::vector<std::size_t> places;  ///< of the blocks, among those recorded
+    std::vector<std::size_t> places;  ///< positions of the blocks among the recorded ones
     std::string answersFile;
-    Answers answers;       ///< of the first engine that was asked
+    Answers answers;       ///< answers of the first engine that was asked
     std::string answered;  ///< the name of that engine
 };
 
@@ -33,7 +33,7 @@ struct BuiltEngine {
     std::unique_ptr<Replayer> replayer;
 };
 
-/// Uses an instruction set until its own end, then the best one again.
+/// Switches to an instruction set. The destructor switches back to the best one.
 class TargetInUse {
   public:
     explicit TargetInUse(const std::string& name) { useTarget(name); }
@@ -74,7 +74,7 @@ class Replay {
                 sample.answersFile = answersFile(file);
                 if (std::filesystem::exists(sample.answersFile)) {
                     sample.answers = readAnswers(sample.answersFile);
-                    // else they answer another choice of blocks, and are written anew
+                    // Answers to another choice of blocks are not used, and are replaced later.
                     if (areAnswersTo(sample.blocks, sample.answers)) sample.answered = "an earlier engine";
                 }
                 samples_.push_back(std::move(sample));
@@ -82,8 +82,8 @@ class Replay {
         }
     }
 
-    /// Returns true when the table has all of the group's rows. Removes rows that the program's end cut
-    /// short.
+    /// Returns true when the table has all of the group's rows. Removes the rows of a group that is
+    /// incomplete because the program ended.
     bool isDone(const EngineGroup& group) {
         const auto isOfGroup = [&](const ReplayRow& row) {
             return row.scene == problem_.name && std::find(group.begin(), group.end(), row) != group.end();
@@ -109,7 +109,8 @@ class Replay {
     }
 
   private:
-    /// Builds the engines, unless the group before had the same trees. Returns false when it was stopped.
+    /// Builds the engines, unless the previous group had equal trees. Returns false when the study was
+    /// stopped.
     bool prepare(const EngineGroup& group) {
         if (!built_.empty() && !built_.front().engine.sharesTreesWith(group.front())) built_.clear();
         if (!built_.empty()) {
@@ -127,7 +128,7 @@ class Replay {
         return true;
     }
 
-    /// Returns false when it was stopped.
+    /// Returns false when the study was stopped.
     bool replay(Sample& sample, std::vector<ReplayRow>& rows) {
         std::vector<std::vector<planning::QueryTally>> tallies;
         for (BuiltEngine& each : built_) {
@@ -155,7 +156,7 @@ class Replay {
         return true;
     }
 
-    /// Returns the seconds as [engine][block]; empty when it was stopped.
+    /// Returns the seconds as [engine][block]; empty when the study was stopped.
     std::vector<std::vector<double>> timeAll(const Sample& sample) {
         const std::size_t engines = built_.size(), blocks = sample.blocks.size();
         std::vector<std::vector<std::vector<double>>> all(engines, std::vector<std::vector<double>>(blocks));
@@ -190,8 +191,7 @@ class Replay {
                                          " '" + static_cast<char>(here) + "'";
                 const bool isOpen = here == CallAnswer::kUndecided || there == CallAnswer::kUndecided;
                 if (!isOpen) throw std::logic_error("strategies contradict each other: " + what);
-                options_.report(problem_.name +
-                                ": a motion that is undecided with one strategy only: " + what);
+                options_.report(problem_.name + ": a motion is undecided with one strategy only: " + what);
             }
         }
     }

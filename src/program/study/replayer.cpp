@@ -76,7 +76,8 @@ struct Replayer::Tools {
         if (call.kind != CallKind::kState && call.kind != CallKind::kClearance) set(to, call.to);
     }
 
-    /// A cost of at most 0 certifies nothing; the worst one means that a pose is invalid.
+    /// The answer that a cost stands for. A cost of at most 0 certifies nothing; the worst cost means that a
+    /// pose is invalid.
     CallAnswer costAnswer() const {
         const double cost =
             setup.definition->getOptimizationObjective()->motionCost(from.get(), to.get()).value();

@@ -1,5 +1,5 @@
-// Asks recorded calls again of a scene with other trees, through a checker, a validator and an objective like
-// the planner's.
+// Replays recorded calls in a scene with other trees, through a checker, a validator and an objective of the
+// planner's kinds.
 #pragma once
 
 #include <memory>
@@ -17,21 +17,21 @@ struct ReplayedCalls {
     std::vector<planning::QueryTally> tallies;  ///< of each block
 };
 
-/// X_environmentPart at the states of the calls, in their order. Throws std::invalid_argument when a state
-/// has another number of reals than the problem's space.
+/// X_environmentPart at the states of the calls, in order. Throws std::invalid_argument when a state has not
+/// as many reals as the problem's space.
 std::vector<Pose> posesOf(const Problem& problem, const std::vector<CallBlock>& blocks);
 
 class Replayer {
   public:
-    /// Motions are given the costs of the objective max_min_clearance. Throws as plan() does.
+    /// Makes a checker, a motion validator and the objective max_min_clearance. Throws as plan() does.
     Replayer(const Problem& problem, const Scene& scene);
     ~Replayer();
     Replayer(Replayer&&) noexcept;
 
-    /// Throws std::invalid_argument when a state has another number of reals than the problem's space.
+    /// Throws std::invalid_argument when a state has not as many reals as the problem's space.
     ReplayedCalls replay(const std::vector<CallBlock>& blocks);
 
-    /// Asks the calls without a look at their work. Returns the processor's seconds of each block.
+    /// Asks the calls without counting their work. Returns each block's processor seconds.
     std::vector<double> time(const std::vector<CallBlock>& blocks);
 
   private:

@@ -14,7 +14,7 @@ namespace clearway::study {
 namespace {
 
 constexpr std::size_t kResamples = 2000;
-constexpr double kOutside = 0.025;  ///< the share of the resamples outside of the interval, at each end
+constexpr double kOutside = 0.025;  ///< share of the resamples outside the interval, at each end
 constexpr std::uint64_t kSeed = 20131;
 constexpr const char* kAllPlanners = "all";
 
@@ -44,11 +44,11 @@ Row rowAt(const Key& key, const CallsRow& like) {
     return row;
 }
 
-/// Compares two rows; empty where they have no such ratio.
+/// Compares two rows. The ratio is empty if either row lacks the measure.
 template <class Row>
 using RatioOf = std::function<Measure(const Row& mine, const Row& other)>;
 
-/// The ratio of a value that both rows have, neither below 0.
+/// The ratio of a value that both rows have, neither of them below 0.
 template <class Row, class Value>
 RatioOf<Row> ratioOf(const Value& value) {
     return [value](const Row& row, const Row& with) -> Measure {
@@ -62,7 +62,7 @@ Measure quotient(double of, double per) {
     return per > 0 ? Measure(of / per) : std::nullopt;
 }
 
-/// Leaves out disturbed runs, whose times by the clock depend on what else the machine did.
+/// Leaves out disturbed runs, because their clock times depend on the machine's other work.
 RatioOf<RunRow> undisturbed(const RatioOf<RunRow>& ratio) {
     return [ratio](const RunRow& mine, const RunRow& other) -> Measure {
         if (mine.wasDisturbed() || other.wasDisturbed()) return std::nullopt;
@@ -70,8 +70,8 @@ RatioOf<RunRow> undisturbed(const RatioOf<RunRow>& ratio) {
     };
 }
 
-/// A run that ended unsolved would have taken longer than it did. Without such pairs, only pairs in which the
-/// slower strategy was quick enough would count.
+/// The ratio of the times to the first solution. An unsolved run would have taken longer than it did. But
+/// without such pairs, only pairs in which the slower strategy was quick enough would count.
 Measure firstSolutionRatio(const RunRow& mine, const RunRow& other) {
     const Measure ofMine = mine.firstSolution(), ofOther = other.firstSolution();
     if (!ofMine && !ofOther) return std::nullopt;
@@ -92,7 +92,7 @@ class Pairing {
         }
     }
 
-    /// isOfAllPlanners: false for a measure that has another meaning with each planner.
+    /// isOfAllPlanners: false for a measure whose meaning differs between planners.
     void add(const char* measure, const RatioOf<Row>& ratio, std::vector<StatisticRow>& statistics,
              bool isOfAllPlanners = true) const {
         struct Found {
@@ -148,7 +148,7 @@ class Pairing {
     std::map<std::tuple<Key, int, std::uint64_t>, const Row*> baselines_;
 };
 
-/// Sums over the runs, or replayed blocks, of one engine and planner.
+/// Sums over the runs, or over the replayed blocks, of one engine and planner.
 struct Sums {
     const CallsRow* first = nullptr;
     std::size_t rows = 0, solved = 0, disturbed = 0;

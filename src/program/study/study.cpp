@@ -90,8 +90,8 @@ void requireOptions(const std::vector<StudyProblem>& problems, const StudyOption
 
 constexpr std::size_t kPosesTogether = 25;  ///< consecutive poses, as they were recorded
 
-/// The poses of the problem, or the states of its recorded calls. When there are more than wanted, stretches
-/// of consecutive poses, evenly spread.
+/// The poses of the problem, or the states of its recorded calls. If there are too many, takes stretches of
+/// consecutive poses, spread evenly.
 std::vector<Pose> tablePoses(const StudyProblem& problem, const StudyOptions& options,
                              const std::string& folder) {
     std::vector<Pose> all = problem.replayPoses;

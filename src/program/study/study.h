@@ -1,4 +1,4 @@
-// The leaf-strategy study: how the way of splitting leaves changes what planners need.
+// The leaf-strategy study: measures how leaf splits change the work of planners.
 #pragma once
 
 #include <string>
@@ -12,20 +12,20 @@
 namespace clearway::study {
 
 struct StudyResult {
-    bool isComplete = false;  ///< not stopped before its end; otherwise the tables are empty
+    bool isComplete = false;  ///< false when the study was stopped before its end; the tables are then empty
     std::vector<StatisticRow> statistics;
     std::vector<SummaryRow> summary;
     std::vector<TreeRow> trees;
     std::vector<ClaimRow> claims;
 };
 
-/// Runs planners, replays their calls and works out what the strategies change. The folder holds all of it:
+/// Runs planners, replays their calls and computes how the strategies differ. The folder holds the results:
 ///   settings.csv, runs.csv, replay.csv, trees.csv and calls/* as they grow; statistics.csv, summary.csv,
 ///   claims.csv and logs/*.log at the end.
-/// In a folder that holds part of a study, the study goes on: nothing in its tables is done again. Throws
-/// std::invalid_argument when the folder's study has other options, problems, processor or instructions,
-/// naming the setting and both values; std::runtime_error when a file cannot be written, or another program
-/// is at the folder's study.
+/// In a folder that holds a part of a study, the study continues: rows that its tables hold are not measured
+/// again. Throws std::invalid_argument, naming the setting and both values, when the folder's study has other
+/// options, problems, processor or instructions. Throws std::runtime_error when a file cannot be written, or
+/// another program works on the folder's study.
 StudyResult studyLeafStrategies(const std::vector<StudyProblem>& problems, const StudyOptions& options,
                                 const std::string& folder);
 

@@ -31,7 +31,8 @@ Cells split(const std::string& line) {
     return cells;
 }
 
-/// The lines of the file that have an end. Cuts off what follows the last one's end. Empty without a file.
+/// The complete lines of the file; empty if there is no file. Removes a last line without an end from the
+/// file.
 std::string wholeLines(const std::string& file) {
     if (!std::filesystem::exists(file)) return "";
     std::ifstream in(file, std::ios::binary);
@@ -47,7 +48,7 @@ std::string wholeLines(const std::string& file) {
     return text;
 }
 
-/// Takes back the rows that a full disk let through: some of the rows must not pass for all.
+/// Removes the rows that a full disk let through, so that a part of the rows does not pass for all of them.
 void cutBack(int file, off_t size) {
     if (::ftruncate(file, size) != 0) return;  // the caller reports what failed first
 }
@@ -127,8 +128,8 @@ FolderLock::FolderLock(const std::string& folder)
     : folder_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
     if (folder_ < 0 || ::flock(folder_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
     ::close(folder_);
-    throw std::runtime_error("another program is at the study in '" + folder +
-                             "', expected its end or another folder");
+    throw std::runtime_error("another program works on the study in '" + folder +
+                             "', expected another folder, or this one when that program has ended");
 }
 
 FolderLock::~FolderLock() {

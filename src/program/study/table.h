@@ -31,7 +31,7 @@ struct Column {
 template <class Row>
 using Columns = std::vector<Column<Row>>;
 
-/// The text of a cell. Doubles have the fewest digits that read back to the same double; the doubles of a
+/// The text of a cell. Doubles have the fewest digits that read back to an equal double; the doubles of a
 /// list are separated by spaces.
 template <class Value>
 std::string cellText(const Value& value) {
@@ -50,10 +50,10 @@ std::string cellText(const Value& value) {
     }
 }
 
-/// Reads a number, also one that is not finite. Returns false when the text is none.
+/// Reads a number, also one that is not finite. Returns false when the text is no number.
 bool readNumber(const std::string& text, double& number);
 
-/// Reads a cell. Returns false when the text is no such value.
+/// Reads a cell. Returns false when the text is no value of this type.
 template <class Value>
 bool readCell(const std::string& text, Value& value) {
     if constexpr (std::is_same_v<Value, std::string>) {
@@ -105,27 +105,28 @@ std::string tableText(const Columns<Row>& columns, const std::vector<Row>& rows)
     return text;
 }
 
-/// The lines of a table's file below its head. Makes the file with the head when there is none, and cuts off
-/// a last line without an end, which an end of the program cut short. Throws std::runtime_error, naming the
-/// file, when it can neither be read nor made, or holds other columns.
+/// The lines of a table's file below its head. Makes the file with the head if there is none. Removes a last
+/// line without an end, which is left when the program ends while writing. Throws std::runtime_error, naming
+/// the file, when the file can neither be read nor made, or holds other columns.
 std::vector<Cells> openTable(const std::string& file, const Cells& names);
 
-/// Appends the text at once and makes sure that it is on the disk. Throws std::runtime_error when it cannot;
-/// then the file is as it was.
+/// Appends the text at once and makes sure that the text is on the disk. Throws std::runtime_error when this
+/// fails; the file is then unchanged.
 void appendText(const std::string& file, const std::string& text);
 
-/// Replaces the file as a whole. Throws std::runtime_error when it cannot; then the file is as it was.
+/// Replaces the whole file. Throws std::runtime_error when this fails; the file is then unchanged.
 void replaceText(const std::string& file, const std::string& text);
 
 /// Throws std::runtime_error about a cell that readCell refused. row: counted from 0, below the head.
 [[noreturn]] void refuseCell(const std::string& file, std::size_t row, const std::string& column,
                              const std::string& text);
 
-/// A table that is kept as a file while it grows: appended rows are there after any end of the program.
+/// A table that is kept as a file while it grows. Appended rows are on the disk, however the program ends.
 template <class Row>
 class GrowingTable {
   public:
-    /// Reads the rows of the file, or makes it. Throws as openTable does, and when a cell is no such value.
+    /// Reads the rows of the file, or makes the file. Throws as openTable does, and when a cell has no value
+    /// of its column's type.
     GrowingTable(std::string file, Columns<Row> columns)
         : file_(std::move(file)), columns_(std::move(columns)) {
         for (const Cells& cells : openTable(file_, namesOf(columns_))) {
@@ -142,7 +143,7 @@ class GrowingTable {
     const std::vector<Row>& rows() const { return rows_; }
     const std::string& file() const { return file_; }
 
-    /// Throws as appendText does. An end of the program in the midst may leave some of the rows in the file.
+    /// Throws as appendText does. If the program ends while appending, the file may have some of the rows.
     void append(const std::vector<Row>& rows) {
         std::string text;
         for (const Row& row : rows) text += lineOf(cellsOf(columns_, row));
@@ -163,11 +164,11 @@ class GrowingTable {
     std::vector<Row> rows_;
 };
 
-/// Keeps a second program out of a study's folder until its end, or the program's, however that comes.
+/// Keeps a second program out of a study's folder, until the lock is destroyed or the program ends.
 class FolderLock {
   public:
-    /// Throws std::runtime_error naming the folder when another program holds it. On a file system without
-    /// locks, nobody is kept out.
+    /// Throws std::runtime_error, naming the folder, when another program holds it. On a file system without
+    /// locks the lock has no effect.
     explicit FolderLock(const std::string& folder);
     ~FolderLock();
     FolderLock(const FolderLock&) = delete;

@@ -40,7 +40,7 @@ std::string nameOf(const BuildOptions& build) {
     return build.generalSplit + "/" + build.leafSplit + " width " + std::to_string(build.nodeWidth);
 }
 
-/// A part and an environment of several models, asked as one.
+/// A part and an environment of several models, queried as one environment.
 struct Asked {
     BuildOptions build;
     Model part;
@@ -89,7 +89,7 @@ class Measuring {
     Measuring(const StudyProblem& problem, const std::vector<Pose>& poses, const StudyOptions& options)
         : problem_(problem), poses_(poses), options_(options) {}
 
-    /// Returns false when it was stopped.
+    /// Returns false when the study was stopped.
     bool run(std::vector<TreeRow>& rows) {
         for (const BuildOptions& build : measuredTrees()) {
             if (options_.mustStop()) return false;
@@ -308,7 +308,7 @@ bool measureTrees(const StudyProblem& problem, const std::vector<Pose>& poses, c
     const auto isOfScene = [&](const TreeRow& row) { return row.scene == problem.name; };
     const auto there = std::count_if(trees.rows().begin(), trees.rows().end(), isOfScene);
     if (static_cast<std::size_t>(there) >= measuredTrees().size()) return true;
-    if (there > 0) trees.remove(isOfScene);  // the program's end cut them short
+    if (there > 0) trees.remove(isOfScene);  // a program that ended early left only some of the rows
     if (poses.empty())
         throw std::invalid_argument(problem.name + " has no poses to measure at, expected at least one");
     std::vector<TreeRow> rows;

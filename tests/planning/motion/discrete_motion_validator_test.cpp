@@ -20,7 +20,7 @@ namespace ob = ompl::base;
 
 constexpr double kRadius = 450;
 
-/// Remembers the poses that it is asked about, and answers as the test sets it to.
+/// A checker that records the poses it is asked about, and answers as the test sets.
 class SpyChecker : public ob::StateValidityChecker {
   public:
     SpyChecker(const ob::SpaceInformationPtr& si, std::function<bool(const Pose&)> answer)
@@ -77,7 +77,8 @@ double largestDisplacement(const Pose& a, const Pose& b, const std::vector<Vecto
     return largest;
 }
 
-/// Orders the poses that were asked about along a straight motion, by their distance from its start.
+/// Orders the recorded poses of a straight motion by their distance from its start, and returns the largest
+/// gap.
 double largestGap(std::vector<Pose> poses, const std::vector<Vector3>& points) {
     const Pose start = poses.front();
     std::sort(poses.begin(), poses.end(), [&](const Pose& a, const Pose& b) {

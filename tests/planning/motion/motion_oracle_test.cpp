@@ -1,5 +1,5 @@
-// Random motions, looked at in many poses and around their least distance. The exact oracle judges the poses
-// of least distance. With CLEARWAY_FULL=1 there are 10,000 motions in 200 poses and 100 motions in 10,000.
+// Random motions, checked at many poses and around their least distance. The exact oracle judges the poses of
+// least distance. With CLEARWAY_FULL=1 there are 10,000 motions of 200 poses and 100 motions of 10,000.
 #include <ompl/util/Console.h>
 
 #include <boost/test/unit_test.hpp>
@@ -46,8 +46,8 @@ void checkAgainstOracle(const MotionScene& scene, const RandomMotion& motion, in
         ++tally.valid;
         tally.tight += found < 100 * least;
     }
-    // A motion that is not valid in one order of samples is at best undecided in another order, where it is
-    // too close to decide.
+    // A motion that is invalid in one order of samples may be undecided, but not valid, in another order,
+    // where it comes too close to decide.
     if (!(valid && forward && report.verdict == MotionVerdict::kValid) && !(valid || forward)) {
         const bool isInvalid = report.verdict == MotionVerdict::kInvalid;
         const bool isOutside = isInvalid && !scene.si->satisfiesBounds(s2);

@@ -40,7 +40,7 @@ BOOST_AUTO_TEST_CASE(a_motion_with_little_clearance_all_along_is_valid) {
         const Fixture f(margin);
         const double x = -32 - margin - 0.02;
         BOOST_TEST(f.check(f.at({x, -40, 20}), f.at({x, 30, -20})));
-        // Queries: the length in clearances is 80.6 / 0.02.
+        // The length is 80.6 / 0.02 clearances, which bounds the number of queries.
         BOOST_TEST(f.validator->counters().queries < 2.5 * 80.7 / 0.02);
         BOOST_TEST(f.check(f.at({x, -40, 20}), f.at({-80, 30, -20}, 0.3)));
     }
@@ -97,7 +97,7 @@ BOOST_AUTO_TEST_CASE(a_motion_that_stays_is_valid_however_close_it_is) {
     const Fixture f;
     const auto close = f.at({-32 - 1e-9, 0, 30}, M_PI, Vector3::UnitX());
     BOOST_TEST(f.check(close, close));
-    auto negated = close;  // the same pose
+    auto negated = close;  // an equal pose with another sign
     for (int i = 3; i < 7; ++i) negated[static_cast<unsigned int>(i)] *= -1;
     BOOST_TEST(f.check(close, negated));
 }

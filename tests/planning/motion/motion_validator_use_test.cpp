@@ -29,7 +29,7 @@ void requireRefused(const Call& call, const std::string& words) {
     });
 }
 
-/// Catches OMPL's log while it lives, and keeps it off the terminal.
+/// While a Log lives, it catches OMPL's messages and keeps them off the terminal.
 class Log : public ompl::msg::OutputHandler {
   public:
     Log() { ompl::msg::useOutputHandler(this); }

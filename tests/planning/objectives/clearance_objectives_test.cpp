@@ -39,7 +39,7 @@ double cost(const ob::OptimizationObjective& objective, const ob::ScopedState<>&
     return objective.motionCost(a.get(), b.get()).value();
 }
 
-/// How far a certified clearance may be below the least one.
+/// The most by which a certified clearance may be below the least clearance.
 double resolutionOf(double clearance, double partDiagonal) {
     const double share = std::max(0.01 * clearance, std::min(0.1 * clearance, 1e-3 * partDiagonal));
     return std::max(share, 1e-5 * partDiagonal);
@@ -281,14 +281,15 @@ BOOST_AUTO_TEST_CASE(another_space_works_through_callbacks) {
     ob::ScopedState<ob::RealVectorStateSpace> a(space), b(space);
     a[0] = -60, b[0] = 60;
     BOOST_TEST(cost(least, a, b) == 11, boost::test_tools::tolerance(0.011));
-    BOOST_TEST(cost(wanted, a, b) == 120, boost::test_tools::tolerance(0.1));  // it wants less than 11
+    // The objective wants less than 11.
+    BOOST_TEST(cost(wanted, a, b) == 120, boost::test_tools::tolerance(0.1));
     requireRefused([&] { MinClearanceObjective(si, window.scene, StateToPose(), bound); },
                    "stateToPose is empty");
     requireRefused([&] { ClearanceIntegralObjective(si, window.scene, pose, DisplacementBound()); },
                    "displacement bound is empty");
 }
 
-/// A plate at rest on a tray that is ignored until the plate has moved by 4.
+/// A plate rests on a tray that is ignored until the plate has moved by 4.
 BOOST_AUTO_TEST_CASE(obstacles_count_where_no_contact_zone_leaves_them_out) {
     const Mesh plate = testing::box({30, 20, 5}, 2);
     const Mesh tray = testing::transformed(testing::box({40, 30, 5}, 2), {Matrix3::Identity(), {0, 0, -10}});

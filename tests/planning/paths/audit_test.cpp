@@ -142,8 +142,8 @@ BOOST_AUTO_TEST_CASE(states_without_a_pose_are_told_and_the_rest_is_audited) {
     }
 }
 
-// Against the oracle, in SE(3) and SE(2), with and without margins: scenes' own paths and, in the tight ones,
-// paths beside them that collide.
+// The oracle judges, in SE(3) and SE(2), with and without margins: the scenes' own paths and, in tight
+// scenes, paths beside them that collide.
 BOOST_AUTO_TEST_CASE(no_pose_of_a_path_has_less_clearance_than_its_audit_says) {
     constexpr unsigned kSeed = 11;
     for (const auto& scene : testing::motionScenes()) {

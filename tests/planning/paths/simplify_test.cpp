@@ -80,7 +80,7 @@ BOOST_AUTO_TEST_CASE(the_least_clearance_never_falls_below_the_floor_or_what_it_
                 BOOST_TEST(was.isValid());
                 BOOST_TEST(is.isValid());
                 BOOST_TEST(is.upperClearance >= kept);
-                BOOST_TEST(is.lowerClearance >= 0.89 * kept - 1e-9 * size);  // as well as audits know it
+                BOOST_TEST(is.lowerClearance >= 0.89 * kept - 1e-9 * size);  // as accurate as audits are
                 BOOST_TEST(trueLeast(*scene, path) >= kept * (1 - 1e-9) - 1e-12 * size);
                 BOOST_TEST(lengthOf(path) <= lengthOf(*before) * (1 + 1e-9));
                 BOOST_TEST(scene->space->equalStates(path.getState(0), before->getState(0)) == true);

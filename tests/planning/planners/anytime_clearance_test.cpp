@@ -1,5 +1,5 @@
-// Anytime planners find paths of more and more clearance, and of more than a planner that ends at its first
-// path.
+// Anytime planners find paths of more and more clearance, and of more clearance than a planner that ends at
+// its first path.
 #include <boost/test/unit_test.hpp>
 #include <string>
 #include <vector>
@@ -15,7 +15,7 @@ constexpr std::uint32_t kSeeds = 2;
 
 /// Costs summed over the seeds; 0 without a path.
 struct Course {
-    double first = 0;  ///< RRTConnect's
+    double first = 0;  ///< RRTConnect's cost
     double early = 0, late = 0;
 };
 
@@ -36,7 +36,7 @@ Course courseIn(const Place& place, const std::string& name, const AnytimePlanne
             planOn(planner, 7);
             BOOST_TEST_REQUIRE(planner.best().has_value());
             BOOST_TEST(*planner.best() >= early);
-            BOOST_TEST(*planner.best() <= planner.certifiedClearance() + 0.1);  // 1 % of the most there is
+            BOOST_TEST(*planner.best() <= planner.certifiedClearance() + 0.1);  // 1 % of the most possible
             course.early += early;
             course.late += *planner.best();
         }

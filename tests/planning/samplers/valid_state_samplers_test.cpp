@@ -62,7 +62,8 @@ BOOST_AUTO_TEST_CASE(contact_samples_are_valid_and_keep_the_wanted_clearance_whe
             beside += clearance < 3;
         }
         BOOST_TEST(kept > 0.9 * static_cast<double>(states.size()));
-        BOOST_TEST(beside > 0.05 * static_cast<double>(states.size()));  // those that collided as drawn
+        // States that collided when they were drawn.
+        BOOST_TEST(beside > 0.05 * static_cast<double>(states.size()));
     }
 }
 

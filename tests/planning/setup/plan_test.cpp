@@ -104,7 +104,7 @@ BOOST_AUTO_TEST_CASE(a_sheet_without_thickness_is_not_planned_through) {
     sheet.vertices = {{0, -200, -200}, {0, 200, -200}, {0, 0, 400}};
     sheet.triangles = {{0, 1, 2}};
     window.scene.obstacles[0].model = Model::build(sheet);
-    window.problem.step = 100;  // motions are not checked by it: edges are 20 times as long
+    window.problem.step = 100;  // this step only sets the length of edges, 20 times as long
     BOOST_TEST((plan(window.problem, window.scene, withIterations(2000)).outcome == Outcome::kNotFound));
 }
 
@@ -196,7 +196,7 @@ BOOST_AUTO_TEST_CASE(time_ends_a_motion_that_slides_along_a_face_too) {
     problem.goal.position = {80, 0, 0};
     problem.volume = Box(Vector3(-100, -1, 0), Vector3(100, 50, 0));
     PlanOptions options;
-    options.planner = "PRM";  // tries the motion from start to goal at once: two million queries
+    options.planner = "PRM";  // PRM tries the motion from start to goal at once: two million queries
     options.seconds = 0.3;
     BOOST_TEST(testing::processorSecondsOf([&] { plan(problem, scene, options); }) < 4);
 }

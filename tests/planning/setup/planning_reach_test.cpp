@@ -1,4 +1,5 @@
-// Planning with the environment cut to its reach finds what planning with all of it finds.
+// Planning with the environment cut to its reach gives the path that planning with the whole environment
+// gives.
 #include "clearway/planning/plan.h"
 
 #include <ompl/base/ScopedState.h>
@@ -20,7 +21,7 @@ namespace {
 
 namespace ob = ompl::base;
 
-/// The wall with a window, and the same wall again far behind it.
+/// The wall with a window, and a second such wall far behind it.
 struct TwoWalls {
     explicit TwoWalls(double margin = 0) {
         problem.margin = margin;
@@ -55,7 +56,7 @@ void checkSame(const PlanReport& whole, const PlanReport& reduced) {
         BOOST_TEST(whole.path[i].rotation.coeffs() == reduced.path[i].rotation.coeffs());
     }
     BOOST_TEST(whole.guard == reduced.guard);
-    if (!whole.isCertified) {  // certified motions look at other poses where the cap cuts clearances
+    if (!whole.isCertified) {  // certified motions check other poses where the cap limits clearances
         BOOST_TEST(whole.checks - whole.audit.queries == reduced.checks - reduced.audit.queries);
     }
     if (whole.path.empty()) return;
@@ -86,7 +87,7 @@ BOOST_AUTO_TEST_CASE(the_same_seed_gives_the_same_path_with_and_without_what_is_
                     BOOST_TEST((report.outcome == PlanReport::Outcome::kFound));
                     checkSame(report, plan(walls.problem, reduced, options));
                 }
-                options = withIterations(300, seed);  // another seed, as far as it comes
+                options = withIterations(300, seed);  // a search that need not find a path
                 options.planner = "KPIECE1";
                 checkSame(plan(walls.problem, whole, options), plan(walls.problem, reduced, options));
             }

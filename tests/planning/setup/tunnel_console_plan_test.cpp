@@ -15,7 +15,7 @@ constexpr double kSeconds = 400;  // enough under a sanitizer
 constexpr double kSeconds = 30;
 #endif
 
-// tests/bench/plan_success.cpp runs ten seeds.
+// tests/bench/plan_success.cpp runs any number of seeds.
 BOOST_AUTO_TEST_CASE(the_small_tunnel_console_is_solved_in_30_seconds_and_the_path_is_free_by_the_oracle) {
     const Problem problem = readProblem(CLEARWAY_DATA_DIR "/tunnel-console-small/tunnel-console.cfg");
     const MeshOracle oracle(loadPart(problem), loadEnvironment(problem));

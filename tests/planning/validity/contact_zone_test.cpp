@@ -1,5 +1,5 @@
-// Contact zones: which obstacles are ignored, up to where, and how motions across that border are judged,
-// compared with the oracle.
+// Contact zones: which obstacles are ignored, up to which displacement, and how motions across the border are
+// judged, compared with the oracle.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <functional>
@@ -18,7 +18,7 @@ using planning::MotionReport;
 using planning::MotionVerdict;
 
 constexpr double kStartLength = 4, kGoalLength = 6;
-constexpr double kBand = 2e-6;  ///< by this share of the length a vertex may seem to have moved further
+constexpr double kBand = 2e-6;  ///< share of the length by which a vertex may seem to have moved further
 
 Mesh at(const Mesh& mesh, const Vector3& place) {
     return transformed(mesh, {Matrix3::Identity(), place});
@@ -30,7 +30,7 @@ struct TestObstacle {
     bool atStart, atGoal;
 };
 
-/// A plate that rests on a tray, between two rails, and is to come to rest on a shelf beyond a wall.
+/// A plate rests on a tray, between two rails. Its goal is a shelf beyond a wall.
 struct Assembly {
     Assembly() {
         for (const TestObstacle& o : obstacles) {
@@ -49,8 +49,8 @@ struct Assembly {
         return largest;
     }
 
-    /// The least distance - margin of the obstacles that count. `inBand` decides whether obstacles count
-    /// whose zone ends within the band.
+    /// The least distance - margin of the obstacles that count. inBand: whether obstacles whose zone ends
+    /// within the band count.
     double clearance(const Pose& X, bool inBand) const {
         const double slack = inBand ? 1 - kBand : 1 + 1e-12;
         const bool isAtStart = displacement(part, start, X) <= kStartLength * slack,
@@ -83,7 +83,7 @@ PartState randomState(const Assembly& assembly, Random& random) {
     PartState state;
     const double away = std::pow(10, random.uniform(-1, 1.3));
     state.position = X.translation + random.direction() * away + Vector3(0, 0, random.uniform(0, 3));
-    if (random.below(2) == 0) {  // straight off what it rests on
+    if (random.below(2) == 0) {  // straight off the obstacle it rests on
         state.position = X.translation + Vector3(random.uniform(-1, 1), random.uniform(-0.9, 0.9), away);
     }
     const double angle = random.below(2) * random.uniform(0, 0.12);
@@ -214,7 +214,7 @@ BOOST_AUTO_TEST_CASE(a_part_is_lifted_off_its_tray_and_not_slid_along_it) {
     const MotionReport report =
         space.validator->report(space.at({0, 0, 5}).get(), space.at({0, 0, 40}).get());
     BOOST_TEST((report.verdict == MotionVerdict::kValid));
-    BOOST_TEST(report.lowerClearance <= 1);  // from the rails, which begin to count
+    BOOST_TEST(report.lowerClearance <= 1);  // distance from the rails, which begin to count
     BOOST_TEST(report.lowerClearance >= 0.9);
     BOOST_TEST(report.upperClearance >= report.lowerClearance);
     BOOST_REQUIRE(report.startContact.has_value());

@@ -1,5 +1,4 @@
-// A part inside a solid obstacle touches nothing and is invalid all the same. So is a part around an
-// obstacle.
+// A part inside a solid obstacle touches nothing, but is invalid. So is a part around a solid obstacle.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
@@ -100,7 +99,7 @@ BOOST_AUTO_TEST_CASE(an_obstacle_inside_a_closed_part_counts_and_inside_an_open_
     BOOST_TEST(!PartInSpace(solidScene(bolt, named(box({10, 10, 10}), "block"))).isValid({0, 0, 0}));
 }
 
-// Compares with solid angles, for random poses of a part of two pieces among shells within shells.
+// Solid angles decide, for random poses of a part of two pieces among shells within shells.
 BOOST_AUTO_TEST_CASE(verdicts_are_those_of_distances_and_solid_angles) {
     Mesh obstacle =
         joined(reversed(torus(40, 15, 12)), joined(box({20, 20, 20}), reversed(box({15, 15, 15}))));
@@ -142,7 +141,7 @@ BOOST_AUTO_TEST_CASE(verdicts_are_those_of_distances_and_solid_angles) {
     }
 }
 
-// The peg is put half into the block, which its contact zone allows, and goes on until it is all inside.
+// The peg starts half inside the block, which its contact zone allows, and moves on until it is all inside.
 BOOST_AUTO_TEST_CASE(a_motion_that_leaves_a_contact_zone_into_a_solid_is_invalid) {
     const Mesh part = named(box({1, 1, 1}), "peg"), block = named(box({10, 10, 10}), "block");
     Scene scene = solidScene(part, block);
@@ -165,7 +164,7 @@ BOOST_AUTO_TEST_CASE(a_motion_that_leaves_a_contact_zone_into_a_solid_is_invalid
     }
     BOOST_TEST(solid.isValid({7.5, 0, 0}));  // inside, but within the zone
     BOOST_TEST(!solid.isValid({6.5, 0, 0}));
-    // From inside the zone and the block to outside of both: through the block's face.
+    // The motion leads from inside the zone and the block to outside of both, through the block's face.
     BOOST_TEST(solid.check({8, 0, 0}, {12.9, 0, 0}));
     BOOST_TEST(!solid.check({8, 0, 0}, {8, 5, 0}));
     BOOST_TEST(skin.check({8, 0, 0}, {8, 5, 0}));

@@ -88,7 +88,7 @@ BOOST_AUTO_TEST_CASE(eight_threads_are_told_what_one_is) {
     BOOST_TEST(std::any_of(alone.begin(), alone.end(), [](const auto& a) { return a[2] == 0; }));
 }
 
-/// Threads that live on and work together at one round of tasks after the other.
+/// Threads that live through several rounds of work, one task each a round.
 class Rounds {
   public:
     Rounds() {

@@ -50,7 +50,7 @@ struct Fixture {
     std::shared_ptr<ValidityChecker> checker;
 };
 
-/// Catches OMPL's log while it lives, and keeps it off the terminal.
+/// While a Log lives, it catches OMPL's messages and keeps them off the terminal.
 class Log : public ompl::msg::OutputHandler {
   public:
     Log() { ompl::msg::useOutputHandler(this); }

@@ -93,7 +93,7 @@ BOOST_AUTO_TEST_CASE(the_problem_says_where_the_log_goes_and_which_paths_are_kep
 
 BOOST_AUTO_TEST_CASE(an_interrupt_leaves_a_log_of_the_runs_that_ended) {
     WindowFolder folder;
-    folder.window.problem.planners = {{"rrtconnect"}, {"rrtstar"}};  // the second one takes all its time
+    folder.window.problem.planners = {{"rrtconnect"}, {"rrtstar"}};  // RRTstar takes all its time
     folder.window.problem.timeLimit = 300;
     folder.rewrite();
     const Outcome outcome =

@@ -28,7 +28,7 @@ struct CheckFolder : TemporaryFolder {
         return state;
     }
 
-    /// From the start to the goal, flat while it goes through.
+    /// The path from start to goal. The plate is flat while it passes the window.
     std::vector<PartState> free() const {
         return {window.problem.start, at(-40), at(40), window.problem.goal};
     }
@@ -39,7 +39,7 @@ struct CheckFolder : TemporaryFolder {
     WindowScene window = windowScene();
 };
 
-/// The lines that begin as the table's rows do, with the number of a segment.
+/// The lines that begin like the table's rows, with the number of a segment.
 std::vector<std::string> segmentRows(const Outcome& outcome) {
     std::istringstream stream(outcome.out);
     std::vector<std::string> rows;
@@ -144,7 +144,7 @@ BOOST_AUTO_TEST_CASE(the_profile_is_written_as_csv_in_order_and_bounds_hold) {
 BOOST_AUTO_TEST_CASE(a_path_that_is_not_from_start_to_goal_is_warned_of) {
     const CheckFolder folder;
     auto path = folder.free();
-    path.front().position.x() += 1e-5;  // as a file of 6 digits has it
+    path.front().position.x() += 1e-5;  // as in a file of 6 digits
     writePath(path, Space::kSe3, folder.file("rounded.path"));
     BOOST_TEST(runIn(folder, "check window.cfg rounded.path").err == "");
     path.front().position.x() += 0.5;
@@ -189,8 +189,8 @@ BOOST_AUTO_TEST_CASE(what_plan_writes_passes_check_and_what_steps_jump_does_not)
     BOOST_TEST(outcome.code == 0);
     BOOST_TEST(outcome.err == "");
 
-    // No way through, too thin for the steps, and a start too tight to keep on top of the margin what would
-    // bridge them.
+    // A sheet closes the way, but is too thin for the steps to see. The start is too close to the wall for a
+    // guard that would see the sheet.
     const Mesh sheet = box({0.01, 90, 90});
     saveMesh(joined(folder.window.wallMesh, sheet), folder.file("wall.obj"));
     Problem problem = folder.window.problem;
@@ -199,7 +199,7 @@ BOOST_AUTO_TEST_CASE(what_plan_writes_passes_check_and_what_steps_jump_does_not)
     const Outcome jumped = runIn(folder,
                                  "plan window.cfg --path jumped.path --iterations 5000 --planner-param "
                                  "range=200 --step 90");
-    BOOST_TEST(jumped.code == 1, jumped.err);  // found and written, and told that it is not valid
+    BOOST_TEST(jumped.code == 1, jumped.err);  // found and written, with the message that it is not valid
     BOOST_TEST(contains(jumped.err, "motions were checked in steps, and the path is not valid along"),
                jumped.err);
     BOOST_TEST(contains(row(jumped, "audit"), "NOT valid: "));

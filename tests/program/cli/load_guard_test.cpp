@@ -17,10 +17,10 @@ using namespace cli;
 
 namespace {
 
-/// What a process of its own, guarded for the file "a\nb.ply", ends with and says on its stderr.
+/// Runs a guarded load of the file "a\nb.ply" in a process of its own. Returns its exit code and stderr.
 Outcome guarded(const std::function<void()>& load) {
     const TemporaryFolder folder;
-    std::cout.flush();  // or the child prints it again
+    std::cout.flush();  // otherwise the child prints it again
     const pid_t child = ::fork();
     if (child == 0) {
         ::dup2(::open(folder.file("err").c_str(), O_WRONLY | O_CREAT, 0600), STDERR_FILENO);
@@ -39,7 +39,7 @@ void requireSaid(const Outcome& outcome, const std::string& fault) {
                                   ", expected a sound mesh file\n");
 }
 
-// Not optimised into a loop: the stack is what must run out.
+// Must not be optimised into a loop, because the stack must run out.
 __attribute__((noinline)) int deeper(volatile int depth) {
     volatile char frame[256] = {};
     frame[0] = static_cast<char>(depth);

@@ -7,7 +7,7 @@
 namespace clearway::testing {
 namespace {
 
-/// The plate rests on a block before the wall with the window, and is to be put down on one behind it.
+/// The plate rests on a block before the wall with the window. The goal is a block behind the wall.
 struct AssemblyFolder : TemporaryFolder {
     AssemblyFolder() {
         const WindowScene window = windowScene();
@@ -74,7 +74,7 @@ BOOST_AUTO_TEST_CASE(a_triangle_is_named_by_its_place_in_its_own_file) {
     const std::size_t place = outcome.err.find(words);
     BOOST_REQUIRE(place != std::string::npos);
     const int triangle = std::stoi(outcome.err.substr(place + words.size()));
-    BOOST_TEST(triangle >= 12);  // the shelf's are 12 to 23 of blocks.obj
+    BOOST_TEST(triangle >= 12);  // the shelf's triangles are 12 to 23 of blocks.obj
     BOOST_TEST(triangle < 24);
     BOOST_TEST(outcome.err.find("'blocks/shelf'") != std::string::npos);
 }

@@ -11,7 +11,7 @@ namespace clearway::testing {
 
 namespace {
 
-/// The wall with a window as files, and what they hold as it is read back.
+/// The wall with a window as files, and these files as they are read back.
 struct WindowFolder : TemporaryFolder {
     WindowFolder() {
         saveMesh(window.partMesh, file("plate.obj"));
@@ -40,7 +40,7 @@ BOOST_AUTO_TEST_CASE(a_path_is_found_written_and_free_by_the_oracle) {
     const WindowFolder folder;
     const Outcome outcome = runIn(folder, kPlan);
     BOOST_TEST(outcome.code == 0, outcome.err);
-    BOOST_TEST(outcome.err == "");  // no progress either: this is no terminal
+    BOOST_TEST(outcome.err == "");  // no progress line either, because this is no terminal
     BOOST_TEST(row(outcome, "planner") == "RRTConnect, seed 1");
     BOOST_TEST(row(outcome, "repeatable") == "yes");
     BOOST_TEST(row(outcome, "motions") == "certified along their whole length");
@@ -96,7 +96,7 @@ BOOST_AUTO_TEST_CASE(options_reach_the_planner) {
 BOOST_AUTO_TEST_CASE(an_objective_is_planned_for_and_its_cost_told) {
     const WindowFolder folder;
     Problem problem = folder.window.problem;
-    problem.objectiveThreshold = 0.01;  // ends it, however busy the machine is
+    problem.objectiveThreshold = 0.01;  // ends the planning, however busy the machine is
     folder.write(problem);
     const Outcome outcome = runIn(
         folder, "plan window.cfg --path out.path --time 100 --objective Min_Clearance --wanted-clearance 2");

@@ -55,8 +55,8 @@ BOOST_AUTO_TEST_CASE(output_that_cannot_be_written_is_an_error) {
 
 BOOST_AUTO_TEST_CASE(a_reader_that_has_gone_is_an_error_and_not_a_signal) {
     const TemporaryFolder folder;
-    // The program's own status, not the pipe's: it writes it to a file when the reader has long closed the
-    // pipe.
+    // The status is the program's own, not the pipe's. The program writes it to a file after the reader has
+    // closed the pipe.
     runIn(folder,
           "--version > /dev/null; { sleep 0.3; " CLEARWAY_PROGRAM " --help 2> err; echo $? > code; } | true");
     BOOST_TEST(readText(folder.file("code")) == "2\n");

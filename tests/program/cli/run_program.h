@@ -19,7 +19,7 @@ struct Outcome {
     std::string err;
 };
 
-/// arguments as a shell takes them; may redirect standard output.
+/// Runs the program in the folder. arguments: as a shell takes them; may redirect standard output.
 inline Outcome runIn(const TemporaryFolder& folder, const std::string& arguments) {
     const TemporaryFolder caught;
     const std::string command = "cd '" + folder.path() + "' && " CLEARWAY_PROGRAM " 2> '" +
@@ -29,7 +29,7 @@ inline Outcome runIn(const TemporaryFolder& folder, const std::string& arguments
             readText(caught.file("err"))};
 }
 
-/// The value of a "label:  value" row; the first one when there are several.
+/// The value of a "label:  value" row; the first row if there are several.
 inline std::string row(const Outcome& outcome, const std::string& label) {
     const std::string text = "\n" + outcome.out;
     const std::size_t begin = text.find("\n" + label + ":");
@@ -38,8 +38,8 @@ inline std::string row(const Outcome& outcome, const std::string& label) {
     return text.substr(value, text.find('\n', value) - value);
 }
 
-/// Bad input or usage: exit code 2, exactly one line on stderr that holds all the words, and no file come or
-/// gone.
+/// Checks that bad input or usage gives exit code 2 and exactly one line on stderr that holds all the words,
+/// and neither adds nor removes a file.
 inline void requireRefused(const TemporaryFolder& folder, const std::string& arguments,
                            const std::vector<std::string>& words) {
     const std::vector<std::string> before = folder.names();

@@ -13,7 +13,7 @@ namespace {
 constexpr const char* kScene =
     "scene tunnel-console-3 --seed 3 --part-triangles 15000 --environment-triangles 50000 --clearance 10 ";
 
-/// The file's name, which a row names first.
+/// The name of the file with which a row begins.
 std::string fileOf(const Outcome& outcome, const std::string& label) {
     const std::string value = row(outcome, label);
     return value.substr(0, value.find(','));

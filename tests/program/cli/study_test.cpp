@@ -32,7 +32,7 @@ struct StudyFolder : TemporaryFolder {
 
 using Rows = std::vector<std::vector<std::string>>;
 
-/// Without the head.
+/// The rows of a table, without the head.
 Rows rowsOf(const std::string& table) {
     std::istringstream in(table);
     Rows rows;
@@ -49,7 +49,7 @@ Rows readRows(const std::string& file) {
     return rowsOf(readText(file));
 }
 
-/// Scene, planner, strategy and seed.
+/// Each row's scene, planner, strategy and seed.
 std::vector<std::string> keys(const Rows& rows) {
     std::vector<std::string> all;
     for (const auto& row : rows)
@@ -57,7 +57,7 @@ std::vector<std::string> keys(const Rows& rows) {
     return all;
 }
 
-/// What a seed decides of RRTConnect's runs: length, states and motions checked.
+/// The values of RRTConnect's runs that a seed decides: length, states and motions checked.
 std::vector<std::string> decided(const Rows& rows) {
     std::vector<std::string> all;
     for (const auto& row : rows) {
@@ -66,7 +66,7 @@ std::vector<std::string> decided(const Rows& rows) {
     return all;
 }
 
-/// The first columns of replays and of trees: what each row is of.
+/// The first columns of replays and of trees, which identify a row.
 std::multiset<std::string> trees(const Rows& rows) {
     std::multiset<std::string> all;
     for (const auto& row : rows)
@@ -78,7 +78,7 @@ void overwrite(const std::string& file, const std::string& text) {
     std::ofstream(file, std::ios::binary) << text;
 }
 
-/// Ends the study by the signal when so many runs are in its table.
+/// Ends the study by the signal when this many runs are in its table.
 Outcome runAndEnd(const StudyFolder& folder, const char* signal, int runs) {
     const std::string countLines = "$(cat '" + folder.file("study/runs.csv") + "' 2>/dev/null | wc -l)";
     return runIn(folder, std::string(kStudy) + " --out study & program=$!; while [ " + countLines + " -le " +
@@ -96,7 +96,8 @@ BOOST_AUTO_TEST_CASE(a_study_that_was_stopped_or_killed_goes_on_without_losing_o
 
     const Outcome interrupted = runAndEnd(stopped, "INT", 2);
     BOOST_TEST(interrupted.code == 1, interrupted.err);
-    BOOST_TEST(row(interrupted, "study").find("interrupted: the same command goes on") != std::string::npos);
+    BOOST_TEST(row(interrupted, "study").find("interrupted: the same command continues it") !=
+               std::string::npos);
     const std::string first = readText(stopped.file("study/runs.csv"));
     BOOST_TEST(readRows(stopped.file("study/runs.csv")).size() < 8u);
 
@@ -119,7 +120,8 @@ BOOST_AUTO_TEST_CASE(a_study_that_was_stopped_or_killed_goes_on_without_losing_o
     };
     BOOST_TEST(replayed(stopped) == replayed(whole), boost::test_tools::per_element());
 
-    for (const char* table : {"study/replay.csv", "study/trees.csv"}) {  // as if it had been killed there
+    // As if the study had been killed there.
+    for (const char* table : {"study/replay.csv", "study/trees.csv"}) {
         const std::string text = readText(stopped.file(table));
         const std::size_t cut = text.rfind('\n', text.size() - 2) + 1;
         overwrite(stopped.file(table), text.substr(0, cut));
@@ -155,8 +157,8 @@ BOOST_AUTO_TEST_CASE(a_study_leaves_tables_and_logs_with_the_strategy_as_paramet
     const Outcome outcome = runIn(folder, std::string(kStudy) + " --out study");
     BOOST_TEST_REQUIRE(outcome.code == 0, outcome.err);
     for (const char* words :
-         {"what answers took", "seconds of the same calls, replayed", "the thesis's claims", "95 % interval",
-          "what planners found", "triangle tests of the same calls"}) {
+         {"cost of the answers", "seconds of the same calls, replayed", "the thesis's claims",
+          "95 % interval", "solutions (medians)", "triangle tests of the same calls"}) {
         BOOST_TEST(outcome.out.find(words) != std::string::npos, words);
     }
     BOOST_TEST(outcome.err.find("run 1 of 8, RRTConnect sah/none seed 1, at most ") != std::string::npos,

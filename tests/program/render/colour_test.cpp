@@ -18,8 +18,9 @@ double lightness(const Colour& linear) {
     return y > 0.008856 ? 116 * std::cbrt(y) - 16 : 903.3 * y;
 }
 
-/// What a viewer without one of the three kinds of cones sees. Source: Vienot, Brettel, Mollon, Digital Video
-/// Colourmaps for Checking the Legibility of Displays by Dichromats, 1999, for red (0) and green (1).
+/// The colour as a viewer without one of the three kinds of cones sees it. Source: Vienot, Brettel, Mollon,
+/// Digital Video Colourmaps for Checking the Legibility of Displays by Dichromats, 1999, for red (0) and
+/// green (1).
 Colour asSeenWithout(int cone, const Colour& linear) {
     Eigen::Matrix3f toCones;
     toCones << 17.8824f, 43.5161f, 4.11935f, 3.45565f, 27.1554f, 3.86714f, 0.0299566f, 0.184309f, 1.46709f;

@@ -49,7 +49,7 @@ bool isWhite(const Colour& pixel) {
     return pixel.minCoeff() > 0.999f;
 }
 
-/// Of the pixels beside the legend, how many are so.
+/// The number of pixels beside the legend with this property.
 int count(const Image& image, const std::function<bool(const Colour&)>& isSo) {
     int counted = 0;
     for (int y = 0; y < image.height; ++y) {
@@ -115,7 +115,7 @@ BOOST_AUTO_TEST_CASE(the_environment_hides_the_part_until_it_is_cut) {
     BOOST_TEST(uncovered > throughTheWindow + 100);
     shot.options.cut = CutPlane{-Vector3::UnitX(), -10};
     BOOST_TEST(count(shot.taken(), isYellow) == uncovered);
-    shot.options.cut = CutPlane{Vector3::UnitX(), -10};  // nothing is
+    shot.options.cut = CutPlane{Vector3::UnitX(), -10};  // no part of the wall is on the camera's side
     BOOST_TEST(count(shot.taken(), isYellow) == throughTheWindow);
 }
 
@@ -163,14 +163,15 @@ BOOST_AUTO_TEST_CASE(a_ghost_lets_the_wall_behind_it_through) {
     BOOST_TEST(count(shot.taken(), isPale) < solid / 4);
 }
 
-/// Blue before orange would be a red that the scale has for another clearance.
+/// A ghost must not tint: blue in front of orange would be a red that the scale has for another clearance.
 BOOST_AUTO_TEST_CASE(a_ghost_pales_what_has_a_clearance_and_never_tints_it) {
     Shot shot;
     shot.options.view = "left";
     shot.options.isClose = true;
     shot.poses = {{shot.upright(-30), 2.5}};
     const auto isWarm = [](const Colour& pixel) { return pixel[0] - pixel[2] > 0.05f; };
-    const auto isOrange = [&](const Colour& pixel) {  // paled or not: as much red to green, white taken away
+    // Orange when paled, too: white is subtracted from red and green.
+    const auto isOrange = [&](const Colour& pixel) {
         return isWarm(pixel) && pixel[1] - pixel[2] > 0.2f * (pixel[0] - pixel[2]);
     };
     BOOST_TEST(count(shot.taken(), isOrange) > 0.95 * count(shot.taken(), isWarm));

@@ -36,7 +36,7 @@ struct Wall {
             }
         }
     }
-    /// How far the red of a half is from the light without grain, on average, its border included.
+    /// The mean difference between the red of a half and the light without grain, border included.
     double grainOf(bool isRight) const {
         double sum = 0;
         for (int y = 0; y < kSide; ++y) {
@@ -65,8 +65,7 @@ BOOST_AUTO_TEST_CASE(a_pixel_that_shows_several_things_stays_as_it_is) {
     wall.lights[5 * kSide + 5].light = 9;
     smoothLight(wall.lights, wall.image);
     BOOST_TEST((wall.image.at(5, 5) == Colour(9, 9, 9)));
-    BOOST_TEST(wall.grainOf(false) - 8.2 * 2 / (kSide * kSide) <
-               0.05);  // none of it went into its neighbours
+    BOOST_TEST(wall.grainOf(false) - 8.2 * 2 / (kSide * kSide) < 0.05);  // no light went into its neighbours
 }
 
 BOOST_AUTO_TEST_CASE(light_does_not_cross_an_edge_or_a_shadow) {

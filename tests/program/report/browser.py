@@ -8,7 +8,7 @@ import shutil
 import subprocess
 import tempfile
 
-kMostSilence = 120  # seconds; a browser that says nothing for so long has hung
+kMostSilence = 120  # seconds; a browser that is silent for so long has hung
 
 
 def find_chromium():
@@ -20,14 +20,14 @@ def find_chromium():
 
 
 class Page:
-    """One page, drawn without a graphics card. What it logs as an error, or throws, is in `errors`."""
+    """One page, drawn without a graphics card. `errors` holds the errors that the page logs or throws."""
 
     def __init__(self, file, width=1280, height=720):
         self.profile = tempfile.mkdtemp()
         to_browser, self.to_browser = os.pipe()
         self.from_browser, from_browser = os.pipe()
 
-        def use_pipes():  # the protocol's are descriptors 3 and 4
+        def use_pipes():  # the protocol's pipes are descriptors 3 and 4
             read, write = os.dup(to_browser), os.dup(from_browser)
             os.dup2(read, 3)
             os.dup2(write, 4)
@@ -54,7 +54,7 @@ class Page:
         self.ask("Network.emulateNetworkConditions", offline=True, latency=0, downloadThroughput=-1, uploadThroughput=-1)
         self.ask("Page.setLifecycleEventsEnabled", enabled=True)
         loader = self.ask("Page.navigate", url="file://" + os.path.abspath(file))["loaderId"]
-        while loader not in self.loaded:  # which may have come before the answer
+        while loader not in self.loaded:  # the event may have come before the answer
             self.next_message()
 
     def close(self):
@@ -103,12 +103,12 @@ class Page:
                 return answer["result"]
 
     def run(self, script):
-        """The value of the JavaScript expression, promises awaited."""
+        """Returns the value of the JavaScript expression, after awaiting promises."""
         answer = self.ask("Runtime.evaluate", expression=script, returnByValue=True, awaitPromise=True)
         if "exceptionDetails" in answer:
             raise RuntimeError(f"{script}: {answer['exceptionDetails']['exception'].get('description')}")
         return answer["result"].get("value")
 
     def screenshot(self):
-        """A PNG file's bytes."""
+        """Returns the picture as the bytes of a PNG file."""
         return base64.b64decode(self.ask("Page.captureScreenshot", format="png")["data"])

@@ -51,7 +51,7 @@ struct Glb {
         BOOST_TEST(at(json.get_child("buffers"), 0).get<std::size_t>("byteLength") == binary.size());
     }
 
-    /// The rows of an accessor, so many numbers wide.
+    /// The rows of an accessor, each of this many numbers.
     template <class Number>
     std::vector<std::vector<Number>> rows(std::size_t accessor, std::size_t width) const {
         const Json& described = at(json.get_child("accessors"), accessor);
@@ -100,7 +100,7 @@ BOOST_AUTO_TEST_CASE(the_animation_goes_through_the_states_at_an_even_pace) {
     const auto positions = glb.rows<float>(accessor(0, "output"), 3);
     const auto rotations = glb.rows<float>(accessor(1, "output"), 4);
     BOOST_TEST(accessor(1, "input") == accessor(0, "input"));
-    BOOST_TEST_REQUIRE(times.size() == 3u);  // of the state that stands twice, one
+    BOOST_TEST_REQUIRE(times.size() == 3u);  // the state that stands twice has one time
     BOOST_TEST_REQUIRE(positions.size() == 3u);
     BOOST_TEST_REQUIRE(rotations.size() == 3u);
     const PathLine line(exported.path, 30);
@@ -114,7 +114,7 @@ BOOST_AUTO_TEST_CASE(the_animation_goes_through_the_states_at_an_even_pace) {
         BOOST_TEST(times[i][0] > times[i - 1][0]);
         double dot = 0;
         for (int k = 0; k < 4; ++k) dot += rotations[i][k] * rotations[i - 1][k];
-        BOOST_TEST(dot > 0);  // else a viewer that does not look for it goes the longer way
+        BOOST_TEST(dot > 0);  // a viewer that ignores the sign would go the longer way
     }
     BOOST_TEST(times[0][0] == 0);
     BOOST_TEST(times[2][0] == static_cast<float>(kMotionSeconds));
@@ -173,7 +173,7 @@ BOOST_AUTO_TEST_CASE(another_reader_finds_the_scene_upright_and_the_part_moving)
     BOOST_TEST(channel.mNumRotationKeys == 3u);
     const aiNode* node = scene->mRootNode->FindNode(channel.mNodeName);
     BOOST_TEST_REQUIRE(node != nullptr);
-    BOOST_TEST(node->mTransformation.a4 == -60);  // where it begins, for readers without animations
+    BOOST_TEST(node->mTransformation.a4 == -60);  // the path's beginning, for readers without animations
     // z, up here, becomes y, up in glTF, without any rounding.
     const aiVector3D turned = aiMatrix3x3(node->mParent->mTransformation) * aiVector3D(1, 2, 3);
     BOOST_TEST((turned == aiVector3D(1, 3, -2)));

@@ -12,12 +12,12 @@ using namespace report;
 
 namespace {
 
-/// Through the window, straight.
+/// A straight path through the window.
 struct Way {
     WindowScene window = windowScene();
     std::vector<PartState> path{window.problem.start, window.problem.start, window.problem.goal};
     Way() {
-        for (PartState& state : path) state.rotation.setIdentity();  // flat, as it fits through
+        for (PartState& state : path) state.rotation.setIdentity();  // flat, to fit through the window
         path[1].position.x() = 10;
         window.problem.start = path[0];
         window.problem.goal = path[2];

@@ -27,7 +27,7 @@ def nextFrames(page, count):
 
 
 def pixels(page, area):
-    """Of a part of what is on the screen: the number of distinct colours, and a sum that changes with any pixel."""
+    """Returns the number of distinct colours in a part of the screen, and a sum that changes with any pixel."""
     png = base64.b64encode(page.screenshot()).decode()
     return page.run(f"""(async () => {{
         const image = new Image();

@@ -64,11 +64,11 @@ BOOST_AUTO_TEST_CASE(a_page_says_what_it_shows_of_the_meshes) {
 BOOST_AUTO_TEST_CASE(names_and_figures_cannot_break_the_page) {
     const Written written("</title><script>alert(1)</script>");
     BOOST_TEST(written.count("<script>alert") == 0u);
-    BOOST_TEST(written.count("</script>") == 3u);  // the page's own
+    BOOST_TEST(written.count("</script>") == 3u);  // the page's own scripts
     BOOST_TEST(written.count("3 \\u003c/script> s") == 1u);
     const Json rows = written.data()["tables"][0]["rows"];
     BOOST_TEST(rows[0][1].get<std::string>() == "3 </script> s");
-    BOOST_TEST(rows[1][1].get<std::string>() == "Träger");  // whose bytes came in as Latin-1
+    BOOST_TEST(rows[1][1].get<std::string>() == "Träger");  // the bytes came in as Latin-1
 }
 
 BOOST_AUTO_TEST_CASE(a_folder_that_is_not_there_is_told_by_name) {

@@ -76,8 +76,8 @@ BOOST_AUTO_TEST_CASE(every_box_is_a_named_closed_solid_with_float_coordinates) {
     BOOST_TEST(scene.environment.components.size() == 2);
 }
 
-/// The path is free all along, the clearance kept at every step; by the oracle, the distance in the corner is
-/// the gap itself.
+/// The path is free along its whole length, and every step keeps the clearance. By the oracle, the distance
+/// in the corner is the gap itself.
 BOOST_AUTO_TEST_CASE(the_path_keeps_the_clearance_and_its_faces_parallel) {
     for (const double clearance : {0.01, 2.0, 20.0}) {
         const GeneratedScene scene = makeBoxes({3, 100, 700, clearance});

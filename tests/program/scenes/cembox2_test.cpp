@@ -35,7 +35,7 @@ bool isFull() {
     return full != nullptr && std::string(full) == "1";
 }
 
-/// The sizes range from those at which most components are left out to those with more of everything.
+/// The sizes range from those that leave out most components to those with more components of every kind.
 BOOST_AUTO_TEST_CASE(triangle_counts_are_reached_within_five_percent) {
     for (const auto& [part, environment] :
          {std::pair<std::size_t, std::size_t>(2500, 5000), {3000, 20000}, {9000, 60000}, {60000, 300000}}) {
@@ -72,7 +72,7 @@ BOOST_AUTO_TEST_CASE(the_bay_has_its_large_components) {
     }
 }
 
-/// Small components are left out first; those that the path is tight between stay.
+/// Small components are left out first. Those that make the path tight stay.
 BOOST_AUTO_TEST_CASE(what_holds_the_module_is_there_at_any_size) {
     const std::set<std::string> names = namesOf(makeCembox2(kSmall).environment);
     for (const char* name : {"guide_rail_left", "guide_rail_right", "buffer_left", "buffer_right",
@@ -81,7 +81,7 @@ BOOST_AUTO_TEST_CASE(what_holds_the_module_is_there_at_any_size) {
     }
 }
 
-/// The clearance is proven along the whole way, in between the samples too.
+/// The clearance is proven along the whole way, also between the samples.
 BOOST_AUTO_TEST_CASE(the_constructed_path_keeps_the_clearance_and_is_tight_for_three_tenths) {
     std::vector<SceneOptions> cases{kSmall, {2, 3000, 30000, 2}};
     if (isFull()) {

@@ -27,7 +27,7 @@ using namespace clearway::testing;
 
 namespace {
 
-/// With CLEARWAY_FULL=1 there are more cases.
+/// The scenes to test; more with CLEARWAY_FULL=1.
 std::vector<SceneOptions> cases() {
     std::vector<SceneOptions> all{{1, 3600, 80000, 4}, {2, 3600, 80000, 8}, {3, 5000, 80000, 0.5}};
     const char* full = std::getenv("CLEARWAY_FULL");
@@ -65,7 +65,7 @@ Mesh besideTheSlot(const Mesh& mesh) {
 
 BOOST_AUTO_TEST_SUITE(cembox_path)  // its cases share names with other scenes' cases
 
-/// The clearance is proven along the whole way, in between the samples too.
+/// The clearance is proven along the whole way, also between the samples.
 BOOST_DATA_TEST_CASE(the_constructed_path_keeps_the_clearance_and_is_tight_for_three_tenths, cases(),
                      scenario) {
     const double clearance = scenario.clearance;

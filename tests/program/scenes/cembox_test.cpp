@@ -37,13 +37,13 @@ bool sameMesh(const Mesh& a, const Mesh& b) {
 
 constexpr SceneOptions kSmall{1, 3600, 80000, 4};
 
-/// Made once.
+/// The small scene, made once.
 const GeneratedScene& smallScene() {
     static const GeneratedScene scene = makeCembox2(kSmall);
     return scene;
 }
 
-/// With CLEARWAY_FULL=1 the full size is included.
+/// Sizes of the scene's meshes. With CLEARWAY_FULL=1 the full size is included.
 std::vector<std::pair<std::size_t, std::size_t>> sizes() {
     std::vector<std::pair<std::size_t, std::size_t>> all{{3600, 46000}, {11000, 130000}};
     const char* full = std::getenv("CLEARWAY_FULL");
@@ -111,7 +111,7 @@ BOOST_AUTO_TEST_CASE(slivers_lie_beside_large_and_beside_tiny_triangles) {
     }
 }
 
-/// The room kept free is that of the envelope, so the envelope must hold the module.
+/// The bay leaves room for the envelope, so the envelope must hold the module.
 BOOST_AUTO_TEST_CASE(the_module_measures_between_300_and_400_mm_and_stays_in_its_envelope) {
     for (const std::uint64_t seed : {1, 2, 3, 4, 5, 6, 7, 8}) {
         const CemboxDesign design = designCembox({seed, 0, 0, 4});
@@ -125,7 +125,7 @@ BOOST_AUTO_TEST_CASE(the_module_measures_between_300_and_400_mm_and_stays_in_its
             for (const Vector3& v : part.vertices) {
                 bool isHeld = false;
                 for (Box box : design.envelope()) {
-                    box.min().array() -= 1e-4, box.max().array() += 1e-4;  // floats
+                    box.min().array() -= 1e-4, box.max().array() += 1e-4;  // allows for rounding to float
                     isHeld = isHeld || box.contains(v);
                 }
                 BOOST_REQUIRE(isHeld);

@@ -1,4 +1,4 @@
-// The small problems in data/: they are what their commands make, and planners solve them.
+// Tests of the small problems in data/: their commands make equal files, and planners solve them.
 #include <ompl/util/Console.h>
 
 #include <boost/test/data/monomorphic.hpp>
@@ -19,7 +19,7 @@ namespace data = boost::unit_test::data;
 
 namespace {
 
-/// As data/README.md states them.
+/// The options of a scene, as in data/README.md.
 struct Classic {
     const char* folder;
     const char* scene;
@@ -88,7 +88,7 @@ BOOST_DATA_TEST_CASE(plan_solves_it_with_a_path_that_passes_check, data::make({k
     const Read kept(fileIn(classic, ".cfg"), fileIn(classic, ".path"));
     const Scene scene(Model::build(kept.part), Model::build(kept.environment));
     planning::PlanOptions options;
-    options.seconds = 500;  // usually a few; only a planner that hangs reaches the limit
+    options.seconds = 500;  // usually a few seconds suffice; only a planner that hangs reaches the limit
     const planning::PlanReport report = plan(kept.problem, scene, options);
     BOOST_REQUIRE((report.outcome == planning::PlanReport::Outcome::kFound));
     const planning::PathCheck check = planning::checkPath(kept.problem, scene, report.path);

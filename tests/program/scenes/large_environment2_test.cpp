@@ -18,7 +18,7 @@ namespace {
 
 constexpr SceneOptions kSmall{1, 4000, 12000, 10};
 
-/// Made once.
+/// The small scene, made once.
 const GeneratedScene& smallScene() {
     static const GeneratedScene scene = makeLargeEnvironment2(kSmall);
     return scene;
@@ -49,8 +49,8 @@ const Component& named(const Mesh& mesh, const std::string& name) {
     throw std::runtime_error("no component '" + name + "'");
 }
 
-/// The mean number of volume tests of exact distances at poses evenly along the path, each search beginning
-/// at the pair found before.
+/// The mean number of volume tests of exact distances at poses evenly along the path. Each search begins with
+/// the pair that the previous one found.
 double meanVolumeTests(const GeneratedScene& scene) {
     const Model part = Model::build(scene.part, buildPreset("fast")),
                 environment = Model::build(scene.environment, buildPreset("fast"));
@@ -108,7 +108,7 @@ BOOST_AUTO_TEST_CASE(the_seed_alone_decides) {
     BOOST_TEST((smallScene().environment.vertices != other.environment.vertices));
 }
 
-/// The clearance is proven along the whole way, in between the samples too, at any fineness, although facing
+/// The clearance is proven along the whole way, also between the samples, at any fineness, although facing
 /// sheets are cut into different triangles.
 BOOST_AUTO_TEST_CASE(the_constructed_path_keeps_the_clearance_and_is_tight_for_three_tenths) {
     std::vector<SceneOptions> cases{kSmall, {2, 3700, 10000, 2}};
@@ -149,8 +149,8 @@ BOOST_AUTO_TEST_CASE(both_sheets_of_the_tray_are_as_near_to_those_that_face_them
     BOOST_TEST(below <= 1.5 * kSmall.clearance);
 }
 
-/// Screws are driven in; nothing else touches. With CLEARWAY_FULL=1 the whole car is at full size: at coarser
-/// sizes, layers a few millimetres apart meet at their chords.
+/// Only screws touch other components. With CLEARWAY_FULL=1 the whole car is at full size: at coarser sizes,
+/// layers a few millimetres apart meet at their chords.
 BOOST_AUTO_TEST_CASE(no_two_components_but_bolts_touch_when_the_sheets_are_fine) {
     const GeneratedScene scene = makeLargeEnvironment2({3, 60000, isFull() ? 1700000u : 100000u, 10});
     std::vector<std::string> pairs = touchingComponents(scene.part);
@@ -201,7 +201,7 @@ BOOST_AUTO_TEST_CASE(straight_motions_out_of_the_slot_collide) {
     BOOST_TEST(back >= 20);
 }
 
-/// Sheets that follow each other leave a search little to prune by.
+/// Sheets that follow each other let a search prune little.
 BOOST_AUTO_TEST_CASE(it_takes_more_volume_tests_a_query_than_the_other_families) {
     const double own = meanVolumeTests(makeLargeEnvironment2({1, 15000, 120000, 10}));
     for (const char* name : {"tunnel-console-3", "cembox-2"}) {

@@ -24,14 +24,14 @@ bool same(const Mesh& a, const Mesh& b) {
     return a.vertices == b.vertices && a.triangles == b.triangles;
 }
 
-/// The version is the row's in scenes.h.
+/// Makes this version of the puzzle.
 GeneratedScene make(int version, const SceneOptions& options) {
     return sceneNamed("puzzle-" + std::to_string(version)).make(options);
 }
 
 const auto kVersions = data::make({1, 2});
 
-/// The bar's triangles between two shares of them; the triangles are in the order of its length.
+/// The bar's triangles between two shares of them. The triangles stand in the order of the bar's length.
 Mesh stretch(const Mesh& bar, double from, double to) {
     Mesh some;
     some.vertices = bar.vertices;
@@ -94,7 +94,7 @@ BOOST_DATA_TEST_CASE(in_version_2_the_gap_of_a_loop_is_open_and_narrower_than_a_
     const GeneratedScene scene = make(2, with(seed, 4000, clearance));
     Workspace workspace;
     for (const Mesh* bar : {&scene.part, &scene.environment}) {
-        // Loops have more than half of the triangles; those of both ends come last.
+        // Loops have more than half of the triangles. The triangles of both ends come last.
         const Model beginning = Model::build(stretch(*bar, 0, 0.1)),
                     rest = Model::build(stretch(*bar, 0.4, 0.98));
         const double gap = distance(beginning, rest, {}, {}, workspace).distance;
@@ -103,7 +103,8 @@ BOOST_DATA_TEST_CASE(in_version_2_the_gap_of_a_loop_is_open_and_narrower_than_a_
     }
 }
 
-/// Proven along the whole way, in between the samples too. Most of the way leads through the eye.
+/// The clearance is proven along the whole way, also between the samples. Most of the way leads through the
+/// eye.
 BOOST_DATA_TEST_CASE(the_constructed_path_keeps_the_clearance_and_is_tight_for_most_of_it, kVersions,
                      version) {
     for (const SceneOptions& options :
@@ -129,7 +130,7 @@ BOOST_DATA_TEST_CASE(the_oracle_finds_no_less_clearance_on_the_path, kVersions, 
         BOOST_TEST(oracle.distance(poseOf(state)).distance >= kPuzzle.clearance);
 }
 
-/// Straight pulls in many directions collide; the way through the eye is the only one that was built.
+/// Straight pulls in many directions collide. The only free way that was built leads through the eye.
 BOOST_DATA_TEST_CASE(no_straight_motion_frees_the_part, kVersions* data::xrange(1, 6), version, seed) {
     const GeneratedScene scene = make(version, with(seed, 2000, 2));
     const Model part = Model::build(scene.part), environment = Model::build(scene.environment);

@@ -30,12 +30,12 @@ inline PartState between(const PartState& from, const PartState& to, double t) {
 }
 
 /// An upper bound on the motion of any point within `radius` of the part's origin between the two states.
-/// Between two states on the way the bound is the same share of it.
+/// Between two states on the way, the bound is proportional to the share of the way.
 inline double longestMotion(const PartState& from, const PartState& to, double radius) {
     return (to.position - from.position).norm() + radius * from.rotation.angularDistance(to.rotation);
 }
 
-/// Every edge of the component is used once in each direction.
+/// True if each edge of the component is used once in each direction.
 inline bool isClosed(const Mesh& mesh, const Component& component) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> uses;
     for (std::uint32_t i = component.firstTriangle; i < component.firstTriangle + component.triangleCount;
@@ -49,7 +49,8 @@ inline bool isClosed(const Mesh& mesh, const Component& component) {
     return true;
 }
 
-/// Every component is closed, turned outwards and has a unique name; together the components are the mesh.
+/// Checks that every component is closed, turned outwards and has a unique name, and that together the
+/// components are the mesh.
 inline void testNamedClosedSolids(const Mesh& mesh) {
     std::set<std::string> names;
     std::uint32_t covered = 0;
@@ -67,7 +68,8 @@ inline void testNamedClosedSolids(const Mesh& mesh) {
     BOOST_TEST(names.count("") == 0);
 }
 
-/// Tessellated as CAD is: short edges and thin triangles, but none without area. Millimetres.
+/// Checks that the mesh is tessellated like CAD meshes: short edges and thin triangles, but none without
+/// area. Millimetres.
 inline void testSlivers(const Mesh& mesh) {
     double leastEdge = 1e9, thinnest = 1e9;
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
@@ -82,15 +84,16 @@ inline void testSlivers(const Mesh& mesh) {
 }
 
 struct PathClearance {
-    double least = std::numeric_limits<double>::infinity();  ///< over the samples
+    double least = std::numeric_limits<double>::infinity();  ///< least clearance over the samples
     double length = 0;                                       ///< sum of longestMotion
     double tightLength = 0;                                  ///< part of the length with a clearance <= tight
     bool proven = true;  ///< the distance is > `never` everywhere on the way, not only at the samples
     std::size_t samples = 0;
 };
 
-/// Walks along the path in steps of at most `longestStep`. A step moves no point of the part farther than the
-/// clearance above `never` at its beginning, so the distance cannot fall to `never` in between.
+/// Walks along the path in steps of at most `longestStep`. At a step's beginning the clearance above `never`
+/// is at least the farthest that the step moves a point of the part. So the distance cannot fall to `never`
+/// in between.
 inline PathClearance walkPath(const Model& part, const Model& environment, const std::vector<PartState>& path,
                               double never, double tight, double longestStep) {
     Workspace workspace;

@@ -12,7 +12,7 @@ using namespace clearway::scenes;
 
 namespace {
 
-/// Numbers that tell one scene from another without keeping it.
+/// Numbers that distinguish scenes without storing the meshes.
 struct Fingerprint {
     std::size_t triangles, components;
     double moment;  ///< mean of x + 2 y + 3 z over the vertices

@@ -1,4 +1,4 @@
-// Checks that a scene is no toy: how far translations lead, what the straight motion runs into, and what
+// Checks that a scene is no toy: how far translations lead, how much the straight motion collides, and what
 // planners find, with and without rotations.
 #pragma once
 
@@ -62,7 +62,7 @@ inline GeneratedScene keeping(const GeneratedScene& scene, const std::vector<std
 }
 
 struct StraightMotion {
-    double colliding = 0;  ///< share of its poses
+    double colliding = 0;  ///< share of its poses that collide
     std::size_t hit = 0;   ///< number of components hit, counting the closest one of each pose
 };
 
@@ -88,8 +88,8 @@ struct Flood {
     bool isOut = false;  ///< a free cell is at least `out` away along an axis
 };
 
-/// Floods the translations from the start. Neighbouring free cells count as connected whatever lies between
-/// them, so the flood leaks rather than stops.
+/// Floods the translations from the start. Neighbouring free cells count as connected, even if something lies
+/// between them. So the flood goes too far rather than not far enough.
 inline Flood flood(const BuiltScene& made, double cellSize, double out) {
     using Cell = std::array<int, 3>;
     Workspace workspace;
@@ -123,8 +123,8 @@ inline PartState translatedGoal(const BuiltScene& made) {
 }
 
 /// True when RRTConnect finds a way to translatedGoal by translations alone, checked every step of the
-/// problem. range: longest edge of its trees. OMPL complains of every seed of a process but the first, and
-/// takes it.
+/// problem. range: longest edge of its trees. OMPL warns of every seed of a process but the first, but uses
+/// it.
 inline bool translatesOut(const BuiltScene& made, double range, std::uint32_t seed, double seconds) {
     namespace ob = ompl::base;
     ompl::RNG::setSeed(seed);
@@ -144,7 +144,7 @@ inline bool translatesOut(const BuiltScene& made, double range, std::uint32_t se
         at.position = {values[0], values[1], values[2]};
         return space->satisfiesBounds(state) && made.isFree(at, workspace);
     });
-    // A pure translation moves every point alike, so OMPL's own steps are lengths here.
+    // A pure translation moves all points equally, so OMPL's own steps are lengths here.
     setup.getSpaceInformation()->setStateValidityCheckingResolution(made.scene.problem.step.value() /
                                                                     space->getMaximumExtent());
     const PartState to = translatedGoal(made);
@@ -164,13 +164,13 @@ inline bool translatesOut(const BuiltScene& made, double range, std::uint32_t se
 struct Trial {
     std::string planner;
     std::uint32_t seed = 1;
-    std::optional<double> range;  ///< longest edge of its trees; without a value, the one of `plan`
+    std::optional<double> range;  ///< longest edge of its trees; empty: the edge that `plan` sets
 };
 
 struct TrialEnd {
     bool isSolved = false;
     std::size_t motions = 0;  ///< checked motions
-    double drawn = 0;         ///< a random number after the run, which tells seeds apart
+    double drawn = 0;         ///< a random number after the run, which distinguishes seeds
 };
 
 /// Runs the planner as `plan` does and stops it after `motions` checked motions.

@@ -43,7 +43,7 @@ bool isWithin(std::size_t count, std::size_t wanted, double share) {
 
 /// True when the part's convex hull has at least twice its volume.
 bool isHollow(const Mesh& part) {
-    std::vector<Vector3> some;  // their hull is within that of all
+    std::vector<Vector3> some;  // some vertices: their hull lies within the hull of all
     for (std::size_t i = 0; i < part.vertices.size(); i += part.vertices.size() / 400)
         some.push_back(part.vertices[i]);
     return signedVolume(convexHull(some)) >= 2 * signedVolume(part);
@@ -183,7 +183,7 @@ BOOST_AUTO_TEST_CASE(the_oracle_finds_no_less_clearance_on_the_path) {
     BOOST_TEST(oracle.distance(poseOf(scene.path.back())).distance >= 10);
 }
 
-/// Along the path except for its last motion: from the assembled pose to where the part has left the tunnel.
+/// The path except for its last motion leads from the assembled pose to where the part has left the tunnel.
 BOOST_AUTO_TEST_CASE(the_sheets_keep_farther_off_than_the_parts_at_the_gap) {
     const GeneratedScene scene = makeTunnelConsole3(small());
     Mesh sheets;

@@ -1,5 +1,5 @@
-// The tunnel console at full size is no toy, at both clearances: the small scenes' checks, and what planners
-// reach in their first motions. Each check also runs on a toy: the console above a bare floor.
+// The tunnel console at full size is no toy, at both clearances: the checks of the small scenes, and the
+// reach of planners in their first motions. Each check also runs on a toy: the console above a bare floor.
 #include <ompl/util/Console.h>
 
 #include <boost/test/data/monomorphic.hpp>
@@ -23,7 +23,7 @@ GeneratedScene fullSize(double clearance) {
     return makeTunnelConsole3(options);
 }
 
-/// Made once for each clearance.
+/// The built scene, made once for each clearance.
 const BuiltScene& real(double clearance) {
     static const BuiltScene kUsual(fullSize(10)), kNarrow(fullSize(2));
     return clearance == 10 ? kUsual : kNarrow;
@@ -68,7 +68,7 @@ BOOST_DATA_TEST_CASE(a_flood_of_translations_stays_near_the_start, kClearances, 
     BOOST_TEST(!found.isOut);
 }
 
-/// Two seeds, a few seconds each; with CLEARWAY_FULL=1 five of 30 s.
+/// Runs two seeds for a few seconds each; with CLEARWAY_FULL=1, five seeds of 30 s.
 BOOST_DATA_TEST_CASE(a_planner_that_only_translates_finds_nothing, kClearances, clearance) {
     const BuiltScene& made = real(clearance);
     Workspace workspace;
@@ -78,7 +78,7 @@ BOOST_DATA_TEST_CASE(a_planner_that_only_translates_finds_nothing, kClearances, 
     }
 }
 
-/// As `plan` runs them. With CLEARWAY_FULL=1 there are many more seeds.
+/// Planners run as in `plan`. With CLEARWAY_FULL=1 there are many more seeds.
 BOOST_DATA_TEST_CASE(no_seed_solves_it_within_its_first_100_motions, kPlanners* kClearances, planner,
                      clearance) {
     std::set<double> drawn;
@@ -88,11 +88,11 @@ BOOST_DATA_TEST_CASE(no_seed_solves_it_within_its_first_100_motions, kPlanners* 
         BOOST_TEST(end.motions >= kFirst, "seed " << seed);
         drawn.insert(end.drawn);
     }
-    BOOST_TEST(drawn.size() == seedCount());  // no two runs are the same one
+    BOOST_TEST(drawn.size() == seedCount());  // all runs differ
 }
 
-/// A hundred edges of `plan`'s length are hardly as long as the straight way, and RRT's do not go straight.
-/// So the check also runs with edges of any length: one of them could be the whole way.
+/// A hundred edges of `plan`'s length are hardly as long as the straight way, and RRT's edges do not go
+/// straight. So this check runs with edges of any length. One of them could be the whole way.
 BOOST_DATA_TEST_CASE(no_seed_solves_it_within_its_first_100_motions_of_any_length, kPlanners* kClearances,
                      planner, clearance) {
     for (std::uint32_t seed = 1; seed <= seedCount(); ++seed) {

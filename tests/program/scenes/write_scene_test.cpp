@@ -44,7 +44,7 @@ BOOST_AUTO_TEST_CASE(written_files_read_back_as_the_scene) {
     BOOST_TEST(names(read.environment) == names(made.environment), boost::test_tools::per_element());
     BOOST_REQUIRE(read.path.size() == made.path.size());
 
-    // The part's surface is where it was made, and the reader hardly moved it.
+    // The part's surface is where the scene was made, and the reader hardly moved it.
     BOOST_TEST(read.part.origin.shift.norm() < 1e-3);
     for (std::size_t i = 0; i < made.path.size(); ++i) {
         Box madeBox, readBox;

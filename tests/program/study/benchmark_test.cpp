@@ -23,7 +23,7 @@ BenchmarkOptions quick() {
     return options;
 }
 
-/// For planners that solve the problem within a second: a limit that only a planner which hangs reaches.
+/// Options for planners that solve the problem within a second. Only a planner that hangs reaches this limit.
 BenchmarkOptions patient() {
     BenchmarkOptions options = quick();
     options.seconds = 100;

@@ -30,7 +30,7 @@ BOOST_AUTO_TEST_CASE(calls_and_answers_read_back_as_they_were) {
     const Answers answers = {{CallAnswer::kYes, CallAnswer::kNo}, {CallAnswer::kUndecided}};
     writeAnswers(answers, folder.file("a.answers"));
     BOOST_TEST((readAnswers(folder.file("a.answers")) == answers));
-    // other calls have other answers
+    // Writing other calls removes these answers.
     writeAnswers(answers, answersFile(folder.file("a.calls")));
     writeCalls(blocks, folder.file("a.calls"));
     BOOST_CHECK_THROW(readAnswers(answersFile(folder.file("a.calls"))), std::runtime_error);

@@ -60,7 +60,7 @@ BOOST_AUTO_TEST_CASE(claims_are_judged_by_the_rule) {
     BOOST_TEST(!elsewhere.at(0).thesisRatio);
 }
 
-/// That nothing was shown is no proof that both are alike.
+/// If no difference was shown, that is no proof that both are alike.
 BOOST_AUTO_TEST_CASE(a_claim_about_which_poses_disagree_is_undecided) {
     std::vector<TreeRow> trees = {tree("cembox", "axis", "chain", 1, 200),
                                   tree("cembox", "axis", "edge", 1, 300)};
@@ -84,7 +84,8 @@ BOOST_AUTO_TEST_CASE(thesis_values_are_looked_up_by_scene_and_strategy) {
     BOOST_TEST(!thesisValue(*tunnel, TreeMeasure::kDistancesPerSecond, "sah", "chain"));
     BOOST_TEST(!thesisValue(*thesisSceneOf("cembox"), TreeMeasure::kLeaves, "axis", "all"));
     BOOST_TEST(thesisSceneOf("window") == nullptr);
-    // NoSplit's leaves hold all triangles of the thesis's static model, as every other split's do.
+    // NoSplit's leaves hold all triangles of the thesis's static model, as the leaves of every other split
+    // do.
     for (const auto& sizes : *tunnel->leaves) {
         double triangles = 0;
         for (std::size_t i = 0; i < sizes.size(); ++i) triangles += static_cast<double>(i + 1) * sizes[i];

@@ -73,8 +73,8 @@ BOOST_AUTO_TEST_CASE(a_ratio_that_is_always_the_same_has_no_doubt) {
     BOOST_TEST(pairedRatio({{}, {}}).pairs == 0u);
 }
 
-/// The median of n values is known to about 1.25 / sqrt(n) of their deviation; an interval of 95 in 100 is
-/// twice that, to each side.
+/// The median of n values has a standard error of about 1.25 / sqrt(n) of their deviation. An interval of 95
+/// in 100 reaches twice that far to each side.
 BOOST_AUTO_TEST_CASE(the_interval_is_as_wide_as_statistics_say_and_mostly_holds_the_truth) {
     std::mt19937_64 random(7);
     std::normal_distribution<double> noise(0, 0.1);
@@ -95,7 +95,7 @@ BOOST_AUTO_TEST_CASE(the_interval_is_as_wide_as_statistics_say_and_mostly_holds_
     BOOST_TEST(held <= 100);
 }
 
-/// Pairs of a run hang together: ten times as many of them make nothing surer.
+/// Pairs of one run depend on each other: ten times as many of them make the ratio no surer.
 BOOST_AUTO_TEST_CASE(pairs_of_one_run_are_drawn_together) {
     std::mt19937_64 random(8);
     std::normal_distribution<double> noise(0, 0.1);
@@ -119,7 +119,7 @@ BOOST_AUTO_TEST_CASE(runs_count_alike_however_many_pairs_they_have) {
 
 BOOST_AUTO_TEST_CASE(runs_are_compared_with_those_of_their_seed) {
     std::vector<RunRow> runs;
-    for (int seed = 1; seed <= 5; ++seed) {  // seeds differ by luck tenfold, strategies by half
+    for (int seed = 1; seed <= 5; ++seed) {  // seeds differ tenfold by luck, strategies by half
         runs.push_back(run("none", seed, seed * seed));
         runs.push_back(run("chain", seed, 1.5 * seed * seed));
     }
@@ -146,7 +146,7 @@ BOOST_AUTO_TEST_CASE(runs_are_compared_with_those_of_their_seed) {
     BOOST_TEST(chain.kernelFill.value() == 0.25);
 }
 
-/// Leaving such pairs out would leave those in which the slower strategy was quick.
+/// Without such pairs, only those in which the slower strategy was quick would remain.
 BOOST_AUTO_TEST_CASE(a_run_that_found_nothing_counts_as_one_that_found_at_its_end) {
     constexpr double kNone = -1;
     const auto ratioOfFirst = [](const std::vector<RunRow>& runs) -> double {
@@ -158,7 +158,7 @@ BOOST_AUTO_TEST_CASE(a_run_that_found_nothing_counts_as_one_that_found_at_its_en
     BOOST_TEST(ratioOfFirst({run("none", 1, 4), run("all", 1, 20, false)}) == 5);
     BOOST_TEST(ratioOfFirst({run("none", 1, 20, false), run("all", 1, 5)}) == 0.25);
     BOOST_TEST(ratioOfFirst({run("none", 1, 20, false), run("all", 1, 20, false)}) == kNone);
-    // one that gave up before tells nothing
+    // A run that gave up earlier says nothing.
     BOOST_TEST(ratioOfFirst({run("none", 1, 4), run("all", 1, 3, false)}) == kNone);
     BOOST_TEST(ratioOfFirst({run("none", 1, 3, false), run("all", 1, 4)}) == kNone);
 }
@@ -176,7 +176,7 @@ BOOST_AUTO_TEST_CASE(clock_times_of_runs_that_had_no_whole_processor_are_left_ou
     runs[1].triangleTests = 150;
     BOOST_TEST(runs[1].wasDisturbed());
     BOOST_TEST(!runs[0].wasDisturbed());
-    BOOST_TEST(!run("none", 1, 10).wasDisturbed());  // nothing is known of it
+    BOOST_TEST(!run("none", 1, 10).wasDisturbed());  // its processor time is unknown
     const auto statistics = statisticsOf(runs, {}, "none");
     for (const char* time : {"first_solution_seconds", "query_seconds_per_call"}) {
         const StatisticRow& row = find(statistics, time, "P");
@@ -193,7 +193,7 @@ BOOST_AUTO_TEST_CASE(clock_times_of_runs_that_had_no_whole_processor_are_left_ou
     BOOST_TEST(all.stateChecks.value() == 130 / 3.0, boost::test_tools::tolerance(1e-12));
 }
 
-/// A path's length is the better the less it is, its clearance the more it is.
+/// A length is better when it is less, a clearance when it is more.
 BOOST_AUTO_TEST_CASE(costs_of_different_planners_are_not_mixed) {
     std::vector<RunRow> runs;
     for (const char* leaf : {"none", "all"}) {

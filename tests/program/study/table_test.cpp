@@ -62,7 +62,7 @@ BOOST_AUTO_TEST_CASE(a_line_that_was_cut_short_is_taken_away) {
     BOOST_TEST(readText(cutHead) == "a,b\n");
 }
 
-/// Files may not grow beyond so many bytes while it lives, as on a disk that is full.
+/// While a FullDisk lives, files may not grow beyond this many bytes.
 class FullDisk {
   public:
     explicit FullDisk(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
