@@ -16,7 +16,7 @@ PathGeometric plan(ompl::geometric::SimpleSetup setup, const clearway::Problem& 
     const auto& si = setup.getSpaceInformation();
     setup.setPlanner(std::make_shared<ompl::geometric::RRTConnect>(si));
     setup.getPlanner()->params().setParam("range", std::to_string(20 * problem.step.value_or(1)));
-    if (setup.solve(/*seconds*/ 20.0) != ompl::base::PlannerStatus::EXACT_SOLUTION) {
+    if (setup.solve(/*seconds*/ 5.0) != ompl::base::PlannerStatus::EXACT_SOLUTION) {
         std::printf("no path found\n");
         return PathGeometric(si);
     }

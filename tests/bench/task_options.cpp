@@ -2,6 +2,8 @@
 
 #include <sstream>
 
+#include "core/text.h"
+
 namespace clearway::testing {
 
 using cli::integer, cli::nonNegative, cli::to;

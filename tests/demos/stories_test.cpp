@@ -59,7 +59,7 @@ void requireClearance(double claimed, const std::string& problemFile, const std:
     BOOST_TEST((path.front().position - problem.start.position).norm() < 1e-9);
     BOOST_TEST((path.back().position - problem.goal.position).norm() < 1e-9);
     const MeshOracle oracle(loadPart(problem), loadEnvironment(problem));
-    BOOST_TEST(leastDistance(oracle, path, problem, 300) > claimed - 0.006);  // less printed digits
+    BOOST_TEST(leastDistance(oracle, path, problem, 100) > claimed - 0.006);  // less printed digits
 }
 
 }  // namespace

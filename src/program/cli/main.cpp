@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/text.h"
 #include "program/cli/command_line.h"
 #include "program/cli/print.h"
 

@@ -6,6 +6,7 @@
 #include "clearway/planning/check_path.h"
 #include "clearway/planning/objectives.h"
 #include "clearway/planning/planners.h"
+#include "core/text.h"
 #include "program/cli/path_outputs.h"
 #include "program/cli/print.h"
 #include "program/cli/print_audit.h"

@@ -8,6 +8,7 @@
 #include <iostream>
 #include <stdexcept>
 
+#include "core/text.h"
 #include "program/cli/command_line.h"
 
 namespace clearway::cli {

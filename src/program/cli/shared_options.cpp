@@ -6,6 +6,7 @@
 #include "clearway/planning/plan.h"
 #include "clearway/targets.h"
 #include "core/replace_file.h"
+#include "core/text.h"
 #include "program/cli/load_guard.h"
 #include "program/cli/print.h"
 

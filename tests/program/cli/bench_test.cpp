@@ -122,7 +122,7 @@ BOOST_AUTO_TEST_CASE(bad_input_is_one_line_and_exit_code_2) {
     refused("--log none/x.log", {"none/x.log", "a folder that exists"});
     requireRefused(folder, "bench none.cfg", {"none.cfg", "No such file"});
     std::filesystem::rename(folder.file("window.cfg"), folder.file("window.log"));
-    requireRefused(folder, "bench window.log", {"--log is 'window.log'", "input file"});
+    requireRefused(folder, "bench window.log", {"the log is 'window.log'", "input file"});
     folder.window.problem.planners.push_back({"lightning"});
     folder.rewrite();
     refused("", {"window.cfg", "unknown planner 'lightning'"});
