@@ -130,7 +130,7 @@ void Recorder::writePreview() const {
 /// The scenes, one a line: name, description and defaults.
 std::string sceneList() {
     std::string all;
-    for (const scenes::NamedScene& scene : scenes::namedScenes()) {
+    for (const scenes::NamedScene& scene : scenes::kScenes) {
         const scenes::SceneOptions& defaults = scene.defaults;
         all += "  " + std::string(scene.name) + ": " + scene.about + " (seed " +
                std::to_string(defaults.seed) + ", " + std::to_string(defaults.partTriangles) + " / " +

@@ -18,13 +18,8 @@ std::string withoutVersion(const std::string& name) {
 }
 
 std::string allNames() {
-    return joined(namesOf(namedScenes()));
+    return joined(namesOf(kScenes));
 }
-
-/// Three quarters of the poses collide, and the poses stay where the part is in the tunnel.
-constexpr Replay kInTunnel{0.75, 0.75, true};
-/// The deviation does not turn the part, so faces stay parallel.
-constexpr Replay kParallel{0.1, 1, false};
 
 /// How often the part is moved and written until its mean lies at its origin. One move suffices up to
 /// rounding to float.
@@ -61,33 +56,9 @@ Vector3 writeCentred(Mesh part, const std::string& file) {
 
 }  // namespace
 
-const std::vector<NamedScene>& namedScenes() {
-    static const std::vector<NamedScene> kScenes = {
-        {"tunnel-console-3",
-         "a centre console to be threaded out of a bent tunnel, with the fittings of a car", kTunnelConsole3,
-         makeTunnelConsole3, kInTunnel},
-        {"cembox-2", "a control module to be drawn out of its rails in an engine bay", kCembox, makeCembox2},
-        {"boxes-1", "a box that slides along two others, face to face", kBoxes, makeBoxes, kParallel},
-        {"large-environment-2", "the tray of a sliding roof between two sheets that follow it, in a car body",
-         kLargeEnvironment2, makeLargeEnvironment2},
-        {"puzzle-1", "two interlocked bent bars, one to be slid through the eye of the other", kPuzzle,
-         makePuzzle},
-        {"puzzle-2", "two interlocked bent bars as in puzzle-1, but with open loops", kPuzzle, makePuzzle2},
-        {"peg-in-hole-1", "a round peg to be put into a hole, as narrow as the clearance says", kPegInHole,
-         makePegInHole},
-        {"apartment-1",
-         "a piano to be carried through two doors and a corridor",
-         kApartment,
-         makeApartment,
-         {},
-         "top"},
-    };
-    return kScenes;
-}
-
 const NamedScene& sceneNamed(const std::string& name) {
     const NamedScene* newest = nullptr;
-    for (const NamedScene& scene : namedScenes()) {
+    for (const NamedScene& scene : kScenes) {
         if (name == scene.name) return scene;
         if (name == withoutVersion(scene.name)) newest = &scene;
     }

@@ -41,13 +41,6 @@ struct NamedScene {
     const char* preview = "iso";  ///< the view of the scene's picture
 };
 
-/// Among the versions of one scene the newest comes last.
-const std::vector<NamedScene>& namedScenes();
-
-/// Finds a scene by its name; a name without version means the newest. Throws std::invalid_argument that
-/// lists the names.
-const NamedScene& sceneNamed(const std::string& name);
-
 // The generators. All scenes are in millimetres, every component is a closed solid, and all coordinates are
 // representable in float. A generator throws std::invalid_argument that names the option, its value and what
 // was expected when the clearance is out of its range, when a number of triangles is smaller than the shapes
@@ -125,6 +118,37 @@ GeneratedScene makePuzzle2(const SceneOptions& options);
 /// numbers of triangles are by default those of a car maker's meshes.
 constexpr SceneOptions kTunnelConsole3{1, 73425, 300401, 10};  // clearance 1 to 25 mm
 GeneratedScene makeTunnelConsole3(const SceneOptions& options);
+
+/// Three quarters of the poses collide, and the poses stay where the part is in the tunnel.
+constexpr Replay kInTunnel{0.75, 0.75, true};
+/// The deviation does not turn the part, so faces stay parallel.
+constexpr Replay kParallel{0.1, 1, false};
+
+/// The table of all scenes. A new scene is one generator and one row. Among the versions of one scene the
+/// newest comes last.
+constexpr NamedScene kScenes[] = {
+    {"tunnel-console-3", "a centre console to be threaded out of a bent tunnel, with the fittings of a car",
+     kTunnelConsole3, makeTunnelConsole3, kInTunnel},
+    {"cembox-2", "a control module to be drawn out of its rails in an engine bay", kCembox, makeCembox2},
+    {"boxes-1", "a box that slides along two others, face to face", kBoxes, makeBoxes, kParallel},
+    {"large-environment-2", "the tray of a sliding roof between two sheets that follow it, in a car body",
+     kLargeEnvironment2, makeLargeEnvironment2},
+    {"puzzle-1", "two interlocked bent bars, one to be slid through the eye of the other", kPuzzle,
+     makePuzzle},
+    {"puzzle-2", "two interlocked bent bars as in puzzle-1, but with open loops", kPuzzle, makePuzzle2},
+    {"peg-in-hole-1", "a round peg to be put into a hole, as narrow as the clearance says", kPegInHole,
+     makePegInHole},
+    {"apartment-1",
+     "a piano to be carried through two doors and a corridor",
+     kApartment,
+     makeApartment,
+     {},
+     "top"},
+};
+
+/// Finds a scene by its name; a name without version means the newest. Throws std::invalid_argument that
+/// lists the names.
+const NamedScene& sceneNamed(const std::string& name);
 
 // Definitions that all generators share.
 

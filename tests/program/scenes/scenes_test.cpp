@@ -76,7 +76,7 @@ const Kept kKept[] = {
 
 BOOST_AUTO_TEST_CASE(every_name_is_different_and_ends_with_a_version) {
     std::set<std::string> names;
-    for (const NamedScene& scene : namedScenes()) {
+    for (const NamedScene& scene : kScenes) {
         const std::string name = scene.name;
         BOOST_TEST(names.insert(name).second, name);
         const std::size_t dash = name.rfind('-');
@@ -88,7 +88,7 @@ BOOST_AUTO_TEST_CASE(every_name_is_different_and_ends_with_a_version) {
 }
 
 BOOST_AUTO_TEST_CASE(a_name_without_version_means_the_newest) {
-    for (const NamedScene& scene : namedScenes()) {
+    for (const NamedScene& scene : kScenes) {
         const std::string name = scene.name, stem = name.substr(0, name.rfind('-'));
         const int version = std::stoi(name.substr(stem.size() + 1));
         const std::string newest = sceneNamed(stem).name;
@@ -104,7 +104,7 @@ BOOST_AUTO_TEST_CASE(an_unknown_name_is_refused_with_the_list_of_names) {
                               [&](const std::invalid_argument& error) {
                                   const std::string text = error.what();
                                   bool all = text.find("'" + name + "'") != std::string::npos;
-                                  for (const NamedScene& scene : namedScenes())
+                                  for (const NamedScene& scene : kScenes)
                                       all = all && text.find(scene.name) != std::string::npos;
                                   return all;
                               });
