@@ -110,7 +110,7 @@ void requireLength(double value, const char* name) {
                                 ", expected a finite number of at least 0");
 }
 
-[[noreturn]] void refuse(const std::string& what, double value, const std::string& expected) {
+[[noreturn]] void refuseBeyondReach(const std::string& what, double value, const std::string& expected) {
     throw std::invalid_argument(what + " is " + shortNumber(value) + ", expected " + expected +
                                 ": the environment was built without the triangles beyond that reach");
 }
@@ -160,21 +160,21 @@ void requireWithinReach(const Model& part, const Model& environment, const Pose&
     if (!environment.reach()) return;
     const Reach& reach = *environment.reach();
     if (part.radiusAboutOrigin() > reach.partRadius) {
-        refuse("the part's radius about its origin", part.radiusAboutOrigin(),
-               "at most " + shortNumber(reach.partRadius));
+        refuseBeyondReach("the part's radius about its origin", part.radiusAboutOrigin(),
+                          "at most " + shortNumber(reach.partRadius));
     }
     for (int axis = 0; axis < 3; ++axis) {
         const double low = reach.positions.min()[axis], high = reach.positions.max()[axis];
         const double position = X_environmentPart.translation[axis];
         if (position >= low && position <= high) continue;
-        refuse(std::string("the pose's translation along ") + "xyz"[axis], position,
-               shortNumber(low) + " to " + shortNumber(high));
+        refuseBeyondReach(std::string("the pose's translation along ") + "xyz"[axis], position,
+                          shortNumber(low) + " to " + shortNumber(high));
     }
 }
 
 void requireWithinCap(const Model& environment, double d) {
     if (!environment.reach() || d <= environment.reach()->cap) return;
-    refuse("d", d, "at most " + shortNumber(environment.reach()->cap));
+    refuseBeyondReach("d", d, "at most " + shortNumber(environment.reach()->cap));
 }
 
 double cappedByReach(const Model& environment, double cap) {

@@ -22,7 +22,7 @@ constexpr char kMagic[8] = {'c', 'l', 'e', 'a', 'r', 'w', 'a', 'y'};
 constexpr std::uint64_t kVersion = 5;
 constexpr std::uint64_t kByteOrderMark = 0x0102030405060708u;
 
-[[noreturn]] void refuse(const std::string& file, const std::string& reason) {
+[[noreturn]] void refuseFile(const std::string& file, const std::string& reason) {
     throw std::runtime_error(file + ": " + reason + ", expected a model saved by this version of clearway");
 }
 
@@ -255,7 +255,7 @@ Model Model::load(const std::string& file) {
         if (!in.isAtEnd() || triangles < 0) throw std::runtime_error("has parts that do not fit together");
         if (const char* fault = faultOf(data->tree, std::size_t(triangles))) throw std::runtime_error(fault);
     } catch (const std::runtime_error& error) {
-        refuse(file, error.what());
+        refuseFile(file, error.what());
     }
     data->report.triangles = data->tree.triangles.size();
     data->report.tree = statistics(data->tree);

@@ -25,7 +25,7 @@ constexpr std::size_t kDeepest = 64;  ///< enough, because a node's halves diffe
 /// pose's transposed rotation instead of its inverse.
 constexpr double kPlaceSlack = 8 * kPoseDefect;
 
-[[noreturn]] void refuse(const std::string& name, const std::string& why) {
+[[noreturn]] void refuseSolid(const std::string& name, const std::string& why) {
     throw std::invalid_argument("'" + name + "' encloses nothing: " + why);
 }
 
@@ -36,7 +36,7 @@ void requireClosed(const std::vector<TriangleIndices>& triangles, const std::str
     why << edges.openEdges << " open edges, " << edges.twistedEdges
         << " edges where a triangle is turned over and " << edges.overfullEdges
         << " edges of more than two triangles, expected a closed surface";
-    refuse(name, why.str());
+    refuseSolid(name, why.str());
 }
 
 bool hasThreeCorners(const TriangleIndices& t) {
@@ -112,7 +112,7 @@ Solid::Solid(const Mesh& mesh, const std::string& name) {
     vertices_ = std::move(cleaned.vertices);
     std::copy_if(cleaned.triangles.begin(), cleaned.triangles.end(), std::back_inserter(triangles_),
                  hasThreeCorners);
-    if (triangles_.empty()) refuse(name, "it has no triangle with three corners");
+    if (triangles_.empty()) refuseSolid(name, "it has no triangle with three corners");
     requireClosed(triangles_, name);
     for (const Vector3& vertex : vertices_) box_.extend(vertex);
     order_.resize(triangles_.size());
@@ -222,8 +222,8 @@ void Solid::orient(const std::string& name) {
         if (isOutermost(shells, shell)) ++(volumes[shell] > 0 ? outward : inward);
     }
     if (outward > 0 && inward > 0) {
-        refuse(name, std::to_string(outward) + " of its outermost shells face outwards and " +
-                         std::to_string(inward) + " inwards, expected all to face one way");
+        refuseSolid(name, std::to_string(outward) + " of its outermost shells face outwards and " +
+                              std::to_string(inward) + " inwards, expected all to face one way");
     }
     isTurnedOver_ = inward > 0;
 }

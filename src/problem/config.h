@@ -12,6 +12,9 @@
 
 namespace clearway {
 
+/// The names of the coordinates in keys such as "start.x".
+constexpr const char* kAxisNames[] = {"x", "y", "z"};
+
 struct ConfigEntry {
     std::string name;   ///< section and key, "problem.start.x"; before the first section the key alone
     std::string value;  ///< may be empty

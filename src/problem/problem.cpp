@@ -6,12 +6,11 @@
 
 #include "clearway/obstacle_groups.h"
 #include "core/number.h"
+#include "problem/config.h"
 #include "problem/rotation.h"
 
 namespace clearway {
 namespace {
-
-constexpr const char* kAxisNames[] = {"x", "y", "z"};
 
 std::string named(const Problem& problem) {
     return problem.file.empty() ? "" : problem.file + ": ";

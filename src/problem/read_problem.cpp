@@ -18,7 +18,6 @@ namespace clearway {
 
 namespace {
 
-constexpr const char* kAxisNames[] = {"x", "y", "z"};
 constexpr const char* kClearwayKeys =
     "contact.goal, contact.start, ignore, margin, margin.NAME, reading, solid, step";
 

@@ -18,8 +18,6 @@ namespace clearway {
 
 namespace {
 
-constexpr const char* kAxisNames[] = {"x", "y", "z"};
-
 /// Refuses keys that a reader would change: readers trim white space and split keys at the dot.
 void requireWritableKey(const std::string& what, const std::string& key, const std::string& forbidden) {
     if (!key.empty() && trimmed(key) == key && key.find_first_of(forbidden) == std::string::npos) return;

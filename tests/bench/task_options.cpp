@@ -23,7 +23,8 @@ std::vector<std::string> allSceneNames() {
 
 void addTaskOptions(cli::CommandLine& line, const std::string& outFiles, TaskChoices& choices) {
     constexpr std::int64_t kMost = INT32_MAX;
-    line.option("--scenes LETTERS", "scenes, with commas between them (" + joined(choices.scenes) + ")",
+    line.option("--scenes LETTERS",
+                "scenes, with commas between them (" + clearway::joined(choices.scenes) + ")",
                 [&](const std::string& letters) {
                     choices.scenes = splitAtCommas(letters);
                     for (const std::string& name : choices.scenes) benchSceneNamed(name);

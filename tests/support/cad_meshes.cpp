@@ -7,8 +7,6 @@
 namespace clearway::testing {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-
 // Joins a grid of points p(i, j), i in 0..rows, j in 0..columns, into triangles.
 Mesh gridMesh(int rows, int columns, const std::function<Vector3(int, int)>& point) {
     Mesh mesh;
@@ -26,7 +24,7 @@ Mesh gridMesh(int rows, int columns, const std::function<Vector3(int, int)>& poi
 }
 
 Vector3 onCircle(double radius, double turns, double z) {
-    return {radius * std::cos(2 * kPi * turns), radius * std::sin(2 * kPi * turns), z};
+    return {radius * std::cos(2 * M_PI * turns), radius * std::sin(2 * M_PI * turns), z};
 }
 
 // Turns the profile's points (distance from the axis, z) about z in n steps. The profile is a closed loop.
@@ -94,7 +92,7 @@ Mesh tube(double innerRadius, double outerRadius, double length, int n) {
 Mesh sphere(double radius, int n) {
     return gridMesh(n, 2 * n, [&](int i, int j) -> Vector3 {
         if (i == 0 || i == n) return {0, 0, i == 0 ? -radius : radius};  // the poles' triangles have no area
-        const double height = kPi * (static_cast<double>(i) / n - 0.5);
+        const double height = M_PI * (static_cast<double>(i) / n - 0.5);
         return onCircle(radius * std::cos(height), static_cast<double>(j % (2 * n)) / (2 * n),
                         radius * std::sin(height));
     });

@@ -12,7 +12,7 @@
 namespace clearway::testing {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
 /// The least denormal: results among denormal numbers round by it.
 constexpr double kLeast = std::numeric_limits<double>::denorm_min();
@@ -114,11 +114,11 @@ ExactCase exactCase(const std::string& name, const Mesh& part, const Mesh& envir
 
 Enclosing enclosing(const ExactDistance& distance) {
     double above = static_cast<double>(distance.rounded());
-    while (distance.compare(above) > 0) above = std::nextafter(above, kInfinity);
-    double below = std::nextafter(above, -kInfinity);
+    while (distance.compare(above) > 0) above = std::nextafter(above, kUnbounded);
+    double below = std::nextafter(above, -kUnbounded);
     while (below >= 0 && distance.compare(below) <= 0) {
         above = below;
-        below = std::nextafter(below, -kInfinity);
+        below = std::nextafter(below, -kUnbounded);
     }
     return {below, above};
 }

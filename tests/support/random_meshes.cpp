@@ -5,8 +5,6 @@
 
 namespace clearway::testing {
 
-constexpr double kPi = 3.14159265358979323846;
-
 std::uint64_t Random::bits() {
     std::uint64_t z = (state_ += 0x9e3779b97f4a7c15u);
     z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
@@ -24,7 +22,7 @@ int Random::below(int end) {
 
 double Random::normal() {
     const double radius = std::sqrt(-2 * std::log(1 - uniform(0, 1)));
-    return radius * std::cos(2 * kPi * uniform(0, 1));
+    return radius * std::cos(2 * M_PI * uniform(0, 1));
 }
 
 Vector3 Random::inBox(double halfSide) {

@@ -15,7 +15,7 @@ namespace clearway::render {
 
 namespace {
 
-const Colour kInk = sRgb(40, 42, 48);
+const Colour kTextColour = sRgb(40, 42, 48);
 constexpr double kFigureHeight = 0.73;  ///< height of a digit per font size, as in most fonts without serifs
 
 /// The part of the picture that the legend covers, as a mask: 0 is the picture, 1 is ink. Coordinates are the
@@ -67,7 +67,7 @@ class InkMask {
         for (int y = 0; y < image.height; ++y, row += cairo_image_surface_get_stride(surface_.get())) {
             for (int x = left_; x < image.width; ++x) {
                 const float ink = static_cast<float>(row[x - left_]) / 255;
-                image.at(x, y) += ink * (kInk - image.at(x, y));
+                image.at(x, y) += ink * (kTextColour - image.at(x, y));
             }
         }
     }

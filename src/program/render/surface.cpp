@@ -9,7 +9,7 @@ namespace clearway::render {
 
 namespace {
 
-constexpr float kCreaseCosine = 0.82f;  // cosine of 35 degrees; flatter edges belong to round surfaces
+constexpr float kRoundCosine = 0.82f;  // cosine of 35 degrees; flatter edges belong to round surfaces
 
 /// The triangles at each vertex: entries [first[v], first[v + 1]) belong to vertex v.
 struct Fans {
@@ -53,7 +53,7 @@ void addNormals(Surface& surface) {
             Vector3f sum = flat[t];
             for (std::uint32_t i = fans.first[vertex]; i < fans.first[vertex + 1]; ++i) {
                 const std::uint32_t other = fans.triangles[i];
-                if (other != t && unit[t].dot(unit[other]) > kCreaseCosine) sum += flat[other];
+                if (other != t && unit[t].dot(unit[other]) > kRoundCosine) sum += flat[other];
             }
             surface.normals[t][corner] = sum.stableNormalized();
         }

@@ -21,25 +21,18 @@
 namespace clearway::study {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 using planning::PlanOptions;
 using planning::PlanReport;
 using planning::PlanSetup;
 
 /// One planner of each kind: two trees, one tree, by density, by projection, a roadmap.
 constexpr const char* kDefaultPlanners[] = {"RRTConnect", "RRT", "EST", "KPIECE1", "PRM"};
-constexpr double kBytesPerMegabyte = 1024.0 * 1024.0;
 constexpr double kMostMegabytes = 1e12;  ///< more than any machine has; in bytes the integer type holds it
 
 /// "1.5.2". OMPL_VERSION is an empty text in Debian 12.
 std::string omplVersion() {
     return std::to_string(OMPL_MAJOR_VERSION) + "." + std::to_string(OMPL_MINOR_VERSION) + "." +
            std::to_string(OMPL_PATCH_VERSION);
-}
-
-double secondsSince(Clock::time_point begin) {
-    return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
 void requireOptions(const BenchmarkOptions& options) {

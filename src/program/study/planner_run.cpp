@@ -25,15 +25,9 @@ namespace ob = ompl::base;
 namespace og = ompl::geometric;
 using planning::PathAudit;
 using planning::PlanSetup;
-using Clock = std::chrono::steady_clock;
 
 constexpr double kLeastPeriod = 0.05;  ///< seconds between two looks at a planner's progress
 constexpr double kLooksPerRun = 500;   ///< most looks in a run
-constexpr double kBytesPerMegabyte = 1024.0 * 1024.0;
-
-double secondsSince(Clock::time_point begin) {
-    return std::chrono::duration<double>(Clock::now() - begin).count();
-}
 
 std::string flag(bool value) {
     return value ? "1" : "0";

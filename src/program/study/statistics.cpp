@@ -26,7 +26,7 @@ double number(const Count& count) {
 using Key = std::array<std::string, 7>;
 constexpr std::size_t kLeafSplit = 5, kPlanner = 6;
 
-Key keyOf(const CallsRow& row) {
+Key columnsOf(const CallsRow& row) {
     return {row.scene,
             row.generalSplit,
             std::to_string(row.leafSize),
@@ -105,7 +105,7 @@ class Pairing {
             if (row.leafSplit == baseline_ || with == baselines_.end()) continue;
             const Measure value = ratio(row, *with->second);
             if (!value) continue;
-            Key key = keyOf(row);
+            Key key = columnsOf(row);
             for (const std::string& planner : {row.planner, std::string(kAllPlanners)}) {
                 if (planner == kAllPlanners && !isOfAllPlanners) continue;
                 key[kPlanner] = planner;
@@ -138,7 +138,7 @@ class Pairing {
 
   private:
     static auto pairKey(const Row& row) {
-        Key key = keyOf(row);
+        Key key = columnsOf(row);
         key[kLeafSplit].clear();
         return std::tuple(key, row.seed, row.block);
     }
@@ -227,7 +227,7 @@ void addSummary(const std::vector<Row>& rows, const char* source, std::vector<Su
     constexpr bool kAreRuns = std::is_same_v<Row, RunRow>;
     std::map<Key, Sums> sums;
     for (const Row& row : rows) {
-        Key key = keyOf(row);
+        Key key = columnsOf(row);
         sums[key].add(row);
         key[kPlanner] = kAllPlanners;
         sums[key].add(row);

@@ -6,13 +6,13 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "program/study/planner_run.h"
 #include "program/study/statistics.h"
 
 namespace clearway::study {
 namespace {
 
 constexpr std::size_t kBlocks = 20;
-constexpr double kBytesPerMegabyte = 1024.0 * 1024.0;
 
 std::vector<BuildOptions> measuredTrees() {
     std::vector<BuildOptions> all;
