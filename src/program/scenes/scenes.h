@@ -126,7 +126,7 @@ constexpr Replay kParallel{0.1, 1, false};
 
 /// The table of all scenes. A new scene is one generator and one row. Among the versions of one scene the
 /// newest comes last.
-constexpr NamedScene kScenes[] = {
+inline constexpr NamedScene kScenes[] = {
     {"tunnel-console-3", "a centre console to be threaded out of a bent tunnel, with the fittings of a car",
      kTunnelConsole3, makeTunnelConsole3, kInTunnel},
     {"cembox-2", "a control module to be drawn out of its rails in an engine bay", kCembox, makeCembox2},
