@@ -42,6 +42,10 @@ void printOption(const std::string& shown, const std::string& help) {
     std::cout << line << "\n";
 }
 
+[[noreturn]] void refuseValue(const std::string& name, const std::string& value) {
+    throw std::invalid_argument(name + " is '" + value + "', expected a value");
+}
+
 }  // namespace
 
 void heedInterrupts() {
@@ -176,7 +180,10 @@ void CommandLine::takeWords(const Arguments& words) {
             option->values.push_back(words[i].substr(equals + 1));
         } else {
             if (i + 1 == words.size()) refuse(option->name + " has no value");
-            option->values.push_back(words[++i]);
+            const std::string& value = words[++i];
+            // An option's name is no value: "--path --time 3" lacks the value of --path.
+            if (value.compare(0, 2, "--") == 0) refuseValue(option->name, value);
+            option->values.push_back(value);
         }
     }
     takePositional(positional);
@@ -204,10 +211,7 @@ void CommandLine::requireCounts() const {
                 refuse(declared.name + " is given more than once");
             }
             for (const std::string& value : declared.values) {
-                // An option's name is no value: "--path --time 3" lacks the value of --path.
-                if (value.empty() || value.compare(0, 2, "--") == 0) {
-                    throw std::invalid_argument(declared.name + " is '" + value + "', expected a value");
-                }
+                if (value.empty()) refuseValue(declared.name, value);
             }
         }
     }

@@ -79,6 +79,8 @@ BOOST_AUTO_TEST_CASE(file_names_are_taken_as_they_stand) {
     BOOST_TEST(Read({"[a,b].cfg", "-x"}).problem == "[a,b].cfg");
     BOOST_TEST(Read({"[a,b].cfg", "-x"}).path == "-x");
     BOOST_TEST(Read({"--short", "--", "-"}).problem == "-");
+    BOOST_TEST(Read({"--short", "--", "--p.cfg", "--out"}).path == "--out");
+    BOOST_TEST(Read({"p.cfg", "--out=--a.png"}).out == "--a.png");
     BOOST_TEST(Read({"p.cfg", "--out", "-3"}).out == "-3");
     BOOST_TEST(Read({"p.cfg", "-h"}).isHelp);
 }
