@@ -21,7 +21,6 @@ target_link_libraries(clearway_assimp INTERFACE assimp::assimp)
 add_library(clearway_boost INTERFACE)
 target_link_libraries(clearway_boost INTERFACE Boost::headers)
 
-
 find_package(embree 4 CONFIG QUIET)
 if(NOT embree_FOUND)
   find_package(embree 3 REQUIRED CONFIG)

@@ -120,7 +120,7 @@ void printDisturbed(const study::StudyResult& result, const std::string& scene) 
         << "\n"
         << disturbed << " of " << runs << " runs of " << scene
         << " had less than 95 % of a processor: the machine did other work, too. These runs are left out "
-           "of ratios of\nseconds to the first solution and in queries.\n";
+           "of ratios of\nseconds to the first solution and within calls.\n";
 }
 
 const study::Engine kUsual;  ///< the engine of planner runs, but for the splits
