@@ -29,6 +29,9 @@ constexpr float kLeastProved = 0x1p-22f;
 constexpr double kLeastDirectionSquared = 1e-30;
 constexpr double kLargestDirectionSquared = 1e30;
 
+/// Sweeps need longer directions: a turn's squared product with the direction must be a normal number.
+constexpr float kLeastMovingSquared = 1e-20f;
+
 /// ProvesApart compares squares without a division, and needs longer directions than a gap does.
 constexpr float kLeastProvingSquared = 1e-22f;
 

@@ -48,20 +48,38 @@ struct RelativeRectangles {
     V H0, H1;        ///< half lengths of the one rectangle
 };
 
-/// The gap along v between the rectangles: (min over one of v.x - max over the other of v.x) / |v|. -infinity
-/// where |v|^2 is too small or too large to be used.
-template <class D, class V = hn::Vec<D>>
-HWY_INLINE V SupportGap(D d, const Lanes3<V>& v, const RelativeRectangles<V>& r) {
-    const auto lengthSquared = Dot(v, v);
+/// The slabs of the rectangles across a direction v: |v| times the gap along v is |along| - reach.
+template <class V>
+struct Slabs {
+    V along;  ///< v . centre
+    V reach;
+    V lengthSquared;  ///< |v|^2
+};
+
+template <class V>
+HWY_INLINE Slabs<V> SlabsAcross(const Lanes3<V>& v, const RelativeRectangles<V>& r) {
     auto reach = hn::Mul(hn::Abs(v.x), r.H0);
     reach = hn::MulAdd(hn::Abs(v.y), r.H1, reach);
     reach = hn::MulAdd(hn::Abs(Dot(v, r.side0)), r.half0, reach);
     reach = hn::MulAdd(hn::Abs(Dot(v, r.side1)), r.half1, reach);
-    const auto gap = hn::Div(hn::Sub(hn::Abs(Dot(v, r.centre)), reach), hn::Sqrt(lengthSquared));
+    return {Dot(v, r.centre), reach, Dot(v, v)};
+}
+
+/// Where |v|^2 is neither too small nor too large to be used.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE hn::Mask<D> IsUsable(D d, V lengthSquared) {
+    return hn::And(hn::Gt(lengthSquared, hn::Set(d, float(kLeastDirectionSquared))),
+                   hn::Lt(lengthSquared, hn::Set(d, float(kLargestDirectionSquared))));
+}
+
+/// The gap along v between the rectangles: (min over one of v.x - max over the other of v.x) / |v|. -infinity
+/// where |v|^2 is too small or too large to be used.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V SupportGap(D d, const Lanes3<V>& v, const RelativeRectangles<V>& r) {
+    const Slabs<V> slabs = SlabsAcross(v, r);
+    const auto gap = hn::Div(hn::Sub(hn::Abs(slabs.along), slabs.reach), hn::Sqrt(slabs.lengthSquared));
     // A select and not a maximum, because instruction sets differ in the maximum of a NaN.
-    const auto usable = hn::And(hn::Gt(lengthSquared, hn::Set(d, float(kLeastDirectionSquared))),
-                                hn::Lt(lengthSquared, hn::Set(d, float(kLargestDirectionSquared))));
-    return hn::IfThenElse(usable, gap, hn::Set(d, -hwy::HighestValue<float>()));
+    return hn::IfThenElse(IsUsable(d, slabs.lengthSquared), gap, hn::Set(d, -hwy::HighestValue<float>()));
 }
 
 /// The distance of the boxes around both rectangles, aligned with the one rectangle's frame or with the
@@ -160,6 +178,50 @@ HWY_INLINE Lanes3<V> ClosestDirection(D d, const RelativeRectangles<V>& r) {
     return best;
 }
 
+/// The frame of the one rectangle: its centre is the origin, its sides are x and y. Every lane is the same.
+template <class V>
+struct OneFrame {
+    Lanes3<V> centre, x, y, z;
+
+    template <class D>
+    HWY_INLINE OneFrame(D d, const CarriedRss& one) : centre(splat(d, one.centre)), x(splat(d, one.axis0)) {
+        y = splat(d, one.axis1);
+        z = Cross(x, y);
+    }
+    template <class D>
+    static HWY_INLINE Lanes3<V> splat(D d, const float (&p)[4]) {
+        return {hn::Set(d, p[0]), hn::Set(d, p[1]), hn::Set(d, p[2])};
+    }
+    HWY_INLINE Lanes3<V> toOne(const Lanes3<V>& v) const { return {Dot(x, v), Dot(y, v), Dot(z, v)}; }
+};
+
+/// The rectangles of the children from lane i on, relative to the one.
+template <int kWidth, class D, class V = hn::Vec<D>>
+HWY_INLINE RelativeRectangles<V> RelativeTo(D d, const OneFrame<V>& frame, const CarriedRss& one,
+                                            const WideNode<kWidth>& node, size_t i) {
+    const auto load3 = [&](const float(&rows)[3][kWidth]) HWY_ATTR {
+        return Lanes3<V>{hn::Load(d, rows[0] + i), hn::Load(d, rows[1] + i), hn::Load(d, rows[2] + i)};
+    };
+    RelativeRectangles<V> r;
+    r.centre = frame.toOne(load3(node.centre) - frame.centre);
+    r.side0 = frame.toOne(load3(node.axis0));
+    r.side1 = frame.toOne(load3(node.axis1));
+    r.normal = Cross(r.side0, r.side1);
+    r.half0 = hn::Load(d, node.halfLength0 + i);
+    r.half1 = hn::Load(d, node.halfLength1 + i);
+    r.H0 = hn::Set(d, one.halfLength0);
+    r.H1 = hn::Set(d, one.halfLength1);
+    return r;
+}
+
+/// The lanes from i on that hold a child, as bits.
+template <int kWidth, class D>
+HWY_INLINE std::uint32_t UsedLanes(D d, const WideNode<kWidth>& node, size_t i) {
+    const hn::RebindToSigned<D> di;
+    (void)d;
+    return MaskBits(di, hn::Ne(hn::Load(di, node.child + i), hn::Set(di, kNoChild)));
+}
+
 struct NearChildren {
     std::uint32_t lanes;     ///< bit k is set when child k's bound is below dropFrom, or not a number
     std::uint32_t children;  ///< number of lanes in use
@@ -174,34 +236,14 @@ template <int kWidth>
 HWY_INLINE NearChildren RssLowerBounds(const CarriedRss& one, const WideNode<kWidth>& node, float slack,
                                        float toQueryUnit, float dropFrom, float* bounds) {
     const hn::CappedTag<float, kWidth> d;
-    const hn::RebindToSigned<decltype(d)> di;
     using V = hn::Vec<decltype(d)>;
     std::uint32_t near = 0, children = 0;
     for (size_t i = 0; i < kWidth; i += hn::Lanes(d)) {
-        const auto load3 = [&](const float(&rows)[3][kWidth]) HWY_ATTR {
-            return Lanes3<V>{hn::Load(d, rows[0] + i), hn::Load(d, rows[1] + i), hn::Load(d, rows[2] + i)};
-        };
-        const auto splat3 = [&](const float(&p)[4]) HWY_ATTR {
-            return Lanes3<V>{hn::Set(d, p[0]), hn::Set(d, p[1]), hn::Set(d, p[2])};
-        };
-        const Lanes3<V> x = splat3(one.axis0), y = splat3(one.axis1), z = Cross(x, y);
-        const auto toOne = [&](const Lanes3<V>& v) HWY_ATTR {
-            return Lanes3<V>{Dot(x, v), Dot(y, v), Dot(z, v)};
-        };
-
-        RelativeRectangles<V> r;
-        r.centre = toOne(load3(node.centre) - splat3(one.centre));
-        r.side0 = toOne(load3(node.axis0));
-        r.side1 = toOne(load3(node.axis1));
-        r.normal = Cross(r.side0, r.side1);
-        r.half0 = hn::Load(d, node.halfLength0 + i);
-        r.half1 = hn::Load(d, node.halfLength1 + i);
-        r.H0 = hn::Set(d, one.halfLength0);
-        r.H1 = hn::Set(d, one.halfLength1);
-
+        const OneFrame<V> frame(d, one);
+        const RelativeRectangles<V> r = RelativeTo(d, frame, one, node, i);
         const auto radii = hn::Add(hn::Load(d, node.radius + i), hn::Set(d, one.radius + slack));
         const auto unit = hn::Set(d, toQueryUnit), limit = hn::Set(d, dropFrom);
-        const std::uint32_t used = MaskBits(di, hn::Ne(hn::Load(di, node.child + i), hn::Set(di, kNoChild)));
+        const std::uint32_t used = UsedLanes(d, node, i);
         children += std::uint32_t(hwy::PopCount(used));
         const auto boxGap = BoxGap(d, r);
         auto bound = hn::Mul(hn::Sub(boxGap, radii), unit);

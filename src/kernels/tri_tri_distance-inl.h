@@ -27,6 +27,7 @@ struct TriangleBounds {
     V lower;    ///< slab gap: a lower bound up to rounding; may be negative
     V upper;    ///< distance of two points of the triangles: an upper bound up to rounding
     V feature;  ///< pair of features that holds these points, numbered as in query/pair_query.h
+    Lanes3<V> difference;  ///< of these points, from the first triangle to the second or back
 };
 
 /// 1 / v, or 0 where v is not above 0. Float takes the processor's estimate and a Newton step: a share
@@ -186,7 +187,7 @@ HWY_INLINE TriangleBounds<V> TriangleDistance(D d, const TrianglePair<V>& pair, 
         take(FaceDifference(d, a.corner[k] - b.corner[0], pair.edgeB[0], pair.spanB, sharesB), 9 + 2 * k);
         take(FaceDifference(d, b.corner[k] - a.corner[0], pair.edgeA[0], pair.spanA, sharesA), 10 + 2 * k);
     }
-    return {hn::Max(SlabGap(d, best, a, b), known), hn::Sqrt(bestSquared), bestFeature};
+    return {hn::Max(SlabGap(d, best, a, b), known), hn::Sqrt(bestSquared), bestFeature, best};
 }
 
 }  // namespace HWY_NAMESPACE

@@ -108,16 +108,47 @@ class LeafPairs {
     ///   take(lower, upper, triangles)   takes a pair with proved bounds of its distance
     template <class Visitor>
     HWY_INLINE void visit(Visitor& visitor) {
+        visitRegisters([&](const PairTag& d, const TrianglePair<hn::Vec<PairTag>>& pair,
+                           const RegisterPlace& place) HWY_ATTR { return takeNear(d, pair, place, visitor); });
+    }
+
+    /// The place of a register among the pairs of two leaves: its blocks begin with the part's triangle i and
+    /// the environment's triangle j, its first lane holds pair `first`. near: the lanes that meet() left, as
+    /// bits.
+    struct RegisterPlace {
+        std::uint32_t i, j, first, near;
+    };
+
+    /// Calls look(d, pair, place) for every register that holds a near pair, until it returns false.
+    template <class Look>
+    HWY_INLINE void visitRegisters(const Look& look) {
+        const PairTag d;
         int block = 0;
         for (std::uint32_t i = 0; i < part_->triangleCount; i += kBlock) {
             for (std::uint32_t j = 0; j < environment_->triangleCount; j += kBlock) {
                 const std::uint32_t near = near_[block++];
-                if (near == 0) continue;
-                visitBlock(near, i, j, visitor);
-                if (visitor.done()) return;
+                for (std::uint32_t first = 0; near >> first != 0; first += std::uint32_t(hn::Lanes(d))) {
+                    const std::uint32_t lanes = (near >> first) & ((1u << hn::Lanes(d)) - 1);
+                    if (lanes == 0) continue;
+                    kernelPairs_ += std::uint64_t(hwy::PopCount(std::uint64_t(lanes)));
+                    kernelLanes_ += hn::Lanes(d);
+                    Triangles<hn::Vec<PairTag>> a, b;
+                    load(i, j, first, a, b);
+                    if (!look(d, TrianglePair<hn::Vec<PairTag>>(a, b), RegisterPlace{i, j, first, lanes})) return;
+                }
             }
         }
     }
+
+    /// The pair in a lane of a register.
+    TrianglesAt trianglesAt(const RegisterPlace& place, std::uint32_t lane, float feature) const {
+        const std::uint32_t pair = place.first + lane;
+        return {part_->firstTriangle + place.i + pair / kBlock,
+                environment_->firstTriangle + place.j + pair % kBlock, std::int32_t(feature)};
+    }
+
+    /// Rounding of a gap or distance of these leaves' triangles, query units.
+    float roundingError() const { return roundingError_; }
 
   private:
     /// Where the walk between triangles starts: for each triangle of a block, the corner farthest towards the
@@ -252,39 +283,26 @@ class LeafPairs {
         return near;
     }
 
-    /// Takes the near pairs of two blocks through the visitor's kernel and hands the visitor those that stay
-    /// near.
-    template <class Visitor>
-    HWY_INLINE void visitBlock(std::uint32_t near, std::uint32_t i, std::uint32_t j, Visitor& visitor) {
-        const PairTag d;
-        using V = hn::Vec<PairTag>;
-        for (size_t first = 0; near >> first != 0; first += hn::Lanes(d)) {
-            std::uint32_t left = (near >> first) & ((1u << hn::Lanes(d)) - 1);
-            if (left == 0) continue;
-            kernelPairs_ += std::uint64_t(hwy::PopCount(std::uint64_t(left)));
-            kernelLanes_ += hn::Lanes(d);
-            Triangles<V> a, b;
-            load(i, j, first, a, b);
-            const TrianglePair<V> pair(a, b);
-            const V apart = FaceSeparation(d, pair);
-            left &= nearLanes(apart, visitor.dropFrom());
-            if (left == 0) continue;
-            const TriangleBounds<V> bounds = visitor.bounds(d, pair, apart);
-            left &= nearLanes(bounds.lower, visitor.dropFrom());
-            const auto error = hn::Set(d, roundingError_);
-            alignas(64) float lowers[kBlockPairs], uppers[kBlockPairs], features[kBlockPairs];
-            hn::Store(bounds.feature, d, features);
-            hn::Store(hn::Max(hn::Sub(bounds.lower, error), hn::Set(d, volumesBound_)), d, lowers);
-            hn::Store(hn::Add(bounds.upper, error), d, uppers);
-            for (; left != 0 && !visitor.done(); left &= left - 1) {
-                const std::uint32_t lane = LowestBit(left), pairIndex = std::uint32_t(first) + lane;
-                visitor.take(
-                    lowers[lane], uppers[lane],
-                    {part_->firstTriangle + i + pairIndex / kBlock,
-                     environment_->firstTriangle + j + pairIndex % kBlock, std::int32_t(features[lane])});
-            }
-            if (visitor.done()) return;
+    /// Takes the near pairs of a register through the visitor's kernel and hands the visitor those that stay
+    /// near. Returns false when the visitor is done.
+    template <class Visitor, class V = hn::Vec<PairTag>>
+    HWY_INLINE bool takeNear(PairTag d, const TrianglePair<V>& pair, const RegisterPlace& place,
+                             Visitor& visitor) const {
+        const V apart = FaceSeparation(d, pair);
+        std::uint32_t left = place.near & nearLanes(apart, visitor.dropFrom());
+        if (left == 0) return true;
+        const TriangleBounds<V> bounds = visitor.bounds(d, pair, apart);
+        left &= nearLanes(bounds.lower, visitor.dropFrom());
+        const auto error = hn::Set(d, roundingError_);
+        alignas(64) float lowers[kBlockPairs], uppers[kBlockPairs], features[kBlockPairs];
+        hn::Store(bounds.feature, d, features);
+        hn::Store(hn::Max(hn::Sub(bounds.lower, error), hn::Set(d, volumesBound_)), d, lowers);
+        hn::Store(hn::Add(bounds.upper, error), d, uppers);
+        for (; left != 0 && !visitor.done(); left &= left - 1) {
+            const std::uint32_t lane = LowestBit(left);
+            visitor.take(lowers[lane], uppers[lane], trianglesAt(place, lane, features[lane]));
         }
+        return !visitor.done();
     }
 
     /// The pairs that exist, as bits: blocks may hold fewer than 4 triangles.

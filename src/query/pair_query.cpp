@@ -100,6 +100,11 @@ PairQuery preparePairQuery(const FlatTree& part, const FlatTree& environment, co
     query.environmentToPart =
         makeCarry(R.transpose(), -(R.transpose() * between), environment, environmentExponent, part,
                   partExponent, offsetError, query.unitExponent);
+    query.partLeafToQuery = static_cast<float>(std::ldexp(1.0, partExponent - query.unitExponent));
+    query.environmentLeafToQuery =
+        static_cast<float>(std::ldexp(1.0, environmentExponent - query.unitExponent));
+    query.reach = (between * query.perMeshUnit).norm() + double(part.radius) * query.partLeafToQuery +
+                  double(environment.radius) * query.environmentLeafToQuery;
     for (int row = 0; row < 3; ++row) {
         for (int column = 0; column < 3; ++column) {
             query.R[3 * row + column] = R(row, column);
@@ -107,9 +112,6 @@ PairQuery preparePairQuery(const FlatTree& part, const FlatTree& environment, co
         }
         query.t[row] = t[row];
     }
-    query.partLeafToQuery = static_cast<float>(std::ldexp(1.0, partExponent - query.unitExponent));
-    query.environmentLeafToQuery =
-        static_cast<float>(std::ldexp(1.0, environmentExponent - query.unitExponent));
     return query;
 }
 

@@ -47,6 +47,7 @@ struct PairQuery {
     float partLeafToQuery;         ///< part tree's unit -> query unit
     float environmentLeafToQuery;  ///< environment tree's unit -> query unit
     double offsetSlack;            ///< rounding of a composed offset (kOffsetSlack), query units
+    double reach;                  ///< distance between the trees' origins plus both radii, query units
 
     double largestCoordinate;  ///< M: largest coordinate of both meshes, the moved part and t; query units
     /// Width of an answer's interval, query units: 1e-12 of the scene size and kWidthRoundoffs u64 M.

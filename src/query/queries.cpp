@@ -195,7 +195,7 @@ class Within {
     HWY_INLINE TriangleBounds<V> bounds(D d, const TrianglePair<V>& pair, V lower) const {
         if (d_ > 0) return TriangleDistance(d, pair, lower);
         return {hn::Max(lower, EdgeSeparation(d, pair)), hn::Set(d, hwy::HighestValue<float>()),
-                hn::Set(d, float(kNoFeature))};
+                hn::Set(d, float(kNoFeature)), pair.edgeA[0]};
     }
 
     HWY_INLINE void take(float /*lower*/, float upper, const TrianglesAt& triangles) {

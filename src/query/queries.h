@@ -3,9 +3,11 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 
 #include "clearway/query.h"
 #include "core/pile.h"
+#include "query/motion_pieces.h"
 #include "query/pair_query.h"
 #include "query/refine.h"
 #include "tree/flat_tree.h"
@@ -32,10 +34,21 @@ struct WarmStart {
     TrianglesAt triangles{0, 0, kNoFeature};
 };
 
+/// A pair of volumes over an interval of time.
+struct SweepEntry {
+    float gap;    ///< orders the descent; of the interval that the pair was looked at in
+    float moved;  ///< about how far a point of the part's volume moves in half the interval; query units
+    VolumeReference part;
+    VolumeReference environment;
+    std::uint64_t interval;  ///< TimeInterval::key
+};
+
 /// The contents of a Workspace.
 struct Workspace::State {
     Pile<StackEntry> stack;
     Pile<Candidate> candidates;
+    Pile<SweepEntry> sweepStack;
+    std::unique_ptr<PieceCache> pieces;  ///< made by the first sweep
     WarmStart warmStart;
     QueryCounters counters;
 };

@@ -12,6 +12,7 @@
 
 #include "clearway/query.h"
 #include "clearway/scene.h"
+#include "clearway/sweep.h"
 
 namespace clearway::planning {
 
@@ -72,6 +73,31 @@ struct ClearanceOptions {
     double leastSpare = 0;
 };
 
+/// A motion of the part for a sweep.
+struct SweptMotion {
+    MotionPieces pieces;
+    double length = 0;     ///< no point of the part moves further
+    double poseError = 0;  ///< how far the poses in question may be off the pieces' motion
+};
+
+struct SceneSweepOptions {
+    double floor = 0;            ///< clearance that is asked for on top of the margins
+    double leastInterval = 0;    ///< see SweepOptions
+    bool isForward = false;
+    double contactInterval = 0;  ///< SweepOptions::contactTime as a length
+    double until = 1;
+    bool isContactAtEnd = false;
+    std::function<bool()> isStopped;
+};
+
+/// The worst of all obstacles' sweeps.
+struct SceneSweep {
+    SweepVerdict verdict = SweepVerdict::kCertified;
+    double certifiedUntil = 1;  ///< when going forward
+    double contactTime = std::numeric_limits<double>::infinity();
+    std::uint64_t queries = 0;
+};
+
 /// Any number of threads may use one object: each has its own scratch and takes no lock.
 class SceneClearance {
   public:
@@ -95,6 +121,14 @@ class SceneClearance {
     bool isFree(const Pose& X_environmentPart) const;
 
     PoseClearance at(const Pose& X_environmentPart, const ClearanceOptions& options = {}) const;
+
+    /// Sweeps the part along a motion past all obstacles, whatever the solids.
+    SceneSweep sweep(const SweptMotion& motion, const SceneSweepOptions& options) const;
+
+    /// True when every solid counts at every pose: where no surfaces touch, the part is then inside a solid at all poses of
+    /// a motion or at none.
+    bool doSolidsAlwaysCount() const;
+    bool hasSolids() const { return hasSolids_; }
 
     /// The least distance of all obstacles, whatever the margins, solids and contact zones.
     SceneDistance distance(const Pose& X_environmentPart) const;
@@ -124,6 +158,7 @@ class SceneClearance {
     std::string describeEnclosure(const Pose& X_environmentPart) const;
     void lookAtSolids(const Pose& X_environmentPart, bool isOutside, PoseClearance& answer) const;
     void nameTriangle(SceneDistance& nearest) const;
+    MotionPieces piecesFor(std::size_t obstacle, const SweptMotion& motion) const;
 
     Scene scene_;
     std::unique_ptr<ContactZones> zones_;
@@ -136,6 +171,7 @@ class SceneClearance {
 struct QueryTally {
     std::uint64_t distances = 0;
     std::uint64_t withins = 0;  ///< whether the part is in contact, or within a margin
+    std::uint64_t sweeps = 0;   ///< of one obstacle each
     QueryCounters work;
 };
 

@@ -99,6 +99,42 @@ void Motion::measure() {
     checksBoundsBetween_ = !posed_.areBoundsConvex() || !posed_.si().satisfiesBounds(s2_);
 }
 
+bool Motion::isFreeAtStart() {
+    ++queries_;
+    return posed_.si().satisfiesBounds(s1_) && posed_.clearance().isFree(posed_.pose(s1_));
+}
+
+bool Motion::isFreeAt(double time) {
+    posed_.space().interpolate(s1_, s2_, time, scratch_.get());
+    ++queries_;
+    return posed_.clearance().isFree(posed_.pose(scratch_.get()));
+}
+
+SceneSweep Motion::sweep(const SceneSweepOptions& options) {
+    const SceneSweep found =
+        posed_.clearance().sweep({posed_.motion()(s1_, s2_), length_, 0.5 * slack_}, options);
+    queries_ += found.queries;
+    return found;
+}
+
+bool Motion::doesEndKeepFloor() {
+    if (floor_ == 0) return true;  // isEndValid said so
+    if (!posed_.clearance().hasSolids() && findEndJump() <= 0.125 * slack_) return true;
+    return atEnd(std::numeric_limits<double>::denorm_min()).isValid();
+}
+
+double Motion::timeWithinBounds(double length) {
+    if (posed_.si().satisfiesBounds(s2_)) return 1;
+    double within = 0, outside = 1;
+    while (length_ * (outside - within) > length) {
+        const double time = within + 0.5 * (outside - within);
+        if (!(time > within && time < outside)) break;
+        posed_.space().interpolate(s1_, s2_, time, scratch_.get());
+        (posed_.si().satisfiesBounds(scratch_.get()) ? within : outside) = time;
+    }
+    return within;
+}
+
 MotionSample Motion::atStart(double wanted) {
     const MotionSample start = look(s1_, 0, wanted, true);
     isOutside_ = isOutside_ || start.isValid();

@@ -50,9 +50,29 @@ class Motion {
     void measure();
 
     double length() const { return length_; }
+    double floor() const { return floor_; }
+    bool hasSolids() const { return posed_.clearance().hasSolids(); }
+    bool isStartWithinBounds() const { return posed_.si().satisfiesBounds(s1_); }
 
     /// The distance between the states by the space's own metric.
     double distance() const { return posed_.si().distance(s1_, s2_); }
+
+    /// Whether sweeps can certify the motion.
+    bool canBeSwept() const {
+        return posed_.motion() && length_ > 0 && posed_.clearance().doSolidsAlwaysCount();
+    }
+
+    /// Whether the part is free of all obstacles at a pose, within the bounds, and how the whole motion fares. The floor
+    /// counts only in the sweep.
+    bool isFreeAtStart();
+    bool isFreeAt(double time);
+    SceneSweep sweep(const SceneSweepOptions& options);
+
+    /// Whether s2 itself keeps the floor, besides the end of the interpolation.
+    bool doesEndKeepFloor();
+
+    /// A time within the bounds: 1 when s2 is, else the last one to within a length.
+    double timeWithinBounds(double length);
 
     /// The rooms at both ends must add up to this much more than the motion between them to certify an
     /// interval, because poses are rounded.

@@ -62,19 +62,13 @@ ClearanceResolution usualResolution(const Scene& scene, double leastInterval) {
     return {kUsualShare, kUsualLargestShare, kUsualDiagonal * diagonalOf(scene.part.box()), leastInterval};
 }
 
+/// Stretches shorter than a few slacks are not looked into, because a slack is rounding.
 MotionSearch::MotionSearch(Motion& motion, double leastInterval, double contactInterval,
                            std::function<bool()> isStopped)
     : motion_(motion),
-      leastInterval_(leastInterval),
-      contactInterval_(contactInterval),
+      leastInterval_(std::max(leastInterval, 4 * motion.slack())),
+      contactInterval_(std::max(contactInterval, 4 * motion.slack())),
       isStopped_(std::move(isStopped)) {}
-
-/// Stretches shorter than a few slacks are not looked into, because a slack is rounding.
-void MotionSearch::measure() {
-    motion_.measure();
-    leastInterval_ = std::max(leastInterval_, 4 * motion_.slack());
-    contactInterval_ = std::max(contactInterval_, 4 * motion_.slack());
-}
 
 /// Twice the room that is certain at the pose between two samples that they tell least about.
 double MotionSearch::spare(const MotionSample& from, const MotionSample& to) const {
@@ -136,8 +130,6 @@ bool MotionSearch::lookAtStart(double wanted) {
 }
 
 MotionVerdict MotionSearch::certify() {
-    if (!motion_.isEndValid()) return MotionVerdict::kInvalid;
-    measure();
     const MotionSample end = motion_.atEnd(wantedAtEnds());
     if (!end.isValid() || !lookAtStart(wantedAtEnds())) return MotionVerdict::kInvalid;
     keepOpen(interval(reached_, end));
@@ -166,7 +158,6 @@ void MotionSearch::keepOpen(const MotionInterval& added) {
 }
 
 MotionVerdict MotionSearch::goForward() {
-    measure();
     if (!lookAtStart(wantedAtEnds())) return blocked_ = reached_, MotionVerdict::kInvalid;
     std::vector<MotionSample> ahead{motion_.atEnd(wantedAtEnds())};
     while (!ahead.empty()) {
@@ -243,7 +234,6 @@ double MotionSearch::refineLower(const ClearanceResolution& resolution) {
 }
 
 std::optional<double> MotionSearch::leastClearance(double cap, const ClearanceResolution& resolution) {
-    measure();
     const double wanted = cap + wantedAtEnds();
     const MotionSample end = motion_.atEnd(wanted);
     if (!end.isValid() || !lookAtStart(wanted)) return std::nullopt;

@@ -18,15 +18,6 @@ struct MotionInterval {
     double lower = 0;
 };
 
-/// How well the least clearance of a motion is to be known: to `share` of it or, where that is more, to
-/// `length`, but no worse than to `largestShare` of it or, where that is more, to `least`.
-struct ClearanceResolution {
-    double share, largestShare, length, least;
-    double of(double clearance) const {
-        return std::max({share * clearance, std::min(largestShare * clearance, length), least});
-    }
-};
-
 /// 1e-5 of the diagonal of the part's box, or of the environment's box when the part is a point.
 double defaultLeastInterval(const Scene& scene);
 
@@ -45,13 +36,13 @@ ClearanceResolution usualResolution(const Scene& scene, double leastInterval);
 
 class MotionSearch {
   public:
-    /// A stretch that is not certified is given up when it is as short as leastInterval, or as
+    /// The motion has been measured. A stretch that is not certified is given up when it is as short as leastInterval, or as
     /// contactInterval where an invalid pose is at its end. isStopped: MotionOptions::isStopped, may be
     /// empty.
     MotionSearch(Motion& motion, double leastInterval, double contactInterval,
                  std::function<bool()> isStopped = {});
 
-    /// Looks at the far end first, then at the middle of the widest stretch that is not certified.
+    /// Looks at the middle of the widest stretch that is not certified. The caller knows that s2 is valid.
     MotionVerdict certify();
 
     /// Goes from the start to the end. certifiedTime() is how far it came.
@@ -88,7 +79,6 @@ class MotionSearch {
         double time;
     };
 
-    void measure();
     double spare(const MotionSample& from, const MotionSample& to) const;
     MotionInterval interval(const MotionSample& from, const MotionSample& to) const;
     bool isCertified(const MotionSample& from, const MotionSample& to) const {

@@ -9,6 +9,7 @@
 #include "core/number.h"
 #include "planning/motion/motion.h"
 #include "planning/motion/motion_search.h"
+#include "planning/motion/motion_sweep.h"
 #include "planning/validity/ompl_states.h"
 #include "planning/validity/posed_scene.h"
 
@@ -141,11 +142,21 @@ MotionValidator::Outcome MotionValidator::judge(const ob::State* s1, const ob::S
     Outcome outcome;
     try {
         Motion looked(*posed_, ClearanceDetail::kRough, judging.floor, s1, s2);
-        MotionSearch search(looked, leastInterval_, kContactIntervals * leastInterval_,
-                            either(judging.isStopped, isStopped_));
-        outcome.verdict = judging.forward ? search.goForward() : search.certify();
-        outcome.certifiedTime = search.certifiedTime();
-        outcome.isStartInvalid = search.isStartInvalid();
+        const auto isStopped = either(judging.isStopped, isStopped_);
+        const double contactInterval = kContactIntervals * leastInterval_;
+        const auto take = [&](auto&& way) {
+            outcome.verdict = judging.forward ? way.goForward() : way.certify();
+            outcome.certifiedTime = way.certifiedTime();
+            outcome.isStartInvalid = way.isStartInvalid();
+        };
+        if (judging.forward || looked.isEndValid()) {
+            looked.measure();
+            if (looked.canBeSwept()) {
+                take(MotionSweep(looked, leastInterval_, contactInterval, isStopped));
+            } else {
+                take(MotionSearch(looked, leastInterval_, contactInterval, isStopped));
+            }
+        }
         outcome.queries = looked.queries();
     } catch (const std::exception& error) {
         outcome = {};
@@ -172,6 +183,7 @@ MotionReport MotionValidator::report(const ob::State* s1, const ob::State* s2,
     report.upperClearance = std::numeric_limits<double>::infinity();
     try {
         Motion looked(*posed_, ClearanceDetail::kWhole, 0, s1, s2);
+        looked.measure();
         MotionSearch search(looked, leastInterval_, leastInterval_, isStopped_);
         report.verdict = search.goForward();
         report.certifiedTime = search.certifiedTime();

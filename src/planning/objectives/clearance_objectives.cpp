@@ -244,6 +244,7 @@ ob::Cost MinClearanceObjective::terminalCost(const ob::State* state) const {
 ob::Cost MinClearanceObjective::motionCost(const ob::State* s1, const ob::State* s2) const {
     const auto leastClearance = [&](Motion& motion) -> std::optional<double> {
         const double leastInterval = motions_->leastInterval();
+        motion.measure();
         MotionSearch search(motion, leastInterval, leastInterval);
         const std::optional<double> least =
             search.leastClearance(cap_, usualResolution(scene(), leastInterval));

@@ -28,6 +28,7 @@ DisplacementBound require(DisplacementBound callback) {
 PosedScene::PosedScene(const ompl::base::SpaceInformationPtr& si, Scene scene)
     : PosedScene(si, scene, planning::stateToPose(spaceOf(si)), displacementBound(spaceOf(si), scene.part)) {
     areBoundsConvex_ = true;
+    motion_ = stateMotion(si->getStateSpace(), clearance_->scene().part);
 }
 
 PosedScene::PosedScene(const ompl::base::SpaceInformationPtr& si, Scene scene, StateToPose stateToPose,

@@ -10,6 +10,7 @@
 
 #include "clearway/planning/displacement_bound.h"
 #include "clearway/planning/scene_clearance.h"
+#include "clearway/planning/state_motion.h"
 #include "clearway/planning/state_to_pose.h"
 #include "clearway/scene.h"
 
@@ -48,6 +49,9 @@ class PosedScene {
         return bound_(from, to);
     }
 
+    /// Empty when only a bound is known.
+    const StateMotion& motion() const { return motion_; }
+
     /// True when all states between two states within the space's bounds are within the bounds.
     bool areBoundsConvex() const { return areBoundsConvex_; }
 
@@ -66,6 +70,7 @@ class PosedScene {
     std::optional<SceneClearance> clearance_;
     StateToPose stateToPose_;
     DisplacementBound bound_;
+    StateMotion motion_;
     bool areBoundsConvex_ = false;
     mutable std::array<std::atomic<std::uint64_t>, kCounts> counters_{};
     mutable std::atomic<bool> hasWarned_{false};

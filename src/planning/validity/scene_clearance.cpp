@@ -256,6 +256,62 @@ void SceneClearance::ask(std::size_t i, const Pose& X_environmentPart, const Dis
     answer.clearance.upper = d.upper - margin;
 }
 
+/// The pieces with what the contact zones ignore of an obstacle.
+MotionPieces SceneClearance::piecesFor(std::size_t i, const SweptMotion& motion) const {
+    PoseClearance at;
+    if (!zones_->zoneOf(i, at)) return motion.pieces;
+    return [this, i, &motion](double from, double to) {
+        MotionPiece piece = motion.pieces(from, to);
+        PoseClearance here;
+        zones_->findSpares(scene_, piece.middle, here);
+        const double spare = zones_->zoneOf(i, here)->spare.lower;
+        const double moved = 0.5 * (to - from) * motion.length + motion.poseError;
+        if (spare >= moved) {
+            piece.counts = MotionPiece::Counts::kNowhere;
+        } else if (spare >= 0) {
+            piece.counts = MotionPiece::Counts::kNotAtMiddle;
+        }
+        return piece;
+    };
+}
+
+bool SceneClearance::doSolidsAlwaysCount() const {
+    return std::none_of(scene_.obstacles.begin(), scene_.obstacles.end(), [](const Obstacle& obstacle) {
+        return obstacle.solids && (obstacle.isIgnoredAtStart || obstacle.isIgnoredAtGoal);
+    });
+}
+
+SceneSweep SceneClearance::sweep(const SweptMotion& motion, const SceneSweepOptions& options) const {
+    SceneSweep answer;
+    answer.certifiedUntil = options.until;
+    Scratch& mine = scratch_->perThread.local();
+    SweepOptions asked;
+    asked.leastInterval = options.leastInterval;
+    asked.poseError = motion.poseError;
+    asked.isForward = options.isForward;
+    asked.contactTime = options.contactInterval / motion.length;
+    asked.isStopped = options.isStopped;
+    visitAll(scene_.obstacles.size(), mine.nearest, [&](std::size_t i) {
+        const Obstacle& obstacle = scene_.obstacles[i];
+        asked.margin = obstacle.margin + options.floor;
+        asked.until = answer.certifiedUntil;
+        asked.isContactAtEnd = answer.contactTime == asked.until || (options.isContactAtEnd && asked.until == options.until);
+        const SweepResult found =
+            clearway::sweep(scene_.part, obstacle.model, piecesFor(i, motion), asked, mine.workspaces[i]);
+        ++answer.queries;
+        ++tallyOfThisThread.sweeps;
+        tallyOfThisThread.work += found.counters;
+        if (found.verdict == SweepVerdict::kCertified) return true;
+        mine.nearest = i;
+        const bool isFirst = answer.verdict == SweepVerdict::kCertified;
+        if (isFirst || found.verdict == SweepVerdict::kContact) answer.verdict = found.verdict;
+        answer.contactTime = std::min(answer.contactTime, found.contactTime);
+        answer.certifiedUntil = std::min(answer.certifiedUntil, found.certifiedUntil);
+        return options.isForward;
+    });
+    return answer;
+}
+
 SceneDistance SceneClearance::distance(const Pose& X_environmentPart) const {
     SceneDistance least = nowhere();
     Scratch& mine = scratch_->perThread.local();

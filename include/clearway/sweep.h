@@ -1,0 +1,124 @@
+// Two questions about a part in motion: whether it stays farther from an environment than a margin all the time, and how
+// near it comes.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <functional>
+#include <limits>
+
+#include "clearway/query.h"
+#include "clearway/types.h"
+
+namespace clearway {
+
+/// A straight motion with a turn at a constant rate: at time t from 0 to 1 the pose is x -> R exp(t [turn]) x + p + t
+/// translation, where (R, p) is the start.
+struct RigidMotion {
+    Pose start;           ///< X_environmentPart at time 0
+    Vector3 translation;  ///< of the origin of the part's coordinates; environment's frame
+    Vector3 turn;         ///< an axis fixed in the part, times the angle in radians; part's frame
+};
+
+/// A motion over an interval of time, as seen from the middle of the interval.
+struct MotionPiece {
+    Pose middle;              ///< X_environmentPart
+    Vector3 velocity;         ///< of the origin of the part's coordinates, per unit of time; environment's frame
+    Vector3 angularVelocity;  ///< radians per unit of time; environment's frame
+
+    /// At a share x of the way from the middle to either end of the interval, no point of the part is farther than x
+    /// times this from where the velocities take it in a straight line. Environment units.
+    double deviation = 0;
+
+    /// Where in the interval contact counts. A motion may ignore an environment for a while.
+    enum class Counts { kThroughout, kNotAtMiddle, kNowhere };
+    Counts counts = Counts::kThroughout;
+
+    /// The pose in the middle is not allowed, wherever the environment is.
+    bool isForbidden = false;
+};
+
+/// Returns the piece of a motion over the interval [from, to]. The pose at a time must not depend on the interval.
+using MotionPieces = std::function<MotionPiece(double from, double to)>;
+
+/// The pieces of a rigid motion of a part.
+MotionPieces piecesOf(const RigidMotion& motion, const Model& part);
+
+enum class SweepVerdict { kCertified, kContact, kUndecided };
+
+struct SweepOptions {
+    double margin = 0;  ///< distances up to this count as contact; environment units, >= 0
+
+    /// A sweep is undecided where it cannot be certified in pieces that move a point of the part by more than this.
+    /// There the part comes closer to the margin than about half of this length. Environment units, > 0.
+    double leastInterval = 1e-6;
+
+    /// Poses may be off the motion by so much, because they are rounded. What is certified is certified with this on top
+    /// of the margin; contact is not. Environment units, >= 0.
+    double poseError = 0;
+
+    /// Whether to find how far the motion is certified from its start, and not only whether all of it is.
+    bool isForward = false;
+
+    /// Going forward, a contact is looked for in earlier poses until the certified part of the motion ends within this
+    /// time before it.
+    double contactTime = 1e-3;
+
+    double until = 1;             ///< later times do not matter
+    bool isContactAtEnd = false;  ///< the pose at `until` is known to be in contact with something
+
+    /// Asked after at most 256 steps; true ends the sweep as undecided.
+    std::function<bool()> isStopped;
+};
+
+struct SweepResult {
+    SweepVerdict verdict = SweepVerdict::kUndecided;
+
+    /// At all times from 0 to this one the distance is larger than margin + poseError. Found when going forward, otherwise
+    /// `until` for a certified motion and 0 for others.
+    double certifiedUntil = 0;
+
+    double contactTime = std::numeric_limits<double>::infinity();  ///< of a pose in contact; infinite without contact
+    std::int64_t partTriangle = -1;  ///< of a pair in contact then; -1 without, and for a forbidden pose
+    std::int64_t environmentTriangle = -1;
+    QueryCounters counters;
+};
+
+/// Certifies a motion of the part: for each pair of volumes as long as the gap between the two outlasts the speed at which
+/// they come closer. Throws std::invalid_argument as distance() does at each pose it asks for, and when an option is out of
+/// its range or a piece of the motion is not finite.
+SweepResult sweep(const Model& part, const Model& environment, const MotionPieces& motion, const SweepOptions& options,
+                  Workspace& workspace);
+
+/// How closely a least distance is to be known: to `share` of it or, where that is more, to `length`, but no worse than to
+/// `largestShare` of it or, where that is more, to `least`.
+struct ClearanceResolution {
+    double share, largestShare, length, least;
+    double of(double clearance) const {
+        return std::max({share * clearance, std::min(largestShare * clearance, length), least});
+    }
+};
+
+struct LeastDistanceOptions {
+    double margin = 0;  ///< the resolution is that of the distance less this; environment units, >= 0
+    double poseError = 0;
+
+    /// Distances less the margin from here on do not matter.
+    double cap = std::numeric_limits<double>::infinity();
+    ClearanceResolution resolution{1e-2, 0.1, 0, 1e-6};
+    std::function<bool()> isStopped;
+};
+
+struct LeastDistance {
+    /// lower <= the least distance along the motion less the margin <= upper, which is infinite beyond the cap.
+    double lower = 0, upper = std::numeric_limits<double>::infinity();
+    double time = 0;  ///< of the pose that has at most `upper`
+    bool isStopped = false;
+    QueryCounters counters;
+};
+
+/// Finds how near the part comes along a motion. Throws as sweep() does.
+LeastDistance leastDistance(const Model& part, const Model& environment, const MotionPieces& motion,
+                            const LeastDistanceOptions& options, Workspace& workspace);
+
+}  // namespace clearway

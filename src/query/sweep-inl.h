@@ -1,0 +1,488 @@
+// The traversal of a sweep: depth first through pairs of volumes and intervals of time. A pair is looked at in the middle of
+// its interval, where its gap certifies a share of the interval's halves; what that leaves open is kept for later, as shorter
+// intervals of the pair or of the children of one of its volumes. A pair of leaves is divided in time only.
+#include <cmath>
+#include <limits>
+
+#include "hwy/highway.h"
+#include "kernels/moving_rss_bound-inl.h"
+#include "query/decide.h"
+#include "query/motion_pieces.h"
+#include "query/sweep.h"
+#include "query/traverse-inl.h"
+
+#if defined(CLEARWAY_QUERY_SWEEP_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef CLEARWAY_QUERY_SWEEP_INL_H_
+#undef CLEARWAY_QUERY_SWEEP_INL_H_
+#else
+#define CLEARWAY_QUERY_SWEEP_INL_H_
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace clearway {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// A pair that moves by more than this times its larger volume is halved in time unlooked at. Without this rule, long
+/// motions open hundreds of times the volumes; between 0.5 and 2 the visits hardly change.
+constexpr float kLongestMove = 1;
+
+/// From this share on, a certified part of an interval is cut off before the pair's volumes are opened.
+constexpr float kShareToCutOff = 0.5f;
+
+/// A motion that is undecided somewhere is searched for contact in intervals this many times longer than the least one.
+constexpr double kCoarser = 64;
+
+/// SweepEntry::moved of a pair that was not looked at; half of it is as much.
+constexpr float kUnknownMove = std::numeric_limits<float>::infinity();
+
+/// Steps between two looks at SweepRequest::isStopped.
+constexpr int kStepsToStop = 256;
+
+/// Where the float interval of a pair is wider than this share of what the pair has to spare, double resolves the pair: for
+/// long triangles float loses more than the gap.
+constexpr float kTooWide = 0.25f;
+
+/// The lengths that a register's triangles of the part move in half a piece: one for each corner.
+template <class V>
+struct CornerMoves {
+    Lanes3<V> of[3];
+    V deviation;
+};
+
+/// Certifies pairs of triangles along v and raises `lower` to the gap found.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE void CertifyTrianglesAlong(D d, const Lanes3<V>& v, const TrianglePair<V>& pair, V needed,
+                                      const CornerMoves<V>& moves, V& lower, CertifiedShares<V>& shares) {
+    const V a0 = Dot(v, pair.a.corner[0]), a1 = Dot(v, pair.a.corner[1]), a2 = Dot(v, pair.a.corner[2]);
+    const V b0 = Dot(v, pair.b.corner[0]), b1 = Dot(v, pair.b.corner[1]), b2 = Dot(v, pair.b.corner[2]);
+    const V m0 = Dot(v, moves.of[0]), m1 = Dot(v, moves.of[1]), m2 = Dot(v, moves.of[2]);
+    const V above = hn::Sub(hn::Min(b0, hn::Min(b1, b2)), hn::Max(a0, hn::Max(a1, a2)));
+    const V below = hn::Sub(hn::Min(a0, hn::Min(a1, a2)), hn::Max(b0, hn::Max(b1, b2)));
+    const V up = hn::Max(m0, hn::Max(m1, m2)), down = hn::Neg(hn::Min(m0, hn::Min(m1, m2)));
+    const auto isAbove = hn::Ge(above, below);
+    const V lengthSquared = Dot(v, v);
+    const auto usable = IsUsableToMove(d, lengthSquared);
+    const V inverse = hn::Div(hn::Set(d, 1.0f), hn::Sqrt(lengthSquared));
+    const V gap = hn::IfThenElse(usable, hn::Mul(hn::IfThenElse(isAbove, above, below), inverse),
+                                 hn::Set(d, -hwy::HighestValue<float>()));
+    const V forwards = hn::MulAdd(hn::IfThenElse(isAbove, up, down), inverse, moves.deviation);
+    const V backwards = hn::MulAdd(hn::IfThenElse(isAbove, down, up), inverse, moves.deviation);
+    const V room = hn::Sub(gap, needed);
+    lower = hn::Max(lower, gap);
+    shares.raise(ShareOf(d, room, forwards), ShareOf(d, room, backwards));
+}
+
+template <int kWidth>
+class Sweep {
+  public:
+    Sweep(const FlatTree& part, const FlatTree& environment, const MotionPieces& motion, const SweepRequest& request,
+          Workspace::State& state, SweepAnswer& answer)
+        : part_(part),
+          environment_(environment),
+          request_(request),
+          state_(state),
+          stack_(state.sweepStack),
+          answer_(answer),
+          stop_(request.until),
+          contactTime_(request.isContactAtEnd ? request.until : hwy::HighestValue<double>()),
+          leastUpper_(request.leastUpper),
+          leastInterval_(request.leastInterval) {
+        if (!state.pieces) state.pieces = std::make_unique<PieceCache>();
+        state.pieces->begin(part, environment, motion);
+    }
+
+    HWY_INLINE void run() {
+        stack_.clear();
+        stack_.push({0, kUnknownMove, 0, 0, TimeInterval().key});
+        while (!stack_.empty() && !isDone_) {
+            if (isToStop()) break;
+            const SweepEntry entry = stack_.pop();
+            const TimeInterval interval{entry.interval};
+            if (interval.from() >= stop_) continue;
+            if (contactTime_ - interval.from() <= request_.contactTime) {
+                stop_ = interval.from();
+                continue;
+            }
+            if (interval.middle() >= stop_ && interval.canBeHalved()) {
+                push(entry, interval.firstHalf(), 0.5f * entry.moved);
+                continue;
+            }
+            const PreparedPiece& piece = state_.pieces->at(interval);
+            if (piece.counts == MotionPiece::Counts::kNowhere) continue;
+            if (piece.isForbidden) {
+                answer_.isPair = false;
+                meetContact(entry, interval);
+                continue;
+            }
+            look(entry, interval, piece);
+        }
+        finish();
+    }
+
+  private:
+    /// Whether the caller wants no more, or there is no more memory.
+    HWY_INLINE bool isToStop() {
+        if (stack_.size() > request_.mostEntries) {
+            answer_.isUndecided = true;
+        } else if (--steps_ > 0) {
+            return false;
+        } else {
+            steps_ = kStepsToStop;
+            if (request_.isStopped == nullptr || !*request_.isStopped || !(*request_.isStopped)()) return false;
+            answer_.isStopped = true;
+        }
+        isDone_ = true;
+        return true;
+    }
+
+    /// A length that distances in the middle of a piece must exceed, query units.
+    double neededDouble(const PairQuery& query) const {
+        const double length = request_.goal == SweepGoal::kLeastDistance
+                                  ? leastUpper_ - request_.resolution.of(leastUpper_) + request_.margin
+                                  : request_.margin;
+        const double needed = (length + request_.poseError) * query.perMeshUnit;
+        return needed > kLeastProved ? needed : kLeastProved;
+    }
+    float needed(const PairQuery& query) const {
+        const double length = neededDouble(query);
+        return length < double(hwy::HighestValue<float>()) ? nextFloatAbove(length) : hwy::HighestValue<float>();
+    }
+
+    HWY_INLINE void push(const SweepEntry& entry, TimeInterval interval, float moved) {
+        stack_.push({entry.gap, moved, entry.part, entry.environment, interval.key});
+    }
+
+    HWY_INLINE void look(const SweepEntry& entry, TimeInterval interval, const PreparedPiece& piece) {
+        const Volume<kWidth> a(part_, entry.part), b(environment_, entry.environment);
+        const float sizeA = a.node.size[a.lane] * piece.query.partLeafToQuery,
+                    sizeB = b.node.size[b.lane] * piece.query.environmentLeafToQuery;
+        const float moved = entry.moved < kUnknownMove ? entry.moved : movedBy(piece, a);
+        if (moved > kLongestMove * (sizeA > sizeB ? sizeA : sizeB) && interval.canBeHalved() &&
+            moved > leastMove(piece)) {
+            push(entry, interval.lastHalf(), 0.5f * moved);
+            push(entry, interval.firstHalf(), 0.5f * moved);
+        } else if (a.isLeaf() && b.isLeaf()) {
+            meet(entry, interval, piece, a, b);
+        } else if (OpensPart(piece.query, a, b)) {
+            open<true>(entry, interval, piece, a, b);
+        } else {
+            open<false>(entry, interval, piece, a, b);
+        }
+    }
+
+    /// Shorter moves are not looked into, query units.
+    float leastMove(const PreparedPiece& piece) const {
+        return float(0.5 * leastInterval_ * piece.query.perMeshUnit);
+    }
+
+    /// How far a point of a volume of the part moves in half the piece at most, query units.
+    static HWY_INLINE float movedBy(const PreparedPiece& piece, const Volume<kWidth>& a) {
+        const MovedField& field = piece.inPart;
+        const auto at = [&](const float(&rows)[3][kWidth], int row) { return rows[row][a.lane]; };
+        const float x = at(a.node.centre, 0), y = at(a.node.centre, 1), z = at(a.node.centre, 2);
+        const float* w = field.turn;
+        const float v[3] = {field.atOrigin[0] + w[1] * z - w[2] * y, field.atOrigin[1] + w[2] * x - w[0] * z,
+                            field.atOrigin[2] + w[0] * y - w[1] * x};
+        const float h0 = a.node.halfLength0[a.lane], h1 = a.node.halfLength1[a.lane];
+        const float arm = std::sqrt(h0 * h0 + h1 * h1) + a.node.radius[a.lane];
+        const float speed = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+        const float turn = std::sqrt(w[0] * w[0] + w[1] * w[1] + w[2] * w[2]);
+        return (speed + turn * arm + field.deviation) * piece.query.partLeafToQuery;
+    }
+
+    template <bool kOpenPart>
+    HWY_INLINE void open(const SweepEntry& entry, TimeInterval interval, const PreparedPiece& piece,
+                         const Volume<kWidth>& a, const Volume<kWidth>& b) {
+        const PairQuery& query = piece.query;
+        const Carry& carry = kOpenPart ? query.environmentToPart : query.partToEnvironment;
+        const std::int32_t opened = kOpenPart ? a.child : b.child;
+        const WideNode<kWidth>& node = (kOpenPart ? part_ : environment_).template nodes<kWidth>()[opened];
+        const Volume<kWidth>& other = kOpenPart ? b : a;
+        const CarriedRss one = CarryVolume(carry, other.node, other.lane);
+        const MovedField& field = kOpenPart ? piece.inPart : piece.inEnvironment;
+        const NearChildren near =
+            MovingRssBounds<kOpenPart>(one, node, field, carry.slack, carry.toQueryUnit, needed(query), bounds_);
+        ++state_.counters.nodeVisits;
+        state_.counters.volumeTests += near.children;
+        const std::size_t base = stack_.size();
+        for (std::uint32_t left = near.lanes; left != 0; left &= left - 1) {
+            const std::uint32_t lane = LowestBit(left);
+            const VolumeReference child = VolumeReference(opened) * kWidth + lane;
+            const SweepEntry added{bounds_.gap[lane], bounds_.moved[lane], kOpenPart ? child : entry.part,
+                                   kOpenPart ? entry.environment : child, entry.interval};
+            const float after = bounds_.after[lane], before = bounds_.before[lane];
+            if (after < kShareToCutOff && before < kShareToCutOff) {
+                pushSorted(added, base);
+            } else {
+                pushRest(added, interval, after, before, base);
+            }
+        }
+    }
+
+    /// The nearest comes last.
+    HWY_INLINE void pushSorted(const SweepEntry& added, std::size_t base) {
+        stack_.push(added);
+        std::size_t place = stack_.size() - 1;
+        for (; place > base && stack_[place - 1].gap < added.gap; --place) stack_[place] = stack_[place - 1];
+        stack_[place] = added;
+    }
+
+    /// Keeps what the shares leave open, each side as the shortest dyadic interval that holds it.
+    HWY_INLINE void pushRest(SweepEntry added, TimeInterval interval, float after, float before, std::size_t base) {
+        constexpr float kRounded = 1 - 0x1p-20f;  // a share may be this much too large
+        const float moved = 0.5f * added.moved;
+        if (after < kWholeShare) {
+            TimeInterval rest = interval.lastHalf();
+            added.moved = moved;
+            for (float open = 1 - after * kRounded; open <= 0.5f && rest.canBeHalved(); open *= 2) {
+                rest = rest.lastHalf();
+                added.moved *= 0.5f;
+            }
+            added.interval = rest.key;
+            pushSorted(added, base);
+        }
+        if (before < kWholeShare) {
+            TimeInterval rest = interval.firstHalf();
+            added.moved = moved;
+            for (float open = 1 - before * kRounded; open <= 0.5f && rest.canBeHalved(); open *= 2) {
+                rest = rest.firstHalf();
+                added.moved *= 0.5f;
+            }
+            added.interval = rest.key;
+            pushSorted(added, base);
+        }
+    }
+
+    /// The share of a pair of leaves that is certified, as far as its pairs of triangles have been looked at.
+    struct LeafShares {
+        float after = hwy::HighestValue<float>(), before = hwy::HighestValue<float>();
+        double lower = hwy::HighestValue<double>();  ///< of the pairs' distances, query units
+        bool isContact = false;
+        TrianglesAt contact{0, 0, kNoFeature};
+        void lessen(float afterShare, float beforeShare) {
+            if (!(afterShare >= after)) after = afterShare;
+            if (!(beforeShare >= before)) before = beforeShare;
+        }
+    };
+
+    HWY_INLINE void meet(const SweepEntry& entry, TimeInterval interval, const PreparedPiece& piece,
+                         const Volume<kWidth>& a, const Volume<kWidth>& b) {
+        const Leaf &partLeaf = part_.leaves[~a.child], &environmentLeaf = environment_.leaves[~b.child];
+        const float moved = movedBy(piece, a);
+        const float need = needed(piece.query);
+        leaves_.meet(piece.query, partLeaf, environmentLeaf, -hwy::HighestValue<float>(),
+                     (need + moved) * kWholeShare);
+        state_.counters.triangleTests += std::uint64_t(leaves_.total());
+        state_.counters.triangleLanes += std::uint64_t(leaves_.lanes());
+        LeafShares shares;
+        float field[3], turn[3];
+        const Vector3 centre(environmentLeaf.centre[0], environmentLeaf.centre[1], environmentLeaf.centre[2]);
+        fieldAt(piece, centre, field, turn);
+        leaves_.visitRegisters([&](const PairTag& d, const TrianglePair<hn::Vec<PairTag>>& pair,
+                                   const LeafPairs::RegisterPlace& place) HWY_ATTR {
+            lookAt(d, pair, place, piece, need, field, turn, shares);
+            return !shares.isContact && !isDone_;
+        });
+        if (shares.isContact) {
+            answer_.isPair = true;
+            answer_.contact = shares.contact;
+            meetContact(entry, interval);
+        } else if (shares.after < kWholeShare || shares.before < kWholeShare) {
+            if (moved <= leastMove(piece) || !interval.canBeHalved()) {
+                giveUp(interval, shares.lower - moved, piece);
+            } else {
+                SweepEntry rest = entry;
+                rest.moved = moved;
+                pushRest(rest, interval, shares.after, shares.before, stack_.size());
+            }
+        }
+    }
+
+    /// The moves of points about a point of the environment, query units.
+    static void fieldAt(const PreparedPiece& piece, const Vector3& centre, float (&field)[3], float (&turn)[3]) {
+        const PairQuery& query = piece.query;
+        const Vector3 from = centre - Vector3(query.t[0], query.t[1], query.t[2]);
+        const Vector3 moved = (piece.velocity + piece.turn.cross(from)) * query.perMeshUnit;
+        for (int row = 0; row < 3; ++row) {
+            field[row] = static_cast<float>(moved[row]);
+            turn[row] = static_cast<float>(piece.turn[row]);
+        }
+    }
+
+    template <class V = hn::Vec<PairTag>>
+    HWY_INLINE void lookAt(const PairTag& d, const TrianglePair<V>& pair, const LeafPairs::RegisterPlace& place,
+                           const PreparedPiece& piece, float need, const float (&field)[3], const float (&turn)[3],
+                           LeafShares& leaf) {
+        const float error = leaves_.roundingError();
+        const Lanes3<V> origin = {hn::Set(d, field[0]), hn::Set(d, field[1]), hn::Set(d, field[2])};
+        const Lanes3<V> spin = {hn::Set(d, turn[0]), hn::Set(d, turn[1]), hn::Set(d, turn[2])};
+        CornerMoves<V> moves;
+        for (int k = 0; k < 3; ++k) moves.of[k] = origin + Cross(spin, pair.a.corner[k]);
+        moves.deviation = hn::Set(d, piece.deviation);
+        const V neededGap = hn::Set(d, need + error);
+        V lower = hn::Set(d, -hwy::HighestValue<float>());
+        CertifiedShares<V> shares = {hn::Zero(d), hn::Zero(d)};
+        const auto open = [&] HWY_ATTR {
+            return place.near & ~MaskBits(d, hn::Ge(hn::Min(shares.after, shares.before), hn::Set(d, kWholeShare)));
+        };
+        CertifyTrianglesAlong(d, pair.normalA, pair, neededGap, moves, lower, shares);
+        CertifyTrianglesAlong(d, pair.normalB, pair, neededGap, moves, lower, shares);
+        std::uint32_t left = open();
+        if (left == 0) return;
+        const TriangleBounds<V> bounds = TriangleDistance(d, pair, lower);
+        CertifyTrianglesAlong(d, bounds.difference, pair, neededGap, moves, lower, shares);
+        if (request_.goal != SweepGoal::kLeastDistance) left = open();
+        alignas(64) float lowers[kBlockPairs], uppers[kBlockPairs], features[kBlockPairs], afters[kBlockPairs],
+            befores[kBlockPairs];
+        hn::Store(bounds.feature, d, features);
+        hn::Store(hn::Sub(bounds.lower, hn::Set(d, error)), d, lowers);
+        hn::Store(hn::Add(bounds.upper, hn::Set(d, error)), d, uppers);
+        hn::Store(shares.after, d, afters);
+        hn::Store(shares.before, d, befores);
+        for (; left != 0 && !leaf.isContact && !isDone_; left &= left - 1) {
+            const std::uint32_t lane = LowestBit(left);
+            take({lowers[lane], uppers[lane], afters[lane], befores[lane]},
+                 leaves_.trianglesAt(place, lane, features[lane]), piece, need, leaf);
+        }
+    }
+
+    /// What float knows about a pair of triangles. Query units.
+    struct FloatPair {
+        float lower, upper, after, before;
+    };
+
+    HWY_INLINE void take(const FloatPair& pair, const TrianglesAt& triangles, const PreparedPiece& piece, float need,
+                         LeafShares& leaf) {
+        const bool isWide = !(pair.upper - pair.lower <= kTooWide * (pair.upper - need));
+        if (request_.goal == SweepGoal::kLeastDistance) {
+            reach(pair.upper, piece);
+        } else {
+            const double margin = request_.margin * piece.query.perMeshUnit;
+            const bool isWithin =
+                double(pair.upper) <= margin && pair.upper > kLeastProved
+                    ? true
+                    : !(double(pair.lower) > margin && pair.lower > kLeastProved) && isExactlyWithin(triangles, piece);
+            if (isWithin && piece.counts == MotionPiece::Counts::kThroughout) {
+                leaf.isContact = true;
+                leaf.contact = triangles;
+                return;
+            }
+            if (isWithin) return leaf.lessen(0, 0);
+        }
+        if (!isWide) {
+            leaf.lower = leaf.lower < double(pair.lower) ? leaf.lower : double(pair.lower);
+            leaf.lessen(pair.after, pair.before);
+        } else {
+            resolve(triangles, piece, leaf);
+        }
+    }
+
+    bool isExactlyWithin(const TrianglesAt& triangles, const PreparedPiece& piece) {
+        countStep();
+        return isPairWithin(piece.query, triangles, request_.margin, state_.counters).within;
+    }
+
+    /// Certifies a pair in double, along the direction that proves its distance.
+    HWY_NOINLINE void resolve(const TrianglesAt& triangles, const PreparedPiece& piece, LeafShares& leaf) {
+        countStep();
+        ++state_.counters.refinedPairs;
+        const PairQuery& query = piece.query;
+        const ResolvedPair pair = resolvePair(query, triangles);
+        if (request_.goal == SweepGoal::kLeastDistance) reach(pair.upper, piece);
+        leaf.lower = leaf.lower < pair.lower ? leaf.lower : pair.lower;
+        const double room = pair.lower - neededDouble(query), length = pair.apartAlong.norm();
+        if (!(room > 0) || !(length > 0)) return leaf.lessen(0, 0);
+        const Vector3 between = pair.pointOnEnvironment - pair.pointOnPart;
+        const Vector3 n = pair.apartAlong * ((pair.apartAlong.dot(between) < 0 ? -1 : 1) / length);
+        const Vector3 p(query.t[0], query.t[1], query.t[2]);
+        const Corners corners = movedCorners(query, triangles.part);
+        double up = -hwy::HighestValue<double>(), down = up;
+        for (const Vector3& corner : corners.p) {
+            const double along = n.dot(piece.velocity * query.perMeshUnit +
+                                       piece.turn.cross(corner - p * query.perMeshUnit));
+            up = along > up ? along : up;
+            down = -along > down ? -along : down;
+        }
+        const auto share = [&](double closing) {
+            const double moved = closing + double(piece.deviation);
+            return moved * 4 < room ? 4.0f : float(room / moved) * (1 - 0x1p-22f);
+        };
+        leaf.lessen(share(up), share(down));
+    }
+
+    /// Takes a distance that a pose of the motion has. Query units.
+    HWY_INLINE void reach(double upper, const PreparedPiece& piece) {
+        if (piece.counts != MotionPiece::Counts::kThroughout) return;
+        const double clearance = upper / piece.query.perMeshUnit - request_.margin;
+        if (!(clearance < leastUpper_)) return;
+        leastUpper_ = clearance;
+        answer_.time = TimeInterval{piece.key}.middle();
+    }
+
+    void countStep() {
+        if (isToStop()) isDone_ = true;
+    }
+
+    void meetContact(const SweepEntry& entry, TimeInterval interval) {
+        const double time = interval.middle();
+        contactTime_ = time;
+        answer_.isContact = true;
+        if (request_.goal != SweepGoal::kForward) {
+            isDone_ = true;
+        } else {
+            stop_ = time;
+            push(entry, interval.firstHalf(), 0.5f * entry.moved);
+        }
+    }
+
+    /// An interval so short is left open. lower: of the pair's distances in it, query units.
+    void giveUp(TimeInterval interval, double lower, const PreparedPiece& piece) {
+        if (request_.goal == SweepGoal::kLeastDistance) {
+            const double clearance = (lower > 0 ? lower : 0) / piece.query.perMeshUnit - request_.margin;
+            openLower_ = openLower_ < clearance ? openLower_ : clearance;
+            return;
+        }
+        stop_ = stop_ < interval.from() || request_.goal != SweepGoal::kForward ? stop_ : interval.from();
+        // Only contact is of interest now, and that is found in the middle of longer intervals.
+        if (!answer_.isUndecided && request_.goal == SweepGoal::kCertify) leastInterval_ *= kCoarser;
+        answer_.isUndecided = true;
+    }
+
+    void finish() {
+        for (const SweepEntry& left : stack_) {
+            const double from = TimeInterval{left.interval}.from();
+            stop_ = stop_ < from ? stop_ : from;
+        }
+        answer_.certifiedUntil = stop_;
+        answer_.contactTime = contactTime_;
+        answer_.isContact = answer_.isContact || (request_.isContactAtEnd && stop_ < request_.until);
+        answer_.upper = leastUpper_;
+        const double certified = leastUpper_ - request_.resolution.of(leastUpper_);
+        answer_.lower = certified < openLower_ ? certified : openLower_;
+        state_.counters.kernelPairs += leaves_.kernelPairs();
+        state_.counters.kernelLanes += leaves_.kernelLanes();
+    }
+
+    const FlatTree& part_;
+    const FlatTree& environment_;
+    const SweepRequest& request_;
+    Workspace::State& state_;
+    Pile<SweepEntry>& stack_;
+    SweepAnswer& answer_;
+    LeafPairs leaves_;
+    MovingBounds<kWidth> bounds_;
+    double stop_;                                      ///< later times do not matter any more
+    double contactTime_;                               ///< of the first pose in contact known so far
+    double leastUpper_;                                ///< kLeastDistance: of the distances less the margin
+    double leastInterval_;
+    double openLower_ = hwy::HighestValue<double>();   ///< kLeastDistance: of what was left open
+    int steps_ = kStepsToStop;
+    bool isDone_ = false;
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace clearway
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,220 @@
+// Compares the two ways of certifying motions, pair by pair and globally, on the motions of planners and of a path: verdicts,
+// times and work. Globally certifies what the callbacks' constructor of MotionValidator is given.
+//   bench_certified_motions PROBLEM.cfg PLANNER|PATH COUNT [MARGIN [PARTS [SEED]]]
+// PLANNER: one of OMPL's, whose motions are recorded. PATH: a path file, whose segments are cut into PARTS motions each.
+#include <ompl/base/PlannerTerminationCondition.h>
+#include <ompl/base/ProblemDefinition.h>
+#include <ompl/util/Console.h>
+#include <ompl/util/RandomNumbers.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <exception>
+#include <iostream>
+#include <string>
+
+#include "clearway/planning/clearance_objectives.h"
+#include "clearway/planning/motion_validator.h"
+#include "clearway/planning/planners.h"
+#include "clearway/planning/scene_clearance.h"
+#include "clearway/planning/validity_checker.h"
+#include "clearway/problem.h"
+#include "core/number.h"
+#include "planning/validity/ompl_states.h"
+
+namespace clearway::testing {
+namespace {
+
+namespace ob = ompl::base;
+using planning::MotionValidator;
+using Clock = std::chrono::steady_clock;
+
+struct RecordedMotion {
+    ob::ScopedState<> from, to;
+    bool isForward;
+};
+
+/// Passes motions on and keeps them.
+class MotionRecorder : public ob::MotionValidator {
+  public:
+    MotionRecorder(const ob::SpaceInformationPtr& si, const Scene& scene)
+        : ob::MotionValidator(si), space_(si->getStateSpace()), validator_(si, scene) {}
+    bool checkMotion(const ob::State* s1, const ob::State* s2) const override {
+        motions.push_back({ob::ScopedState<>(space_, s1), ob::ScopedState<>(space_, s2), false});
+        return validator_.checkMotion(s1, s2);
+    }
+    bool checkMotion(const ob::State* s1, const ob::State* s2,
+                     std::pair<ob::State*, double>& lastValid) const override {
+        motions.push_back({ob::ScopedState<>(space_, s1), ob::ScopedState<>(space_, s2), true});
+        return validator_.checkMotion(s1, s2, lastValid);
+    }
+    mutable std::vector<RecordedMotion> motions;
+
+  private:
+    ob::StateSpacePtr space_;
+    planning::MotionValidator validator_;
+};
+
+/// An answer, its time and the work of its queries.
+struct Answer {
+    bool isValid = false;
+    double certifiedTime = 0, seconds = 0;
+    std::uint64_t visits = 0, triangleTests = 0, undecided = 0;
+};
+
+class Comparison {
+  public:
+    Comparison(const Problem& problem, double margin, const std::string& cache)
+        : problem_(problem),
+          scene_(buildCached(loadPart(problem), {}, cache).model, buildCached(loadEnvironment(problem), {}, cache).model,
+                 margin) {
+        space_ = planning::makeSpace(problem.space, boundsOf(problem, scene_.environmentBox()),
+                                     scene_.part.radiusAboutOrigin());
+        si_ = std::make_shared<ob::SpaceInformation>(space_);
+        si_->setStateValidityChecker(std::make_shared<planning::ValidityChecker>(si_, scene_));
+        si_->setup();
+    }
+
+    void record(const std::string& planner, std::size_t count) {
+        const auto recorder = std::make_shared<MotionRecorder>(si_, scene_);
+        si_->setMotionValidator(recorder);
+        while (recorder->motions.size() < count) {
+            const auto definition = std::make_shared<ob::ProblemDefinition>(si_);
+            definition->setStartAndGoalStates(planning::toOmpl(space_, problem_.space, problem_.start),
+                                              planning::toOmpl(space_, problem_.space, problem_.goal));
+            const ob::PlannerPtr made = planning::makePlanner(si_, planner);
+            if (planning::hasParameter(*made, "range")) {
+                planning::setParameter(*made, "range", shortNumber(0.25 * scene_.part.box().diagonal().norm()));
+            }
+            made->setProblemDefinition(definition);
+            made->setup();
+            made->solve(ob::PlannerTerminationCondition([&] { return recorder->motions.size() >= count; }));
+        }
+        motions_ = recorder->motions;
+        motions_.erase(motions_.begin() + static_cast<long>(count), motions_.end());
+    }
+
+    void cut(const std::string& path, std::size_t count, int parts) {
+        const std::vector<PartState> states = readPath(path, problem_.space);
+        for (std::size_t i = 0; i + 1 < states.size() && motions_.size() < count; ++i) {
+            const auto from = planning::toOmpl(space_, problem_.space, states[i]),
+                       to = planning::toOmpl(space_, problem_.space, states[i + 1]);
+            for (int k = 0; k < parts && motions_.size() < count; ++k) {
+                RecordedMotion motion{from, to, false};
+                space_->interpolate(from.get(), to.get(), double(k) / parts, motion.from.get());
+                space_->interpolate(from.get(), to.get(), double(k + 1) / parts, motion.to.get());
+                motions_.push_back(motion);
+            }
+        }
+    }
+
+    void compare() {
+        const MotionValidator pairs(si_, scene_);
+        const MotionValidator globally(si_, scene_, planning::stateToPose(*space_),
+                                       planning::displacementBound(*space_, scene_.part));
+        std::vector<Answer> before(motions_.size()), after(motions_.size());
+        for (int turn = 0; turn < 2; ++turn) {
+            for (std::size_t i = 0; i < motions_.size(); ++i) after[i] = ask(pairs, motions_[i], after[i]);
+            for (std::size_t i = 0; i < motions_.size(); ++i) before[i] = ask(globally, motions_[i], before[i]);
+        }
+        print("valid", before, after, [](const Answer& old, const Answer& found) { return old.isValid && found.isValid; });
+        print("invalid", before, after, [](const Answer& old, const Answer& found) { return !(old.isValid && found.isValid); });
+        std::size_t lost = 0, gained = 0, undecidedBefore = 0, undecidedAfter = 0;
+        double further = 0, shorter = 0;
+        for (std::size_t i = 0; i < motions_.size(); ++i) {
+            lost += before[i].isValid && !after[i].isValid;
+            gained += !before[i].isValid && after[i].isValid;
+            undecidedBefore += before[i].undecided;
+            undecidedAfter += after[i].undecided;
+            if (!motions_[i].isForward || before[i].isValid || after[i].isValid) continue;
+            const double length = planning::displacementBound(*space_, scene_.part)(motions_[i].from.get(), motions_[i].to.get());
+            const double more = (after[i].certifiedTime - before[i].certifiedTime) * length;
+            further = std::max(further, more);
+            shorter = std::max(shorter, -more);
+        }
+        std::cout << "verdicts: " << lost << " lost, " << gained << " gained; undecided " << undecidedBefore << " -> "
+                  << undecidedAfter << "; forward up to " << further << " further, " << shorter << " shorter\n";
+    }
+
+  private:
+    Answer ask(const MotionValidator& validator, const RecordedMotion& motion, const Answer& sofar) const {
+        Answer answer;
+        const auto undecided = validator.counters().undecided;
+        planning::takeQueryTally();
+        std::pair<ob::State*, double> lastValid(nullptr, 1);
+        const auto begin = Clock::now();
+        answer.isValid = motion.isForward ? validator.checkMotion(motion.from.get(), motion.to.get(), lastValid)
+                                          : validator.checkMotion(motion.from.get(), motion.to.get());
+        answer.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+        if (sofar.seconds > 0) answer.seconds = std::min(answer.seconds, sofar.seconds);
+        answer.certifiedTime = answer.isValid ? 1 : lastValid.second;
+        const planning::QueryTally tally = planning::takeQueryTally();
+        answer.visits = tally.work.nodeVisits;
+        answer.triangleTests = tally.work.kernelPairs;
+        answer.undecided = validator.counters().undecided - undecided;
+        return answer;
+    }
+
+    template <class Counts>
+    void print(const char* what, const std::vector<Answer>& before, const std::vector<Answer>& after,
+               const Counts& counts) const {
+        double beforeSeconds = 0, afterSeconds = 0, beforeVisits = 0, afterVisits = 0, beforePairs = 0, afterPairs = 0;
+        std::size_t count = 0;
+        for (std::size_t i = 0; i < motions_.size(); ++i) {
+            if (!counts(before[i], after[i])) continue;
+            ++count;
+            beforeSeconds += before[i].seconds;
+            afterSeconds += after[i].seconds;
+            beforeVisits += double(before[i].visits);
+            afterVisits += double(after[i].visits);
+            beforePairs += double(before[i].triangleTests);
+            afterPairs += double(after[i].triangleTests);
+        }
+        const double n = std::max<double>(1, double(count));
+        std::cout << what << ": " << count << " motions; us a motion " << beforeSeconds / n * 1e6 << " -> "
+                  << afterSeconds / n * 1e6 << " (" << beforeSeconds / afterSeconds << " times); visits "
+                  << beforeVisits / n << " -> " << afterVisits / n << "; pairs " << beforePairs / n << " -> "
+                  << afterPairs / n << "\n";
+    }
+
+    Problem problem_;
+    Scene scene_;
+    ob::StateSpacePtr space_;
+    ob::SpaceInformationPtr si_;
+    std::vector<RecordedMotion> motions_;
+};
+
+int run(int count, char** words) {
+    if (count < 4) {
+        std::cerr << "usage: bench_certified_motions PROBLEM.cfg PLANNER|PATH COUNT [MARGIN [PARTS [SEED]]]\n";
+        return 2;
+    }
+    const std::string what = words[2];
+    ompl::msg::noOutputHandler();
+    ompl::RNG::setSeed(static_cast<std::uint32_t>(count > 6 ? parseInteger(words[6]).value() : 1));
+    const Problem problem = readProblem(words[1]);
+    const double margin = count > 4 ? parseNumber(words[4]).value() : problem.margin;
+    Comparison comparison(problem, margin, "/tmp/clearway-bench-models");
+    const auto most = static_cast<std::size_t>(parseInteger(words[3]).value());
+    if (what.size() > 5 && what.substr(what.size() - 5) == ".path") {
+        comparison.cut(what, most, count > 5 ? static_cast<int>(parseInteger(words[5]).value()) : 1);
+    } else {
+        comparison.record(what, most);
+    }
+    std::cout << words[1] << " " << what << " margin " << margin << "\n";
+    comparison.compare();
+    return 0;
+}
+
+}  // namespace
+}  // namespace clearway::testing
+
+int main(int count, char** words) {
+    try {
+        return clearway::testing::run(count, words);
+    } catch (const std::exception& error) {
+        std::cerr << "bench_certified_motions: " << error.what() << "\n";
+        return 2;
+    }
+}
