@@ -30,9 +30,10 @@ struct MotionPiece {
     /// times this from where the velocities take it in a straight line. Environment units.
     double deviation = 0;
 
-    /// Where in the interval contact counts. A motion may ignore an environment for a while.
-    enum class Counts { kThroughout, kNotAtMiddle, kNowhere };
-    Counts counts = Counts::kThroughout;
+    /// Whether contact counts: in the middle, and wherever else it does; not in the middle, but perhaps elsewhere; nowhere
+    /// in the interval. A motion may ignore an environment for a while.
+    enum class Counts { kAtMiddle, kNotAtMiddle, kNowhere };
+    Counts counts = Counts::kAtMiddle;
 
     /// The pose in the middle is not allowed, wherever the environment is.
     bool isForbidden = false;
@@ -64,7 +65,7 @@ struct SweepOptions {
     /// time before it.
     double contactTime = 1e-3;
 
-    double until = 1;             ///< later times do not matter
+    double from = 0, until = 1;   ///< other times do not matter
     bool isContactAtEnd = false;  ///< the pose at `until` is known to be in contact with something
 
     /// Asked after at most 256 steps; true ends the sweep as undecided.
@@ -74,8 +75,8 @@ struct SweepOptions {
 struct SweepResult {
     SweepVerdict verdict = SweepVerdict::kUndecided;
 
-    /// At all times from 0 to this one the distance is larger than margin + poseError. Found when going forward, otherwise
-    /// `until` for a certified motion and 0 for others.
+    /// At all times from SweepOptions::from to this one the distance is larger than margin + poseError. Found when going forward, otherwise
+    /// `until` for a certified motion and `from` for others.
     double certifiedUntil = 0;
 
     double contactTime = std::numeric_limits<double>::infinity();  ///< of a pose in contact; infinite without contact
@@ -112,12 +113,13 @@ struct LeastDistanceOptions {
 struct LeastDistance {
     /// lower <= the least distance along the motion less the margin <= upper, which is infinite beyond the cap.
     double lower = 0, upper = std::numeric_limits<double>::infinity();
-    double time = 0;  ///< of the pose that has at most `upper`
+    double time = 0;  ///< of a pose that has at most `upper`, if it is finite
     bool isStopped = false;
     QueryCounters counters;
 };
 
-/// Finds how near the part comes along a motion. Throws as sweep() does.
+/// Finds how near the part comes along a motion. Ends early when some distance is within the margin, or too short to be told
+/// from 0 by the resolution: then only upper is known. Throws as sweep() does.
 LeastDistance leastDistance(const Model& part, const Model& environment, const MotionPieces& motion,
                             const LeastDistanceOptions& options, Workspace& workspace);
 

@@ -76,20 +76,29 @@ inline float NeedSquared(float apart) {
     return apart * apart * (1 + kNeedRoundoffs * float(kUnitRoundoffFloat));
 }
 
+/// For triangles that do not move.
+struct NoMove {
+    static constexpr bool kIsNone = true;
+    float nearingLeaves = 0;
+};
+
 /// Which pairs are proved to be at least sqrt(needSquared) apart, up to rounding, at a tenth of the cost of
 /// their distance. Gilbert's walk starts at x, a difference of a point of b and a point of a, and goes kSteps
 /// steps towards the least difference. The support gap across every point it passes is a lower bound,
-/// whatever the point. Source: Gilbert, An Iterative Procedure for Computing the Minimum of a Quadratic Form
+/// whatever the point. move: pairs must stay apart while a moves; move.nearing(v, a) is how far any point of a
+/// may move along v or against it, times |v|. Source: Gilbert, An Iterative Procedure for Computing the Minimum of a Quadratic Form
 /// on a Convex Set, SIAM J. Control 4, 1966.
-template <int kSteps, class D, class V = hn::Vec<D>>
+template <int kSteps, class D, class Move = NoMove, class V = hn::Vec<D>>
 HWY_INLINE hn::Mask<D> WalkProvesApart(D d, const Triangles<V>& a, const Triangles<V>& b, Lanes3<V> x,
-                                       V needSquared) {
+                                       V needSquared, const Move& move = {}) {
     auto proved = hn::MaskFromVec(hn::Zero(d));
 #pragma GCC unroll 4
     for (int step = 0; step <= kSteps; ++step) {
         const SupportCorner<V> onA = Support<false>(x, a), onB = Support<true>(x, b);
         const V width = hn::Sub(onB.along, onA.along), lengthSquared = Dot(x, x);
-        proved = hn::Or(proved, ProvesApart(d, width, lengthSquared, needSquared));
+        V kept = width;
+        if constexpr (!Move::kIsNone) kept = hn::Sub(width, move.nearing(x, a));
+        proved = hn::Or(proved, ProvesApart(d, kept, lengthSquared, needSquared));
         if (step == kSteps) break;
         // Walks from x towards the support point, as far as the segment between them comes nearest to 0. Any
         // share of the way is allowed, so an estimated quotient suffices. x . towards = width - x . x.

@@ -86,7 +86,7 @@ HWY_INLINE void CertifyAlong(D d, const Lanes3<V>& v, const RelativeRectangles<V
 /// The gaps and shares of a node's children.
 template <int kWidth>
 struct MovingBounds {
-    alignas(64) float gap[kWidth];  ///< lower bounds of the distances at the middle, less what is needed; query units
+    alignas(64) float gap[kWidth];  ///< orders the children by their distances at the middle; query units
     alignas(64) float after[kWidth];
     alignas(64) float before[kWidth];
     alignas(64) float moved[kWidth];  ///< how far a point moves in half the piece at most, query units
@@ -140,7 +140,7 @@ HWY_INLINE NearChildren MovingRssBounds(const CarriedRss& one, const WideNode<kW
         CertifyAlong<kLanesMove>(d, AddScaled(direction, hn::Neg(along), velocity.centre), r, radii, movingRadius,
                                  velocity, shares);
         near |= open() << i;
-        hn::StoreU(hn::Mul(hn::Sub(gap, radii), hn::Set(d, toQueryUnit)), d, bounds.gap + i);
+        hn::StoreU(hn::Mul(hn::Sub(gap, radius), hn::Set(d, toQueryUnit)), d, bounds.gap + i);
         hn::StoreU(hn::Mul(moved, hn::Set(d, toQueryUnit)), d, bounds.moved + i);
         hn::StoreU(shares.after, d, bounds.after + i);
         hn::StoreU(shares.before, d, bounds.before + i);

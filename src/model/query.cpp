@@ -5,31 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
-#include <stdexcept>
 
 #include "clearway/model.h"
+#include "model/arguments.h"
 #include "model/reach.h"
 #include "query/queries.h"
 
 namespace clearway {
 namespace {
-
-void requireNotNegative(double value, const char* name) {
-    if (value >= 0) return;
-    std::ostringstream message;
-    message << name << " is " << value << ", expected a number of at least 0";
-    throw std::invalid_argument(message.str());
-}
-
-void requireSameWidth(const Model& part, const Model& environment) {
-    const int partWidth = part.tree().nodeWidth, environmentWidth = environment.tree().nodeWidth;
-    if (partWidth == environmentWidth) return;
-    std::ostringstream message;
-    message << "the part's nodes have " << partWidth << " children and the environment's " << environmentWidth
-            << ", expected both models to be built with the same nodeWidth";
-    throw std::invalid_argument(message.str());
-}
 
 PairQuery beginQuery(const Model& part, const Model& environment, const Pose& X_environmentPart,
                      Workspace::State& state) {

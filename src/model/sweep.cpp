@@ -1,11 +1,13 @@
 // The public sweeps: check the caller's arguments and turn the trees' positions into ids.
 #include "clearway/sweep.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
 
 #include "clearway/model.h"
+#include "model/arguments.h"
 #include "model/reach.h"
 #include "query/sweep.h"
 
@@ -27,21 +29,53 @@ MotionPieces piecesOf(const RigidMotion& motion, const Model& part) {
     };
 }
 
+namespace {
+
+void requireInRange(double value, const char* name, bool isInRange, const char* range) {
+    if (isInRange) return;
+    std::ostringstream message;
+    message << name << " is " << value << ", expected " << range;
+    throw std::invalid_argument(message.str());
+}
+
+/// Checks the arguments and begins the request.
+SweepRequest beginSweep(const Model& part, const Model& environment, const MotionPieces& motion, double margin,
+                        double poseError, double leastInterval, const std::function<bool()>& isStopped,
+                        Workspace::State& state) {
+    requireSameWidth(part, environment);
+    requireNotNegative(margin, "margin");
+    requireNotNegative(poseError, "poseError");
+    requireInRange(leastInterval, "leastInterval", leastInterval > 0, "a length above 0");
+    requireWithinCap(environment, margin + poseError);
+    for (const double end : {0.0, 1.0}) requireWithinReach(part, environment, motion(end, end).middle);
+    state.counters = {};
+    SweepRequest request;
+    request.margin = margin;
+    request.poseError = poseError;
+    request.leastInterval = leastInterval;
+    request.isStopped = &isStopped;
+    request.mostEntries = kMostSweepEntries;
+    return request;
+}
+
+}  // namespace
+
 SweepResult sweep(const Model& part, const Model& environment, const MotionPieces& motion, const SweepOptions& options,
                   Workspace& workspace) {
     Workspace::State& state = workspace.state();
-    state.counters = {};
-    SweepRequest request;
+    SweepRequest request = beginSweep(part, environment, motion, options.margin, options.poseError,
+                                      options.leastInterval, options.isStopped, state);
+    requireInRange(options.from, "from", options.from >= 0 && options.from < 1, "a time from 0 to below 1");
+    requireInRange(options.until, "until", options.until > options.from && options.until <= 1,
+                   "a time after `from` and up to 1");
+    requireNotNegative(options.contactTime, "contactTime");
     request.goal = options.isForward ? SweepGoal::kForward : SweepGoal::kCertify;
-    request.margin = options.margin;
-    request.poseError = options.poseError;
-    request.leastInterval = options.leastInterval;
+    request.from = options.from;
     request.until = options.until;
     request.isContactAtEnd = options.isContactAtEnd;
     request.contactTime = options.contactTime;
-    request.isStopped = &options.isStopped;
-    request.mostEntries = kMostSweepEntries;
     const SweepAnswer answer = sweepTrees(part.tree(), environment.tree(), motion, request, state);
+
     SweepResult result;
     result.counters = state.counters;
     result.verdict = answer.isContact                         ? SweepVerdict::kContact
@@ -57,7 +91,7 @@ SweepResult sweep(const Model& part, const Model& environment, const MotionPiece
     if (options.isForward) {
         result.certifiedUntil = answer.certifiedUntil;
     } else {
-        result.certifiedUntil = result.verdict == SweepVerdict::kCertified ? options.until : 0;
+        result.certifiedUntil = result.verdict == SweepVerdict::kCertified ? options.until : options.from;
     }
     return result;
 }
@@ -65,23 +99,23 @@ SweepResult sweep(const Model& part, const Model& environment, const MotionPiece
 LeastDistance leastDistance(const Model& part, const Model& environment, const MotionPieces& motion,
                             const LeastDistanceOptions& options, Workspace& workspace) {
     Workspace::State& state = workspace.state();
-    state.counters = {};
-    SweepRequest request;
+    SweepRequest request = beginSweep(part, environment, motion, options.margin, options.poseError,
+                                      options.resolution.least, options.isStopped, state);
+    requireInRange(options.cap, "cap", options.cap >= -options.margin, "a number of at least minus the margin");
     request.goal = SweepGoal::kLeastDistance;
-    request.margin = options.margin;
-    request.poseError = options.poseError;
-    request.leastInterval = options.resolution.least;
     request.resolution = options.resolution;
-    request.leastUpper = options.cap;
-    request.isStopped = &options.isStopped;
-    request.mostEntries = kMostSweepEntries;
+    request.leastUpper = cappedByReach(environment, options.cap + options.margin) - options.margin;
     const SweepAnswer answer = sweepTrees(part.tree(), environment.tree(), motion, request, state);
+
     LeastDistance result;
     result.counters = state.counters;
-    result.lower = answer.lower;
-    if (answer.upper < options.cap) result.upper = answer.upper;
-    result.time = answer.time;
+    result.lower = std::max(answer.lower, -options.margin);
+    if (answer.upper < request.leastUpper) {
+        result.upper = answer.upper;
+        result.time = answer.time;
+    }
     result.isStopped = answer.isStopped || answer.isUndecided;
+    if (result.isStopped) result.lower = -options.margin;
     return result;
 }
 

@@ -61,9 +61,11 @@ HWY_INLINE V SpreadPart(D d, const BlockRow& row, size_t first) {
 class LeafPairs {
   public:
     /// Brings two leaves together and finds the pairs that a cheap bound does not drop. volumesBound: a
-    /// proved lower bound of all pairs' distances.
+    /// proved lower bound of all pairs' distances. moves: called with across() and the part leaf's radius, returns what
+    /// WalkProvesApart takes as move.
+    template <class Moves>
     HWY_INLINE void meet(const PairQuery& query, const Leaf& part, const Leaf& environment,
-                         float volumesBound, float dropFrom) {
+                         float volumesBound, float dropFrom, const Moves& moves) {
         query_ = &query;
         part_ = &part;
         environment_ = &environment;
@@ -80,13 +82,19 @@ class LeafPairs {
         const double reach = double(part.radius) * query.partLeafToQuery +
                              double(environment.radius) * query.environmentLeafToQuery + away;
         roundingError_ = slackOf(kTriangleSlack, reach, query.offsetSlack);
+        const auto move = moves(offset_, part.radius * query.partLeafToQuery);
         int block = 0;
         for (std::uint32_t i = 0; i < part.triangleCount; i += kBlock) {
             const BlockStart partStart = movePart(i);
             for (std::uint32_t j = 0; j < environment.triangleCount; j += kBlock) {
-                near_[block++] = cull(i, j, partStart, dropFrom);
+                near_[block++] = cull(i, j, partStart, dropFrom, move);
             }
         }
+    }
+
+    HWY_INLINE void meet(const PairQuery& query, const Leaf& part, const Leaf& environment,
+                         float volumesBound, float dropFrom) {
+        meet(query, part, environment, volumesBound, dropFrom, [](const float(&)[3], float) { return NoMove(); });
     }
 
     int total() const { return int(part_->triangleCount * environment_->triangleCount); }
@@ -254,8 +262,9 @@ class LeafPairs {
     }
 
     /// The pairs of two blocks that a cheap bound does not prove to be dropFrom apart, as bits.
+    template <class Move>
     HWY_INLINE std::uint32_t cull(std::uint32_t i, std::uint32_t j, const BlockStart& partStart,
-                                  float dropFrom) const {
+                                  float dropFrom, const Move& move) const {
         const PairTag d;
         using V = hn::Vec<PairTag>;
         const std::uint32_t present = presentPairs(part_->triangleCount - i, environment_->triangleCount - j);
@@ -266,8 +275,9 @@ class LeafPairs {
                                                      (1 + kNeedSumRoundoffs * float(kUnitRoundoffFloat))));
         std::uint32_t near = 0;
         for (size_t first = 0; first < kBlockPairs; first += hn::Lanes(d)) {
-            const V width =
+            V width =
                 hn::Sub(SpreadEnvironment(d, start.along.of, first), SpreadPart(d, partStart.along, first));
+            if constexpr (!Move::kIsNone) width = hn::Sub(width, hn::Set(d, move.nearingLeaves));
             const std::uint32_t lanes = (present >> first) & ((1u << hn::Lanes(d)) - 1);
             if ((lanes & ~MaskBits(d, ProvesApart(d, width, leavesSquared, needSquared))) == 0) continue;
             const auto difference = [&](int row) HWY_ATTR {
@@ -277,7 +287,7 @@ class LeafPairs {
             Triangles<V> a, b;
             load(i, j, first, a, b);
             const auto proved = WalkProvesApart<kWalkSteps>(
-                d, a, b, {difference(0), difference(1), difference(2)}, needSquared);
+                d, a, b, {difference(0), difference(1), difference(2)}, needSquared, move);
             near |= (lanes & ~MaskBits(d, proved)) << first;
         }
         return near;

@@ -30,6 +30,9 @@ constexpr float kLongestMove = 1;
 /// From this share on, a certified part of an interval is cut off before the pair's volumes are opened.
 constexpr float kShareToCutOff = 0.5f;
 
+/// How often the whole motion is halved to find where contact does not count, before volumes are opened.
+constexpr int kMostHalvesForCounts = 10;
+
 /// A motion that is undecided somewhere is searched for contact in intervals this many times longer than the least one.
 constexpr double kCoarser = 64;
 
@@ -48,6 +51,25 @@ template <class V>
 struct CornerMoves {
     Lanes3<V> of[3];
     V deviation;
+};
+
+/// How far the corners of the part's triangles move in half a piece, about the centre of the environment's leaf; query units.
+struct TriangleMove {
+    static constexpr bool kIsNone = false;
+    float origin[3], turn[3];  ///< a point at y moves by origin + turn x y
+    float nearingLeaves = 0;   ///< of all triangles of the part's leaf, along the line between the leaves' centres
+
+    template <class V>
+    HWY_INLINE V nearing(const Lanes3<V>& v, const Triangles<V>& a) const {
+        const PairTag d;
+        const Lanes3<V> at = {hn::Set(d, origin[0]), hn::Set(d, origin[1]), hn::Set(d, origin[2])};
+        const Lanes3<V> spin = {hn::Set(d, turn[0]), hn::Set(d, turn[1]), hn::Set(d, turn[2])};
+        const Lanes3<V> across = Cross(v, spin);
+        const V along = Dot(v, at);
+        V most = hn::Zero(d);
+        for (const Lanes3<V>& corner : a.corner) most = hn::Max(most, hn::Abs(hn::Add(along, Dot(across, corner))));
+        return most;
+    }
 };
 
 /// Certifies pairs of triangles along v and raises `lower` to the gap found.
@@ -99,17 +121,24 @@ class Sweep {
             if (isToStop()) break;
             const SweepEntry entry = stack_.pop();
             const TimeInterval interval{entry.interval};
-            if (interval.from() >= stop_) continue;
+            if (interval.from() >= stop_ || interval.to() <= request_.from) continue;
             if (contactTime_ - interval.from() <= request_.contactTime) {
                 stop_ = interval.from();
                 continue;
             }
-            if (interval.middle() >= stop_ && interval.canBeHalved()) {
-                push(entry, interval.firstHalf(), 0.5f * entry.moved);
+            const double middle = interval.middle();
+            if ((middle >= stop_ || middle <= request_.from) && interval.canBeHalved()) {
+                push(entry, middle >= stop_ ? interval.firstHalf() : interval.lastHalf(), 0.5f * entry.moved);
                 continue;
             }
             const PreparedPiece& piece = state_.pieces->at(interval);
             if (piece.counts == MotionPiece::Counts::kNowhere) continue;
+            if (piece.counts == MotionPiece::Counts::kNotAtMiddle && entry.part == 0 && entry.environment == 0 &&
+                interval.depth() < kMostHalvesForCounts) {
+                push(entry, interval.lastHalf(), 0.5f * entry.moved);
+                push(entry, interval.firstHalf(), 0.5f * entry.moved);
+                continue;
+            }
             if (piece.isForbidden) {
                 answer_.isPair = false;
                 meetContact(entry, interval);
@@ -136,16 +165,20 @@ class Sweep {
         return true;
     }
 
-    /// A length that distances in the middle of a piece must exceed, query units.
+    /// What distances in the middle of a piece must exceed, query units. A least distance is looked for below the cap, then
+    /// more and more closely below the least one found.
     double neededDouble(const PairQuery& query) const {
-        const double length = request_.goal == SweepGoal::kLeastDistance
-                                  ? leastUpper_ - request_.resolution.of(leastUpper_) + request_.margin
-                                  : request_.margin;
-        const double needed = (length + request_.poseError) * query.perMeshUnit;
-        return needed > kLeastProved ? needed : kLeastProved;
+        double length = request_.margin;
+        if (request_.goal == SweepGoal::kLeastDistance) {
+            length += isReached_ ? leastUpper_ - request_.resolution.of(leastUpper_) : leastUpper_;
+        }
+        return (length + request_.poseError) * query.perMeshUnit;
     }
+
+    /// For float, which proves no less than kLeastProved.
     float needed(const PairQuery& query) const {
         const double length = neededDouble(query);
+        if (!(length > kLeastProved)) return nextFloatAbove(kLeastProved);
         return length < double(hwy::HighestValue<float>()) ? nextFloatAbove(length) : hwy::HighestValue<float>();
     }
 
@@ -271,17 +304,20 @@ class Sweep {
         const Leaf &partLeaf = part_.leaves[~a.child], &environmentLeaf = environment_.leaves[~b.child];
         const float moved = movedBy(piece, a);
         const float need = needed(piece.query);
+        const Vector3 centre(environmentLeaf.centre[0], environmentLeaf.centre[1], environmentLeaf.centre[2]);
+        TriangleMove move;
+        fieldAt(piece, centre, move.origin, move.turn);
         leaves_.meet(piece.query, partLeaf, environmentLeaf, -hwy::HighestValue<float>(),
-                     (need + moved) * kWholeShare);
+                     (need + piece.deviation) * kWholeShare, [&](const float(&offset)[3], float radius) HWY_ATTR {
+                         move.nearingLeaves = nearingOf(move, offset, radius);
+                         return move;
+                     });
         state_.counters.triangleTests += std::uint64_t(leaves_.total());
         state_.counters.triangleLanes += std::uint64_t(leaves_.lanes());
         LeafShares shares;
-        float field[3], turn[3];
-        const Vector3 centre(environmentLeaf.centre[0], environmentLeaf.centre[1], environmentLeaf.centre[2]);
-        fieldAt(piece, centre, field, turn);
         leaves_.visitRegisters([&](const PairTag& d, const TrianglePair<hn::Vec<PairTag>>& pair,
                                    const LeafPairs::RegisterPlace& place) HWY_ATTR {
-            lookAt(d, pair, place, piece, need, field, turn, shares);
+            lookAt(d, pair, place, piece, need, move, shares);
             return !shares.isContact && !isDone_;
         });
         if (shares.isContact) {
@@ -310,13 +346,23 @@ class Sweep {
         }
     }
 
+    /// How far points of a leaf move along the line from its centre to the environment leaf's, times the line's length.
+    /// offset: the part leaf's centre.
+    static HWY_INLINE float nearingOf(const TriangleMove& move, const float (&offset)[3], float radius) {
+        const float *w = move.turn, *o = offset;
+        const float spin[3] = {w[1] * o[2] - w[2] * o[1], w[2] * o[0] - w[0] * o[2], w[0] * o[1] - w[1] * o[0]};
+        const float along = move.origin[0] * o[0] + move.origin[1] * o[1] + move.origin[2] * o[2];
+        const float across = std::sqrt(spin[0] * spin[0] + spin[1] * spin[1] + spin[2] * spin[2]);
+        return std::fabs(along) + across * radius;
+    }
+
     template <class V = hn::Vec<PairTag>>
     HWY_INLINE void lookAt(const PairTag& d, const TrianglePair<V>& pair, const LeafPairs::RegisterPlace& place,
-                           const PreparedPiece& piece, float need, const float (&field)[3], const float (&turn)[3],
-                           LeafShares& leaf) {
+                           const PreparedPiece& piece, float need, const TriangleMove& move, LeafShares& leaf) {
         const float error = leaves_.roundingError();
-        const Lanes3<V> origin = {hn::Set(d, field[0]), hn::Set(d, field[1]), hn::Set(d, field[2])};
-        const Lanes3<V> spin = {hn::Set(d, turn[0]), hn::Set(d, turn[1]), hn::Set(d, turn[2])};
+        const Lanes3<V> origin = {hn::Set(d, move.origin[0]), hn::Set(d, move.origin[1]),
+                                  hn::Set(d, move.origin[2])};
+        const Lanes3<V> spin = {hn::Set(d, move.turn[0]), hn::Set(d, move.turn[1]), hn::Set(d, move.turn[2])};
         CornerMoves<V> moves;
         for (int k = 0; k < 3; ++k) moves.of[k] = origin + Cross(spin, pair.a.corner[k]);
         moves.deviation = hn::Set(d, piece.deviation);
@@ -332,6 +378,10 @@ class Sweep {
         if (left == 0) return;
         const TriangleBounds<V> bounds = TriangleDistance(d, pair, lower);
         CertifyTrianglesAlong(d, bounds.difference, pair, neededGap, moves, lower, shares);
+        const Lanes3<V> mean = moves.of[0] + moves.of[1] + moves.of[2];
+        const V along = hn::Div(Dot(bounds.difference, mean), Dot(mean, mean));
+        CertifyTrianglesAlong(d, AddScaled(bounds.difference, hn::Neg(along), mean), pair, neededGap, moves, lower,
+                              shares);
         if (request_.goal != SweepGoal::kLeastDistance) left = open();
         alignas(64) float lowers[kBlockPairs], uppers[kBlockPairs], features[kBlockPairs], afters[kBlockPairs],
             befores[kBlockPairs];
@@ -363,7 +413,7 @@ class Sweep {
                 double(pair.upper) <= margin && pair.upper > kLeastProved
                     ? true
                     : !(double(pair.lower) > margin && pair.lower > kLeastProved) && isExactlyWithin(triangles, piece);
-            if (isWithin && piece.counts == MotionPiece::Counts::kThroughout) {
+            if (isWithin && piece.counts == MotionPiece::Counts::kAtMiddle) {
                 leaf.isContact = true;
                 leaf.contact = triangles;
                 return;
@@ -413,11 +463,14 @@ class Sweep {
 
     /// Takes a distance that a pose of the motion has. Query units.
     HWY_INLINE void reach(double upper, const PreparedPiece& piece) {
-        if (piece.counts != MotionPiece::Counts::kThroughout) return;
+        if (piece.counts != MotionPiece::Counts::kAtMiddle) return;
         const double clearance = upper / piece.query.perMeshUnit - request_.margin;
         if (!(clearance < leastUpper_)) return;
         leastUpper_ = clearance;
+        isReached_ = true;
         answer_.time = TimeInterval{piece.key}.middle();
+        // Distances within the margin, or too short to be told from 0, need not be known better.
+        if (leastUpper_ <= 0 || leastUpper_ + request_.margin <= request_.resolution.of(leastUpper_)) isDone_ = true;
     }
 
     void countStep() {
@@ -454,12 +507,13 @@ class Sweep {
             const double from = TimeInterval{left.interval}.from();
             stop_ = stop_ < from ? stop_ : from;
         }
-        answer_.certifiedUntil = stop_;
+        answer_.certifiedUntil = stop_ > request_.from ? stop_ : request_.from;
         answer_.contactTime = contactTime_;
         answer_.isContact = answer_.isContact || (request_.isContactAtEnd && stop_ < request_.until);
         answer_.upper = leastUpper_;
-        const double certified = leastUpper_ - request_.resolution.of(leastUpper_);
+        const double certified = isReached_ ? leastUpper_ - request_.resolution.of(leastUpper_) : leastUpper_;
         answer_.lower = certified < openLower_ ? certified : openLower_;
+        if (isDone_) answer_.lower = -request_.margin;
         state_.counters.kernelPairs += leaves_.kernelPairs();
         state_.counters.kernelLanes += leaves_.kernelLanes();
     }
@@ -476,8 +530,9 @@ class Sweep {
     double contactTime_;                               ///< of the first pose in contact known so far
     double leastUpper_;                                ///< kLeastDistance: of the distances less the margin
     double leastInterval_;
-    double openLower_ = hwy::HighestValue<double>();   ///< kLeastDistance: of what was left open
-    int steps_ = kStepsToStop;
+    double openLower_ = std::numeric_limits<double>::infinity();   ///< kLeastDistance: of what was left open
+    int steps_ = 1;  ///< to the next look at isStopped, which comes at once
+    bool isReached_ = false;  ///< kLeastDistance: leastUpper_ is a distance found, not the cap
     bool isDone_ = false;
 };
 

@@ -21,7 +21,7 @@ struct SweepRequest {
     double margin = 0;
     double poseError = 0;
     double leastInterval = 0;
-    double until = 1;
+    double from = 0, until = 1;
     bool isContactAtEnd = false;  ///< the pose at `until` is known to be in contact
     double contactTime = 0;       ///< kForward
     double leastUpper = 0;    ///< kLeastDistance: distance less the margin known to be reached, or the cap

@@ -114,12 +114,28 @@ class Comparison {
         const MotionValidator globally(si_, scene_, planning::stateToPose(*space_),
                                        planning::displacementBound(*space_, scene_.part));
         std::vector<Answer> before(motions_.size()), after(motions_.size());
+        if (getenv("ONLY")) { for (int k = 0; k < atoi(getenv("ONLY")); ++k) for (std::size_t i = 0; i < motions_.size(); ++i) after[i] = ask(pairs, motions_[i], after[i]); }
         for (int turn = 0; turn < 2; ++turn) {
             for (std::size_t i = 0; i < motions_.size(); ++i) after[i] = ask(pairs, motions_[i], after[i]);
             for (std::size_t i = 0; i < motions_.size(); ++i) before[i] = ask(globally, motions_[i], before[i]);
         }
         print("valid", before, after, [](const Answer& old, const Answer& found) { return old.isValid && found.isValid; });
         print("invalid", before, after, [](const Answer& old, const Answer& found) { return !(old.isValid && found.isValid); });
+        if (getenv("TOP")) {
+            std::vector<std::size_t> order(motions_.size());
+            for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+            std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return after[a].seconds > after[b].seconds; });
+            double sum = 0;
+            for (std::size_t i : order) sum += after[i].seconds;
+            double part = 0;
+            for (std::size_t k = 0; k < order.size(); k = k < 12 ? k + 1 : k * 5 / 4) {
+                const std::size_t i = order[k];
+                part = 0; for (std::size_t j = 0; j <= k; ++j) part += after[order[j]].seconds;
+                const double length = planning::displacementBound(*space_, scene_.part)(motions_[i].from.get(), motions_[i].to.get());
+                const auto report = globally.report(motions_[i].from.get(), motions_[i].to.get());
+                std::cout << k << " valid " << after[i].isValid << " us " << before[i].seconds * 1e6 << " -> " << after[i].seconds * 1e6 << " visits " << before[i].visits << " -> " << after[i].visits << " pairs " << before[i].triangleTests << " -> " << after[i].triangleTests << " length " << length << " clearance " << report.lowerClearance << " at " << report.closestTime << " cumulative " << part / sum << "\n";
+            }
+        }
         std::size_t lost = 0, gained = 0, undecidedBefore = 0, undecidedAfter = 0;
         double further = 0, shorter = 0;
         for (std::size_t i = 0; i < motions_.size(); ++i) {

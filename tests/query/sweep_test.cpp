@@ -86,7 +86,7 @@ BOOST_DATA_TEST_CASE(no_certified_time_is_within_the_margin, eachTarget() * each
     Workspace workspace;
     Tally tally;
     for (const SweptPair& pair : sweptPairs(width)) {
-        for (std::uint64_t seed = 0; seed < 40; ++seed) {
+        for (std::uint64_t seed = 0; seed < 60; ++seed) {
             BOOST_TEST_CONTEXT(pair.name << ", seed " << seed) {
                 Random random(seed);
                 judge(pair, random, 100, workspace, tally);

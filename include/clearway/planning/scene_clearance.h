@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "clearway/planning/state_motion.h"
 #include "clearway/query.h"
 #include "clearway/scene.h"
 #include "clearway/sweep.h"
@@ -73,19 +74,17 @@ struct ClearanceOptions {
     double leastSpare = 0;
 };
 
-/// A motion of the part for a sweep.
-struct SweptMotion {
-    MotionPieces pieces;
-    double length = 0;     ///< no point of the part moves further
-    double poseError = 0;  ///< how far the poses in question may be off the pieces' motion
+struct ContactsAt {
+    bool isInStart = false, isInGoal = false;
 };
 
 struct SceneSweepOptions {
     double floor = 0;            ///< clearance that is asked for on top of the margins
+    double poseError = 0;        ///< how far the poses in question may be off the motion
     double leastInterval = 0;    ///< see SweepOptions
     bool isForward = false;
     double contactInterval = 0;  ///< SweepOptions::contactTime as a length
-    double until = 1;
+    double from = 0, until = 1;
     bool isContactAtEnd = false;
     std::function<bool()> isStopped;
 };
@@ -95,6 +94,22 @@ struct SceneSweep {
     SweepVerdict verdict = SweepVerdict::kCertified;
     double certifiedUntil = 1;  ///< when going forward
     double contactTime = std::numeric_limits<double>::infinity();
+    std::uint64_t queries = 0;
+};
+
+struct LeastClearanceOptions {
+    double poseError = 0;
+    double cap = std::numeric_limits<double>::infinity();  ///< larger clearances do not matter, e.g. than those found already
+    ClearanceResolution resolution{};
+    std::function<bool()> isStopped;
+};
+
+/// Bounds of the least clearance along a motion, over the obstacles that count at each pose.
+struct LeastClearance {
+    double lower = 0;
+    double upper = 0;             ///< the cap when no pose has less
+    std::optional<double> time;   ///< of a pose with no more than `upper`; none when no pose has less than the cap
+    bool isStopped = false;
     std::uint64_t queries = 0;
 };
 
@@ -122,8 +137,14 @@ class SceneClearance {
 
     PoseClearance at(const Pose& X_environmentPart, const ClearanceOptions& options = {}) const;
 
+    /// Which of the scene's contact zones hold a pose.
+    ContactsAt contactsAt(const Pose& X_environmentPart) const;
+
     /// Sweeps the part along a motion past all obstacles, whatever the solids.
-    SceneSweep sweep(const SweptMotion& motion, const SceneSweepOptions& options) const;
+    SceneSweep sweep(const PartMotion& motion, const SceneSweepOptions& options) const;
+
+    /// Finds how near the part comes to the obstacles, whatever the solids.
+    LeastClearance leastClearance(const PartMotion& motion, const LeastClearanceOptions& options) const;
 
     /// True when every solid counts at every pose: where no surfaces touch, the part is then inside a solid at all poses of
     /// a motion or at none.
@@ -149,6 +170,7 @@ class SceneClearance {
     struct Asked;
     struct Enclosure;
 
+    bool isFree(const Pose& X_environmentPart, Scratch& scratch) const;
     bool isFree(std::size_t obstacle, const Pose& X_environmentPart, Scratch& scratch) const;
     Asked ask(std::size_t obstacle, const Pose& X_environmentPart, const ClearanceOptions& options,
               Scratch& scratch) const;
@@ -158,7 +180,7 @@ class SceneClearance {
     std::string describeEnclosure(const Pose& X_environmentPart) const;
     void lookAtSolids(const Pose& X_environmentPart, bool isOutside, PoseClearance& answer) const;
     void nameTriangle(SceneDistance& nearest) const;
-    MotionPieces piecesFor(std::size_t obstacle, const SweptMotion& motion) const;
+    MotionPieces piecesFor(std::size_t obstacle, const PartMotion& motion, double poseError) const;
 
     Scene scene_;
     std::unique_ptr<ContactZones> zones_;

@@ -72,7 +72,7 @@ MotionSample lessened(const MotionSample& sample, double jump) {
 
 Motion::Motion(const PosedScene& posed, ClearanceDetail detail, double floor, const ob::State* s1,
                const ob::State* s2)
-    : posed_(posed), detail_(detail), floor_(floor), s1_(s1), s2_(s2), scratch_(posed.si()) {}
+    : posed_(posed), detail_(detail), floor_(floor), s1_(s1), s2_(s2), scratch_(posed.si()), isSwept_(posed.motion() && posed.clearance().doSolidsAlwaysCount()) {}
 
 bool Motion::isEndValid() {
     if (!posed_.si().satisfiesBounds(s2_)) return false;
@@ -83,7 +83,8 @@ bool Motion::isEndValid() {
 }
 
 void Motion::measure() {
-    length_ = posed_.bound(s1_, s2_);
+    if (isSwept_) motion_ = posed_.motion()(s1_, s2_);
+    length_ = isSwept_ ? motion_.length : travel();
     // Checked before OMPL interpolates, because OMPL asserts unit quaternions.
     if (!(length_ >= 0) || !std::isfinite(length_)) {
         throw std::runtime_error("the motion between two states has no finite displacement bound");
@@ -111,9 +112,29 @@ bool Motion::isFreeAt(double time) {
 }
 
 SceneSweep Motion::sweep(const SceneSweepOptions& options) {
-    const SceneSweep found =
-        posed_.clearance().sweep({posed_.motion()(s1_, s2_), length_, 0.5 * slack_}, options);
+    const SceneSweep found = posed_.clearance().sweep(motion_, options);
     queries_ += found.queries;
+    return found;
+}
+
+std::optional<LeastClearance> Motion::leastClearance(LeastClearanceOptions options, bool isForReverse) {
+    const double wanted = options.cap;
+    const MotionSample end = atEnd(wanted);
+    if (!end.isValid()) return std::nullopt;
+    const MotionSample start = atStart(wanted);
+    if (!start.isValid()) return std::nullopt;
+    const double jump = isForReverse ? slack_ + endJump_ : 0, atEnds = std::min(start.upper, end.upper);
+    options.poseError = 0.5 * slack_ + jump;
+    if (atEnds < options.cap) options.cap = std::max(0.0, atEnds - options.resolution.of(atEnds));
+    LeastClearance found = posed_.clearance().leastClearance(motion_, options);
+    queries_ += found.queries;
+    found.lower = std::min({found.lower, start.lower - jump, end.lower - jump});
+    found.upper = std::min(found.upper, atEnds);
+    if (found.time) {
+        const MotionSample closest = at(*found.time, std::numeric_limits<double>::infinity());
+        if (!closest.isValid()) return std::nullopt;
+        found.upper = std::min(found.upper, closest.upper);
+    }
     return found;
 }
 
@@ -123,16 +144,74 @@ bool Motion::doesEndKeepFloor() {
     return atEnd(std::numeric_limits<double>::denorm_min()).isValid();
 }
 
-double Motion::timeWithinBounds(double length) {
-    if (posed_.si().satisfiesBounds(s2_)) return 1;
-    double within = 0, outside = 1;
-    while (length_ * (outside - within) > length) {
-        const double time = within + 0.5 * (outside - within);
-        if (!(time > within && time < outside)) break;
+TimeSpan Motion::leavesBounds(double length) {
+    if (posed_.si().satisfiesBounds(s2_)) return {1, 1};
+    return change({0, 1}, length, [this](const ob::State* state) { return !posed_.si().satisfiesBounds(state); });
+}
+
+/// Halves the span, whose ends differ in `isTrue`, until it is shorter than a length.
+template <class IsTrue>
+TimeSpan Motion::change(TimeSpan span, double length, const IsTrue& isTrue) {
+    while (length_ * (span.last - span.first) > length) {
+        const double time = span.first + 0.5 * (span.last - span.first);
+        if (!(time > span.first && time < span.last)) break;
         posed_.space().interpolate(s1_, s2_, time, scratch_.get());
-        (posed_.si().satisfiesBounds(scratch_.get()) ? within : outside) = time;
+        (isTrue(scratch_.get()) ? span.last : span.first) = time;
     }
-    return within;
+    return span;
+}
+
+void Motion::lookAtReported(double certifiedTime, double blockedTime) {
+    constexpr double kFully = std::numeric_limits<double>::infinity();
+    if (certifiedTime == 1) return;  // leastClearance looked
+    atStart(kFully);
+    isOutside_ = false;
+    if (certifiedTime > 0) at(certifiedTime, kFully);
+    if (blockedTime > 0 && blockedTime < 1) at(blockedTime, kFully);
+    if (blockedTime == 1) look(s2_, 1, kFully, true);
+}
+
+double Motion::longestProfiled() const {
+    constexpr double kShare = 0.02;  // of the part's diagonal: a curve through the points then shows what happens
+    return kShare * posed_.scene().part.box().diagonal().norm();
+}
+
+void Motion::findContactSpans(double length) {
+    if (zoneCount() == 0) return;
+    startContact_ = spanOf(length, [](const ContactsAt& at) { return at.isInStart; });
+    goalContact_ = spanOf(length, [](const ContactsAt& at) { return at.isInGoal; });
+}
+
+template <class IsIn>
+std::optional<TimeSpan> Motion::spanOf(double length, const IsIn& isIn) {
+    constexpr int kPoses = 64;
+    const auto isInAt = [&](const ob::State* state) { return isIn(posed_.clearance().contactsAt(posed_.pose(state))); };
+    std::vector<double> within;
+    for (int i = 0; i <= kPoses; ++i) {
+        const double time = double(i) / kPoses;
+        posed_.space().interpolate(s1_, s2_, time, scratch_.get());
+        if (isInAt(i == kPoses ? s2_ : scratch_.get())) within.push_back(time);
+    }
+    if (within.empty()) return std::nullopt;
+    TimeSpan span{within.front(), within.back()};
+    const double step = 1.0 / kPoses;
+    if (span.first > 0) span.first = change({span.first - step, span.first}, length, isInAt).last;
+    if (span.last < 1) {
+        span.last = change({span.last, span.last + step}, length, [&](const ob::State* s) { return !isInAt(s); }).first;
+    }
+    return span;
+}
+
+std::vector<MotionSample> Motion::lookAhead(double from, int poses) {
+    constexpr double kFully = std::numeric_limits<double>::infinity();
+    isOutside_ = false;  // nothing known so far says on which side of the solids the poses are
+    std::vector<MotionSample> samples;
+    for (int i = 1; i < poses; ++i) {
+        const double time = from + (1 - from) * i / poses;
+        if (time > from && time < 1) samples.push_back(at(time, kFully));
+    }
+    samples.push_back(atEnd(kFully));
+    return samples;
 }
 
 MotionSample Motion::atStart(double wanted) {

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <vector>
 
 #include "clearway/planning/motion_validator.h"
 #include "clearway/planning/scene_clearance.h"
@@ -50,6 +51,9 @@ class Motion {
     void measure();
 
     double length() const { return length_; }
+
+    /// A length, too, and a tight one: it takes longer than a short motion.
+    double travel() const { return posed_.bound(s1_, s2_); }
     double floor() const { return floor_; }
     bool hasSolids() const { return posed_.clearance().hasSolids(); }
     bool isStartWithinBounds() const { return posed_.si().satisfiesBounds(s1_); }
@@ -57,10 +61,8 @@ class Motion {
     /// The distance between the states by the space's own metric.
     double distance() const { return posed_.si().distance(s1_, s2_); }
 
-    /// Whether sweeps can certify the motion.
-    bool canBeSwept() const {
-        return posed_.motion() && length_ > 0 && posed_.clearance().doSolidsAlwaysCount();
-    }
+    /// Whether sweeps can certify the motion. A motion of length 0 is one pose.
+    bool canBeSwept() const { return isSwept_ && length_ > 0; }
 
     /// Whether the part is free of all obstacles at a pose, within the bounds, and how the whole motion fares. The floor
     /// counts only in the sweep.
@@ -68,11 +70,29 @@ class Motion {
     bool isFreeAt(double time);
     SceneSweep sweep(const SceneSweepOptions& options);
 
+    /// Bounds of the motion's least clearance up to a cap, s2's besides the end of the interpolation. Looks at both ends
+    /// and at the closest pose. isForReverse: the lower bound is to hold for the motion from s2 to s1, too. Nothing when a
+    /// pose is invalid.
+    std::optional<LeastClearance> leastClearance(LeastClearanceOptions options, bool isForReverse);
+
     /// Whether s2 itself keeps the floor, besides the end of the interpolation.
     bool doesEndKeepFloor();
 
-    /// A time within the bounds: 1 when s2 is, else the last one to within a length.
-    double timeWithinBounds(double length);
+    /// The time where the motion leaves the bounds: the last one found within, and one outside, closer than a length. Both
+    /// are 1 when s2 is within.
+    TimeSpan leavesBounds(double length);
+
+    /// Looks at the poses that a report is about, where a sweep asked for no distance.
+    void lookAtReported(double certifiedTime, double blockedTime);
+
+    /// The longest move between two points of a profile.
+    double longestProfiled() const;
+
+    /// Finds startContact() and goalContact() to within a length, instead of from the poses looked at.
+    void findContactSpans(double length);
+
+    /// Samples of poses, valid or not, evenly spread over the motion after a time, its end included.
+    std::vector<MotionSample> lookAhead(double from, int poses);
 
     /// The rooms at both ends must add up to this much more than the motion between them to certify an
     /// interval, because poses are rounded.
@@ -101,10 +121,6 @@ class Motion {
     double closestTime() const { return closestTime_; }
     double leastUpper() const { return leastUpper_; }  ///< of the poses looked at, floor not subtracted
 
-    /// Makes the following samples look at solids again: nothing known so far says on which side of them the
-    /// poses are.
-    void forgetOutside() { isOutside_ = false; }
-
     /// The times from the first to the last of the poses looked at that are within the contact zone.
     const std::optional<TimeSpan>& startContact() const { return startContact_; }
     const std::optional<TimeSpan>& goalContact() const { return goalContact_; }
@@ -113,6 +129,10 @@ class Motion {
     MotionSample look(const ompl::base::State* state, double time, double wanted, bool checksBounds);
     MotionSample sampleOf(double time, const PoseClearance& found) const;
     double findEndJump() const;
+    template <class IsTrue>
+    TimeSpan change(TimeSpan span, double length, const IsTrue& isTrue);
+    template <class IsIn>
+    std::optional<TimeSpan> spanOf(double length, const IsIn& isIn);
 
     const PosedScene& posed_;
     ClearanceDetail detail_;
@@ -120,6 +140,8 @@ class Motion {
     const ompl::base::State* s1_;
     const ompl::base::State* s2_;
     ScratchState scratch_;
+    bool isSwept_;
+    PartMotion motion_;  ///< if isSwept_
     double length_ = 0;
     double slack_ = 0;
     double endJump_ = 0;

@@ -233,13 +233,15 @@ double MotionSearch::refineLower(const ClearanceResolution& resolution) {
     return intervals_.front().lower;
 }
 
-std::optional<double> MotionSearch::leastClearance(double cap, const ClearanceResolution& resolution) {
+std::optional<double> MotionSearch::leastClearance(double cap, const ClearanceResolution& resolution,
+                                                   bool isForReverse) {
     const double wanted = cap + wantedAtEnds();
     const MotionSample end = motion_.atEnd(wanted);
     if (!end.isValid() || !lookAtStart(wanted)) return std::nullopt;
     intervals_ = {interval(reached_, end)};
     if (!refine(std::min({cap, reached_.lower, end.lower}), resolution)) return std::nullopt;
-    return intervals_.front().lower;
+    const double jump = isForReverse ? motion_.slack() + motion_.endJump() : 0;
+    return intervals_.front().lower - jump;
 }
 
 /// Divides the interval with the least lower bound until that bound is known well enough. least: the
@@ -287,18 +289,6 @@ std::vector<MotionInterval> MotionSearch::profile(double share) {
     std::sort(settled.begin(), settled.end(),
               [](const MotionInterval& a, const MotionInterval& b) { return a.from.time < b.from.time; });
     return settled;
-}
-
-std::vector<MotionSample> MotionSearch::lookAhead(int poses) {
-    constexpr double kFully = std::numeric_limits<double>::infinity();
-    motion_.forgetOutside();
-    std::vector<MotionSample> samples;
-    for (int i = 1; i < poses; ++i) {
-        const double time = reached_.time + (1 - reached_.time) * i / poses;
-        if (time > reached_.time && time < 1) samples.push_back(motion_.at(time, kFully));
-    }
-    samples.push_back(motion_.atEnd(kFully));
-    return samples;
 }
 
 }  // namespace clearway::planning

@@ -49,7 +49,7 @@ class MotionSearch {
     MotionVerdict goForward();
 
     double certifiedTime() const { return reached_.time; }
-    const MotionSample& reached() const { return reached_; }
+    MotionSample reached() const { return reached_; }
     bool isStartInvalid() const { return isStartInvalid_; }
 
     /// Looks at more poses of a motion that goForward found valid, where the clearance may be least, until
@@ -59,18 +59,16 @@ class MotionSearch {
     /// Looks at a motion, in place of certify or goForward, until its least clearance is known well enough or
     /// known to be `cap` but for the resolution. Returns a clearance that no pose is below. It may be more
     /// than the cap, and is at most 0 when the motion cannot be told from an invalid one. Returns nothing
-    /// when a pose is invalid.
-    std::optional<double> leastClearance(double cap, const ClearanceResolution& resolution);
+    /// when a pose is invalid. isForReverse: the bound is to hold for the motion from s2 to s1, too.
+    std::optional<double> leastClearance(double cap, const ClearanceResolution& resolution, bool isForReverse = false);
 
     /// The certified intervals up to certifiedTime() in order, divided until each interval's bound is at
     /// least `share` of the lesser room at its ends, or the interval is as short as the least interval.
     std::vector<MotionInterval> profile(double share);
 
-    /// Samples of poses, valid or not, evenly spread over the motion after certifiedTime(), its end included.
-    std::vector<MotionSample> lookAhead(int poses);
-
     /// The pose that ended goForward, unless the motion is valid.
-    const MotionSample& blocked() const { return blocked_; }
+    double blockedTime() const { return blocked_.time; }
+    bool leavesBounds() const { return blocked_.isOutOfBounds; }
 
   private:
     /// The length that two samples leave open between them, and the time at which to divide it.

@@ -1,6 +1,8 @@
 #include "planning/motion/motion_sweep.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace clearway::planning {
 namespace {
@@ -24,6 +26,7 @@ MotionSweep::MotionSweep(Motion& motion, double leastInterval, double contactInt
                          std::function<bool()> isStopped)
     : motion_(motion) {
     options_.floor = motion.floor();
+    options_.poseError = 0.5 * motion.slack();
     options_.leastInterval = std::max(leastInterval, 4 * motion.slack());
     options_.contactInterval = std::max(contactInterval, 4 * motion.slack());
     options_.isStopped = std::move(isStopped);
@@ -45,32 +48,101 @@ MotionVerdict MotionSweep::invalidStart() {
 
 /// A pose in collision is cheap to find, so the motion is halved until its middle is free before it is swept.
 MotionVerdict MotionSweep::goForward() {
-    if (!motion_.isStartWithinBounds()) return invalidStart();
+    leavesBounds_ = !motion_.isStartWithinBounds();
+    if (leavesBounds_) return invalidStart();
+    const TimeSpan border = motion_.leavesBounds(options_.leastInterval);
+    leavesBounds_ = border.first == 0;
+    if (leavesBounds_) {
+        blockedTime_ = border.last;
+        return MotionVerdict::kInvalid;
+    }
     options_.isForward = true;
-    options_.until = motion_.timeWithinBounds(options_.leastInterval);
-    const bool leavesBounds = options_.until < 1;
-    bool isBlocked = false;
-    for (double time = options_.until; motion_.length() * time > options_.contactInterval; time *= 0.5) {
+    options_.until = border.first;
+    for (double time = border.first; motion_.length() * time > options_.contactInterval; time *= 0.5) {
         if (motion_.isFreeAt(time)) break;
-        isBlocked = true;
+        options_.isContactAtEnd = true;
         options_.until = time;
     }
-    options_.isContactAtEnd = isBlocked;
     const SceneSweep found = motion_.sweep(options_);
     certifiedTime_ = found.certifiedUntil;
     // Where no surfaces touch, solids hold the part at the start or at no pose.
     if ((certifiedTime_ == 0 || motion_.hasSolids()) && !motion_.isFreeAtStart()) return invalidStart();
-    blockedTime_ = isBlocked ? options_.until : 1;
-    if (found.verdict != SweepVerdict::kCertified) {
-        blockedTime_ = std::min(found.contactTime, blockedTime_);
-        return isBlocked ? MotionVerdict::kInvalid : verdictOf(found.verdict);
+    if (options_.isContactAtEnd || found.verdict == SweepVerdict::kContact) {
+        blockedTime_ = std::min(found.contactTime, options_.until);
+        return MotionVerdict::kInvalid;
     }
-    if (leavesBounds || isBlocked) return MotionVerdict::kInvalid;
+    if (found.verdict == SweepVerdict::kUndecided) {
+        blockedTime_ = certifiedTime_;
+        return MotionVerdict::kUndecided;
+    }
+    if (border.first < 1) {
+        leavesBounds_ = true;
+        blockedTime_ = border.last;
+        return MotionVerdict::kInvalid;
+    }
     if (motion_.isEndValid()) return MotionVerdict::kValid;
     if (!motion_.isFreeAtStart()) return invalidStart();
     constexpr double kJustBeforeEnd = 1 - 0x1p-53;
     certifiedTime_ = kJustBeforeEnd;
     return MotionVerdict::kInvalid;
+}
+
+MotionSample MotionSweep::reached() {
+    constexpr double kFully = std::numeric_limits<double>::infinity();
+    if (certifiedTime_ == 0) return motion_.atStart(kFully);
+    return certifiedTime_ == 1 ? motion_.atEnd(kFully) : motion_.at(certifiedTime_, kFully);
+}
+
+double MotionSweep::refineLower(const ClearanceResolution& resolution) {
+    const std::optional<double> least = leastClearance(std::numeric_limits<double>::infinity(), resolution);
+    return std::max(least.value_or(0), std::numeric_limits<double>::denorm_min());
+}
+
+std::optional<double> MotionSweep::leastClearance(double cap, const ClearanceResolution& resolution,
+                                                  bool isForReverse) {
+    LeastClearanceOptions options;
+    options.cap = cap;
+    options.resolution = resolution;
+    options.resolution.least = std::max(resolution.least, options_.leastInterval);
+    options.isStopped = options_.isStopped;
+    const std::optional<LeastClearance> found = motion_.leastClearance(options, isForReverse);
+    if (!found) return std::nullopt;
+    return found->lower;
+}
+
+/// Between two points, a share of the lesser clearance of both is certified by a sweep of that stretch.
+std::vector<MotionInterval> MotionSweep::profile(double share) {
+    std::vector<MotionInterval> settled;
+    if (certifiedTime_ == 0) return settled;
+    constexpr double kFully = std::numeric_limits<double>::infinity();
+    const double longest = motion_.longestProfiled();
+    std::vector<MotionSample> ahead{reached()};
+    MotionSample from = motion_.atStart(kFully);
+    SceneSweepOptions options = options_;
+    options.isForward = options.isContactAtEnd = false;
+    while (!ahead.empty()) {
+        const MotionSample to = ahead.back();
+        const double step = to.time - from.time, middle = from.time + 0.5 * step;
+        double wanted = share * std::min(from.room.lower, to.room.lower);
+        if (!(wanted > 0) || !std::isfinite(wanted)) wanted = 0;
+        const bool isShort =
+            motion_.length() * step <= options.leastInterval || !(middle > from.time && middle < to.time);
+        options.from = from.time;
+        options.until = to.time;
+        options.floor = wanted;
+        if (isShort) {
+            settled.push_back({from, to, 0});
+        } else if (motion_.length() * step <= longest &&
+                   motion_.sweep(options).verdict == SweepVerdict::kCertified) {
+            settled.push_back({from, to, wanted});
+        } else {
+            ahead.push_back(motion_.at(middle, kFully));
+            continue;
+        }
+        from = to;
+        ahead.pop_back();
+    }
+    return settled;
 }
 
 }  // namespace clearway::planning

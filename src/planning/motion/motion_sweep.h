@@ -2,17 +2,21 @@
 #pragma once
 
 #include <functional>
+#include <optional>
+#include <vector>
 
 #include "clearway/planning/motion_validator.h"
 #include "planning/motion/motion.h"
+#include "planning/motion/motion_search.h"
 
 namespace clearway::planning {
 
-/// For motions that can be swept; see Motion::canBeSwept.
+/// For motions that can be swept; see Motion::canBeSwept. The functions are those of MotionSearch.
 class MotionSweep {
   public:
     /// The motion has been measured. Lengths and isStopped as in MotionSearch's constructor.
-    MotionSweep(Motion& motion, double leastInterval, double contactInterval, std::function<bool()> isStopped);
+    MotionSweep(Motion& motion, double leastInterval, double contactInterval,
+                std::function<bool()> isStopped = {});
 
     /// The caller knows that s2 is valid.
     MotionVerdict certify();
@@ -21,8 +25,21 @@ class MotionSweep {
     MotionVerdict goForward();
 
     double certifiedTime() const { return certifiedTime_; }
-    double blockedTime() const { return blockedTime_; }
+    MotionSample reached();
     bool isStartInvalid() const { return isStartInvalid_; }
+
+    /// The pose that ended goForward, unless the motion is valid.
+    double blockedTime() const { return blockedTime_; }
+    bool leavesBounds() const { return leavesBounds_; }
+
+    /// Finds the least clearance of a motion that goForward found valid.
+    double refineLower(const ClearanceResolution& resolution);
+
+    /// Finds the least clearance of a motion in place of certify or goForward: see MotionSearch.
+    std::optional<double> leastClearance(double cap, const ClearanceResolution& resolution, bool isForReverse = false);
+
+    /// The intervals up to certifiedTime() in order: see MotionSearch.
+    std::vector<MotionInterval> profile(double share);
 
   private:
     MotionVerdict invalidStart();
@@ -31,6 +48,7 @@ class MotionSweep {
     SceneSweepOptions options_;
     double certifiedTime_ = 0;
     double blockedTime_ = 1;
+    bool leavesBounds_ = false;
     bool isStartInvalid_ = false;
 };
 

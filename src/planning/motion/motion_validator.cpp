@@ -40,18 +40,20 @@ std::function<bool()> either(const std::function<bool()>& a, const std::function
 }
 
 /// The points of the certified part of a motion, and some poses of the rest.
-std::vector<ProfilePoint> pointsOf(MotionSearch& search, const MotionReport& report) {
+template <class Way>
+std::vector<ProfilePoint> pointsOf(Way& way, Motion& motion, const MotionReport& report) {
     std::vector<ProfilePoint> points;
     const double least = report.lowerClearance;
-    for (const MotionInterval& known : search.profile(kProfiledShare)) {
+    for (const MotionInterval& known : way.profile(kProfiledShare)) {
         points.push_back({known.from.time, known.from.lower, std::max(known.lower, least)});
     }
-    points.push_back({search.reached().time, search.reached().lower, least});
+    const MotionSample reached = way.reached();
+    points.push_back({reached.time, reached.lower, least});
     if (report.verdict == MotionVerdict::kValid) {
         points.back().lowerToNext = points.back().clearance;
         return points;
     }
-    for (const MotionSample& sample : search.lookAhead(kPosesAhead)) {
+    for (const MotionSample& sample : motion.lookAhead(reached.time, kPosesAhead)) {
         points.push_back({sample.time, sample.lower, least});
     }
     return points;
@@ -184,17 +186,25 @@ MotionReport MotionValidator::report(const ob::State* s1, const ob::State* s2,
     try {
         Motion looked(*posed_, ClearanceDetail::kWhole, 0, s1, s2);
         looked.measure();
-        MotionSearch search(looked, leastInterval_, leastInterval_, isStopped_);
-        report.verdict = search.goForward();
-        report.certifiedTime = search.certifiedTime();
-        if (report.verdict == MotionVerdict::kValid) {
-            report.lowerClearance = search.refineLower(usualResolution(scene(), leastInterval_));
+        const auto take = [&](auto&& way) {
+            report.verdict = way.goForward();
+            report.certifiedTime = way.certifiedTime();
+            if (report.verdict == MotionVerdict::kValid) {
+                report.lowerClearance = way.refineLower(usualResolution(scene(), leastInterval_));
+            } else {
+                report.blockedTime = way.blockedTime();
+                report.leavesBounds = way.leavesBounds();
+            }
+            if (profile) *profile = pointsOf(way, looked, report);
+        };
+        if (looked.canBeSwept()) {
+            take(MotionSweep(looked, leastInterval_, leastInterval_, isStopped_));
+            looked.lookAtReported(report.certifiedTime, report.blockedTime);
+            looked.findContactSpans(leastInterval_);
         } else {
-            report.blockedTime = search.blocked().time;
-            report.leavesBounds = search.blocked().isOutOfBounds;
+            take(MotionSearch(looked, leastInterval_, leastInterval_, isStopped_));
         }
-        if (profile) *profile = pointsOf(search, report);
-        report.travel = looked.length();
+        report.travel = looked.travel();
         report.upperClearance = looked.leastUpper();
         report.closestTime = looked.closestTime();
         report.closest = looked.closest().nearest;

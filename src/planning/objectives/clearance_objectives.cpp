@@ -12,6 +12,7 @@
 #include "clearway/planning/validity_checker.h"
 #include "core/number.h"
 #include "planning/motion/motion_search.h"
+#include "planning/motion/motion_sweep.h"
 #include "planning/objectives/closeness_weight.h"
 #include "planning/validity/ompl_states.h"
 #include "planning/validity/posed_scene.h"
@@ -240,16 +241,17 @@ ob::Cost MinClearanceObjective::terminalCost(const ob::State* state) const {
     return stateCost(state);
 }
 
-/// The slack and the jump at the end are subtracted because poses of the reverse motion differ by them.
 ob::Cost MinClearanceObjective::motionCost(const ob::State* s1, const ob::State* s2) const {
     const auto leastClearance = [&](Motion& motion) -> std::optional<double> {
         const double leastInterval = motions_->leastInterval();
+        const ClearanceResolution resolution = usualResolution(scene(), leastInterval);
         motion.measure();
-        MotionSearch search(motion, leastInterval, leastInterval);
-        const std::optional<double> least =
-            search.leastClearance(cap_, usualResolution(scene(), leastInterval));
+        const auto find = [&](auto&& way) { return way.leastClearance(cap_, resolution, true); };
+        const std::optional<double> least = motion.canBeSwept()
+                                                ? find(MotionSweep(motion, leastInterval, leastInterval))
+                                                : find(MotionSearch(motion, leastInterval, leastInterval));
         if (!least) return least;
-        return std::min(cap_, *least - motion.slack() - motion.endJump());
+        return std::min(cap_, *least);
     };
     return ob::Cost(motions_->costOfMotion(s1, s2, -kInvalidMotionCost, leastClearance));
 }

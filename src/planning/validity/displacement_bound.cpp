@@ -26,14 +26,6 @@ constexpr double kLeastAxisSine = 1e-6;
 /// Rounding of the axis, in radians times that sine: a few 2^-53.
 constexpr double kAxisRounding = 1e-14;
 
-/// How far OMPL lets a quaternion's norm be off 1. Beyond it a state satisfies no bounds, and OMPL asserts
-/// when it interpolates.
-constexpr double kOmplNormError = 1e-9;
-
-bool canBeInterpolated(const PartState& state) {
-    return std::abs(state.rotation.norm() - 1) < kOmplNormError;
-}
-
 /// radiusAbout(axis): how far the part reaches from an axis of any length in the part's frame. radius: the
 /// part's radius about its origin.
 template <class RadiusAbout>

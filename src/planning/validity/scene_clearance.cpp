@@ -3,6 +3,7 @@
 #include <tbb/enumerable_thread_specific.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
@@ -76,12 +77,39 @@ std::string describePair(const Scene& scene, const SceneDistance& nearest) {
     return message.str();
 }
 
+/// The last poses found free. Planners ask for a state and then for several motions to it.
+class FreePoses {
+  public:
+    bool contain(const Pose& pose) const {
+        return std::any_of(poses_.begin(), poses_.end(), [&](const Pose& known) {
+            return known.translation == pose.translation && known.rotation == pose.rotation;
+        });
+    }
+    void add(const Pose& pose) {
+        poses_[next_] = pose;
+        next_ = (next_ + 1) % poses_.size();
+    }
+
+  private:
+    static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    std::array<Pose, 8> poses_ = noPoses();
+    std::size_t next_ = 0;
+
+    /// NaN equals no pose.
+    static std::array<Pose, 8> noPoses() {
+        std::array<Pose, 8> none;
+        none.fill({Matrix3::Identity(), Vector3::Constant(kNone)});
+        return none;
+    }
+};
+
 }  // namespace
 
 /// The data that one thread keeps from query to query.
 struct SceneClearance::Scratch {
     std::vector<Workspace> workspaces;  ///< one for each obstacle
     std::size_t nearest = 0;            ///< the obstacle that was nearest, or in the way, last time
+    FreePoses freePoses;
 };
 
 struct SceneClearance::ThreadScratch {
@@ -145,9 +173,16 @@ double SceneClearance::mostClearance() const {
 }
 
 bool SceneClearance::isFree(const Pose& X_environmentPart) const {
+    Scratch& mine = scratch_->perThread.local();
+    if (mine.freePoses.contain(X_environmentPart)) return true;
+    if (!isFree(X_environmentPart, mine)) return false;
+    mine.freePoses.add(X_environmentPart);
+    return true;
+}
+
+bool SceneClearance::isFree(const Pose& X_environmentPart, Scratch& mine) const {
     PoseClearance at;
     zones_->findSpares(scene_, X_environmentPart, at);
-    Scratch& mine = scratch_->perThread.local();
     const bool isApart = visitAll(scene_.obstacles.size(), mine.nearest, [&](std::size_t i) {
         if (zones_->isIgnored(i, at) || isFree(i, X_environmentPart, mine)) return true;
         mine.nearest = i;
@@ -257,15 +292,15 @@ void SceneClearance::ask(std::size_t i, const Pose& X_environmentPart, const Dis
 }
 
 /// The pieces with what the contact zones ignore of an obstacle.
-MotionPieces SceneClearance::piecesFor(std::size_t i, const SweptMotion& motion) const {
+MotionPieces SceneClearance::piecesFor(std::size_t i, const PartMotion& motion, double poseError) const {
     PoseClearance at;
     if (!zones_->zoneOf(i, at)) return motion.pieces;
-    return [this, i, &motion](double from, double to) {
+    return [this, i, &motion, poseError](double from, double to) {
         MotionPiece piece = motion.pieces(from, to);
         PoseClearance here;
         zones_->findSpares(scene_, piece.middle, here);
         const double spare = zones_->zoneOf(i, here)->spare.lower;
-        const double moved = 0.5 * (to - from) * motion.length + motion.poseError;
+        const double moved = 0.5 * (to - from) * motion.length + poseError;
         if (spare >= moved) {
             piece.counts = MotionPiece::Counts::kNowhere;
         } else if (spare >= 0) {
@@ -275,19 +310,26 @@ MotionPieces SceneClearance::piecesFor(std::size_t i, const SweptMotion& motion)
     };
 }
 
+ContactsAt SceneClearance::contactsAt(const Pose& X_environmentPart) const {
+    PoseClearance at;
+    zones_->findSpares(scene_, X_environmentPart, at);
+    return {at.isInStartContact, at.isInGoalContact};
+}
+
 bool SceneClearance::doSolidsAlwaysCount() const {
     return std::none_of(scene_.obstacles.begin(), scene_.obstacles.end(), [](const Obstacle& obstacle) {
         return obstacle.solids && (obstacle.isIgnoredAtStart || obstacle.isIgnoredAtGoal);
     });
 }
 
-SceneSweep SceneClearance::sweep(const SweptMotion& motion, const SceneSweepOptions& options) const {
+SceneSweep SceneClearance::sweep(const PartMotion& motion, const SceneSweepOptions& options) const {
     SceneSweep answer;
     answer.certifiedUntil = options.until;
     Scratch& mine = scratch_->perThread.local();
     SweepOptions asked;
+    asked.from = options.from;
     asked.leastInterval = options.leastInterval;
-    asked.poseError = motion.poseError;
+    asked.poseError = options.poseError;
     asked.isForward = options.isForward;
     asked.contactTime = options.contactInterval / motion.length;
     asked.isStopped = options.isStopped;
@@ -297,7 +339,7 @@ SceneSweep SceneClearance::sweep(const SweptMotion& motion, const SceneSweepOpti
         asked.until = answer.certifiedUntil;
         asked.isContactAtEnd = answer.contactTime == asked.until || (options.isContactAtEnd && asked.until == options.until);
         const SweepResult found =
-            clearway::sweep(scene_.part, obstacle.model, piecesFor(i, motion), asked, mine.workspaces[i]);
+            clearway::sweep(scene_.part, obstacle.model, piecesFor(i, motion, options.poseError), asked, mine.workspaces[i]);
         ++answer.queries;
         ++tallyOfThisThread.sweeps;
         tallyOfThisThread.work += found.counters;
@@ -308,6 +350,36 @@ SceneSweep SceneClearance::sweep(const SweptMotion& motion, const SceneSweepOpti
         answer.contactTime = std::min(answer.contactTime, found.contactTime);
         answer.certifiedUntil = std::min(answer.certifiedUntil, found.certifiedUntil);
         return options.isForward;
+    });
+    return answer;
+}
+
+LeastClearance SceneClearance::leastClearance(const PartMotion& motion, const LeastClearanceOptions& options) const {
+    LeastClearance answer;
+    answer.lower = kInfinity;
+    answer.upper = std::min(options.cap, mostClearance());
+    Scratch& mine = scratch_->perThread.local();
+    LeastDistanceOptions asked;
+    asked.poseError = options.poseError;
+    asked.resolution = options.resolution;
+    asked.isStopped = options.isStopped;
+    visitAll(scene_.obstacles.size(), mine.nearest, [&](std::size_t i) {
+        const Obstacle& obstacle = scene_.obstacles[i];
+        asked.margin = obstacle.margin;
+        asked.cap = answer.upper;
+        const LeastDistance found = leastDistance(scene_.part, obstacle.model, piecesFor(i, motion, options.poseError),
+                                                  asked, mine.workspaces[i]);
+        ++answer.queries;
+        ++tallyOfThisThread.sweeps;
+        tallyOfThisThread.work += found.counters;
+        answer.lower = std::min(answer.lower, found.lower);
+        answer.isStopped = answer.isStopped || found.isStopped;
+        if (found.upper < answer.upper) {
+            answer.upper = found.upper;
+            answer.time = found.time;
+            mine.nearest = i;
+        }
+        return !answer.isStopped;
     });
     return answer;
 }
@@ -345,6 +417,7 @@ void SceneClearance::forgetWarmStart() const {
     Scratch& mine = scratch_->perThread.local();
     for (Workspace& workspace : mine.workspaces) workspace.forgetWarmStart();
     mine.nearest = 0;
+    mine.freePoses = {};
 }
 
 bool SceneClearance::isOutOfReach(const Pose& X_environmentPart) const {

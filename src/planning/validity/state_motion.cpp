@@ -3,7 +3,10 @@
 #include <ompl/base/spaces/SE2StateSpace.h>
 #include <ompl/base/spaces/SE3StateSpace.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <stdexcept>
 #include <typeinfo>
@@ -57,8 +60,33 @@ class SteadyMotion {
     ob::State* scratch_;
 };
 
-void addRateError(SteadyMotion& motion, double radiusAboutOrigin) {
-    motion.doubtfulSpeed += kRateError * (motion.velocity.norm() + motion.turn.norm() * radiusAboutOrigin);
+/// What the turns of a part need: how far it reaches.
+class PartReach {
+  public:
+    explicit PartReach(const Model& part) : aboutOrigin(part.radiusAboutOrigin()) {
+        for (int corner = 0; corner < 8; ++corner) {
+            corners_[corner] = part.box().corner(static_cast<Box::CornerType>(corner));
+        }
+    }
+
+    /// About an axis of unit length through the origin: at most, the box's. Model::radiusAboutAxis is tighter, but takes
+    /// longer than a short motion.
+    double about(const Vector3& axis) const {
+        double squared = 0;
+        for (const Vector3& corner : corners_) squared = std::max(squared, axis.cross(corner).squaredNorm());
+        return std::min(aboutOrigin, std::sqrt(squared) * (1 + 1e-12));
+    }
+
+    double aboutOrigin;
+
+  private:
+    std::array<Vector3, 8> corners_;
+};
+
+double addRateError(SteadyMotion& motion, double aboutOrigin) {
+    const double speed = kRateError * (motion.velocity.norm() + motion.turn.norm() * aboutOrigin);
+    motion.doubtfulSpeed += speed;
+    return speed;
 }
 
 /// Whether OMPL interpolates from a to -b. Between orientations half a turn apart only OMPL's own rounding tells.
@@ -70,27 +98,33 @@ bool turnsTheOtherWay(const Eigen::Vector4d& a, const Eigen::Vector4d& b, const 
     return std::abs(middle.coeffs().dot(a + b)) < std::abs(middle.coeffs().dot(a - b));
 }
 
-void setSe3(const ob::State* from, const ob::State* to, const Model& part, SteadyMotion& motion) {
+/// Sets the motion and returns its length.
+double setSe3(const ob::State* from, const ob::State* to, const PartReach& reach, SteadyMotion& motion) {
     const PartState a = partStateOfSe3(from), b = partStateOfSe3(to);
+    if (!canBeInterpolated(a) || !canBeInterpolated(b)) return std::numeric_limits<double>::quiet_NaN();
     const Eigen::Vector4d qa = a.rotation.coeffs().normalized();
     Eigen::Vector4d qb = b.rotation.coeffs().normalized();
     if (turnsTheOtherWay(qa, qb, motion)) qb = -qb;
     const double angle = 4 * std::atan2((qa - qb).norm(), (qa + qb).norm());
     motion.velocity = b.position - a.position;
     if (!(angle > kLeastTrustedTurn)) {
-        motion.doubtfulSpeed = angle * part.radiusAboutOrigin();
-    } else {
-        // The axis of the rotation qb * conjugate(qa), in the environment's frame. Turned by conjugate(qa), it is the axis
-        // in the part's frame.
-        const Vector3 crossed = qb.head<3>().cross(qa.head<3>());
-        const Vector3 difference = qa.w() * qb.head<3>() - qb.w() * qa.head<3>();
-        motion.turn = angle * (difference - crossed).normalized();
-        motion.radius = part.radiusAboutAxis(difference + crossed);
+        motion.doubtfulSpeed = angle * reach.aboutOrigin;
+        const double rounding = addRateError(motion, reach.aboutOrigin);
+        return motion.velocity.norm() + angle * reach.aboutOrigin + rounding;
     }
-    addRateError(motion, part.radiusAboutOrigin());
+    // The axis of the rotation qb * conjugate(qa), in the environment's frame. Turned by conjugate(qa), it is the axis in
+    // the part's frame.
+    const Vector3 crossed = qb.head<3>().cross(qa.head<3>());
+    const Vector3 difference = qa.w() * qb.head<3>() - qb.w() * qa.head<3>();
+    const Vector3 axis = (difference - crossed).normalized();
+    motion.turn = angle * axis;
+    motion.radius = reach.about((difference + crossed).normalized());
+    const double along = motion.velocity.dot(axis), across = (motion.velocity - along * axis).norm();
+    return std::hypot(along, across + angle * motion.radius) + addRateError(motion, reach.aboutOrigin);
 }
 
-void setSe2(const ob::State* from, const ob::State* to, const Model& part, double radius, SteadyMotion& motion) {
+double setSe2(const ob::State* from, const ob::State* to, const PartReach& reach, double radius,
+              SteadyMotion& motion) {
     const auto* a = from->as<ob::SE2StateSpace::StateType>();
     const auto* b = to->as<ob::SE2StateSpace::StateType>();
     motion.velocity = {b->getX() - a->getX(), b->getY() - a->getY(), 0};
@@ -99,30 +133,31 @@ void setSe2(const ob::State* from, const ob::State* to, const Model& part, doubl
     if (turn < -M_PI) turn += 2 * M_PI;
     motion.turn = {0, 0, turn};
     motion.radius = radius;
-    addRateError(motion, part.radiusAboutOrigin());
+    return motion.velocity.norm() + std::abs(turn) * radius + addRateError(motion, reach.aboutOrigin);
 }
 
 template <class Set>
 StateMotion steadyMotion(const ob::StateSpacePtr& space, const Set& set) {
-    return [space, pose = stateToPose(*space), set](const ob::State* from, const ob::State* to) -> MotionPieces {
+    return [space, pose = stateToPose(*space), set](const ob::State* from, const ob::State* to) -> PartMotion {
         const auto motion = std::make_shared<SteadyMotion>(*space, pose, from, to);
-        set(from, to, *motion);
-        return [motion](double begin, double end) { return motion->piece(begin, end); };
+        const double length = set(from, to, *motion);
+        return {[motion](double begin, double end) { return motion->piece(begin, end); }, length};
     };
 }
 
 }  // namespace
 
 StateMotion stateMotion(const ob::StateSpacePtr& space, const Model& part) {
+    const PartReach reach(part);
     if (typeid(*space) == typeid(ob::SE3StateSpace)) {
-        return steadyMotion(space, [part](const ob::State* from, const ob::State* to, SteadyMotion& motion) {
-            setSe3(from, to, part, motion);
+        return steadyMotion(space, [reach](const ob::State* from, const ob::State* to, SteadyMotion& motion) {
+            return setSe3(from, to, reach, motion);
         });
     }
     if (typeid(*space) == typeid(ob::SE2StateSpace)) {
-        return steadyMotion(space, [part, radius = part.radiusAboutAxis(Vector3::UnitZ())](
+        return steadyMotion(space, [reach, radius = part.radiusAboutAxis(Vector3::UnitZ())](
                                        const ob::State* from, const ob::State* to, SteadyMotion& motion) {
-            setSe2(from, to, part, radius, motion);
+            return setSe2(from, to, reach, radius, motion);
         });
     }
     throw std::invalid_argument("state space '" + space->getName() +

@@ -165,7 +165,7 @@ BOOST_AUTO_TEST_CASE(every_outcome_is_counted) {
     f.check(start, near);
     f.check(start, in);
     f.check(in, start);
-    f.check(f.at({-32 - 1e-6, 0, 30}), f.at({-32 - 1e-6, 10, 30}));
+    f.check(f.at({-32 - 1e-12, 0, 30}), f.at({-32 - 1e-12, 10, 30}));
     const MotionCounters counters = f.validator->counters();
     BOOST_TEST(counters.valid == 1u);
     BOOST_TEST(counters.invalid == 3u);

@@ -78,7 +78,7 @@ BOOST_AUTO_TEST_CASE(an_invalid_path_is_audited_to_its_end) {
 
 BOOST_AUTO_TEST_CASE(what_cannot_be_told_is_undecided) {
     const Fixture f(0, testing::withLeastInterval(0.1));
-    const auto path = pathOf(f, {f.at({-32.01, -20, 30}), f.at({-32.01, 20, 30}), f.at({-60, 20, 30})});
+    const auto path = pathOf(f, {f.at({-32 - 1e-12, -20, 30}), f.at({-32 - 1e-12, 20, 30})});
     const PathAudit found = audit(path, *f.validator);
     BOOST_TEST((found.verdict == MotionVerdict::kUndecided));
     BOOST_TEST((found.notValid == std::vector<std::size_t>{0}));

@@ -1,0 +1,26 @@
+#include "model/arguments.h"
+
+#include <sstream>
+#include <stdexcept>
+
+#include "tree/flat_tree.h"
+
+namespace clearway {
+
+void requireNotNegative(double value, const char* name) {
+    if (value >= 0) return;
+    std::ostringstream message;
+    message << name << " is " << value << ", expected a number of at least 0";
+    throw std::invalid_argument(message.str());
+}
+
+void requireSameWidth(const Model& part, const Model& environment) {
+    const int partWidth = part.tree().nodeWidth, environmentWidth = environment.tree().nodeWidth;
+    if (partWidth == environmentWidth) return;
+    std::ostringstream message;
+    message << "the part's nodes have " << partWidth << " children and the environment's " << environmentWidth
+            << ", expected both models to be built with the same nodeWidth";
+    throw std::invalid_argument(message.str());
+}
+
+}  // namespace clearway
