@@ -115,8 +115,7 @@ class Sweep {
     }
 
     HWY_INLINE void run() {
-        stack_.clear();
-        stack_.push({0, kUnknownMove, 0, 0, TimeInterval().key});
+        begin();
         while (!stack_.empty() && !isDone_) {
             if (isToStop()) break;
             const SweepEntry entry = stack_.pop();
@@ -150,6 +149,13 @@ class Sweep {
     }
 
   private:
+    /// Puts the whole motion on the stack.
+    void begin() {
+        begunAt_ = stop_;
+        stack_.clear();
+        stack_.push({0, kUnknownMove, 0, 0, TimeInterval().key});
+    }
+
     /// Whether the caller wants no more, or there is no more memory.
     HWY_INLINE bool isToStop() {
         if (stack_.size() > request_.mostEntries) {
@@ -485,7 +491,11 @@ class Sweep {
             isDone_ = true;
         } else {
             stop_ = time;
-            push(entry, interval.firstHalf(), 0.5f * entry.moved);
+            if (time <= 0.5 * begunAt_) {
+                begin();  // most of what waits was opened for later times
+            } else {
+                push(entry, interval.firstHalf(), 0.5f * entry.moved);
+            }
         }
     }
 
@@ -530,6 +540,7 @@ class Sweep {
     double contactTime_;                               ///< of the first pose in contact known so far
     double leastUpper_;                                ///< kLeastDistance: of the distances less the margin
     double leastInterval_;
+    double begunAt_ = 1;  ///< stop_ when the whole motion was put on the stack
     double openLower_ = std::numeric_limits<double>::infinity();   ///< kLeastDistance: of what was left open
     int steps_ = 1;  ///< to the next look at isStopped, which comes at once
     bool isReached_ = false;  ///< kLeastDistance: leastUpper_ is a distance found, not the cap

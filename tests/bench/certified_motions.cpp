@@ -60,7 +60,7 @@ class MotionRecorder : public ob::MotionValidator {
 struct Answer {
     bool isValid = false;
     double certifiedTime = 0, seconds = 0;
-    std::uint64_t visits = 0, triangleTests = 0, undecided = 0;
+    std::uint64_t visits = 0, triangleTests = 0, refined = 0, undecided = 0;
 };
 
 class Comparison {
@@ -168,6 +168,7 @@ class Comparison {
         const planning::QueryTally tally = planning::takeQueryTally();
         answer.visits = tally.work.nodeVisits;
         answer.triangleTests = tally.work.kernelPairs;
+        answer.refined = tally.work.refinedPairs;
         answer.undecided = validator.counters().undecided - undecided;
         return answer;
     }
@@ -175,7 +176,7 @@ class Comparison {
     template <class Counts>
     void print(const char* what, const std::vector<Answer>& before, const std::vector<Answer>& after,
                const Counts& counts) const {
-        double beforeSeconds = 0, afterSeconds = 0, beforeVisits = 0, afterVisits = 0, beforePairs = 0, afterPairs = 0;
+        double beforeSeconds = 0, afterSeconds = 0, beforeVisits = 0, afterVisits = 0, beforePairs = 0, afterPairs = 0, beforeRefined = 0, afterRefined = 0;
         std::size_t count = 0;
         for (std::size_t i = 0; i < motions_.size(); ++i) {
             if (!counts(before[i], after[i])) continue;
@@ -186,6 +187,8 @@ class Comparison {
             afterVisits += double(after[i].visits);
             beforePairs += double(before[i].triangleTests);
             afterPairs += double(after[i].triangleTests);
+            beforeRefined += double(before[i].refined);
+            afterRefined += double(after[i].refined);
         }
         const double n = std::max<double>(1, double(count));
         std::cout << what << ": " << count << " motions; us a motion " << beforeSeconds / n * 1e6 << " -> "
