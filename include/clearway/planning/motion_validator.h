@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "clearway/planning/displacement_bound.h"
+#include "clearway/planning/state_motion.h"
 #include "clearway/planning/state_to_pose.h"
 #include "clearway/query.h"
 #include "clearway/scene.h"
@@ -115,6 +116,10 @@ class MotionValidator : public ompl::base::MotionValidator {
     /// involved.
     MotionValidator(const ompl::base::SpaceInformationPtr& si, Scene scene, StateToPose stateToPose,
                     DisplacementBound bound, const MotionOptions& options = {});
+
+    /// For any space whose motions are known: they are certified pair by pair, as those of SE(3) and SE(2) are.
+    MotionValidator(const ompl::base::SpaceInformationPtr& si, Scene scene, StateToPose stateToPose,
+                    DisplacementBound bound, StateMotion motion, const MotionOptions& options = {});
 
     ~MotionValidator() override;
 

@@ -74,6 +74,11 @@ struct ClearanceOptions {
     double leastSpare = 0;
 };
 
+struct SolidsAlong {
+    SweepVerdict verdict = SweepVerdict::kCertified;
+    double until = 1;
+};
+
 struct ContactsAt {
     bool isInStart = false, isInGoal = false;
 };
@@ -146,9 +151,10 @@ class SceneClearance {
     /// Finds how near the part comes to the obstacles, whatever the solids.
     LeastClearance leastClearance(const PartMotion& motion, const LeastClearanceOptions& options) const;
 
-    /// True when every solid counts at every pose: where no surfaces touch, the part is then inside a solid at all poses of
-    /// a motion or at none.
-    bool doSolidsAlwaysCount() const;
+    /// What solids say about a motion from time 0 to `until` along which no surfaces touch, where the obstacle counts: the
+    /// part may still be inside a solid while it counts, if a contact zone ignored the solid when the part got in.
+    /// kUndecided: too close to the border of a zone to tell. `until` of the answer: the part is outside up to there.
+    SolidsAlong stayOutsideSolids(const PartMotion& motion, double until, double poseError, double leastInterval) const;
     bool hasSolids() const { return hasSolids_; }
 
     /// The least distance of all obstacles, whatever the margins, solids and contact zones.
@@ -180,6 +186,11 @@ class SceneClearance {
     std::string describeEnclosure(const Pose& X_environmentPart) const;
     void lookAtSolids(const Pose& X_environmentPart, bool isOutside, PoseClearance& answer) const;
     void nameTriangle(SceneDistance& nearest) const;
+    struct TimeRange {
+        double from, to;
+    };
+    SweepVerdict sideAlong(std::size_t obstacle, const PartMotion& motion, const TimeRange& range, double poseError,
+                           double leastInterval) const;
     MotionPieces piecesFor(std::size_t obstacle, const PartMotion& motion, double poseError) const;
 
     Scene scene_;

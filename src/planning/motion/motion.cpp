@@ -72,7 +72,7 @@ MotionSample lessened(const MotionSample& sample, double jump) {
 
 Motion::Motion(const PosedScene& posed, ClearanceDetail detail, double floor, const ob::State* s1,
                const ob::State* s2)
-    : posed_(posed), detail_(detail), floor_(floor), s1_(s1), s2_(s2), scratch_(posed.si()), isSwept_(posed.motion() && posed.clearance().doSolidsAlwaysCount()) {}
+    : posed_(posed), detail_(detail), floor_(floor), s1_(s1), s2_(s2), scratch_(posed.si()), isSwept_(bool(posed.motion())) {}
 
 bool Motion::isEndValid() {
     if (!posed_.si().satisfiesBounds(s2_)) return false;
@@ -83,7 +83,7 @@ bool Motion::isEndValid() {
 }
 
 void Motion::measure() {
-    if (isSwept_) motion_ = posed_.motion()(s1_, s2_);
+    if (isSwept_) motion_ = sweptMotion();
     length_ = isSwept_ ? motion_.length : travel();
     // Checked before OMPL interpolates, because OMPL asserts unit quaternions.
     if (!(length_ >= 0) || !std::isfinite(length_)) {
@@ -136,6 +136,27 @@ std::optional<LeastClearance> Motion::leastClearance(LeastClearanceOptions optio
         found.upper = std::min(found.upper, closest.upper);
     }
     return found;
+}
+
+SolidsAlong Motion::stayOutsideSolids(double until, double leastInterval) const {
+    return posed_.clearance().stayOutsideSolids(motion_, until, 0.5 * slack_, leastInterval);
+}
+
+/// Where the bounds are not convex, poses outside of them are forbidden.
+PartMotion Motion::sweptMotion() {
+    PartMotion motion = posed_.motion()(s1_, s2_);
+    if (posed_.areBoundsConvex()) return motion;
+    motion.pieces = [this, pieces = std::move(motion.pieces)](double from, double to) {
+        MotionPiece piece = pieces(from, to);
+        piece.isForbidden = piece.isForbidden || !isWithinBoundsAt(from + 0.5 * (to - from));
+        return piece;
+    };
+    return motion;
+}
+
+bool Motion::isWithinBoundsAt(double time) {
+    posed_.space().interpolate(s1_, s2_, time, scratch_.get());
+    return posed_.si().satisfiesBounds(time == 1 ? s2_ : scratch_.get());
 }
 
 bool Motion::doesEndKeepFloor() {

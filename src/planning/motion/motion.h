@@ -75,6 +75,11 @@ class Motion {
     /// pose is invalid.
     std::optional<LeastClearance> leastClearance(LeastClearanceOptions options, bool isForReverse);
 
+    /// What solids say about a motion that a sweep found free of surfaces until a time.
+    SolidsAlong stayOutsideSolids(double until, double leastInterval) const;
+
+    bool isWithinBoundsAt(double time);
+
     /// Whether s2 itself keeps the floor, besides the end of the interpolation.
     bool doesEndKeepFloor();
 
@@ -129,6 +134,7 @@ class Motion {
     MotionSample look(const ompl::base::State* state, double time, double wanted, bool checksBounds);
     MotionSample sampleOf(double time, const PoseClearance& found) const;
     double findEndJump() const;
+    PartMotion sweptMotion();
     template <class IsTrue>
     TimeSpan change(TimeSpan span, double length, const IsTrue& isTrue);
     template <class IsIn>

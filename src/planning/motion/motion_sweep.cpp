@@ -35,9 +35,10 @@ MotionSweep::MotionSweep(Motion& motion, double leastInterval, double contactInt
 MotionVerdict MotionSweep::certify() {
     if (!motion_.isStartWithinBounds()) return invalidStart();
     const MotionVerdict verdict = verdictOf(motion_.sweep(options_).verdict);
-    if (verdict == MotionVerdict::kValid && !motion_.doesEndKeepFloor()) return MotionVerdict::kInvalid;
     if (verdict == MotionVerdict::kInvalid && !motion_.isFreeAtStart()) return invalidStart();
-    return verdict;
+    if (verdict != MotionVerdict::kValid) return verdict;
+    if (!motion_.doesEndKeepFloor()) return MotionVerdict::kInvalid;
+    return verdictOf(motion_.stayOutsideSolids(1, options_.leastInterval).verdict);
 }
 
 MotionVerdict MotionSweep::invalidStart() {
@@ -67,8 +68,15 @@ MotionVerdict MotionSweep::goForward() {
     certifiedTime_ = found.certifiedUntil;
     // Where no surfaces touch, solids hold the part at the start or at no pose.
     if ((certifiedTime_ == 0 || motion_.hasSolids()) && !motion_.isFreeAtStart()) return invalidStart();
+    const SolidsAlong solids = motion_.stayOutsideSolids(certifiedTime_, options_.leastInterval);
+    if (solids.verdict != SweepVerdict::kCertified) {
+        certifiedTime_ = solids.until;
+        blockedTime_ = std::min(solids.until + options_.leastInterval / motion_.length(), options_.until);
+        return MotionVerdict::kInvalid;
+    }
     if (options_.isContactAtEnd || found.verdict == SweepVerdict::kContact) {
         blockedTime_ = std::min(found.contactTime, options_.until);
+        leavesBounds_ = !motion_.isWithinBoundsAt(blockedTime_);
         return MotionVerdict::kInvalid;
     }
     if (found.verdict == SweepVerdict::kUndecided) {
@@ -106,7 +114,7 @@ std::optional<double> MotionSweep::leastClearance(double cap, const ClearanceRes
     options.resolution.least = std::max(resolution.least, options_.leastInterval);
     options.isStopped = options_.isStopped;
     const std::optional<LeastClearance> found = motion_.leastClearance(options, isForReverse);
-    if (!found) return std::nullopt;
+    if (!found || motion_.stayOutsideSolids(1, options_.leastInterval).verdict != SweepVerdict::kCertified) return std::nullopt;
     return found->lower;
 }
 

@@ -79,6 +79,15 @@ MotionValidator::MotionValidator(const ob::SpaceInformationPtr& si, Scene scene,
           std::make_shared<const PosedScene>(si, std::move(scene), std::move(stateToPose), std::move(bound)),
           options) {}
 
+MotionValidator::MotionValidator(const ob::SpaceInformationPtr& si, Scene scene, StateToPose stateToPose,
+                                 DisplacementBound bound, StateMotion motion, const MotionOptions& options)
+    : MotionValidator(si,
+                      std::make_shared<const PosedScene>(si, std::move(scene), std::move(stateToPose),
+                                                         std::move(bound), std::move(motion)),
+                      options) {
+    if (!posed_->motion()) throw std::invalid_argument("the state motion is empty, expected a function");
+}
+
 MotionValidator::MotionValidator(const ob::SpaceInformationPtr& si, std::shared_ptr<const PosedScene> posed,
                                  const MotionOptions& options)
     : ob::MotionValidator(si),

@@ -75,4 +75,17 @@ void ContactZones::findSpares(const Scene& scene, const Pose& X_environmentPart,
     }
 }
 
+bool ContactZones::countsAround(const Scene& scene, std::size_t obstacle, const Pose& X_environmentPart,
+                                double moved) const {
+    if (zoneOf_[obstacle] < 0) return true;
+    const Zone& zone = zones_[static_cast<std::size_t>(zoneOf_[obstacle])];
+    const auto isOutside = [&](bool isWanted, const std::optional<ContactZone>& contact) {
+        if (!isWanted || !contact) return true;
+        const double limit = (contact->distance + moved) * (1 + 2 * kSpareExcess) +
+                             2 * kSpareRounding * (scene.part.radiusAboutOrigin() + contact->distance);
+        return scene.part.displacement(contact->X_environmentPart, X_environmentPart, limit) > limit;
+    };
+    return isOutside(zone.atStart, scene.startContact) && isOutside(zone.atGoal, scene.goalContact);
+}
+
 }  // namespace clearway::planning

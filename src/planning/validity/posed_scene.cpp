@@ -32,9 +32,10 @@ PosedScene::PosedScene(const ompl::base::SpaceInformationPtr& si, Scene scene)
 }
 
 PosedScene::PosedScene(const ompl::base::SpaceInformationPtr& si, Scene scene, StateToPose stateToPose,
-                       DisplacementBound bound)
+                       DisplacementBound bound, StateMotion motion)
     : PosedScene(si, std::move(scene), std::move(stateToPose)) {
     bound_ = require(std::move(bound));
+    motion_ = std::move(motion);
 }
 
 PosedScene::PosedScene(const ompl::base::SpaceInformationPtr& si, Scene scene, StateToPose stateToPose)

@@ -31,7 +31,7 @@ class PosedScene {
 
     /// For any space, by callbacks.
     PosedScene(const ompl::base::SpaceInformationPtr& si, Scene scene, StateToPose stateToPose,
-               DisplacementBound bound);
+               DisplacementBound bound, StateMotion motion = {});
 
     /// For single states: there is no displacement bound.
     PosedScene(const ompl::base::SpaceInformationPtr& si, Scene scene, StateToPose stateToPose);

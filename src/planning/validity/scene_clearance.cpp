@@ -316,10 +316,47 @@ ContactsAt SceneClearance::contactsAt(const Pose& X_environmentPart) const {
     return {at.isInStartContact, at.isInGoalContact};
 }
 
-bool SceneClearance::doSolidsAlwaysCount() const {
-    return std::none_of(scene_.obstacles.begin(), scene_.obstacles.end(), [](const Obstacle& obstacle) {
-        return obstacle.solids && (obstacle.isIgnoredAtStart || obstacle.isIgnoredAtGoal);
-    });
+SolidsAlong SceneClearance::stayOutsideSolids(const PartMotion& motion, double until, double poseError,
+                                              double leastInterval) const {
+    SolidsAlong answer{SweepVerdict::kCertified, until};
+    PoseClearance none;
+    for (std::size_t i = 0; i < scene_.obstacles.size(); ++i) {
+        if (!scene_.obstacles[i].solids || !zones_->zoneOf(i, none)) continue;
+        std::vector<TimeRange> left{{0, answer.until}};
+        while (!left.empty()) {
+            const TimeRange range = left.back();
+            left.pop_back();
+            const SweepVerdict side = sideAlong(i, motion, range, poseError, leastInterval);
+            if (side == SweepVerdict::kCertified) continue;
+            const double middle = range.from + 0.5 * (range.to - range.from);
+            if (motion.length * (range.to - range.from) > leastInterval) {
+                left.push_back({middle, range.to});
+                left.push_back({range.from, middle});
+                continue;
+            }
+            answer = {side, range.from};
+            break;
+        }
+    }
+    return answer;
+}
+
+/// kUndecided: the range must be divided.
+SweepVerdict SceneClearance::sideAlong(std::size_t i, const PartMotion& motion, const TimeRange& range,
+                                       double poseError, double leastInterval) const {
+    const Pose X = motion.pieces(range.from, range.to).middle;
+    const double travel = motion.length * (range.to - range.from), moved = 0.5 * travel + poseError;
+    PoseClearance at;
+    zones_->findSpares(scene_, X, at);
+    if (zones_->zoneOf(i, at)->spare.lower >= moved) return SweepVerdict::kCertified;  // ignored throughout
+    // No surfaces touch while the obstacle counts, so all of a range in which it counts is on one side.
+    if (zones_->countsAround(scene_, i, X, moved)) {
+        return enclosureBy(i, X) ? SweepVerdict::kContact : SweepVerdict::kCertified;
+    }
+    if (travel > leastInterval) return SweepVerdict::kUndecided;
+    const bool isClear = !isWithin(scene_.part, scene_.obstacles[i].model, X, moved,
+                                   scratch_->perThread.local().workspaces[i]);
+    return isClear && !enclosureBy(i, X) ? SweepVerdict::kCertified : SweepVerdict::kUndecided;
 }
 
 SceneSweep SceneClearance::sweep(const PartMotion& motion, const SceneSweepOptions& options) const {
