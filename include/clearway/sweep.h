@@ -26,9 +26,10 @@ struct MotionPiece {
     Vector3 velocity;         ///< of the origin of the part's coordinates, per unit of time; environment's frame
     Vector3 angularVelocity;  ///< radians per unit of time; environment's frame
 
-    /// At a share x of the way from the middle to either end of the interval, no point of the part is farther than x
-    /// times this from where the velocities take it in a straight line. Environment units.
-    double deviation = 0;
+    /// How far points of the part leave the straight lines on which the velocities take them: by no more than x times the
+    /// sum of both at a share x of the way from the middle to either end of the interval. The second length counts only
+    /// square to the angular velocity, as the bow of a circle about it does. Environment units.
+    double deviation = 0, deviationAcrossTurn = 0;
 
     /// Whether contact counts: in the middle, and wherever else it does; not in the middle, but perhaps elsewhere; nowhere
     /// in the interval. A motion may ignore an environment for a while.

@@ -55,7 +55,7 @@ template <class V>
 struct LaneVelocities {
     Lanes3<V> centre;  ///< of the centre of the part's volume
     Lanes3<V> turn;
-    V deviation;
+    V deviation, bow;
 };
 
 /// Certifies along v. kLanesMove: the lanes' volumes are the part's, otherwise the one is. radii: both radii, the slack and
@@ -68,7 +68,7 @@ HWY_INLINE void CertifyAlong(D d, const Lanes3<V>& v, const RelativeRectangles<V
     const V room = hn::NegMulAdd(length, radii, hn::Sub(hn::Abs(slabs.along), slabs.reach));
     const Lanes3<V> spin = Cross(v, velocity.turn);
     V spread = hn::MulAdd(length, velocity.deviation,
-                          hn::Mul(hn::Sqrt(Dot(spin, spin)), movingRadius));
+                          hn::Mul(hn::Sqrt(Dot(spin, spin)), hn::Add(movingRadius, velocity.bow)));
     if constexpr (kLanesMove) {
         spread = hn::MulAdd(hn::Abs(Dot(spin, r.side0)), r.half0, spread);
         spread = hn::MulAdd(hn::Abs(Dot(spin, r.side1)), r.half1, spread);
@@ -115,12 +115,14 @@ HWY_INLINE NearChildren MovingRssBounds(const CarriedRss& one, const WideNode<kW
         velocity.centre = frame.toOne(OneFrame<V>::splat(d, field.atOrigin) + Cross(turn, frame.centre));
         if constexpr (kLanesMove) velocity.centre = velocity.centre + Cross(velocity.turn, r.centre);
         velocity.deviation = hn::Set(d, field.deviation);
+        velocity.bow = hn::Set(d, field.bow);
 
         const std::uint32_t used = UsedLanes(d, node, i);
         children += std::uint32_t(hwy::PopCount(used));
         const V whole = hn::Set(d, kWholeShare);
         const V half0 = kLanesMove ? r.half0 : r.H0, half1 = kLanesMove ? r.half1 : r.H1;
-        const V arm = hn::Add(hn::Sqrt(hn::MulAdd(half0, half0, hn::Mul(half1, half1))), movingRadius);
+        const V arm = hn::Add(hn::Sqrt(hn::MulAdd(half0, half0, hn::Mul(half1, half1))),
+                              hn::Add(movingRadius, velocity.bow));
         const V speed = hn::Sqrt(Dot(velocity.centre, velocity.centre));
         const V moved = hn::Add(hn::MulAdd(hn::Sqrt(Dot(velocity.turn, velocity.turn)), arm, speed), velocity.deviation);
         V gap = BoxGap(d, r);

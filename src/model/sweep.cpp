@@ -24,7 +24,7 @@ MotionPieces piecesOf(const RigidMotion& motion, const Model& part) {
         piece.middle = {motion.start.rotation * turned, motion.start.translation + middle * motion.translation};
         piece.velocity = motion.translation;
         piece.angularVelocity = motion.start.rotation * motion.turn;
-        piece.deviation = 0.5 * half * half * angle * angle * radius;
+        piece.deviationAcrossTurn = 0.5 * half * half * angle * angle * radius;
         return piece;
     };
 }

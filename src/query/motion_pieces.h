@@ -9,6 +9,7 @@
 #include "clearway/sweep.h"
 #include "kernels/moved_field.h"
 #include "query/pair_query.h"
+#include "query/refine.h"
 
 namespace clearway {
 
@@ -33,7 +34,7 @@ struct PreparedPiece {
     PairQuery query;
     MovedField inPart, inEnvironment;
     Vector3 velocity, turn;  ///< in half the piece; environment's frame, mesh units
-    float deviation;         ///< in half the piece, query units; includes rounding as above
+    float deviation, bow;    ///< as in MovedField, query units
     MotionPiece::Counts counts;
     bool isForbidden;
 };
@@ -62,5 +63,15 @@ class PieceCache {
     const MotionPieces* motion_ = nullptr;
     std::vector<PreparedPiece> pieces_;
 };
+
+/// The shares of the half pieces after and before the middle that are certified; 0 for none.
+struct MovedShares {
+    float after = 0, before = 0;
+};
+
+/// Certifies a pair of triangles in double: along the direction that proves its distance, that direction turned square to
+/// the pair's velocity, and both normals. needed: what the pair must stay farther apart than, query units.
+MovedShares sharesInDouble(const PreparedPiece& piece, const TrianglesAt& triangles, const ResolvedPair& pair,
+                           double needed);
 
 }  // namespace clearway

@@ -50,13 +50,15 @@ constexpr float kTooWide = 0.25f;
 template <class V>
 struct CornerMoves {
     Lanes3<V> of[3];
-    V deviation;
+    Lanes3<V> turn;
+    V deviation, bow;
 };
 
 /// How far the corners of the part's triangles move in half a piece, about the centre of the environment's leaf; query units.
 struct TriangleMove {
     static constexpr bool kIsNone = false;
     float origin[3], turn[3];  ///< a point at y moves by origin + turn x y
+    float bow;                 ///< as in MovedField
     float nearingLeaves = 0;   ///< of all triangles of the part's leaf, along the line between the leaves' centres
 
     template <class V>
@@ -68,7 +70,7 @@ struct TriangleMove {
         const V along = Dot(v, at);
         V most = hn::Zero(d);
         for (const Lanes3<V>& corner : a.corner) most = hn::Max(most, hn::Abs(hn::Add(along, Dot(across, corner))));
-        return most;
+        return hn::MulAdd(hn::Sqrt(Dot(across, across)), hn::Set(d, bow), most);
     }
 };
 
@@ -88,8 +90,10 @@ HWY_INLINE void CertifyTrianglesAlong(D d, const Lanes3<V>& v, const TrianglePai
     const V inverse = hn::Div(hn::Set(d, 1.0f), hn::Sqrt(lengthSquared));
     const V gap = hn::IfThenElse(usable, hn::Mul(hn::IfThenElse(isAbove, above, below), inverse),
                                  hn::Set(d, -hwy::HighestValue<float>()));
-    const V forwards = hn::MulAdd(hn::IfThenElse(isAbove, up, down), inverse, moves.deviation);
-    const V backwards = hn::MulAdd(hn::IfThenElse(isAbove, down, up), inverse, moves.deviation);
+    const Lanes3<V> spin = Cross(v, moves.turn);
+    const V bowed = hn::Mul(hn::Sqrt(Dot(spin, spin)), moves.bow);
+    const V forwards = hn::MulAdd(hn::Add(hn::IfThenElse(isAbove, up, down), bowed), inverse, moves.deviation);
+    const V backwards = hn::MulAdd(hn::Add(hn::IfThenElse(isAbove, down, up), bowed), inverse, moves.deviation);
     const V room = hn::Sub(gap, needed);
     lower = hn::Max(lower, gap);
     shares.raise(ShareOf(d, room, forwards), ShareOf(d, room, backwards));
@@ -224,7 +228,7 @@ class Sweep {
         const float v[3] = {field.atOrigin[0] + w[1] * z - w[2] * y, field.atOrigin[1] + w[2] * x - w[0] * z,
                             field.atOrigin[2] + w[0] * y - w[1] * x};
         const float h0 = a.node.halfLength0[a.lane], h1 = a.node.halfLength1[a.lane];
-        const float arm = std::sqrt(h0 * h0 + h1 * h1) + a.node.radius[a.lane];
+        const float arm = std::sqrt(h0 * h0 + h1 * h1) + a.node.radius[a.lane] + field.bow;
         const float speed = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
         const float turn = std::sqrt(w[0] * w[0] + w[1] * w[1] + w[2] * w[2]);
         return (speed + turn * arm + field.deviation) * piece.query.partLeafToQuery;
@@ -313,6 +317,7 @@ class Sweep {
         const Vector3 centre(environmentLeaf.centre[0], environmentLeaf.centre[1], environmentLeaf.centre[2]);
         TriangleMove move;
         fieldAt(piece, centre, move.origin, move.turn);
+        move.bow = piece.bow;
         leaves_.meet(piece.query, partLeaf, environmentLeaf, -hwy::HighestValue<float>(),
                      (need + piece.deviation) * kWholeShare, [&](const float(&offset)[3], float radius) HWY_ATTR {
                          move.nearingLeaves = nearingOf(move, offset, radius);
@@ -359,7 +364,7 @@ class Sweep {
         const float spin[3] = {w[1] * o[2] - w[2] * o[1], w[2] * o[0] - w[0] * o[2], w[0] * o[1] - w[1] * o[0]};
         const float along = move.origin[0] * o[0] + move.origin[1] * o[1] + move.origin[2] * o[2];
         const float across = std::sqrt(spin[0] * spin[0] + spin[1] * spin[1] + spin[2] * spin[2]);
-        return std::fabs(along) + across * radius;
+        return std::fabs(along) + across * (radius + move.bow);
     }
 
     template <class V = hn::Vec<PairTag>>
@@ -371,7 +376,9 @@ class Sweep {
         const Lanes3<V> spin = {hn::Set(d, move.turn[0]), hn::Set(d, move.turn[1]), hn::Set(d, move.turn[2])};
         CornerMoves<V> moves;
         for (int k = 0; k < 3; ++k) moves.of[k] = origin + Cross(spin, pair.a.corner[k]);
+        moves.turn = spin;
         moves.deviation = hn::Set(d, piece.deviation);
+        moves.bow = hn::Set(d, piece.bow);
         const V neededGap = hn::Set(d, need + error);
         V lower = hn::Set(d, -hwy::HighestValue<float>());
         CertifiedShares<V> shares = {hn::Zero(d), hn::Zero(d)};
@@ -439,32 +446,15 @@ class Sweep {
         return isPairWithin(piece.query, triangles, request_.margin, state_.counters).within;
     }
 
-    /// Certifies a pair in double, along the direction that proves its distance.
+    /// Certifies a pair in double.
     HWY_NOINLINE void resolve(const TrianglesAt& triangles, const PreparedPiece& piece, LeafShares& leaf) {
         countStep();
         ++state_.counters.refinedPairs;
-        const PairQuery& query = piece.query;
-        const ResolvedPair pair = resolvePair(query, triangles);
+        const ResolvedPair pair = resolvePair(piece.query, triangles);
         if (request_.goal == SweepGoal::kLeastDistance) reach(pair.upper, piece);
         leaf.lower = leaf.lower < pair.lower ? leaf.lower : pair.lower;
-        const double room = pair.lower - neededDouble(query), length = pair.apartAlong.norm();
-        if (!(room > 0) || !(length > 0)) return leaf.lessen(0, 0);
-        const Vector3 between = pair.pointOnEnvironment - pair.pointOnPart;
-        const Vector3 n = pair.apartAlong * ((pair.apartAlong.dot(between) < 0 ? -1 : 1) / length);
-        const Vector3 p(query.t[0], query.t[1], query.t[2]);
-        const Corners corners = movedCorners(query, triangles.part);
-        double up = -hwy::HighestValue<double>(), down = up;
-        for (const Vector3& corner : corners.p) {
-            const double along = n.dot(piece.velocity * query.perMeshUnit +
-                                       piece.turn.cross(corner - p * query.perMeshUnit));
-            up = along > up ? along : up;
-            down = -along > down ? -along : down;
-        }
-        const auto share = [&](double closing) {
-            const double moved = closing + double(piece.deviation);
-            return moved * 4 < room ? 4.0f : float(room / moved) * (1 - 0x1p-22f);
-        };
-        leaf.lessen(share(up), share(down));
+        const MovedShares shares = sharesInDouble(piece, triangles, pair, neededDouble(piece.query));
+        leaf.lessen(shares.after, shares.before);
     }
 
     /// Takes a distance that a pose of the motion has. Query units.

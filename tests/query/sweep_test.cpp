@@ -1,16 +1,25 @@
-// Sweeps never certify a time at which the part is within the margin, and find contact only where it is: judged at many poses
-// of random motions, on every instruction set and node width.
+// Sweeps never certify a time at which the part is within the margin, and find contact only where it is: judged by exact
+// queries at many poses of random and of hard motions, on every instruction set and node width. With CLEARWAY_FULL=1 there
+// are 20,000 random motions of 1,000 poses.
 #include "clearway/sweep.h"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <cstdlib>
+#include <string>
 
 #include "clearway/model.h"
+#include "query/sweep.h"
 #include "support/each_target.h"
 #include "support/random_meshes.h"
 
 namespace clearway::testing {
 namespace {
+
+bool isFull() {
+    const char* full = std::getenv("CLEARWAY_FULL");
+    return full != nullptr && std::string(full) == "1";
+}
 
 Pose poseAt(const RigidMotion& motion, double time) {
     const double angle = motion.turn.norm();
@@ -19,34 +28,56 @@ Pose poseAt(const RigidMotion& motion, double time) {
     return {motion.start.rotation * turned, motion.start.translation + time * motion.translation};
 }
 
-double sizeOf(const Mesh& mesh) {
-    Box box;
-    for (const Vector3& vertex : mesh.vertices) box.extend(vertex);
-    return box.diagonal().norm();
-}
-
+/// Two meshes to sweep one past the other.
 struct SweptPair {
+    SweptPair(std::string theName, const Mesh& partMesh, const Mesh& environmentMesh, int nodeWidth)
+        : name(std::move(theName)), part(built(partMesh, nodeWidth)), environment(built(environmentMesh, nodeWidth)) {
+        size = part.box().diagonal().norm() + environment.box().diagonal().norm();
+    }
+    static Model built(const Mesh& mesh, int nodeWidth) {
+        BuildOptions options;
+        options.nodeWidth = nodeWidth;
+        return Model::build(mesh, options);
+    }
+
     std::string name;
     Model part, environment;
     double size;
+    Vector3 centre = Vector3::Zero();  ///< motions begin around it
 };
 
+Mesh moved(const Mesh& mesh, const Vector3& by) {
+    return transformed(mesh, {Matrix3::Identity(), by});
+}
+
+/// Triangles 1,000 times longer than wide.
+Mesh needles(Random& random, int count) {
+    Mesh mesh = randomSoup(random, count, 1, 1);
+    for (Vector3& vertex : mesh.vertices) vertex.x() *= 1e3;
+    return mesh;
+}
+
 std::vector<SweptPair> sweptPairs(int nodeWidth) {
-    BuildOptions options;
-    options.nodeWidth = nodeWidth;
     std::vector<SweptPair> pairs;
-    for (const MeshPair& pair : meshPairs(7)) {
-        pairs.push_back({pair.name, Model::build(pair.part, options), Model::build(pair.environment, options),
-                         sizeOf(pair.part) + sizeOf(pair.environment)});
-    }
+    for (const MeshPair& pair : meshPairs(7)) pairs.emplace_back(pair.name, pair.part, pair.environment, nodeWidth);
+    Random random(3);
+    pairs.emplace_back("needles", needles(random, 40), needles(random, 60), nodeWidth);
+    const Vector3 far(3e5, -2e5, 1e5);
+    pairs.emplace_back("far from the origin", box({1, 2, 3}, 3), moved(plateWithHole(20, 1, 6, 24), far), nodeWidth);
+    pairs.back().centre = far;
+    pairs.emplace_back("part far from its origin", moved(box({1, 2, 3}, 3), far), plateWithHole(20, 1, 6, 24), nodeWidth);
+    pairs.back().centre = -far;
     return pairs;
 }
 
-RigidMotion randomMotion(Random& random, double size) {
+RigidMotion randomMotion(Random& random, const SweptPair& pair) {
     RigidMotion motion;
-    motion.start = random.pose(0.4 * size);
-    motion.translation = random.direction() * size * std::pow(10, random.uniform(-3, 0)) * (random.below(4) > 0);
-    motion.turn = random.direction() * std::pow(10, random.uniform(-4, 0.4)) * (random.below(4) > 0);
+    motion.start = random.pose(0.4 * pair.size);
+    if (pair.centre.x() < 0) motion.start.rotation.setIdentity();  // any other would swing the part away
+    motion.start.translation += pair.centre;
+    motion.translation =
+        random.direction() * pair.size * std::pow(10, random.uniform(-3, 0)) * (random.below(4) > 0);
+    motion.turn = random.direction() * std::pow(10, random.uniform(-4, 0.49)) * (random.below(4) > 0);
     return motion;
 }
 
@@ -54,49 +85,120 @@ struct Tally {
     int certified = 0, contact = 0, undecided = 0;
 };
 
-void judge(const SweptPair& pair, Random& random, int samples, Workspace& workspace, Tally& tally) {
-    const RigidMotion motion = randomMotion(random, pair.size);
+/// What a sweep of a motion with these options says must be so at the samples.
+Tally judge(const SweptPair& pair, const RigidMotion& motion, SweepOptions options, int samples) {
+    Workspace workspace;
     const MotionPieces pieces = piecesOf(motion, pair.part);
-    SweepOptions options;
-    options.margin = random.below(2) * pair.size * std::pow(10, random.uniform(-4, -1));
-    options.leastInterval = 1e-5 * pair.size;
-    options.poseError = 1e-12 * pair.size;
     const auto isWithinAt = [&](double time) {
         return isWithin(pair.part, pair.environment, poseAt(motion, time), options.margin, workspace);
     };
+    options.isForward = false;
     const SweepResult whole = sweep(pair.part, pair.environment, pieces, options, workspace);
     options.isForward = true;
     const SweepResult forward = sweep(pair.part, pair.environment, pieces, options, workspace);
     const double certified = std::max(whole.certifiedUntil, forward.certifiedUntil);
     for (int i = 0; i <= samples && certified > 0; ++i) {
-        BOOST_TEST(!isWithinAt(certified * i / samples), "within at " << certified * i / samples << " of " << certified);
+        const double time = certified * i / samples;
+        BOOST_TEST(!isWithinAt(time), "within at " << time << " of " << certified);
     }
     for (const SweepResult& found : {whole, forward}) {
         if (found.verdict != SweepVerdict::kContact) continue;
         BOOST_TEST(isWithinAt(found.contactTime));
         BOOST_TEST(found.certifiedUntil <= found.contactTime);
+        BOOST_TEST(found.partTriangle >= 0);
     }
-    ++(whole.verdict == SweepVerdict::kCertified ? tally.certified
-       : whole.verdict == SweepVerdict::kContact ? tally.contact
-                                                 : tally.undecided);
+    if (forward.verdict == SweepVerdict::kContact) {
+        BOOST_TEST(forward.contactTime - forward.certifiedUntil <= 2 * options.contactTime);
+    }
+    return {whole.verdict == SweepVerdict::kCertified, whole.verdict == SweepVerdict::kContact,
+            whole.verdict == SweepVerdict::kUndecided};
+}
+
+SweepOptions optionsFor(const SweptPair& pair, double margin) {
+    SweepOptions options;
+    options.margin = margin;
+    options.leastInterval = 1e-5 * pair.size;
+    options.poseError = 1e-13 * (pair.size + pair.centre.norm());
+    return options;
 }
 
 BOOST_DATA_TEST_CASE(no_certified_time_is_within_the_margin, eachTarget() * eachWidth(), target, width) {
     const UsingTarget using_(target);
-    Workspace workspace;
     Tally tally;
+    const std::uint64_t motions = isFull() ? 400 : 40;
     for (const SweptPair& pair : sweptPairs(width)) {
-        for (std::uint64_t seed = 0; seed < 60; ++seed) {
+        for (std::uint64_t seed = 0; seed < motions; ++seed) {
             BOOST_TEST_CONTEXT(pair.name << ", seed " << seed) {
                 Random random(seed);
-                judge(pair, random, 100, workspace, tally);
+                const RigidMotion motion = randomMotion(random, pair);
+                const double margin = random.below(2) * pair.size * std::pow(10, random.uniform(-4, -1));
+                const Tally one = judge(pair, motion, optionsFor(pair, margin), isFull() ? 1000 : 60);
+                tally.certified += one.certified;
+                tally.contact += one.contact;
+                tally.undecided += one.undecided;
             }
         }
     }
     BOOST_TEST_MESSAGE(tally.certified << " certified, " << tally.contact << " in contact, " << tally.undecided
                                        << " undecided");
-    BOOST_TEST(tally.certified > 50);
+    BOOST_TEST(tally.certified > 100);
     BOOST_TEST(tally.contact > 50);
+    BOOST_TEST(tally.undecided < 5);
+}
+
+struct HardMotion {
+    const char* name;
+    RigidMotion motion;
+    double margin;
+    SweepVerdict expected;
+};
+
+/// A box of half sides 1, 2, 3 and a plate of half sides 40, 40, 1 below it. Its bottom is 2 above the plate's top when the
+/// box is at z = 6.
+std::vector<HardMotion> hardMotions() {
+    const auto at = [](double x, double y, double z) { return Pose{Matrix3::Identity(), {x, y, z}}; };
+    const Vector3 none = Vector3::Zero(), along(30, 7, 0), up(0, 0, 1);
+    const double edge = 40 + 1;  // the plate's border and half the box's width
+    Pose tilted = at(0, 0, 4 + std::sqrt(5.0));
+    tilted.rotation = Eigen::AngleAxisd(std::atan2(1, 3), Vector3::UnitY()).toRotationMatrix();
+    constexpr auto kCertified = SweepVerdict::kCertified;
+    constexpr auto kContact = SweepVerdict::kContact;
+    return {
+        {"slides along a face at the margin", {at(-20, 0, 6), along, none}, 2, kContact},
+        {"slides a millionth beyond the margin", {at(-20, 0, 6 + 1e-6), along, none}, 2, kCertified},
+        {"slides a millionth above the face", {at(-20, 0, 4 + 1e-6), along, none}, 0, kCertified},
+        {"slides on the face", {at(-20, 0, 4), along, none}, 0, kContact},
+        {"turns on its face, a millionth above", {at(0, 0, 4 + 1e-6), none, 3 * up}, 0, kCertified},
+        {"screws along an axis that leans, above the margin",
+         {at(-20, 0, 6 + 1e-5), along, 2 * up},
+         2,
+         kCertified},
+        {"passes over the border", {at(edge - 5, 0, 4 + 1e-6), {10, 0, 0}, none}, 0, kCertified},
+        {"dips below the face behind the border", {at(edge + 1e-6, 0, 6), {0, 0, -8}, none}, 0, kCertified},
+        {"grazes the border with a side", {at(edge, 0, 6), {0, 0, -8}, none}, 0, kContact},
+        {"grazes the border for an instant", {at(edge - 4, 0, 8), {8, 0, -8}, none}, std::sqrt(0.5), kContact},
+        {"turns by nearly pi above the face", {at(0, 0, 8), none, Vector3(M_PI - 1e-9, 0, 0)}, 0, kCertified},
+        {"turns by nearly pi into the face", {at(0, 0, 5), none, Vector3(0, M_PI - 1e-9, 0)}, 0, kCertified},
+        {"turns into the face", {at(0, 0, 4.1), none, Vector3(M_PI - 1e-9, 0, 0)}, 0, kContact},
+        {"does not move, clear", {at(0, 0, 5), none, none}, 0.5, kCertified},
+        {"does not move, in contact", {at(0, 0, 4), none, none}, 0, kContact},
+        {"does not move, at the margin", {at(0, 0, 6), none, none}, 2, kContact},
+        {"moves by very little", {at(0, 0, 4.1), {1e-9, 0, 1e-9}, Vector3(1e-9, 0, 0)}, 0.05, kCertified},
+    };
+}
+
+BOOST_DATA_TEST_CASE(hard_motions_are_told_apart, eachTarget() * eachWidth(), target, width) {
+    const UsingTarget using_(target);
+    const SweptPair pair("box over plate", box({1, 2, 3}, 2), box({40, 40, 1}, 5), width);
+    for (const HardMotion& hard : hardMotions()) {
+        BOOST_TEST_CONTEXT(hard.name) {
+            SweepOptions options = optionsFor(pair, hard.margin);
+            options.leastInterval = 1e-6;
+            const Tally tally = judge(pair, hard.motion, options, 1000);
+            BOOST_TEST(tally.certified == (hard.expected == SweepVerdict::kCertified));
+            BOOST_TEST(tally.contact == (hard.expected == SweepVerdict::kContact));
+        }
+    }
 }
 
 }  // namespace

@@ -45,7 +45,8 @@ class SteadyMotion {
         piece.angularVelocity = turn;
         // Points on a circle are off its tangent by radius angle^2 / 2.
         const double angle = half * turn.norm();
-        piece.deviation = 0.5 * angle * angle * radius + half * doubtfulSpeed;
+        piece.deviationAcrossTurn = 0.5 * angle * angle * radius;
+        piece.deviation = half * doubtfulSpeed;
         return piece;
     }
 
