@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 
@@ -104,7 +105,8 @@ LeastDistance leastDistance(const Model& part, const Model& environment, const M
     requireInRange(options.cap, "cap", options.cap >= -options.margin, "a number of at least minus the margin");
     request.goal = SweepGoal::kLeastDistance;
     request.resolution = options.resolution;
-    request.leastUpper = cappedByReach(environment, options.cap + options.margin) - options.margin;
+    const double reach = cappedByReach(environment, std::numeric_limits<double>::infinity());
+    request.leastUpper = std::min(options.cap, reach - options.margin);
     const SweepAnswer answer = sweepTrees(part.tree(), environment.tree(), motion, request, state);
 
     LeastDistance result;

@@ -201,5 +201,203 @@ BOOST_DATA_TEST_CASE(hard_motions_are_told_apart, eachTarget() * eachWidth(), ta
     }
 }
 
+/// A box that swings on a parabola over the plate: 2 above it at first and at last, `dip` nearer in the middle.
+class Swing {
+  public:
+    explicit Swing(double dip) : dip_(dip) {}
+    Pose at(double time) const {
+        return {Matrix3::Identity(), {-20 + 40 * time, 0, 6 - 4 * dip_ * time * (1 - time)}};
+    }
+    /// trust: of the deviation that is true.
+    MotionPieces pieces(double trust) const {
+        return [*this, trust](double from, double to) {
+            const double middle = from + 0.5 * (to - from), half = 0.5 * (to - from);
+            MotionPiece piece;
+            piece.middle = at(middle);
+            piece.velocity = {40, 0, -4 * dip_ * (1 - 2 * middle)};
+            piece.angularVelocity.setZero();
+            piece.deviation = trust * 4 * dip_ * half * half;
+            return piece;
+        };
+    }
+
+  private:
+    double dip_;
+};
+
+BOOST_DATA_TEST_CASE(a_curved_motion_is_certified_by_its_deviation_and_a_deviation_too_small_is_caught, eachWidth(),
+                     width) {
+    const SweptPair pair("box over plate", box({1, 2, 3}), box({40, 40, 1}), width);
+    SweepOptions options = optionsFor(pair, 0.5);
+    Workspace workspace;
+    const auto certify = [&](double dip, double trust) {
+        return sweep(pair.part, pair.environment, Swing(dip).pieces(trust), options, workspace).verdict;
+    };
+    const auto isEverWithin = [&](double dip) {
+        bool isWithinSomewhere = false;
+        for (int i = 0; i <= 1000; ++i) {
+            const Pose X = Swing(dip).at(i / 1000.0);
+            isWithinSomewhere = isWithinSomewhere || isWithin(pair.part, pair.environment, X, 0.5, workspace);
+        }
+        return isWithinSomewhere;
+    };
+    BOOST_TEST((certify(1.499, 1) == SweepVerdict::kCertified));
+    BOOST_TEST(!isEverWithin(1.499));
+    BOOST_TEST((certify(1.501, 1) == SweepVerdict::kContact));
+    BOOST_TEST(isEverWithin(1.501));
+    // The sweep looks at 1/4, 3/4 and their like, where the box is clear, and trusts that it moves straight in between.
+    options.until = 0.998;
+    BOOST_TEST((certify(1.9, 1) == SweepVerdict::kContact));
+    BOOST_TEST((certify(1.9, 0) != SweepVerdict::kCertified || isEverWithin(1.9)));
+    const LeastDistanceOptions least;
+    BOOST_TEST(leastDistance(pair.part, pair.environment, Swing(1.25).pieces(1), least, workspace).upper ==
+                   0.75, boost::test_tools::tolerance(1e-2));
+}
+
+BOOST_DATA_TEST_CASE(the_least_distance_is_bounded_from_both_sides, eachTarget() * eachWidth(), target, width) {
+    const UsingTarget using_(target);
+    Workspace workspace;
+    int apart = 0;
+    for (const SweptPair& pair : sweptPairs(width)) {
+        for (std::uint64_t seed = 100; seed < 112; ++seed) {
+            BOOST_TEST_CONTEXT(pair.name << ", seed " << seed) {
+                Random random(seed);
+                const RigidMotion motion = randomMotion(random, pair);
+                LeastDistanceOptions options;
+                options.margin = random.below(2) * 1e-3 * pair.size;
+                options.resolution = {1e-2, 0.1, 1e-4 * pair.size, 1e-6 * pair.size};
+                const LeastDistance least =
+                    leastDistance(pair.part, pair.environment, piecesOf(motion, pair.part), options, workspace);
+                const auto clearanceAt = [&](double time) {
+                    return distance(pair.part, pair.environment, poseAt(motion, time), {}, workspace).upper -
+                           options.margin;
+                };
+                const double doubt = 1e-12 * (pair.size + pair.centre.norm());
+                double sampled = HUGE_VAL;
+                for (int i = 0; i <= 50; ++i) sampled = std::min(sampled, clearanceAt(i / 50.0));
+                BOOST_TEST(least.lower <= sampled + doubt);
+                BOOST_TEST(least.lower <= least.upper);
+                BOOST_TEST(clearanceAt(least.time) <= least.upper + doubt);
+                BOOST_TEST(!least.isStopped);
+                if (least.upper <= options.resolution.least) continue;
+                BOOST_TEST(least.upper - least.lower <= 1.001 * options.resolution.of(least.upper) + doubt);
+                ++apart;
+                options.cap = 0.5 * least.lower;
+                const LeastDistance capped =
+                    leastDistance(pair.part, pair.environment, piecesOf(motion, pair.part), options, workspace);
+                BOOST_TEST(capped.lower == options.cap);
+                BOOST_TEST(std::isinf(capped.upper));
+            }
+        }
+    }
+    BOOST_TEST(apart > 50);
+}
+
+/// A pipe of 200 sides rolls over a plate, each of its edges coming as near as `gap`.
+RigidMotion rolling(double gap) {
+    const Matrix3 lying = Eigen::AngleAxisd(M_PI / 2, Vector3::UnitX()).toRotationMatrix();  // its z points to -y
+    return {{lying, {-15, 0, 1 + 3 + gap}}, {3 * 8.0, 0, 0}, Vector3(0, 0, -8)};
+}
+
+BOOST_DATA_TEST_CASE(a_pipe_rolls_a_millionth_above_a_plate, eachWidth(), width) {
+    const SweptPair pair("pipe over plate", tube(2, 3, 4, 200), box({40, 40, 1}, 4), width);
+    SweepOptions options = optionsFor(pair, 0);
+    options.leastInterval = 1e-6;
+    BOOST_TEST(judge(pair, rolling(1e-6), options, 3000).certified == 1);
+    BOOST_TEST(judge(pair, rolling(-1e-3), options, 3000).contact == 1);
+}
+
+BOOST_AUTO_TEST_CASE(a_stop_is_asked_for_at_once_and_after_at_most_256_steps) {
+    const SweptPair pair("pipe over plate", tube(2, 3, 4, 200), box({40, 40, 1}, 12), 8);
+    SweepOptions options = optionsFor(pair, 0);
+    options.leastInterval = 1e-9;
+    const MotionPieces pieces = piecesOf(rolling(1e-6), pair.part);
+    Workspace workspace;
+    int asked = 0;
+    options.isStopped = [&] { return ++asked == 40; };
+    const SweepResult found = sweep(pair.part, pair.environment, pieces, options, workspace);
+    BOOST_TEST((found.verdict == SweepVerdict::kUndecided));
+    BOOST_TEST(asked == 40);
+    // A step is a visit, a pair of leaves, an interval halved unlooked at, or a pair resolved in double.
+    BOOST_TEST(found.counters.nodeVisits + found.counters.refinedPairs <= 256u * 40);
+    options.isStopped = [] { return true; };
+    BOOST_TEST(sweep(pair.part, pair.environment, pieces, options, workspace).counters.nodeVisits == 0u);
+    options.isForward = true;
+    BOOST_TEST(sweep(pair.part, pair.environment, pieces, options, workspace).certifiedUntil == 0);
+}
+
+BOOST_DATA_TEST_CASE(a_full_stack_is_undecided, eachWidth(), width) {
+    const SweptPair pair("boxes", box({1, 2, 3}, 4), box({1, 2, 3}, 4), width);
+    const RigidMotion motion{{Matrix3::Identity(), {2.01, 0, 0}}, {0, 1, 1}, Vector3(0.1, 0, 0)};
+    SweepRequest request;
+    request.leastInterval = 1e-6;
+    Workspace workspace;
+    const MotionPieces pieces = piecesOf(motion, pair.part);
+    for (const SweepGoal goal : {SweepGoal::kCertify, SweepGoal::kForward}) {
+        request.goal = goal;
+        request.mostEntries = kMostSweepEntries;
+        const auto answer = [&] {
+            return sweepTrees(pair.part.tree(), pair.environment.tree(), pieces, request, workspace.state());
+        };
+        BOOST_TEST(!answer().isUndecided);
+        request.mostEntries = 0;
+        const SweepAnswer full = answer();
+        BOOST_TEST(full.isUndecided);
+        BOOST_TEST(full.certifiedUntil < 1);
+    }
+}
+
+template <class Call>
+void requireRefused(const Call& call, const std::string& words) {
+    BOOST_CHECK_EXCEPTION(call(), std::invalid_argument, [&](const std::invalid_argument& error) {
+        BOOST_TEST_CONTEXT(error.what()) BOOST_TEST(std::string(error.what()).find(words) != std::string::npos);
+        return true;
+    });
+}
+
+BOOST_AUTO_TEST_CASE(wrong_arguments_are_refused_by_name) {
+    const SweptPair pair("boxes", box({1, 2, 3}), box({1, 2, 3}), 8);
+    const RigidMotion motion{{Matrix3::Identity(), {9, 0, 0}}, {1, 0, 0}, Vector3::Zero()};
+    Workspace workspace;
+    const auto ask = [&](const RigidMotion& asked, const SweepOptions& options) {
+        return sweep(pair.part, pair.environment, piecesOf(asked, pair.part), options, workspace);
+    };
+    const double nan = std::nan("");
+    for (const double wrong : {-1.0, nan}) {
+        SweepOptions options;
+        options.margin = wrong;
+        requireRefused([&] { ask(motion, options); }, "margin is ");
+        options = {};
+        options.poseError = wrong;
+        requireRefused([&] { ask(motion, options); }, "poseError is ");
+        options = {};
+        options.leastInterval = wrong;
+        requireRefused([&] { ask(motion, options); }, "leastInterval is ");
+        options = {};
+        options.contactTime = wrong;
+        requireRefused([&] { ask(motion, options); }, "contactTime is ");
+        options = {};
+        options.from = wrong;
+        requireRefused([&] { ask(motion, options); }, "from is ");
+        options = {};
+        options.until = wrong;
+        requireRefused([&] { ask(motion, options); }, "until is ");
+    }
+    RigidMotion wrong = motion;
+    wrong.translation.x() = nan;
+    requireRefused([&] { ask(wrong, {}); }, "expected");
+    wrong.translation.x() = HUGE_VAL;
+    requireRefused([&] { ask(wrong, {}); }, "expected");
+    wrong.translation.x() = 1e30;
+    requireRefused([&] { ask(wrong, {}); }, "expected");
+    wrong = motion;
+    wrong.turn.x() = 1e30;
+    requireRefused([&] { ask(wrong, {}); }, "expected");
+    wrong = motion;
+    wrong.start.rotation *= 2;
+    requireRefused([&] { ask(wrong, {}); }, "rotation");
+    BOOST_TEST((ask(motion, {}).verdict == SweepVerdict::kCertified));
+}
+
 }  // namespace
 }  // namespace clearway::testing
