@@ -48,14 +48,13 @@ BOOST_AUTO_TEST_CASE(a_motion_with_little_clearance_all_along_is_valid) {
 
 BOOST_AUTO_TEST_CASE(what_comes_too_close_to_tell_is_undecided_and_no_motion_along_a_face_is) {
     const Fixture coarse(0, withLeastInterval(0.1)), fine(0, withLeastInterval(1e-7));
-    // The plate turns by a thousandth while it slides, so its edge sweeps over the wall's face 1e-4 in front of it.
-    const auto s1 = coarse.at({-32.01, -20, 30}), s2 = coarse.at({-32.01, 20, 30}, 0.0005);
+    // So near that what the rates of OMPL's interpolation may be off counts, which shorter intervals make less.
+    const auto s1 = coarse.at({-32 - 1e-7, -20, 30}), s2 = coarse.at({-32 - 1e-7, 20, 30});
     BOOST_TEST(!coarse.check(s1, s2));
     BOOST_TEST(coarse.validator->counters().undecided == 1u);
     BOOST_TEST((coarse.report(s1, s2).verdict == MotionVerdict::kUndecided));
     BOOST_TEST(fine.check(s1, s2));
     BOOST_TEST(coarse.check(coarse.at({-32 - 1e-3, -20, 30}), coarse.at({-32 - 1e-3, 20, 30})));
-    BOOST_TEST(fine.check(fine.at({-32 - 1e-6, -20, 30}), fine.at({-32 - 1e-6, 20, 30})));
     const auto touching = fine.at({-32, 0, 30});
     BOOST_TEST(!fine.check(s1, touching));
     BOOST_TEST(fine.validator->counters().invalid == 1u);
