@@ -49,7 +49,7 @@ set(paths_headers audit.h simplify.h)
 set(setup_headers problem_setup.h plan.h plan_setup.h finish.h check_path.h ompl_messages.h)
 
 # Public headers that only declare values and free functions are open to every layer, the others from model on.
-set(value_headers types.h mesh.h build_options.h build_report.h query.h targets.h)
+set(value_headers types.h mesh.h build_options.h build_report.h query.h sweep.h targets.h)
 
 # Which files may see a library, by its include folder; every other file may not.
 set(hwy_users "^src/(kernels|query)/")

@@ -22,8 +22,8 @@ struct RigidMotion {
 
 /// A motion over an interval of time, as seen from the middle of the interval.
 struct MotionPiece {
-    Pose middle;              ///< X_environmentPart
-    Vector3 velocity;         ///< of the origin of the part's coordinates, per unit of time; environment's frame
+    Pose middle;       ///< X_environmentPart
+    Vector3 velocity;  ///< of the origin of the part's coordinates, per unit of time; environment's frame
     Vector3 angularVelocity;  ///< radians per unit of time; environment's frame
 
     /// How far points of the part leave the straight lines on which the velocities take them: by no more than x times the
@@ -80,7 +80,8 @@ struct SweepResult {
     /// `until` for a certified motion and `from` for others.
     double certifiedUntil = 0;
 
-    double contactTime = std::numeric_limits<double>::infinity();  ///< of a pose in contact; infinite without contact
+    double contactTime =
+        std::numeric_limits<double>::infinity();  ///< of a pose in contact; infinite without contact
     std::int64_t partTriangle = -1;  ///< of a pair in contact then; -1 without, and for a forbidden pose
     std::int64_t environmentTriangle = -1;
     QueryCounters counters;
@@ -89,8 +90,8 @@ struct SweepResult {
 /// Certifies a motion of the part: for each pair of volumes as long as the gap between the two outlasts the speed at which
 /// they come closer. Throws std::invalid_argument as distance() does at each pose it asks for, and when an option is out of
 /// its range or a piece of the motion is not finite.
-SweepResult sweep(const Model& part, const Model& environment, const MotionPieces& motion, const SweepOptions& options,
-                  Workspace& workspace);
+SweepResult sweep(const Model& part, const Model& environment, const MotionPieces& motion,
+                  const SweepOptions& options, Workspace& workspace);
 
 /// How closely a least distance is to be known: to `share` of it or, where that is more, to `length`, but no worse than to
 /// `largestShare` of it or, where that is more, to `least`.

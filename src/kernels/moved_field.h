@@ -7,8 +7,9 @@ namespace clearway {
 struct MovedField {
     float atOrigin[4];  ///< of a point at the tree's origin, and an unused float
     float turn[4];      ///< a point at y moves by atOrigin + turn x y
-    float deviation;    ///< how much further any point may move; includes the rounding of what kernels do with it
-    float bow;          ///< and how much further square to the turn, divided by the turn's length
+    float
+        deviation;  ///< how much further any point may move; includes the rounding of what kernels do with it
+    float bow;      ///< and how much further square to the turn, divided by the turn's length
 };
 
 }  // namespace clearway

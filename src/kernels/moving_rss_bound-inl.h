@@ -80,7 +80,8 @@ HWY_INLINE void CertifyAlong(D d, const Lanes3<V>& v, const RelativeRectangles<V
     const V towardsLane = hn::Xor(Dot(v, velocity.centre), hn::And(slabs.along, hn::Set(d, -0.0f)));
     const V closing = kLanesMove ? hn::Neg(towardsLane) : towardsLane;
     const V usableRoom = hn::IfThenElseZero(IsUsableToMove(d, slabs.lengthSquared), room);
-    shares.raise(ShareOf(d, usableRoom, hn::Add(spread, closing)), ShareOf(d, usableRoom, hn::Sub(spread, closing)));
+    shares.raise(ShareOf(d, usableRoom, hn::Add(spread, closing)),
+                 ShareOf(d, usableRoom, hn::Sub(spread, closing)));
 }
 
 /// The gaps and shares of a node's children.
@@ -96,8 +97,9 @@ struct MovingBounds {
 /// otherwise the one is. one, field: in the node's frame and unit. slack, toQueryUnit: as in RssLowerBounds. need: query
 /// units. Returns the lanes that are not certified throughout; the others' bounds have no meaning.
 template <bool kLanesMove, int kWidth>
-HWY_INLINE NearChildren MovingRssBounds(const CarriedRss& one, const WideNode<kWidth>& node, const MovedField& field,
-                                        float slack, float toQueryUnit, float need, MovingBounds<kWidth>& bounds) {
+HWY_INLINE NearChildren MovingRssBounds(const CarriedRss& one, const WideNode<kWidth>& node,
+                                        const MovedField& field, float slack, float toQueryUnit, float need,
+                                        MovingBounds<kWidth>& bounds) {
     const hn::CappedTag<float, kWidth> d;
     using V = hn::Vec<decltype(d)>;
     const float needHere = need / toQueryUnit;  // exact: a power of two
@@ -124,7 +126,8 @@ HWY_INLINE NearChildren MovingRssBounds(const CarriedRss& one, const WideNode<kW
         const V arm = hn::Add(hn::Sqrt(hn::MulAdd(half0, half0, hn::Mul(half1, half1))),
                               hn::Add(movingRadius, velocity.bow));
         const V speed = hn::Sqrt(Dot(velocity.centre, velocity.centre));
-        const V moved = hn::Add(hn::MulAdd(hn::Sqrt(Dot(velocity.turn, velocity.turn)), arm, speed), velocity.deviation);
+        const V moved =
+            hn::Add(hn::MulAdd(hn::Sqrt(Dot(velocity.turn, velocity.turn)), arm, speed), velocity.deviation);
         V gap = BoxGap(d, r);
         V plain = ShareOf(d, hn::Sub(gap, radii), moved);
         if ((used & ~MaskBits(d, hn::Ge(plain, whole))) == 0) continue;
@@ -139,8 +142,8 @@ HWY_INLINE NearChildren MovingRssBounds(const CarriedRss& one, const WideNode<kW
         };
         if (open() == 0) continue;
         const V along = hn::Div(Dot(direction, velocity.centre), Dot(velocity.centre, velocity.centre));
-        CertifyAlong<kLanesMove>(d, AddScaled(direction, hn::Neg(along), velocity.centre), r, radii, movingRadius,
-                                 velocity, shares);
+        CertifyAlong<kLanesMove>(d, AddScaled(direction, hn::Neg(along), velocity.centre), r, radii,
+                                 movingRadius, velocity, shares);
         near |= open() << i;
         hn::StoreU(hn::Mul(hn::Sub(gap, radius), hn::Set(d, toQueryUnit)), d, bounds.gap + i);
         hn::StoreU(hn::Mul(moved, hn::Set(d, toQueryUnit)), d, bounds.moved + i);

@@ -24,9 +24,9 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 template <class V>
 struct TriangleBounds {
-    V lower;    ///< slab gap: a lower bound up to rounding; may be negative
-    V upper;    ///< distance of two points of the triangles: an upper bound up to rounding
-    V feature;  ///< pair of features that holds these points, numbered as in query/pair_query.h
+    V lower;               ///< slab gap: a lower bound up to rounding; may be negative
+    V upper;               ///< distance of two points of the triangles: an upper bound up to rounding
+    V feature;             ///< pair of features that holds these points, numbered as in query/pair_query.h
     Lanes3<V> difference;  ///< of these points, from the first triangle to the second or back
 };
 

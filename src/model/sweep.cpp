@@ -22,7 +22,8 @@ MotionPieces piecesOf(const RigidMotion& motion, const Model& part) {
         const double middle = from + 0.5 * (to - from), half = 0.5 * (to - from);
         MotionPiece piece;
         const Matrix3 turned = Eigen::AngleAxisd(middle * angle, axis).toRotationMatrix();
-        piece.middle = {motion.start.rotation * turned, motion.start.translation + middle * motion.translation};
+        piece.middle = {motion.start.rotation * turned,
+                        motion.start.translation + middle * motion.translation};
         piece.velocity = motion.translation;
         piece.angularVelocity = motion.start.rotation * motion.turn;
         piece.deviationAcrossTurn = 0.5 * half * half * angle * angle * radius;
@@ -40,9 +41,9 @@ void requireInRange(double value, const char* name, bool isInRange, const char* 
 }
 
 /// Checks the arguments and begins the request.
-SweepRequest beginSweep(const Model& part, const Model& environment, const MotionPieces& motion, double margin,
-                        double poseError, double leastInterval, const std::function<bool()>& isStopped,
-                        Workspace::State& state) {
+SweepRequest beginSweep(const Model& part, const Model& environment, const MotionPieces& motion,
+                        double margin, double poseError, double leastInterval,
+                        const std::function<bool()>& isStopped, Workspace::State& state) {
     requireSameWidth(part, environment);
     requireNotNegative(margin, "margin");
     requireNotNegative(poseError, "poseError");
@@ -61,8 +62,8 @@ SweepRequest beginSweep(const Model& part, const Model& environment, const Motio
 
 }  // namespace
 
-SweepResult sweep(const Model& part, const Model& environment, const MotionPieces& motion, const SweepOptions& options,
-                  Workspace& workspace) {
+SweepResult sweep(const Model& part, const Model& environment, const MotionPieces& motion,
+                  const SweepOptions& options, Workspace& workspace) {
     Workspace::State& state = workspace.state();
     SweepRequest request = beginSweep(part, environment, motion, options.margin, options.poseError,
                                       options.leastInterval, options.isStopped, state);
@@ -102,7 +103,8 @@ LeastDistance leastDistance(const Model& part, const Model& environment, const M
     Workspace::State& state = workspace.state();
     SweepRequest request = beginSweep(part, environment, motion, options.margin, options.poseError,
                                       options.resolution.least, options.isStopped, state);
-    requireInRange(options.cap, "cap", options.cap >= -options.margin, "a number of at least minus the margin");
+    requireInRange(options.cap, "cap", options.cap >= -options.margin,
+                   "a number of at least minus the margin");
     request.goal = SweepGoal::kLeastDistance;
     request.resolution = options.resolution;
     const double reach = cappedByReach(environment, std::numeric_limits<double>::infinity());

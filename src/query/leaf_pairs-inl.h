@@ -94,7 +94,8 @@ class LeafPairs {
 
     HWY_INLINE void meet(const PairQuery& query, const Leaf& part, const Leaf& environment,
                          float volumesBound, float dropFrom) {
-        meet(query, part, environment, volumesBound, dropFrom, [](const float(&)[3], float) { return NoMove(); });
+        meet(query, part, environment, volumesBound, dropFrom,
+             [](const float(&)[3], float) { return NoMove(); });
     }
 
     int total() const { return int(part_->triangleCount * environment_->triangleCount); }
@@ -116,8 +117,9 @@ class LeafPairs {
     ///   take(lower, upper, triangles)   takes a pair with proved bounds of its distance
     template <class Visitor>
     HWY_INLINE void visit(Visitor& visitor) {
-        visitRegisters([&](const PairTag& d, const TrianglePair<hn::Vec<PairTag>>& pair,
-                           const RegisterPlace& place) HWY_ATTR { return takeNear(d, pair, place, visitor); });
+        visitRegisters(
+            [&](const PairTag& d, const TrianglePair<hn::Vec<PairTag>>& pair, const RegisterPlace& place)
+                HWY_ATTR { return takeNear(d, pair, place, visitor); });
     }
 
     /// The place of a register among the pairs of two leaves: its blocks begin with the part's triangle i and
@@ -142,7 +144,8 @@ class LeafPairs {
                     kernelLanes_ += hn::Lanes(d);
                     Triangles<hn::Vec<PairTag>> a, b;
                     load(i, j, first, a, b);
-                    if (!look(d, TrianglePair<hn::Vec<PairTag>>(a, b), RegisterPlace{i, j, first, lanes})) return;
+                    if (!look(d, TrianglePair<hn::Vec<PairTag>>(a, b), RegisterPlace{i, j, first, lanes}))
+                        return;
                 }
             }
         }

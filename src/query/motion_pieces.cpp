@@ -23,7 +23,8 @@ constexpr double kFurthest = 1e15;
 constexpr double kLongestBow = 1000;
 
 /// perUnit: mesh units -> the tree's unit.
-MovedField fieldIn(double perUnit, const Vector3& atOrigin, const Vector3& turn, double deviation, double bow) {
+MovedField fieldIn(double perUnit, const Vector3& atOrigin, const Vector3& turn, double deviation,
+                   double bow) {
     MovedField field{};
     field.deviation = nextFloatAbove(deviation * perUnit);
     field.bow = nextFloatAbove(bow * perUnit);
@@ -48,7 +49,8 @@ void PieceCache::prepare(TimeInterval interval, PreparedPiece& piece) const {
     if (!given.velocity.allFinite() || !given.angularVelocity.allFinite() || !(given.deviation >= 0) ||
         !std::isfinite(given.deviation) || !(given.deviationAcrossTurn >= 0) ||
         !std::isfinite(given.deviationAcrossTurn)) {
-        throw std::invalid_argument("a piece of a motion is not finite, expected finite velocities and deviations >= 0");
+        throw std::invalid_argument(
+            "a piece of a motion is not finite, expected finite velocities and deviations >= 0");
     }
     piece.key = 0;  // the slot stays empty if something throws
     piece.query = preparePairQuery(*part_, *environment_, given.middle);
@@ -65,12 +67,15 @@ void PieceCache::prepare(TimeInterval interval, PreparedPiece& piece) const {
         piece.velocity + piece.turn.cross(environment_->origin - given.middle.translation);
     const Vector3 inPart = toPart * piece.velocity + turnInPart.cross(part_->origin);
 
-    const double perMeshUnit = query.perMeshUnit, turned = piece.turn.norm(), reach = query.reach / perMeshUnit;
-    const double furthest = (inEnvironment.norm() + inPart.norm() + turned * reach + given.deviation) * perMeshUnit;
+    const double perMeshUnit = query.perMeshUnit, turned = piece.turn.norm(),
+                 reach = query.reach / perMeshUnit;
+    const double furthest =
+        (inEnvironment.norm() + inPart.norm() + turned * reach + given.deviation) * perMeshUnit;
     if (!(furthest < kFurthest)) {
         throw std::invalid_argument("a piece of a motion moves a point of the part by up to " +
                                     shortNumber(furthest / perMeshUnit) + ", expected less than " +
-                                    shortNumber(kFurthest / perMeshUnit) + ", which is 1e15 times the meshes' unit");
+                                    shortNumber(kFurthest / perMeshUnit) +
+                                    ", which is 1e15 times the meshes' unit");
     }
     const double rounding =
         kFieldRoundoffs * kUnitRoundoffFloat * (inEnvironment.norm() + inPart.norm() + 2 * turned * reach) +

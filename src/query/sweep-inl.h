@@ -59,7 +59,8 @@ struct TriangleMove {
     static constexpr bool kIsNone = false;
     float origin[3], turn[3];  ///< a point at y moves by origin + turn x y
     float bow;                 ///< as in MovedField
-    float nearingLeaves = 0;   ///< of all triangles of the part's leaf, along the line between the leaves' centres
+    float nearingLeaves =
+        0;  ///< of all triangles of the part's leaf, along the line between the leaves' centres
 
     template <class V>
     HWY_INLINE V nearing(const Lanes3<V>& v, const Triangles<V>& a) const {
@@ -69,7 +70,8 @@ struct TriangleMove {
         const Lanes3<V> across = Cross(v, spin);
         const V along = Dot(v, at);
         V most = hn::Zero(d);
-        for (const Lanes3<V>& corner : a.corner) most = hn::Max(most, hn::Abs(hn::Add(along, Dot(across, corner))));
+        for (const Lanes3<V>& corner : a.corner)
+            most = hn::Max(most, hn::Abs(hn::Add(along, Dot(across, corner))));
         return hn::MulAdd(hn::Sqrt(Dot(across, across)), hn::Set(d, bow), most);
     }
 };
@@ -92,8 +94,10 @@ HWY_INLINE void CertifyTrianglesAlong(D d, const Lanes3<V>& v, const TrianglePai
                                  hn::Set(d, -hwy::HighestValue<float>()));
     const Lanes3<V> spin = Cross(v, moves.turn);
     const V bowed = hn::Mul(hn::Sqrt(Dot(spin, spin)), moves.bow);
-    const V forwards = hn::MulAdd(hn::Add(hn::IfThenElse(isAbove, up, down), bowed), inverse, moves.deviation);
-    const V backwards = hn::MulAdd(hn::Add(hn::IfThenElse(isAbove, down, up), bowed), inverse, moves.deviation);
+    const V forwards =
+        hn::MulAdd(hn::Add(hn::IfThenElse(isAbove, up, down), bowed), inverse, moves.deviation);
+    const V backwards =
+        hn::MulAdd(hn::Add(hn::IfThenElse(isAbove, down, up), bowed), inverse, moves.deviation);
     const V room = hn::Sub(gap, needed);
     lower = hn::Max(lower, gap);
     shares.raise(ShareOf(d, room, forwards), ShareOf(d, room, backwards));
@@ -102,8 +106,8 @@ HWY_INLINE void CertifyTrianglesAlong(D d, const Lanes3<V>& v, const TrianglePai
 template <int kWidth>
 class Sweep {
   public:
-    Sweep(const FlatTree& part, const FlatTree& environment, const MotionPieces& motion, const SweepRequest& request,
-          Workspace::State& state, SweepAnswer& answer)
+    Sweep(const FlatTree& part, const FlatTree& environment, const MotionPieces& motion,
+          const SweepRequest& request, Workspace::State& state, SweepAnswer& answer)
         : part_(part),
           environment_(environment),
           request_(request),
@@ -136,8 +140,8 @@ class Sweep {
             }
             const PreparedPiece& piece = state_.pieces->at(interval);
             if (piece.counts == MotionPiece::Counts::kNowhere) continue;
-            if (piece.counts == MotionPiece::Counts::kNotAtMiddle && entry.part == 0 && entry.environment == 0 &&
-                interval.depth() < kMostHalvesForCounts) {
+            if (piece.counts == MotionPiece::Counts::kNotAtMiddle && entry.part == 0 &&
+                entry.environment == 0 && interval.depth() < kMostHalvesForCounts) {
                 push(entry, interval.lastHalf(), 0.5f * entry.moved);
                 push(entry, interval.firstHalf(), 0.5f * entry.moved);
                 continue;
@@ -168,7 +172,8 @@ class Sweep {
             return false;
         } else {
             steps_ = kStepsToStop;
-            if (request_.isStopped == nullptr || !*request_.isStopped || !(*request_.isStopped)()) return false;
+            if (request_.isStopped == nullptr || !*request_.isStopped || !(*request_.isStopped)())
+                return false;
             answer_.isStopped = true;
         }
         isDone_ = true;
@@ -189,7 +194,8 @@ class Sweep {
     float needed(const PairQuery& query) const {
         const double length = neededDouble(query);
         if (!(length > kLeastProved)) return nextFloatAbove(kLeastProved);
-        return length < double(hwy::HighestValue<float>()) ? nextFloatAbove(length) : hwy::HighestValue<float>();
+        return length < double(hwy::HighestValue<float>()) ? nextFloatAbove(length)
+                                                           : hwy::HighestValue<float>();
     }
 
     HWY_INLINE void push(const SweepEntry& entry, TimeInterval interval, float moved) {
@@ -244,8 +250,8 @@ class Sweep {
         const Volume<kWidth>& other = kOpenPart ? b : a;
         const CarriedRss one = CarryVolume(carry, other.node, other.lane);
         const MovedField& field = kOpenPart ? piece.inPart : piece.inEnvironment;
-        const NearChildren near =
-            MovingRssBounds<kOpenPart>(one, node, field, carry.slack, carry.toQueryUnit, needed(query), bounds_);
+        const NearChildren near = MovingRssBounds<kOpenPart>(one, node, field, carry.slack, carry.toQueryUnit,
+                                                             needed(query), bounds_);
         ++state_.counters.nodeVisits;
         state_.counters.volumeTests += near.children;
         const std::size_t base = stack_.size();
@@ -272,7 +278,8 @@ class Sweep {
     }
 
     /// Keeps what the shares leave open, each side as the shortest dyadic interval that holds it.
-    HWY_INLINE void pushRest(SweepEntry added, TimeInterval interval, float after, float before, std::size_t base) {
+    HWY_INLINE void pushRest(SweepEntry added, TimeInterval interval, float after, float before,
+                             std::size_t base) {
         constexpr float kRounded = 1 - 0x1p-20f;  // a share may be this much too large
         const float moved = 0.5f * added.moved;
         if (after < kWholeShare) {
@@ -319,7 +326,8 @@ class Sweep {
         fieldAt(piece, centre, move.origin, move.turn);
         move.bow = piece.bow;
         leaves_.meet(piece.query, partLeaf, environmentLeaf, -hwy::HighestValue<float>(),
-                     (need + piece.deviation) * kWholeShare, [&](const float(&offset)[3], float radius) HWY_ATTR {
+                     (need + piece.deviation) * kWholeShare,
+                     [&](const float(&offset)[3], float radius) HWY_ATTR {
                          move.nearingLeaves = nearingOf(move, offset, radius);
                          return move;
                      });
@@ -347,7 +355,8 @@ class Sweep {
     }
 
     /// The moves of points about a point of the environment, query units.
-    static void fieldAt(const PreparedPiece& piece, const Vector3& centre, float (&field)[3], float (&turn)[3]) {
+    static void fieldAt(const PreparedPiece& piece, const Vector3& centre, float (&field)[3],
+                        float (&turn)[3]) {
         const PairQuery& query = piece.query;
         const Vector3 from = centre - Vector3(query.t[0], query.t[1], query.t[2]);
         const Vector3 moved = (piece.velocity + piece.turn.cross(from)) * query.perMeshUnit;
@@ -361,15 +370,17 @@ class Sweep {
     /// offset: the part leaf's centre.
     static HWY_INLINE float nearingOf(const TriangleMove& move, const float (&offset)[3], float radius) {
         const float *w = move.turn, *o = offset;
-        const float spin[3] = {w[1] * o[2] - w[2] * o[1], w[2] * o[0] - w[0] * o[2], w[0] * o[1] - w[1] * o[0]};
+        const float spin[3] = {w[1] * o[2] - w[2] * o[1], w[2] * o[0] - w[0] * o[2],
+                               w[0] * o[1] - w[1] * o[0]};
         const float along = move.origin[0] * o[0] + move.origin[1] * o[1] + move.origin[2] * o[2];
         const float across = std::sqrt(spin[0] * spin[0] + spin[1] * spin[1] + spin[2] * spin[2]);
         return std::fabs(along) + across * (radius + move.bow);
     }
 
     template <class V = hn::Vec<PairTag>>
-    HWY_INLINE void lookAt(const PairTag& d, const TrianglePair<V>& pair, const LeafPairs::RegisterPlace& place,
-                           const PreparedPiece& piece, float need, const TriangleMove& move, LeafShares& leaf) {
+    HWY_INLINE void lookAt(const PairTag& d, const TrianglePair<V>& pair,
+                           const LeafPairs::RegisterPlace& place, const PreparedPiece& piece, float need,
+                           const TriangleMove& move, LeafShares& leaf) {
         const float error = leaves_.roundingError();
         const Lanes3<V> origin = {hn::Set(d, move.origin[0]), hn::Set(d, move.origin[1]),
                                   hn::Set(d, move.origin[2])};
@@ -383,7 +394,8 @@ class Sweep {
         V lower = hn::Set(d, -hwy::HighestValue<float>());
         CertifiedShares<V> shares = {hn::Zero(d), hn::Zero(d)};
         const auto open = [&] HWY_ATTR {
-            return place.near & ~MaskBits(d, hn::Ge(hn::Min(shares.after, shares.before), hn::Set(d, kWholeShare)));
+            return place.near &
+                   ~MaskBits(d, hn::Ge(hn::Min(shares.after, shares.before), hn::Set(d, kWholeShare)));
         };
         CertifyTrianglesAlong(d, pair.normalA, pair, neededGap, moves, lower, shares);
         CertifyTrianglesAlong(d, pair.normalB, pair, neededGap, moves, lower, shares);
@@ -393,11 +405,11 @@ class Sweep {
         CertifyTrianglesAlong(d, bounds.difference, pair, neededGap, moves, lower, shares);
         const Lanes3<V> mean = moves.of[0] + moves.of[1] + moves.of[2];
         const V along = hn::Div(Dot(bounds.difference, mean), Dot(mean, mean));
-        CertifyTrianglesAlong(d, AddScaled(bounds.difference, hn::Neg(along), mean), pair, neededGap, moves, lower,
-                              shares);
+        CertifyTrianglesAlong(d, AddScaled(bounds.difference, hn::Neg(along), mean), pair, neededGap, moves,
+                              lower, shares);
         if (request_.goal != SweepGoal::kLeastDistance) left = open();
-        alignas(64) float lowers[kBlockPairs], uppers[kBlockPairs], features[kBlockPairs], afters[kBlockPairs],
-            befores[kBlockPairs];
+        alignas(64) float lowers[kBlockPairs], uppers[kBlockPairs], features[kBlockPairs],
+            afters[kBlockPairs], befores[kBlockPairs];
         hn::Store(bounds.feature, d, features);
         hn::Store(hn::Sub(bounds.lower, hn::Set(d, error)), d, lowers);
         hn::Store(hn::Add(bounds.upper, hn::Set(d, error)), d, uppers);
@@ -415,17 +427,17 @@ class Sweep {
         float lower, upper, after, before;
     };
 
-    HWY_INLINE void take(const FloatPair& pair, const TrianglesAt& triangles, const PreparedPiece& piece, float need,
-                         LeafShares& leaf) {
+    HWY_INLINE void take(const FloatPair& pair, const TrianglesAt& triangles, const PreparedPiece& piece,
+                         float need, LeafShares& leaf) {
         const bool isWide = !(pair.upper - pair.lower <= kTooWide * (pair.upper - need));
         if (request_.goal == SweepGoal::kLeastDistance) {
             reach(pair.upper, piece);
         } else {
             const double margin = request_.margin * piece.query.perMeshUnit;
-            const bool isWithin =
-                double(pair.upper) <= margin && pair.upper > kLeastProved
-                    ? true
-                    : !(double(pair.lower) > margin && pair.lower > kLeastProved) && isExactlyWithin(triangles, piece);
+            const bool isWithin = double(pair.upper) <= margin && pair.upper > kLeastProved
+                                      ? true
+                                      : !(double(pair.lower) > margin && pair.lower > kLeastProved) &&
+                                            isExactlyWithin(triangles, piece);
             if (isWithin && piece.counts == MotionPiece::Counts::kAtMiddle) {
                 leaf.isContact = true;
                 leaf.contact = triangles;
@@ -466,7 +478,8 @@ class Sweep {
         isReached_ = true;
         answer_.time = TimeInterval{piece.key}.middle();
         // Distances within the margin, or too short to be told from 0, need not be known better.
-        if (leastUpper_ <= 0 || leastUpper_ + request_.margin <= request_.resolution.of(leastUpper_)) isDone_ = true;
+        if (leastUpper_ <= 0 || leastUpper_ + request_.margin <= request_.resolution.of(leastUpper_))
+            isDone_ = true;
     }
 
     void countStep() {
@@ -526,13 +539,13 @@ class Sweep {
     SweepAnswer& answer_;
     LeafPairs leaves_;
     MovingBounds<kWidth> bounds_;
-    double stop_;                                      ///< later times do not matter any more
-    double contactTime_;                               ///< of the first pose in contact known so far
-    double leastUpper_;                                ///< kLeastDistance: of the distances less the margin
+    double stop_;         ///< later times do not matter any more
+    double contactTime_;  ///< of the first pose in contact known so far
+    double leastUpper_;   ///< kLeastDistance: of the distances less the margin
     double leastInterval_;
     double begunAt_ = 1;  ///< stop_ when the whole motion was put on the stack
-    double openLower_ = std::numeric_limits<double>::infinity();   ///< kLeastDistance: of what was left open
-    int steps_ = 1;  ///< to the next look at isStopped, which comes at once
+    double openLower_ = std::numeric_limits<double>::infinity();  ///< kLeastDistance: of what was left open
+    int steps_ = 1;           ///< to the next look at isStopped, which comes at once
     bool isReached_ = false;  ///< kLeastDistance: leastUpper_ is a distance found, not the cap
     bool isDone_ = false;
 };

@@ -24,7 +24,7 @@ struct SweepRequest {
     double from = 0, until = 1;
     bool isContactAtEnd = false;  ///< the pose at `until` is known to be in contact
     double contactTime = 0;       ///< kForward
-    double leastUpper = 0;    ///< kLeastDistance: distance less the margin known to be reached, or the cap
+    double leastUpper = 0;  ///< kLeastDistance: distance less the margin known to be reached, or the cap
     ClearanceResolution resolution{};
     const std::function<bool()>* isStopped = nullptr;
     std::size_t mostEntries = 0;

@@ -67,8 +67,8 @@ class Comparison {
   public:
     Comparison(const Problem& problem, double margin, const std::string& cache)
         : problem_(problem),
-          scene_(buildCached(loadPart(problem), {}, cache).model, buildCached(loadEnvironment(problem), {}, cache).model,
-                 margin) {
+          scene_(buildCached(loadPart(problem), {}, cache).model,
+                 buildCached(loadEnvironment(problem), {}, cache).model, margin) {
         space_ = planning::makeSpace(problem.space, boundsOf(problem, scene_.environmentBox()),
                                      scene_.part.radiusAboutOrigin());
         si_ = std::make_shared<ob::SpaceInformation>(space_);
@@ -85,7 +85,8 @@ class Comparison {
                                               planning::toOmpl(space_, problem_.space, problem_.goal));
             const ob::PlannerPtr made = planning::makePlanner(si_, planner);
             if (planning::hasParameter(*made, "range")) {
-                planning::setParameter(*made, "range", shortNumber(0.25 * scene_.part.box().diagonal().norm()));
+                planning::setParameter(*made, "range",
+                                       shortNumber(0.25 * scene_.part.box().diagonal().norm()));
             }
             made->setProblemDefinition(definition);
             made->setup();
@@ -114,26 +115,41 @@ class Comparison {
         const MotionValidator globally(si_, scene_, planning::stateToPose(*space_),
                                        planning::displacementBound(*space_, scene_.part));
         std::vector<Answer> before(motions_.size()), after(motions_.size());
-        if (getenv("ONLY")) { for (int k = 0; k < atoi(getenv("ONLY")); ++k) for (std::size_t i = 0; i < motions_.size(); ++i) after[i] = ask(pairs, motions_[i], after[i]); }
+        if (getenv("ONLY")) {
+            for (int k = 0; k < atoi(getenv("ONLY")); ++k)
+                for (std::size_t i = 0; i < motions_.size(); ++i)
+                    after[i] = ask(pairs, motions_[i], after[i]);
+        }
         for (int turn = 0; turn < 2; ++turn) {
             for (std::size_t i = 0; i < motions_.size(); ++i) after[i] = ask(pairs, motions_[i], after[i]);
-            for (std::size_t i = 0; i < motions_.size(); ++i) before[i] = ask(globally, motions_[i], before[i]);
+            for (std::size_t i = 0; i < motions_.size(); ++i)
+                before[i] = ask(globally, motions_[i], before[i]);
         }
-        print("valid", before, after, [](const Answer& old, const Answer& found) { return old.isValid && found.isValid; });
-        print("invalid", before, after, [](const Answer& old, const Answer& found) { return !(old.isValid && found.isValid); });
+        print("valid", before, after,
+              [](const Answer& old, const Answer& found) { return old.isValid && found.isValid; });
+        print("invalid", before, after,
+              [](const Answer& old, const Answer& found) { return !(old.isValid && found.isValid); });
         if (getenv("TOP")) {
             std::vector<std::size_t> order(motions_.size());
             for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-            std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return after[a].seconds > after[b].seconds; });
+            std::sort(order.begin(), order.end(),
+                      [&](std::size_t a, std::size_t b) { return after[a].seconds > after[b].seconds; });
             double sum = 0;
             for (std::size_t i : order) sum += after[i].seconds;
             double part = 0;
             for (std::size_t k = 0; k < order.size(); k = k < 12 ? k + 1 : k * 5 / 4) {
                 const std::size_t i = order[k];
-                part = 0; for (std::size_t j = 0; j <= k; ++j) part += after[order[j]].seconds;
-                const double length = planning::displacementBound(*space_, scene_.part)(motions_[i].from.get(), motions_[i].to.get());
+                part = 0;
+                for (std::size_t j = 0; j <= k; ++j) part += after[order[j]].seconds;
+                const double length = planning::displacementBound(*space_, scene_.part)(
+                    motions_[i].from.get(), motions_[i].to.get());
                 const auto report = globally.report(motions_[i].from.get(), motions_[i].to.get());
-                std::cout << k << " valid " << after[i].isValid << " us " << before[i].seconds * 1e6 << " -> " << after[i].seconds * 1e6 << " visits " << before[i].visits << " -> " << after[i].visits << " pairs " << before[i].triangleTests << " -> " << after[i].triangleTests << " length " << length << " clearance " << report.lowerClearance << " at " << report.closestTime << " cumulative " << part / sum << "\n";
+                std::cout << k << " valid " << after[i].isValid << " us " << before[i].seconds * 1e6 << " -> "
+                          << after[i].seconds * 1e6 << " visits " << before[i].visits << " -> "
+                          << after[i].visits << " pairs " << before[i].triangleTests << " -> "
+                          << after[i].triangleTests << " length " << length << " clearance "
+                          << report.lowerClearance << " at " << report.closestTime << " cumulative "
+                          << part / sum << "\n";
             }
         }
         std::size_t lost = 0, gained = 0, undecidedBefore = 0, undecidedAfter = 0;
@@ -144,13 +160,15 @@ class Comparison {
             undecidedBefore += before[i].undecided;
             undecidedAfter += after[i].undecided;
             if (!motions_[i].isForward || before[i].isValid || after[i].isValid) continue;
-            const double length = planning::displacementBound(*space_, scene_.part)(motions_[i].from.get(), motions_[i].to.get());
+            const double length = planning::displacementBound(*space_, scene_.part)(motions_[i].from.get(),
+                                                                                    motions_[i].to.get());
             const double more = (after[i].certifiedTime - before[i].certifiedTime) * length;
             further = std::max(further, more);
             shorter = std::max(shorter, -more);
         }
-        std::cout << "verdicts: " << lost << " lost, " << gained << " gained; undecided " << undecidedBefore << " -> "
-                  << undecidedAfter << "; forward up to " << further << " further, " << shorter << " shorter\n";
+        std::cout << "verdicts: " << lost << " lost, " << gained << " gained; undecided " << undecidedBefore
+                  << " -> " << undecidedAfter << "; forward up to " << further << " further, " << shorter
+                  << " shorter\n";
     }
 
   private:
@@ -160,8 +178,9 @@ class Comparison {
         planning::takeQueryTally();
         std::pair<ob::State*, double> lastValid(nullptr, 1);
         const auto begin = Clock::now();
-        answer.isValid = motion.isForward ? validator.checkMotion(motion.from.get(), motion.to.get(), lastValid)
-                                          : validator.checkMotion(motion.from.get(), motion.to.get());
+        answer.isValid = motion.isForward
+                             ? validator.checkMotion(motion.from.get(), motion.to.get(), lastValid)
+                             : validator.checkMotion(motion.from.get(), motion.to.get());
         answer.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
         if (sofar.seconds > 0) answer.seconds = std::min(answer.seconds, sofar.seconds);
         answer.certifiedTime = answer.isValid ? 1 : lastValid.second;
@@ -176,7 +195,8 @@ class Comparison {
     template <class Counts>
     void print(const char* what, const std::vector<Answer>& before, const std::vector<Answer>& after,
                const Counts& counts) const {
-        double beforeSeconds = 0, afterSeconds = 0, beforeVisits = 0, afterVisits = 0, beforePairs = 0, afterPairs = 0, beforeRefined = 0, afterRefined = 0;
+        double beforeSeconds = 0, afterSeconds = 0, beforeVisits = 0, afterVisits = 0, beforePairs = 0,
+               afterPairs = 0, beforeRefined = 0, afterRefined = 0;
         std::size_t count = 0;
         for (std::size_t i = 0; i < motions_.size(); ++i) {
             if (!counts(before[i], after[i])) continue;
@@ -206,7 +226,8 @@ class Comparison {
 
 int run(int count, char** words) {
     if (count < 4) {
-        std::cerr << "usage: bench_certified_motions PROBLEM.cfg PLANNER|PATH COUNT [MARGIN [PARTS [SEED]]]\n";
+        std::cerr
+            << "usage: bench_certified_motions PROBLEM.cfg PLANNER|PATH COUNT [MARGIN [PARTS [SEED]]]\n";
         return 2;
     }
     const std::string what = words[2];

@@ -31,7 +31,9 @@ Pose poseAt(const RigidMotion& motion, double time) {
 /// Two meshes to sweep one past the other.
 struct SweptPair {
     SweptPair(std::string theName, const Mesh& partMesh, const Mesh& environmentMesh, int nodeWidth)
-        : name(std::move(theName)), part(built(partMesh, nodeWidth)), environment(built(environmentMesh, nodeWidth)) {
+        : name(std::move(theName)),
+          part(built(partMesh, nodeWidth)),
+          environment(built(environmentMesh, nodeWidth)) {
         size = part.box().diagonal().norm() + environment.box().diagonal().norm();
     }
     static Model built(const Mesh& mesh, int nodeWidth) {
@@ -59,13 +61,16 @@ Mesh needles(Random& random, int count) {
 
 std::vector<SweptPair> sweptPairs(int nodeWidth) {
     std::vector<SweptPair> pairs;
-    for (const MeshPair& pair : meshPairs(7)) pairs.emplace_back(pair.name, pair.part, pair.environment, nodeWidth);
+    for (const MeshPair& pair : meshPairs(7))
+        pairs.emplace_back(pair.name, pair.part, pair.environment, nodeWidth);
     Random random(3);
     pairs.emplace_back("needles", needles(random, 40), needles(random, 60), nodeWidth);
     const Vector3 far(3e5, -2e5, 1e5);
-    pairs.emplace_back("far from the origin", box({1, 2, 3}, 3), moved(plateWithHole(20, 1, 6, 24), far), nodeWidth);
+    pairs.emplace_back("far from the origin", box({1, 2, 3}, 3), moved(plateWithHole(20, 1, 6, 24), far),
+                       nodeWidth);
     pairs.back().centre = far;
-    pairs.emplace_back("part far from its origin", moved(box({1, 2, 3}, 3), far), plateWithHole(20, 1, 6, 24), nodeWidth);
+    pairs.emplace_back("part far from its origin", moved(box({1, 2, 3}, 3), far), plateWithHole(20, 1, 6, 24),
+                       nodeWidth);
     pairs.back().centre = -far;
     return pairs;
 }
@@ -139,8 +144,8 @@ BOOST_DATA_TEST_CASE(no_certified_time_is_within_the_margin, eachTarget() * each
             }
         }
     }
-    BOOST_TEST_MESSAGE(tally.certified << " certified, " << tally.contact << " in contact, " << tally.undecided
-                                       << " undecided");
+    BOOST_TEST_MESSAGE(tally.certified << " certified, " << tally.contact << " in contact, "
+                                       << tally.undecided << " undecided");
     BOOST_TEST(tally.certified > 100);
     BOOST_TEST(tally.contact > 50);
     BOOST_TEST(tally.undecided < 5);
@@ -176,7 +181,10 @@ std::vector<HardMotion> hardMotions() {
         {"passes over the border", {at(edge - 5, 0, 4 + 1e-6), {10, 0, 0}, none}, 0, kCertified},
         {"dips below the face behind the border", {at(edge + 1e-6, 0, 6), {0, 0, -8}, none}, 0, kCertified},
         {"grazes the border with a side", {at(edge, 0, 6), {0, 0, -8}, none}, 0, kContact},
-        {"grazes the border for an instant", {at(edge - 4, 0, 8), {8, 0, -8}, none}, std::sqrt(0.5), kContact},
+        {"grazes the border for an instant",
+         {at(edge - 4, 0, 8), {8, 0, -8}, none},
+         std::sqrt(0.5),
+         kContact},
         {"turns by nearly pi above the face", {at(0, 0, 8), none, Vector3(M_PI - 1e-9, 0, 0)}, 0, kCertified},
         {"turns by nearly pi into the face", {at(0, 0, 5), none, Vector3(0, M_PI - 1e-9, 0)}, 0, kCertified},
         {"turns into the face", {at(0, 0, 4.1), none, Vector3(M_PI - 1e-9, 0, 0)}, 0, kContact},
@@ -225,8 +233,8 @@ class Swing {
     double dip_;
 };
 
-BOOST_DATA_TEST_CASE(a_curved_motion_is_certified_by_its_deviation_and_a_deviation_too_small_is_caught, eachWidth(),
-                     width) {
+BOOST_DATA_TEST_CASE(a_curved_motion_is_certified_by_its_deviation_and_a_deviation_too_small_is_caught,
+                     eachWidth(), width) {
     const SweptPair pair("box over plate", box({1, 2, 3}), box({40, 40, 1}), width);
     SweepOptions options = optionsFor(pair, 0.5);
     Workspace workspace;
@@ -250,11 +258,13 @@ BOOST_DATA_TEST_CASE(a_curved_motion_is_certified_by_its_deviation_and_a_deviati
     BOOST_TEST((certify(1.9, 1) == SweepVerdict::kContact));
     BOOST_TEST((certify(1.9, 0) != SweepVerdict::kCertified || isEverWithin(1.9)));
     const LeastDistanceOptions least;
-    BOOST_TEST(leastDistance(pair.part, pair.environment, Swing(1.25).pieces(1), least, workspace).upper ==
-                   0.75, boost::test_tools::tolerance(1e-2));
+    BOOST_TEST(
+        leastDistance(pair.part, pair.environment, Swing(1.25).pieces(1), least, workspace).upper == 0.75,
+        boost::test_tools::tolerance(1e-2));
 }
 
-BOOST_DATA_TEST_CASE(the_least_distance_is_bounded_from_both_sides, eachTarget() * eachWidth(), target, width) {
+BOOST_DATA_TEST_CASE(the_least_distance_is_bounded_from_both_sides, eachTarget() * eachWidth(), target,
+                     width) {
     const UsingTarget using_(target);
     Workspace workspace;
     int apart = 0;
@@ -266,8 +276,8 @@ BOOST_DATA_TEST_CASE(the_least_distance_is_bounded_from_both_sides, eachTarget()
                 LeastDistanceOptions options;
                 options.margin = random.below(2) * 1e-3 * pair.size;
                 options.resolution = {1e-2, 0.1, 1e-4 * pair.size, 1e-6 * pair.size};
-                const LeastDistance least =
-                    leastDistance(pair.part, pair.environment, piecesOf(motion, pair.part), options, workspace);
+                const LeastDistance least = leastDistance(pair.part, pair.environment,
+                                                          piecesOf(motion, pair.part), options, workspace);
                 const auto clearanceAt = [&](double time) {
                     return distance(pair.part, pair.environment, poseAt(motion, time), {}, workspace).upper -
                            options.margin;
@@ -283,8 +293,8 @@ BOOST_DATA_TEST_CASE(the_least_distance_is_bounded_from_both_sides, eachTarget()
                 BOOST_TEST(least.upper - least.lower <= 1.001 * options.resolution.of(least.upper) + doubt);
                 ++apart;
                 options.cap = 0.5 * least.lower;
-                const LeastDistance capped =
-                    leastDistance(pair.part, pair.environment, piecesOf(motion, pair.part), options, workspace);
+                const LeastDistance capped = leastDistance(pair.part, pair.environment,
+                                                           piecesOf(motion, pair.part), options, workspace);
                 BOOST_TEST(capped.lower == options.cap);
                 BOOST_TEST(std::isinf(capped.upper));
             }
@@ -295,7 +305,8 @@ BOOST_DATA_TEST_CASE(the_least_distance_is_bounded_from_both_sides, eachTarget()
 
 /// A pipe of 200 sides rolls over a plate, each of its edges coming as near as `gap`.
 RigidMotion rolling(double gap) {
-    const Matrix3 lying = Eigen::AngleAxisd(M_PI / 2, Vector3::UnitX()).toRotationMatrix();  // its z points to -y
+    const Matrix3 lying =
+        Eigen::AngleAxisd(M_PI / 2, Vector3::UnitX()).toRotationMatrix();  // its z points to -y
     return {{lying, {-15, 0, 1 + 3 + gap}}, {3 * 8.0, 0, 0}, Vector3(0, 0, -8)};
 }
 
@@ -350,7 +361,8 @@ BOOST_DATA_TEST_CASE(a_full_stack_is_undecided, eachWidth(), width) {
 template <class Call>
 void requireRefused(const Call& call, const std::string& words) {
     BOOST_CHECK_EXCEPTION(call(), std::invalid_argument, [&](const std::invalid_argument& error) {
-        BOOST_TEST_CONTEXT(error.what()) BOOST_TEST(std::string(error.what()).find(words) != std::string::npos);
+        BOOST_TEST_CONTEXT(error.what())
+        BOOST_TEST(std::string(error.what()).find(words) != std::string::npos);
         return true;
     });
 }

@@ -1,6 +1,7 @@
-// Certifies a motion along its whole length, so that no pose between two checked ones is left to luck.
-// Source: Schwarzer, Saha, Latombe, Adaptive Dynamic Collision Checking for Single and Multiple Articulated
-// Robots in Complex Environments, 2005.
+// Certifies a motion along its whole length, so that no pose between two checked ones is left to luck: pair by pair (see
+// sweep.h), or in spaces whose velocities are not known by clearances of the whole part. Source of the latter: Schwarzer,
+// Saha, Latombe, Adaptive Dynamic Collision Checking for Single and Multiple Articulated Robots in Complex Environments,
+// 2005.
 #pragma once
 
 #include <ompl/base/MotionValidator.h>
@@ -30,8 +31,8 @@ struct MotionOptions {
     /// > 0. The default is 1e-5 of the diagonal of the part's box.
     std::optional<double> leastInterval;
 
-    /// Called between queries, also from other threads; true leaves the motion undecided. A motion that
-    /// slides along a face may take seconds.
+    /// Called between queries and after at most 256 steps of a sweep, also from other threads; true leaves the
+    /// motion undecided.
     std::function<bool()> isStopped;
 };
 
@@ -93,9 +94,7 @@ struct MotionProfile {
 /// the bounds, and there the part is farther from each obstacle that counts than the obstacle's margin, and
 /// inside no solid.
 ///
-/// An interval is certified when the clearances at its ends add up to more than the part can move between
-/// them. A valid motion costs about ds / clearance queries, summed along it; a motion that touches the margin
-/// is invalid or undecided, which counts as invalid.
+/// A motion that touches the margin is invalid or undecided, which counts as invalid.
 ///
 /// Any number of threads may use one validator: each has its own scratch and takes no lock. checkMotion
 /// throws nothing: it answers a motion that cannot be judged as invalid, counts it, and logs the first one
@@ -110,7 +109,8 @@ class MotionValidator : public ompl::base::MotionValidator {
     MotionValidator(const ompl::base::SpaceInformationPtr& si, Scene scene,
                     const MotionOptions& options = {});
 
-    /// For any space. The bounds of the space are checked at s1, at s2 and at each pose that is queried.
+    /// For any space; motions are certified by clearances of the whole part. The bounds of the space are checked at s1,
+    /// at s2 and at each pose that is queried.
     /// Throws as the first constructor does, and when a callback is empty. The poses of interpolated states
     /// may differ only by rounding from those that the bound is made for: by at most 2^-47 of the lengths
     /// involved.
@@ -123,14 +123,14 @@ class MotionValidator : public ompl::base::MotionValidator {
 
     ~MotionValidator() override;
 
-    /// Looks at the far end first, then at the middle of the widest stretch that is not certified.
+    /// Looks at the far end first.
     bool checkMotion(const ompl::base::State* s1, const ompl::base::State* s2) const override;
 
     /// Goes forward. On false lastValid.second is in [0, 1), all poses up to that time are certified, and
-    /// lastValid.first, unless null, holds the state there, as it was interpolated and looked at. That state
-    /// is within a hundred least intervals, in displacement, of the pose that blocks. (OMPL's motion from s1
-    /// to that state may be another one: OMPL leaves out turns below 1.6e-4 rad.) When s1 is invalid,
-    /// lastValid is s1 at time 0. lastValid.first may be s1 or s2. On true lastValid stays as it is.
+    /// lastValid.first, unless null, holds the state there, as it was interpolated. That state is within a hundred
+    /// least intervals, in displacement, of the pose that blocks. (OMPL's motion from s1 to that state may be another
+    /// one: OMPL leaves out turns below 1.6e-4 rad.) When s1 is invalid, lastValid is s1 at time 0. lastValid.first
+    /// may be s1 or s2. On true lastValid stays as it is.
     bool checkMotion(const ompl::base::State* s1, const ompl::base::State* s2,
                      std::pair<ompl::base::State*, double>& lastValid) const override;
 
@@ -139,9 +139,9 @@ class MotionValidator : public ompl::base::MotionValidator {
     /// interval; unless the environment's reach ends before. Not counted.
     MotionReport report(const ompl::base::State* s1, const ompl::base::State* s2) const;
 
-    /// Reports a motion with clearances along it. Along the certified part the points stand so close that
-    /// four fifths of their clearance is certain from each point to the next one, or a least interval apart.
-    /// A few points after it show how the motion goes on.
+    /// Reports a motion with clearances along it. Along the certified part four fifths of the clearance at two
+    /// neighbouring points are certain between them, or they are a least interval apart. They are no further apart than
+    /// 2 % of the part's diagonal. A few points after it show how the motion goes on.
     MotionProfile profile(const ompl::base::State* s1, const ompl::base::State* s2) const;
 
     /// Answers as checkMotion would if all margins were larger by `more`, in environment units. Counted as a

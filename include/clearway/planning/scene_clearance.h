@@ -84,9 +84,9 @@ struct ContactsAt {
 };
 
 struct SceneSweepOptions {
-    double floor = 0;            ///< clearance that is asked for on top of the margins
-    double poseError = 0;        ///< how far the poses in question may be off the motion
-    double leastInterval = 0;    ///< see SweepOptions
+    double floor = 0;          ///< clearance that is asked for on top of the margins
+    double poseError = 0;      ///< how far the poses in question may be off the motion
+    double leastInterval = 0;  ///< see SweepOptions
     bool isForward = false;
     double contactInterval = 0;  ///< SweepOptions::contactTime as a length
     double from = 0, until = 1;
@@ -104,7 +104,8 @@ struct SceneSweep {
 
 struct LeastClearanceOptions {
     double poseError = 0;
-    double cap = std::numeric_limits<double>::infinity();  ///< larger clearances do not matter, e.g. than those found already
+    double cap = std::numeric_limits<
+        double>::infinity();  ///< larger clearances do not matter, e.g. than those found already
     ClearanceResolution resolution{};
     std::function<bool()> isStopped;
 };
@@ -112,8 +113,9 @@ struct LeastClearanceOptions {
 /// Bounds of the least clearance along a motion, over the obstacles that count at each pose.
 struct LeastClearance {
     double lower = 0;
-    double upper = 0;             ///< the cap when no pose has less
-    std::optional<double> time;   ///< of a pose with no more than `upper`; none when no pose has less than the cap
+    double upper = 0;  ///< the cap when no pose has less
+    std::optional<double>
+        time;  ///< of a pose with no more than `upper`; none when no pose has less than the cap
     bool isStopped = false;
     std::uint64_t queries = 0;
 };
@@ -154,7 +156,8 @@ class SceneClearance {
     /// What solids say about a motion from time 0 to `until` along which no surfaces touch, where the obstacle counts: the
     /// part may still be inside a solid while it counts, if a contact zone ignored the solid when the part got in.
     /// kUndecided: too close to the border of a zone to tell. `until` of the answer: the part is outside up to there.
-    SolidsAlong stayOutsideSolids(const PartMotion& motion, double until, double poseError, double leastInterval) const;
+    SolidsAlong stayOutsideSolids(const PartMotion& motion, double until, double poseError,
+                                  double leastInterval) const;
     bool hasSolids() const { return hasSolids_; }
 
     /// The least distance of all obstacles, whatever the margins, solids and contact zones.
@@ -189,8 +192,8 @@ class SceneClearance {
     struct TimeRange {
         double from, to;
     };
-    SweepVerdict sideAlong(std::size_t obstacle, const PartMotion& motion, const TimeRange& range, double poseError,
-                           double leastInterval) const;
+    SweepVerdict sideAlong(std::size_t obstacle, const PartMotion& motion, const TimeRange& range,
+                           double poseError, double leastInterval) const;
     MotionPieces piecesFor(std::size_t obstacle, const PartMotion& motion, double poseError) const;
 
     Scene scene_;

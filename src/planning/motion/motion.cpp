@@ -72,7 +72,13 @@ MotionSample lessened(const MotionSample& sample, double jump) {
 
 Motion::Motion(const PosedScene& posed, ClearanceDetail detail, double floor, const ob::State* s1,
                const ob::State* s2)
-    : posed_(posed), detail_(detail), floor_(floor), s1_(s1), s2_(s2), scratch_(posed.si()), isSwept_(bool(posed.motion())) {}
+    : posed_(posed),
+      detail_(detail),
+      floor_(floor),
+      s1_(s1),
+      s2_(s2),
+      scratch_(posed.si()),
+      isSwept_(bool(posed.motion())) {}
 
 bool Motion::isEndValid() {
     if (!posed_.si().satisfiesBounds(s2_)) return false;
@@ -167,7 +173,8 @@ bool Motion::doesEndKeepFloor() {
 
 TimeSpan Motion::leavesBounds(double length) {
     if (posed_.si().satisfiesBounds(s2_)) return {1, 1};
-    return change({0, 1}, length, [this](const ob::State* state) { return !posed_.si().satisfiesBounds(state); });
+    return change({0, 1}, length,
+                  [this](const ob::State* state) { return !posed_.si().satisfiesBounds(state); });
 }
 
 /// Halves the span, whose ends differ in `isTrue`, until it is shorter than a length.
@@ -193,7 +200,8 @@ void Motion::lookAtReported(double certifiedTime, double blockedTime) {
 }
 
 double Motion::longestProfiled() const {
-    constexpr double kShare = 0.02;  // of the part's diagonal: a curve through the points then shows what happens
+    constexpr double kShare =
+        0.02;  // of the part's diagonal: a curve through the points then shows what happens
     return kShare * posed_.scene().part.box().diagonal().norm();
 }
 
@@ -206,7 +214,9 @@ void Motion::findContactSpans(double length) {
 template <class IsIn>
 std::optional<TimeSpan> Motion::spanOf(double length, const IsIn& isIn) {
     constexpr int kPoses = 64;
-    const auto isInAt = [&](const ob::State* state) { return isIn(posed_.clearance().contactsAt(posed_.pose(state))); };
+    const auto isInAt = [&](const ob::State* state) {
+        return isIn(posed_.clearance().contactsAt(posed_.pose(state)));
+    };
     std::vector<double> within;
     for (int i = 0; i <= kPoses; ++i) {
         const double time = double(i) / kPoses;
@@ -218,7 +228,9 @@ std::optional<TimeSpan> Motion::spanOf(double length, const IsIn& isIn) {
     const double step = 1.0 / kPoses;
     if (span.first > 0) span.first = change({span.first - step, span.first}, length, isInAt).last;
     if (span.last < 1) {
-        span.last = change({span.last, span.last + step}, length, [&](const ob::State* s) { return !isInAt(s); }).first;
+        span.last = change({span.last, span.last + step}, length, [&](const ob::State* s) {
+                        return !isInAt(s);
+                    }).first;
     }
     return span;
 }

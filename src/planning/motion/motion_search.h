@@ -60,7 +60,8 @@ class MotionSearch {
     /// known to be `cap` but for the resolution. Returns a clearance that no pose is below. It may be more
     /// than the cap, and is at most 0 when the motion cannot be told from an invalid one. Returns nothing
     /// when a pose is invalid. isForReverse: the bound is to hold for the motion from s2 to s1, too.
-    std::optional<double> leastClearance(double cap, const ClearanceResolution& resolution, bool isForReverse = false);
+    std::optional<double> leastClearance(double cap, const ClearanceResolution& resolution,
+                                         bool isForReverse = false);
 
     /// The certified intervals up to certifiedTime() in order, divided until each interval's bound is at
     /// least `share` of the lesser room at its ends, or the interval is as short as the least interval.

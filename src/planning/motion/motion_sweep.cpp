@@ -114,7 +114,8 @@ std::optional<double> MotionSweep::leastClearance(double cap, const ClearanceRes
     options.resolution.least = std::max(resolution.least, options_.leastInterval);
     options.isStopped = options_.isStopped;
     const std::optional<LeastClearance> found = motion_.leastClearance(options, isForReverse);
-    if (!found || motion_.stayOutsideSolids(1, options_.leastInterval).verdict != SweepVerdict::kCertified) return std::nullopt;
+    if (!found || motion_.stayOutsideSolids(1, options_.leastInterval).verdict != SweepVerdict::kCertified)
+        return std::nullopt;
     return found->lower;
 }
 

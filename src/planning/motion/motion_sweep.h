@@ -36,7 +36,8 @@ class MotionSweep {
     double refineLower(const ClearanceResolution& resolution);
 
     /// Finds the least clearance of a motion in place of certify or goForward: see MotionSearch.
-    std::optional<double> leastClearance(double cap, const ClearanceResolution& resolution, bool isForReverse = false);
+    std::optional<double> leastClearance(double cap, const ClearanceResolution& resolution,
+                                         bool isForReverse = false);
 
     /// The intervals up to certifiedTime() in order: see MotionSearch.
     std::vector<MotionInterval> profile(double share);

@@ -32,7 +32,8 @@ class ContactZones {
     void findSpares(const Scene& scene, const Pose& X_environmentPart, PoseClearance& answer) const;
 
     /// Whether an obstacle counts at a pose and wherever the part is moved from there by at most `moved`.
-    bool countsAround(const Scene& scene, std::size_t obstacle, const Pose& X_environmentPart, double moved) const;
+    bool countsAround(const Scene& scene, std::size_t obstacle, const Pose& X_environmentPart,
+                      double moved) const;
 
   private:
     struct Zone {

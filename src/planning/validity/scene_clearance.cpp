@@ -374,9 +374,10 @@ SceneSweep SceneClearance::sweep(const PartMotion& motion, const SceneSweepOptio
         const Obstacle& obstacle = scene_.obstacles[i];
         asked.margin = obstacle.margin + options.floor;
         asked.until = answer.certifiedUntil;
-        asked.isContactAtEnd = answer.contactTime == asked.until || (options.isContactAtEnd && asked.until == options.until);
-        const SweepResult found =
-            clearway::sweep(scene_.part, obstacle.model, piecesFor(i, motion, options.poseError), asked, mine.workspaces[i]);
+        asked.isContactAtEnd =
+            answer.contactTime == asked.until || (options.isContactAtEnd && asked.until == options.until);
+        const SweepResult found = clearway::sweep(
+            scene_.part, obstacle.model, piecesFor(i, motion, options.poseError), asked, mine.workspaces[i]);
         ++answer.queries;
         ++tallyOfThisThread.sweeps;
         tallyOfThisThread.work += found.counters;
@@ -391,7 +392,8 @@ SceneSweep SceneClearance::sweep(const PartMotion& motion, const SceneSweepOptio
     return answer;
 }
 
-LeastClearance SceneClearance::leastClearance(const PartMotion& motion, const LeastClearanceOptions& options) const {
+LeastClearance SceneClearance::leastClearance(const PartMotion& motion,
+                                              const LeastClearanceOptions& options) const {
     LeastClearance answer;
     answer.lower = kInfinity;
     answer.upper = std::min(options.cap, mostClearance());
@@ -404,8 +406,8 @@ LeastClearance SceneClearance::leastClearance(const PartMotion& motion, const Le
         const Obstacle& obstacle = scene_.obstacles[i];
         asked.margin = obstacle.margin;
         asked.cap = answer.upper;
-        const LeastDistance found = leastDistance(scene_.part, obstacle.model, piecesFor(i, motion, options.poseError),
-                                                  asked, mine.workspaces[i]);
+        const LeastDistance found = leastDistance(
+            scene_.part, obstacle.model, piecesFor(i, motion, options.poseError), asked, mine.workspaces[i]);
         ++answer.queries;
         ++tallyOfThisThread.sweeps;
         tallyOfThisThread.work += found.counters;

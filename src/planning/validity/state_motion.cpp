@@ -30,7 +30,8 @@ constexpr double kRateError = 1e-7;
 /// A motion with constant velocities, as OMPL interpolates it.
 class SteadyMotion {
   public:
-    SteadyMotion(const ob::StateSpace& space, const StateToPose& pose, const ob::State* from, const ob::State* to)
+    SteadyMotion(const ob::StateSpace& space, const StateToPose& pose, const ob::State* from,
+                 const ob::State* to)
         : space_(space), pose_(pose), from_(from), to_(to), scratch_(space.allocState()) {}
     ~SteadyMotion() { space_.freeState(scratch_); }
     SteadyMotion(const SteadyMotion&) = delete;
@@ -139,11 +140,12 @@ double setSe2(const ob::State* from, const ob::State* to, const PartReach& reach
 
 template <class Set>
 StateMotion steadyMotion(const ob::StateSpacePtr& space, const Set& set) {
-    return [space, pose = stateToPose(*space), set](const ob::State* from, const ob::State* to) -> PartMotion {
-        const auto motion = std::make_shared<SteadyMotion>(*space, pose, from, to);
-        const double length = set(from, to, *motion);
-        return {[motion](double begin, double end) { return motion->piece(begin, end); }, length};
-    };
+    return
+        [space, pose = stateToPose(*space), set](const ob::State* from, const ob::State* to) -> PartMotion {
+            const auto motion = std::make_shared<SteadyMotion>(*space, pose, from, to);
+            const double length = set(from, to, *motion);
+            return {[motion](double begin, double end) { return motion->piece(begin, end); }, length};
+        };
 }
 
 }  // namespace
