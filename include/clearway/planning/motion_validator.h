@@ -139,9 +139,10 @@ class MotionValidator : public ompl::base::MotionValidator {
     /// interval; unless the environment's reach ends before. Not counted.
     MotionReport report(const ompl::base::State* s1, const ompl::base::State* s2) const;
 
-    /// Reports a motion with clearances along it. Along the certified part four fifths of the clearance at two
-    /// neighbouring points are certain between them, or they are a least interval apart. They are no further apart than
-    /// 2 % of the part's diagonal. A few points after it show how the motion goes on.
+    /// Reports a motion with clearances along it. Between two neighbouring points of the certified part the clearance is
+    /// certain up to a fifth of it, 1e-3 of the part's diagonal, or the least clearance of the motion, whichever tells
+    /// least; or they are a least interval apart. They are no further apart than 2 % of the part's diagonal. A few points
+    /// after the certified part show how the motion goes on.
     MotionProfile profile(const ompl::base::State* s1, const ompl::base::State* s2) const;
 
     /// Answers as checkMotion would if all margins were larger by `more`, in environment units. Counted as a

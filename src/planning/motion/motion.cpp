@@ -205,6 +205,11 @@ double Motion::longestProfiled() const {
     return kShare * posed_.scene().part.box().diagonal().norm();
 }
 
+double Motion::profileWidth() const {
+    constexpr double kShare = 1e-3;
+    return kShare * posed_.scene().part.box().diagonal().norm();
+}
+
 void Motion::findContactSpans(double length) {
     if (zoneCount() == 0) return;
     startContact_ = spanOf(length, [](const ContactsAt& at) { return at.isInStart; });

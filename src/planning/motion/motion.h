@@ -93,6 +93,9 @@ class Motion {
     /// The longest move between two points of a profile.
     double longestProfiled() const;
 
+    /// Bounds between two points of a profile need not be closer than this.
+    double profileWidth() const;
+
     /// Finds startContact() and goalContact() to within a length, instead of from the poses looked at.
     void findContactSpans(double length);
 

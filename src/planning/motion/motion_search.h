@@ -48,6 +48,8 @@ class MotionSearch {
     /// Goes from the start to the end. certifiedTime() is how far it came.
     MotionVerdict goForward();
 
+    MotionVerdict goForwardToReport(const ClearanceResolution&) { return goForward(); }
+
     double certifiedTime() const { return reached_.time; }
     MotionSample reached() const { return reached_; }
     bool isStartInvalid() const { return isStartInvalid_; }

@@ -102,8 +102,20 @@ MotionSample MotionSweep::reached() {
 }
 
 double MotionSweep::refineLower(const ClearanceResolution& resolution) {
-    const std::optional<double> least = leastClearance(std::numeric_limits<double>::infinity(), resolution);
-    return std::max(least.value_or(0), std::numeric_limits<double>::denorm_min());
+    if (!least_) least_ = leastClearance(std::numeric_limits<double>::infinity(), resolution);
+    return std::max(least_.value_or(0), std::numeric_limits<double>::denorm_min());
+}
+
+/// A motion whose least clearance is above 0 is valid, and known closely enough for a report.
+MotionVerdict MotionSweep::goForwardToReport(const ClearanceResolution& resolution) {
+    if (motion_.isStartWithinBounds() && motion_.isWithinBoundsAt(1)) {
+        least_ = leastClearance(std::numeric_limits<double>::infinity(), resolution);
+        if (least_ && *least_ > 0) {
+            certifiedTime_ = 1;
+            return MotionVerdict::kValid;
+        }
+    }
+    return goForward();
 }
 
 std::optional<double> MotionSweep::leastClearance(double cap, const ClearanceResolution& resolution,
@@ -132,18 +144,20 @@ std::vector<MotionInterval> MotionSweep::profile(double share) {
     while (!ahead.empty()) {
         const MotionSample to = ahead.back();
         const double step = to.time - from.time, middle = from.time + 0.5 * step;
-        double wanted = share * std::min(from.room.lower, to.room.lower);
-        if (!(wanted > 0) || !std::isfinite(wanted)) wanted = 0;
+        const double atEnds = std::min(from.room.lower, to.room.lower);
+        const double wanted =
+            std::isfinite(atEnds) ? atEnds - std::max((1 - share) * atEnds, motion_.profileWidth()) : 0;
         const bool isShort =
             motion_.length() * step <= options.leastInterval || !(middle > from.time && middle < to.time);
         options.from = from.time;
         options.until = to.time;
-        options.floor = wanted;
+        options.floor = std::max(wanted, 0.0);
+        const bool isKnown = wanted <= least_.value_or(0);
         if (isShort) {
             settled.push_back({from, to, 0});
         } else if (motion_.length() * step <= longest &&
-                   motion_.sweep(options).verdict == SweepVerdict::kCertified) {
-            settled.push_back({from, to, wanted});
+                   (isKnown || motion_.sweep(options).verdict == SweepVerdict::kCertified)) {
+            settled.push_back({from, to, isKnown ? 0 : wanted});
         } else {
             ahead.push_back(motion_.at(middle, kFully));
             continue;

@@ -24,6 +24,9 @@ class MotionSweep {
     /// Goes from the start to the end. certifiedTime() is how far it came.
     MotionVerdict goForward();
 
+    /// Goes forward for a report, which wants the least clearance of a valid motion.
+    MotionVerdict goForwardToReport(const ClearanceResolution& resolution);
+
     double certifiedTime() const { return certifiedTime_; }
     MotionSample reached();
     bool isStartInvalid() const { return isStartInvalid_; }
@@ -51,6 +54,7 @@ class MotionSweep {
     double blockedTime_ = 1;
     bool leavesBounds_ = false;
     bool isStartInvalid_ = false;
+    std::optional<double> least_;  ///< clearance of the whole motion, if it is known
 };
 
 }  // namespace clearway::planning

@@ -196,7 +196,7 @@ MotionReport MotionValidator::report(const ob::State* s1, const ob::State* s2,
         Motion looked(*posed_, ClearanceDetail::kWhole, 0, s1, s2);
         looked.measure();
         const auto take = [&](auto&& way) {
-            report.verdict = way.goForward();
+            report.verdict = way.goForwardToReport(usualResolution(scene(), leastInterval_));
             report.certifiedTime = way.certifiedTime();
             if (report.verdict == MotionVerdict::kValid) {
                 report.lowerClearance = way.refineLower(usualResolution(scene(), leastInterval_));
