@@ -4,6 +4,7 @@
 #include <ompl/base/StateSpace.h>
 
 #include <functional>
+#include <limits>
 
 #include "clearway/model.h"
 #include "clearway/sweep.h"
@@ -17,6 +18,9 @@ struct PartMotion {
     /// No point of the part moves further than length |b - a| between the times a and b. Not finite when the states make
     /// no motion.
     double length = 0;
+    /// No point of the part is further than this, and rounding, from where the interpolation ends when it is at the second
+    /// state. 0: the interpolation ends there.
+    double endJump = std::numeric_limits<double>::infinity();
 };
 
 /// Returns the motion between two states, which outlive it; one thread uses the motion. It is called from several threads at

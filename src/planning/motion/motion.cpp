@@ -81,10 +81,11 @@ Motion::Motion(const PosedScene& posed, ClearanceDetail detail, double floor, co
       isSwept_(bool(posed.motion())) {}
 
 bool Motion::isEndValid() {
+    if (isEndKnown_) return true;
     if (!posed_.si().satisfiesBounds(s2_)) return false;
     if (floor_ > 0) return true;  // asked for states of a path, which mostly keep the floor
     ++queries_;
-    isOutside_ = posed_.clearance().isFree(posed_.pose(s2_));
+    isOutside_ = isEndKnown_ = posed_.clearance().isFree(posed_.pose(s2_));
     return isOutside_;
 }
 
@@ -165,10 +166,16 @@ bool Motion::isWithinBoundsAt(double time) {
     return posed_.si().satisfiesBounds(time == 1 ? s2_ : scratch_.get());
 }
 
-bool Motion::doesEndKeepFloor() {
-    if (floor_ == 0) return true;  // isEndValid said so
-    if (!posed_.clearance().hasSolids() && findEndJump() <= 0.125 * slack_) return true;
-    return atEnd(std::numeric_limits<double>::denorm_min()).isValid();
+bool Motion::isEndLikeInterpolation() {
+    if (isEndKnown_ && floor_ == 0) return true;
+    const bool isSame = motion_.endJump <= 0.125 * slack_ && !posed_.clearance().hasSolids();
+    if (isSame) return isEndKnown_ || posed_.si().satisfiesBounds(s2_);
+    return isEndValid() && (floor_ == 0 || atEnd(std::numeric_limits<double>::denorm_min()).isValid());
+}
+
+bool Motion::isShort() const {
+    constexpr double kShare = 0.02;  // of the part's diagonal
+    return length_ <= kShare * posed_.scene().part.box().diagonal().norm();
 }
 
 TimeSpan Motion::leavesBounds(double length) {

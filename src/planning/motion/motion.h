@@ -80,8 +80,11 @@ class Motion {
 
     bool isWithinBoundsAt(double time);
 
-    /// Whether s2 itself keeps the floor, besides the end of the interpolation.
-    bool doesEndKeepFloor();
+    /// Whether s2 itself is valid and keeps the floor, when a sweep says so of the interpolation to its end.
+    bool isEndLikeInterpolation();
+
+    /// Whether the motion is so short that sweeping it finds a blocked end as soon as a query there does.
+    bool isShort() const;
 
     /// The time where the motion leaves the bounds: the last one found within, and one outside, closer than a length. Both
     /// are 1 when s2 is within.
@@ -155,6 +158,7 @@ class Motion {
     double slack_ = 0;
     double endJump_ = 0;
     bool checksBoundsBetween_ = true;
+    bool isEndKnown_ = false;  ///< isEndValid said that s2 is valid
     bool isOutside_ = false;  ///< no solid that always counts holds the part at one pose, so none does at any
     std::uint64_t queries_ = 0;
     PoseClearance closest_;

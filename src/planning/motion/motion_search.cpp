@@ -130,6 +130,7 @@ bool MotionSearch::lookAtStart(double wanted) {
 }
 
 MotionVerdict MotionSearch::certify() {
+    if (!motion_.isEndValid()) return MotionVerdict::kInvalid;
     const MotionSample end = motion_.atEnd(wantedAtEnds());
     if (!end.isValid() || !lookAtStart(wantedAtEnds())) return MotionVerdict::kInvalid;
     keepOpen(interval(reached_, end));

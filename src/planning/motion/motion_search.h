@@ -42,7 +42,7 @@ class MotionSearch {
     MotionSearch(Motion& motion, double leastInterval, double contactInterval,
                  std::function<bool()> isStopped = {});
 
-    /// Looks at the middle of the widest stretch that is not certified. The caller knows that s2 is valid.
+    /// Looks at s2 first, then at the middle of the widest stretch that is not certified.
     MotionVerdict certify();
 
     /// Goes from the start to the end. certifiedTime() is how far it came.

@@ -34,10 +34,11 @@ MotionSweep::MotionSweep(Motion& motion, double leastInterval, double contactInt
 
 MotionVerdict MotionSweep::certify() {
     if (!motion_.isStartWithinBounds()) return invalidStart();
+    if (!motion_.isShort() && !motion_.isEndValid()) return MotionVerdict::kInvalid;
     const MotionVerdict verdict = verdictOf(motion_.sweep(options_).verdict);
     if (verdict == MotionVerdict::kInvalid && !motion_.isFreeAtStart()) return invalidStart();
     if (verdict != MotionVerdict::kValid) return verdict;
-    if (!motion_.doesEndKeepFloor()) return MotionVerdict::kInvalid;
+    if (!motion_.isEndLikeInterpolation()) return MotionVerdict::kInvalid;
     return verdictOf(motion_.stayOutsideSolids(1, options_.leastInterval).verdict);
 }
 

@@ -18,7 +18,7 @@ class MotionSweep {
     MotionSweep(Motion& motion, double leastInterval, double contactInterval,
                 std::function<bool()> isStopped = {});
 
-    /// The caller knows that s2 is valid.
+    /// Looks at s2 first, unless the motion is short.
     MotionVerdict certify();
 
     /// Goes from the start to the end. certifiedTime() is how far it came.

@@ -160,7 +160,8 @@ MotionValidator::Outcome MotionValidator::judge(const ob::State* s1, const ob::S
             outcome.certifiedTime = way.certifiedTime();
             outcome.isStartInvalid = way.isStartInvalid();
         };
-        if (judging.forward || looked.isEndValid()) {
+        // To judge the end is by far the cheapest test of a motion whose length is not cheap.
+        if (posed_->motion() || judging.forward || looked.isEndValid()) {
             looked.measure();
             if (looked.canBeSwept()) {
                 take(MotionSweep(looked, leastInterval_, contactInterval, isStopped));

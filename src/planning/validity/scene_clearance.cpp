@@ -418,7 +418,7 @@ LeastClearance SceneClearance::leastClearance(const PartMotion& motion,
             answer.time = found.time;
             mine.nearest = i;
         }
-        return !answer.isStopped;
+        return !answer.isStopped && answer.upper > 0;  // a motion in contact has no least clearance to find
     });
     return answer;
 }

@@ -53,6 +53,7 @@ class SteadyMotion {
 
     Vector3 velocity = Vector3::Zero(), turn = Vector3::Zero();
     double radius = 0;         ///< of the part about the axis
+    double endJump = 0;        ///< see PartMotion
     double doubtfulSpeed = 0;  ///< by which points may move in any direction
 
   private:
@@ -110,7 +111,7 @@ double setSe3(const ob::State* from, const ob::State* to, const PartReach& reach
     const double angle = 4 * std::atan2((qa - qb).norm(), (qa + qb).norm());
     motion.velocity = b.position - a.position;
     if (!(angle > kLeastTrustedTurn)) {
-        motion.doubtfulSpeed = angle * reach.aboutOrigin;
+        motion.doubtfulSpeed = motion.endJump = angle * reach.aboutOrigin;
         const double rounding = addRateError(motion, reach.aboutOrigin);
         return motion.velocity.norm() + angle * reach.aboutOrigin + rounding;
     }
@@ -144,7 +145,8 @@ StateMotion steadyMotion(const ob::StateSpacePtr& space, const Set& set) {
         [space, pose = stateToPose(*space), set](const ob::State* from, const ob::State* to) -> PartMotion {
             const auto motion = std::make_shared<SteadyMotion>(*space, pose, from, to);
             const double length = set(from, to, *motion);
-            return {[motion](double begin, double end) { return motion->piece(begin, end); }, length};
+            return {[motion](double begin, double end) { return motion->piece(begin, end); }, length,
+                    motion->endJump};
         };
 }
 
