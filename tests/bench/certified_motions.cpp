@@ -1,7 +1,10 @@
 // Compares the two ways of certifying motions, pair by pair and globally, on the motions of planners and of a path: verdicts,
 // times and work. Globally certifies what the callbacks' constructor of MotionValidator is given.
-//   bench_certified_motions PROBLEM.cfg PLANNER|PATH COUNT [MARGIN [PARTS [SEED]]]
+//   bench_certified_motions PROBLEM.cfg PLANNER|PATH COUNT [MARGIN [PARTS [SEED [OUT.csv SCENE]]]]
+//   bench_certified_motions PROBLEM.cfg VERDICTS.csv SCENE
 // PLANNER: one of OMPL's, whose motions are recorded. PATH: a path file, whose segments are cut into PARTS motions each.
+// OUT.csv: to append the motions to, with the global verdicts, under the scene's name. VERDICTS.csv: such a file, whose verdicts
+// are compared with those of sweeps. Ends with 1 when a verdict is lost: valid globally, but not by a sweep.
 #include <ompl/base/PlannerTerminationCondition.h>
 #include <ompl/base/ProblemDefinition.h>
 #include <ompl/util/Console.h>
@@ -11,7 +14,10 @@
 #include <chrono>
 #include <cmath>
 #include <exception>
+#include <fstream>
 #include <iostream>
+#include <sstream>
+#include <stdexcept>
 #include <string>
 
 #include "clearway/planning/clearance_objectives.h"
@@ -65,10 +71,9 @@ struct Answer {
 
 class Comparison {
   public:
-    Comparison(const Problem& problem, double margin, const std::string& cache)
+    Comparison(const Problem& problem, double margin)
         : problem_(problem),
-          scene_(buildCached(loadPart(problem), {}, cache).model,
-                 buildCached(loadEnvironment(problem), {}, cache).model, margin) {
+          scene_(Model::build(loadPart(problem)), Model::build(loadEnvironment(problem)), margin) {
         space_ = planning::makeSpace(problem.space, boundsOf(problem, scene_.environmentBox()),
                                      scene_.part.radiusAboutOrigin());
         si_ = std::make_shared<ob::SpaceInformation>(space_);
@@ -110,65 +115,79 @@ class Comparison {
         }
     }
 
-    void compare() {
+    /// Returns how many verdicts are lost.
+    std::size_t compare() {
         const MotionValidator pairs(si_, scene_);
         const MotionValidator globally(si_, scene_, planning::stateToPose(*space_),
                                        planning::displacementBound(*space_, scene_.part));
-        std::vector<Answer> before(motions_.size()), after(motions_.size());
-        if (getenv("ONLY")) {
-            for (int k = 0; k < atoi(getenv("ONLY")); ++k)
-                for (std::size_t i = 0; i < motions_.size(); ++i)
-                    after[i] = ask(pairs, motions_[i], after[i]);
-        }
+        before_.assign(motions_.size(), {});
+        std::vector<Answer> after(motions_.size());
         for (int turn = 0; turn < 2; ++turn) {
             for (std::size_t i = 0; i < motions_.size(); ++i) after[i] = ask(pairs, motions_[i], after[i]);
             for (std::size_t i = 0; i < motions_.size(); ++i)
-                before[i] = ask(globally, motions_[i], before[i]);
+                before_[i] = ask(globally, motions_[i], before_[i]);
         }
-        print("valid", before, after,
-              [](const Answer& old, const Answer& found) { return old.isValid && found.isValid; });
-        print("invalid", before, after,
-              [](const Answer& old, const Answer& found) { return !(old.isValid && found.isValid); });
-        if (getenv("TOP")) {
-            std::vector<std::size_t> order(motions_.size());
-            for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-            std::sort(order.begin(), order.end(),
-                      [&](std::size_t a, std::size_t b) { return after[a].seconds > after[b].seconds; });
-            double sum = 0;
-            for (std::size_t i : order) sum += after[i].seconds;
-            double part = 0;
-            for (std::size_t k = 0; k < order.size(); k = k < 12 ? k + 1 : k * 5 / 4) {
-                const std::size_t i = order[k];
-                part = 0;
-                for (std::size_t j = 0; j <= k; ++j) part += after[order[j]].seconds;
-                const double length = planning::displacementBound(*space_, scene_.part)(
-                    motions_[i].from.get(), motions_[i].to.get());
-                const auto report = globally.report(motions_[i].from.get(), motions_[i].to.get());
-                std::cout << k << " valid " << after[i].isValid << " us " << before[i].seconds * 1e6 << " -> "
-                          << after[i].seconds * 1e6 << " visits " << before[i].visits << " -> "
-                          << after[i].visits << " pairs " << before[i].triangleTests << " -> "
-                          << after[i].triangleTests << " length " << length << " clearance "
-                          << report.lowerClearance << " at " << report.closestTime << " cumulative "
-                          << part / sum << "\n";
-            }
-        }
-        std::size_t lost = 0, gained = 0, undecidedBefore = 0, undecidedAfter = 0;
+        const auto areValid = [](const Answer& old, const Answer& found) {
+            return old.isValid && found.isValid;
+        };
+        print("valid", before_, after, areValid);
+        print("invalid", before_, after, [&](const Answer& a, const Answer& b) { return !areValid(a, b); });
+        printLeastClearances();
         double further = 0, shorter = 0;
         for (std::size_t i = 0; i < motions_.size(); ++i) {
-            lost += before[i].isValid && !after[i].isValid;
-            gained += !before[i].isValid && after[i].isValid;
-            undecidedBefore += before[i].undecided;
-            undecidedAfter += after[i].undecided;
-            if (!motions_[i].isForward || before[i].isValid || after[i].isValid) continue;
+            if (!motions_[i].isForward || before_[i].isValid || after[i].isValid) continue;
             const double length = planning::displacementBound(*space_, scene_.part)(motions_[i].from.get(),
                                                                                     motions_[i].to.get());
-            const double more = (after[i].certifiedTime - before[i].certifiedTime) * length;
+            const double more = (after[i].certifiedTime - before_[i].certifiedTime) * length;
             further = std::max(further, more);
             shorter = std::max(shorter, -more);
         }
-        std::cout << "verdicts: " << lost << " lost, " << gained << " gained; undecided " << undecidedBefore
-                  << " -> " << undecidedAfter << "; forward up to " << further << " further, " << shorter
-                  << " shorter\n";
+        std::cout << "forward up to " << further << " further, " << shorter << " shorter\n";
+        return countVerdicts(before_, after);
+    }
+
+    /// Appends the motions of the last comparison.
+    void append(const std::string& file, const std::string& scene) const {
+        std::ofstream out(file, std::ios::app);
+        for (std::size_t i = 0; i < motions_.size(); ++i) {
+            out << scene << "," << shortNumber(scene_.largestMargin()) << "," << motions_[i].isForward << ","
+                << (before_[i].isValid         ? "valid"
+                    : before_[i].undecided > 0 ? "undecided"
+                                               : "invalid");
+            for (const auto* state : {&motions_[i].from, &motions_[i].to}) {
+                for (const double number : state->reals()) out << "," << shortNumber(number);
+            }
+            out << "\n";
+        }
+        if (!out.flush()) throw std::runtime_error("cannot write '" + file + "'");
+    }
+
+    /// Compares the verdicts of a file that append wrote.
+    std::size_t compareWith(const std::string& file, const std::string& scene) {
+        std::ifstream in(file);
+        if (!in) throw std::runtime_error("cannot read '" + file + "'");
+        const MotionValidator pairs(si_, scene_);
+        std::vector<Answer> before, after;
+        for (std::string line; std::getline(in, line);) {
+            std::stringstream row(line);
+            std::string name, margin, isForward, verdict, number;
+            std::getline(row, name, ',');
+            std::getline(row, margin, ',');
+            std::getline(row, isForward, ',');
+            std::getline(row, verdict, ',');
+            if (name != scene || parseNumber(margin).value() != scene_.largestMargin()) continue;
+            std::vector<double> numbers;
+            while (std::getline(row, number, ',')) numbers.push_back(parseNumber(number).value());
+            const auto half = static_cast<std::ptrdiff_t>(numbers.size() / 2);
+            RecordedMotion motion{ob::ScopedState<>(space_), ob::ScopedState<>(space_), isForward == "1"};
+            motion.from = std::vector<double>(numbers.begin(), numbers.begin() + half);
+            motion.to = std::vector<double>(numbers.begin() + half, numbers.end());
+            before.emplace_back();
+            before.back().isValid = verdict == "valid";
+            before.back().undecided = verdict == "undecided";
+            after.push_back(ask(pairs, motion, {}));
+        }
+        return countVerdicts(before, after);
     }
 
   private:
@@ -217,34 +236,79 @@ class Comparison {
                   << afterPairs / n << "\n";
     }
 
+    static std::size_t countVerdicts(const std::vector<Answer>& before, const std::vector<Answer>& after) {
+        std::size_t lost = 0, gained = 0, undecidedBefore = 0, undecidedAfter = 0;
+        for (std::size_t i = 0; i < before.size(); ++i) {
+            lost += before[i].isValid && !after[i].isValid;
+            gained += !before[i].isValid && after[i].isValid;
+            undecidedBefore += before[i].undecided;
+            undecidedAfter += after[i].undecided;
+        }
+        std::cout << before.size() << " verdicts: " << lost << " lost, " << gained << " gained; undecided "
+                  << undecidedBefore << " -> " << undecidedAfter << "\n";
+        return lost;
+    }
+
+    /// What MinClearanceObjective asks for, of at most 200 motions that are valid.
+    void printLeastClearances() const {
+        const planning::MinClearanceObjective pairs(si_, scene_),
+            globally(si_, scene_, planning::stateToPose(*space_),
+                     planning::displacementBound(*space_, scene_.part));
+        double before = 0, after = 0;
+        std::size_t count = 0;
+        for (std::size_t i = 0; i < motions_.size() && count < 200; ++i) {
+            if (!before_[i].isValid) continue;
+            const ob::State *from = motions_[i].from.get(), *to = motions_[i].to.get();
+            const auto seconds = [&](const planning::MinClearanceObjective& objective) {
+                const auto begin = Clock::now();
+                objective.motionCost(from, to);
+                return std::chrono::duration<double>(Clock::now() - begin).count();
+            };
+            before += seconds(globally);
+            after += seconds(pairs);
+            ++count;
+        }
+        const double n = std::max<double>(1, double(count));
+        std::cout << "least clearance: " << count << " valid motions; us a motion " << before / n * 1e6
+                  << " -> " << after / n * 1e6 << " (" << before / after << " times)\n";
+    }
+
     Problem problem_;
     Scene scene_;
     ob::StateSpacePtr space_;
     ob::SpaceInformationPtr si_;
     std::vector<RecordedMotion> motions_;
+    std::vector<Answer> before_;
 };
+
+bool endsWith(const std::string& text, const std::string& end) {
+    return text.size() > end.size() && text.substr(text.size() - end.size()) == end;
+}
 
 int run(int count, char** words) {
     if (count < 4) {
         std::cerr
-            << "usage: bench_certified_motions PROBLEM.cfg PLANNER|PATH COUNT [MARGIN [PARTS [SEED]]]\n";
+            << "usage: bench_certified_motions PROBLEM.cfg PLANNER|PATH COUNT [MARGIN [PARTS [SEED [OUT.csv "
+               "SCENE]]]]\n       bench_certified_motions PROBLEM.cfg VERDICTS.csv SCENE\n";
         return 2;
     }
     const std::string what = words[2];
     ompl::msg::noOutputHandler();
-    ompl::RNG::setSeed(static_cast<std::uint32_t>(count > 6 ? parseInteger(words[6]).value() : 1));
     const Problem problem = readProblem(words[1]);
+    if (endsWith(what, ".csv")) return Comparison(problem, problem.margin).compareWith(what, words[3]) > 0;
+    ompl::RNG::setSeed(static_cast<std::uint32_t>(count > 6 ? parseInteger(words[6]).value() : 1));
     const double margin = count > 4 ? parseNumber(words[4]).value() : problem.margin;
-    Comparison comparison(problem, margin, "/tmp/clearway-bench-models");
+    Comparison comparison(problem, margin);
     const auto most = static_cast<std::size_t>(parseInteger(words[3]).value());
-    if (what.size() > 5 && what.substr(what.size() - 5) == ".path") {
+    if (endsWith(what, ".path")) {
         comparison.cut(what, most, count > 5 ? static_cast<int>(parseInteger(words[5]).value()) : 1);
     } else {
         comparison.record(what, most);
     }
     std::cout << words[1] << " " << what << " margin " << margin << "\n";
-    comparison.compare();
-    return 0;
+    const std::size_t lost = comparison.compare();
+    if (count > 8) comparison.append(words[7], words[8]);
+    return lost > 0;
 }
 
 }  // namespace
