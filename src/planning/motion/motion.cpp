@@ -128,7 +128,8 @@ std::optional<LeastClearance> Motion::leastClearance(LeastClearanceOptions optio
     const double wanted = options.cap;
     const MotionSample end = atEnd(wanted);
     if (!end.isValid()) return std::nullopt;
-    const MotionSample start = atStart(wanted);
+    const MotionSample start =
+        atStart(std::min(wanted, end.upper));  // more than the least one does not matter
     if (!start.isValid()) return std::nullopt;
     const double jump = isForReverse ? slack_ + endJump_ : 0, atEnds = std::min(start.upper, end.upper);
     options.poseError = 0.5 * slack_ + jump;
@@ -138,7 +139,7 @@ std::optional<LeastClearance> Motion::leastClearance(LeastClearanceOptions optio
     found.lower = std::min({found.lower, start.lower - jump, end.lower - jump});
     found.upper = std::min(found.upper, atEnds);
     if (found.time) {
-        const MotionSample closest = at(*found.time, std::numeric_limits<double>::infinity());
+        const MotionSample closest = at(*found.time, found.upper * (1 + 1e-6));
         if (!closest.isValid()) return std::nullopt;
         found.upper = std::min(found.upper, closest.upper);
     }
