@@ -174,6 +174,7 @@ class SceneClearance {
     bool isOutOfReach(const Pose& X_environmentPart) const;
 
   private:
+    class FreePoses;
     struct Scratch;
     struct ThreadScratch;
     struct Asked;

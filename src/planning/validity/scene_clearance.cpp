@@ -77,8 +77,10 @@ std::string describePair(const Scene& scene, const SceneDistance& nearest) {
     return message.str();
 }
 
+}  // namespace
+
 /// The last poses found free. Planners ask for a state and then for several motions to it.
-class FreePoses {
+class SceneClearance::FreePoses {
   public:
     bool contain(const Pose& pose) const {
         return std::any_of(poses_.begin(), poses_.end(), [&](const Pose& known) {
@@ -103,13 +105,11 @@ class FreePoses {
     }
 };
 
-}  // namespace
-
 /// The data that one thread keeps from query to query.
 struct SceneClearance::Scratch {
     std::vector<Workspace> workspaces;  ///< one for each obstacle
     std::size_t nearest = 0;            ///< the obstacle that was nearest, or in the way, last time
-    FreePoses freePoses;
+    FreePoses freePoses{};
 };
 
 struct SceneClearance::ThreadScratch {
