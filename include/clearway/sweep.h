@@ -76,8 +76,8 @@ struct SweepOptions {
 struct SweepResult {
     SweepVerdict verdict = SweepVerdict::kUndecided;
 
-    /// At all times from SweepOptions::from to this one the distance is larger than margin + poseError. Found when going forward, otherwise
-    /// `until` for a certified motion and `from` for others.
+    /// At all times from SweepOptions::from to this one the distance is larger than margin + poseError. Found when going
+    /// forward; otherwise `until` for a certified motion and `from` for others.
     double certifiedUntil = 0;
 
     double contactTime =
@@ -88,8 +88,9 @@ struct SweepResult {
 };
 
 /// Certifies a motion of the part: for each pair of volumes as long as the gap between the two outlasts the speed at which
-/// they come closer. Throws std::invalid_argument as distance() does at each pose it asks for, and when an option is out of
-/// its range or a piece of the motion is not finite.
+/// they come closer. An environment that was built for a reach must have it hold all poses of the motion; only the poses at
+/// `from`, at `until` and in the middles of pieces are checked. Throws std::invalid_argument as distance() does at these
+/// poses, and when an option is out of its range or a piece of the motion is not finite.
 SweepResult sweep(const Model& part, const Model& environment, const MotionPieces& motion,
                   const SweepOptions& options, Workspace& workspace);
 

@@ -1,15 +1,14 @@
-// What the kernels of a sweep read about a motion.
+// The motion that the kernels of a sweep read.
 #pragma once
 
 namespace clearway {
 
-/// The lengths that the part's points move in half a piece of time, in the frame and unit of one tree.
+/// The lengths that the part's points move in half a piece of time, in one frame and unit.
 struct MovedField {
-    float atOrigin[4];  ///< of a point at the tree's origin, and an unused float
+    float atOrigin[4];  ///< of a point at the frame's origin, and an unused float
     float turn[4];      ///< a point at y moves by atOrigin + turn x y
-    float
-        deviation;  ///< how much further any point may move; includes the rounding of what kernels do with it
-    float bow;      ///< and how much further square to the turn, divided by the turn's length
+    float deviation;    ///< any point may move this much further; includes the rounding of the kernels
+    float bow;          ///< and further square to the turn, by this times the turn's length
 };
 
 }  // namespace clearway

@@ -7,6 +7,7 @@
 // larger of all gaps against the volume's whole speed, the gap along the support direction against the speed along it, and
 // the gap across a direction at a right angle to the velocity, which outlasts sliding along a face.
 #include "hwy/highway.h"
+#include "kernels/certified_shares-inl.h"
 #include "kernels/moved_field.h"
 #include "kernels/rss_lower_bound-inl.h"
 
@@ -21,34 +22,6 @@ HWY_BEFORE_NAMESPACE();
 namespace clearway {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
-
-/// Shares of the half pieces after and before the middle that are certified; above 0 where any is.
-template <class V>
-struct CertifiedShares {
-    V after, before;
-
-    HWY_INLINE void raise(V afterShare, V beforeShare) {
-        after = hn::Max(after, afterShare);
-        before = hn::Max(before, beforeShare);
-    }
-};
-
-/// A share from this on stands for all of a half piece; what it is above 1 covers the rounding of comparisons.
-constexpr float kWholeShare = 1 + 0x1p-20f;
-
-/// room / closing, and a large number where nothing comes closer; 0 where room is not above 0 or not a number.
-template <class D, class V = hn::Vec<D>>
-HWY_INLINE V ShareOf(D d, V room, V closing) {
-    const V share = hn::Div(room, hn::Max(closing, hn::Set(d, 1e-30f)));
-    return hn::IfThenElseZero(hn::And(hn::Gt(room, hn::Zero(d)), hn::Ge(share, hn::Zero(d))), share);
-}
-
-/// Where a direction of squared length is long enough for closing speeds: the squares of turns across it must not vanish.
-template <class D, class V = hn::Vec<D>>
-HWY_INLINE hn::Mask<D> IsUsableToMove(D d, V lengthSquared) {
-    return hn::And(hn::Gt(lengthSquared, hn::Set(d, kLeastMovingSquared)),
-                   hn::Lt(lengthSquared, hn::Set(d, float(kLargestDirectionSquared))));
-}
 
 /// The lanes' velocities in the one's frame.
 template <class V>
@@ -121,7 +94,6 @@ HWY_INLINE NearChildren MovingRssBounds(const CarriedRss& one, const WideNode<kW
 
         const std::uint32_t used = UsedLanes(d, node, i);
         children += std::uint32_t(hwy::PopCount(used));
-        const V whole = hn::Set(d, kWholeShare);
         const V half0 = kLanesMove ? r.half0 : r.H0, half1 = kLanesMove ? r.half1 : r.H1;
         const V arm = hn::Add(hn::Sqrt(hn::MulAdd(half0, half0, hn::Mul(half1, half1))),
                               hn::Add(movingRadius, velocity.bow));
@@ -130,21 +102,18 @@ HWY_INLINE NearChildren MovingRssBounds(const CarriedRss& one, const WideNode<kW
             hn::Add(hn::MulAdd(hn::Sqrt(Dot(velocity.turn, velocity.turn)), arm, speed), velocity.deviation);
         V gap = BoxGap(d, r);
         V plain = ShareOf(d, hn::Sub(gap, radii), moved);
-        if ((used & ~MaskBits(d, hn::Ge(plain, whole))) == 0) continue;
+        if ((used & ~MaskBits(d, hn::Ge(plain, hn::Set(d, kWholeShare)))) == 0) continue;
 
         const Lanes3<V> direction = kWidth == 2 ? ClosestDirection(d, r) : AlternatingDirection(d, r);
         gap = hn::Max(gap, SupportGap(d, direction, r));
         plain = ShareOf(d, hn::Sub(gap, radii), moved);
         CertifiedShares<V> shares = {plain, plain};
         CertifyAlong<kLanesMove>(d, direction, r, radii, movingRadius, velocity, shares);
-        const auto open = [&] HWY_ATTR {
-            return used & ~MaskBits(d, hn::Ge(hn::Min(shares.after, shares.before), whole));
-        };
-        if (open() == 0) continue;
+        if ((used & ~WholeLanes(d, shares)) == 0) continue;
         const V along = hn::Div(Dot(direction, velocity.centre), Dot(velocity.centre, velocity.centre));
         CertifyAlong<kLanesMove>(d, AddScaled(direction, hn::Neg(along), velocity.centre), r, radii,
                                  movingRadius, velocity, shares);
-        near |= open() << i;
+        near |= (used & ~WholeLanes(d, shares)) << i;
         hn::StoreU(hn::Mul(hn::Sub(gap, radius), hn::Set(d, toQueryUnit)), d, bounds.gap + i);
         hn::StoreU(hn::Mul(moved, hn::Set(d, toQueryUnit)), d, bounds.moved + i);
         hn::StoreU(shares.after, d, bounds.after + i);

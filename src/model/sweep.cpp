@@ -40,16 +40,15 @@ void requireInRange(double value, const char* name, bool isInRange, const char* 
     throw std::invalid_argument(message.str());
 }
 
-/// Checks the arguments and begins the request.
-SweepRequest beginSweep(const Model& part, const Model& environment, const MotionPieces& motion,
-                        double margin, double poseError, double leastInterval,
-                        const std::function<bool()>& isStopped, Workspace::State& state) {
+/// Checks the arguments that both questions share, and begins the request.
+SweepRequest beginSweep(const Model& part, const Model& environment, double margin, double poseError,
+                        double leastInterval, const std::function<bool()>& isStopped,
+                        Workspace::State& state) {
     requireSameWidth(part, environment);
     requireNotNegative(margin, "margin");
     requireNotNegative(poseError, "poseError");
     requireInRange(leastInterval, "leastInterval", leastInterval > 0, "a length above 0");
     requireWithinCap(environment, margin + poseError);
-    for (const double end : {0.0, 1.0}) requireWithinReach(part, environment, motion(end, end).middle);
     state.counters = {};
     SweepRequest request;
     request.margin = margin;
@@ -60,12 +59,26 @@ SweepRequest beginSweep(const Model& part, const Model& environment, const Motio
     return request;
 }
 
+SweepAnswer answerTo(const SweepRequest& request, const Model& part, const Model& environment,
+                     const MotionPieces& motion, Workspace::State& state) {
+    if (!part.reach() && !environment.reach()) {
+        return sweepTrees(part.tree(), environment.tree(), motion, request, state);
+    }
+    const MotionPieces withinReach = [&](double from, double to) {
+        MotionPiece piece = motion(from, to);
+        if (!piece.isForbidden) requireWithinReach(part, environment, piece.middle);
+        return piece;
+    };
+    for (const double end : {request.from, request.until}) withinReach(end, end);
+    return sweepTrees(part.tree(), environment.tree(), withinReach, request, state);
+}
+
 }  // namespace
 
 SweepResult sweep(const Model& part, const Model& environment, const MotionPieces& motion,
                   const SweepOptions& options, Workspace& workspace) {
     Workspace::State& state = workspace.state();
-    SweepRequest request = beginSweep(part, environment, motion, options.margin, options.poseError,
+    SweepRequest request = beginSweep(part, environment, options.margin, options.poseError,
                                       options.leastInterval, options.isStopped, state);
     requireInRange(options.from, "from", options.from >= 0 && options.from < 1, "a time from 0 to below 1");
     requireInRange(options.until, "until", options.until > options.from && options.until <= 1,
@@ -76,7 +89,7 @@ SweepResult sweep(const Model& part, const Model& environment, const MotionPiece
     request.until = options.until;
     request.isContactAtEnd = options.isContactAtEnd;
     request.contactTime = options.contactTime;
-    const SweepAnswer answer = sweepTrees(part.tree(), environment.tree(), motion, request, state);
+    const SweepAnswer answer = answerTo(request, part, environment, motion, state);
 
     SweepResult result;
     result.counters = state.counters;
@@ -101,7 +114,7 @@ SweepResult sweep(const Model& part, const Model& environment, const MotionPiece
 LeastDistance leastDistance(const Model& part, const Model& environment, const MotionPieces& motion,
                             const LeastDistanceOptions& options, Workspace& workspace) {
     Workspace::State& state = workspace.state();
-    SweepRequest request = beginSweep(part, environment, motion, options.margin, options.poseError,
+    SweepRequest request = beginSweep(part, environment, options.margin, options.poseError,
                                       options.resolution.least, options.isStopped, state);
     requireInRange(options.cap, "cap", options.cap >= -options.margin,
                    "a number of at least minus the margin");
@@ -109,7 +122,7 @@ LeastDistance leastDistance(const Model& part, const Model& environment, const M
     request.resolution = options.resolution;
     const double reach = cappedByReach(environment, std::numeric_limits<double>::infinity());
     request.leastUpper = std::min(options.cap, reach - options.margin);
-    const SweepAnswer answer = sweepTrees(part.tree(), environment.tree(), motion, request, state);
+    const SweepAnswer answer = answerTo(request, part, environment, motion, state);
 
     LeastDistance result;
     result.counters = state.counters;

@@ -11,7 +11,8 @@
 namespace clearway {
 namespace {
 
-/// What rounding may add to a closing speed, in u32 of the field at the origin and of the turn times the reach of the trees.
+/// Rounding adds at most this much to a closing speed, in u32 of the field at the origin and of the turn times the reach of
+/// the trees.
 constexpr double kFieldRoundoffs = 64;
 /// Composing the field in double, in u64 of the speed and of the turn times the largest coordinate.
 constexpr double kFieldRoundoffsInDouble = 32;
@@ -36,6 +37,19 @@ MovedField fieldIn(double perUnit, const Vector3& atOrigin, const Vector3& turn,
 }
 
 }  // namespace
+
+MovedField PreparedPiece::fieldAbout(const Vector3& point) const {
+    const Vector3 arm = point - Vector3(query.t[0], query.t[1], query.t[2]);
+    const Vector3 moved = (velocity + turn.cross(arm)) * query.perMeshUnit;
+    MovedField field{};
+    field.deviation = deviation;
+    field.bow = bow;
+    for (int row = 0; row < 3; ++row) {
+        field.atOrigin[row] = static_cast<float>(moved[row]);
+        field.turn[row] = static_cast<float>(turn[row]);
+    }
+    return field;
+}
 
 void PieceCache::begin(const FlatTree& part, const FlatTree& environment, const MotionPieces& motion) {
     part_ = &part;

@@ -37,6 +37,9 @@ struct PreparedPiece {
     float deviation, bow;    ///< as in MovedField, query units
     MotionPiece::Counts counts;
     bool isForbidden;
+
+    /// The field about a point of the environment's frame, in that frame and query units.
+    MovedField fieldAbout(const Vector3& point) const;
 };
 
 /// Prepares pieces and keeps the last ones.

@@ -6,6 +6,7 @@
 
 #include "hwy/highway.h"
 #include "kernels/moving_rss_bound-inl.h"
+#include "kernels/moving_triangles-inl.h"
 #include "query/decide.h"
 #include "query/motion_pieces.h"
 #include "query/sweep.h"
@@ -45,63 +46,6 @@ constexpr int kStepsToStop = 256;
 /// Where the float interval of a pair is wider than this share of what the pair has to spare, double resolves the pair: for
 /// long triangles float loses more than the gap.
 constexpr float kTooWide = 0.25f;
-
-/// The lengths that a register's triangles of the part move in half a piece: one for each corner.
-template <class V>
-struct CornerMoves {
-    Lanes3<V> of[3];
-    Lanes3<V> turn;
-    V deviation, bow;
-};
-
-/// How far the corners of the part's triangles move in half a piece, about the centre of the environment's leaf; query units.
-struct TriangleMove {
-    static constexpr bool kIsNone = false;
-    float origin[3], turn[3];  ///< a point at y moves by origin + turn x y
-    float bow;                 ///< as in MovedField
-    float nearingLeaves =
-        0;  ///< of all triangles of the part's leaf, along the line between the leaves' centres
-
-    template <class V>
-    HWY_INLINE V nearing(const Lanes3<V>& v, const Triangles<V>& a) const {
-        const PairTag d;
-        const Lanes3<V> at = {hn::Set(d, origin[0]), hn::Set(d, origin[1]), hn::Set(d, origin[2])};
-        const Lanes3<V> spin = {hn::Set(d, turn[0]), hn::Set(d, turn[1]), hn::Set(d, turn[2])};
-        const Lanes3<V> across = Cross(v, spin);
-        const V along = Dot(v, at);
-        V most = hn::Zero(d);
-        for (const Lanes3<V>& corner : a.corner)
-            most = hn::Max(most, hn::Abs(hn::Add(along, Dot(across, corner))));
-        return hn::MulAdd(hn::Sqrt(Dot(across, across)), hn::Set(d, bow), most);
-    }
-};
-
-/// Certifies pairs of triangles along v and raises `lower` to the gap found.
-template <class D, class V = hn::Vec<D>>
-HWY_INLINE void CertifyTrianglesAlong(D d, const Lanes3<V>& v, const TrianglePair<V>& pair, V needed,
-                                      const CornerMoves<V>& moves, V& lower, CertifiedShares<V>& shares) {
-    const V a0 = Dot(v, pair.a.corner[0]), a1 = Dot(v, pair.a.corner[1]), a2 = Dot(v, pair.a.corner[2]);
-    const V b0 = Dot(v, pair.b.corner[0]), b1 = Dot(v, pair.b.corner[1]), b2 = Dot(v, pair.b.corner[2]);
-    const V m0 = Dot(v, moves.of[0]), m1 = Dot(v, moves.of[1]), m2 = Dot(v, moves.of[2]);
-    const V above = hn::Sub(hn::Min(b0, hn::Min(b1, b2)), hn::Max(a0, hn::Max(a1, a2)));
-    const V below = hn::Sub(hn::Min(a0, hn::Min(a1, a2)), hn::Max(b0, hn::Max(b1, b2)));
-    const V up = hn::Max(m0, hn::Max(m1, m2)), down = hn::Neg(hn::Min(m0, hn::Min(m1, m2)));
-    const auto isAbove = hn::Ge(above, below);
-    const V lengthSquared = Dot(v, v);
-    const auto usable = IsUsableToMove(d, lengthSquared);
-    const V inverse = hn::Div(hn::Set(d, 1.0f), hn::Sqrt(lengthSquared));
-    const V gap = hn::IfThenElse(usable, hn::Mul(hn::IfThenElse(isAbove, above, below), inverse),
-                                 hn::Set(d, -hwy::HighestValue<float>()));
-    const Lanes3<V> spin = Cross(v, moves.turn);
-    const V bowed = hn::Mul(hn::Sqrt(Dot(spin, spin)), moves.bow);
-    const V forwards =
-        hn::MulAdd(hn::Add(hn::IfThenElse(isAbove, up, down), bowed), inverse, moves.deviation);
-    const V backwards =
-        hn::MulAdd(hn::Add(hn::IfThenElse(isAbove, down, up), bowed), inverse, moves.deviation);
-    const V room = hn::Sub(gap, needed);
-    lower = hn::Max(lower, gap);
-    shares.raise(ShareOf(d, room, forwards), ShareOf(d, room, backwards));
-}
 
 template <int kWidth>
 class Sweep {
@@ -180,7 +124,7 @@ class Sweep {
         return true;
     }
 
-    /// What distances in the middle of a piece must exceed, query units. A least distance is looked for below the cap, then
+    /// Distances in the middle of a piece must exceed this, query units. A least distance is looked for below the cap, then
     /// more and more closely below the least one found.
     double neededDouble(const PairQuery& query) const {
         double length = request_.margin;
@@ -277,31 +221,22 @@ class Sweep {
         stack_[place] = added;
     }
 
-    /// Keeps what the shares leave open, each side as the shortest dyadic interval that holds it.
-    HWY_INLINE void pushRest(SweepEntry added, TimeInterval interval, float after, float before,
-                             std::size_t base) {
+    /// Keeps the time that the shares leave open: on each side the shortest dyadic interval that holds it.
+    void pushRest(SweepEntry added, TimeInterval interval, float after, float before, std::size_t base) {
+        if (after < kWholeShare) pushHalf<true>(added, interval.lastHalf(), after, base);
+        if (before < kWholeShare) pushHalf<false>(added, interval.firstHalf(), before, base);
+    }
+
+    template <bool kIsLast>
+    HWY_INLINE void pushHalf(SweepEntry added, TimeInterval rest, float certified, std::size_t base) {
         constexpr float kRounded = 1 - 0x1p-20f;  // a share may be this much too large
-        const float moved = 0.5f * added.moved;
-        if (after < kWholeShare) {
-            TimeInterval rest = interval.lastHalf();
-            added.moved = moved;
-            for (float open = 1 - after * kRounded; open <= 0.5f && rest.canBeHalved(); open *= 2) {
-                rest = rest.lastHalf();
-                added.moved *= 0.5f;
-            }
-            added.interval = rest.key;
-            pushSorted(added, base);
+        added.moved *= 0.5f;
+        for (float open = 1 - certified * kRounded; open <= 0.5f && rest.canBeHalved(); open *= 2) {
+            rest = kIsLast ? rest.lastHalf() : rest.firstHalf();
+            added.moved *= 0.5f;
         }
-        if (before < kWholeShare) {
-            TimeInterval rest = interval.firstHalf();
-            added.moved = moved;
-            for (float open = 1 - before * kRounded; open <= 0.5f && rest.canBeHalved(); open *= 2) {
-                rest = rest.firstHalf();
-                added.moved *= 0.5f;
-            }
-            added.interval = rest.key;
-            pushSorted(added, base);
-        }
+        added.interval = rest.key;
+        pushSorted(added, base);
     }
 
     /// The share of a pair of leaves that is certified, as far as its pairs of triangles have been looked at.
@@ -321,28 +256,26 @@ class Sweep {
         const Leaf &partLeaf = part_.leaves[~a.child], &environmentLeaf = environment_.leaves[~b.child];
         const float moved = movedBy(piece, a);
         const float need = needed(piece.query);
-        const Vector3 centre(environmentLeaf.centre[0], environmentLeaf.centre[1], environmentLeaf.centre[2]);
-        TriangleMove move;
-        fieldAt(piece, centre, move.origin, move.turn);
-        move.bow = piece.bow;
+        const MovedField field = piece.fieldAbout(
+            {environmentLeaf.centre[0], environmentLeaf.centre[1], environmentLeaf.centre[2]});
         leaves_.meet(piece.query, partLeaf, environmentLeaf, -hwy::HighestValue<float>(),
                      (need + piece.deviation) * kWholeShare,
-                     [&](const float(&offset)[3], float radius) HWY_ATTR {
-                         move.nearingLeaves = nearingOf(move, offset, radius);
-                         return move;
-                     });
+                     [&](const float(&between)[3], float radius)
+                         HWY_ATTR { return LeafMove(field, between, radius); });
         state_.counters.triangleTests += std::uint64_t(leaves_.total());
         state_.counters.triangleLanes += std::uint64_t(leaves_.lanes());
         LeafShares shares;
         leaves_.visitRegisters([&](const PairTag& d, const TrianglePair<hn::Vec<PairTag>>& pair,
                                    const LeafPairs::RegisterPlace& place) HWY_ATTR {
-            lookAt(d, pair, place, piece, need, move, shares);
+            lookAt(d, pair, place, piece, need, field, shares);
             return !shares.isContact && !isDone_;
         });
         if (shares.isContact) {
             answer_.isPair = true;
             answer_.contact = shares.contact;
             meetContact(entry, interval);
+        } else if (isDone_) {
+            stack_.push(entry);  // stopped amid the leaves: the interval is open
         } else if (shares.after < kWholeShare || shares.before < kWholeShare) {
             if (moved <= leastMove(piece) || !interval.canBeHalved()) {
                 giveUp(interval, shares.lower - moved, piece);
@@ -354,67 +287,24 @@ class Sweep {
         }
     }
 
-    /// The moves of points about a point of the environment, query units.
-    static void fieldAt(const PreparedPiece& piece, const Vector3& centre, float (&field)[3],
-                        float (&turn)[3]) {
-        const PairQuery& query = piece.query;
-        const Vector3 from = centre - Vector3(query.t[0], query.t[1], query.t[2]);
-        const Vector3 moved = (piece.velocity + piece.turn.cross(from)) * query.perMeshUnit;
-        for (int row = 0; row < 3; ++row) {
-            field[row] = static_cast<float>(moved[row]);
-            turn[row] = static_cast<float>(piece.turn[row]);
-        }
-    }
-
-    /// How far points of a leaf move along the line from its centre to the environment leaf's, times the line's length.
-    /// offset: the part leaf's centre.
-    static HWY_INLINE float nearingOf(const TriangleMove& move, const float (&offset)[3], float radius) {
-        const float *w = move.turn, *o = offset;
-        const float spin[3] = {w[1] * o[2] - w[2] * o[1], w[2] * o[0] - w[0] * o[2],
-                               w[0] * o[1] - w[1] * o[0]};
-        const float along = move.origin[0] * o[0] + move.origin[1] * o[1] + move.origin[2] * o[2];
-        const float across = std::sqrt(spin[0] * spin[0] + spin[1] * spin[1] + spin[2] * spin[2]);
-        return std::fabs(along) + across * (radius + move.bow);
-    }
-
     template <class V = hn::Vec<PairTag>>
     HWY_INLINE void lookAt(const PairTag& d, const TrianglePair<V>& pair,
                            const LeafPairs::RegisterPlace& place, const PreparedPiece& piece, float need,
-                           const TriangleMove& move, LeafShares& leaf) {
+                           const MovedField& field, LeafShares& leaf) {
         const float error = leaves_.roundingError();
-        const Lanes3<V> origin = {hn::Set(d, move.origin[0]), hn::Set(d, move.origin[1]),
-                                  hn::Set(d, move.origin[2])};
-        const Lanes3<V> spin = {hn::Set(d, move.turn[0]), hn::Set(d, move.turn[1]), hn::Set(d, move.turn[2])};
-        CornerMoves<V> moves;
-        for (int k = 0; k < 3; ++k) moves.of[k] = origin + Cross(spin, pair.a.corner[k]);
-        moves.turn = spin;
-        moves.deviation = hn::Set(d, piece.deviation);
-        moves.bow = hn::Set(d, piece.bow);
-        const V neededGap = hn::Set(d, need + error);
-        V lower = hn::Set(d, -hwy::HighestValue<float>());
-        CertifiedShares<V> shares = {hn::Zero(d), hn::Zero(d)};
-        const auto open = [&] HWY_ATTR {
-            return place.near &
-                   ~MaskBits(d, hn::Ge(hn::Min(shares.after, shares.before), hn::Set(d, kWholeShare)));
-        };
-        CertifyTrianglesAlong(d, pair.normalA, pair, neededGap, moves, lower, shares);
-        CertifyTrianglesAlong(d, pair.normalB, pair, neededGap, moves, lower, shares);
-        std::uint32_t left = open();
+        const MovingTriangles<V> found =
+            CertifyMovingTriangles(d, pair, place.near, hn::Set(d, need + error), TriangleField<V>(d, field));
+        std::uint32_t left = found.left;
         if (left == 0) return;
-        const TriangleBounds<V> bounds = TriangleDistance(d, pair, lower);
-        CertifyTrianglesAlong(d, bounds.difference, pair, neededGap, moves, lower, shares);
-        const Lanes3<V> mean = moves.of[0] + moves.of[1] + moves.of[2];
-        const V along = hn::Div(Dot(bounds.difference, mean), Dot(mean, mean));
-        CertifyTrianglesAlong(d, AddScaled(bounds.difference, hn::Neg(along), mean), pair, neededGap, moves,
-                              lower, shares);
-        if (request_.goal != SweepGoal::kLeastDistance) left = open();
+        // A least distance wants the distances of certified pairs, too.
+        if (request_.goal != SweepGoal::kLeastDistance) left &= ~WholeLanes(d, found.shares);
         alignas(64) float lowers[kBlockPairs], uppers[kBlockPairs], features[kBlockPairs],
             afters[kBlockPairs], befores[kBlockPairs];
-        hn::Store(bounds.feature, d, features);
-        hn::Store(hn::Sub(bounds.lower, hn::Set(d, error)), d, lowers);
-        hn::Store(hn::Add(bounds.upper, hn::Set(d, error)), d, uppers);
-        hn::Store(shares.after, d, afters);
-        hn::Store(shares.before, d, befores);
+        hn::Store(found.bounds.feature, d, features);
+        hn::Store(hn::Sub(found.bounds.lower, hn::Set(d, error)), d, lowers);
+        hn::Store(hn::Add(found.bounds.upper, hn::Set(d, error)), d, uppers);
+        hn::Store(found.shares.after, d, afters);
+        hn::Store(found.shares.before, d, befores);
         for (; left != 0 && !leaf.isContact && !isDone_; left &= left - 1) {
             const std::uint32_t lane = LowestBit(left);
             take({lowers[lane], uppers[lane], afters[lane], befores[lane]},
@@ -422,7 +312,7 @@ class Sweep {
         }
     }
 
-    /// What float knows about a pair of triangles. Query units.
+    /// Bounds and shares of a pair of triangles, as proved by float. Query units.
     struct FloatPair {
         float lower, upper, after, before;
     };
@@ -493,10 +383,10 @@ class Sweep {
         if (request_.goal != SweepGoal::kForward) {
             isDone_ = true;
         } else {
-            stop_ = time;
+            stop_ = interval.canBeHalved() ? time : interval.from();
             if (time <= 0.5 * begunAt_) {
                 begin();  // most of what waits was opened for later times
-            } else {
+            } else if (interval.canBeHalved()) {
                 push(entry, interval.firstHalf(), 0.5f * entry.moved);
             }
         }

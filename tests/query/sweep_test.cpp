@@ -5,92 +5,20 @@
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
-#include <cstdlib>
-#include <string>
 
-#include "clearway/model.h"
-#include "query/sweep.h"
 #include "support/each_target.h"
+#include "support/full_run.h"
 #include "support/random_meshes.h"
+#include "support/swept_pairs.h"
 
 namespace clearway::testing {
 namespace {
-
-bool isFull() {
-    const char* full = std::getenv("CLEARWAY_FULL");
-    return full != nullptr && std::string(full) == "1";
-}
-
-Pose poseAt(const RigidMotion& motion, double time) {
-    const double angle = motion.turn.norm();
-    const Matrix3 turned = angle > 0 ? Eigen::AngleAxisd(time * angle, motion.turn / angle).toRotationMatrix()
-                                     : Matrix3::Identity();
-    return {motion.start.rotation * turned, motion.start.translation + time * motion.translation};
-}
-
-/// Two meshes to sweep one past the other.
-struct SweptPair {
-    SweptPair(std::string theName, const Mesh& partMesh, const Mesh& environmentMesh, int nodeWidth)
-        : name(std::move(theName)),
-          part(built(partMesh, nodeWidth)),
-          environment(built(environmentMesh, nodeWidth)) {
-        size = part.box().diagonal().norm() + environment.box().diagonal().norm();
-    }
-    static Model built(const Mesh& mesh, int nodeWidth) {
-        BuildOptions options;
-        options.nodeWidth = nodeWidth;
-        return Model::build(mesh, options);
-    }
-
-    std::string name;
-    Model part, environment;
-    double size;
-    Vector3 centre = Vector3::Zero();  ///< motions begin around it
-};
-
-Mesh moved(const Mesh& mesh, const Vector3& by) {
-    return transformed(mesh, {Matrix3::Identity(), by});
-}
-
-/// Triangles 1,000 times longer than wide.
-Mesh needles(Random& random, int count) {
-    Mesh mesh = randomSoup(random, count, 1, 1);
-    for (Vector3& vertex : mesh.vertices) vertex.x() *= 1e3;
-    return mesh;
-}
-
-std::vector<SweptPair> sweptPairs(int nodeWidth) {
-    std::vector<SweptPair> pairs;
-    for (const MeshPair& pair : meshPairs(7))
-        pairs.emplace_back(pair.name, pair.part, pair.environment, nodeWidth);
-    Random random(3);
-    pairs.emplace_back("needles", needles(random, 40), needles(random, 60), nodeWidth);
-    const Vector3 far(3e5, -2e5, 1e5);
-    pairs.emplace_back("far from the origin", box({1, 2, 3}, 3), moved(plateWithHole(20, 1, 6, 24), far),
-                       nodeWidth);
-    pairs.back().centre = far;
-    pairs.emplace_back("part far from its origin", moved(box({1, 2, 3}, 3), far), plateWithHole(20, 1, 6, 24),
-                       nodeWidth);
-    pairs.back().centre = -far;
-    return pairs;
-}
-
-RigidMotion randomMotion(Random& random, const SweptPair& pair) {
-    RigidMotion motion;
-    motion.start = random.pose(0.4 * pair.size);
-    if (pair.centre.x() < 0) motion.start.rotation.setIdentity();  // any other would swing the part away
-    motion.start.translation += pair.centre;
-    motion.translation =
-        random.direction() * pair.size * std::pow(10, random.uniform(-3, 0)) * (random.below(4) > 0);
-    motion.turn = random.direction() * std::pow(10, random.uniform(-4, 0.49)) * (random.below(4) > 0);
-    return motion;
-}
 
 struct Tally {
     int certified = 0, contact = 0, undecided = 0;
 };
 
-/// What a sweep of a motion with these options says must be so at the samples.
+/// Sweeps a motion whole and forward, and checks both answers at evenly spread poses.
 Tally judge(const SweptPair& pair, const RigidMotion& motion, SweepOptions options, int samples) {
     Workspace workspace;
     const MotionPieces pieces = piecesOf(motion, pair.part);
@@ -119,25 +47,17 @@ Tally judge(const SweptPair& pair, const RigidMotion& motion, SweepOptions optio
             whole.verdict == SweepVerdict::kUndecided};
 }
 
-SweepOptions optionsFor(const SweptPair& pair, double margin) {
-    SweepOptions options;
-    options.margin = margin;
-    options.leastInterval = 1e-5 * pair.size;
-    options.poseError = 1e-13 * (pair.size + pair.centre.norm());
-    return options;
-}
-
 BOOST_DATA_TEST_CASE(no_certified_time_is_within_the_margin, eachTarget() * eachWidth(), target, width) {
     const UsingTarget using_(target);
     Tally tally;
-    const std::uint64_t motions = isFull() ? 400 : 40;
+    const std::uint64_t motions = isFullRun() ? 400 : 40;
     for (const SweptPair& pair : sweptPairs(width)) {
         for (std::uint64_t seed = 0; seed < motions; ++seed) {
             BOOST_TEST_CONTEXT(pair.name << ", seed " << seed) {
                 Random random(seed);
                 const RigidMotion motion = randomMotion(random, pair);
                 const double margin = random.below(2) * pair.size * std::pow(10, random.uniform(-4, -1));
-                const Tally one = judge(pair, motion, optionsFor(pair, margin), isFull() ? 1000 : 60);
+                const Tally one = judge(pair, motion, optionsFor(pair, margin), isFullRun() ? 1000 : 60);
                 tally.certified += one.certified;
                 tally.contact += one.contact;
                 tally.undecided += one.undecided;
@@ -303,112 +223,12 @@ BOOST_DATA_TEST_CASE(the_least_distance_is_bounded_from_both_sides, eachTarget()
     BOOST_TEST(apart > 50);
 }
 
-/// A pipe of 200 sides rolls over a plate, each of its edges coming as near as `gap`.
-RigidMotion rolling(double gap) {
-    const Matrix3 lying =
-        Eigen::AngleAxisd(M_PI / 2, Vector3::UnitX()).toRotationMatrix();  // its z points to -y
-    return {{lying, {-15, 0, 1 + 3 + gap}}, {3 * 8.0, 0, 0}, Vector3(0, 0, -8)};
-}
-
 BOOST_DATA_TEST_CASE(a_pipe_rolls_a_millionth_above_a_plate, eachWidth(), width) {
     const SweptPair pair("pipe over plate", tube(2, 3, 4, 200), box({40, 40, 1}, 4), width);
     SweepOptions options = optionsFor(pair, 0);
     options.leastInterval = 1e-6;
     BOOST_TEST(judge(pair, rolling(1e-6), options, 3000).certified == 1);
     BOOST_TEST(judge(pair, rolling(-1e-3), options, 3000).contact == 1);
-}
-
-BOOST_AUTO_TEST_CASE(a_stop_is_asked_for_at_once_and_after_at_most_256_steps) {
-    const SweptPair pair("pipe over plate", tube(2, 3, 4, 200), box({40, 40, 1}, 12), 8);
-    SweepOptions options = optionsFor(pair, 0);
-    options.leastInterval = 1e-9;
-    const MotionPieces pieces = piecesOf(rolling(1e-6), pair.part);
-    Workspace workspace;
-    int asked = 0;
-    options.isStopped = [&] { return ++asked == 40; };
-    const SweepResult found = sweep(pair.part, pair.environment, pieces, options, workspace);
-    BOOST_TEST((found.verdict == SweepVerdict::kUndecided));
-    BOOST_TEST(asked == 40);
-    // A step is a visit, a pair of leaves, an interval halved unlooked at, or a pair resolved in double.
-    BOOST_TEST(found.counters.nodeVisits + found.counters.refinedPairs <= 256u * 40);
-    options.isStopped = [] { return true; };
-    BOOST_TEST(sweep(pair.part, pair.environment, pieces, options, workspace).counters.nodeVisits == 0u);
-    options.isForward = true;
-    BOOST_TEST(sweep(pair.part, pair.environment, pieces, options, workspace).certifiedUntil == 0);
-}
-
-BOOST_DATA_TEST_CASE(a_full_stack_is_undecided, eachWidth(), width) {
-    const SweptPair pair("boxes", box({1, 2, 3}, 4), box({1, 2, 3}, 4), width);
-    const RigidMotion motion{{Matrix3::Identity(), {2.01, 0, 0}}, {0, 1, 1}, Vector3(0.1, 0, 0)};
-    SweepRequest request;
-    request.leastInterval = 1e-6;
-    Workspace workspace;
-    const MotionPieces pieces = piecesOf(motion, pair.part);
-    for (const SweepGoal goal : {SweepGoal::kCertify, SweepGoal::kForward}) {
-        request.goal = goal;
-        request.mostEntries = kMostSweepEntries;
-        const auto answer = [&] {
-            return sweepTrees(pair.part.tree(), pair.environment.tree(), pieces, request, workspace.state());
-        };
-        BOOST_TEST(!answer().isUndecided);
-        request.mostEntries = 0;
-        const SweepAnswer full = answer();
-        BOOST_TEST(full.isUndecided);
-        BOOST_TEST(full.certifiedUntil < 1);
-    }
-}
-
-template <class Call>
-void requireRefused(const Call& call, const std::string& words) {
-    BOOST_CHECK_EXCEPTION(call(), std::invalid_argument, [&](const std::invalid_argument& error) {
-        BOOST_TEST_CONTEXT(error.what())
-        BOOST_TEST(std::string(error.what()).find(words) != std::string::npos);
-        return true;
-    });
-}
-
-BOOST_AUTO_TEST_CASE(wrong_arguments_are_refused_by_name) {
-    const SweptPair pair("boxes", box({1, 2, 3}), box({1, 2, 3}), 8);
-    const RigidMotion motion{{Matrix3::Identity(), {9, 0, 0}}, {1, 0, 0}, Vector3::Zero()};
-    Workspace workspace;
-    const auto ask = [&](const RigidMotion& asked, const SweepOptions& options) {
-        return sweep(pair.part, pair.environment, piecesOf(asked, pair.part), options, workspace);
-    };
-    const double nan = std::nan("");
-    for (const double wrong : {-1.0, nan}) {
-        SweepOptions options;
-        options.margin = wrong;
-        requireRefused([&] { ask(motion, options); }, "margin is ");
-        options = {};
-        options.poseError = wrong;
-        requireRefused([&] { ask(motion, options); }, "poseError is ");
-        options = {};
-        options.leastInterval = wrong;
-        requireRefused([&] { ask(motion, options); }, "leastInterval is ");
-        options = {};
-        options.contactTime = wrong;
-        requireRefused([&] { ask(motion, options); }, "contactTime is ");
-        options = {};
-        options.from = wrong;
-        requireRefused([&] { ask(motion, options); }, "from is ");
-        options = {};
-        options.until = wrong;
-        requireRefused([&] { ask(motion, options); }, "until is ");
-    }
-    RigidMotion wrong = motion;
-    wrong.translation.x() = nan;
-    requireRefused([&] { ask(wrong, {}); }, "expected");
-    wrong.translation.x() = HUGE_VAL;
-    requireRefused([&] { ask(wrong, {}); }, "expected");
-    wrong.translation.x() = 1e30;
-    requireRefused([&] { ask(wrong, {}); }, "expected");
-    wrong = motion;
-    wrong.turn.x() = 1e30;
-    requireRefused([&] { ask(wrong, {}); }, "expected");
-    wrong = motion;
-    wrong.start.rotation *= 2;
-    requireRefused([&] { ask(wrong, {}); }, "rotation");
-    BOOST_TEST((ask(motion, {}).verdict == SweepVerdict::kCertified));
 }
 
 }  // namespace

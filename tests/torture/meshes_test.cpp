@@ -1,6 +1,6 @@
 #include <boost/test/unit_test.hpp>
-#include <cstdlib>
 
+#include "support/full_run.h"
 #include "torture/runs.h"
 #include "torture/truth.h"
 
@@ -11,7 +11,7 @@ constexpr std::uint64_t kSeed = 20261121;
 
 BOOST_AUTO_TEST_CASE(meshes_that_rest_on_each_other_are_never_called_free) {
     TortureOptions options;
-    options.poses = std::getenv("CLEARWAY_FULL") != nullptr ? 20'000 : 900;
+    options.poses = isFullRun() ? 20'000 : 900;
     options.seed = kSeed;
     options.withFcl = false;
     std::uint64_t verge = 0;

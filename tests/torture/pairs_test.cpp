@@ -1,6 +1,6 @@
 #include <boost/test/unit_test.hpp>
-#include <cstdlib>
 
+#include "support/full_run.h"
 #include "torture/runs.h"
 
 namespace clearway::testing {
@@ -10,7 +10,7 @@ constexpr std::uint64_t kSeed = 20261121;
 
 BOOST_AUTO_TEST_CASE(hard_pairs_are_answered_as_exact_arithmetic_does) {
     TortureOptions options;
-    options.pairs = std::getenv("CLEARWAY_FULL") != nullptr ? 2'000'000 : 100'000;
+    options.pairs = isFullRun() ? 2'000'000 : 100'000;
     options.seed = kSeed;
     options.withFcl = false;
     std::uint64_t pairs = 0;

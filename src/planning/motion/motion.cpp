@@ -82,7 +82,7 @@ Motion::Motion(const PosedScene& posed, ClearanceDetail detail, double floor, co
 
 bool Motion::isEndValid() {
     if (isEndKnown_) return true;
-    if (!posed_.si().satisfiesBounds(s2_)) return false;
+    if (!isEndWithinBounds()) return false;
     if (floor_ > 0) return true;  // asked for states of a path, which mostly keep the floor
     ++queries_;
     isOutside_ = isEndKnown_ = posed_.clearance().isFree(posed_.pose(s2_));
@@ -104,7 +104,7 @@ void Motion::measure() {
     if (!std::isfinite(slack_)) {
         throw std::runtime_error("one of two states has no pose: an entry is not finite");
     }
-    checksBoundsBetween_ = !posed_.areBoundsConvex() || !posed_.si().satisfiesBounds(s2_);
+    checksBoundsBetween_ = !posed_.areBoundsConvex() || !isEndWithinBounds();
 }
 
 bool Motion::isFreeAtStart() {
@@ -170,7 +170,7 @@ bool Motion::isWithinBoundsAt(double time) {
 bool Motion::isEndLikeInterpolation() {
     if (isEndKnown_ && floor_ == 0) return true;
     const bool isSame = motion_.endJump <= 0.125 * slack_ && !posed_.clearance().hasSolids();
-    if (isSame) return isEndKnown_ || posed_.si().satisfiesBounds(s2_);
+    if (isSame) return true;
     return isEndValid() && (floor_ == 0 || atEnd(std::numeric_limits<double>::denorm_min()).isValid());
 }
 
@@ -180,7 +180,7 @@ bool Motion::isShort() const {
 }
 
 TimeSpan Motion::leavesBounds(double length) {
-    if (posed_.si().satisfiesBounds(s2_)) return {1, 1};
+    if (isEndWithinBounds()) return {1, 1};
     return change({0, 1}, length,
                   [this](const ob::State* state) { return !posed_.si().satisfiesBounds(state); });
 }

@@ -57,6 +57,7 @@ class Motion {
     double floor() const { return floor_; }
     bool hasSolids() const { return posed_.clearance().hasSolids(); }
     bool isStartWithinBounds() const { return posed_.si().satisfiesBounds(s1_); }
+    bool isEndWithinBounds() const { return posed_.si().satisfiesBounds(s2_); }
 
     /// The distance between the states by the space's own metric.
     double distance() const { return posed_.si().distance(s1_, s2_); }
@@ -75,12 +76,13 @@ class Motion {
     /// pose is invalid.
     std::optional<LeastClearance> leastClearance(LeastClearanceOptions options, bool isForReverse);
 
-    /// What solids say about a motion that a sweep found free of surfaces until a time.
+    /// Finds how long a motion that a sweep found free of surfaces until a time stays outside the solids, too.
     SolidsAlong stayOutsideSolids(double until, double leastInterval) const;
 
     bool isWithinBoundsAt(double time);
 
-    /// Whether s2 itself is valid and keeps the floor, when a sweep says so of the interpolation to its end.
+    /// Whether s2, which is within the bounds, is valid and keeps the floor, when a sweep says so of the interpolation to
+    /// its end.
     bool isEndLikeInterpolation();
 
     /// Whether the motion is so short that sweeping it finds a blocked end as soon as a query there does.

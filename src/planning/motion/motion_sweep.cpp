@@ -34,6 +34,7 @@ MotionSweep::MotionSweep(Motion& motion, double leastInterval, double contactInt
 
 MotionVerdict MotionSweep::certify() {
     if (!motion_.isStartWithinBounds()) return invalidStart();
+    if (!motion_.isEndWithinBounds()) return MotionVerdict::kInvalid;
     if (!motion_.isShort() && !motion_.isEndValid()) return MotionVerdict::kInvalid;
     const MotionVerdict verdict = verdictOf(motion_.sweep(options_).verdict);
     if (verdict == MotionVerdict::kInvalid && !motion_.isFreeAtStart()) return invalidStart();
@@ -109,7 +110,7 @@ double MotionSweep::refineLower(const ClearanceResolution& resolution) {
 
 /// A motion whose least clearance is above 0 is valid, and known closely enough for a report.
 MotionVerdict MotionSweep::goForwardToReport(const ClearanceResolution& resolution) {
-    if (motion_.isStartWithinBounds() && motion_.isWithinBoundsAt(1)) {
+    if (motion_.isStartWithinBounds() && motion_.isEndWithinBounds()) {
         least_ = leastClearance(std::numeric_limits<double>::infinity(), resolution);
         if (least_ && *least_ > 0) {
             certifiedTime_ = 1;

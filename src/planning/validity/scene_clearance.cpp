@@ -387,7 +387,7 @@ SceneSweep SceneClearance::sweep(const PartMotion& motion, const SceneSweepOptio
         if (isFirst || found.verdict == SweepVerdict::kContact) answer.verdict = found.verdict;
         answer.contactTime = std::min(answer.contactTime, found.contactTime);
         answer.certifiedUntil = std::min(answer.certifiedUntil, found.certifiedUntil);
-        return options.isForward;
+        return options.isForward && answer.certifiedUntil > options.from;
     });
     return answer;
 }

@@ -10,6 +10,7 @@
 #include <memory>
 #include <stdexcept>
 #include <typeinfo>
+#include <utility>
 
 #include "clearway/planning/state_to_pose.h"
 #include "planning/validity/ompl_states.h"
@@ -30,16 +31,19 @@ constexpr double kRateError = 1e-7;
 /// A motion with constant velocities, as OMPL interpolates it.
 class SteadyMotion {
   public:
-    SteadyMotion(const ob::StateSpace& space, const StateToPose& pose, const ob::State* from,
-                 const ob::State* to)
-        : space_(space), pose_(pose), from_(from), to_(to), scratch_(space.allocState()) {}
-    ~SteadyMotion() { space_.freeState(scratch_); }
+    SteadyMotion(ob::StateSpacePtr space, StateToPose pose, const ob::State* from, const ob::State* to)
+        : space_(std::move(space)),
+          pose_(std::move(pose)),
+          from_(from),
+          to_(to),
+          scratch_(space_->allocState()) {}
+    ~SteadyMotion() { space_->freeState(scratch_); }
     SteadyMotion(const SteadyMotion&) = delete;
     SteadyMotion& operator=(const SteadyMotion&) = delete;
 
     MotionPiece piece(double from, double to) const {
         const double half = 0.5 * (to - from);
-        space_.interpolate(from_, to_, from + half, scratch_);
+        space_->interpolate(from_, to_, from + half, scratch_);
         MotionPiece piece;
         piece.middle = pose_(scratch_);
         piece.velocity = velocity;
@@ -57,13 +61,13 @@ class SteadyMotion {
     double doubtfulSpeed = 0;  ///< by which points may move in any direction
 
   private:
-    const ob::StateSpace& space_;
-    const StateToPose& pose_;
+    const ob::StateSpacePtr space_;
+    const StateToPose pose_;
     const ob::State *from_, *to_;
     ob::State* scratch_;
 };
 
-/// What the turns of a part need: how far it reaches.
+/// Bounds how far the part reaches from an axis.
 class PartReach {
   public:
     explicit PartReach(const Model& part) : aboutOrigin(part.radiusAboutOrigin()) {
@@ -143,7 +147,7 @@ template <class Set>
 StateMotion steadyMotion(const ob::StateSpacePtr& space, const Set& set) {
     return
         [space, pose = stateToPose(*space), set](const ob::State* from, const ob::State* to) -> PartMotion {
-            const auto motion = std::make_shared<SteadyMotion>(*space, pose, from, to);
+            const auto motion = std::make_shared<SteadyMotion>(space, pose, from, to);
             const double length = set(from, to, *motion);
             return {[motion](double begin, double end) { return motion->piece(begin, end); }, length,
                     motion->endJump};

@@ -3,9 +3,9 @@
 #include <ompl/util/Console.h>
 
 #include <boost/test/unit_test.hpp>
-#include <cstdlib>
 #include <string>
 
+#include "support/full_run.h"
 #include "support/random_motion.h"
 
 namespace clearway::testing {
@@ -14,11 +14,6 @@ namespace {
 namespace ob = ompl::base;
 using planning::MotionReport;
 using planning::MotionVerdict;
-
-bool isFull() {
-    const char* full = std::getenv("CLEARWAY_FULL");
-    return full != nullptr && std::string(full) == "1";
-}
 
 struct Tally {
     int valid = 0, invalid = 0, undecided = 0, tight = 0;
@@ -78,7 +73,7 @@ void checkScenes(std::uint64_t firstSeed, int motions, int poses, int judged) {
 }
 
 BOOST_AUTO_TEST_CASE(no_motion_called_valid_touches_by_the_oracle_and_none_called_invalid_is_free) {
-    if (!isFull()) return checkScenes(1, 35, 200, 1);
+    if (!isFullRun()) return checkScenes(1, 35, 200, 1);
     checkScenes(1000, 1700, 200, 5);
     checkScenes(100000, 17, 10000, 100);
 }

@@ -1,11 +1,11 @@
 #include <boost/test/unit_test.hpp>
-#include <cstdlib>
 #include <set>
 #include <stdexcept>
 #include <string>
 
 #include "program/scenes/scene_checks.h"
 #include "program/scenes/scenes.h"
+#include "support/full_run.h"
 
 using namespace clearway;
 using namespace clearway::scenes;
@@ -28,11 +28,6 @@ std::string refusal(const SceneOptions& options) {
         return error.what();
     }
     return "not refused";
-}
-
-bool isFull() {
-    const char* full = std::getenv("CLEARWAY_FULL");
-    return full != nullptr && std::string(full) == "1";
 }
 
 /// The sizes range from those that leave out most components to those with more components of every kind.
@@ -84,7 +79,7 @@ BOOST_AUTO_TEST_CASE(what_holds_the_module_is_there_at_any_size) {
 /// The clearance is proven along the whole way, also between the samples.
 BOOST_AUTO_TEST_CASE(the_constructed_path_keeps_the_clearance_and_is_tight_for_three_tenths) {
     std::vector<SceneOptions> cases{kSmall, {2, 3000, 30000, 2}};
-    if (isFull()) {
+    if (isFullRun()) {
         for (std::uint64_t seed = 3; seed <= 8; ++seed) cases.push_back({seed, 8000, 90000, 1.0 * seed});
         cases.push_back({1, 30000, 500000, 2});
     }

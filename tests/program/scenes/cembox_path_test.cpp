@@ -1,7 +1,6 @@
 #include <boost/test/data/monomorphic.hpp>
 #include <boost/test/data/test_case.hpp>
 #include <boost/test/unit_test.hpp>
-#include <cstdlib>
 #include <map>
 #include <set>
 #include <sstream>
@@ -10,6 +9,7 @@
 
 #include "program/scenes/scene_checks.h"
 #include "program/scenes/scenes.h"
+#include "support/full_run.h"
 #include "support/oracle.h"
 
 namespace clearway::scenes {
@@ -30,8 +30,7 @@ namespace {
 /// The scenes to test; more with CLEARWAY_FULL=1.
 std::vector<SceneOptions> cases() {
     std::vector<SceneOptions> all{{1, 3600, 80000, 4}, {2, 3600, 80000, 8}, {3, 5000, 80000, 0.5}};
-    const char* full = std::getenv("CLEARWAY_FULL");
-    if (full == nullptr || std::string(full) != "1") return all;
+    if (!isFullRun()) return all;
     for (std::uint64_t seed = 4; seed <= 20; ++seed) all.push_back({seed, 3600, 80000, 4});
     for (std::uint64_t seed = 4; seed <= 10; ++seed) all.push_back({seed, 8000, 120000, 8});
     all.push_back(kCembox);

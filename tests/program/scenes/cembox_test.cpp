@@ -3,12 +3,12 @@
 #include <boost/test/data/monomorphic.hpp>
 #include <boost/test/data/test_case.hpp>
 #include <boost/test/unit_test.hpp>
-#include <cstdlib>
 #include <stdexcept>
 
 #include "program/scenes/cembox.h"
 #include "program/scenes/scene_checks.h"
 #include "support/convex_hull.h"
+#include "support/full_run.h"
 #include "support/oracle.h"
 
 using namespace clearway;
@@ -46,8 +46,7 @@ const GeneratedScene& smallScene() {
 /// Sizes of the scene's meshes. With CLEARWAY_FULL=1 the full size is included.
 std::vector<std::pair<std::size_t, std::size_t>> sizes() {
     std::vector<std::pair<std::size_t, std::size_t>> all{{3600, 46000}, {11000, 130000}};
-    const char* full = std::getenv("CLEARWAY_FULL");
-    if (full != nullptr && std::string(full) == "1") all.push_back({30000, 500000});
+    if (isFullRun()) all.push_back({30000, 500000});
     return all;
 }
 

@@ -8,6 +8,7 @@
 #include "program/scenes/roof_slot.h"
 #include "program/scenes/scene_checks.h"
 #include "program/scenes/scenes.h"
+#include "support/full_run.h"
 #include "support/oracle.h"
 
 using namespace clearway;
@@ -22,11 +23,6 @@ constexpr SceneOptions kSmall{1, 4000, 12000, 10};
 const GeneratedScene& smallScene() {
     static const GeneratedScene scene = makeLargeEnvironment2(kSmall);
     return scene;
-}
-
-bool isFull() {
-    const char* full = std::getenv("CLEARWAY_FULL");
-    return full != nullptr && std::string(full) == "1";
 }
 
 std::string refusal(const SceneOptions& options) {
@@ -112,7 +108,7 @@ BOOST_AUTO_TEST_CASE(the_seed_alone_decides) {
 /// sheets are cut into different triangles.
 BOOST_AUTO_TEST_CASE(the_constructed_path_keeps_the_clearance_and_is_tight_for_three_tenths) {
     std::vector<SceneOptions> cases{kSmall, {2, 3700, 10000, 2}};
-    if (isFull()) {
+    if (isFullRun()) {
         for (const double clearance : {1.0, 2.0, 4.0, 8.0, 12.0}) {
             cases.push_back({3, 4000, 12000, clearance});
             cases.push_back({4, 20000, 150000, clearance});
@@ -152,9 +148,9 @@ BOOST_AUTO_TEST_CASE(both_sheets_of_the_tray_are_as_near_to_those_that_face_them
 /// Only screws touch other components. With CLEARWAY_FULL=1 the whole car is at full size: at coarser sizes,
 /// layers a few millimetres apart meet at their chords.
 BOOST_AUTO_TEST_CASE(no_two_components_but_bolts_touch_when_the_sheets_are_fine) {
-    const GeneratedScene scene = makeLargeEnvironment2({3, 60000, isFull() ? 1700000u : 100000u, 10});
+    const GeneratedScene scene = makeLargeEnvironment2({3, 60000, isFullRun() ? 1700000u : 100000u, 10});
     std::vector<std::string> pairs = touchingComponents(scene.part);
-    if (isFull()) {
+    if (isFullRun()) {
         for (const std::string& pair : touchingComponents(scene.environment)) pairs.push_back(pair);
     }
     for (const std::string& pair : pairs) {

@@ -22,14 +22,9 @@
 #include "clearway/planning/plan_setup.h"
 #include "core/number.h"
 #include "program/scenes/scene_checks.h"
+#include "support/full_run.h"
 
 namespace clearway::testing {
-
-/// True when the long form of a test is wanted.
-inline bool isFull() {
-    const char* value = std::getenv("CLEARWAY_FULL");
-    return value != nullptr && std::string(value) == "1";
-}
 
 /// A scene with trees that are built quickly.
 struct BuiltScene {

@@ -42,7 +42,7 @@ constexpr std::size_t kFirst = 100;  // motions
 constexpr double kAnyLength = 1e5;   // a range that limits no edge
 
 std::uint32_t seedCount() {
-    return isFull() ? 300 : 60;
+    return isFullRun() ? 300 : 60;
 }
 
 struct Quiet {
@@ -73,8 +73,8 @@ BOOST_DATA_TEST_CASE(a_planner_that_only_translates_finds_nothing, kClearances, 
     const BuiltScene& made = real(clearance);
     Workspace workspace;
     BOOST_REQUIRE(made.isFree(translatedGoal(made), workspace));
-    for (std::uint32_t seed = 1; seed <= (isFull() ? 5 : 2); ++seed) {
-        BOOST_TEST(!translatesOut(made, clearance, seed, isFull() ? 30 : 1), "seed " << seed);
+    for (std::uint32_t seed = 1; seed <= (isFullRun() ? 5 : 2); ++seed) {
+        BOOST_TEST(!translatesOut(made, clearance, seed, isFullRun() ? 30 : 1), "seed " << seed);
     }
 }
 

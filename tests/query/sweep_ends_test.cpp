@@ -1,0 +1,154 @@
+// Sweeps that are stopped, that run out of memory, that begin in contact or are asked wrongly.
+#include <algorithm>
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "query/sweep.h"
+#include "support/each_target.h"
+#include "support/swept_pairs.h"
+
+namespace clearway::testing {
+namespace {
+
+BOOST_AUTO_TEST_CASE(a_stop_is_asked_for_at_once_and_after_at_most_256_steps) {
+    const SweptPair pair("pipe over plate", tube(2, 3, 4, 200), box({40, 40, 1}, 12), 8);
+    SweepOptions options = optionsFor(pair, 0);
+    options.leastInterval = 1e-9;
+    const MotionPieces pieces = piecesOf(rolling(1e-6), pair.part);
+    Workspace workspace;
+    int asked = 0;
+    options.isStopped = [&] { return ++asked == 40; };
+    const SweepResult found = sweep(pair.part, pair.environment, pieces, options, workspace);
+    BOOST_TEST((found.verdict == SweepVerdict::kUndecided));
+    BOOST_TEST(asked == 40);
+    // A step is a visit, a pair of leaves, an interval halved unlooked at, or a pair resolved in double.
+    BOOST_TEST(found.counters.nodeVisits + found.counters.refinedPairs <= 256u * 40);
+    options.isStopped = [] { return true; };
+    BOOST_TEST(sweep(pair.part, pair.environment, pieces, options, workspace).counters.nodeVisits == 0u);
+    options.isForward = true;
+    BOOST_TEST(sweep(pair.part, pair.environment, pieces, options, workspace).certifiedUntil == 0);
+}
+
+/// Pairs of long triangles often need double, so that many stops come amid the pairs of two leaves.
+BOOST_DATA_TEST_CASE(going_forward_a_stop_leaves_no_time_certified_that_is_open, eachWidth(), width) {
+    Random shapes(5);
+    const SweptPair pair("needles", needles(shapes, 16), needles(shapes, 16), width);
+    Workspace workspace;
+    int stopped = 0;
+    for (std::uint64_t seed = 0; seed < 20000; ++seed) {
+        Random random(seed);
+        const RigidMotion motion = randomMotion(random, pair);
+        SweepOptions options;
+        options.isForward = true;
+        options.leastInterval = options.contactTime = 1e-12;
+        int asked = 0;
+        options.isStopped = [&] { return ++asked == 2; };
+        const SweepResult found =
+            sweep(pair.part, pair.environment, piecesOf(motion, pair.part), options, workspace);
+        if (asked < 2) continue;
+        ++stopped;
+        for (int i = 0; i <= 100; ++i) {
+            const double time = found.certifiedUntil * (1 - 1e-4 * i * i);
+            if (time > 0)
+                BOOST_TEST(!collides(pair.part, pair.environment, poseAt(motion, time), workspace),
+                           "seed " << seed << " at " << time);
+        }
+    }
+    BOOST_TEST(stopped > 50);
+}
+
+BOOST_AUTO_TEST_CASE(a_motion_in_contact_from_its_start_is_certified_nowhere) {
+    const SweptPair pair("boxes", box({1, 2, 3}, 2), box({1, 2, 3}, 2), 8);
+    SweepOptions options;
+    options.isForward = true;
+    options.contactTime = 0;
+    Workspace workspace;
+    for (const double shift : {0.0, 1.0}) {
+        const RigidMotion motion{{Matrix3::Identity(), {2 - shift, 0, 0}}, {9, 0, 0}, Vector3(0, 0, 1)};
+        const SweepResult found =
+            sweep(pair.part, pair.environment, piecesOf(motion, pair.part), options, workspace);
+        // Boxes that part from touching are in contact at time 0 only, which no middle of an interval is.
+        const SweepVerdict expected = shift > 0 ? SweepVerdict::kContact : SweepVerdict::kUndecided;
+        BOOST_TEST((found.verdict == expected));
+        BOOST_TEST(found.certifiedUntil == 0);
+    }
+}
+
+BOOST_DATA_TEST_CASE(a_full_stack_is_undecided, eachWidth(), width) {
+    const SweptPair pair("boxes", box({1, 2, 3}, 4), box({1, 2, 3}, 4), width);
+    const RigidMotion motion{{Matrix3::Identity(), {2.01, 0, 0}}, {0, 1, 1}, Vector3(0.1, 0, 0)};
+    SweepRequest request;
+    request.leastInterval = 1e-6;
+    Workspace workspace;
+    const MotionPieces pieces = piecesOf(motion, pair.part);
+    for (const SweepGoal goal : {SweepGoal::kCertify, SweepGoal::kForward}) {
+        request.goal = goal;
+        request.mostEntries = kMostSweepEntries;
+        const auto answer = [&] {
+            return sweepTrees(pair.part.tree(), pair.environment.tree(), pieces, request, workspace.state());
+        };
+        BOOST_TEST(!answer().isUndecided);
+        request.mostEntries = 0;
+        const SweepAnswer full = answer();
+        BOOST_TEST(full.isUndecided);
+        BOOST_TEST(full.certifiedUntil < 1);
+    }
+}
+
+template <class Call>
+void requireRefused(const Call& call, const std::string& words) {
+    BOOST_CHECK_EXCEPTION(call(), std::invalid_argument, [&](const std::invalid_argument& error) {
+        BOOST_TEST_CONTEXT(error.what())
+        BOOST_TEST(std::string(error.what()).find(words) != std::string::npos);
+        return true;
+    });
+}
+
+BOOST_AUTO_TEST_CASE(wrong_arguments_are_refused_by_name) {
+    const SweptPair pair("boxes", box({1, 2, 3}), box({1, 2, 3}), 8);
+    const RigidMotion motion{{Matrix3::Identity(), {9, 0, 0}}, {1, 0, 0}, Vector3::Zero()};
+    Workspace workspace;
+    const auto ask = [&](const RigidMotion& asked, const SweepOptions& options) {
+        return sweep(pair.part, pair.environment, piecesOf(asked, pair.part), options, workspace);
+    };
+    const double nan = std::nan("");
+    for (const double wrong : {-1.0, nan}) {
+        SweepOptions options;
+        options.margin = wrong;
+        requireRefused([&] { ask(motion, options); }, "margin is ");
+        options = {};
+        options.poseError = wrong;
+        requireRefused([&] { ask(motion, options); }, "poseError is ");
+        options = {};
+        options.leastInterval = wrong;
+        requireRefused([&] { ask(motion, options); }, "leastInterval is ");
+        options = {};
+        options.contactTime = wrong;
+        requireRefused([&] { ask(motion, options); }, "contactTime is ");
+        options = {};
+        options.from = wrong;
+        requireRefused([&] { ask(motion, options); }, "from is ");
+        options = {};
+        options.until = wrong;
+        requireRefused([&] { ask(motion, options); }, "until is ");
+    }
+    RigidMotion wrong = motion;
+    wrong.translation.x() = nan;
+    requireRefused([&] { ask(wrong, {}); }, "expected");
+    wrong.translation.x() = HUGE_VAL;
+    requireRefused([&] { ask(wrong, {}); }, "expected");
+    wrong.translation.x() = 1e30;
+    requireRefused([&] { ask(wrong, {}); }, "expected");
+    wrong = motion;
+    wrong.turn.x() = 1e30;
+    requireRefused([&] { ask(wrong, {}); }, "expected");
+    wrong = motion;
+    wrong.start.rotation *= 2;
+    requireRefused([&] { ask(wrong, {}); }, "rotation");
+    BOOST_TEST((ask(motion, {}).verdict == SweepVerdict::kCertified));
+}
+
+}  // namespace
+}  // namespace clearway::testing
