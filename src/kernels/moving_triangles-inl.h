@@ -53,7 +53,7 @@ struct TriangleField {
     V deviation, bow;
 };
 
-/// What WalkProvesApart takes as `move`: pairs of two leaves of which the part's moves.
+/// A move for WalkProvesApart: that of the part's leaf, of two leaves whose triangles are paired.
 struct LeafMove {
     static constexpr bool kIsNone = false;
 

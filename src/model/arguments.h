@@ -1,4 +1,4 @@
-// What all queries ask of their arguments. Each function throws std::invalid_argument that names the value and what was
+// Checks of the arguments of queries. Each function throws std::invalid_argument that names the value and the range
 // expected.
 #pragma once
 

@@ -57,7 +57,7 @@ class PieceCache {
     }
 
   private:
-    static constexpr std::size_t kPieces = 64;  ///< two thirds of the motions of planners have fewer
+    static constexpr std::size_t kPieces = 64;  ///< short motions have fewer
     static std::size_t placeOf(std::uint64_t key) { return (key * 0x9E3779B97F4A7C15ull) >> 58; }
     void prepare(TimeInterval interval, PreparedPiece& piece) const;
 

@@ -8,7 +8,7 @@
 
 namespace clearway {
 
-/// What a sweep finds.
+/// The question to a sweep.
 enum class SweepGoal {
     kCertify,        ///< whether all times are certified; ends at the first contact
     kForward,        ///< how far they are from the start on

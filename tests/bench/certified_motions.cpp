@@ -249,7 +249,7 @@ class Comparison {
         return lost;
     }
 
-    /// What MinClearanceObjective asks for, of at most 200 motions that are valid.
+    /// Times the least clearance, as MinClearanceObjective asks for it, of at most 200 valid motions.
     void printLeastClearances() const {
         const planning::MinClearanceObjective pairs(si_, scene_),
             globally(si_, scene_, planning::stateToPose(*space_),

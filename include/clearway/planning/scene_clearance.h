@@ -153,8 +153,8 @@ class SceneClearance {
     /// Finds how near the part comes to the obstacles, whatever the solids.
     LeastClearance leastClearance(const PartMotion& motion, const LeastClearanceOptions& options) const;
 
-    /// What solids say about a motion from time 0 to `until` along which no surfaces touch, where the obstacle counts: the
-    /// part may still be inside a solid while it counts, if a contact zone ignored the solid when the part got in.
+    /// Checks that the part stays outside the solids from time 0 to `until`, when no surfaces touch while their obstacle
+    /// counts. The part may be inside a solid all the same: it may have got in while a contact zone ignored the solid.
     /// kUndecided: too close to the border of a zone to tell. `until` of the answer: the part is outside up to there.
     SolidsAlong stayOutsideSolids(const PartMotion& motion, double until, double poseError,
                                   double leastInterval) const;

@@ -1,17 +1,14 @@
 #include "clearway/planning/scene_clearance.h"
 
-#include <tbb/enumerable_thread_specific.h>
-
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
 #include <utility>
 
 #include "core/number.h"
 #include "model/solids.h"
 #include "planning/validity/contact_zones.h"
+#include "planning/validity/scene_scratch.h"
 
 namespace clearway::planning {
 namespace {
@@ -24,20 +21,6 @@ constexpr double kRoughError = 0.05;
 /// The share of upper that lower must reach; otherwise a tight distance is asked for.
 constexpr double kRoughEnough = 0.9;
 
-thread_local QueryTally tallyOfThisThread;
-
-/// Visits the obstacles until `visit` returns false. The obstacle that was nearest last time comes first: it
-/// blocks most often, and it caps what the others are asked for.
-template <class Visit>
-bool visitAll(std::size_t count, std::size_t first, const Visit& visit) {
-    if (count == 0) return true;
-    if (!visit(first)) return false;
-    for (std::size_t i = 0; i < count; ++i) {
-        if (i != first && !visit(i)) return false;
-    }
-    return true;
-}
-
 /// The answer when no obstacle was asked.
 SceneDistance nowhere() {
     constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
@@ -47,76 +30,7 @@ SceneDistance nowhere() {
     return result;
 }
 
-std::string meshName(const Model& model, std::int64_t component) {
-    const auto& components = model.components();
-    if (component >= 0 && static_cast<std::size_t>(component) < components.size()) {
-        const std::string& name = components[static_cast<std::size_t>(component)].name;
-        if (!name.empty()) return name;
-    }
-    const std::string& file = model.origin().file;
-    return file.empty() ? "unnamed" : file.substr(file.find_last_of('/') + 1);
-}
-
-double marginOf(const Scene& scene, const SceneDistance& nearest) {
-    return nearest.obstacle < 0 ? 0 : scene.obstacles[static_cast<std::size_t>(nearest.obstacle)].margin;
-}
-
-/// Describes a pair that touches or is closer than the margin.
-std::string describePair(const Scene& scene, const SceneDistance& nearest) {
-    const double margin = marginOf(scene, nearest);
-    const MeshNames names = meshNames(scene, nearest);
-    std::ostringstream message;
-    message << "triangle " << nearest.partTriangle << " of the part's mesh '" << names.part
-            << "' and triangle " << nearest.environmentTriangle << " of the environment's mesh '"
-            << names.environment << "' are ";
-    if (nearest.collides()) {
-        message << "touching, expected a distance above " << margin;
-    } else {
-        message << nearest.distance << " apart, expected more than the margin " << margin;
-    }
-    return message.str();
-}
-
 }  // namespace
-
-/// The last poses found free. Planners ask for a state and then for several motions to it.
-class SceneClearance::FreePoses {
-  public:
-    bool contain(const Pose& pose) const {
-        return std::any_of(poses_.begin(), poses_.end(), [&](const Pose& known) {
-            return known.translation == pose.translation && known.rotation == pose.rotation;
-        });
-    }
-    void add(const Pose& pose) {
-        poses_[next_] = pose;
-        next_ = (next_ + 1) % poses_.size();
-    }
-
-  private:
-    static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-    std::array<Pose, 8> poses_ = noPoses();
-    std::size_t next_ = 0;
-
-    /// NaN equals no pose.
-    static std::array<Pose, 8> noPoses() {
-        std::array<Pose, 8> none;
-        none.fill({Matrix3::Identity(), Vector3::Constant(kNone)});
-        return none;
-    }
-};
-
-/// The data that one thread keeps from query to query.
-struct SceneClearance::Scratch {
-    std::vector<Workspace> workspaces;  ///< one for each obstacle
-    std::size_t nearest = 0;            ///< the obstacle that was nearest, or in the way, last time
-    FreePoses freePoses{};
-};
-
-struct SceneClearance::ThreadScratch {
-    explicit ThreadScratch(std::size_t obstacles)
-        : perThread([obstacles] { return Scratch{std::vector<Workspace>(obstacles)}; }) {}
-    tbb::enumerable_thread_specific<Scratch> perThread;
-};
 
 /// The clearance of one obstacle, whether or not the obstacle counts.
 struct SceneClearance::Asked {
@@ -130,12 +44,6 @@ struct SceneClearance::Asked {
         const bool isFar = std::isinf(clearance.upper) && std::isinf(sofar.upper);
         return isFar ? clearance.lower < sofar.lower : clearance.upper < sofar.upper;
     }
-};
-
-struct SceneClearance::Enclosure {
-    const std::string* obstacleMesh;
-    const std::string* partMesh;
-    bool isPartInside;
 };
 
 SceneClearance::SceneClearance(Scene scene)
@@ -202,8 +110,8 @@ bool SceneClearance::isFree(std::size_t i, const Pose& X_environmentPart, Scratc
         obstacle.margin == 0
             ? collides(scene_.part, obstacle.model, X_environmentPart, workspace)
             : isWithin(scene_.part, obstacle.model, X_environmentPart, obstacle.margin, workspace);
-    ++tallyOfThisThread.withins;
-    tallyOfThisThread.work += workspace.counters();
+    ++tallyOfThisThread().withins;
+    tallyOfThisThread().work += workspace.counters();
     return !isBlocked;
 }
 
@@ -275,8 +183,8 @@ void SceneClearance::ask(std::size_t i, const Pose& X_environmentPart, const Dis
     DistanceResult& d = answer.nearest;
     Workspace& workspace = scratch.workspaces[i];
     d = clearway::distance(scene_.part, obstacle.model, X_environmentPart, options, workspace);
-    ++tallyOfThisThread.distances;
-    tallyOfThisThread.work += workspace.counters();
+    ++tallyOfThisThread().distances;
+    tallyOfThisThread().work += workspace.counters();
     answer.nearest.obstacle = static_cast<int>(i);
     ++answer.queries;
     bool valid = d.upper > margin;
@@ -289,138 +197,6 @@ void SceneClearance::ask(std::size_t i, const Pose& X_environmentPart, const Dis
     answer.clearance.lower =
         valid ? std::max(above, std::numeric_limits<double>::denorm_min()) : std::min(above, 0.0);
     answer.clearance.upper = d.upper - margin;
-}
-
-/// The pieces with what the contact zones ignore of an obstacle.
-MotionPieces SceneClearance::piecesFor(std::size_t i, const PartMotion& motion, double poseError) const {
-    PoseClearance at;
-    if (!zones_->zoneOf(i, at)) return motion.pieces;
-    return [this, i, &motion, poseError](double from, double to) {
-        MotionPiece piece = motion.pieces(from, to);
-        PoseClearance here;
-        zones_->findSpares(scene_, piece.middle, here);
-        const double spare = zones_->zoneOf(i, here)->spare.lower;
-        const double moved = 0.5 * (to - from) * motion.length + poseError;
-        if (spare >= moved) {
-            piece.counts = MotionPiece::Counts::kNowhere;
-        } else if (spare >= 0) {
-            piece.counts = MotionPiece::Counts::kNotAtMiddle;
-        }
-        return piece;
-    };
-}
-
-ContactsAt SceneClearance::contactsAt(const Pose& X_environmentPart) const {
-    PoseClearance at;
-    zones_->findSpares(scene_, X_environmentPart, at);
-    return {at.isInStartContact, at.isInGoalContact};
-}
-
-SolidsAlong SceneClearance::stayOutsideSolids(const PartMotion& motion, double until, double poseError,
-                                              double leastInterval) const {
-    SolidsAlong answer{SweepVerdict::kCertified, until};
-    PoseClearance none;
-    for (std::size_t i = 0; i < scene_.obstacles.size(); ++i) {
-        if (!scene_.obstacles[i].solids || !zones_->zoneOf(i, none)) continue;
-        std::vector<TimeRange> left{{0, answer.until}};
-        while (!left.empty()) {
-            const TimeRange range = left.back();
-            left.pop_back();
-            const SweepVerdict side = sideAlong(i, motion, range, poseError, leastInterval);
-            if (side == SweepVerdict::kCertified) continue;
-            const double middle = range.from + 0.5 * (range.to - range.from);
-            if (motion.length * (range.to - range.from) > leastInterval) {
-                left.push_back({middle, range.to});
-                left.push_back({range.from, middle});
-                continue;
-            }
-            answer = {side, range.from};
-            break;
-        }
-    }
-    return answer;
-}
-
-/// kUndecided: the range must be divided.
-SweepVerdict SceneClearance::sideAlong(std::size_t i, const PartMotion& motion, const TimeRange& range,
-                                       double poseError, double leastInterval) const {
-    const Pose X = motion.pieces(range.from, range.to).middle;
-    const double travel = motion.length * (range.to - range.from), moved = 0.5 * travel + poseError;
-    PoseClearance at;
-    zones_->findSpares(scene_, X, at);
-    if (zones_->zoneOf(i, at)->spare.lower >= moved) return SweepVerdict::kCertified;  // ignored throughout
-    // No surfaces touch while the obstacle counts, so all of a range in which it counts is on one side.
-    if (zones_->countsAround(scene_, i, X, moved)) {
-        return enclosureBy(i, X) ? SweepVerdict::kContact : SweepVerdict::kCertified;
-    }
-    if (travel > leastInterval) return SweepVerdict::kUndecided;
-    const bool isClear = !isWithin(scene_.part, scene_.obstacles[i].model, X, moved,
-                                   scratch_->perThread.local().workspaces[i]);
-    return isClear && !enclosureBy(i, X) ? SweepVerdict::kCertified : SweepVerdict::kUndecided;
-}
-
-SceneSweep SceneClearance::sweep(const PartMotion& motion, const SceneSweepOptions& options) const {
-    SceneSweep answer;
-    answer.certifiedUntil = options.until;
-    Scratch& mine = scratch_->perThread.local();
-    SweepOptions asked;
-    asked.from = options.from;
-    asked.leastInterval = options.leastInterval;
-    asked.poseError = options.poseError;
-    asked.isForward = options.isForward;
-    asked.contactTime = options.contactInterval / motion.length;
-    asked.isStopped = options.isStopped;
-    visitAll(scene_.obstacles.size(), mine.nearest, [&](std::size_t i) {
-        const Obstacle& obstacle = scene_.obstacles[i];
-        asked.margin = obstacle.margin + options.floor;
-        asked.until = answer.certifiedUntil;
-        asked.isContactAtEnd =
-            answer.contactTime == asked.until || (options.isContactAtEnd && asked.until == options.until);
-        const SweepResult found = clearway::sweep(
-            scene_.part, obstacle.model, piecesFor(i, motion, options.poseError), asked, mine.workspaces[i]);
-        ++answer.queries;
-        ++tallyOfThisThread.sweeps;
-        tallyOfThisThread.work += found.counters;
-        if (found.verdict == SweepVerdict::kCertified) return true;
-        mine.nearest = i;
-        const bool isFirst = answer.verdict == SweepVerdict::kCertified;
-        if (isFirst || found.verdict == SweepVerdict::kContact) answer.verdict = found.verdict;
-        answer.contactTime = std::min(answer.contactTime, found.contactTime);
-        answer.certifiedUntil = std::min(answer.certifiedUntil, found.certifiedUntil);
-        return options.isForward && answer.certifiedUntil > options.from;
-    });
-    return answer;
-}
-
-LeastClearance SceneClearance::leastClearance(const PartMotion& motion,
-                                              const LeastClearanceOptions& options) const {
-    LeastClearance answer;
-    answer.lower = kInfinity;
-    answer.upper = std::min(options.cap, mostClearance());
-    Scratch& mine = scratch_->perThread.local();
-    LeastDistanceOptions asked;
-    asked.poseError = options.poseError;
-    asked.resolution = options.resolution;
-    asked.isStopped = options.isStopped;
-    visitAll(scene_.obstacles.size(), mine.nearest, [&](std::size_t i) {
-        const Obstacle& obstacle = scene_.obstacles[i];
-        asked.margin = obstacle.margin;
-        asked.cap = answer.upper;
-        const LeastDistance found = leastDistance(
-            scene_.part, obstacle.model, piecesFor(i, motion, options.poseError), asked, mine.workspaces[i]);
-        ++answer.queries;
-        ++tallyOfThisThread.sweeps;
-        tallyOfThisThread.work += found.counters;
-        answer.lower = std::min(answer.lower, found.lower);
-        answer.isStopped = answer.isStopped || found.isStopped;
-        if (found.upper < answer.upper) {
-            answer.upper = found.upper;
-            answer.time = found.time;
-            mine.nearest = i;
-        }
-        return !answer.isStopped && answer.upper > 0;  // a motion in contact has no least clearance to find
-    });
-    return answer;
 }
 
 SceneDistance SceneClearance::distance(const Pose& X_environmentPart) const {
@@ -495,38 +271,13 @@ void SceneClearance::lookAtSolids(const Pose& X_environmentPart, bool isOutside,
     }
 }
 
-/// Names the solid and the mesh inside it, of the obstacles that count. Empty when nothing is enclosed.
-std::string SceneClearance::describeEnclosure(const Pose& X_environmentPart) const {
-    PoseClearance at;
-    zones_->findSpares(scene_, X_environmentPart, at);
-    for (std::size_t i = 0; i < scene_.obstacles.size(); ++i) {
-        if (zones_->isIgnored(i, at)) continue;
-        const auto found = enclosureBy(i, X_environmentPart);
-        if (!found) continue;
-        const std::string part = "the part's mesh '" + *found->partMesh + "'",
-                          obstacle = "the solid '" + *found->obstacleMesh + "'";
-        return found->isPartInside ? part + " is inside " + obstacle : obstacle + " is inside " + part;
-    }
-    return "";
-}
-
-std::string SceneClearance::whyInvalid(const Pose& X_environmentPart) const {
-    const PoseClearance found = at(X_environmentPart);
-    if (found.isValid()) return "";
-    if (found.nearest.collides()) return "in collision: " + describePair(scene_, found.nearest);
-    const bool isApart = found.nearest.lower > marginOf(scene_, found.nearest);
-    if (!isApart) return "too close: " + describePair(scene_, found.nearest);
-    return "in collision: " + describeEnclosure(X_environmentPart);
+QueryTally& tallyOfThisThread() {
+    thread_local QueryTally tally;
+    return tally;
 }
 
 QueryTally takeQueryTally() {
-    return std::exchange(tallyOfThisThread, {});
-}
-
-MeshNames meshNames(const Scene& scene, const SceneDistance& nearest) {
-    if (nearest.partTriangle < 0 || nearest.obstacle < 0) return {};
-    const Model& environment = scene.obstacles[static_cast<std::size_t>(nearest.obstacle)].model;
-    return {meshName(scene.part, nearest.partComponent), meshName(environment, nearest.environmentComponent)};
+    return std::exchange(tallyOfThisThread(), {});
 }
 
 }  // namespace clearway::planning

@@ -1,0 +1,144 @@
+// The scene's answers about motions: every obstacle is swept past, with its margin and as far as contact zones let it count.
+#include <algorithm>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "planning/validity/contact_zones.h"
+#include "planning/validity/scene_scratch.h"
+
+namespace clearway::planning {
+
+/// The pieces with what the contact zones ignore of an obstacle.
+MotionPieces SceneClearance::piecesFor(std::size_t i, const PartMotion& motion, double poseError) const {
+    PoseClearance at;
+    if (!zones_->zoneOf(i, at)) return motion.pieces;
+    return [this, i, &motion, poseError](double from, double to) {
+        MotionPiece piece = motion.pieces(from, to);
+        PoseClearance here;
+        zones_->findSpares(scene_, piece.middle, here);
+        const double spare = zones_->zoneOf(i, here)->spare.lower;
+        const double moved = 0.5 * (to - from) * motion.length + poseError;
+        if (spare >= moved) {
+            piece.counts = MotionPiece::Counts::kNowhere;
+        } else if (spare >= 0) {
+            piece.counts = MotionPiece::Counts::kNotAtMiddle;
+        }
+        return piece;
+    };
+}
+
+ContactsAt SceneClearance::contactsAt(const Pose& X_environmentPart) const {
+    PoseClearance at;
+    zones_->findSpares(scene_, X_environmentPart, at);
+    return {at.isInStartContact, at.isInGoalContact};
+}
+
+SolidsAlong SceneClearance::stayOutsideSolids(const PartMotion& motion, double until, double poseError,
+                                              double leastInterval) const {
+    SolidsAlong answer{SweepVerdict::kCertified, until};
+    PoseClearance none;
+    for (std::size_t i = 0; i < scene_.obstacles.size(); ++i) {
+        if (!scene_.obstacles[i].solids || !zones_->zoneOf(i, none)) continue;
+        std::vector<TimeRange> left{{0, answer.until}};
+        while (!left.empty()) {
+            const TimeRange range = left.back();
+            left.pop_back();
+            const SweepVerdict side = sideAlong(i, motion, range, poseError, leastInterval);
+            if (side == SweepVerdict::kCertified) continue;
+            const double middle = range.from + 0.5 * (range.to - range.from);
+            if (motion.length * (range.to - range.from) > leastInterval) {
+                left.push_back({middle, range.to});
+                left.push_back({range.from, middle});
+                continue;
+            }
+            answer = {side, range.from};
+            break;
+        }
+    }
+    return answer;
+}
+
+/// kUndecided: the range must be divided.
+SweepVerdict SceneClearance::sideAlong(std::size_t i, const PartMotion& motion, const TimeRange& range,
+                                       double poseError, double leastInterval) const {
+    const Pose X = motion.pieces(range.from, range.to).middle;
+    const double travel = motion.length * (range.to - range.from), moved = 0.5 * travel + poseError;
+    PoseClearance at;
+    zones_->findSpares(scene_, X, at);
+    if (zones_->zoneOf(i, at)->spare.lower >= moved) return SweepVerdict::kCertified;  // ignored throughout
+    // No surfaces touch while the obstacle counts, so all of a range in which it counts is on one side.
+    if (zones_->countsAround(scene_, i, X, moved)) {
+        return enclosureBy(i, X) ? SweepVerdict::kContact : SweepVerdict::kCertified;
+    }
+    if (travel > leastInterval) return SweepVerdict::kUndecided;
+    const bool isClear = !isWithin(scene_.part, scene_.obstacles[i].model, X, moved,
+                                   scratch_->perThread.local().workspaces[i]);
+    return isClear && !enclosureBy(i, X) ? SweepVerdict::kCertified : SweepVerdict::kUndecided;
+}
+
+SceneSweep SceneClearance::sweep(const PartMotion& motion, const SceneSweepOptions& options) const {
+    SceneSweep answer;
+    answer.certifiedUntil = options.until;
+    Scratch& mine = scratch_->perThread.local();
+    SweepOptions asked;
+    asked.from = options.from;
+    asked.leastInterval = options.leastInterval;
+    asked.poseError = options.poseError;
+    asked.isForward = options.isForward;
+    asked.contactTime = options.contactInterval / motion.length;
+    asked.isStopped = options.isStopped;
+    visitAll(scene_.obstacles.size(), mine.nearest, [&](std::size_t i) {
+        const Obstacle& obstacle = scene_.obstacles[i];
+        asked.margin = obstacle.margin + options.floor;
+        asked.until = answer.certifiedUntil;
+        asked.isContactAtEnd =
+            answer.contactTime == asked.until || (options.isContactAtEnd && asked.until == options.until);
+        const SweepResult found = clearway::sweep(
+            scene_.part, obstacle.model, piecesFor(i, motion, options.poseError), asked, mine.workspaces[i]);
+        ++answer.queries;
+        ++tallyOfThisThread().sweeps;
+        tallyOfThisThread().work += found.counters;
+        if (found.verdict == SweepVerdict::kCertified) return true;
+        mine.nearest = i;
+        const bool isFirst = answer.verdict == SweepVerdict::kCertified;
+        if (isFirst || found.verdict == SweepVerdict::kContact) answer.verdict = found.verdict;
+        answer.contactTime = std::min(answer.contactTime, found.contactTime);
+        answer.certifiedUntil = std::min(answer.certifiedUntil, found.certifiedUntil);
+        return options.isForward && answer.certifiedUntil > options.from;
+    });
+    return answer;
+}
+
+LeastClearance SceneClearance::leastClearance(const PartMotion& motion,
+                                              const LeastClearanceOptions& options) const {
+    LeastClearance answer;
+    answer.lower = std::numeric_limits<double>::infinity();
+    answer.upper = std::min(options.cap, mostClearance());
+    Scratch& mine = scratch_->perThread.local();
+    LeastDistanceOptions asked;
+    asked.poseError = options.poseError;
+    asked.resolution = options.resolution;
+    asked.isStopped = options.isStopped;
+    visitAll(scene_.obstacles.size(), mine.nearest, [&](std::size_t i) {
+        const Obstacle& obstacle = scene_.obstacles[i];
+        asked.margin = obstacle.margin;
+        asked.cap = answer.upper;
+        const LeastDistance found = leastDistance(
+            scene_.part, obstacle.model, piecesFor(i, motion, options.poseError), asked, mine.workspaces[i]);
+        ++answer.queries;
+        ++tallyOfThisThread().sweeps;
+        tallyOfThisThread().work += found.counters;
+        answer.lower = std::min(answer.lower, found.lower);
+        answer.isStopped = answer.isStopped || found.isStopped;
+        if (found.upper < answer.upper) {
+            answer.upper = found.upper;
+            answer.time = found.time;
+            mine.nearest = i;
+        }
+        return !answer.isStopped && answer.upper > 0;  // a motion in contact has no least clearance to find
+    });
+    return answer;
+}
+
+}  // namespace clearway::planning

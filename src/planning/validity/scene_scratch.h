@@ -1,0 +1,76 @@
+// The parts of SceneClearance that its files share: the data that threads keep between queries.
+#pragma once
+
+#include <tbb/enumerable_thread_specific.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "clearway/planning/scene_clearance.h"
+
+namespace clearway::planning {
+
+/// Visits the obstacles until `visit` returns false. The obstacle that was nearest last time comes first: it
+/// blocks most often, and it caps what the others are asked for.
+template <class Visit>
+bool visitAll(std::size_t count, std::size_t first, const Visit& visit) {
+    if (count == 0) return true;
+    if (!visit(first)) return false;
+    for (std::size_t i = 0; i < count; ++i) {
+        if (i != first && !visit(i)) return false;
+    }
+    return true;
+}
+
+/// The last poses found free. Planners ask for a state and then for several motions to it.
+class SceneClearance::FreePoses {
+  public:
+    bool contain(const Pose& pose) const {
+        return std::any_of(poses_.begin(), poses_.end(), [&](const Pose& known) {
+            return known.translation == pose.translation && known.rotation == pose.rotation;
+        });
+    }
+    void add(const Pose& pose) {
+        poses_[next_] = pose;
+        next_ = (next_ + 1) % poses_.size();
+    }
+
+  private:
+    static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    std::array<Pose, 8> poses_ = noPoses();
+    std::size_t next_ = 0;
+
+    /// NaN equals no pose.
+    static std::array<Pose, 8> noPoses() {
+        std::array<Pose, 8> none;
+        none.fill({Matrix3::Identity(), Vector3::Constant(kNone)});
+        return none;
+    }
+};
+
+/// The data that one thread keeps from query to query.
+struct SceneClearance::Scratch {
+    std::vector<Workspace> workspaces;  ///< one for each obstacle
+    std::size_t nearest = 0;            ///< the obstacle that was nearest, or in the way, last time
+    FreePoses freePoses{};
+};
+
+struct SceneClearance::ThreadScratch {
+    explicit ThreadScratch(std::size_t obstacles)
+        : perThread([obstacles] { return Scratch{std::vector<Workspace>(obstacles)}; }) {}
+    tbb::enumerable_thread_specific<Scratch> perThread;
+};
+
+struct SceneClearance::Enclosure {
+    const std::string* obstacleMesh;
+    const std::string* partMesh;
+    bool isPartInside;
+};
+
+/// Counts the queries of the calling thread; see takeQueryTally.
+QueryTally& tallyOfThisThread();
+
+}  // namespace clearway::planning

@@ -1,0 +1,73 @@
+// Says in words why a pose is not valid.
+#include <sstream>
+#include <string>
+
+#include "planning/validity/contact_zones.h"
+#include "planning/validity/scene_scratch.h"
+
+namespace clearway::planning {
+namespace {
+
+std::string meshName(const Model& model, std::int64_t component) {
+    const auto& components = model.components();
+    if (component >= 0 && static_cast<std::size_t>(component) < components.size()) {
+        const std::string& name = components[static_cast<std::size_t>(component)].name;
+        if (!name.empty()) return name;
+    }
+    const std::string& file = model.origin().file;
+    return file.empty() ? "unnamed" : file.substr(file.find_last_of('/') + 1);
+}
+
+double marginOf(const Scene& scene, const SceneDistance& nearest) {
+    return nearest.obstacle < 0 ? 0 : scene.obstacles[static_cast<std::size_t>(nearest.obstacle)].margin;
+}
+
+/// Describes a pair that touches or is closer than the margin.
+std::string describePair(const Scene& scene, const SceneDistance& nearest) {
+    const double margin = marginOf(scene, nearest);
+    const MeshNames names = meshNames(scene, nearest);
+    std::ostringstream message;
+    message << "triangle " << nearest.partTriangle << " of the part's mesh '" << names.part
+            << "' and triangle " << nearest.environmentTriangle << " of the environment's mesh '"
+            << names.environment << "' are ";
+    if (nearest.collides()) {
+        message << "touching, expected a distance above " << margin;
+    } else {
+        message << nearest.distance << " apart, expected more than the margin " << margin;
+    }
+    return message.str();
+}
+
+}  // namespace
+
+/// Names the solid and the mesh inside it, of the obstacles that count. Empty when nothing is enclosed.
+std::string SceneClearance::describeEnclosure(const Pose& X_environmentPart) const {
+    PoseClearance at;
+    zones_->findSpares(scene_, X_environmentPart, at);
+    for (std::size_t i = 0; i < scene_.obstacles.size(); ++i) {
+        if (zones_->isIgnored(i, at)) continue;
+        const auto found = enclosureBy(i, X_environmentPart);
+        if (!found) continue;
+        const std::string part = "the part's mesh '" + *found->partMesh + "'",
+                          obstacle = "the solid '" + *found->obstacleMesh + "'";
+        return found->isPartInside ? part + " is inside " + obstacle : obstacle + " is inside " + part;
+    }
+    return "";
+}
+
+std::string SceneClearance::whyInvalid(const Pose& X_environmentPart) const {
+    const PoseClearance found = at(X_environmentPart);
+    if (found.isValid()) return "";
+    if (found.nearest.collides()) return "in collision: " + describePair(scene_, found.nearest);
+    const bool isApart = found.nearest.lower > marginOf(scene_, found.nearest);
+    if (!isApart) return "too close: " + describePair(scene_, found.nearest);
+    return "in collision: " + describeEnclosure(X_environmentPart);
+}
+
+MeshNames meshNames(const Scene& scene, const SceneDistance& nearest) {
+    if (nearest.partTriangle < 0 || nearest.obstacle < 0) return {};
+    const Model& environment = scene.obstacles[static_cast<std::size_t>(nearest.obstacle)].model;
+    return {meshName(scene.part, nearest.partComponent), meshName(environment, nearest.environmentComponent)};
+}
+
+}  // namespace clearway::planning
