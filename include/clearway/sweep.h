@@ -116,7 +116,13 @@ struct LeastDistanceOptions {
 struct LeastDistance {
     /// lower <= the least distance along the motion less the margin <= upper, which is infinite beyond the cap.
     double lower = 0, upper = std::numeric_limits<double>::infinity();
-    double time = 0;  ///< of a pose that has at most `upper`, if it is finite
+    /// The witness of `upper`: a pose of the motion and a pair of triangles that are that near to each other there. Points
+    /// are in the environment's frame. Beyond the cap the ids are -1 and the points NaN.
+    double time = 0;
+    std::int64_t partTriangle = -1;
+    std::int64_t environmentTriangle = -1;
+    Vector3 pointOnPart = Vector3::Constant(std::numeric_limits<double>::quiet_NaN());
+    Vector3 pointOnEnvironment = pointOnPart;
     bool isStopped = false;
     QueryCounters counters;
 };

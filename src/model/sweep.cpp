@@ -128,11 +128,20 @@ LeastDistance leastDistance(const Model& part, const Model& environment, const M
     result.counters = state.counters;
     result.lower = std::max(answer.lower, -options.margin);
     if (answer.upper < request.leastUpper) {
-        result.upper = answer.upper;
         result.time = answer.time;
+        const Pose X_environmentPart = motion(answer.time, answer.time).middle;
+        const PairQuery query = preparePairQuery(part.tree(), environment.tree(), X_environmentPart);
+        const ResolvedPair nearest = resolvePair(query, answer.nearest);
+        result.upper = std::min(answer.upper, nearest.upper / query.perMeshUnit - options.margin);
+        result.partTriangle = part.tree().triangleIds[answer.nearest.part];
+        result.environmentTriangle = environment.tree().triangleIds[answer.nearest.environment];
+        result.pointOnPart = nearest.pointOnPart / query.perMeshUnit;
+        result.pointOnEnvironment = nearest.pointOnEnvironment / query.perMeshUnit;
+        state.warmStart = {part.id(), environment.id(), answer.nearest};
     }
     result.isStopped = answer.isStopped || answer.isUndecided;
     if (result.isStopped) result.lower = -options.margin;
+    result.lower = std::min(result.lower, result.upper);
     return result;
 }
 

@@ -321,7 +321,7 @@ class Sweep {
                          float need, LeafShares& leaf) {
         const bool isWide = !(pair.upper - pair.lower <= kTooWide * (pair.upper - need));
         if (request_.goal == SweepGoal::kLeastDistance) {
-            reach(pair.upper, piece);
+            reach(pair.upper, triangles, piece);
         } else {
             const double margin = request_.margin * piece.query.perMeshUnit;
             const bool isWithin = double(pair.upper) <= margin && pair.upper > kLeastProved
@@ -353,20 +353,21 @@ class Sweep {
         countStep();
         ++state_.counters.refinedPairs;
         const ResolvedPair pair = resolvePair(piece.query, triangles);
-        if (request_.goal == SweepGoal::kLeastDistance) reach(pair.upper, piece);
+        if (request_.goal == SweepGoal::kLeastDistance) reach(pair.upper, triangles, piece);
         leaf.lower = leaf.lower < pair.lower ? leaf.lower : pair.lower;
         const MovedShares shares = sharesInDouble(piece, triangles, pair, neededDouble(piece.query));
         leaf.lessen(shares.after, shares.before);
     }
 
-    /// Takes a distance that a pose of the motion has. Query units.
-    HWY_INLINE void reach(double upper, const PreparedPiece& piece) {
+    /// Takes a distance that a pair has in the middle of a piece. Query units.
+    HWY_INLINE void reach(double upper, const TrianglesAt& triangles, const PreparedPiece& piece) {
         if (piece.counts != MotionPiece::Counts::kAtMiddle) return;
         const double clearance = upper / piece.query.perMeshUnit - request_.margin;
         if (!(clearance < leastUpper_)) return;
         leastUpper_ = clearance;
         isReached_ = true;
         answer_.time = TimeInterval{piece.key}.middle();
+        answer_.nearest = triangles;
         // Distances within the margin, or too short to be told from 0, need not be known better.
         if (leastUpper_ <= 0 || leastUpper_ + request_.margin <= request_.resolution.of(leastUpper_))
             isDone_ = true;

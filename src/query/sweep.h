@@ -40,6 +40,7 @@ struct SweepAnswer {
     TrianglesAt contact{0, 0, kNoFeature};
     double lower = 0, upper = 0;  ///< kLeastDistance: of the distance less the margin; upper <= leastUpper
     double time = 0;              ///< of upper, if it is below leastUpper
+    TrianglesAt nearest{0, 0, kNoFeature};  ///< have the distance `upper` plus the margin at that time
 };
 
 /// More pairs in wait end a sweep as undecided. Depth first, a sweep of a tree of usual depth keeps about a thousand.

@@ -209,6 +209,10 @@ BOOST_DATA_TEST_CASE(the_least_distance_is_bounded_from_both_sides, eachTarget()
                 BOOST_TEST(least.lower <= least.upper);
                 BOOST_TEST(clearanceAt(least.time) <= least.upper + doubt);
                 BOOST_TEST(!least.isStopped);
+                const double gap = (least.pointOnPart - least.pointOnEnvironment).norm();
+                BOOST_TEST(std::abs(gap - options.margin - least.upper) <= doubt);
+                BOOST_TEST(least.partTriangle >= 0);
+                BOOST_TEST(least.environmentTriangle >= 0);
                 if (least.upper <= options.resolution.least) continue;
                 BOOST_TEST(least.upper - least.lower <= 1.001 * options.resolution.of(least.upper) + doubt);
                 ++apart;
@@ -217,6 +221,8 @@ BOOST_DATA_TEST_CASE(the_least_distance_is_bounded_from_both_sides, eachTarget()
                                                            piecesOf(motion, pair.part), options, workspace);
                 BOOST_TEST(capped.lower == options.cap);
                 BOOST_TEST(std::isinf(capped.upper));
+                BOOST_TEST(capped.partTriangle == -1);
+                BOOST_TEST(std::isnan(capped.pointOnPart.x()));
             }
         }
     }
