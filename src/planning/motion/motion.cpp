@@ -124,26 +124,34 @@ SceneSweep Motion::sweep(const SceneSweepOptions& options) {
     return found;
 }
 
+/// A sweep that finds more clearance than none proves the ends valid, too, unless s2 is off the interpolation. Whole details
+/// have the ends' distances anyway, and no sweep need look further than these.
 std::optional<LeastClearance> Motion::leastClearance(LeastClearanceOptions options, bool isForReverse) {
-    const double wanted = options.cap;
-    const MotionSample end = atEnd(wanted);
-    if (!end.isValid()) return std::nullopt;
-    const MotionSample start =
-        atStart(std::min(wanted, end.upper));  // more than the least one does not matter
-    if (!start.isValid()) return std::nullopt;
-    const double jump = isForReverse ? slack_ + endJump_ : 0, atEnds = std::min(start.upper, end.upper);
+    if (!isStartWithinBounds() || !isEndWithinBounds()) return std::nullopt;
+    const double jump = isForReverse ? slack_ + motion_.endJump : 0;
     options.poseError = 0.5 * slack_ + jump;
-    if (atEnds < options.cap) options.cap = std::max(0.0, atEnds - options.resolution.of(atEnds));
+    std::vector<MotionSample> ends;
+    if (detail_ == ClearanceDetail::kWhole) ends.push_back(atStart(options.cap));
+    if (!ends.empty() || !isEndOfInterpolation()) ends.push_back(atEnd(options.cap));
+    Bounds atEnds;
+    for (const MotionSample& sample : ends) {
+        if (!sample.isValid()) return std::nullopt;
+        if (sample.upper < atEnds.upper) leastTime_ = sample.time;
+        atEnds = {std::min(atEnds.lower, sample.lower), std::min(atEnds.upper, sample.upper)};
+    }
+    if (atEnds.upper < options.cap) {
+        options.cap = std::max(0.0, atEnds.upper - options.resolution.of(atEnds.upper));
+    }
     LeastClearance found = posed_.clearance().leastClearance(motion_, options);
     queries_ += found.queries;
-    found.lower = std::min({found.lower, start.lower - jump, end.lower - jump});
-    found.upper = std::min(found.upper, atEnds);
-    if (found.time) {
-        const MotionSample closest = at(*found.time, found.upper * (1 + 1e-6));
-        if (!closest.isValid()) return std::nullopt;
-        found.upper = std::min(found.upper, closest.upper);
-    }
-    return found;
+    if (found.time) leastTime_ = found.time;
+    found.lower = std::min(found.lower, atEnds.lower - jump);
+    found.upper = std::min(found.upper, atEnds.upper);
+    found.time = leastTime_;
+    if (found.lower > 0) return hasSolids() && !isFreeAtStart() ? std::nullopt : std::optional(found);
+    const bool isValid =
+        isFreeAtStart() && isEndValid() && (!leastTime_ || *leastTime_ == 1 || isFreeAt(*leastTime_));
+    return isValid ? std::optional(found) : std::nullopt;
 }
 
 SolidsAlong Motion::stayOutsideSolids(double until, double leastInterval) const {
@@ -169,9 +177,12 @@ bool Motion::isWithinBoundsAt(double time) {
 
 bool Motion::isEndLikeInterpolation() {
     if (isEndKnown_ && floor_ == 0) return true;
-    const bool isSame = motion_.endJump <= 0.125 * slack_ && !posed_.clearance().hasSolids();
-    if (isSame) return true;
+    if (isEndOfInterpolation() && !hasSolids()) return true;
     return isEndValid() && (floor_ == 0 || atEnd(std::numeric_limits<double>::denorm_min()).isValid());
+}
+
+bool Motion::isEndOfInterpolation() const {
+    return motion_.endJump <= 0.125 * slack_;
 }
 
 bool Motion::isShort() const {
@@ -199,8 +210,12 @@ TimeSpan Motion::change(TimeSpan span, double length, const IsTrue& isTrue) {
 
 void Motion::lookAtReported(double certifiedTime, double blockedTime) {
     constexpr double kFully = std::numeric_limits<double>::infinity();
-    if (certifiedTime == 1) return;  // leastClearance looked
     atStart(kFully);
+    if (certifiedTime == 1) {
+        atEnd(kFully);
+        if (leastTime_ && *leastTime_ < 1) at(*leastTime_, kFully);
+        return;
+    }
     isOutside_ = false;
     if (certifiedTime > 0) at(certifiedTime, kFully);
     if (blockedTime > 0 && blockedTime < 1) at(blockedTime, kFully);
@@ -309,6 +324,8 @@ MotionSample Motion::look(const ob::State* state, double time, double wanted, bo
         options.leastSpare = wanted;
         options.cap = wanted + floor_;
     }
+    const bool isEnd = detail_ == ClearanceDetail::kWhole && (time == 0 || time == 1);
+    if (isEnd && atEnds_[time == 1]) return sampleOf(time, *atEnds_[time == 1]);
     const Pose X_environmentPart = posed_.pose(state);
     PoseClearance found = posed_.clearance().at(X_environmentPart, options);
     queries_ += found.queries;
@@ -317,6 +334,7 @@ MotionSample Motion::look(const ob::State* state, double time, double wanted, bo
         found = posed_.clearance().at(X_environmentPart, options);
         queries_ += found.queries;
     }
+    if (isEnd && (!options.isOutside || !hasSolids())) atEnds_[time == 1] = found;
     if (found.isInStartContact) widen(startContact_, time);
     if (found.isInGoalContact) widen(goalContact_, time);
     if (closest_.queries == 0 || found.lower < closest_.lower) {

@@ -71,15 +71,17 @@ class Motion {
     bool isFreeAt(double time);
     SceneSweep sweep(const SceneSweepOptions& options);
 
-    /// Bounds of the motion's least clearance up to a cap, s2's besides the end of the interpolation. Looks at both ends
-    /// and at the closest pose. isForReverse: the lower bound is to hold for the motion from s2 to s1, too. Nothing when a
-    /// pose is invalid.
+    /// Bounds of the motion's least clearance up to a cap, s2's besides the end of the interpolation. isForReverse: the
+    /// lower bound is to hold for the motion from s2 to s1, too. Nothing when a pose is invalid.
     std::optional<LeastClearance> leastClearance(LeastClearanceOptions options, bool isForReverse);
 
     /// Finds how long a motion that a sweep found free of surfaces until a time stays outside the solids, too.
     SolidsAlong stayOutsideSolids(double until, double leastInterval) const;
 
     bool isWithinBoundsAt(double time);
+
+    /// Whether s2 is where the interpolation ends, but for rounding.
+    bool isEndOfInterpolation() const;
 
     /// Whether s2, which is within the bounds, is valid and keeps the floor, when a sweep says so of the interpolation to
     /// its end.
@@ -164,7 +166,9 @@ class Motion {
     bool isOutside_ = false;  ///< no solid that always counts holds the part at one pose, so none does at any
     std::uint64_t queries_ = 0;
     PoseClearance closest_;
+    std::optional<PoseClearance> atEnds_[2];  ///< of s1 and s2, which whole details ask for again and again
     double closestTime_ = 0;
+    std::optional<double> leastTime_;  ///< of the pose that leastClearance found closest
     double leastUpper_ = std::numeric_limits<double>::infinity();
     std::optional<TimeSpan> startContact_, goalContact_;
 };
