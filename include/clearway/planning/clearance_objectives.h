@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "clearway/planning/displacement_bound.h"
+#include "clearway/planning/state_motion.h"
 #include "clearway/planning/state_to_pose.h"
 #include "clearway/scene.h"
 
@@ -54,10 +55,10 @@ class ClearanceObjective : public ompl::base::OptimizationObjective {
     /// together, or the environment was built with a reach that is not longer than the margin.
     ClearanceObjective(const ompl::base::SpaceInformationPtr& si, Scene scene);
 
-    /// For any space. Throws as the first constructor does, and when a callback is empty. The poses of
-    /// interpolated states must be those that MotionValidator's constructor asks for.
+    /// For any space. Throws as the first constructor does, and when stateToPose or bound is empty. The poses
+    /// of interpolated states must be those that MotionValidator's constructor asks for.
     ClearanceObjective(const ompl::base::SpaceInformationPtr& si, Scene scene, StateToPose stateToPose,
-                       DisplacementBound bound);
+                       DisplacementBound bound, StateMotion motion = {});
 
     std::unique_ptr<const ObjectiveMotions> motions_;
 };
@@ -87,6 +88,10 @@ class MinClearanceObjective : public ClearanceObjective {
                           const MinClearanceOptions& options = {});
     MinClearanceObjective(const ompl::base::SpaceInformationPtr& si, Scene scene, StateToPose stateToPose,
                           DisplacementBound bound, const MinClearanceOptions& options = {});
+
+    /// For any space whose motions are known: their costs are found pair by pair, as those of SE(3) and SE(2) are.
+    MinClearanceObjective(const ompl::base::SpaceInformationPtr& si, Scene scene, StateToPose stateToPose,
+                          DisplacementBound bound, StateMotion motion, const MinClearanceOptions& options = {});
 
     /// Costs compare and combine as in OMPL's MaximizeMinClearanceObjective: larger is better, and the worse
     /// of two costs counts.

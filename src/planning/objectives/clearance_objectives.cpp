@@ -173,10 +173,10 @@ ClearanceObjective::ClearanceObjective(const ob::SpaceInformationPtr& si, Scene 
 }
 
 ClearanceObjective::ClearanceObjective(const ob::SpaceInformationPtr& si, Scene scene,
-                                       StateToPose stateToPose, DisplacementBound bound)
+                                       StateToPose stateToPose, DisplacementBound bound, StateMotion motion)
     : OptimizationObjective(si),
       motions_(std::make_unique<ObjectiveMotions>(std::make_unique<const PosedScene>(
-          si, std::move(scene), std::move(stateToPose), std::move(bound)))) {}
+          si, std::move(scene), std::move(stateToPose), std::move(bound), std::move(motion)))) {}
 
 ClearanceObjective::~ClearanceObjective() = default;
 
@@ -198,6 +198,13 @@ MinClearanceObjective::MinClearanceObjective(const ob::SpaceInformationPtr& si, 
                                              StateToPose stateToPose, DisplacementBound bound,
                                              const MinClearanceOptions& options)
     : ClearanceObjective(si, std::move(scene), std::move(stateToPose), std::move(bound)) {
+    setCap(options);
+}
+
+MinClearanceObjective::MinClearanceObjective(const ob::SpaceInformationPtr& si, Scene scene,
+                                             StateToPose stateToPose, DisplacementBound bound,
+                                             StateMotion motion, const MinClearanceOptions& options)
+    : ClearanceObjective(si, std::move(scene), std::move(stateToPose), std::move(bound), std::move(motion)) {
     setCap(options);
 }
 
