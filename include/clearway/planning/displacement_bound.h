@@ -15,7 +15,7 @@ namespace clearway::planning {
 /// that the motion has no bound.
 using DisplacementBound = std::function<double(const ompl::base::State* from, const ompl::base::State* to)>;
 
-/// Makes the bound for OMPL's SE(3) (straight translation, slerp about a fixed axis) and SE(2), with any
+/// Makes the bound for OMPL's SE(3) (straight translation, slerp about a fixed axis), Se3Space and SE(2), with any
 /// subspace weights. The bound is NaN when a quaternion does not have unit length to 1e-9, because OMPL does
 /// not interpolate such a state. partRadius: the largest distance of a vertex of the part from the origin of
 /// its own coordinates (Model::radiusAboutOrigin). Throws std::invalid_argument that names the space when it

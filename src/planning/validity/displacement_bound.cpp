@@ -62,7 +62,7 @@ double se2Bound(const ob::State* from, const ob::State* to, double radius) {
 
 template <class RadiusAbout>
 DisplacementBound makeBound(const ob::StateSpace& space, double radius, const RadiusAbout& radiusAbout) {
-    if (typeid(space) == typeid(ob::SE3StateSpace)) {
+    if (isOmplSe3(space)) {
         return [=](const ob::State* a, const ob::State* b) { return se3Bound(a, b, radius, radiusAbout); };
     }
     if (typeid(space) == typeid(ob::SE2StateSpace)) {

@@ -7,6 +7,9 @@
 #include <cmath>
 #include <memory>
 #include <stdexcept>
+#include <typeinfo>
+
+#include "clearway/planning/se3_space.h"
 
 #if OMPL_VERSION_VALUE < 1005000
 #error "clearway needs OMPL 1.5 or later"
@@ -38,9 +41,13 @@ const ob::StateSpace& spaceOf(const ob::SpaceInformationPtr& si) {
     throw std::invalid_argument("the space information is null, expected that of the planner");
 }
 
+bool isOmplSe3(const ob::StateSpace& space) {
+    return typeid(space) == typeid(ob::SE3StateSpace) || typeid(space) == typeid(Se3Space);
+}
+
 ob::StateSpacePtr makeSpace(Space kind, const Box& bounds, double turnWeight) {
     if (kind == Space::kSe2) return makeBounded<ob::SE2StateSpace>(bounds, 2, turnWeight);
-    return makeBounded<ob::SE3StateSpace>(bounds, 3, turnWeight);
+    return makeBounded<Se3Space>(bounds, 3, turnWeight);
 }
 
 ob::ScopedState<> toOmpl(const ob::StateSpacePtr& space, Space kind, const PartState& state) {

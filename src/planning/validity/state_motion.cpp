@@ -158,7 +158,7 @@ StateMotion steadyMotion(const ob::StateSpacePtr& space, const Set& set) {
 
 StateMotion stateMotion(const ob::StateSpacePtr& space, const Model& part) {
     const PartReach reach(part);
-    if (typeid(*space) == typeid(ob::SE3StateSpace)) {
+    if (isOmplSe3(*space)) {
         return steadyMotion(space, [reach](const ob::State* from, const ob::State* to, SteadyMotion& motion) {
             return setSe3(from, to, reach, motion);
         });
