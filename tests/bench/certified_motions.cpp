@@ -1,10 +1,10 @@
 // Compares the two ways of certifying motions, pair by pair and globally, on the motions of planners and of a path: verdicts,
 // times and work. Globally certifies what the callbacks' constructor of MotionValidator is given.
-//   bench_certified_motions PROBLEM.cfg PLANNER|PATH COUNT [MARGIN [PARTS [SEED [OUT.csv SCENE]]]]
-//   bench_certified_motions PROBLEM.cfg VERDICTS.csv SCENE
-// PLANNER: one of OMPL's, whose motions are recorded. PATH: a path file, whose segments are cut into PARTS motions each.
-// OUT.csv: to append the motions to, with the global verdicts, under the scene's name. VERDICTS.csv: such a file, whose verdicts
-// are compared with those of sweeps. Ends with 1 when a verdict is lost: valid globally, but not by a sweep.
+//   bench_certified_motions PROBLEM.cfg PLANNER|PATH COUNT [margin=M] [parts=N] [seed=S] [scene=NAME] [table=T.csv] [verdicts=V.csv]
+//   bench_certified_motions PROBLEM.cfg V.csv NAME
+// PLANNER: one of OMPL's, whose motions are recorded. PATH: a path file, whose segments are cut into `parts` motions each.
+// T.csv: the figures are appended to it. V.csv: the motions are appended to it with their global verdicts; the second form
+// compares these verdicts with those of sweeps. Ends with 1 when a verdict is lost: valid globally, but not by a sweep.
 #include <ompl/base/PlannerTerminationCondition.h>
 #include <ompl/base/ProblemDefinition.h>
 #include <ompl/util/Console.h>
@@ -16,6 +16,7 @@
 #include <exception>
 #include <fstream>
 #include <iostream>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -115,8 +116,8 @@ class Comparison {
         }
     }
 
-    /// Returns how many verdicts are lost.
-    std::size_t compare() {
+    /// Returns how many verdicts are lost. label: begins the rows of the table.
+    std::size_t compare(std::ostream* table, const std::string& label) {
         const MotionValidator pairs(si_, scene_);
         const MotionValidator globally(si_, scene_, planning::stateToPose(*space_),
                                        planning::displacementBound(*space_, scene_.part));
@@ -130,9 +131,12 @@ class Comparison {
         const auto areValid = [](const Answer& old, const Answer& found) {
             return old.isValid && found.isValid;
         };
-        print("valid", before_, after, areValid);
-        print("invalid", before_, after, [&](const Answer& a, const Answer& b) { return !areValid(a, b); });
-        printLeastClearances();
+        Rows rows{table, label};
+        print("valid", before_, after, areValid, rows);
+        print(
+            "invalid", before_, after, [&](const Answer& a, const Answer& b) { return !areValid(a, b); },
+            rows);
+        printLeastClearances(rows);
         double further = 0, shorter = 0;
         for (std::size_t i = 0; i < motions_.size(); ++i) {
             if (!motions_[i].isForward || before_[i].isValid || after[i].isValid) continue;
@@ -211,9 +215,21 @@ class Comparison {
         return answer;
     }
 
+    /// Writes the table, if there is one.
+    struct Rows {
+        std::ostream* out;
+        std::string label;
+        void add(const char* what, std::size_t count, double before, double after, double visitsBefore,
+                 double visitsAfter) const {
+            if (out == nullptr || count == 0) return;
+            *out << label << "," << what << "," << count << "," << before * 1e6 << "," << after * 1e6 << ","
+                 << before / after << "," << visitsBefore << "," << visitsAfter << "\n";
+        }
+    };
+
     template <class Counts>
     void print(const char* what, const std::vector<Answer>& before, const std::vector<Answer>& after,
-               const Counts& counts) const {
+               const Counts& counts, const Rows& rows) const {
         double beforeSeconds = 0, afterSeconds = 0, beforeVisits = 0, afterVisits = 0, beforePairs = 0,
                afterPairs = 0, beforeRefined = 0, afterRefined = 0;
         std::size_t count = 0;
@@ -234,6 +250,7 @@ class Comparison {
                   << afterSeconds / n * 1e6 << " (" << beforeSeconds / afterSeconds << " times); visits "
                   << beforeVisits / n << " -> " << afterVisits / n << "; pairs " << beforePairs / n << " -> "
                   << afterPairs / n << "\n";
+        rows.add(what, count, beforeSeconds / n, afterSeconds / n, beforeVisits / n, afterVisits / n);
     }
 
     static std::size_t countVerdicts(const std::vector<Answer>& before, const std::vector<Answer>& after) {
@@ -250,7 +267,7 @@ class Comparison {
     }
 
     /// Times the least clearance, as MinClearanceObjective asks for it, of at most 200 valid motions.
-    void printLeastClearances() const {
+    void printLeastClearances(const Rows& rows) const {
         const planning::MinClearanceObjective pairs(si_, scene_),
             globally(si_, scene_, planning::stateToPose(*space_),
                      planning::displacementBound(*space_, scene_.part));
@@ -271,6 +288,7 @@ class Comparison {
         const double n = std::max<double>(1, double(count));
         std::cout << "least clearance: " << count << " valid motions; us a motion " << before / n * 1e6
                   << " -> " << after / n * 1e6 << " (" << before / after << " times)\n";
+        rows.add("least clearance", count, before / n, after / n, 0, 0);
     }
 
     Problem problem_;
@@ -285,29 +303,81 @@ bool endsWith(const std::string& text, const std::string& end) {
     return text.size() > end.size() && text.substr(text.size() - end.size()) == end;
 }
 
+struct Choices {
+    std::optional<double> margin;
+    int parts = 1;
+    std::uint32_t seed = 1;
+    std::string scene, table, verdicts;
+};
+
+Choices readChoices(int count, char** words) {
+    Choices choices;
+    for (int i = 4; i < count; ++i) {
+        const std::string word = words[i];
+        const auto equals = word.find('=');
+        const std::string name = word.substr(0, equals),
+                          value = equals < word.size() ? word.substr(equals + 1) : "";
+        if (name == "margin") {
+            choices.margin = parseNumber(value).value();
+        } else if (name == "parts") {
+            choices.parts = static_cast<int>(parseInteger(value).value());
+        } else if (name == "seed") {
+            choices.seed = static_cast<std::uint32_t>(parseInteger(value).value());
+        } else if (name == "scene") {
+            choices.scene = value;
+        } else if (name == "table") {
+            choices.table = value;
+        } else if (name == "verdicts") {
+            choices.verdicts = value;
+        } else {
+            throw std::invalid_argument(
+                "'" + word + "' is no choice, expected margin=, parts=, seed=, scene=, table= or verdicts=");
+        }
+    }
+    return choices;
+}
+
+std::ofstream openTable(const std::string& file) {
+    const bool isNew = !std::ifstream(file);
+    std::ofstream out(file, std::ios::app);
+    if (isNew)
+        out << "scene,motions,margin,parts,kind,count,us_globally,us_by_pairs,times_faster,visits_globally,"
+               "visits_by_pairs\n";
+    return out;
+}
+
 int run(int count, char** words) {
     if (count < 4) {
         std::cerr
-            << "usage: bench_certified_motions PROBLEM.cfg PLANNER|PATH COUNT [MARGIN [PARTS [SEED [OUT.csv "
-               "SCENE]]]]\n       bench_certified_motions PROBLEM.cfg VERDICTS.csv SCENE\n";
+            << "usage: bench_certified_motions PROBLEM.cfg PLANNER|PATH COUNT [margin=M] [parts=N] [seed=S] "
+               "[scene=NAME] [table=T.csv] [verdicts=V.csv]\n"
+               "       bench_certified_motions PROBLEM.cfg V.csv NAME\n";
         return 2;
     }
     const std::string what = words[2];
     ompl::msg::noOutputHandler();
     const Problem problem = readProblem(words[1]);
     if (endsWith(what, ".csv")) return Comparison(problem, problem.margin).compareWith(what, words[3]) > 0;
-    ompl::RNG::setSeed(static_cast<std::uint32_t>(count > 6 ? parseInteger(words[6]).value() : 1));
-    const double margin = count > 4 ? parseNumber(words[4]).value() : problem.margin;
+    const Choices choices = readChoices(count, words);
+    ompl::RNG::setSeed(choices.seed);
+    const double margin = choices.margin.value_or(problem.margin);
     Comparison comparison(problem, margin);
     const auto most = static_cast<std::size_t>(parseInteger(words[3]).value());
-    if (endsWith(what, ".path")) {
-        comparison.cut(what, most, count > 5 ? static_cast<int>(parseInteger(words[5]).value()) : 1);
+    const bool isPath = endsWith(what, ".path");
+    if (isPath) {
+        comparison.cut(what, most, choices.parts);
     } else {
         comparison.record(what, most);
     }
     std::cout << words[1] << " " << what << " margin " << margin << "\n";
-    const std::size_t lost = comparison.compare();
-    if (count > 8) comparison.append(words[7], words[8]);
+    std::ofstream table;
+    if (!choices.table.empty()) table = openTable(choices.table);
+    const std::string label = choices.scene + "," + (isPath ? "path" : what) + "," + shortNumber(margin) +
+                              "," + std::to_string(choices.parts);
+    const std::size_t lost = comparison.compare(choices.table.empty() ? nullptr : &table, label);
+    if (!choices.table.empty() && !table.flush())
+        throw std::runtime_error("cannot write '" + choices.table + "'");
+    if (!choices.verdicts.empty()) comparison.append(choices.verdicts, choices.scene);
     return lost > 0;
 }
 
