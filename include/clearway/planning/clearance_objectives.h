@@ -91,7 +91,8 @@ class MinClearanceObjective : public ClearanceObjective {
 
     /// For any space whose motions are known: their costs are found pair by pair, as those of SE(3) and SE(2) are.
     MinClearanceObjective(const ompl::base::SpaceInformationPtr& si, Scene scene, StateToPose stateToPose,
-                          DisplacementBound bound, StateMotion motion, const MinClearanceOptions& options = {});
+                          DisplacementBound bound, StateMotion motion,
+                          const MinClearanceOptions& options = {});
 
     /// Costs compare and combine as in OMPL's MaximizeMinClearanceObjective: larger is better, and the worse
     /// of two costs counts.
