@@ -169,8 +169,7 @@ bool Motion::isWithinBoundsAt(double time) {
 
 bool Motion::isEndLikeInterpolation() {
     if (isEndKnown_ && floor_ == 0) return true;
-    const bool isSame = motion_.endJump <= 0.125 * slack_ && !posed_.clearance().hasSolids();
-    if (isSame) return true;
+    if (!jumpsAtEnd() && !hasSolids()) return true;
     return isEndValid() && (floor_ == 0 || atEnd(std::numeric_limits<double>::denorm_min()).isValid());
 }
 

@@ -85,6 +85,9 @@ class Motion {
     /// its end.
     bool isEndLikeInterpolation();
 
+    /// Whether s2 is farther from the end of the interpolation than rounding takes it, for a motion that can be swept.
+    bool jumpsAtEnd() const { return motion_.endJump > 0.125 * slack_; }
+
     /// Whether the motion is so short that sweeping it finds a blocked end as soon as a query there does.
     bool isShort() const;
 

@@ -40,6 +40,8 @@ MotionVerdict MotionSweep::certify() {
     if (verdict == MotionVerdict::kInvalid && !motion_.isFreeAtStart()) return invalidStart();
     if (verdict != MotionVerdict::kValid) return verdict;
     if (!motion_.isEndLikeInterpolation()) return MotionVerdict::kInvalid;
+    // s2 may be out of a solid that holds the part everywhere else: a turn that OMPL leaves out until the end leads far.
+    if (motion_.hasSolids() && motion_.jumpsAtEnd() && !motion_.isFreeAtStart()) return invalidStart();
     return verdictOf(motion_.stayOutsideSolids(1, options_.leastInterval).verdict);
 }
 

@@ -170,6 +170,24 @@ BOOST_AUTO_TEST_CASE(a_motion_that_leaves_a_contact_zone_into_a_solid_is_invalid
     BOOST_TEST(skin.check({8, 0, 0}, {8, 5, 0}));
 }
 
+// The part is far from its own origin, so that the turn of 8e-5 that OMPL leaves out until the end takes it out of the block.
+BOOST_AUTO_TEST_CASE(a_motion_out_of_a_solid_by_a_turn_that_ompl_leaves_out_is_invalid) {
+    const Vector3 bodyInPart(0, 1e5, 0);
+    const PartInSpace solid(solidScene(at(box({0.5, 0.5, 0.5}), bodyInPart), box({3, 3, 3})), 2e5);
+    const auto inside = solid.at(-bodyInPart), outside = solid.at(-bodyInPart, 8e-5);
+    BOOST_TEST(!solid.checker->isValid(inside.get()));
+    BOOST_TEST(solid.checker->isValid(outside.get()));
+    for (const bool isOutward : {true, false}) {
+        const ob::State* from = isOutward ? inside.get() : outside.get();
+        const ob::State* to = isOutward ? outside.get() : inside.get();
+        std::pair<ob::State*, double> lastValid(nullptr, 1);
+        BOOST_TEST(!solid.validator->checkMotion(from, to));
+        BOOST_TEST(!solid.validator->checkMotion(from, to, lastValid));
+        BOOST_TEST(!solid.validator->keepsClearance(from, to, 0.1));
+        BOOST_TEST((solid.validator->report(from, to).verdict == MotionVerdict::kInvalid));
+    }
+}
+
 BOOST_AUTO_TEST_CASE(solids_without_the_parts_are_refused) {
     Scene scene = solidScene(box({1, 1, 1}), box({5, 5, 5}));
     scene.partSolids = nullptr;
