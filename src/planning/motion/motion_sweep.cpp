@@ -73,17 +73,14 @@ MotionVerdict MotionSweep::goForward() {
     // Where no surfaces touch, solids hold the part at the start or at no pose.
     if ((certifiedTime_ == 0 || motion_.hasSolids()) && !motion_.isFreeAtStart()) return invalidStart();
     const SolidsAlong solids = motion_.stayOutsideSolids(certifiedTime_, options_.leastInterval);
-    if (solids.verdict != SweepVerdict::kCertified) {
-        certifiedTime_ = solids.until;
-        blockedTime_ = std::min(solids.until + options_.leastInterval / motion_.length(), options_.until);
-        return MotionVerdict::kInvalid;
-    }
-    if (options_.isContactAtEnd || found.verdict == SweepVerdict::kContact) {
-        blockedTime_ = std::min(found.contactTime, options_.until);
+    certifiedTime_ = solids.until;
+    const bool isInside = solids.verdict == SweepVerdict::kContact;
+    if (options_.isContactAtEnd || found.verdict == SweepVerdict::kContact || isInside) {
+        blockedTime_ = std::min({found.contactTime, solids.contactTime, options_.until});
         leavesBounds_ = !motion_.isWithinBoundsAt(blockedTime_);
         return MotionVerdict::kInvalid;
     }
-    if (found.verdict == SweepVerdict::kUndecided) {
+    if (found.verdict == SweepVerdict::kUndecided || solids.verdict == SweepVerdict::kUndecided) {
         blockedTime_ = certifiedTime_;
         return MotionVerdict::kUndecided;
     }
