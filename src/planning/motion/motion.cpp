@@ -104,7 +104,7 @@ void Motion::measure() {
     if (!std::isfinite(slack_)) {
         throw std::runtime_error("one of two states has no pose: an entry is not finite");
     }
-    checksBoundsBetween_ = !posed_.areBoundsConvex() || !isEndWithinBounds();
+    checksBoundsBetween_ = !posed_.areBoundsConvex() || !isStartWithinBounds() || !isEndWithinBounds();
 }
 
 bool Motion::isFreeAtStart() {

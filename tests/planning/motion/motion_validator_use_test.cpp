@@ -130,8 +130,10 @@ BOOST_AUTO_TEST_CASE(a_profile_goes_on_behind_what_blocks) {
     const MotionReport out = f.report(s1, outside);
     BOOST_TEST((out.verdict == MotionVerdict::kInvalid));
     BOOST_TEST(out.leavesBounds);
-    BOOST_TEST(f.report(outside, s1).leavesBounds);
-    BOOST_TEST(f.report(outside, s1).blockedTime == 0);
+    const MotionProfile in = f.validator->profile(outside.get(), s1.get());
+    BOOST_TEST(in.report.leavesBounds);
+    BOOST_TEST(in.report.blockedTime == 0);
+    for (const ProfilePoint& point : in.points) BOOST_TEST((point.clearance > 0) == (point.time >= 0.6));
     const auto nowhere = f.at({std::nan(""), 0, 0});
     BOOST_TEST(f.validator->profile(s1.get(), nowhere.get()).points.empty());
 }
@@ -270,6 +272,8 @@ BOOST_AUTO_TEST_CASE(an_environment_within_reach_gives_the_same_verdicts) {
         BOOST_TEST(report.lowerClearance <= 1);
         BOOST_TEST(std::isinf(report.upperClearance));
         BOOST_TEST(report.closest.environmentTriangle == -1);
+        const auto beyondReach = f.at({-120, 0, 0});
+        BOOST_TEST(validator.profile(beyondReach.get(), f.at({-50, 0, 0}).get()).report.problem == "");
         reach.cap = margin;
         requireRefused([&] { MotionValidator(f.si, scene()); },
                        "expected at least the margin and the least interval");
