@@ -199,8 +199,9 @@ TimeSpan Motion::change(TimeSpan span, double length, const IsTrue& isTrue) {
 void Motion::lookAtReported(double certifiedTime, double blockedTime) {
     constexpr double kFully = std::numeric_limits<double>::infinity();
     if (certifiedTime == 1) return;  // leastClearance looked
+    forgetSide();
     atStart(kFully);
-    isOutside_ = false;
+    forgetSide();
     if (certifiedTime > 0) at(certifiedTime, kFully);
     if (blockedTime > 0 && blockedTime < 1) at(blockedTime, kFully);
     if (blockedTime == 1) look(s2_, 1, kFully, true);
@@ -249,13 +250,14 @@ std::optional<TimeSpan> Motion::spanOf(double length, const IsIn& isIn) {
 
 std::vector<MotionSample> Motion::lookAhead(double from, int poses) {
     constexpr double kFully = std::numeric_limits<double>::infinity();
-    isOutside_ = false;  // nothing known so far says on which side of the solids the poses are
+    forgetSide();
     std::vector<MotionSample> samples;
     for (int i = 1; i < poses; ++i) {
         const double time = from + (1 - from) * i / poses;
         if (time > from && time < 1) samples.push_back(at(time, kFully));
     }
     samples.push_back(atEnd(kFully));
+    if (samples.back().time < 1) samples.push_back(look(s2_, 1, kFully, true));  // only s2 itself is valid
     return samples;
 }
 

@@ -95,6 +95,10 @@ class Motion {
     /// are 1 when s2 is within.
     TimeSpan leavesBounds(double length);
 
+    /// Forgets that a pose was found outside of all solids, which says something of other poses only while no surfaces
+    /// touch between the two.
+    void forgetSide() { isOutside_ = false; }
+
     /// Looks at the poses that a report is about, where a sweep asked for no distance.
     void lookAtReported(double certifiedTime, double blockedTime);
 

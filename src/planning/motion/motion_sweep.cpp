@@ -53,6 +53,7 @@ MotionVerdict MotionSweep::invalidStart() {
 
 /// A pose in collision is cheap to find, so the motion is halved until its middle is free before it is swept.
 MotionVerdict MotionSweep::goForward() {
+    motion_.forgetSide();
     leavesBounds_ = !motion_.isStartWithinBounds();
     if (leavesBounds_) return invalidStart();
     const TimeSpan border = motion_.leavesBounds(options_.leastInterval);

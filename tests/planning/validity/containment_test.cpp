@@ -66,6 +66,15 @@ BOOST_AUTO_TEST_CASE(a_part_inside_a_block_is_invalid_whichever_way_the_block_fa
                boost::test_tools::tolerance(1e-12));
 }
 
+BOOST_AUTO_TEST_CASE(a_profile_out_of_a_block_begins_without_clearance) {
+    const PartInSpace solid(solidScene(box({1, 1, 1}), box({10, 10, 10})));
+    const auto inside = solid.at({1, 2, 3}), outside = solid.at({14, 0, 0});
+    const auto profile = solid.validator->profile(inside.get(), outside.get());
+    BOOST_TEST((profile.report.verdict == MotionVerdict::kInvalid));
+    BOOST_TEST(profile.points.front().clearance <= 0);
+    BOOST_TEST(profile.points.back().clearance == 3, boost::test_tools::tolerance(1e-12));
+}
+
 BOOST_AUTO_TEST_CASE(a_cavity_is_free_and_its_wall_is_not) {
     const Mesh part = named(box({1, 1, 1}), "peg");
     const Mesh hollow = named(joined(box({10, 10, 10}), reversed(box({5, 5, 5}))), "tank");
@@ -204,7 +213,12 @@ BOOST_AUTO_TEST_CASE(a_motion_out_of_a_solid_by_a_turn_that_ompl_leaves_out_is_i
         BOOST_TEST(!solid.validator->checkMotion(from, to));
         BOOST_TEST(!solid.validator->checkMotion(from, to, lastValid));
         BOOST_TEST(!solid.validator->keepsClearance(from, to, 0.1));
-        BOOST_TEST((solid.validator->report(from, to).verdict == MotionVerdict::kInvalid));
+        const auto profile = solid.validator->profile(from, to);
+        BOOST_TEST((profile.report.verdict == MotionVerdict::kInvalid));
+        BOOST_TEST(profile.report.upperClearance <= 0);
+        BOOST_TEST((profile.points.front().clearance > 0) == !isOutward);
+        BOOST_TEST((profile.points.back().clearance > 0) == isOutward);
+        BOOST_TEST(profile.points.back().time == 1);
     }
 }
 
