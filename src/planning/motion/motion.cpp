@@ -278,10 +278,13 @@ MotionSample Motion::atEnd(double wanted) {
     isOutside_ = true;
     endJump_ = findEndJump();
     const MotionSample certain = lessened(end, endJump_);
-    if (certain.room.lower > end.room.lower / 2) return certain;
-    // The end's clearance does not cover the jump between the two poses: solids may lie between them.
-    isOutside_ = false;
-    end = look(s2_, 1, wanted, true);
+    const bool isCovered = certain.room.lower > end.room.lower / 2;
+    if (isCovered && (detail_ != ClearanceDetail::kWhole || endJump_ <= slack_)) return certain;
+    if (!isCovered) {
+        // The end's clearance does not cover the jump between the two poses: solids may lie between them.
+        isOutside_ = false;
+        end = look(s2_, 1, wanted, true);
+    }
     const MotionSample interpolated = at(kJustBeforeEnd, wanted);
     if (!end.isValid() || !interpolated.isValid()) return end.isValid() ? interpolated : end;
     isOutside_ = true;
