@@ -227,7 +227,7 @@ void MotionSearch::stopBefore(const MotionSample& blocked, double stop) {
     const double time = reached_.time + certain / motion_.length();
     if (certain <= 0.5 * stop || !isBetween(time, reached_, blocked)) return;
     const MotionSample last = motion_.at(time, stop);
-    if (last.isValid()) reached_ = last;
+    if (last.isValid()) advance(last);
 }
 
 double MotionSearch::refineLower(const ClearanceResolution& resolution) {

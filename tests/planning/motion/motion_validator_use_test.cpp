@@ -110,6 +110,27 @@ BOOST_AUTO_TEST_CASE(a_profile_bounds_the_clearance_from_each_pose_to_the_next) 
     BOOST_TEST(profile.report.travel >= (Vector3(18, 30, 20)).norm());
 }
 
+BOOST_AUTO_TEST_CASE(a_profile_by_clearances_holds_up_to_the_last_valid_pose) {
+    const Fixture f;
+    const MotionValidator byClearance(f.si, f.window.scene, stateToPose(*f.space),
+                                      displacementBound(*f.space, f.window.scene.part));
+    ob::ScopedState<> between(f.space);
+    for (int seed = 1; seed <= 20; ++seed) {
+        testing::Random random(seed);
+        const auto s1 = f.at(Vector3(-60, 0, 0) + random.inBox(20), random.uniform(0, 3));
+        const auto s2 = f.at({0, 0, 30}, random.uniform(0, 3));
+        const MotionProfile profile = byClearance.profile(s1.get(), s2.get());
+        BOOST_TEST(profile.points.front().time == 0);
+        for (std::size_t k = 0; k + 1 < profile.points.size(); ++k) {
+            const ProfilePoint &here = profile.points[k], &next = profile.points[k + 1];
+            f.space->interpolate(s1.get(), s2.get(), here.time + 0.999 * (next.time - here.time),
+                                 between.get());
+            const double clearance = f.si->getStateValidityChecker()->clearance(between.get());
+            BOOST_TEST(here.lowerToNext <= clearance + 1e-9, "seed " << seed << ", at time " << here.time);
+        }
+    }
+}
+
 BOOST_AUTO_TEST_CASE(a_profile_goes_on_behind_what_blocks) {
     const Fixture f;
     const auto s1 = f.at({-60, 0, 30}), s2 = f.at({60, 0, 30}), outside = f.at({-160, 0, 30});
