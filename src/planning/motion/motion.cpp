@@ -134,6 +134,7 @@ std::optional<LeastClearance> Motion::leastClearance(LeastClearanceOptions optio
     const double jump = isForReverse ? slack_ + endJump_ : 0, atEnds = std::min(start.upper, end.upper);
     options.poseError = 0.5 * slack_ + jump;
     if (atEnds < options.cap) options.cap = std::max(0.0, atEnds - options.resolution.of(atEnds));
+    if (options.cap == 0) return leastFromTightEnds(options, atEnds);
     LeastClearance found = posed_.clearance().leastClearance(motion_, options);
     queries_ += found.queries;
     found.lower = std::min({found.lower, start.lower - jump, end.lower - jump});
@@ -143,6 +144,22 @@ std::optional<LeastClearance> Motion::leastClearance(LeastClearanceOptions optio
         if (!closest.isValid()) return std::nullopt;
         found.upper = std::min(found.upper, closest.upper);
     }
+    return found;
+}
+
+/// An end has so little clearance that 0 is close enough a bound. Only contact is of interest then, which a search for the
+/// least clearance would look for in pieces as short as the resolution.
+std::optional<LeastClearance> Motion::leastFromTightEnds(const LeastClearanceOptions& options,
+                                                         double atEnds) {
+    SceneSweepOptions asked;
+    asked.poseError = options.poseError;
+    asked.leastInterval = options.resolution.least;
+    asked.isStopped = options.isStopped;
+    const SweepVerdict verdict = sweep(asked).verdict;
+    if (verdict == SweepVerdict::kContact) return std::nullopt;
+    LeastClearance found;
+    found.lower = verdict == SweepVerdict::kCertified ? 0 : -posed_.scene().largestMargin();
+    found.upper = atEnds;
     return found;
 }
 

@@ -150,6 +150,7 @@ class Motion {
     MotionSample sampleOf(double time, const PoseClearance& found) const;
     double findEndJump() const;
     PartMotion sweptMotion();
+    std::optional<LeastClearance> leastFromTightEnds(const LeastClearanceOptions& options, double atEnds);
     template <class IsTrue>
     TimeSpan change(TimeSpan span, double length, const IsTrue& isTrue);
     template <class IsIn>

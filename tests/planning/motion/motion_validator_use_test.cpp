@@ -11,7 +11,9 @@
 #include <stdexcept>
 #include <thread>
 
+#include "clearway/planning/scene_clearance.h"
 #include "support/motion_window.h"
+#include "support/part_in_space.h"
 #include "support/random_meshes.h"
 
 namespace clearway::planning {
@@ -157,6 +159,21 @@ BOOST_AUTO_TEST_CASE(a_profile_goes_on_behind_what_blocks) {
     for (const ProfilePoint& point : in.points) BOOST_TEST((point.clearance > 0) == (point.time >= 0.6));
     const auto nowhere = f.at({std::nan(""), 0, 0});
     BOOST_TEST(f.validator->profile(s1.get(), nowhere.get()).points.empty());
+}
+
+// The part starts less than a least interval from a block and slides along a plate, so that 0 is its least clearance.
+BOOST_AUTO_TEST_CASE(a_motion_from_a_tight_start_along_a_plate_takes_no_longer_than_others) {
+    const auto boxAt = [](const Vector3& halfSides, const Vector3& place) {
+        return testing::transformed(testing::box(halfSides), {Matrix3::Identity(), place});
+    };
+    const Mesh blockAndPlate =
+        testing::joined(boxAt({1, 9, 3}, {-5, 0, 0}), boxAt({90, 9, 1}, {99, 0, -1.5}));
+    const Scene scene(Model::build(testing::box({3, 2, 0.5})), Model::build(blockAndPlate));
+    const testing::PartInSpace space(scene);
+    const auto s1 = space.at({-1 + 1e-6, 0, 0}), s2 = space.at({250, 0, 0});
+    takeQueryTally();
+    BOOST_TEST((space.validator->report(s1.get(), s2.get()).verdict == MotionVerdict::kInvalid));
+    BOOST_TEST(takeQueryTally().work.triangleTests < 20000u);
 }
 
 BOOST_AUTO_TEST_CASE(a_motion_keeps_a_clearance_when_it_is_valid_with_larger_margins) {
