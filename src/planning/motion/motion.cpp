@@ -16,9 +16,6 @@ namespace ob = ompl::base;
 /// 4. Altogether less than 2^6.
 constexpr double kPoseRounding = 0x1p-47;
 
-/// The last time of the interpolation; time 1 stands for s2.
-constexpr double kJustBeforeEnd = 1 - 0x1p-53;
-
 /// How many errors of kPoseRounding can add up over one interval: two per end, three where s2 replaces the
 /// interpolated end. The rest is room.
 constexpr double kRoundingsOfAnInterval = 8;

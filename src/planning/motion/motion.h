@@ -15,6 +15,9 @@
 
 namespace clearway::planning {
 
+/// The last time of the interpolation; time 1 stands for s2.
+constexpr double kJustBeforeEnd = 1 - 0x1p-53;
+
 /// How closely the clearances along a motion are found.
 enum class ClearanceDetail {
     kRough,  ///< up to the wanted length, within a tenth

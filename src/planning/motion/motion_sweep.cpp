@@ -78,6 +78,7 @@ MotionVerdict MotionSweep::goForward() {
     const bool isInside = solids.verdict == SweepVerdict::kContact;
     if (options_.isContactAtEnd || found.verdict == SweepVerdict::kContact || isInside) {
         blockedTime_ = std::min({found.contactTime, solids.contactTime, options_.until});
+        if (blockedTime_ == 1 && motion_.isEndValid()) blockedTime_ = kJustBeforeEnd;
         leavesBounds_ = !motion_.isWithinBoundsAt(blockedTime_);
         return MotionVerdict::kInvalid;
     }
@@ -92,7 +93,6 @@ MotionVerdict MotionSweep::goForward() {
     }
     if (motion_.isEndValid()) return MotionVerdict::kValid;
     if (!motion_.isFreeAtStart()) return invalidStart();
-    constexpr double kJustBeforeEnd = 1 - 0x1p-53;
     certifiedTime_ = kJustBeforeEnd;
     return MotionVerdict::kInvalid;
 }
