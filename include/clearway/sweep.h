@@ -127,8 +127,8 @@ struct LeastDistance {
     QueryCounters counters;
 };
 
-/// Finds how near the part comes along a motion. Ends early when some distance is within the margin, or too short to be told
-/// from 0 by the resolution: then only upper is known. Throws as sweep() does.
+/// Finds how near the part comes along a motion. Ends early when some distance less the margin is not above the resolution:
+/// then only upper is known. Throws as sweep() does.
 LeastDistance leastDistance(const Model& part, const Model& environment, const MotionPieces& motion,
                             const LeastDistanceOptions& options, Workspace& workspace);
 

@@ -368,9 +368,8 @@ class Sweep {
         isReached_ = true;
         answer_.time = TimeInterval{piece.key}.middle();
         answer_.nearest = triangles;
-        // Distances within the margin, or too short to be told from 0, need not be known better.
-        if (leastUpper_ <= 0 || leastUpper_ + request_.margin <= request_.resolution.of(leastUpper_))
-            isDone_ = true;
+        // Distances within the margin, or hardly beyond it, need not be known better.
+        if (leastUpper_ <= request_.resolution.of(leastUpper_)) isDone_ = true;
     }
 
     void countStep() {

@@ -76,7 +76,8 @@ struct ClearanceOptions {
 
 struct SolidsAlong {
     SweepVerdict verdict = SweepVerdict::kCertified;
-    double until = 1;
+    double until = 1;                                              ///< the part is outside up to this time
+    double contactTime = std::numeric_limits<double>::infinity();  ///< of a pose inside a solid that counts
 };
 
 struct ContactsAt {
@@ -155,7 +156,7 @@ class SceneClearance {
 
     /// Checks that the part stays outside the solids from time 0 to `until`, when no surfaces touch while their obstacle
     /// counts. The part may be inside a solid all the same: it may have got in while a contact zone ignored the solid.
-    /// kUndecided: too close to the border of a zone to tell. `until` of the answer: the part is outside up to there.
+    /// kUndecided: too close to the border of a zone to tell, and no pose inside is known.
     SolidsAlong stayOutsideSolids(const PartMotion& motion, double until, double poseError,
                                   double leastInterval) const;
     bool hasSolids() const { return hasSolids_; }
@@ -193,6 +194,8 @@ class SceneClearance {
     struct TimeRange {
         double from, to;
     };
+    SolidsAlong stayOutsideSolid(std::size_t obstacle, const PartMotion& motion, const SolidsAlong& others,
+                                 double poseError, double leastInterval) const;
     SweepVerdict sideAlong(std::size_t obstacle, const PartMotion& motion, const TimeRange& range,
                            double poseError, double leastInterval) const;
     MotionPieces piecesFor(std::size_t obstacle, const PartMotion& motion, double poseError) const;

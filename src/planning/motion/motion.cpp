@@ -16,9 +16,6 @@ namespace ob = ompl::base;
 /// 4. Altogether less than 2^6.
 constexpr double kPoseRounding = 0x1p-47;
 
-/// The last time of the interpolation; time 1 stands for s2.
-constexpr double kJustBeforeEnd = 1 - 0x1p-53;
-
 /// How many errors of kPoseRounding can add up over one interval: two per end, three where s2 replaces the
 /// interpolated end. The rest is room.
 constexpr double kRoundingsOfAnInterval = 8;
@@ -104,7 +101,7 @@ void Motion::measure() {
     if (!std::isfinite(slack_)) {
         throw std::runtime_error("one of two states has no pose: an entry is not finite");
     }
-    checksBoundsBetween_ = !posed_.areBoundsConvex() || !isEndWithinBounds();
+    checksBoundsBetween_ = !posed_.areBoundsConvex() || !isStartWithinBounds() || !isEndWithinBounds();
 }
 
 bool Motion::isFreeAtStart() {
@@ -132,7 +129,7 @@ std::optional<LeastClearance> Motion::leastClearance(LeastClearanceOptions optio
     options.poseError = 0.5 * slack_ + jump;
     std::vector<MotionSample> ends;
     if (detail_ == ClearanceDetail::kWhole) ends.push_back(atStart(options.cap));
-    if (!ends.empty() || !isEndOfInterpolation()) ends.push_back(atEnd(options.cap));
+    if (!ends.empty() || jumpsAtEnd()) ends.push_back(atEnd(options.cap));
     Bounds atEnds;
     for (const MotionSample& sample : ends) {
         if (!sample.isValid()) return std::nullopt;
@@ -142,16 +139,34 @@ std::optional<LeastClearance> Motion::leastClearance(LeastClearanceOptions optio
     if (atEnds.upper < options.cap) {
         options.cap = std::max(0.0, atEnds.upper - options.resolution.of(atEnds.upper));
     }
-    LeastClearance found = posed_.clearance().leastClearance(motion_, options);
-    queries_ += found.queries;
-    if (found.time) leastTime_ = found.time;
+    LeastClearance found;
+    found.upper = options.cap;
+    if (options.cap > 0) {
+        found = posed_.clearance().leastClearance(motion_, options);
+        queries_ += found.queries;
+        if (found.time) leastTime_ = found.time;
+    }
     found.lower = std::min(found.lower, atEnds.lower - jump);
     found.upper = std::min(found.upper, atEnds.upper);
     found.time = leastTime_;
     if (found.lower > 0) return hasSolids() && !isFreeAtStart() ? std::nullopt : std::optional(found);
-    const bool isValid =
-        isFreeAtStart() && isEndValid() && (!leastTime_ || *leastTime_ == 1 || isFreeAt(*leastTime_));
-    return isValid ? std::optional(found) : std::nullopt;
+    return leastWithoutRoom(found, options);
+}
+
+/// A pose has so little clearance that 0 is close enough a bound. Only contact is of interest then, which a search for the
+/// least clearance would look for in pieces as short as the resolution.
+std::optional<LeastClearance> Motion::leastWithoutRoom(LeastClearance found,
+                                                       const LeastClearanceOptions& options) {
+    SceneSweepOptions asked;
+    asked.poseError = options.poseError;
+    asked.leastInterval = options.resolution.least;
+    asked.isStopped = options.isStopped;
+    const SweepVerdict verdict = sweep(asked).verdict;
+    const bool isValid = verdict != SweepVerdict::kContact && isFreeAtStart() && isEndValid() &&
+                         (!leastTime_ || *leastTime_ == 1 || isFreeAt(*leastTime_));
+    if (!isValid) return std::nullopt;
+    found.lower = verdict == SweepVerdict::kCertified ? 0 : -posed_.scene().largestMargin();
+    return found;
 }
 
 SolidsAlong Motion::stayOutsideSolids(double until, double leastInterval) const {
@@ -177,12 +192,8 @@ bool Motion::isWithinBoundsAt(double time) {
 
 bool Motion::isEndLikeInterpolation() {
     if (isEndKnown_ && floor_ == 0) return true;
-    if (isEndOfInterpolation() && !hasSolids()) return true;
+    if (!jumpsAtEnd() && !hasSolids()) return true;
     return isEndValid() && (floor_ == 0 || atEnd(std::numeric_limits<double>::denorm_min()).isValid());
-}
-
-bool Motion::isEndOfInterpolation() const {
-    return motion_.endJump <= 0.125 * slack_;
 }
 
 bool Motion::isShort() const {
@@ -210,13 +221,14 @@ TimeSpan Motion::change(TimeSpan span, double length, const IsTrue& isTrue) {
 
 void Motion::lookAtReported(double certifiedTime, double blockedTime) {
     constexpr double kFully = std::numeric_limits<double>::infinity();
+    forgetSide();
     atStart(kFully);
     if (certifiedTime == 1) {
         atEnd(kFully);
         if (leastTime_ && *leastTime_ < 1) at(*leastTime_, kFully);
         return;
     }
-    isOutside_ = false;
+    forgetSide();
     if (certifiedTime > 0) at(certifiedTime, kFully);
     if (blockedTime > 0 && blockedTime < 1) at(blockedTime, kFully);
     if (blockedTime == 1) look(s2_, 1, kFully, true);
@@ -265,13 +277,14 @@ std::optional<TimeSpan> Motion::spanOf(double length, const IsIn& isIn) {
 
 std::vector<MotionSample> Motion::lookAhead(double from, int poses) {
     constexpr double kFully = std::numeric_limits<double>::infinity();
-    isOutside_ = false;  // nothing known so far says on which side of the solids the poses are
+    forgetSide();
     std::vector<MotionSample> samples;
     for (int i = 1; i < poses; ++i) {
         const double time = from + (1 - from) * i / poses;
         if (time > from && time < 1) samples.push_back(at(time, kFully));
     }
     samples.push_back(atEnd(kFully));
+    if (samples.back().time < 1) samples.push_back(look(s2_, 1, kFully, true));  // only s2 itself is valid
     return samples;
 }
 
@@ -292,10 +305,13 @@ MotionSample Motion::atEnd(double wanted) {
     isOutside_ = true;
     endJump_ = findEndJump();
     const MotionSample certain = lessened(end, endJump_);
-    if (certain.room.lower > end.room.lower / 2) return certain;
-    // The end's clearance does not cover the jump between the two poses: solids may lie between them.
-    isOutside_ = false;
-    end = look(s2_, 1, wanted, true);
+    const bool isCovered = certain.room.lower > end.room.lower / 2;
+    if (isCovered && (detail_ != ClearanceDetail::kWhole || endJump_ <= slack_)) return certain;
+    if (!isCovered) {
+        // The end's clearance does not cover the jump between the two poses: solids may lie between them.
+        isOutside_ = false;
+        end = look(s2_, 1, wanted, true);
+    }
     const MotionSample interpolated = at(kJustBeforeEnd, wanted);
     if (!end.isValid() || !interpolated.isValid()) return end.isValid() ? interpolated : end;
     isOutside_ = true;

@@ -15,6 +15,9 @@
 
 namespace clearway::planning {
 
+/// The last time of the interpolation; time 1 stands for s2.
+constexpr double kJustBeforeEnd = 1 - 0x1p-53;
+
 /// How closely the clearances along a motion are found.
 enum class ClearanceDetail {
     kRough,  ///< up to the wanted length, within a tenth
@@ -80,12 +83,12 @@ class Motion {
 
     bool isWithinBoundsAt(double time);
 
-    /// Whether s2 is where the interpolation ends, but for rounding.
-    bool isEndOfInterpolation() const;
-
     /// Whether s2, which is within the bounds, is valid and keeps the floor, when a sweep says so of the interpolation to
     /// its end.
     bool isEndLikeInterpolation();
+
+    /// Whether s2 is farther from the end of the interpolation than rounding takes it, for a motion that can be swept.
+    bool jumpsAtEnd() const { return motion_.endJump > 0.125 * slack_; }
 
     /// Whether the motion is so short that sweeping it finds a blocked end as soon as a query there does.
     bool isShort() const;
@@ -93,6 +96,10 @@ class Motion {
     /// The time where the motion leaves the bounds: the last one found within, and one outside, closer than a length. Both
     /// are 1 when s2 is within.
     TimeSpan leavesBounds(double length);
+
+    /// Forgets that a pose was found outside of all solids, which says something of other poses only while no surfaces
+    /// touch between the two.
+    void forgetSide() { isOutside_ = false; }
 
     /// Looks at the poses that a report is about, where a sweep asked for no distance.
     void lookAtReported(double certifiedTime, double blockedTime);
@@ -145,6 +152,8 @@ class Motion {
     MotionSample sampleOf(double time, const PoseClearance& found) const;
     double findEndJump() const;
     PartMotion sweptMotion();
+    std::optional<LeastClearance> leastWithoutRoom(LeastClearance found,
+                                                   const LeastClearanceOptions& options);
     template <class IsTrue>
     TimeSpan change(TimeSpan span, double length, const IsTrue& isTrue);
     template <class IsIn>

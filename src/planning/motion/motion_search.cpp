@@ -99,7 +99,11 @@ double MotionSearch::lowerBetween(const ZoneClearance& from, const ZoneClearance
     if (isIgnoredThroughout) return std::numeric_limits<double>::infinity();
     const double first = from.clearance.lower, last = to.clearance.lower;
     const double x = std::clamp(0.5 * (way + first - last), low, high);
-    return std::max(first - x, last - (way - x));
+    double lower = std::max(first - x, last - (way - x));
+    // The samples themselves may have less: s2 is off the end of the interpolation.
+    if (!from.isIgnored()) lower = std::min(lower, first);
+    if (!to.isIgnored()) lower = std::min(lower, last);
+    return lower;
 }
 
 /// The middle of the stretch that the rooms at both ends leave open.
@@ -223,7 +227,7 @@ void MotionSearch::stopBefore(const MotionSample& blocked, double stop) {
     const double time = reached_.time + certain / motion_.length();
     if (certain <= 0.5 * stop || !isBetween(time, reached_, blocked)) return;
     const MotionSample last = motion_.at(time, stop);
-    if (last.isValid()) reached_ = last;
+    if (last.isValid()) advance(last);
 }
 
 double MotionSearch::refineLower(const ClearanceResolution& resolution) {

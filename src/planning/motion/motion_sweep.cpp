@@ -40,6 +40,8 @@ MotionVerdict MotionSweep::certify() {
     if (verdict == MotionVerdict::kInvalid && !motion_.isFreeAtStart()) return invalidStart();
     if (verdict != MotionVerdict::kValid) return verdict;
     if (!motion_.isEndLikeInterpolation()) return MotionVerdict::kInvalid;
+    // s2 may be out of a solid that holds the part everywhere else: a turn that OMPL leaves out until the end leads far.
+    if (motion_.hasSolids() && motion_.jumpsAtEnd() && !motion_.isFreeAtStart()) return invalidStart();
     return verdictOf(motion_.stayOutsideSolids(1, options_.leastInterval).verdict);
 }
 
@@ -51,6 +53,7 @@ MotionVerdict MotionSweep::invalidStart() {
 
 /// A pose in collision is cheap to find, so the motion is halved until its middle is free before it is swept.
 MotionVerdict MotionSweep::goForward() {
+    motion_.forgetSide();
     leavesBounds_ = !motion_.isStartWithinBounds();
     if (leavesBounds_) return invalidStart();
     const TimeSpan border = motion_.leavesBounds(options_.leastInterval);
@@ -71,17 +74,15 @@ MotionVerdict MotionSweep::goForward() {
     // Where no surfaces touch, solids hold the part at the start or at no pose.
     if ((certifiedTime_ == 0 || motion_.hasSolids()) && !motion_.isFreeAtStart()) return invalidStart();
     const SolidsAlong solids = motion_.stayOutsideSolids(certifiedTime_, options_.leastInterval);
-    if (solids.verdict != SweepVerdict::kCertified) {
-        certifiedTime_ = solids.until;
-        blockedTime_ = std::min(solids.until + options_.leastInterval / motion_.length(), options_.until);
-        return MotionVerdict::kInvalid;
-    }
-    if (options_.isContactAtEnd || found.verdict == SweepVerdict::kContact) {
-        blockedTime_ = std::min(found.contactTime, options_.until);
+    certifiedTime_ = solids.until;
+    const bool isInside = solids.verdict == SweepVerdict::kContact;
+    if (options_.isContactAtEnd || found.verdict == SweepVerdict::kContact || isInside) {
+        blockedTime_ = std::min({found.contactTime, solids.contactTime, options_.until});
+        if (blockedTime_ == 1 && motion_.isEndValid()) blockedTime_ = kJustBeforeEnd;
         leavesBounds_ = !motion_.isWithinBoundsAt(blockedTime_);
         return MotionVerdict::kInvalid;
     }
-    if (found.verdict == SweepVerdict::kUndecided) {
+    if (found.verdict == SweepVerdict::kUndecided || solids.verdict == SweepVerdict::kUndecided) {
         blockedTime_ = certifiedTime_;
         return MotionVerdict::kUndecided;
     }
@@ -92,7 +93,6 @@ MotionVerdict MotionSweep::goForward() {
     }
     if (motion_.isEndValid()) return MotionVerdict::kValid;
     if (!motion_.isFreeAtStart()) return invalidStart();
-    constexpr double kJustBeforeEnd = 1 - 0x1p-53;
     certifiedTime_ = kJustBeforeEnd;
     return MotionVerdict::kInvalid;
 }

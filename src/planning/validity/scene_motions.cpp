@@ -36,25 +36,41 @@ ContactsAt SceneClearance::contactsAt(const Pose& X_environmentPart) const {
 
 SolidsAlong SceneClearance::stayOutsideSolids(const PartMotion& motion, double until, double poseError,
                                               double leastInterval) const {
-    SolidsAlong answer{SweepVerdict::kCertified, until};
+    SolidsAlong answer;
+    answer.until = until;
     PoseClearance none;
     for (std::size_t i = 0; i < scene_.obstacles.size(); ++i) {
         if (!scene_.obstacles[i].solids || !zones_->zoneOf(i, none)) continue;
-        std::vector<TimeRange> left{{0, answer.until}};
-        while (!left.empty()) {
-            const TimeRange range = left.back();
-            left.pop_back();
-            const SweepVerdict side = sideAlong(i, motion, range, poseError, leastInterval);
-            if (side == SweepVerdict::kCertified) continue;
-            const double middle = range.from + 0.5 * (range.to - range.from);
-            if (motion.length * (range.to - range.from) > leastInterval) {
-                left.push_back({middle, range.to});
-                left.push_back({range.from, middle});
-                continue;
-            }
-            answer = {side, range.from};
-            break;
+        answer = stayOutsideSolid(i, motion, answer, poseError, leastInterval);
+    }
+    return answer;
+}
+
+/// Behind the border of a zone, which is too close to tell, a pose inside the solid is looked for.
+SolidsAlong SceneClearance::stayOutsideSolid(std::size_t i, const PartMotion& motion,
+                                             const SolidsAlong& others, double poseError,
+                                             double leastInterval) const {
+    constexpr int kLooksBehindBorder = 256;
+    SolidsAlong answer = others;
+    std::vector<TimeRange> left{{0, others.until}};
+    for (int looks = 0; !left.empty() && looks < kLooksBehindBorder;) {
+        const TimeRange range = left.back();
+        left.pop_back();
+        const SweepVerdict side = sideAlong(i, motion, range, poseError, leastInterval);
+        if (answer.until < others.until) ++looks;
+        if (side == SweepVerdict::kCertified) continue;
+        if (side == SweepVerdict::kContact) {
+            const double until = std::min(answer.until, range.from);
+            return {SweepVerdict::kContact, until, std::min(answer.contactTime, range.from)};
         }
+        const double middle = range.from + 0.5 * (range.to - range.from);
+        if (motion.length * (range.to - range.from) > leastInterval) {
+            left.push_back({middle, range.to});
+            left.push_back({range.from, middle});
+            continue;
+        }
+        answer.until = std::min(answer.until, range.from);
+        if (answer.verdict == SweepVerdict::kCertified) answer.verdict = SweepVerdict::kUndecided;
     }
     return answer;
 }

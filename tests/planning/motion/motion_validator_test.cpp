@@ -129,6 +129,36 @@ BOOST_AUTO_TEST_CASE(a_turn_that_ompl_leaves_out_until_the_end_counts_at_the_end
     }
 }
 
+BOOST_AUTO_TEST_CASE(a_report_names_the_interpolation_before_the_end_where_only_that_is_blocked) {
+    // The interpolation keeps the turn of the start and touches by 1e-5 at its end; s2 is free.
+    const Fixture f;
+    const auto turned = f.at({-40, 0, 30}, 8e-5), straight = f.at({-32 - 20 * 8e-5 + 1e-5, 0, 30});
+    const MotionReport report = f.report(turned, straight);
+    BOOST_TEST(f.si->isValid(straight.get()));
+    BOOST_TEST((report.verdict == MotionVerdict::kInvalid));
+    BOOST_TEST(report.blockedTime < 1);
+    ob::ScopedState<> blocked(f.space);
+    f.space->interpolate(turned.get(), straight.get(), report.blockedTime, blocked.get());
+    BOOST_TEST(!f.si->isValid(blocked.get()));
+    BOOST_TEST(report.upperClearance <= 0);
+}
+
+BOOST_AUTO_TEST_CASE(a_turn_that_ompl_leaves_out_does_not_blur_the_clearance_at_the_end) {
+    // The turn moves the plate's corner by 0.0016.
+    const Fixture f;
+    const MotionValidator byClearance(f.si, f.window.scene, stateToPose(*f.space),
+                                      displacementBound(*f.space, f.window.scene.part));
+    const auto from = f.at({-40, 0, 30}), to = f.at({-32 - 0.01, 0, 30}, 8e-5);
+    const MotionValidator* const validators[] = {f.validator.get(), &byClearance};
+    for (const MotionValidator* validator : validators) {
+        const MotionReport report = validator->report(from.get(), to.get());
+        BOOST_TEST((report.verdict == MotionVerdict::kValid));
+        BOOST_TEST(report.upperClearance == 0.01 - 20 * 8e-5, boost::test_tools::tolerance(1e-4));
+        BOOST_TEST(report.lowerClearance <= report.upperClearance);
+        BOOST_TEST(report.lowerClearance >= 0.9 * report.upperClearance);
+    }
+}
+
 BOOST_AUTO_TEST_CASE(in_the_plane_the_shorter_turn_is_taken_across_the_seam) {
     // In the plane z = 0 the window is 64 wide, the part 60 x 40: inside, it turns a little.
     const Fixture f(0, {}, Space::kSe2);

@@ -11,7 +11,9 @@
 #include <stdexcept>
 #include <thread>
 
+#include "clearway/planning/scene_clearance.h"
 #include "support/motion_window.h"
+#include "support/part_in_space.h"
 #include "support/random_meshes.h"
 
 namespace clearway::planning {
@@ -110,6 +112,27 @@ BOOST_AUTO_TEST_CASE(a_profile_bounds_the_clearance_from_each_pose_to_the_next) 
     BOOST_TEST(profile.report.travel >= (Vector3(18, 30, 20)).norm());
 }
 
+BOOST_AUTO_TEST_CASE(a_profile_by_clearances_holds_up_to_the_last_valid_pose) {
+    const Fixture f;
+    const MotionValidator byClearance(f.si, f.window.scene, stateToPose(*f.space),
+                                      displacementBound(*f.space, f.window.scene.part));
+    ob::ScopedState<> between(f.space);
+    for (int seed = 1; seed <= 20; ++seed) {
+        testing::Random random(seed);
+        const auto s1 = f.at(Vector3(-60, 0, 0) + random.inBox(20), random.uniform(0, 3));
+        const auto s2 = f.at({0, 0, 30}, random.uniform(0, 3));
+        const MotionProfile profile = byClearance.profile(s1.get(), s2.get());
+        BOOST_TEST(profile.points.front().time == 0);
+        for (std::size_t k = 0; k + 1 < profile.points.size(); ++k) {
+            const ProfilePoint &here = profile.points[k], &next = profile.points[k + 1];
+            f.space->interpolate(s1.get(), s2.get(), here.time + 0.999 * (next.time - here.time),
+                                 between.get());
+            const double clearance = f.si->getStateValidityChecker()->clearance(between.get());
+            BOOST_TEST(here.lowerToNext <= clearance + 1e-9, "seed " << seed << ", at time " << here.time);
+        }
+    }
+}
+
 BOOST_AUTO_TEST_CASE(a_profile_goes_on_behind_what_blocks) {
     const Fixture f;
     const auto s1 = f.at({-60, 0, 30}), s2 = f.at({60, 0, 30}), outside = f.at({-160, 0, 30});
@@ -130,10 +153,27 @@ BOOST_AUTO_TEST_CASE(a_profile_goes_on_behind_what_blocks) {
     const MotionReport out = f.report(s1, outside);
     BOOST_TEST((out.verdict == MotionVerdict::kInvalid));
     BOOST_TEST(out.leavesBounds);
-    BOOST_TEST(f.report(outside, s1).leavesBounds);
-    BOOST_TEST(f.report(outside, s1).blockedTime == 0);
+    const MotionProfile in = f.validator->profile(outside.get(), s1.get());
+    BOOST_TEST(in.report.leavesBounds);
+    BOOST_TEST(in.report.blockedTime == 0);
+    for (const ProfilePoint& point : in.points) BOOST_TEST((point.clearance > 0) == (point.time >= 0.6));
     const auto nowhere = f.at({std::nan(""), 0, 0});
     BOOST_TEST(f.validator->profile(s1.get(), nowhere.get()).points.empty());
+}
+
+// The part starts less than a least interval from a block and slides along a plate, so that 0 is its least clearance.
+BOOST_AUTO_TEST_CASE(a_motion_from_a_tight_start_along_a_plate_takes_no_longer_than_others) {
+    const auto boxAt = [](const Vector3& halfSides, const Vector3& place) {
+        return testing::transformed(testing::box(halfSides), {Matrix3::Identity(), place});
+    };
+    const Mesh blockAndPlate =
+        testing::joined(boxAt({1, 9, 3}, {-5, 0, 0}), boxAt({90, 9, 1}, {99, 0, -1.5}));
+    const Scene scene(Model::build(testing::box({3, 2, 0.5})), Model::build(blockAndPlate));
+    const testing::PartInSpace space(scene);
+    const auto s1 = space.at({-1 + 1e-6, 0, 0}), s2 = space.at({250, 0, 0});
+    takeQueryTally();
+    BOOST_TEST((space.validator->report(s1.get(), s2.get()).verdict == MotionVerdict::kInvalid));
+    BOOST_TEST(takeQueryTally().work.triangleTests < 20000u);
 }
 
 BOOST_AUTO_TEST_CASE(a_motion_keeps_a_clearance_when_it_is_valid_with_larger_margins) {
@@ -270,6 +310,8 @@ BOOST_AUTO_TEST_CASE(an_environment_within_reach_gives_the_same_verdicts) {
         BOOST_TEST(report.lowerClearance <= 1);
         BOOST_TEST(std::isinf(report.upperClearance));
         BOOST_TEST(report.closest.environmentTriangle == -1);
+        const auto beyondReach = f.at({-120, 0, 0});
+        BOOST_TEST(validator.profile(beyondReach.get(), f.at({-50, 0, 0}).get()).report.problem == "");
         reach.cap = margin;
         requireRefused([&] { MotionValidator(f.si, scene()); },
                        "expected at least the margin and the least interval");

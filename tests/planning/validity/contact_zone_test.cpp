@@ -242,6 +242,27 @@ BOOST_AUTO_TEST_CASE(between_two_zones_the_least_clearance_is_found) {
     BOOST_TEST(std::isinf(space.validator->report(s1.get(), near.get()).lowerClearance));
 }
 
+// The part is far from its own origin: a turn that OMPL leaves out until the end brings it from 9 to 1 from the block.
+BOOST_AUTO_TEST_CASE(the_clearance_at_the_end_counts_wherever_the_interpolation_ends) {
+    const Vector3 bodyInPart(0, 1e5, 0);
+    Scene scene{Model::build(at(box({1, 1, 1}), bodyInPart)), Model::build(box({10, 20, 10}))};
+    scene.obstacles[0].isIgnoredAtStart = true;
+    scene.startContact = ContactZone{{Matrix3::Identity(), {0, 0, 100}}, 1};
+    const PartInSpace space(scene, 2e5);
+    const planning::MotionValidator byClearance(space.si, scene, planning::stateToPose(*space.space),
+                                                planning::displacementBound(*space.space, scene.part));
+    const auto s1 = space.at(Vector3(20, 15, 0) - bodyInPart),
+               s2 = space.at(Vector3(20, 0, 0) - bodyInPart, 8e-5);
+    const planning::MotionValidator* const validators[] = {space.validator.get(), &byClearance};
+    for (const planning::MotionValidator* validator : validators) {
+        const MotionReport report = validator->report(s1.get(), s2.get());
+        BOOST_TEST((report.verdict == MotionVerdict::kValid));
+        BOOST_TEST(report.upperClearance == 1, boost::test_tools::tolerance(1e-3));
+        BOOST_TEST(report.lowerClearance <= report.upperClearance);
+        BOOST_TEST(report.lowerClearance >= 0.9);
+    }
+}
+
 BOOST_AUTO_TEST_CASE(in_the_plane_zones_count_too) {
     Assembly assembly;
     assembly.obstacles.clear();
