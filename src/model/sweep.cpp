@@ -111,6 +111,36 @@ SweepResult sweep(const Model& part, const Model& environment, const MotionPiece
     return result;
 }
 
+namespace {
+
+/// Relative error of the distances that a search for a least distance begins with.
+constexpr double kRoughError = 0.3;
+
+/// Finds a pair that is near at an end of the motion. Without one, a search meets hundreds of pairs, each nearer than those
+/// before. Adds to the counters.
+PairAtTime nearAtEnds(const Model& part, const Model& environment, const MotionPieces& motion, double margin,
+                      double cap, Workspace& workspace) {
+    PairAtTime known;
+    known.clearance = cap;
+    QueryCounters counters;
+    for (const double end : {0.0, 1.0}) {
+        const MotionPiece piece = motion(end, end);
+        if (piece.counts != MotionPiece::Counts::kAtMiddle || piece.isForbidden) continue;
+        DistanceOptions options;
+        options.relativeError = kRoughError;
+        options.cap = std::max(0.0, known.clearance + margin);
+        const DistanceResult found = distance(part, environment, piece.middle, options, workspace);
+        counters += found.counters;
+        if (found.upper - margin < known.clearance) {
+            known = {found.upper - margin, end, workspace.state().warmStart.triangles};
+        }
+    }
+    workspace.state().counters = counters;
+    return known;
+}
+
+}  // namespace
+
 LeastDistance leastDistance(const Model& part, const Model& environment, const MotionPieces& motion,
                             const LeastDistanceOptions& options, Workspace& workspace) {
     Workspace::State& state = workspace.state();
@@ -121,23 +151,24 @@ LeastDistance leastDistance(const Model& part, const Model& environment, const M
     request.goal = SweepGoal::kLeastDistance;
     request.resolution = options.resolution;
     const double reach = cappedByReach(environment, std::numeric_limits<double>::infinity());
-    request.leastUpper = std::min(options.cap, reach - options.margin);
+    request.cap = std::min(options.cap, reach - options.margin);
+    request.known = nearAtEnds(part, environment, motion, options.margin, request.cap, workspace);
     const SweepAnswer answer = answerTo(request, part, environment, motion, state);
 
     LeastDistance result;
     result.counters = state.counters;
     result.lower = std::max(answer.lower, -options.margin);
-    if (answer.upper < request.leastUpper) {
-        result.time = answer.time;
-        const Pose X_environmentPart = motion(answer.time, answer.time).middle;
-        const PairQuery query = preparePairQuery(part.tree(), environment.tree(), X_environmentPart);
-        const ResolvedPair nearest = resolvePair(query, answer.nearest);
-        result.upper = std::min(answer.upper, nearest.upper / query.perMeshUnit - options.margin);
-        result.partTriangle = part.tree().triangleIds[answer.nearest.part];
-        result.environmentTriangle = environment.tree().triangleIds[answer.nearest.environment];
+    const auto& [clearance, time, triangles] = answer.nearest;
+    if (clearance < request.cap) {
+        result.time = time;
+        const PairQuery query = preparePairQuery(part.tree(), environment.tree(), motion(time, time).middle);
+        const ResolvedPair nearest = resolvePair(query, triangles);
+        result.upper = std::min(clearance, nearest.upper / query.perMeshUnit - options.margin);
+        result.partTriangle = part.tree().triangleIds[triangles.part];
+        result.environmentTriangle = environment.tree().triangleIds[triangles.environment];
         result.pointOnPart = nearest.pointOnPart / query.perMeshUnit;
         result.pointOnEnvironment = nearest.pointOnEnvironment / query.perMeshUnit;
-        state.warmStart = {part.id(), environment.id(), answer.nearest};
+        state.warmStart = {part.id(), environment.id(), triangles};
     }
     result.isStopped = answer.isStopped || answer.isUndecided;
     if (result.isStopped) result.lower = -options.margin;

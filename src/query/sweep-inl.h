@@ -60,8 +60,11 @@ class Sweep {
           answer_(answer),
           stop_(request.until),
           contactTime_(request.isContactAtEnd ? request.until : hwy::HighestValue<double>()),
-          leastUpper_(request.leastUpper),
-          leastInterval_(request.leastInterval) {
+          leastUpper_(request.known.clearance < request.cap ? request.known.clearance : request.cap),
+          leastInterval_(request.leastInterval),
+          isReached_(request.known.clearance < request.cap) {
+        answer_.nearest = request.known;
+        endIfNear();
         if (!state.pieces) state.pieces = std::make_unique<PieceCache>();
         state.pieces->begin(part, environment, motion);
     }
@@ -366,10 +369,13 @@ class Sweep {
         if (!(clearance < leastUpper_)) return;
         leastUpper_ = clearance;
         isReached_ = true;
-        answer_.time = TimeInterval{piece.key}.middle();
-        answer_.nearest = triangles;
-        // Distances within the margin, or hardly beyond it, need not be known better.
-        if (leastUpper_ <= request_.resolution.of(leastUpper_)) isDone_ = true;
+        answer_.nearest = {clearance, TimeInterval{piece.key}.middle(), triangles};
+        endIfNear();
+    }
+
+    /// Distances within the margin, or hardly beyond it, need not be known better.
+    void endIfNear() {
+        if (isReached_ && leastUpper_ <= request_.resolution.of(leastUpper_)) isDone_ = true;
     }
 
     void countStep() {
@@ -413,7 +419,6 @@ class Sweep {
         answer_.certifiedUntil = stop_ > request_.from ? stop_ : request_.from;
         answer_.contactTime = contactTime_;
         answer_.isContact = answer_.isContact || (request_.isContactAtEnd && stop_ < request_.until);
-        answer_.upper = leastUpper_;
         const double certified = isReached_ ? leastUpper_ - request_.resolution.of(leastUpper_) : leastUpper_;
         answer_.lower = certified < openLower_ ? certified : openLower_;
         if (isDone_) answer_.lower = -request_.margin;
@@ -435,8 +440,8 @@ class Sweep {
     double leastInterval_;
     double begunAt_ = 1;  ///< stop_ when the whole motion was put on the stack
     double openLower_ = std::numeric_limits<double>::infinity();  ///< kLeastDistance: of what was left open
-    int steps_ = 1;           ///< to the next look at isStopped, which comes at once
-    bool isReached_ = false;  ///< kLeastDistance: leastUpper_ is a distance found, not the cap
+    int steps_ = 1;   ///< to the next look at isStopped, which comes at once
+    bool isReached_;  ///< kLeastDistance: leastUpper_ is a distance found, not the cap
     bool isDone_ = false;
 };
 

@@ -15,6 +15,13 @@ enum class SweepGoal {
     kLeastDistance,  ///< how near the part comes
 };
 
+/// A distance less the margin that a pair has at a time.
+struct PairAtTime {
+    double clearance = std::numeric_limits<double>::infinity();
+    double time = 0;
+    TrianglesAt triangles{0, 0, kNoFeature};
+};
+
 /// Lengths in environment units.
 struct SweepRequest {
     SweepGoal goal = SweepGoal::kCertify;
@@ -24,7 +31,8 @@ struct SweepRequest {
     double from = 0, until = 1;
     bool isContactAtEnd = false;  ///< the pose at `until` is known to be in contact
     double contactTime = 0;       ///< kForward
-    double leastUpper = 0;  ///< kLeastDistance: distance less the margin known to be reached, or the cap
+    double cap = 0;               ///< kLeastDistance: larger distances less the margin do not matter
+    PairAtTime known{};           ///< kLeastDistance: a pair with less than the cap
     ClearanceResolution resolution{};
     const std::function<bool()>* isStopped = nullptr;
     std::size_t mostEntries = 0;
@@ -38,9 +46,8 @@ struct SweepAnswer {
     double contactTime = 0;     ///< if isContact
     bool isPair = false;        ///< the contact is that of a pair, not a forbidden pose or one known before
     TrianglesAt contact{0, 0, kNoFeature};
-    double lower = 0, upper = 0;  ///< kLeastDistance: of the distance less the margin; upper <= leastUpper
-    double time = 0;              ///< of upper, if it is below leastUpper
-    TrianglesAt nearest{0, 0, kNoFeature};  ///< have the distance `upper` plus the margin at that time
+    double lower = 0;      ///< kLeastDistance: of the distance less the margin
+    PairAtTime nearest{};  ///< kLeastDistance: the closest pair found below the cap
 };
 
 /// More pairs in wait end a sweep as undecided. Depth first, a sweep of a tree of usual depth keeps about a thousand.
