@@ -88,7 +88,8 @@ class Sweep {
             const PreparedPiece& piece = state_.pieces->at(interval);
             if (piece.counts == MotionPiece::Counts::kNowhere) continue;
             if (piece.counts == MotionPiece::Counts::kNotAtMiddle && entry.part == 0 &&
-                entry.environment == 0 && interval.depth() < kMostHalvesForCounts) {
+                entry.environment == 0 && interval.depth() < kMostHalvesForCounts &&
+                movedBy(piece, Volume<kWidth>(part_, 0)) > leastMove(piece)) {
                 push(entry, interval.lastHalf(), 0.5f * entry.moved);
                 push(entry, interval.firstHalf(), 0.5f * entry.moved);
                 continue;

@@ -198,6 +198,7 @@ class SceneClearance {
                                  double poseError, double leastInterval) const;
     SweepVerdict sideAlong(std::size_t obstacle, const PartMotion& motion, const TimeRange& range,
                            double poseError, double leastInterval) const;
+    double movedInHalf(const MotionPiece& piece, double halfTime) const;
     MotionPieces piecesFor(std::size_t obstacle, const PartMotion& motion, double poseError) const;
 
     Scene scene_;

@@ -9,6 +9,16 @@
 
 namespace clearway::planning {
 
+/// No point of the part moves further than this from the middle of a piece to either end. PartMotion::length tells more
+/// where the part is far from its own origin and turns.
+double SceneClearance::movedInHalf(const MotionPiece& piece, double halfTime) const {
+    const Box& box = scene_.part.box();
+    const Vector3 centre = piece.middle.rotation * box.center();
+    const Vector3 velocity = piece.velocity + piece.angularVelocity.cross(centre);
+    const double aboutCentre = 0.5 * box.diagonal().norm() * piece.angularVelocity.norm();
+    return halfTime * (velocity.norm() + aboutCentre) + piece.deviation + piece.deviationAcrossTurn;
+}
+
 /// The pieces with what the contact zones ignore of an obstacle.
 MotionPieces SceneClearance::piecesFor(std::size_t i, const PartMotion& motion, double poseError) const {
     PoseClearance at;
@@ -18,7 +28,8 @@ MotionPieces SceneClearance::piecesFor(std::size_t i, const PartMotion& motion, 
         PoseClearance here;
         zones_->findSpares(scene_, piece.middle, here);
         const double spare = zones_->zoneOf(i, here)->spare.lower;
-        const double moved = 0.5 * (to - from) * motion.length + poseError;
+        const double half = 0.5 * (to - from);
+        const double moved = std::min(half * motion.length, movedInHalf(piece, half)) + poseError;
         if (spare >= moved) {
             piece.counts = MotionPiece::Counts::kNowhere;
         } else if (spare >= 0) {
@@ -78,8 +89,10 @@ SolidsAlong SceneClearance::stayOutsideSolid(std::size_t i, const PartMotion& mo
 /// kUndecided: the range must be divided.
 SweepVerdict SceneClearance::sideAlong(std::size_t i, const PartMotion& motion, const TimeRange& range,
                                        double poseError, double leastInterval) const {
-    const Pose X = motion.pieces(range.from, range.to).middle;
-    const double travel = motion.length * (range.to - range.from), moved = 0.5 * travel + poseError;
+    const MotionPiece piece = motion.pieces(range.from, range.to);
+    const Pose& X = piece.middle;
+    const double half = 0.5 * (range.to - range.from), travel = 2 * half * motion.length;
+    const double moved = std::min(0.5 * travel, movedInHalf(piece, half)) + poseError;
     PoseClearance at;
     zones_->findSpares(scene_, X, at);
     if (zones_->zoneOf(i, at)->spare.lower >= moved) return SweepVerdict::kCertified;  // ignored throughout

@@ -6,6 +6,7 @@
 #include <limits>
 #include <memory>
 
+#include "clearway/planning/scene_clearance.h"
 #include "support/oracle.h"
 #include "support/part_in_space.h"
 #include "support/random_meshes.h"
@@ -240,6 +241,34 @@ BOOST_AUTO_TEST_CASE(between_two_zones_the_least_clearance_is_found) {
     BOOST_TEST(report.closest.obstacle == 0);
     const auto near = space.at({0.5, 0, 7});
     BOOST_TEST(std::isinf(space.validator->report(s1.get(), near.get()).lowerClearance));
+}
+
+BOOST_AUTO_TEST_CASE(the_last_valid_pose_is_at_the_zones_border_wherever_the_part_has_its_origin) {
+    const Vector3 bodyInPart(0, 20000, 0);
+    Scene scene{Model::build(at(box({3, 2, 1}, 2), bodyInPart)),
+                Model::build(at(box({9, 9, 1}, 3), {0, 0, -2}))};
+    scene.obstacles[0].isIgnoredAtStart = true;
+    scene.startContact = ContactZone{{Matrix3::Identity(), -bodyInPart}, 2};
+    const PartInSpace space(scene, 1e5);
+    const Matrix3 turn = Eigen::AngleAxisd(0.02, Vector3::UnitZ()).toRotationMatrix();
+    const auto s1 = space.at(-bodyInPart), s2 = space.at(Vector3(3, 0, 0) - turn * bodyInPart, 0.02);
+    ob::ScopedState<> reached(space.space);
+    std::pair<ob::State*, double> lastValid(reached.get(), 1);
+    BOOST_TEST(!space.validator->checkMotion(s1.get(), s2.get(), lastValid));
+    const double moved =
+        scene.part.displacement(scene.startContact->X_environmentPart, space.checker->pose(reached.get()));
+    BOOST_TEST(moved <= 2);
+    BOOST_TEST(moved >= 2 - 10 * space.validator->leastInterval());
+}
+
+BOOST_AUTO_TEST_CASE(a_motion_of_less_than_a_least_interval_at_a_zones_border_is_soon_reported) {
+    Assembly assembly;
+    const PartInSpace space(assembly.scene);
+    const double near = kStartLength * (1 - 1e-6);  // too close to the border to be sure
+    const auto s1 = space.at({near, 0, 5}), s2 = space.at({near - 1e-7, 0, 5});
+    planning::takeQueryTally();
+    BOOST_TEST((space.validator->report(s1.get(), s2.get()).verdict == MotionVerdict::kUndecided));
+    BOOST_TEST(planning::takeQueryTally().work.triangleTests < 100000u);
 }
 
 // The part is far from its own origin: a turn that OMPL leaves out until the end brings it from 9 to 1 from the block.
