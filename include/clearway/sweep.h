@@ -43,7 +43,8 @@ struct MotionPiece {
 /// Returns the piece of a motion over the interval [from, to]. The pose at a time must not depend on the interval.
 using MotionPieces = std::function<MotionPiece(double from, double to)>;
 
-/// The pieces of a rigid motion of a part.
+/// The pieces of a rigid motion of a part. Their poses are off the motion by a few 2^-53 of the lengths of start and
+/// translation and of the turn's angle times the part's radius about its origin; SweepOptions::poseError can cover that.
 MotionPieces piecesOf(const RigidMotion& motion, const Model& part);
 
 enum class SweepVerdict { kCertified, kContact, kUndecided };
@@ -63,11 +64,13 @@ struct SweepOptions {
     bool isForward = false;
 
     /// Going forward, a contact is looked for in earlier poses until the certified part of the motion ends within this
-    /// time before it.
+    /// time before it. Finite, >= 0.
     double contactTime = 1e-3;
 
-    double from = 0, until = 1;   ///< other times do not matter
-    bool isContactAtEnd = false;  ///< the pose at `until` is known to be in contact with something
+    double from = 0, until = 1;  ///< other times do not matter
+    /// The pose at `until` is known to be in contact with something, perhaps with another environment: going forward, no
+    /// contact is looked for within contactTime before it.
+    bool isContactAtEnd = false;
 
     /// Asked after at most 256 steps; true ends the sweep as undecided.
     std::function<bool()> isStopped;
@@ -128,7 +131,7 @@ struct LeastDistance {
 };
 
 /// Finds how near the part comes along a motion. Ends early when some distance less the margin is not above the resolution:
-/// then only upper is known. Throws as sweep() does.
+/// then only upper is known. Where a piece is forbidden, nothing is: lower is minus the margin, upper is infinite. Throws as sweep() does.
 LeastDistance leastDistance(const Model& part, const Model& environment, const MotionPieces& motion,
                             const LeastDistanceOptions& options, Workspace& workspace);
 

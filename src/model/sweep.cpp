@@ -40,20 +40,24 @@ void requireInRange(double value, const char* name, bool isInRange, const char* 
     throw std::invalid_argument(message.str());
 }
 
+void requireFinite(double value, const char* name) {
+    requireInRange(value, name, value >= 0 && std::isfinite(value), "a finite number of at least 0");
+}
+
 /// Checks the arguments that both questions share, and begins the request.
-SweepRequest beginSweep(const Model& part, const Model& environment, double margin, double poseError,
-                        double leastInterval, const std::function<bool()>& isStopped,
+SweepRequest beginSweep(const Model& part, const Model& environment, const MotionPieces& motion,
+                        double margin, double poseError, const std::function<bool()>& isStopped,
                         Workspace::State& state) {
+    if (!motion)
+        throw std::invalid_argument("the motion is an empty function, expected one that returns pieces");
     requireSameWidth(part, environment);
-    requireNotNegative(margin, "margin");
-    requireNotNegative(poseError, "poseError");
-    requireInRange(leastInterval, "leastInterval", leastInterval > 0, "a length above 0");
+    requireFinite(margin, "margin");
+    requireFinite(poseError, "poseError");
     requireWithinCap(environment, margin + poseError);
     state.counters = {};
     SweepRequest request;
     request.margin = margin;
     request.poseError = poseError;
-    request.leastInterval = leastInterval;
     request.isStopped = &isStopped;
     request.mostEntries = kMostSweepEntries;
     return request;
@@ -78,12 +82,14 @@ SweepAnswer answerTo(const SweepRequest& request, const Model& part, const Model
 SweepResult sweep(const Model& part, const Model& environment, const MotionPieces& motion,
                   const SweepOptions& options, Workspace& workspace) {
     Workspace::State& state = workspace.state();
-    SweepRequest request = beginSweep(part, environment, options.margin, options.poseError,
-                                      options.leastInterval, options.isStopped, state);
+    SweepRequest request =
+        beginSweep(part, environment, motion, options.margin, options.poseError, options.isStopped, state);
+    requireInRange(options.leastInterval, "leastInterval", options.leastInterval > 0, "a length above 0");
+    request.leastInterval = options.leastInterval;
     requireInRange(options.from, "from", options.from >= 0 && options.from < 1, "a time from 0 to below 1");
     requireInRange(options.until, "until", options.until > options.from && options.until <= 1,
                    "a time after `from` and up to 1");
-    requireNotNegative(options.contactTime, "contactTime");
+    requireFinite(options.contactTime, "contactTime");
     request.goal = options.isForward ? SweepGoal::kForward : SweepGoal::kCertify;
     request.from = options.from;
     request.until = options.until;
@@ -144,14 +150,20 @@ PairAtTime nearAtEnds(const Model& part, const Model& environment, const MotionP
 LeastDistance leastDistance(const Model& part, const Model& environment, const MotionPieces& motion,
                             const LeastDistanceOptions& options, Workspace& workspace) {
     Workspace::State& state = workspace.state();
-    SweepRequest request = beginSweep(part, environment, options.margin, options.poseError,
-                                      options.resolution.least, options.isStopped, state);
+    SweepRequest request =
+        beginSweep(part, environment, motion, options.margin, options.poseError, options.isStopped, state);
+    const ClearanceResolution& resolution = options.resolution;
+    requireFinite(resolution.share, "resolution.share");
+    requireFinite(resolution.largestShare, "resolution.largestShare");
+    requireFinite(resolution.length, "resolution.length");
+    requireInRange(resolution.least, "resolution.least", resolution.least > 0, "a length above 0");
+    request.leastInterval = resolution.least;
     requireInRange(options.cap, "cap", options.cap >= -options.margin,
                    "a number of at least minus the margin");
     request.goal = SweepGoal::kLeastDistance;
-    request.resolution = options.resolution;
+    request.resolution = resolution;
     const double reach = cappedByReach(environment, std::numeric_limits<double>::infinity());
-    request.cap = std::min(options.cap, reach - options.margin);
+    request.cap = std::min(options.cap, reach - options.margin - options.poseError);
     request.known = nearAtEnds(part, environment, motion, options.margin, request.cap, workspace);
     const SweepAnswer answer = answerTo(request, part, environment, motion, state);
 

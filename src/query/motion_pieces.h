@@ -58,7 +58,10 @@ class PieceCache {
 
   private:
     static constexpr std::size_t kPieces = 64;  ///< short motions have fewer
-    static std::size_t placeOf(std::uint64_t key) { return (key * 0x9E3779B97F4A7C15ull) >> 58; }
+    static std::size_t placeOf(std::uint64_t key) {
+        static_assert(kPieces == 1 << 6);
+        return (key * 0x9E3779B97F4A7C15ull) >> (64 - 6);
+    }
     void prepare(TimeInterval interval, PreparedPiece& piece) const;
 
     const FlatTree* part_ = nullptr;

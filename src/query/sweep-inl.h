@@ -59,7 +59,7 @@ class Sweep {
           stack_(state.sweepStack),
           answer_(answer),
           stop_(request.until),
-          contactTime_(request.isContactAtEnd ? request.until : hwy::HighestValue<double>()),
+          contactTime_(request.isContactAtEnd ? request.until : std::numeric_limits<double>::infinity()),
           leastUpper_(request.known.clearance < request.cap ? request.known.clearance : request.cap),
           leastInterval_(request.leastInterval),
           isReached_(request.known.clearance < request.cap) {
@@ -76,7 +76,8 @@ class Sweep {
             const SweepEntry entry = stack_.pop();
             const TimeInterval interval{entry.interval};
             if (interval.from() >= stop_ || interval.to() <= request_.from) continue;
-            if (contactTime_ - interval.from() <= request_.contactTime) {
+            if (request_.goal == SweepGoal::kForward &&
+                contactTime_ - interval.from() <= request_.contactTime) {
                 stop_ = interval.from();
                 continue;
             }
@@ -86,17 +87,17 @@ class Sweep {
                 continue;
             }
             const PreparedPiece& piece = state_.pieces->at(interval);
+            if (piece.isForbidden) {
+                answer_.isPair = false;
+                meetContact(entry, interval);
+                continue;
+            }
             if (piece.counts == MotionPiece::Counts::kNowhere) continue;
             if (piece.counts == MotionPiece::Counts::kNotAtMiddle && entry.part == 0 &&
                 entry.environment == 0 && interval.depth() < kMostHalvesForCounts &&
                 movedBy(piece, Volume<kWidth>(part_, 0)) > leastMove(piece)) {
                 push(entry, interval.lastHalf(), 0.5f * entry.moved);
                 push(entry, interval.firstHalf(), 0.5f * entry.moved);
-                continue;
-            }
-            if (piece.isForbidden) {
-                answer_.isPair = false;
-                meetContact(entry, interval);
                 continue;
             }
             look(entry, interval, piece);
@@ -402,7 +403,8 @@ class Sweep {
     /// An interval so short is left open. lower: of the pair's distances in it, query units.
     void giveUp(TimeInterval interval, double lower, const PreparedPiece& piece) {
         if (request_.goal == SweepGoal::kLeastDistance) {
-            const double clearance = (lower > 0 ? lower : 0) / piece.query.perMeshUnit - request_.margin;
+            const double proved = lower / piece.query.perMeshUnit - request_.poseError;
+            const double clearance = (proved > 0 ? proved : 0) - request_.margin;
             openLower_ = openLower_ < clearance ? openLower_ : clearance;
             return;
         }

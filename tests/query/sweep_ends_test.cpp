@@ -97,6 +97,39 @@ BOOST_DATA_TEST_CASE(a_full_stack_is_undecided, eachWidth(), width) {
     }
 }
 
+BOOST_AUTO_TEST_CASE(a_forbidden_pose_counts_as_contact_even_where_contact_does_not_count) {
+    const SweptPair pair("boxes", box({1, 2, 3}), box({1, 2, 3}), 8);
+    const RigidMotion motion{{Matrix3::Identity(), {9, 0, 0}}, {1, 0, 0}, Vector3::Zero()};
+    const MotionPieces pieces = [steady = piecesOf(motion, pair.part)](double from, double to) {
+        MotionPiece piece = steady(from, to);
+        piece.counts = MotionPiece::Counts::kNowhere;
+        piece.isForbidden = from + to > 0.5;
+        return piece;
+    };
+    Workspace workspace;
+    SweepOptions options;
+    BOOST_TEST(
+        (sweep(pair.part, pair.environment, pieces, options, workspace).verdict == SweepVerdict::kContact));
+    options.until = 0.2;
+    BOOST_TEST(
+        (sweep(pair.part, pair.environment, pieces, options, workspace).verdict == SweepVerdict::kCertified));
+}
+
+/// Boxes that do not move, 1 apart.
+BOOST_AUTO_TEST_CASE(a_least_distance_leaves_room_for_the_error_of_poses) {
+    const SweptPair pair("boxes", box({1, 2, 3}, 2), box({1, 2, 3}, 2), 8);
+    const RigidMotion motion{{Matrix3::Identity(), {3, 0, 0}}, Vector3::Zero(), Vector3::Zero()};
+    Workspace workspace;
+    for (const double error : {0.0, 1e-3, 0.1, 0.5, 5.0}) {
+        LeastDistanceOptions options;
+        options.poseError = error;
+        const LeastDistance found =
+            leastDistance(pair.part, pair.environment, piecesOf(motion, pair.part), options, workspace);
+        BOOST_TEST(found.lower <= std::max(0.0, 1 - error) + 1e-12, "error " << error);
+        BOOST_TEST(found.lower >= std::max(0.0, 1 - error - 0.011), "error " << error);
+    }
+}
+
 template <class Call>
 void requireRefused(const Call& call, const std::string& words) {
     BOOST_CHECK_EXCEPTION(call(), std::invalid_argument, [&](const std::invalid_argument& error) {
@@ -114,7 +147,7 @@ BOOST_AUTO_TEST_CASE(wrong_arguments_are_refused_by_name) {
         return sweep(pair.part, pair.environment, piecesOf(asked, pair.part), options, workspace);
     };
     const double nan = std::nan("");
-    for (const double wrong : {-1.0, nan}) {
+    for (const double wrong : {-1.0, nan, HUGE_VAL}) {
         SweepOptions options;
         options.margin = wrong;
         requireRefused([&] { ask(motion, options); }, "margin is ");
@@ -122,7 +155,7 @@ BOOST_AUTO_TEST_CASE(wrong_arguments_are_refused_by_name) {
         options.poseError = wrong;
         requireRefused([&] { ask(motion, options); }, "poseError is ");
         options = {};
-        options.leastInterval = wrong;
+        options.leastInterval = wrong < 0 ? wrong : nan;
         requireRefused([&] { ask(motion, options); }, "leastInterval is ");
         options = {};
         options.contactTime = wrong;
@@ -133,7 +166,21 @@ BOOST_AUTO_TEST_CASE(wrong_arguments_are_refused_by_name) {
         options = {};
         options.until = wrong;
         requireRefused([&] { ask(motion, options); }, "until is ");
+        for (const char* name : {"share", "largestShare", "length", "least"}) {
+            LeastDistanceOptions asked;
+            ClearanceResolution& resolution = asked.resolution;
+            (name == std::string("share")          ? resolution.share
+             : name == std::string("largestShare") ? resolution.largestShare
+             : name == std::string("length")       ? resolution.length
+                                                   : resolution.least) = wrong == HUGE_VAL ? nan : wrong;
+            requireRefused(
+                [&] {
+                    leastDistance(pair.part, pair.environment, piecesOf(motion, pair.part), asked, workspace);
+                },
+                "resolution." + std::string(name) + " is ");
+        }
     }
+    requireRefused([&] { sweep(pair.part, pair.environment, {}, {}, workspace); }, "empty");
     RigidMotion wrong = motion;
     wrong.translation.x() = nan;
     requireRefused([&] { ask(wrong, {}); }, "expected");

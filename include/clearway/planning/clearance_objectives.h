@@ -79,7 +79,7 @@ struct MinClearanceOptions {
 /// A motion's cost is certified: no pose of it has less clearance. Some pose exceeds the cost by no more than
 /// 1 % or, where that is more, 1e-3 of the part's diagonal, but then by no more than 10 % or 1e-5 of the
 /// diagonal. (The cost is also lowered by the distance from the end of OMPL's interpolation to the motion's
-/// end, because OMPL leaves out rotations below 1.6e-4 rad.) A cost of at most 0 means that the motion is not
+/// end, because OMPL may leave out rotations of up to 1.6e-4 rad.) A cost of at most 0 means that the motion is not
 /// certified to be valid.
 class MinClearanceObjective : public ClearanceObjective {
   public:

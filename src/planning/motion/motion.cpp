@@ -75,7 +75,8 @@ Motion::Motion(const PosedScene& posed, ClearanceDetail detail, double floor, co
       s1_(s1),
       s2_(s2),
       scratch_(posed.si()),
-      isSwept_(bool(posed.motion())) {}
+      // Sweeps look at the bounds where they look at obstacles.
+      isSwept_(posed.motion() && (posed.areBoundsConvex() || !posed.scene().obstacles.empty())) {}
 
 bool Motion::isEndValid() {
     if (isEndKnown_) return true;

@@ -128,7 +128,7 @@ class Motion {
     MotionSample at(double time, double wanted);  ///< as interpolated; 0 < time < 1
 
     /// Looks at s2 itself. When s2 is valid, the sample holds what is certain both at s2 and at time 1 of the
-    /// interpolation, which need not be s2: OMPL leaves out rotations below 1.6e-4 rad.
+    /// interpolation, which need not be s2: OMPL may leave out rotations of up to 1.6e-4 rad.
     MotionSample atEnd(double wanted);
 
     /// No point of the part moves further than this between the end of the interpolation and s2, nor between

@@ -115,7 +115,7 @@ SceneSweep SceneClearance::sweep(const PartMotion& motion, const SceneSweepOptio
     asked.leastInterval = options.leastInterval;
     asked.poseError = options.poseError;
     asked.isForward = options.isForward;
-    asked.contactTime = options.contactInterval / motion.length;
+    if (options.isForward) asked.contactTime = std::min(1.0, options.contactInterval / motion.length);
     asked.isStopped = options.isStopped;
     visitAll(scene_.obstacles.size(), mine.nearest, [&](std::size_t i) {
         const Obstacle& obstacle = scene_.obstacles[i];

@@ -3,6 +3,7 @@
 #include <ompl/base/ScopedState.h>
 #include <ompl/base/spaces/DubinsStateSpace.h>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
+#include <ompl/base/spaces/SE2StateSpace.h>
 #include <ompl/util/Console.h>
 
 #include <boost/test/unit_test.hpp>
@@ -12,9 +13,11 @@
 #include <thread>
 
 #include "clearway/planning/scene_clearance.h"
+#include "planning/validity/ompl_states.h"
 #include "support/motion_window.h"
 #include "support/part_in_space.h"
 #include "support/random_meshes.h"
+#include "support/window_scene.h"
 
 namespace clearway::planning {
 namespace {
@@ -249,6 +252,26 @@ BOOST_AUTO_TEST_CASE(another_space_is_refused_by_name_and_works_through_callback
     BOOST_TEST(onRail.checkMotion(a.get(), b.get()));
     BOOST_TEST(!onRail.checkMotion(a.get(), outside.get()));
     BOOST_TEST(!raised.checkMotion(a.get(), b.get()));
+}
+
+BOOST_AUTO_TEST_CASE(a_motion_shorter_than_any_number_of_use_is_still_looked_at) {
+    const testing::WindowScene window = testing::windowScene();
+    const auto space = makeSpace(Space::kSe2, Box(Vector3::Constant(-90), Vector3::Constant(90)), 1);
+    const auto si = std::make_shared<ob::SpaceInformation>(space);
+    const MotionValidator validator(si, window.scene);
+    for (const double turn : {4.9e-324, 1e-320, 1e-310, 1e-300}) {
+        for (const double y : {0.0, 40.0}) {  // in the window, and in the wall
+            ob::ScopedState<ob::SE2StateSpace> a(space), b(space);
+            a->setXY(0, y);
+            b->setXY(0, y);
+            a->setYaw(0);
+            b->setYaw(turn);
+            std::pair<ob::State*, double> lastValid(nullptr, 1);
+            BOOST_TEST(validator.checkMotion(a.get(), b.get()) == (y == 0), "turn " << turn);
+            BOOST_TEST(validator.checkMotion(a.get(), b.get(), lastValid) == (y == 0), "turn " << turn);
+            if (y > 0) BOOST_TEST(!validator.keepsClearance(a.get(), b.get(), 1));
+        }
+    }
 }
 
 BOOST_AUTO_TEST_CASE(nothing_is_thrown_by_a_motion_that_cannot_be_judged) {
