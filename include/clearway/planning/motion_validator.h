@@ -79,7 +79,8 @@ struct MotionReport {
 /// A pose of a motion, and the clearance from there to the next point.
 struct ProfilePoint {
     double time = 0;
-    double clearance = 0;  ///< lower bound of distance - margin there; above 0 when the pose is valid
+    /// Lower bound of distance - margin there, or 0 out of the bounds; above 0 exactly when the pose is valid.
+    double clearance = 0;
     /// No pose from this one to the next one has less clearance. Where nothing is certified, this is the
     /// bound that holds for any pose: minus the largest margin.
     double lowerToNext = 0;
@@ -128,15 +129,17 @@ class MotionValidator : public ompl::base::MotionValidator {
 
     /// Goes forward. On false lastValid.second is in [0, 1), all poses up to that time are certified, and
     /// lastValid.first, unless null, holds the state there, as it was interpolated. That state is within a hundred
-    /// least intervals, in displacement, of the pose that blocks. (OMPL's motion from s1 to that state may be another
-    /// one: OMPL may leave out turns of up to 1.6e-4 rad.) When s1 is invalid, lastValid is s1 at time 0. lastValid.first
-    /// may be s1 or s2. On true lastValid stays as it is.
+    /// least intervals, in displacement, of the pose that blocks, or of one that is too close to contact to tell. Where
+    /// motions are certified by clearances it is within two hundred. (OMPL may leave out turns of up to 1.6e-4 rad: s2 may be
+    /// farther from the end of the interpolation, and OMPL's motion from s1 to that state may be another one.) When s1
+    /// is invalid, lastValid is s1 at time 0. lastValid.first may be s1 or s2. On true lastValid stays as it is.
     bool checkMotion(const ompl::base::State* s1, const ompl::base::State* s2,
                      std::pair<ompl::base::State*, double>& lastValid) const override;
 
     /// Reports a motion in full. The bounds of a valid motion's clearance are no farther apart than 1 % of it
     /// or, where that is more, 1e-3 of the part's diagonal, but then no farther than 10 % of it or the least
-    /// interval; unless the environment's reach ends before. Not counted.
+    /// interval; unless the environment's reach ends before, or the motion comes to a contact zone's border without
+    /// crossing it, where it is too close to tell which obstacles count. Not counted.
     MotionReport report(const ompl::base::State* s1, const ompl::base::State* s2) const;
 
     /// Reports a motion with clearances along it. Between two neighbouring points of the certified part the clearance is

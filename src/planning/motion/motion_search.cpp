@@ -283,7 +283,7 @@ std::vector<MotionInterval> MotionSearch::profile(double share) {
         const double time = profiledTime(from, to);
         const bool isShort = motion_.length() * (to.time - from.time) <= leastInterval_;
         if (lower >= share * std::min(from.room.lower, to.room.lower) || isShort ||
-            !isBetween(time, from, to)) {
+            !isBetween(time, from, to) || (isStopped_ && isStopped_())) {
             settled.push_back({from, to, lower});
             continue;
         }

@@ -133,7 +133,8 @@ std::optional<double> MotionSweep::leastClearance(double cap, const ClearanceRes
     return found->lower;
 }
 
-/// Between two points, a share of the lesser clearance of both is certified by a sweep of that stretch.
+/// Between two points, a share of the lesser clearance of both is certified by a sweep of that stretch. When the validator
+/// is stopped, what is left is one stretch that is known to be valid.
 std::vector<MotionInterval> MotionSweep::profile(double share) {
     std::vector<MotionInterval> settled;
     if (certifiedTime_ == 0) return settled;
@@ -155,7 +156,7 @@ std::vector<MotionInterval> MotionSweep::profile(double share) {
         options.until = to.time;
         options.floor = std::max(wanted, 0.0);
         const bool isKnown = wanted <= least_.value_or(0);
-        if (isShort) {
+        if (isShort || (options.isStopped && options.isStopped())) {
             settled.push_back({from, to, 0});
         } else if (motion_.length() * step <= longest &&
                    (isKnown || motion_.sweep(options).verdict == SweepVerdict::kCertified)) {

@@ -79,6 +79,21 @@ BOOST_AUTO_TEST_CASE(a_motion_that_would_take_long_is_undecided_as_soon_as_it_is
     BOOST_TEST(unstopped.validator->counters().queries < 60u);
 }
 
+BOOST_AUTO_TEST_CASE(a_profile_ends_as_soon_as_it_is_stopped) {
+    MotionOptions options;
+    int asked = 0, most = 0;
+    options.isStopped = [&] { return ++asked > most; };
+    const Fixture f(0, options);
+    const auto s1 = f.at({-90, 0, 30}), s2 = f.at({0, 0, 30}, 1);
+    for (most = 0; most < 60; most += 5) {
+        asked = 0;
+        const MotionProfile profile = f.validator->profile(s1.get(), s2.get());
+        BOOST_TEST(profile.points.size() < 300u, "stopped after " << most);
+        BOOST_TEST(profile.points.front().time == 0);
+        BOOST_TEST(profile.points.back().time == 1);
+    }
+}
+
 BOOST_AUTO_TEST_CASE(a_collision_reached_by_grazing_is_told_as_one) {
     const Fixture f;
     for (const double depth : {1e-4, 0.01, 0.1}) {
