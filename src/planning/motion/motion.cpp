@@ -65,6 +65,16 @@ MotionSample lessened(const MotionSample& sample, double jump) {
     return combined(sample, sample, less, more);
 }
 
+/// Lets zones that only this sample ignores count, with the room that the sample has there. Their clearance may be unknown.
+MotionSample comparable(MotionSample sample, const MotionSample& other) {
+    for (std::size_t i = 0; i < kMostZones; ++i) {
+        ZoneClearance& zone = sample.zones[i];
+        const bool counts = zone.isIgnored() && !other.zones[i].isIgnored();
+        if (counts) zone.clearance.lower = std::max(zone.clearance.lower, zone.spare.lower);
+    }
+    return sample;
+}
+
 }  // namespace
 
 Motion::Motion(const PosedScene& posed, ClearanceDetail detail, double floor, const ob::State* s1,
@@ -316,7 +326,9 @@ MotionSample Motion::atEnd(double wanted) {
     const MotionSample interpolated = at(kJustBeforeEnd, wanted);
     if (!end.isValid() || !interpolated.isValid()) return end.isValid() ? interpolated : end;
     isOutside_ = true;
-    return combined(certain, combined(end, interpolated, least, most), most, least);
+    const MotionSample both =
+        combined(comparable(end, interpolated), comparable(interpolated, end), least, most);
+    return combined(certain, both, most, least);
 }
 
 double Motion::findEndJump() const {

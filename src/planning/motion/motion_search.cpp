@@ -84,6 +84,8 @@ MotionInterval MotionSearch::interval(const MotionSample& from, const MotionSamp
     const double way = motion_.length() == 0 ? 0 : motion_.length() * (to.time - from.time) + motion_.slack();
     const double first = from.always.lower, last = to.always.lower;
     double lower = std::min({0.5 * (first + last - way), first, last});
+    // The samples themselves may have less than the way between them allows: s2 is off the end of the interpolation.
+    lower = std::min({lower, from.lower, to.lower});
     for (std::size_t i = 0; i < motion_.zoneCount(); ++i) {
         lower = std::min(lower, lowerBetween(from.zones[i], to.zones[i], way));
     }
@@ -99,11 +101,7 @@ double MotionSearch::lowerBetween(const ZoneClearance& from, const ZoneClearance
     if (isIgnoredThroughout) return std::numeric_limits<double>::infinity();
     const double first = from.clearance.lower, last = to.clearance.lower;
     const double x = std::clamp(0.5 * (way + first - last), low, high);
-    double lower = std::max(first - x, last - (way - x));
-    // The samples themselves may have less: s2 is off the end of the interpolation.
-    if (!from.isIgnored()) lower = std::min(lower, first);
-    if (!to.isIgnored()) lower = std::min(lower, last);
-    return lower;
+    return std::max(first - x, last - (way - x));
 }
 
 /// The middle of the stretch that the rooms at both ends leave open.

@@ -292,6 +292,26 @@ BOOST_AUTO_TEST_CASE(the_clearance_at_the_end_counts_wherever_the_interpolation_
     }
 }
 
+// The same turn puts the part onto a plate that is ignored there; the interpolation ends beside the plate.
+BOOST_AUTO_TEST_CASE(a_zone_that_only_the_end_itself_is_in_leaves_the_motion_valid) {
+    const Vector3 bodyInPart(0, 1e5, 0);
+    Scene scene{Model::build(at(box({1, 1, 1}), bodyInPart)), Model::build(at(box({4, 4, 1}), {0, 0, -2}))};
+    scene.obstacles[0].isIgnoredAtGoal = true;
+    const PartInSpace anywhere(Scene(scene.part), 2e5);
+    const auto s1 = anywhere.at(Vector3(8, 12, 0) - bodyInPart);
+    const auto s2 = anywhere.at(Vector3(8, 0, 0) - bodyInPart, 8e-5);
+    scene.goalContact = ContactZone{anywhere.checker->pose(s2.get()), 2};
+    const PartInSpace space(scene, 2e5);
+    const planning::MotionValidator byClearance(space.si, scene, planning::stateToPose(*space.space),
+                                                planning::displacementBound(*space.space, scene.part));
+    const planning::MotionValidator* const validators[] = {space.validator.get(), &byClearance};
+    for (const planning::MotionValidator* validator : validators) {
+        std::pair<ob::State*, double> lastValid(nullptr, 1);
+        BOOST_TEST(validator->checkMotion(s1.get(), s2.get()));
+        BOOST_TEST(validator->checkMotion(s1.get(), s2.get(), lastValid));
+    }
+}
+
 BOOST_AUTO_TEST_CASE(in_the_plane_zones_count_too) {
     Assembly assembly;
     assembly.obstacles.clear();
