@@ -30,7 +30,7 @@ class DiscreteMotionValidator : public ompl::base::MotionValidator {
     DiscreteMotionValidator(const ompl::base::SpaceInformationPtr& si, DisplacementBound bound, double step);
 
     /// A motion is also invalid when its interpolation ends farther from s2 than the step (OMPL leaves out
-    /// rotations below 1.6e-4 rad), because it cannot be checked that closely, and when it has no finite
+    /// turns of up to 1.6e-4 rad), because it cannot be checked that closely, and when it has no finite
     /// bound.
     bool checkMotion(const ompl::base::State* s1, const ompl::base::State* s2) const override;
 

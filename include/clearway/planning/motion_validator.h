@@ -129,10 +129,11 @@ class MotionValidator : public ompl::base::MotionValidator {
 
     /// Goes forward. On false lastValid.second is in [0, 1), all poses up to that time are certified, and
     /// lastValid.first, unless null, holds the state there, as it was interpolated. That state is within a hundred
-    /// least intervals, in displacement, of the pose that blocks, or of one that is too close to contact to tell. Where
-    /// motions are certified by clearances it is within two hundred. (OMPL may leave out turns of up to 1.6e-4 rad: s2 may be
-    /// farther from the end of the interpolation, and OMPL's motion from s1 to that state may be another one.) When s1
-    /// is invalid, lastValid is s1 at time 0. lastValid.first may be s1 or s2. On true lastValid stays as it is.
+    /// least intervals, in displacement, of the pose that blocks, or of one that is too close to contact or to a
+    /// contact zone's border to tell. Where motions are certified by clearances it is within two hundred. (OMPL may
+    /// leave out turns of up to 1.6e-4 rad: s2 may be farther from the end of the interpolation, and OMPL's motion from
+    /// s1 to that state may be another one.) When s1 is invalid, lastValid is s1 at time 0. lastValid.first may be s1
+    /// or s2. On true lastValid stays as it is.
     bool checkMotion(const ompl::base::State* s1, const ompl::base::State* s2,
                      std::pair<ompl::base::State*, double>& lastValid) const override;
 
