@@ -44,6 +44,8 @@
 #include <stdexcept>
 #include <type_traits>
 
+#include "clearway/planning/planner_team.h"
+#include "clearway/planning/sliding_rrt_connect.h"
 #include "core/number.h"
 #include "core/text.h"
 #include "planning/planners/rising_floor.h"
@@ -114,6 +116,7 @@ constexpr NamedPlanner kPlanners[] = {
     {"PDST", make<og::PDST>, true},
     {"PRM", make<og::PRM>, false},
     {"PRMstar", make<og::PRMstar>, false},
+    {"PlannerTeam", make<PlannerTeam>, true},
     {"ProjEST", make<og::ProjEST>, true},
     {"RRT", make<og::RRT>, true},
     {"RRTConnect", make<og::RRTConnect>, true},
@@ -123,6 +126,7 @@ constexpr NamedPlanner kPlanners[] = {
     {"RisingFloor", make<RisingFloor>, false},
     {"SBL", make<og::SBL>, true},
     {"SORRTstar", make<og::SORRTstar>, true},
+    {"SlidingRRTConnect", make<SlidingRRTConnect>, true},
     {"SPARS", make<og::SPARS>, false},
     {"SPARStwo", make<og::SPARStwo>, false},
     {"SST", make<og::SST>, true},

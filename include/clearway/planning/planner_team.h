@@ -1,0 +1,52 @@
+// Several planners for one problem, side by side or by turns, until one of them finds a path.
+#pragma once
+
+#include <ompl/base/Planner.h>
+
+#include <memory>
+#include <vector>
+
+namespace clearway::planning {
+
+/// Runs RRTConnect, which is quick where passages are wide, and two SlidingRRTConnect, one with standoffs of its
+/// default range and one with finer ones. No planner's run decides: RRTConnect begins anew after runs whose lengths
+/// follow the sequence of Luby, Sinclair and Zuckerman (Optimal Speedup of Las Vegas Algorithms, 1993), because a run
+/// that has not ended early hardly ever ends; and who has had the least time is next.
+///
+/// With one thread the turns are counted in iterations, so that one seed gives one path whatever the machine does
+/// besides. With more threads they are counted in time.
+///
+/// The solution's planner name tells the member and its run. Without an exact solution the problem definition gets the
+/// approximate one that comes closest. A further solve() goes on from there.
+class PlannerTeam : public ompl::base::Planner {
+  public:
+    /// si: as SlidingRRTConnect takes it.
+    explicit PlannerTeam(const ompl::base::SpaceInformationPtr& si);
+    ~PlannerTeam() override;
+
+    /// Throws as SlidingRRTConnect::setup does.
+    void setup() override;
+    ompl::base::PlannerStatus solve(const ompl::base::PlannerTerminationCondition& isSpent) override;
+    void clear() override;
+    void getPlannerData(ompl::base::PlannerData& data) const override;
+
+    /// The longest edge of RRTConnect's trees; 0: OMPL's.
+    void setRange(double range) { range_ = range; }
+    double getRange() const { return range_; }
+
+    /// How many members run at a time. There are at least three members, and no fewer than threads.
+    void setThreads(unsigned int threads) { threads_ = threads; }
+    unsigned int getThreads() const { return threads_; }
+
+  private:
+    struct Member;
+    class Turns;
+
+    void makeMembers();
+
+    double range_ = 0;
+    unsigned int threads_ = 1;
+    std::vector<std::unique_ptr<Member>> members_;
+};
+
+}  // namespace clearway::planning

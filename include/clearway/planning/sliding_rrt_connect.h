@@ -1,0 +1,71 @@
+// A planner for narrow passages: RRT-Connect whose trees slide along what blocks them.
+#pragma once
+
+#include <ompl/base/Planner.h>
+#include <ompl/datastructures/NearestNeighbors.h>
+#include <ompl/util/RandomNumbers.h>
+
+#include <limits>
+#include <memory>
+#include <vector>
+
+namespace clearway::planning {
+
+/// Grows one tree from the start and one from the goal, as RRT-Connect does (Kuffner and LaValle, RRT-Connect: An
+/// Efficient Approach to Single-Query Path Planning, ICRA 2000). Where an extension is blocked, a distance query names
+/// the closest points, and the part moves on along the plane between them, a standoff away, up to several planes at a
+/// time. So extensions follow walls into passages that hardly any sample lies in. Retraction to contact is the idea of
+/// Zhang and Manocha (An Efficient Retraction-based RRT Planner, ICRA 2008); nodes that lead nowhere are left out by
+/// dynamic domains (Yershova, Jaillet, Simeon, LaValle, Dynamic-Domain RRTs, ICRA 2005).
+///
+/// The scene is that of the space information's validity checker, which must be one of clearway's; the space is
+/// OMPL's SE(3) or SE(2). All motions of a path were checked by the space information's motion validator, in the
+/// direction in which the path takes them.
+///
+/// The range of standoffs decides which passages are found: a standoff must fit into a passage's room on both sides, and
+/// small standoffs make for small steps. Two planners with different ranges, side by side, find more than one with both.
+class SlidingRRTConnect : public ompl::base::Planner {
+  public:
+    explicit SlidingRRTConnect(const ompl::base::SpaceInformationPtr& si);
+    ~SlidingRRTConnect() override;
+
+    /// Throws std::invalid_argument when the space or the validity checker is not as above.
+    void setup() override;
+    ompl::base::PlannerStatus solve(const ompl::base::PlannerTerminationCondition& isSpent) override;
+    void clear() override;
+    void getPlannerData(ompl::base::PlannerData& data) const override;
+
+    /// The longest way of an extension towards a sample, in environment units; 0: two diagonals of the part's box. A way
+    /// adds the straight way of the centre of the part's box to its turn times a quarter of the diagonal.
+    void setRange(double range) { range_ = range; }
+    double getRange() const { return range_; }
+
+    /// Each extension draws its standoff from this range, evenly by its logarithm: the gap that slides keep. Environment
+    /// units; 0: 0.001 and 0.05 of the diagonal of the part's box.
+    void setLeastStandoff(double standoff) { leastStandoff_ = standoff; }
+    double getLeastStandoff() const { return leastStandoff_; }
+    void setMostStandoff(double standoff) { mostStandoff_ = standoff; }
+    double getMostStandoff() const { return mostStandoff_; }
+
+  private:
+    struct Node;
+    struct Tree;
+    struct Lengths;
+    class Extension;
+
+    void addRoot(Tree& tree, const ompl::base::State* state) const;
+    Node* addPoint(Tree& tree, Node* parent, const ompl::base::State* state) const;
+    Tree& treeOf(bool isFromStart) const { return isFromStart ? *start_ : *goal_; }
+    Node* extend(Tree& tree, Node* from, const ompl::base::State* target, double reach, bool& isReached);
+    void addSolution(const Node* inStart, const Node* inGoal, bool isExact);
+    bool addGoals(const ompl::base::PlannerTerminationCondition& isSpent);
+
+    double range_ = 0, leastStandoff_ = 0, mostStandoff_ = 0;
+    std::unique_ptr<Lengths> lengths_;
+    std::unique_ptr<Tree> start_, goal_;
+    ompl::base::StateSamplerPtr sampler_;
+    ompl::RNG random_;
+    bool isStartNext_ = true;
+};
+
+}  // namespace clearway::planning

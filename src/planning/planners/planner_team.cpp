@@ -1,0 +1,221 @@
+#include "clearway/planning/planner_team.h"
+
+#include <ompl/base/goals/GoalSampleableRegion.h>
+#include <ompl/geometric/planners/rrt/RRTConnect.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <future>
+#include <limits>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "clearway/planning/clearance_objectives.h"
+#include "clearway/planning/sliding_rrt_connect.h"
+
+namespace clearway::planning {
+
+namespace ob = ompl::base;
+namespace og = ompl::geometric;
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Iterations of RRTConnect's shortest run. On a bracket in a slot, half of all runs have ended by then.
+constexpr std::uint64_t kShortestRun = 1000;
+/// Iterations of a turn. An iteration of a sliding planner takes as long as some dozens of RRTConnect.
+constexpr std::uint64_t kTurn = 1000, kSlidingTurn = 30;
+/// Finer standoffs, as shares of the diagonal of the part's box.
+constexpr double kLeastFineStandoff = 0.00025, kMostFineStandoff = 0.01;
+
+/// The sequence 1, 1, 2, 1, 1, 2, 4, 1, ... of Luby, Sinclair and Zuckerman. i counts from 1.
+std::uint64_t luby(std::uint64_t i) {
+    std::uint64_t power = 1;
+    while (power - 1 < i) power *= 2;
+    while (power - 1 != i) {
+        i -= power / 2 - 1;
+        power = 1;
+        while (power - 1 < i) power *= 2;
+    }
+    return power / 2;
+}
+
+}  // namespace
+
+struct PlannerTeam::Member {
+    std::string name;
+    ob::PlannerPtr planner;
+    ob::ProblemDefinitionPtr definition;
+    std::uint64_t turn;                ///< iterations
+    std::uint64_t shortestRun = 0;     ///< iterations; 0: one run only
+    std::uint64_t runs = 0, left = 0;  ///< iterations left in the present run
+    double spent = 0;                  ///< seconds or, by turns, the number of turns
+    bool isBusy = false;
+
+    /// Returns the status of a turn that ends early when isOver returns true.
+    ob::PlannerStatus takeTurn(const std::function<bool()>& isOver) {
+        if (left == 0) {
+            if (runs > 0) planner->clear();
+            ++runs;
+            left = shortestRun > 0 ? shortestRun * luby(runs) : std::numeric_limits<std::uint64_t>::max();
+        }
+        const std::uint64_t most = std::min(left, turn);
+        std::uint64_t count = 0;
+        const ob::PlannerTerminationCondition isTurnOver(
+            [&] { return count >= most || isOver() || (++count, false); });
+        definition->clearSolutionPaths();
+        const ob::PlannerStatus status = planner->solve(isTurnOver);
+        left -= std::max<std::uint64_t>(1, std::min(count, left));
+        return status;
+    }
+};
+
+/// Who is next, and whether a solution was found. Used by several threads at once.
+class PlannerTeam::Turns {
+  public:
+    Turns(std::vector<std::unique_ptr<Member>>& members, bool isByTime,
+          const ob::PlannerTerminationCondition& isSpent)
+        : members_(members), isByTime_(isByTime), isSpent_(isSpent) {}
+
+    void work() {
+        while (Member* member = next()) {
+            const Clock::time_point begin = Clock::now();
+            const ob::PlannerStatus status = member->takeTurn([this] { return isFound_ || isSpent_(); });
+            const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+            finish(*member, status, isByTime_ ? seconds : 1);
+        }
+    }
+
+    const Member* winner() const { return winner_; }
+    /// The status of a member that cannot plan at all.
+    const std::optional<ob::PlannerStatus>& failure() const { return failure_; }
+
+  private:
+    Member* next() {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        if (isFound_ || failure_ || isSpent_()) return nullptr;
+        Member* chosen = nullptr;
+        for (const auto& member : members_) {
+            if (!member->isBusy && (chosen == nullptr || member->spent < chosen->spent))
+                chosen = member.get();
+        }
+        if (chosen != nullptr) chosen->isBusy = true;
+        return chosen;
+    }
+
+    void finish(Member& member, const ob::PlannerStatus& status, double spent) {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        member.isBusy = false;
+        member.spent += spent;
+        if (status == ob::PlannerStatus::EXACT_SOLUTION && winner_ == nullptr) {
+            winner_ = &member;
+            isFound_ = true;
+        } else if (status != ob::PlannerStatus::TIMEOUT &&
+                   status != ob::PlannerStatus::APPROXIMATE_SOLUTION && !isFound_) {
+            failure_ = status;
+            isFound_ = true;
+        }
+    }
+
+    std::vector<std::unique_ptr<Member>>& members_;
+    bool isByTime_;
+    const ob::PlannerTerminationCondition& isSpent_;
+    std::mutex mutex_;
+    std::atomic<bool> isFound_{false};
+    const Member* winner_ = nullptr;
+    std::optional<ob::PlannerStatus> failure_;
+};
+
+PlannerTeam::PlannerTeam(const ob::SpaceInformationPtr& si) : Planner(si, "PlannerTeam") {
+    specs_.recognizedGoal = ob::GOAL_SAMPLEABLE_REGION;
+    specs_.multithreaded = true;
+    specs_.directed = true;
+    declareParam<double>("range", this, &PlannerTeam::setRange, &PlannerTeam::getRange, "0.:1.:10000.");
+    declareParam<unsigned int>("threads", this, &PlannerTeam::setThreads, &PlannerTeam::getThreads, "1:256");
+}
+
+PlannerTeam::~PlannerTeam() = default;
+
+void PlannerTeam::makeMembers() {
+    const double diagonal = sceneOf(si_).part.box().diagonal().norm();
+    constexpr unsigned int kKinds = 3;
+    const unsigned int count = std::max(threads_, kKinds);
+    for (unsigned int i = 0; i < count; ++i) {
+        auto member = std::make_unique<Member>();
+        if (i % kKinds == 0) {
+            const auto planner = std::make_shared<og::RRTConnect>(si_);
+            planner->setRange(range_);
+            *member = {"RRTConnect", planner, nullptr, kTurn, kShortestRun};
+        } else {
+            const auto planner = std::make_shared<SlidingRRTConnect>(si_);
+            const bool isFine = i % kKinds == 2;
+            if (isFine) {
+                planner->setLeastStandoff(kLeastFineStandoff * diagonal);
+                planner->setMostStandoff(kMostFineStandoff * diagonal);
+            }
+            *member = {isFine ? "SlidingRRTConnect, fine" : "SlidingRRTConnect", planner, nullptr,
+                       kSlidingTurn};
+        }
+        members_.push_back(std::move(member));
+    }
+}
+
+void PlannerTeam::setup() {
+    Planner::setup();
+    if (members_.empty()) makeMembers();
+    for (const auto& member : members_) member->planner->setup();
+}
+
+void PlannerTeam::clear() {
+    Planner::clear();
+    members_.clear();
+    setup_ = false;
+}
+
+ob::PlannerStatus PlannerTeam::solve(const ob::PlannerTerminationCondition& isSpent) {
+    checkValidity();
+    for (const auto& member : members_) {
+        if (member->definition && member->definition->getGoal() == pdef_->getGoal()) continue;
+        member->definition = std::make_shared<ob::ProblemDefinition>(si_);
+        for (unsigned int i = 0; i < pdef_->getStartStateCount(); ++i) {
+            member->definition->addStartState(pdef_->getStartState(i));
+        }
+        member->definition->setGoal(pdef_->getGoal());
+        member->planner->setProblemDefinition(member->definition);
+    }
+    Turns turns(members_, threads_ > 1, isSpent);
+    std::vector<std::future<void>> others;
+    for (unsigned int i = 1; i < threads_; ++i) {
+        others.push_back(std::async(std::launch::async, [&] { turns.work(); }));
+    }
+    turns.work();
+    for (auto& other : others) other.get();
+
+    const Member* best = turns.winner();
+    if (best == nullptr && turns.failure()) return *turns.failure();
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto& member : members_) {
+        if (turns.winner() != nullptr || !member->definition->hasSolution()) continue;
+        if (member->definition->getSolutionDifference() >= least) continue;
+        least = member->definition->getSolutionDifference();
+        best = member.get();
+    }
+    if (best == nullptr) return ob::PlannerStatus::TIMEOUT;
+    ob::PlannerSolution solution = best->definition->getSolutions().front();
+    const std::string run = best->shortestRun > 0 ? ", run " + std::to_string(best->runs) : "";
+    solution.setPlannerName(best->name + run);
+    pdef_->addSolutionPath(solution);
+    return turns.winner() != nullptr ? ob::PlannerStatus::EXACT_SOLUTION
+                                     : ob::PlannerStatus::APPROXIMATE_SOLUTION;
+}
+
+void PlannerTeam::getPlannerData(ob::PlannerData& data) const {
+    Planner::getPlannerData(data);
+    for (const auto& member : members_) member->planner->getPlannerData(data);
+}
+
+}  // namespace clearway::planning

@@ -1,0 +1,388 @@
+#include "clearway/planning/sliding_rrt_connect.h"
+
+#include <ompl/base/goals/GoalSampleableRegion.h>
+#include <ompl/geometric/PathGeometric.h>
+#include <ompl/tools/config/SelfConfig.h>
+#include <ompl/util/Console.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "clearway/planning/clearance_objectives.h"
+#include "planning/planners/contact_planes.h"
+#include "planning/validity/ompl_states.h"
+
+namespace clearway::planning {
+
+namespace ob = ompl::base;
+namespace og = ompl::geometric;
+
+namespace {
+
+// Shares of half the diagonal of the part's box.
+constexpr double kLeastStandoff = 0.002, kMostStandoff = 0.1;
+constexpr double kRange = 4;
+constexpr double kLongestSlide = 0.5;   ///< of one step, because contact planes change on the way
+constexpr double kForgottenGap = 0.02;  ///< added to kForgottenStandoffs
+constexpr double kLeastStep = 0.001;    ///< shorter ones count as no progress
+constexpr double kFirstDomain = 1, kLeastDomain = 0.3;  ///< a node's radius after its first failure
+
+constexpr double kForgottenStandoffs = 4;  ///< contacts with a larger gap do not count
+constexpr double kLeastStepStandoffs = 0.05;
+constexpr double kStepBack = 0.2;  ///< standoffs, from where a motion is blocked
+constexpr int kMostSteps = 30, kMostShortSteps = 4;
+constexpr std::size_t kMostContacts = 8;
+constexpr double kLikeContact = 0.15;    ///< rows closer than this are the same contact
+constexpr double kLeastProgress = 0.05;  ///< of a step, along the way to the target
+constexpr double kDomainGrowth = 1.1, kDomainLoss = 0.9;
+constexpr double kTendBack = 0.5;
+
+}  // namespace
+
+struct SlidingRRTConnect::Lengths {
+    Lengths(const ob::SpaceInformationPtr& si, const SlidingRRTConnect& planner)
+        : clearance(sceneOf(si)), moves(*si->getStateSpace(), clearance.scene().part) {
+        const double radius = moves.radius();
+        range = planner.range_ > 0 ? planner.range_ : kRange * radius;
+        leastStandoff = planner.leastStandoff_ > 0 ? planner.leastStandoff_ : kLeastStandoff * radius;
+        mostStandoff = std::max(leastStandoff,
+                                planner.mostStandoff_ > 0 ? planner.mostStandoff_ : kMostStandoff * radius);
+    }
+
+    SceneClearance clearance;
+    PartMoves moves;
+    double range, leastStandoff, mostStandoff;
+};
+
+/// A state of a tree. Between two nodes of the tree lie points of the slide that joins them.
+struct SlidingRRTConnect::Node {
+    ob::State* state;
+    Node* parent;
+    double domain = std::numeric_limits<double>::infinity();  ///< samples farther away are not for this node
+};
+
+struct SlidingRRTConnect::Tree {
+    Tree(const ob::Planner* planner, bool isStart)
+        : si(planner->getSpaceInformation()),
+          isFromStart(isStart),
+          nodes(ompl::tools::SelfConfig::getDefaultNearestNeighbors<Node*>(planner)) {
+        nodes->setDistanceFunction(
+            [this](const Node* a, const Node* b) { return si->distance(a->state, b->state); });
+    }
+    ~Tree() { clear(); }
+    Tree(const Tree&) = delete;
+    Tree& operator=(const Tree&) = delete;
+
+    void clear() {
+        nodes->clear();
+        for (const auto& node : all) si->freeState(node->state);
+        all.clear();
+    }
+    Node* nearest(const ob::State* state) const {
+        Node probe{const_cast<ob::State*>(state), nullptr};
+        return nodes->nearest(&probe);
+    }
+
+    ob::SpaceInformationPtr si;
+    bool isFromStart;
+    std::shared_ptr<ompl::NearestNeighbors<Node*>> nodes;
+    std::vector<std::unique_ptr<Node>> all;
+};
+
+SlidingRRTConnect::SlidingRRTConnect(const ob::SpaceInformationPtr& si) : Planner(si, "SlidingRRTConnect") {
+    specs_.recognizedGoal = ob::GOAL_SAMPLEABLE_REGION;
+    specs_.directed = true;
+    declareParam<double>("range", this, &SlidingRRTConnect::setRange, &SlidingRRTConnect::getRange,
+                         "0.:1.:10000.");
+    declareParam<double>("least_standoff", this, &SlidingRRTConnect::setLeastStandoff,
+                         &SlidingRRTConnect::getLeastStandoff, "0.:.01:100.");
+    declareParam<double>("most_standoff", this, &SlidingRRTConnect::setMostStandoff,
+                         &SlidingRRTConnect::getMostStandoff, "0.:.01:1000.");
+}
+
+SlidingRRTConnect::~SlidingRRTConnect() = default;
+
+void SlidingRRTConnect::setup() {
+    Planner::setup();
+    lengths_ = std::make_unique<Lengths>(si_, *this);
+    if (!start_) {
+        start_ = std::make_unique<Tree>(this, true);
+        goal_ = std::make_unique<Tree>(this, false);
+    }
+}
+
+void SlidingRRTConnect::clear() {
+    Planner::clear();
+    sampler_.reset();
+    if (start_) start_->clear();
+    if (goal_) goal_->clear();
+    isStartNext_ = true;
+}
+
+SlidingRRTConnect::Node* SlidingRRTConnect::addPoint(Tree& tree, Node* parent, const ob::State* state) const {
+    tree.all.push_back(std::make_unique<Node>(Node{si_->cloneState(state), parent}));
+    return tree.all.back().get();
+}
+
+void SlidingRRTConnect::addRoot(Tree& tree, const ob::State* state) const {
+    tree.nodes->add(addPoint(tree, nullptr, state));
+}
+
+/// One extension of a tree: moves on to its target, along contacts where it must.
+class SlidingRRTConnect::Extension {
+  public:
+    Extension(const SlidingRRTConnect& planner, Tree& tree, Node* from, double standoff)
+        : planner_(planner),
+          lengths_(*planner.lengths_),
+          moves_(lengths_.moves),
+          tree_(tree),
+          at_(from),
+          node_(from),
+          standoff_(standoff),
+          next_(*planner.si_),
+          shorter_(*planner.si_) {}
+
+    /// Returns the last node, which is the one begun from when the extension added none.
+    Node* run(const ob::State* target, double reach) {
+        int shortSteps = 0;
+        for (int step = 0; step < kMostSteps && reach > 0; ++step) {
+            const std::optional<bool> isWhole = chooseNext(target, reach);
+            if (!isWhole) break;
+            const Node* before = at_;
+            const bool isFree = advance();
+            const double moved = before == at_ ? 0 : moves_.between(before->state, at_->state).norm();
+            reach -= moved;
+            sinceNode_ += moved;
+            if (isFree && *isWhole) {
+                isReached_ = true;
+                break;
+            }
+            if (sinceNode_ >= lengths_.mostStandoff) makeNode();
+            const double least = std::max(kLeastStep * moves_.radius(), kLeastStepStandoffs * standoff_);
+            shortSteps = moved < least ? shortSteps + 1 : 0;
+            if (shortSteps == kMostShortSteps) break;
+            if (!isFree || !contacts_.empty()) lookAround();
+        }
+        if (isReached_ || sinceNode_ >= 0.2 * lengths_.mostStandoff) makeNode();
+        return node_;
+    }
+
+    bool isReached() const { return isReached_; }
+
+  private:
+    void makeNode() {
+        if (at_ == node_) return;
+        tree_.nodes->add(at_);
+        node_ = at_;
+        sinceNode_ = 0;
+    }
+
+    /// Puts the state to move to next into next_. Returns whether it is the target itself; none when contacts leave no way on.
+    std::optional<bool> chooseNext(const ob::State* target, double reach) {
+        const Twist wanted = moves_.between(at_->state, target);
+        const double way = wanted.norm();
+        const bool isNear = way <= reach;
+        Twist step = isNear ? wanted : Twist(wanted * (reach / way));
+        const Pose X_environmentPart = moves_.pose(at_->state);
+        const double forgotten = kForgottenStandoffs * standoff_ + kForgottenGap * moves_.radius();
+        std::vector<ContactRow> rows;
+        for (std::size_t i = 0; i < contacts_.size();) {
+            const ContactRow row = rowAt(contacts_[i], moves_, X_environmentPart);
+            if (row.gap > forgotten) {
+                contacts_.erase(contacts_.begin() + static_cast<std::ptrdiff_t>(i));
+            } else {
+                rows.push_back(row);
+                ++i;
+            }
+        }
+        if (rows.empty()) {
+            if (isNear) {
+                planner_.si_->copyState(next_.get(), target);
+            } else {
+                moves_.move(at_->state, step, next_.get());
+            }
+            return isNear;
+        }
+        const double longest = kLongestSlide * moves_.radius();
+        const bool isShortened = step.norm() > longest;
+        if (isShortened) step *= longest / step.norm();
+        const Twist free = step;
+        step = nearestKeeping(standoff_, rows, free);
+        const double along = step.dot(wanted);
+        if (along < kLeastProgress * way * free.norm() && step.norm() < 2 * standoff_) return std::nullopt;
+        if (along < -kTendBack * standoff_ * way) return std::nullopt;
+        const bool isUnchanged = (step - free).squaredNorm() == 0;
+        if (isNear && !isShortened && isUnchanged) {
+            planner_.si_->copyState(next_.get(), target);
+            return true;
+        }
+        moves_.move(at_->state, step, next_.get());
+        return false;
+    }
+
+    /// Moves on to next_, or to where that motion is blocked. Returns whether it is not blocked.
+    bool advance() {
+        const ob::SpaceInformation& si = *planner_.si_;
+        std::pair<ob::State*, double> last(shorter_.get(), 1);
+        const bool isFree = si.getMotionValidator()->checkMotion(at_->state, next_.get(), last);
+        const double way = moves_.between(at_->state, next_.get()).norm();
+        if (!isFree) {
+            const double time = last.second - kStepBack * standoff_ / way;
+            if (!(time > 0)) return false;
+            si.getStateSpace()->interpolate(at_->state, next_.get(), time, shorter_.get());
+            si.copyState(next_.get(), shorter_.get());
+        }
+        // The motion to where it was cut is another motion for OMPL, and paths take those of the goal's tree in reverse.
+        const bool isChecked = isFree && tree_.isFromStart;
+        const bool isValid = isChecked || (tree_.isFromStart ? si.checkMotion(at_->state, next_.get())
+                                                             : si.checkMotion(next_.get(), at_->state));
+        if (!isValid) return false;
+        at_ = planner_.addPoint(tree_, at_, next_.get());
+        return isFree;
+    }
+
+    /// Remembers the plane of the closest pair.
+    void lookAround() {
+        const Pose X_environmentPart = moves_.pose(at_->state);
+        ClearanceOptions options;
+        options.cap = kForgottenStandoffs * standoff_ + kForgottenGap * moves_.radius();
+        options.isRough = true;
+        const PoseClearance found = lengths_.clearance.at(X_environmentPart, options);
+        const auto plane = contactPlaneOf(found.nearest, lengths_.clearance.scene(), X_environmentPart);
+        if (!plane) return;
+        const ContactRow row = rowAt(*plane, moves_, X_environmentPart);
+        if (row.gap > options.cap) return;
+        for (ContactPlane& known : contacts_) {
+            if ((rowAt(known, moves_, X_environmentPart).row - row.row).norm() < kLikeContact) {
+                known = *plane;
+                return;
+            }
+        }
+        if (contacts_.size() == kMostContacts) contacts_.erase(contacts_.begin());
+        contacts_.push_back(*plane);
+    }
+
+    const SlidingRRTConnect& planner_;
+    const Lengths& lengths_;
+    const PartMoves& moves_;
+    Tree& tree_;
+    Node *at_, *node_;
+    double standoff_, sinceNode_ = 0;
+    std::vector<ContactPlane> contacts_;
+    bool isReached_ = false;
+    ScratchState next_, shorter_;
+};
+
+SlidingRRTConnect::Node* SlidingRRTConnect::extend(Tree& tree, Node* from, const ob::State* target,
+                                                   double reach, bool& isReached) {
+    const double least = std::log(lengths_->leastStandoff), most = std::log(lengths_->mostStandoff);
+    Extension extension(*this, tree, from, std::exp(random_.uniformReal(least, most)));
+    Node* last = extension.run(target, reach);
+    isReached = extension.isReached();
+    return last;
+}
+
+void SlidingRRTConnect::addSolution(const Node* inStart, const Node* inGoal, bool isExact) {
+    const auto path = std::make_shared<og::PathGeometric>(si_);
+    std::vector<const ob::State*> states;
+    for (const Node* node = inStart; node != nullptr; node = node->parent) states.push_back(node->state);
+    std::reverse(states.begin(), states.end());
+    for (const Node* node = isExact ? inGoal->parent : nullptr; node != nullptr; node = node->parent) {
+        states.push_back(node->state);
+    }
+    for (const ob::State* state : states) path->append(state);
+    const double apart = isExact ? 0 : si_->distance(inStart->state, inGoal->state);
+    pdef_->addSolutionPath(path, !isExact, apart, getName());
+}
+
+/// Adds goals while there are few of them for the size of the tree.
+bool SlidingRRTConnect::addGoals(const ob::PlannerTerminationCondition& isSpent) {
+    const bool isFirst = goal_->nodes->size() == 0;
+    if (isFirst || pis_.getSampledGoalsCount() < goal_->nodes->size() / 2) {
+        const ob::State* state = isFirst ? pis_.nextGoal(isSpent) : pis_.nextGoal();
+        if (state != nullptr) addRoot(*goal_, state);
+    }
+    return goal_->nodes->size() > 0;
+}
+
+ob::PlannerStatus SlidingRRTConnect::solve(const ob::PlannerTerminationCondition& isSpent) {
+    checkValidity();
+    const auto* goal = dynamic_cast<const ob::GoalSampleableRegion*>(pdef_->getGoal().get());
+    if (goal == nullptr) {
+        OMPL_ERROR("%s: Unknown type of goal", getName().c_str());
+        return ob::PlannerStatus::UNRECOGNIZED_GOAL_TYPE;
+    }
+    while (const ob::State* state = pis_.nextStart()) addRoot(*start_, state);
+    if (start_->nodes->size() == 0) {
+        OMPL_ERROR("%s: There are no valid initial states!", getName().c_str());
+        return ob::PlannerStatus::INVALID_START;
+    }
+    if (!goal->couldSample()) {
+        OMPL_ERROR("%s: Insufficient states in sampleable goal region", getName().c_str());
+        return ob::PlannerStatus::INVALID_GOAL;
+    }
+    if (!sampler_) sampler_ = si_->allocStateSampler();
+    const ScratchState sample(*si_);
+    std::pair<const Node*, const Node*> closest(nullptr, nullptr);
+    double least = std::numeric_limits<double>::infinity();
+    while (!isSpent) {
+        if (!addGoals(isSpent)) {
+            OMPL_ERROR("%s: Unable to sample any valid states for goal tree", getName().c_str());
+            return ob::PlannerStatus::INVALID_GOAL;
+        }
+        Tree &tree = treeOf(isStartNext_), &other = treeOf(!isStartNext_);
+        isStartNext_ = !isStartNext_;
+        sampler_->sampleUniform(sample.get());
+        Node* near = tree.nearest(sample.get());
+        const PartMoves& moves = lengths_->moves;
+        if (moves.between(near->state, sample.get()).norm() > near->domain) continue;
+        bool isReached = false;
+        Node* added = extend(tree, near, sample.get(), lengths_->range, isReached);
+        const double radius = moves.radius();
+        if (added == near) {
+            const bool isFirst = std::isinf(near->domain);
+            near->domain =
+                isFirst ? kFirstDomain * radius : std::max(kLeastDomain * radius, kDomainLoss * near->domain);
+            continue;
+        }
+        near->domain *= kDomainGrowth;
+        Node* towards = other.nearest(added->state);
+        towards = extend(other, towards, added->state, std::numeric_limits<double>::infinity(), isReached);
+        const Node *inStart = tree.isFromStart ? added : towards,
+                   *inGoal = tree.isFromStart ? towards : added;
+        const double apart = si_->distance(inStart->state, inGoal->state);
+        if (isReached) {
+            addSolution(inStart, inGoal, true);
+            return ob::PlannerStatus::EXACT_SOLUTION;
+        }
+        if (apart < least) {
+            least = apart;
+            closest = {inStart, inGoal};
+        }
+    }
+    if (closest.first == nullptr) return ob::PlannerStatus::TIMEOUT;
+    addSolution(closest.first, closest.second, false);
+    return ob::PlannerStatus::APPROXIMATE_SOLUTION;
+}
+
+void SlidingRRTConnect::getPlannerData(ob::PlannerData& data) const {
+    Planner::getPlannerData(data);
+    if (!start_) return;
+    for (const Tree* tree : {start_.get(), goal_.get()}) {
+        const int tag = tree->isFromStart ? 1 : 2;
+        for (const auto& node : tree->all) {
+            const ob::PlannerDataVertex vertex(node->state, tag);
+            if (node->parent == nullptr) {
+                tree->isFromStart ? data.addStartVertex(vertex) : data.addGoalVertex(vertex);
+            } else if (tree->isFromStart) {
+                data.addEdge(ob::PlannerDataVertex(node->parent->state, tag), vertex);
+            } else {
+                data.addEdge(vertex, ob::PlannerDataVertex(node->parent->state, tag));
+            }
+        }
+    }
+}
+
+}  // namespace clearway::planning
