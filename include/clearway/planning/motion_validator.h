@@ -91,6 +91,12 @@ struct MotionProfile {
     std::vector<ProfilePoint> points;  ///< from time 0 to 1, in order; none when the motion cannot be judged
 };
 
+struct ForwardOptions {
+    /// The certified poses end within this displacement of the pose that blocks, unless checkMotion's own bound is more.
+    double within = 0;
+    double more = 0;  ///< margins count as larger by this; see MotionValidator::keepsClearance
+};
+
 /// When checkMotion returns true, s1, s2 and every pose of OMPL's own interpolation between them are within
 /// the bounds, and there the part is farther from each obstacle that counts than the obstacle's margin, and
 /// inside no solid.
@@ -137,6 +143,11 @@ class MotionValidator : public ompl::base::MotionValidator {
     bool checkMotion(const ompl::base::State* s1, const ompl::base::State* s2,
                      std::pair<ompl::base::State*, double>& lastValid) const override;
 
+    /// Returns the time, in [0, 1], up to which all poses are certified, as checkMotion goes forward; 1 for a valid
+    /// motion. Counted as a motion checked.
+    double validUntil(const ompl::base::State* s1, const ompl::base::State* s2,
+                      const ForwardOptions& options) const;
+
     /// Reports a motion in full. The bounds of a valid motion's clearance are no farther apart than 1 % of it
     /// or, where that is more, 1e-3 of the part's diagonal, but then no farther than 10 % of it or the least
     /// interval; unless the environment's reach ends before, or the motion comes to a contact zone's border without
@@ -176,6 +187,7 @@ class MotionValidator : public ompl::base::MotionValidator {
         bool forward = false;
         double floor = 0;                 ///< on top of the margins
         std::function<bool()> isStopped;  ///< besides the validator's own
+        double within = 0;                ///< see ForwardOptions
     };
     Outcome judge(const ompl::base::State* s1, const ompl::base::State* s2, const Judging& judging) const;
     MotionReport report(const ompl::base::State* s1, const ompl::base::State* s2,

@@ -18,6 +18,9 @@ class FloorValidator : public ompl::base::MotionValidator {
           floor_(floor),
           isStopped_(std::move(isStopped)) {}
 
+    const planning::MotionValidator& validator() const { return validator_; }
+    double floor() const { return floor_; }
+
     bool checkMotion(const ompl::base::State* s1, const ompl::base::State* s2) const override {
         return validator_.keepsClearance(s1, s2, floor_, isStopped_);
     }

@@ -126,6 +126,12 @@ bool MotionValidator::checkMotion(const ob::State* s1, const ob::State* s2,
     return count(outcome);
 }
 
+double MotionValidator::validUntil(const ob::State* s1, const ob::State* s2,
+                                   const ForwardOptions& options) const {
+    const Outcome outcome = judge(s1, s2, {true, options.more, {}, options.within});
+    return count(outcome) ? 1 : timeWithinBounds(s1, s2, outcome.certifiedTime);
+}
+
 std::string MotionValidator::whyInvalid(const ob::State* state) const {
     if (!si_->satisfiesBounds(state)) return "outside of the bounds of the state space";
     return posed_->clearance().whyInvalid(pose(state));
@@ -154,7 +160,7 @@ MotionValidator::Outcome MotionValidator::judge(const ob::State* s1, const ob::S
     try {
         Motion looked(*posed_, ClearanceDetail::kRough, judging.floor, s1, s2);
         const auto isStopped = either(judging.isStopped, isStopped_);
-        const double contactInterval = kContactIntervals * leastInterval_;
+        const double contactInterval = std::max(judging.within, kContactIntervals * leastInterval_);
         const auto take = [&](auto&& way) {
             outcome.verdict = judging.forward ? way.goForward() : way.certify();
             outcome.certifiedTime = way.certifiedTime();

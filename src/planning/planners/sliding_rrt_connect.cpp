@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "clearway/planning/clearance_objectives.h"
+#include "planning/motion/forward_check.h"
 #include "planning/planners/contact_planes.h"
 #include "planning/validity/ompl_states.h"
 
@@ -31,7 +32,8 @@ constexpr double kFirstDomain = 1, kLeastDomain = 0.3;  ///< a node's radius aft
 
 constexpr double kForgottenStandoffs = 4;  ///< contacts with a larger gap do not count
 constexpr double kLeastStepStandoffs = 0.05;
-constexpr double kStepBack = 0.2;  ///< standoffs, from where a motion is blocked
+/// In standoffs: how near to a blocked pose the last certified one is looked for, and the step back from that one.
+constexpr double kNearBlock = 0.5, kStepBack = 0.2;
 constexpr int kMostSteps = 30, kMostShortSteps = 4;
 constexpr std::size_t kMostContacts = 8;
 constexpr double kLikeContact = 0.15;    ///< rows closer than this are the same contact
@@ -43,7 +45,7 @@ constexpr double kTendBack = 0.5;
 
 struct SlidingRRTConnect::Lengths {
     Lengths(const ob::SpaceInformationPtr& si, const SlidingRRTConnect& planner)
-        : clearance(sceneOf(si)), moves(*si->getStateSpace(), clearance.scene().part) {
+        : clearance(sceneOf(si)), moves(*si->getStateSpace(), clearance.scene().part), certify(si) {
         const double radius = moves.radius();
         range = planner.range_ > 0 ? planner.range_ : kRange * radius;
         leastStandoff = planner.leastStandoff_ > 0 ? planner.leastStandoff_ : kLeastStandoff * radius;
@@ -53,6 +55,7 @@ struct SlidingRRTConnect::Lengths {
 
     SceneClearance clearance;
     PartMoves moves;
+    ForwardCheck certify;
     double range, leastStandoff, mostStandoff;
 };
 
@@ -142,7 +145,7 @@ class SlidingRRTConnect::Extension {
           node_(from),
           standoff_(standoff),
           next_(*planner.si_),
-          shorter_(*planner.si_) {}
+          blocked_(*planner.si_) {}
 
     /// Returns the last node, which is the one begun from when the extension added none.
     Node* run(const ob::State* target, double reach) {
@@ -163,7 +166,11 @@ class SlidingRRTConnect::Extension {
             const double least = std::max(kLeastStep * moves_.radius(), kLeastStepStandoffs * standoff_);
             shortSteps = moved < least ? shortSteps + 1 : 0;
             if (shortSteps == kMostShortSteps) break;
-            if (!isFree || !contacts_.empty()) lookAround();
+            if (!isFree) {
+                lookAround(blocked_.get());
+            } else if (!contacts_.empty()) {
+                lookAround(at_->state);
+            }
         }
         if (isReached_ || sinceNode_ >= 0.2 * lengths_.mostStandoff) makeNode();
         return node_;
@@ -222,30 +229,35 @@ class SlidingRRTConnect::Extension {
         return false;
     }
 
-    /// Moves on to next_, or to where that motion is blocked. Returns whether it is not blocked.
+    /// Moves on to next_, or to a little before where that motion is blocked. Returns whether it is not blocked.
     bool advance() {
         const ob::SpaceInformation& si = *planner_.si_;
-        std::pair<ob::State*, double> last(shorter_.get(), 1);
-        const bool isFree = si.getMotionValidator()->checkMotion(at_->state, next_.get(), last);
-        const double way = moves_.between(at_->state, next_.get()).norm();
+        const double until = lengths_.certify(at_->state, next_.get(), kNearBlock * standoff_);
+        const bool isFree = until == 1;
         if (!isFree) {
-            const double time = last.second - kStepBack * standoff_ / way;
+            const ob::StateSpace& space = *si.getStateSpace();
+            si.copyState(blocked_.get(), at_->state);
+            if (until > 0) space.interpolate(at_->state, next_.get(), until, blocked_.get());
+            const double way = moves_.between(at_->state, next_.get()).norm();
+            const double time = until - kStepBack * standoff_ / way;
             if (!(time > 0)) return false;
-            si.getStateSpace()->interpolate(at_->state, next_.get(), time, shorter_.get());
-            si.copyState(next_.get(), shorter_.get());
+            const ScratchState end(si);
+            si.copyState(end.get(), next_.get());
+            space.interpolate(at_->state, end.get(), time, next_.get());
         }
         // The motion to where it was cut is another motion for OMPL, and paths take those of the goal's tree in reverse.
-        const bool isChecked = isFree && tree_.isFromStart;
-        const bool isValid = isChecked || (tree_.isFromStart ? si.checkMotion(at_->state, next_.get())
-                                                             : si.checkMotion(next_.get(), at_->state));
-        if (!isValid) return false;
+        if (!isFree || !tree_.isFromStart) {
+            const ob::State *first = at_->state, *last = next_.get();
+            if (!tree_.isFromStart) std::swap(first, last);
+            if (!si.checkMotion(first, last)) return false;
+        }
         at_ = planner_.addPoint(tree_, at_, next_.get());
         return isFree;
     }
 
-    /// Remembers the plane of the closest pair.
-    void lookAround() {
-        const Pose X_environmentPart = moves_.pose(at_->state);
+    /// Remembers the plane of the closest pair at a pose. Where a motion was blocked, that pair is what blocks it.
+    void lookAround(const ob::State* state) {
+        const Pose X_environmentPart = moves_.pose(state);
         ClearanceOptions options;
         options.cap = kForgottenStandoffs * standoff_ + kForgottenGap * moves_.radius();
         options.isRough = true;
@@ -272,7 +284,7 @@ class SlidingRRTConnect::Extension {
     double standoff_, sinceNode_ = 0;
     std::vector<ContactPlane> contacts_;
     bool isReached_ = false;
-    ScratchState next_, shorter_;
+    ScratchState next_, blocked_;  ///< blocked_: the last pose that is certified
 };
 
 SlidingRRTConnect::Node* SlidingRRTConnect::extend(Tree& tree, Node* from, const ob::State* target,

@@ -21,10 +21,9 @@ namespace {
 
 namespace ob = ompl::base;
 
-/// These planners run side by side, because each is quick where the other is not: RRTConnect when both ends
-/// are free to move, RRT when the part is shut in at its start only (bench/plan_success). A single planner is
-/// the first of them.
-constexpr const char* kDefaultPlanners[] = {"RRTConnect", "RRT"};
+constexpr const char* kDefaultPlanner = "PlannerTeam";
+/// The planners that AnytimePathShortening runs side by side.
+constexpr const char* kShortenedPlanners[] = {"RRTConnect", "RRT"};
 /// With an objective of clearance the defaults are anytime planners that find paths through tight places,
 /// where RRTstar and PRMstar find none in their time (bench/anytime_clearance). With iterations the default
 /// is RRTstar, because it is repeatable.
@@ -105,10 +104,11 @@ std::vector<std::string> choosePlanners(const Problem& problem, const PlanOption
     } else if (clearancePlanner != nullptr) {
         kinds = {clearancePlanner};
     } else {
-        kinds.assign(std::begin(kDefaultPlanners), std::end(kDefaultPlanners));
+        kinds = {kDefaultPlanner};
     }
     std::size_t count = planCount(options, kinds.size());
-    if (options.iterations || !isRepeatable(kinds[0])) count = 1;
+    const bool hasThreads = kinds[0] == kDefaultPlanner || !isRepeatable(kinds[0]);
+    if (options.iterations || hasThreads) count = 1;
     std::vector<std::string> names;
     for (std::size_t i = 0; i < count; ++i) names.push_back(kinds[i % kinds.size()]);
     return names;
@@ -211,10 +211,10 @@ ob::ProblemDefinitionPtr defineProblem(const PlanSetup& setup, const Problem& pr
 
 /// The planners that AnytimePathShortening runs.
 std::string innerPlanners(const PlanOptions& options, const PlanReport& report) {
-    const std::size_t kinds = std::size(kDefaultPlanners), count = planCount(options, kinds);
+    const std::size_t kinds = std::size(kShortenedPlanners), count = planCount(options, kinds);
     std::string all;
     for (std::size_t i = 0; i < count; ++i) {
-        all += std::string(i > 0 ? "," : "") + kDefaultPlanners[i % kinds] +
+        all += std::string(i > 0 ? "," : "") + kShortenedPlanners[i % kinds] +
                "[range=" + formatNumber(report.range) + "]";
     }
     return all;
@@ -227,7 +227,9 @@ ob::PlannerPtr setUpPlanner(const PlanSetup& setup, const std::string& name, con
     if (hasParameter(*planner, "planners"))
         setParameter(*planner, "planners", innerPlanners(options, report));
     if (hasParameter(*planner, "threads")) {
-        setParameter(*planner, "threads", std::to_string(planCount(options, std::size(kDefaultPlanners))));
+        // With several threads it depends on the clock who is next.
+        const std::size_t count = options.iterations ? 1 : planCount(options, 1);
+        setParameter(*planner, "threads", std::to_string(count));
     }
     setFileParameters(*planner, name, problem, report.warnings);
     for (const auto& [parameter, value] : options.parameters) setParameter(*planner, parameter, value);
