@@ -41,7 +41,7 @@ class SlidingRRTConnect : public ompl::base::Planner {
     double getRange() const { return range_; }
 
     /// Each extension draws its standoff from this range, evenly by its logarithm: the gap that slides keep. Environment
-    /// units; 0: 0.001 and 0.05 of the diagonal of the part's box.
+    /// units; 0: 0.0025 and 0.05 of the diagonal of the part's box.
     void setLeastStandoff(double standoff) { leastStandoff_ = standoff; }
     double getLeastStandoff() const { return leastStandoff_; }
     void setMostStandoff(double standoff) { mostStandoff_ = standoff; }

@@ -29,6 +29,10 @@ using Clock = std::chrono::steady_clock;
 constexpr std::uint64_t kShortestRun = 1000;
 /// Iterations of a turn. An iteration of a sliding planner takes as long as some dozens of RRTConnect.
 constexpr std::uint64_t kTurn = 1000, kSlidingTurn = 30;
+/// A turn in seconds, where turns are counted in time.
+constexpr double kSecondsOfTurn = 0.03;
+/// A planner that begins anew ends early or hardly ever: after so many turns each costs it as much as several.
+constexpr double kEarlyTurns = 20, kLateCost = 4;
 /// Finer standoffs, as shares of the diagonal of the part's box.
 constexpr double kLeastFineStandoff = 0.00025, kMostFineStandoff = 0.01;
 
@@ -53,7 +57,7 @@ struct PlannerTeam::Member {
     std::uint64_t turn;                ///< iterations
     std::uint64_t shortestRun = 0;     ///< iterations; 0: one run only
     std::uint64_t runs = 0, left = 0;  ///< iterations left in the present run
-    double spent = 0;                  ///< seconds or, by turns, the number of turns
+    double spent = 0;                  ///< turns
     bool isBusy = false;
 
     /// Returns the status of a turn that ends early when isOver returns true.
@@ -86,7 +90,7 @@ class PlannerTeam::Turns {
             const Clock::time_point begin = Clock::now();
             const ob::PlannerStatus status = member->takeTurn([this] { return isFound_ || isSpent_(); });
             const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
-            finish(*member, status, isByTime_ ? seconds : 1);
+            finish(*member, status, isByTime_ ? seconds / kSecondsOfTurn : 1);
         }
     }
 
@@ -110,7 +114,8 @@ class PlannerTeam::Turns {
     void finish(Member& member, const ob::PlannerStatus& status, double spent) {
         const std::lock_guard<std::mutex> lock(mutex_);
         member.isBusy = false;
-        member.spent += spent;
+        const bool isLate = member.shortestRun > 0 && member.spent > kEarlyTurns;
+        member.spent += isLate ? kLateCost * spent : spent;
         if (status == ob::PlannerStatus::EXACT_SOLUTION && winner_ == nullptr) {
             winner_ = &member;
             isFound_ = true;

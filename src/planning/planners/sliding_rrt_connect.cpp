@@ -23,7 +23,7 @@ namespace og = ompl::geometric;
 namespace {
 
 // Shares of half the diagonal of the part's box.
-constexpr double kLeastStandoff = 0.002, kMostStandoff = 0.1;
+constexpr double kLeastStandoff = 0.005, kMostStandoff = 0.1;
 constexpr double kRange = 4;
 constexpr double kLongestSlide = 0.5;   ///< of one step, because contact planes change on the way
 constexpr double kForgottenGap = 0.02;  ///< added to kForgottenStandoffs
@@ -33,8 +33,8 @@ constexpr double kFirstDomain = 1, kLeastDomain = 0.3;  ///< a node's radius aft
 constexpr double kForgottenStandoffs = 4;  ///< contacts with a larger gap do not count
 constexpr double kLeastStepStandoffs = 0.05;
 /// In standoffs: how near to a blocked pose the last certified one is looked for, and the step back from that one.
-constexpr double kNearBlock = 0.5, kStepBack = 0.2;
-constexpr int kMostSteps = 30, kMostShortSteps = 4;
+constexpr double kNearBlock = 1, kStepBack = 0.2;
+constexpr int kMostSteps = 30, kMostShortSteps = 2;
 constexpr std::size_t kMostContacts = 8;
 constexpr double kLikeContact = 0.15;    ///< rows closer than this are the same contact
 constexpr double kLeastProgress = 0.05;  ///< of a step, along the way to the target
