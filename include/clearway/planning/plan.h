@@ -18,8 +18,8 @@ namespace clearway::planning {
 constexpr double kDefaultSeconds = 30;
 
 struct PlanOptions {
-    /// OMPL's class name in any case. Empty: the problem's planner when it names exactly one, else RRTConnect
-    /// and RRT side by side. With an objective of clearance the default is RisingFloor for the least
+    /// OMPL's class name in any case. Empty: the problem's planner when it names exactly one, else
+    /// PlannerTeam. With an objective of clearance the default is RisingFloor for the least
     /// clearance and AnytimePathShortening of RRTConnect and RRT for the others, or RRTstar with iterations.
     std::string planner;
     /// Parameters of this planner, on top of the problem's. An unknown parameter here is an error; the
@@ -33,8 +33,8 @@ struct PlanOptions {
     std::optional<std::uint64_t> iterations;
 
     /// How many planners run side by side until the first one has a path. A planner with threads of its own
-    /// runs alone. 0: one for each core, at most 4. With iterations only one planner runs, by default
-    /// RRTConnect.
+    /// runs alone. 0: one for each core, at most 4. With iterations only one planner runs at a
+    /// time.
     int threads = 0;
 
     std::uint32_t seed = 1;  ///< > 0; set before any OMPL object is made

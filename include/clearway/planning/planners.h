@@ -1,4 +1,4 @@
-// OMPL's geometric planners and one of clearway's: made by name, set by text, run side by side.
+// OMPL's geometric planners and clearway's: made by name, set by text, run side by side.
 #pragma once
 
 #include <ompl/base/Planner.h>
@@ -13,9 +13,10 @@
 
 namespace clearway::planning {
 
-/// OMPL's class names ("RRTConnect", "BITstar", ...), in alphabetical order, and RisingFloor, which plans for
-/// paths of more and more least clearance. RisingFloor needs a clearway::planning::ValidityChecker, and an
-/// environment whose reach covers the clearances of max_min_clearance.
+/// OMPL's class names ("RRTConnect", "BITstar", ...), and clearway's own, in alphabetical order: SlidingRRTConnect and
+/// PlannerTeam (see their headers), and RisingFloor, which plans for paths of more and more least clearance. The three
+/// need a clearway::planning::ValidityChecker. RisingFloor also needs an environment whose reach covers the clearances of
+/// max_min_clearance.
 std::vector<std::string> plannerNames();
 
 /// OMPL's class name for a planner written in any case, or for one of OMPL.app's short names ("kpiece",
