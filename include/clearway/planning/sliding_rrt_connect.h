@@ -35,7 +35,7 @@ class SlidingRRTConnect : public ompl::base::Planner {
     void clear() override;
     void getPlannerData(ompl::base::PlannerData& data) const override;
 
-    /// The longest way of an extension towards a sample, in environment units; 0: two diagonals of the part's box. A way
+    /// The longest way of an extension towards a sample, in environment units; 0: a quarter of the diagonal of the part's box. A way
     /// adds the straight way of the centre of the part's box to its turn times a quarter of the diagonal.
     void setRange(double range) { range_ = range; }
     double getRange() const { return range_; }

@@ -25,10 +25,10 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Iterations of RRTConnect's shortest run. On a bracket in a slot, half of all runs have ended by then.
-constexpr std::uint64_t kShortestRun = 1000;
-/// Iterations of a turn. An iteration of a sliding planner takes as long as some dozens of RRTConnect.
-constexpr std::uint64_t kTurn = 1000, kSlidingTurn = 30;
+/// Iterations of RRTConnect's shortest run: on easy problems of OMPL.app, most runs have ended by then.
+constexpr std::uint64_t kShortestRun = 3000;
+/// Iterations of a turn, which take about the same time. Finer slides take more of it.
+constexpr std::uint64_t kTurn = 1000, kSlidingTurn = 30, kFineTurn = 10;
 /// A turn in seconds, where turns are counted in time.
 constexpr double kSecondsOfTurn = 0.03;
 /// A planner that begins anew ends early or hardly ever: after so many turns each costs it as much as several.

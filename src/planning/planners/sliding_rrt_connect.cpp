@@ -24,7 +24,7 @@ namespace {
 
 // Shares of half the diagonal of the part's box.
 constexpr double kLeastStandoff = 0.005, kMostStandoff = 0.1;
-constexpr double kRange = 4;
+constexpr double kRange = 0.5;
 constexpr double kLongestSlide = 0.5;   ///< of one step, because contact planes change on the way
 constexpr double kForgottenGap = 0.02;  ///< added to kForgottenStandoffs
 constexpr double kLeastStep = 0.001;    ///< shorter ones count as no progress
