@@ -8,14 +8,14 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <limits>
 #include <vector>
 
-#include "clearway/planning/audit.h"
 #include "clearway/planning/clearance_objectives.h"
 #include "clearway/planning/planners.h"
 #include "clearway/planning/validity_checker.h"
 #include "planning/motion/floor_validator.h"
-#include "planning/planners/raise_clearance.h"
+#include "planning/paths/room_both_ways.h"
 
 namespace clearway::planning {
 namespace {
@@ -30,6 +30,10 @@ constexpr double kPatience = 4;           ///< times the duration of the round t
 constexpr double kLeastPatience = 0.05;   ///< seconds
 constexpr double kGrowth = 1.5;           ///< of patience, when a round finds nothing
 constexpr double kNearlyMost = 0.99;      ///< of the most: as good as it, since clearances are known to 1 %
+constexpr double kWantedSlack = 1.15;     ///< costs are up to 10 % lower than clearances
+constexpr int kFirstIdleStages = 4;       ///< of a path's first band: another way may have more room
+constexpr double kGainLoss = 0.5;         ///< from one band of a path to the next
+constexpr double kLeastGain = 1e-3;  ///< the smallest steps; a band begins with large ones again after them
 
 double secondsSince(Clock::time_point begin) {
     return std::chrono::duration<double>(Clock::now() - begin).count();
@@ -92,7 +96,14 @@ RisingFloor::RisingFloor(const ob::SpaceInformationPtr& si) : Planner(si, "Risin
 void RisingFloor::clear() {
     Planner::clear();
     best_.reset();
-    patience_ = 0;
+    patience_ = share_ = 0;
+}
+
+void RisingFloor::startFrom(const og::PathGeometric& path, const First& first) {
+    best_ = Found{std::make_shared<og::PathGeometric>(si_), first.clearance, 0};
+    for (unsigned int i = 0; i < path.getStateCount(); ++i) best_->path->append(path.getState(i));
+    patience_ = std::max(kLeastPatience, first.seconds);
+    share_ = kFirstShare;
 }
 
 /// No path can have more clearance than its ends, nor more than the environment's reach or the objective's
@@ -108,6 +119,14 @@ double RisingFloor::mostClearance() const {
     return most;
 }
 
+/// The objective's threshold, and a little more because its costs are lower than clearances; infinite for others.
+double RisingFloor::wantedClearance() const {
+    const auto* objective =
+        dynamic_cast<const MinClearanceObjective*>(pdef_->getOptimizationObjective().get());
+    return objective ? kWantedSlack * objective->getCostThreshold().value()
+                     : std::numeric_limits<double>::infinity();
+}
+
 bool RisingFloor::isSatisfied(const Found& found, double most) const {
     if (found.clearance >= kNearlyMost * most) return true;
     const ob::OptimizationObjectivePtr& objective = pdef_->getOptimizationObjective();
@@ -118,19 +137,54 @@ std::optional<RisingFloor::Found> RisingFloor::planKeeping(
     double floor, const ob::PlannerTerminationCondition& isSpent) const {
     const std::shared_ptr<og::PathGeometric> states = Round(*this, floor).solve(isSpent);
     if (!states) return std::nullopt;
-    Found found{std::make_shared<og::PathGeometric>(si_), 0};
+    Found found{std::make_shared<og::PathGeometric>(si_), floor, 0};
     for (const ob::State* state : states->getStates()) found.path->append(state);
-    found.clearance = std::max(floor, audit(*found.path, *validator_).lowerClearance);
     return found;
 }
 
-void RisingFloor::raise(const ob::PlannerTerminationCondition& isSpent, double seconds, double most) {
+/// A path's first band goes both ways, the next ones go on from the better one.
+void RisingFloor::widen(Found& found, const std::function<bool()>& isSpent, double most) const {
+    RoomOptions options;
+    options.clearance = found.clearance;
+    options.enough = std::min(kNearlyMost * most, wantedClearance());
+    options.isSpent = isSpent;
+    if (found.gain == 0) {
+        options.idleStages = kFirstIdleStages;
+        found.clearance = makeRoomBothWays(*found.path, *validator_, options, threads_ > 1);
+        found.gain = kFirstBandGain;
+    } else {
+        found.gain = found.gain > kLeastGain ? kGainLoss * found.gain : kFirstBandGain;
+        options.gain = found.gain;
+        found.clearance = makeRoom(*found.path, *validator_, options);
+    }
+}
+
+void RisingFloor::takeIfBetter(Found found) {
+    if (!best_ || found.clearance > best_->clearance) best_ = std::move(found);
+}
+
+/// Looks for a path with another way that keeps more than the best one.
+void RisingFloor::planAnew(const ob::PlannerTerminationCondition& isSpent, double most) {
     const Clock::time_point begin = Clock::now();
-    RaiseOptions options;
-    options.clearance = best_->clearance;
-    options.enough = kNearlyMost * most;
-    options.isSpent = [&] { return isSpent() || secondsSince(begin) > seconds; };
-    best_->clearance = raiseClearance(*best_->path, *validator_, options);
+    const ob::PlannerTerminationCondition isOver(
+        [&] { return isSpent() || (best_ && secondsSince(begin) > patience_); });
+    std::optional<Found> found =
+        planKeeping(best_ ? best_->clearance + share_ * (most - best_->clearance) : 0, isOver);
+    const double spent = secondsSince(begin);
+    if (found) {
+        patience_ = std::max(kLeastPatience, kPatience * spent);
+        share_ = kFirstShare;
+        widen(*found, isSpent, most);
+        takeIfBetter(std::move(*found));
+        return;
+    }
+    patience_ *= kGrowth;
+    share_ = share_ > kLeastShare ? 0.5 * share_ : kFirstShare;
+    const Clock::time_point failed = Clock::now();
+    const double seconds = std::max(spent, kLeastPatience);
+    if (best_)
+        widen(
+            *best_, [&] { return isSpent() || secondsSince(failed) > seconds; }, most);
 }
 
 /// Without a valid start each round would fail immediately and print OMPL's error again.
@@ -151,24 +205,10 @@ ob::PlannerStatus RisingFloor::solve(const ob::PlannerTerminationCondition& isSp
     validator_ = std::dynamic_pointer_cast<const MotionValidator>(si_->getMotionValidator());
     if (!validator_) validator_ = std::make_shared<MotionValidator>(si_, sceneOf(si_));
     const double most = mostClearance();
-    double share = 0;  // of the difference between the best and the most clearance
-    while (!isSpent() && !(best_ && isSatisfied(*best_, most))) {
-        const Clock::time_point begin = Clock::now();
-        const ob::PlannerTerminationCondition isOver(
-            [&] { return isSpent() || (best_ && secondsSince(begin) > patience_); });
-        const double floor = best_ ? best_->clearance + share * (most - best_->clearance) : 0;
-        std::optional<Found> found = planKeeping(floor, isOver);
-        const double spent = secondsSince(begin);
-        if (found) {
-            best_ = std::move(found);
-            patience_ = std::max(kLeastPatience, kPatience * spent);
-            share = kFirstShare;
-        } else {
-            patience_ *= kGrowth;
-            share = share > kLeastShare ? 0.5 * share : kFirstShare;
-        }
-        if (best_) raise(isSpent, std::max(spent, kLeastPatience), most);
-    }
+    if (best_ && best_->gain == 0)
+        widen(
+            *best_, [&] { return isSpent(); }, most);
+    while (!isSpent() && !(best_ && isSatisfied(*best_, most))) planAnew(isSpent, most);
     if (!best_) return ob::PlannerStatus::TIMEOUT;
     ob::PlannerSolution solution(std::make_shared<og::PathGeometric>(*best_->path));
     solution.setPlannerName(getName());

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "clearway/planning/clearance_objectives.h"
-#include "planning/planners/contact_planes.h"
+#include "planning/paths/contact_planes.h"
 #include "planning/validity/ompl_states.h"
 
 namespace clearway::planning {
