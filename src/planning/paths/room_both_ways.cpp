@@ -1,7 +1,6 @@
 #include "planning/paths/room_both_ways.h"
 
 #include <algorithm>
-#include <future>
 #include <utility>
 
 #include "clearway/planning/simplify.h"
@@ -39,14 +38,11 @@ bool isBetter(const Way& way, const Way& other, double radius) {
 
 }  // namespace
 
-double makeRoomBothWays(og::PathGeometric& path, const MotionValidator& validator, const RoomOptions& options,
-                        bool isSideBySide) {
-    const auto policy = isSideBySide ? std::launch::async : std::launch::deferred;
-    std::future<Way> asked = std::async(policy, [&] { return wayShortened(path, validator, options); });
-    if (!isSideBySide) asked.wait();
+double makeRoomBothWays(og::PathGeometric& path, const MotionValidator& validator,
+                        const RoomOptions& options) {
+    Way shortened = wayShortened(path, validator, options);
     Way asItIs{path, 0};
     asItIs.clearance = makeRoom(asItIs.path, validator, options);
-    Way shortened = asked.get();
     const double radius = 0.5 * validator.scene().part.box().diagonal().norm();
     const bool isShortenedBetter =
         shortened.clearance >= options.clearance && isBetter(shortened, asItIs, radius);

@@ -6,9 +6,9 @@
 
 namespace clearway::planning {
 
-/// Makes room as makeRoom does. isSideBySide: one way in a thread of its own, else one after the other, the shortened one
-/// first. Returns the clearance kept. Ways that keep about as much clearance are compared by windingLength().
+/// Makes room as makeRoom does, the shortened way first. Limits are those of each way. Returns the clearance kept. Ways that
+/// keep about as much clearance are compared by windingLength().
 double makeRoomBothWays(ompl::geometric::PathGeometric& path, const MotionValidator& validator,
-                        const RoomOptions& options, bool isSideBySide);
+                        const RoomOptions& options);
 
 }  // namespace clearway::planning

@@ -6,19 +6,20 @@
 #include <ompl/base/Planner.h>
 #include <ompl/geometric/PathGeometric.h>
 
-#include <functional>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "clearway/planning/motion_validator.h"
+#include "planning/planners/floor_search.h"
 
 namespace clearway::planning {
 
-/// Each round runs RRTConnect and RRT side by side until the first path. Then an elastic band gives the path room (see
-/// makeRoomBothWays) until it no longer gains. The band never changes the way around obstacles, so the next round looks
-/// for another way. Its floor is a third of the way from the clearance that the best path keeps to the most that start
-/// and goal leave. When a round finds no path in the time of some earlier rounds, the best path's band goes on for as
-/// long with smaller steps, and the next floor is half as far up, and so on.
+/// First RRTConnect and RRT look for a path, side by side. The path is shortened, and an elastic band widens it (see
+/// makeRoom). The band never changes the way around obstacles, so other threads look for other ways meanwhile (see
+/// FloorSearch): for paths that keep a floor, a third of the way from the clearance of the best path to the most that start
+/// and goal leave. When such a search finds nothing in the time of some earlier ones, the next floor is half as far up, and
+/// so on.
 ///
 /// RisingFloor plans by certified motions, whatever validator the space information has, in the scene of the
 /// space information's validity checker, which must be one of clearway's: see sceneOf. The problem definition
@@ -26,6 +27,7 @@ namespace clearway::planning {
 class RisingFloor : public ompl::base::Planner {
   public:
     explicit RisingFloor(const ompl::base::SpaceInformationPtr& si);
+    ~RisingFloor() override;
 
     /// Throws std::invalid_argument as sceneOf does, and as MotionValidator.
     ompl::base::PlannerStatus solve(const ompl::base::PlannerTerminationCondition& isSpent) override;
@@ -44,29 +46,15 @@ class RisingFloor : public ompl::base::Planner {
     unsigned int getThreads() const { return threads_; }
 
   private:
-    struct Found {
-        std::shared_ptr<ompl::geometric::PathGeometric> path;
-        double clearance = 0;
-        double gain = 0;  ///< the band's next steps; 0: the path had no band yet
-    };
-    class Round;
-
     bool hasValidStart() const;
     double mostClearance() const;
     double wantedClearance() const;
-    bool isSatisfied(const Found& found, double most) const;
-    std::optional<Found> planKeeping(double floor,
-                                     const ompl::base::PlannerTerminationCondition& isSpent) const;
-    void widen(Found& found, const std::function<bool()>& isSpent, double most) const;
-    void takeIfBetter(Found found);
-    void planAnew(const ompl::base::PlannerTerminationCondition& isSpent, double most);
 
     double range_ = 0;
     unsigned int threads_ = 2;
     std::shared_ptr<const MotionValidator> validator_;
-    std::optional<Found> best_;
-    double patience_ = 0;  ///< seconds for the next round
-    double share_ = 0;     ///< of the difference between the best and the most clearance, for the next floor
+    std::unique_ptr<FloorSearch> search_;
+    std::optional<std::pair<WidePath, double>> first_;  ///< with the seconds it took
 };
 
 }  // namespace clearway::planning

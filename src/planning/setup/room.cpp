@@ -56,7 +56,7 @@ void makeRoomBySweeps(const RoomSetup& setup, og::PathGeometric& path, const Roo
     options.clearance = kept;
     options.sweeps = limits.sweeps;
     options.isSpent = limits.isSpent;
-    makeRoomBothWays(path, setup.validator(), options, false);
+    makeRoomBothWays(path, setup.validator(), options);
 }
 
 void makeRoomInTime(const RoomSetup& setup, og::PathGeometric& path, const RoomLimits& limits, double kept) {
