@@ -28,11 +28,12 @@ constexpr double kFirstSpacing = 1.5, kSpacingLoss = 0.8, kLeastSpacing = 0.3;  
 constexpr double kFirstSmoothing = 0.5, kSmoothingLoss = 0.8, kLeastSmoothing = 0.02;
 
 constexpr double kLeastRise = 0.002;  ///< of the part's radius; what is aimed at is so much more at least
-constexpr double kShortestSpacing = 0.03;  ///< of the part's radius
+constexpr double kShortestSpacing = 0.05;  ///< of the part's radius
+constexpr double kMostAhead = 4;           ///< of the clearance kept; states may have gained so much more
 constexpr double kMostAimed = 1.02;        ///< of the most, so that the states may reach it
 constexpr double kSureShare = 0.02;      ///< of what the states have more than the motions keep, tried first
 constexpr int kBisections = 4;           ///< from there to all of it
-constexpr double kNear = 3;              ///< times the clearance aimed at; planes farther away do not count
+constexpr double kNear = 2;              ///< times the clearance aimed at; planes farther away do not count
 constexpr double kCapSlack = 1.3;        ///< so that a state that moves a little needs no query again
 constexpr std::size_t kMostPlanes = 10;  ///< that a state remembers
 constexpr double kLikePlane = 0.1;       ///< between the rows of planes that replace each other
@@ -88,13 +89,17 @@ class Band {
     }
 
     void takePath() {
+        reached_ = 0;
         states_.takeFrom(path_);
         states_[0].clearance = start_;
         states_[states_.count() - 1].clearance = goal_;
     }
 
+    /// More than the motions keep, and than the states have: so the states rise sweep by sweep, while the motions between
+    /// them, which cost more, are asked now and then.
     double aimed() const {
-        return std::min(kMostAimed * most_, kept_ + std::max(gain_ * kept_, kLeastRise * moves_.radius()));
+        const double base = std::max(kept_, reached_);
+        return std::min(kMostAimed * most_, base + std::max(gain_ * base, kLeastRise * moves_.radius()));
     }
 
     /// With certified moves all motions of the band keep this; with free ones only those of path_ do.
@@ -135,6 +140,7 @@ class Band {
         leastGap_ = most_;
         const std::size_t inner = states_.count() - 2;
         for (std::size_t k = 0; k < inner && !isSpent(); ++k) move(isForward_ ? k + 1 : inner - k);
+        reached_ = std::min(leastGap_, kMostAhead * kept_);
         isForward_ = !isForward_;
     }
 
@@ -243,6 +249,7 @@ class Band {
     double kept_, start_, goal_, most_;
     double gain_, spacing_ = kFirstSpacing, smoothing_ = kFirstSmoothing;
     double leastGap_ = 0;  ///< of the states before the last sweep moved them
+    double reached_ = 0;   ///< of that, what counts for the next aim
     std::uint64_t sweeps_ = 0;
     bool isForward_ = true, isCertified_ = false;
 };

@@ -17,6 +17,7 @@ namespace {
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
 
+constexpr double kAsMuch = 0.97;                  ///< of another clearance is about as much
 constexpr double kLeastSaving = 5 * M_PI / 180;   ///< radians; less is not worth a stretch's motions
 constexpr double kLongestTurn = 20 * M_PI / 180;  ///< of a motion to be unwound, radians
 constexpr double kLongestWay = 0.5;  ///< of a motion to be unwound, in diagonals of the part's box
@@ -142,6 +143,12 @@ double windingLength(const og::PathGeometric& path, double radius) {
         winding += (b.position - a.position).norm() + radius * a.rotation.angularDistance(b.rotation);
     }
     return winding;
+}
+
+bool isBetterWay(const WidePath& way, const WidePath& other, double radius) {
+    if (way.clearance < kAsMuch * other.clearance) return false;
+    if (other.clearance < kAsMuch * way.clearance) return true;
+    return windingLength(*way.path, radius) < windingLength(*other.path, radius);
 }
 
 void unwind(og::PathGeometric& path, const MotionValidator& validator, double floor,

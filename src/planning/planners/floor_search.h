@@ -13,14 +13,9 @@
 #include <vector>
 
 #include "clearway/planning/motion_validator.h"
+#include "planning/paths/unwind.h"
 
 namespace clearway::planning {
-
-/// A path, and the clearance that all its motions keep.
-struct WidePath {
-    std::shared_ptr<ompl::geometric::PathGeometric> path;
-    double clearance = 0;
-};
 
 struct FloorSearchOptions {
     double range = 0;          ///< longest edge of the planners' trees; 0: OMPL's
