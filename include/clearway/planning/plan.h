@@ -93,7 +93,8 @@ struct PlanReport {
 
     /// Certified paths are widened before they are shortened: their states are pushed away from obstacles, and other ways
     /// with more room are looked for. This takes about as long as the planning, from 1 to 5 seconds, and no more than half of
-    /// the time left. With iterations it takes a number of steps in proportion to the iterations spent. Empty with
+    /// the time left. With iterations it takes a number of steps in proportion to the iterations spent; the path is then
+    /// repeatable, but with another tree of the same environment (as with another reach) it is another path. Empty with
     /// PlanOptions::quick, with an objective, with a step, and when no path was found.
     std::optional<RoomReport> room;
 
