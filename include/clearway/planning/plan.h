@@ -60,8 +60,8 @@ struct PlanOptions {
 
 /// What became of a path's clearance between planning and shortening.
 struct RoomReport {
-    /// Clearances that all motions keep, certified, to 1 %; environment units. Shortening keeps `after`.
-    double before = 0, after = 0;
+    double before = 0;  ///< clearance that all motions keep, certified, to 10 %; environment units
+    double after = 0;   ///< clearance that the widened path keeps, to 1 %; shortening keeps it too
     double seconds = 0;
 };
 

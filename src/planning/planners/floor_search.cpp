@@ -28,6 +28,11 @@ constexpr double kGrowth = 1.5;           ///< of patience, when a seek finds no
 constexpr int kFirstIdleStages = 4;       ///< of a path's first band: another way may have more room
 constexpr double kGainLoss = 0.5;         ///< from one band of a path to the next
 constexpr double kLeastGain = 1e-3;  ///< the smallest steps; after them a band begins with large ones again
+constexpr double kShorteningShare =
+    0.25;  ///< of what it took to find a path goes to shortening it before its band
+constexpr double kLeastShortening = 0.1;  ///< seconds
+constexpr double kSurelyKept =
+    0.99;  ///< of the clearance that an audit certifies, by the validator's other searches
 constexpr double kShortenedFloor =
     1e-3;  ///< of the part's diagonal, kept where a path is shortened before its band
 
@@ -40,10 +45,9 @@ double secondsSince(Clock::time_point begin) {
 struct FloorSearch::Job {
     enum class Kind { kWiden, kWidenOn, kSeek } kind = Kind::kSeek;
     WidePath path{};            ///< to be widened
-    bool isShortened = true;    ///< before its first band
     double gain = 0;            ///< of a band that goes on
     double floor = 0;           ///< of a seek
-    double seconds = 0;         ///< limit; 0: none
+    double seconds = 0;         ///< limit of a seek, of a band that goes on, or of shortening; 0: none
     int number = 0, known = 0;  ///< of a seek, and of the paths found when it began
 };
 
@@ -102,8 +106,9 @@ void FloorSearch::add(const WidePath& path, double seconds) {
     Job job;
     job.kind = Job::Kind::kWiden;
     job.path = path;
+    job.seconds = std::max(kLeastShortening, kShorteningShare * seconds);
     waiting_.push_back(job);
-    patience_ = std::max(kLeastPatience, seconds);
+    patience_ = std::max(kLeastPatience, kPatience * seconds);
     share_ = kFirstShare;
 }
 
@@ -174,22 +179,29 @@ void FloorSearch::widen(const Job& job) {
     RoomOptions options;
     options.enough = options_.enough;
     options.clearance = job.path.clearance;
-    options.isSpent = [&] { return isSpent_() || (job.seconds > 0 && secondsSince(begin) > job.seconds); };
+    const double seconds = job.kind == Job::Kind::kWidenOn ? job.seconds : 0;
+    options.isSpent = [&] { return isSpent_() || (seconds > 0 && secondsSince(begin) > seconds); };
     og::PathGeometric path = *job.path.path;
     if (job.kind == Job::Kind::kWidenOn) {
         options.gain = job.gain;
     } else {
         options.idleStages = kFirstIdleStages;
-        if (job.isShortened) {
-            const double floor = kShortenedFloor * validator_->scene().part.box().diagonal().norm();
-            simplify(path, *validator_, {std::max(floor, job.path.clearance), options.isSpent});
-            options.clearance = 0;  // the shortened path keeps the floor only to the audit's accuracy
-        }
+        options.clearance = shortenFirst(job, path);
     }
     const double clearance = makeRoom(path, *validator_, options);
     const std::lock_guard<std::mutex> lock(mutex_);
     takeIfBetter({std::make_shared<og::PathGeometric>(path), clearance}, kFirstBandGain);
     if (gain_ == 0) gain_ = kFirstBandGain;
+}
+
+/// A band of few states is quicker. Returns the clearance that the path keeps.
+double FloorSearch::shortenFirst(const Job& job, og::PathGeometric& path) const {
+    const Clock::time_point begin = Clock::now();
+    const double floor = kShortenedFloor * validator_->scene().part.box().diagonal().norm();
+    const PathAudit found = simplify(path, *validator_,
+                                     {std::max(floor, job.path.clearance),
+                                      [&] { return isSpent_() || secondsSince(begin) > job.seconds; }});
+    return found.isValid() ? std::max(0.0, kSurelyKept * found.lowerClearance) : 0;
 }
 
 void FloorSearch::takeIfBetter(const WidePath& path, double gain) {
@@ -212,7 +224,7 @@ void FloorSearch::seek(const Job& job) {
         ++paths_;
         WidePath found{std::make_shared<og::PathGeometric>(si_), job.floor};
         for (const ob::State* state : states->getStates()) found.path->append(state);
-        add(found, kPatience * secondsSince(begin));
+        add(found, secondsSince(begin));
     } else if (paths_ == job.known && !(best_ && best_->clearance > job.floor)) {
         patience_ *= kGrowth;
         share_ = share_ > kLeastShare ? 0.5 * share_ : kFirstShare;

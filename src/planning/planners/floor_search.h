@@ -47,6 +47,7 @@ class FloorSearch {
     Job nextJob();
     Job seekingJob();
     void widen(const Job& job);
+    double shortenFirst(const Job& job, ompl::geometric::PathGeometric& path) const;
     void seek(const Job& job);
     void takeIfBetter(const WidePath& path, double gain);
     bool isOver() const;

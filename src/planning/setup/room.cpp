@@ -14,7 +14,8 @@ namespace {
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
 
-constexpr double kRoomAccuracy = 0.01;  ///< of the clearances reported, as a share
+/// Of the clearances before and after, as shares. The time is for bands.
+constexpr double kBeforeAccuracy = 0.1, kAfterAccuracy = 0.01;
 
 /// The setup's problem with a validator that ends with the room's time, and without an objective.
 class RoomSetup {
@@ -78,11 +79,11 @@ RoomReport makeRoom(const PlanSetup& setup, og::PathGeometric& path, const RoomL
     const RoomSetup room(setup, limits);
     const double most = setup.auditor->scene().part.box().diagonal().norm();
     RoomReport report;
-    report.before = keptClearance(path, room.validator(), {0, most, kRoomAccuracy, limits.isSpent});
+    report.before = keptClearance(path, room.validator(), {0, most, kBeforeAccuracy, limits.isSpent});
     og::PathGeometric widened = room.copyOf(path);
     (limits.sweeps ? makeRoomBySweeps : makeRoomInTime)(room, widened, limits, report.before);
     // The last word has the auditor, whose motions do not end with the room's time.
-    report.after = keptClearance(widened, *setup.auditor, {0, most, kRoomAccuracy, {}});
+    report.after = keptClearance(widened, *setup.auditor, {0, most, kAfterAccuracy, {}});
     if (report.after < report.before) {
         report.after = report.before;
         return report;
