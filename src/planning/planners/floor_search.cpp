@@ -30,7 +30,7 @@ constexpr double kGainLoss = 0.5;         ///< from one band of a path to the ne
 constexpr double kLeastGain = 1e-3;  ///< the smallest steps; after them a band begins with large ones again
 constexpr double kShorteningShare =
     0.25;  ///< of what it took to find a path goes to shortening it before its band
-constexpr double kLeastShortening = 0.1;  ///< seconds
+constexpr double kLeastShortening = 0.25;  ///< seconds
 constexpr double kSurelyKept =
     0.99;  ///< of the clearance that an audit certifies, by the validator's other searches
 constexpr double kShortenedFloor =
