@@ -34,7 +34,10 @@ ompl::geometric::PathGeometric pathOf(const PlanSetup& setup, const ompl::base::
 /// the steps (OMPL's shortcuts have collided). The gain by the objective is kept: a shortened path that costs
 /// more is dropped, and a path found for its least clearance is shortened by motions that keep that
 /// clearance.
+///
+/// kept: a clearance that all motions of the path keep, for certified motions only; the finished path's motions keep it
+/// too. Needless turns are taken out of certified paths first.
 PathAudit finish(const PlanSetup& setup, ompl::geometric::PathGeometric& path,
-                 const std::function<bool()>& isSpent);
+                 const std::function<bool()>& isSpent, double kept = 0);
 
 }  // namespace clearway::planning

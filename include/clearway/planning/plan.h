@@ -49,10 +49,20 @@ struct PlanOptions {
     /// objectiveNames(). Empty: the problem's objective, unless that is length without a threshold.
     std::string objective;
     std::optional<double> wantedClearance;  ///< see LengthWithClearanceOptions
+    /// Leaves out what makes room after planning (see PlanReport::room). Not allowed together with a step or an objective,
+    /// which leave it out anyway.
+    bool quick = false;
     bool omplWeights = false;  ///< weights rotation as OMPL does, instead of by the part's radius
 
     /// Called often, also from other threads and within motions. True ends the planning without a path.
     std::function<bool()> isStopped;
+};
+
+/// What became of a path's clearance between planning and shortening.
+struct RoomReport {
+    double before = 0;  ///< clearance that all motions keep, certified, to 10 %; environment units
+    double after = 0;   ///< clearance that the widened path keeps, to 1 %; shortening keeps it too
+    double seconds = 0;
 };
 
 struct PlanReport {
@@ -81,8 +91,15 @@ struct PlanReport {
     /// a step. With a step it may not be; a warning then says where.
     PathAudit audit;
 
+    /// Certified paths are widened before they are shortened: their states are pushed away from obstacles, and other ways
+    /// with more room are looked for. This takes about as long as the planning, from 1 to 5 seconds, and no more than half of
+    /// the time left. With iterations it takes a number of steps in proportion to the iterations spent; the path is then
+    /// repeatable, but with another tree of the same environment (as with another reach) it is another path. Empty with
+    /// PlanOptions::quick, with an objective, with a step, and when no path was found.
+    std::optional<RoomReport> room;
+
     double planningSeconds = 0;
-    double finishingSeconds = 0;  ///< for simplifying and auditing
+    double finishingSeconds = 0;  ///< for making room, simplifying and auditing
     std::uint64_t checks = 0;     ///< states asked about, in all
     std::vector<std::string> warnings;
 };

@@ -8,15 +8,18 @@
 
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "clearway/planning/motion_validator.h"
+#include "planning/planners/floor_search.h"
 
 namespace clearway::planning {
 
-/// Each round runs RRTConnect and RRT side by side until the first path. Then the path is raised (see
-/// raiseClearance) for as long as the round took. The next floor is a third of the way from the clearance
-/// that the path keeps to the most that start and goal leave. When a round finds no path in the time of some
-/// earlier rounds, the next floor is half as far up, and so on.
+/// First RRTConnect and RRT look for a path, side by side. The path is shortened, and an elastic band widens it (see
+/// makeRoom). The band never changes the way around obstacles, so other threads look for other ways meanwhile (see
+/// FloorSearch): for paths that keep a floor, a third of the way from the clearance of the best path to the most that start
+/// and goal leave. When such a search finds nothing in the time of some earlier ones, the next floor is half as far up, and
+/// so on.
 ///
 /// RisingFloor plans by certified motions, whatever validator the space information has, in the scene of the
 /// space information's validity checker, which must be one of clearway's: see sceneOf. The problem definition
@@ -24,10 +27,18 @@ namespace clearway::planning {
 class RisingFloor : public ompl::base::Planner {
   public:
     explicit RisingFloor(const ompl::base::SpaceInformationPtr& si);
+    ~RisingFloor() override;
 
     /// Throws std::invalid_argument as sceneOf does, and as MotionValidator.
     ompl::base::PlannerStatus solve(const ompl::base::PlannerTerminationCondition& isSpent) override;
     void clear() override;
+
+    struct First {
+        double clearance = 0;  ///< that all motions of the path keep
+        double seconds = 0;    ///< that it took to find the path
+    };
+    /// Lets the next solve() begin with the band of a path from start to goal, whose motions are valid.
+    void startFrom(const ompl::geometric::PathGeometric& path, const First& first);
 
     void setRange(double range) { range_ = range; }  ///< longest edge of the trees; 0: OMPL's
     double getRange() const { return range_; }
@@ -35,24 +46,15 @@ class RisingFloor : public ompl::base::Planner {
     unsigned int getThreads() const { return threads_; }
 
   private:
-    struct Found {
-        std::shared_ptr<ompl::geometric::PathGeometric> path;
-        double clearance = 0;
-    };
-    class Round;
-
     bool hasValidStart() const;
     double mostClearance() const;
-    bool isSatisfied(const Found& found, double most) const;
-    std::optional<Found> planKeeping(double floor,
-                                     const ompl::base::PlannerTerminationCondition& isSpent) const;
-    void raise(const ompl::base::PlannerTerminationCondition& isSpent, double seconds, double most);
+    double wantedClearance() const;
 
     double range_ = 0;
     unsigned int threads_ = 2;
     std::shared_ptr<const MotionValidator> validator_;
-    std::optional<Found> best_;
-    double patience_ = 0;  ///< seconds for the next round
+    std::unique_ptr<FloorSearch> search_;
+    std::optional<std::pair<WidePath, double>> first_;  ///< with the seconds it took
 };
 
 }  // namespace clearway::planning

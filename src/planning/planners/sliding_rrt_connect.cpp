@@ -12,7 +12,7 @@
 
 #include "clearway/planning/clearance_objectives.h"
 #include "planning/motion/forward_check.h"
-#include "planning/planners/contact_planes.h"
+#include "planning/paths/contact_planes.h"
 #include "planning/validity/ompl_states.h"
 
 namespace clearway::planning {

@@ -5,12 +5,16 @@
 
 #include "clearway/planning/clearance_objectives.h"
 #include "clearway/planning/simplify.h"
+#include "planning/paths/kept_clearance.h"
+#include "planning/paths/unwind.h"
 
 namespace clearway::planning {
 namespace {
 
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
+
+constexpr double kAccuracy = 0.01;  ///< of clearances, as a share
 
 bool passesSteps(const PlanSetup& setup, const og::PathGeometric& path) {
     for (unsigned int i = 1; i < path.getStateCount(); ++i) {
@@ -32,12 +36,26 @@ PathAudit shortenBySteps(const PlanSetup& setup, og::PathGeometric& path,
     return found;
 }
 
+/// Shortens a path so that all its motions still keep a clearance.
+PathAudit shortenKeeping(const PlanSetup& setup, og::PathGeometric& path, double kept,
+                         const std::function<bool()>& isSpent) {
+    og::PathGeometric shorter = path;
+    const double floor = std::max(setup.floor, kept);
+    unwind(shorter, *setup.auditor, floor, isSpent);
+    const PathAudit found = simplify(shorter, *setup.auditor, {floor, isSpent});
+    if (kept > 0 && keptClearance(shorter, *setup.auditor, {0, kept, kAccuracy, {}}) < kept) {
+        return audit(path, *setup.auditor);
+    }
+    path = shorter;
+    return found;
+}
+
 /// Keeps the path as it is when shortening makes it worse by the objective, if there is one.
 PathAudit shortenUnlessWorse(const PlanSetup& setup, og::PathGeometric& path,
                              const std::function<bool()>& isSpent) {
     og::PathGeometric shorter = path;
-    const PathAudit found = setup.discrete ? shortenBySteps(setup, shorter, isSpent)
-                                           : simplify(shorter, *setup.auditor, {setup.floor, isSpent});
+    const PathAudit found =
+        setup.discrete ? shortenBySteps(setup, shorter, isSpent) : shortenKeeping(setup, shorter, 0, isSpent);
     const auto& objective = setup.definition->getOptimizationObjective();
     if (objective && objective->isCostBetterThan(path.cost(objective), shorter.cost(objective))) {
         return audit(path, *setup.auditor);
@@ -46,23 +64,12 @@ PathAudit shortenUnlessWorse(const PlanSetup& setup, og::PathGeometric& path,
     return found;
 }
 
-bool keepsAll(const PlanSetup& setup, const og::PathGeometric& path, double clearance) {
-    for (unsigned int i = 1; i < path.getStateCount(); ++i) {
-        if (!setup.auditor->keepsClearance(path.getState(i - 1), path.getState(i), clearance)) return false;
-    }
-    return true;
-}
-
-/// Finds the clearance that all motions of the path keep, to 1 % if time allows. An audit knows small
-/// clearances only to 10 %.
+/// An audit knows small clearances only to 10 %.
 double keptBy(const PlanSetup& setup, const og::PathGeometric& path, const PathAudit& found,
               const std::function<bool()>& isSpent) {
-    double kept = std::max(0.0, found.lowerClearance), most = found.upperClearance;
-    while (std::isfinite(most) && most - kept > 0.01 * most && !isSpent()) {
-        const double middle = kept + 0.5 * (most - kept);
-        (keepsAll(setup, path, middle) ? kept : most) = middle;
-    }
-    return kept;
+    const double least = std::max(0.0, found.lowerClearance);
+    if (!std::isfinite(found.upperClearance)) return least;
+    return keptClearance(path, *setup.auditor, {least, found.upperClearance, kAccuracy, isSpent});
 }
 
 bool isLeastClearance(const ob::OptimizationObjectivePtr& objective) {
@@ -112,7 +119,9 @@ og::PathGeometric pathOf(const PlanSetup& setup, const ob::PlannerSolution& solu
     return path;
 }
 
-PathAudit finish(const PlanSetup& setup, og::PathGeometric& path, const std::function<bool()>& isSpent) {
+PathAudit finish(const PlanSetup& setup, og::PathGeometric& path, const std::function<bool()>& isSpent,
+                 double keptBefore) {
+    if (keptBefore > 0) return shortenKeeping(setup, path, keptBefore, isSpent);
     if (setup.discrete) return shortenUnlessWorse(setup, path, isSpent);
     const auto& objective = setup.definition->getOptimizationObjective();
     if (!isLeastClearance(objective)) return shortenUnlessWorse(setup, path, isSpent);
@@ -122,6 +131,7 @@ PathAudit finish(const PlanSetup& setup, og::PathGeometric& path, const std::fun
     if (isSpent()) return found;
     const double kept = keptBy(setup, path, found, isSpent);
     const double floor = std::max(setup.floor, std::min(cap, kept));
+    unwind(path, *setup.auditor, floor, isSpent);
     return simplify(path, *setup.auditor, {floor, isSpent});
 }
 

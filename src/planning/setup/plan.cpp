@@ -13,6 +13,7 @@
 #include "clearway/planning/plan_setup.h"
 #include "clearway/planning/planners.h"
 #include "planning/setup/problem_settings.h"
+#include "planning/setup/room.h"
 #include "planning/validity/ompl_states.h"
 
 namespace clearway::planning {
@@ -37,6 +38,13 @@ constexpr double kBoundsSlack = 1e-9;
 /// with hardly any room shortening could go on without end.
 constexpr double kLeastFinishing = 5;
 
+/// Seconds that making room gets: as many as planning took, within these, and within half of the time left.
+constexpr double kLeastRoom = 1, kMostRoom = 5;
+constexpr double kRoomShare = 0.5;
+/// With iterations a sweep of a band counts as so many of them. A sweep and as many iterations of RRTConnect take about
+/// the same time, and the most and the least sweeps about the seconds above.
+constexpr std::uint64_t kIterationsPerSweep = 100, kLeastSweeps = 64, kMostSweeps = 320;
+
 /// Decides when the planner has to end. Some planners ask from several threads.
 class Budget {
   public:
@@ -49,6 +57,19 @@ class Budget {
         planningSeconds_ = (isImproving ? kImprovingShare : 1) * *seconds_;
     }
 
+    void beginRoom() {
+        if (!seconds_) return;
+        const double planned = secondsSince(begin_);
+        const double left = std::max(0.0, *seconds_ - planned);
+        roomSeconds_ = planned + std::min(kRoomShare * left, std::clamp(planned, kLeastRoom, kMostRoom));
+    }
+
+    std::optional<std::uint64_t> roomSweeps() const {
+        if (!options_.iterations) return std::nullopt;
+        const std::uint64_t spent = std::min<std::uint64_t>(asked_, *options_.iterations);
+        return std::clamp(spent / kIterationsPerSweep, kLeastSweeps, kMostSweeps);
+    }
+
     void beginFinishing() {
         if (!seconds_) return;
         const double planned = secondsSince(begin_);
@@ -58,6 +79,7 @@ class Budget {
     void end() { isEnded_ = true; }
     bool isPlanningOver() const { return isEnded_ || isStopped() || isOver(planningSeconds_); }
     bool isStopped() const { return options_.isStopped && options_.isStopped(); }
+    bool isRoomOver() const { return isStopped() || isOver(roomSeconds_); }
     bool isOutOfTime() const { return isStopped() || isOver(seconds_); }
     bool spendIteration() {
         return isPlanningOver() || (options_.iterations && ++asked_ > *options_.iterations);
@@ -70,7 +92,7 @@ class Budget {
 
     const PlanOptions& options_;
     Clock::time_point begin_;
-    std::optional<double> seconds_, planningSeconds_;
+    std::optional<double> seconds_, planningSeconds_, roomSeconds_;
     std::atomic<std::uint64_t> asked_{0};
     std::atomic<bool> isEnded_{false};
 };
@@ -94,13 +116,35 @@ std::string doubtOf(const PathAudit& audit) {
     return text.str();
 }
 
-void describeSolution(const PlanSetup& setup, const Problem& problem, const Budget& budget,
-                      PlanReport& report) {
+bool wantsRoom(const PlanOptions& options, const PlanReport& report) {
+    return report.isCertified && report.objective.empty() && !options.quick;
+}
+
+/// Widens the path. Returns the clearance that its motions keep; 0 when no room was made.
+double widen(const PlanSetup& setup, Budget& budget, og::PathGeometric& path, PlanReport& report) {
+    const Clock::time_point begin = Clock::now();
+    budget.beginRoom();
+    RoomLimits limits;
+    limits.sweeps = budget.roomSweeps();
+    limits.planningSeconds = report.planningSeconds;
+    limits.range = report.range;
+    limits.threads = static_cast<unsigned int>(report.planners.size());
+    limits.isSpent = [&] { return budget.isRoomOver(); };
+    report.room = makeRoom(setup, path, limits);
+    report.room->seconds = secondsSince(begin);
+    return report.room->after;
+}
+
+void describeSolution(const PlanSetup& setup, const Problem& problem, const PlanOptions& options,
+                      Budget& budget, PlanReport& report) {
     const ob::PlannerSolution solution = solutionOf(setup);
     report.foundBy = solution.plannerName_;
     og::PathGeometric path = pathOf(setup, solution);
     report.statesBefore = path.getStateCount();
-    report.audit = finish(setup, path, [&] { return budget.isOutOfTime(); });
+    const double kept = wantsRoom(options, report) ? widen(setup, budget, path, report) : 0;
+    budget.beginFinishing();
+    report.audit = finish(
+        setup, path, [&] { return budget.isOutOfTime(); }, kept);
     if (budget.isStopped()) {
         report.outcome = PlanReport::Outcome::kStopped;
     } else if (report.isCertified && !report.audit.isValid()) {
@@ -138,11 +182,10 @@ PlanReport plan(const Problem& problem, const Scene& scene, const PlanOptions& o
     report.planningSeconds = secondsSince(begin);
 
     const Clock::time_point planned = Clock::now();
-    budget.beginFinishing();
     if (budget.isStopped()) {
         report.outcome = PlanReport::Outcome::kStopped;
     } else if (setup.definition->hasExactSolution()) {
-        describeSolution(setup, problem, budget, report);
+        describeSolution(setup, problem, options, budget, report);
     }
     report.finishingSeconds = secondsSince(planned);
     report.checks = checksOf(setup) + report.audit.queries;

@@ -49,6 +49,11 @@ void requireOptions(const Problem& problem, const PlanOptions& options) {
         throw std::invalid_argument("floor is " + shortNumber(*options.floor) +
                                     ", expected a finite number >= 0");
     }
+    if (options.quick && (options.step || !options.objective.empty())) {
+        throw std::invalid_argument(std::string("both quick and ") +
+                                    (options.step ? "a step" : "an objective") +
+                                    " are given, expected one of them");
+    }
     if (options.seed == 0) throw std::invalid_argument("seed is 0, expected a whole number above 0");
     if (options.seconds && options.iterations) {
         throw std::invalid_argument("both a time and a number of iterations are given, expected one of them");

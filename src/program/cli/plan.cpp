@@ -77,6 +77,11 @@ bool readArguments(const Arguments& arguments, PlanArguments& given) {
     line.option("--floor D", "clearance that shortening the path keeps (a thousandth of the part's diagonal)",
                 nonNegative(given.plan.floor));
     line.exclude("--step", "--floor");
+    line.flag("--quick",
+              "leaves out the 1 to 5 seconds that give the path more clearance before it is shortened",
+              given.plan.quick);
+    line.exclude("--quick", "--objective");
+    line.exclude("--quick", "--step");
     addTarget(line);
     addPathOutputs(line, given.outputs);
     addTreeOptions(line, given.trees.options);
@@ -102,11 +107,17 @@ Rows settingsRows(const planning::PlanOptions& options, const PlanReport& report
     return rows;
 }
 
+std::string roomOf(const planning::RoomReport& room) {
+    return shortened(room.before, 2) + " before, " + shortened(room.after, 3) + " after " +
+           shortened(room.seconds, 2) + " s; --objective max_min_clearance looks for more";
+}
+
 Rows pathRows(const PlanReport& report) {
     Rows rows = {{"found by", report.foundBy}};
     if (!report.objective.empty()) {
         rows.push_back({"objective", report.objective + ", cost " + readable(report.cost)});
     }
+    if (report.room) rows.push_back({"room", roomOf(*report.room)});
     rows.push_back({"finishing time", readable(report.finishingSeconds) + " s"});
     rows.push_back({"states", std::to_string(report.path.size()) + ", " +
                                   std::to_string(report.statesBefore) + " before simplifying"});

@@ -23,15 +23,6 @@ using planning::PathAudit;
 using planning::PathProfilePoint;
 using planning::SegmentAudit;
 
-/// Rounds to so many digits towards zero, because a certified value must not be rounded up.
-std::string shortened(double value, int digits = 4) {
-    if (value == 0 || !std::isfinite(value)) return value == 0 ? "0" : "inf";
-    const double unit = std::pow(10.0, std::floor(std::log10(std::abs(value))) + 1 - digits);
-    char text[32];
-    std::snprintf(text, sizeof text, "%.*g", digits, std::trunc(value / unit) * unit);
-    return text;
-}
-
 /// Names the verdict in one or two words.
 std::string nameOf(const SegmentAudit& segment) {
     constexpr std::pair<const char*, const char*> kNames[] = {{"in collision", "collides"},
@@ -136,6 +127,14 @@ char footOf(const Column& column) {
 }
 
 }  // namespace
+
+std::string shortened(double value, int digits) {
+    if (value == 0 || !std::isfinite(value)) return value == 0 ? "0" : "inf";
+    const double unit = std::pow(10.0, std::floor(std::log10(std::abs(value))) + 1 - digits);
+    char text[32];
+    std::snprintf(text, sizeof text, "%.*g", digits, std::trunc(value / unit) * unit);
+    return text;
+}
 
 std::string leastClearanceOf(const PathAudit& audit) {
     if (std::isinf(audit.lowerClearance)) return "nothing to keep clear of";

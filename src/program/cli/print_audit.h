@@ -7,6 +7,9 @@
 
 namespace clearway::cli {
 
+/// Rounds to so many digits towards zero, because a certified value must not be rounded up.
+std::string shortened(double value, int digits = 4);
+
 /// Prints two rows: whether the path is valid, and where it is closest.
 void printAudit(const planning::PathAudit& audit);
 

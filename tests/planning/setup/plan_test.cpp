@@ -155,6 +155,50 @@ BOOST_AUTO_TEST_CASE(planners_with_threads_end_in_time_and_what_they_find_is_fre
     }
 }
 
+BOOST_AUTO_TEST_CASE(a_path_gets_room_and_shortening_keeps_it_unless_it_has_to_be_quick) {
+    const auto window = windowScene();
+    for (const std::uint32_t seed : {1u, 2u}) {
+        PlanOptions options = withIterations(200000, seed);
+        const PlanReport wide = plan(window.problem, window.scene, options);
+        options.quick = true;
+        const PlanReport quick = plan(window.problem, window.scene, options);
+        BOOST_TEST_CONTEXT("seed " << seed) {
+            BOOST_REQUIRE((wide.outcome == Outcome::kFound));
+            BOOST_REQUIRE((quick.outcome == Outcome::kFound));
+            BOOST_TEST(!quick.room.has_value());
+            BOOST_TEST_REQUIRE(wide.room.has_value());
+            BOOST_TEST(wide.room->after > wide.room->before);
+            BOOST_TEST(wide.room->after > quick.audit.upperClearance);
+            BOOST_TEST(wide.audit.upperClearance >= wide.room->after);
+            BOOST_TEST(wide.audit.lowerClearance >= 0.89 * wide.room->after);  // as accurate as audits are
+        }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(in_time_the_room_takes_its_share_and_no_more) {
+    const auto window = windowScene();
+    PlanOptions options;
+    options.seconds = 20;
+    const PlanReport report = plan(window.problem, window.scene, options);
+    BOOST_REQUIRE((report.outcome == Outcome::kFound));
+    BOOST_TEST_REQUIRE(report.room.has_value());
+    BOOST_TEST(report.room->after > report.room->before);
+    BOOST_TEST(report.room->seconds < report.finishingSeconds);
+    BOOST_TEST(report.room->seconds < 10);  // 5, and as much for a busy machine
+}
+
+BOOST_AUTO_TEST_CASE(quick_contradicts_a_step_and_an_objective) {
+    const auto window = windowScene();
+    PlanOptions options = withIterations(10);
+    options.quick = true;
+    options.step = 1;
+    const auto planIt = [&] { plan(window.problem, window.scene, options); };
+    BOOST_TEST(refusal(planIt) == "both quick and a step are given, expected one of them");
+    options.step.reset();
+    options.objective = "max_min_clearance";
+    BOOST_TEST(refusal(planIt) == "both quick and an objective are given, expected one of them");
+}
+
 BOOST_AUTO_TEST_CASE(another_seed_gives_another_path) {
     const auto window = windowScene();
     const PlanReport first = plan(window.problem, window.scene, withIterations(200000, 1));

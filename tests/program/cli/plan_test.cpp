@@ -173,6 +173,8 @@ BOOST_AUTO_TEST_CASE(wrong_usage_is_refused_in_one_line) {
     requireRefused(folder, added("--step 0"), {"--step is '0'"});
     requireRefused(folder, added("--floor -1"), {"--floor is '-1'"});
     requireRefused(folder, added("--floor 1 --step 1"), {"--step and --floor", "expected one of them"});
+    requireRefused(folder, added("--quick --step 1"), {"--quick and --step", "expected one of them"});
+    requireRefused(folder, added("--quick --objective length"), {"--quick and --objective", "expected one"});
     requireRefused(folder, added("--objective clearance"),
                    {"unknown objective 'clearance'", "length, max_min_clearance, "});
     requireRefused(folder, added("--general-split best"), {"best", "axis"});

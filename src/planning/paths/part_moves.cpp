@@ -1,4 +1,4 @@
-#include "planning/planners/part_moves.h"
+#include "planning/paths/part_moves.h"
 
 #include <ompl/base/spaces/SE2StateSpace.h>
 #include <ompl/base/spaces/SE3StateSpace.h>

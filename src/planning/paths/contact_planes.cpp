@@ -1,4 +1,4 @@
-#include "planning/planners/contact_planes.h"
+#include "planning/paths/contact_planes.h"
 
 #include <algorithm>
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "clearway/planning/scene_clearance.h"
-#include "planning/planners/part_moves.h"
+#include "planning/paths/part_moves.h"
 
 namespace clearway::planning {
 

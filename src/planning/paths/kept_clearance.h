@@ -1,0 +1,24 @@
+// The clearance that all motions of a path keep, by the validator's own word.
+#pragma once
+
+#include <ompl/geometric/PathGeometric.h>
+
+#include <functional>
+
+#include "clearway/planning/motion_validator.h"
+
+namespace clearway::planning {
+
+struct KeptClearanceOptions {
+    double least = 0;     ///< all motions keep it; environment units, >= 0
+    double most = 0;      ///< more is not looked for; finite
+    double share = 0.01;  ///< how much less than the largest clearance kept the answer may be
+    std::function<bool()> isSpent;
+};
+
+/// Returns a clearance from `least` to `most` that all motions keep, by MotionValidator::keepsClearance. Clearances of a
+/// millionth of `most` are as good as none. When isSpent returns true, the answer is the best one so far.
+double keptClearance(const ompl::geometric::PathGeometric& path, const MotionValidator& validator,
+                     const KeptClearanceOptions& options);
+
+}  // namespace clearway::planning

@@ -1,0 +1,40 @@
+#include "planning/paths/room_both_ways.h"
+
+#include <algorithm>
+#include <memory>
+
+#include "clearway/planning/simplify.h"
+#include "planning/paths/unwind.h"
+
+namespace clearway::planning {
+namespace {
+
+namespace og = ompl::geometric;
+
+/// Kept where the path is shortened, as a share of the part's diagonal: a band that begins in contact begins slowly.
+constexpr double kShortenedFloor = 1e-3;
+
+WidePath wayShortened(const og::PathGeometric& path, const MotionValidator& validator, RoomOptions options) {
+    WidePath way{std::make_shared<og::PathGeometric>(path), 0};
+    const double floor = kShortenedFloor * validator.scene().part.box().diagonal().norm();
+    simplify(*way.path, validator, {std::max(floor, options.clearance), options.isSpent});
+    // The shortened path keeps as much only to the audit's accuracy.
+    options.clearance = 0;
+    way.clearance = makeRoom(*way.path, validator, options);
+    return way;
+}
+
+}  // namespace
+
+double makeRoomBothWays(og::PathGeometric& path, const MotionValidator& validator,
+                        const RoomOptions& options) {
+    const WidePath shortened = wayShortened(path, validator, options);
+    const double clearance = makeRoom(path, validator, options);
+    const double radius = 0.5 * validator.scene().part.box().diagonal().norm();
+    const WidePath asItIs{std::make_shared<og::PathGeometric>(path), clearance};
+    if (shortened.clearance < options.clearance || !isBetterWay(shortened, asItIs, radius)) return clearance;
+    path = *shortened.path;
+    return shortened.clearance;
+}
+
+}  // namespace clearway::planning

@@ -1,0 +1,234 @@
+#include "planning/planners/floor_search.h"
+
+#include <ompl/geometric/planners/rrt/RRT.h>
+#include <ompl/geometric/planners/rrt/RRTConnect.h>
+
+#include <algorithm>
+#include <chrono>
+#include <future>
+#include <utility>
+
+#include "clearway/planning/simplify.h"
+#include "clearway/planning/validity_checker.h"
+#include "planning/motion/floor_validator.h"
+#include "planning/paths/elastic_band.h"
+
+namespace clearway::planning {
+namespace {
+
+namespace ob = ompl::base;
+namespace og = ompl::geometric;
+using Clock = std::chrono::steady_clock;
+
+constexpr double kFirstShare = 0.3;       ///< of the difference between the best and the most clearance
+constexpr double kLeastShare = 1.0 / 32;  ///< below it the shares begin anew
+constexpr double kPatience = 4;           ///< times the duration of the seek that found the last path
+constexpr double kLeastPatience = 0.05;   ///< seconds
+constexpr double kGrowth = 1.5;           ///< of patience, when a seek finds nothing
+constexpr int kFirstIdleStages = 4;       ///< of a path's first band: another way may have more room
+constexpr double kGainLoss = 0.5;         ///< from one band of a path to the next
+constexpr double kLeastGain = 1e-3;  ///< the smallest steps; after them a band begins with large ones again
+constexpr double kShorteningShare =
+    0.25;  ///< of what it took to find a path goes to shortening it before its band
+constexpr double kLeastShortening = 0.25;  ///< seconds
+constexpr double kSurelyKept =
+    0.99;  ///< of the clearance that an audit certifies, by the validator's other searches
+constexpr double kShortenedFloor =
+    1e-3;  ///< of the part's diagonal, kept where a path is shortened before its band
+
+double secondsSince(Clock::time_point begin) {
+    return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+}  // namespace
+
+struct FloorSearch::Job {
+    enum class Kind { kWiden, kWidenOn, kSeek } kind = Kind::kSeek;
+    WidePath path{};            ///< to be widened
+    double gain = 0;            ///< of a band that goes on
+    double floor = 0;           ///< of a seek
+    double seconds = 0;         ///< limit of a seek, of a band that goes on, or of shortening; 0: none
+    int number = 0, known = 0;  ///< of a seek, and of the paths found when it began
+};
+
+/// The problem with margins raised by a floor, and a planner for it.
+class FloorSearch::Seeker {
+  public:
+    Seeker(const FloorSearch& search, const Job& job)
+        : si_(std::make_shared<ob::SpaceInformation>(search.si_->getStateSpace())),
+          definition_(std::make_shared<ob::ProblemDefinition>(si_)) {
+        Scene raised = search.validator_->scene();
+        for (Obstacle& obstacle : raised.obstacles) obstacle.margin += job.floor;
+        si_->setStateValidityChecker(std::make_shared<ValidityChecker>(si_, raised));
+        si_->setMotionValidator(std::make_shared<FloorValidator>(si_, *search.validator_, job.floor));
+        si_->setup();
+        for (unsigned int i = 0; i < search.definition_->getStartStateCount(); ++i) {
+            definition_->addStartState(search.definition_->getStartState(i));
+        }
+        definition_->setGoal(search.definition_->getGoal());
+        if (job.number % 2 == 0) {
+            make<og::RRTConnect>(search.options_.range);
+        } else {
+            make<og::RRT>(search.options_.range);
+        }
+    }
+
+    /// Returns a path, or null.
+    std::shared_ptr<og::PathGeometric> solve(const ob::PlannerTerminationCondition& isOver) {
+        planner_->solve(isOver);
+        if (!definition_->hasExactSolution()) return nullptr;
+        return std::static_pointer_cast<og::PathGeometric>(definition_->getSolutionPath());
+    }
+
+  private:
+    template <class Tree>
+    void make(double range) {
+        const auto planner = std::make_shared<Tree>(si_);
+        planner->setRange(range);
+        planner->setProblemDefinition(definition_);
+        planner->setup();
+        planner_ = planner;
+    }
+
+    ob::SpaceInformationPtr si_;
+    ob::ProblemDefinitionPtr definition_;
+    ob::PlannerPtr planner_;
+};
+
+FloorSearch::FloorSearch(ob::SpaceInformationPtr si, ob::ProblemDefinitionPtr definition,
+                         std::shared_ptr<const MotionValidator> validator)
+    : si_(std::move(si)), definition_(std::move(definition)), validator_(std::move(validator)) {}
+
+FloorSearch::~FloorSearch() = default;
+
+void FloorSearch::add(const WidePath& path, double seconds) {
+    takeIfBetter(path, 0);
+    Job job;
+    job.kind = Job::Kind::kWiden;
+    job.path = path;
+    job.seconds = std::max(kLeastShortening, kShorteningShare * seconds);
+    waiting_.push_back(job);
+    patience_ = std::max(kLeastPatience, kPatience * seconds);
+    share_ = kFirstShare;
+}
+
+void FloorSearch::run(const FloorSearchOptions& options, const std::function<bool()>& isSpent) {
+    options_ = options;
+    isSpent_ = isSpent;
+    std::vector<std::future<void>> others;
+    for (unsigned int i = 1; i < options.threads; ++i) {
+        others.push_back(std::async(std::launch::async, [this] { work(); }));
+    }
+    work();
+    for (auto& other : others) other.get();
+}
+
+bool FloorSearch::isOver() const {
+    if (isSpent_()) return true;
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return best_ && best_->clearance >= options_.enough;
+}
+
+void FloorSearch::work() {
+    while (!isOver()) {
+        const Job job = nextJob();
+        const Clock::time_point begin = Clock::now();
+        const bool isSeek = job.kind == Job::Kind::kSeek;
+        isSeek ? seek(job) : widen(job);
+        const std::lock_guard<std::mutex> lock(mutex_);
+        (isSeek ? sought_ : widened_) += secondsSince(begin);
+        widening_ -= !isSeek;
+    }
+}
+
+/// New paths are widened first. Then one thread goes on with the best path's band while the others seek. A single thread
+/// gives as much time to either.
+FloorSearch::Job FloorSearch::nextJob() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (!waiting_.empty()) {
+        Job job = std::move(waiting_.back());
+        waiting_.pop_back();
+        ++widening_;
+        return job;
+    }
+    const bool isTurn = options_.threads > 1 || widened_ <= sought_;
+    if (!best_ || gain_ == 0 || widening_ > 0 || !isTurn) return seekingJob();
+    Job job;
+    job.kind = Job::Kind::kWidenOn;
+    job.path = {std::make_shared<og::PathGeometric>(*best_->path), best_->clearance};
+    job.gain = gain_;
+    job.seconds = std::max(patience_, kLeastPatience);
+    gain_ = gain_ > kLeastGain ? kGainLoss * gain_ : kFirstBandGain;
+    ++widening_;
+    return job;
+}
+
+FloorSearch::Job FloorSearch::seekingJob() {
+    Job job;
+    job.number = seeks_++;
+    job.known = paths_;
+    if (best_) {
+        job.floor = best_->clearance + share_ * std::max(0.0, options_.most - best_->clearance);
+        job.seconds = patience_;
+    }
+    return job;
+}
+
+void FloorSearch::widen(const Job& job) {
+    const Clock::time_point begin = Clock::now();
+    RoomOptions options;
+    options.enough = options_.enough;
+    options.clearance = job.path.clearance;
+    const double seconds = job.kind == Job::Kind::kWidenOn ? job.seconds : 0;
+    options.isSpent = [&] { return isSpent_() || (seconds > 0 && secondsSince(begin) > seconds); };
+    og::PathGeometric path = *job.path.path;
+    if (job.kind == Job::Kind::kWidenOn) {
+        options.gain = job.gain;
+    } else {
+        options.idleStages = kFirstIdleStages;
+        options.clearance = shortenFirst(job, path);
+    }
+    const double clearance = makeRoom(path, *validator_, options);
+    const std::lock_guard<std::mutex> lock(mutex_);
+    takeIfBetter({std::make_shared<og::PathGeometric>(path), clearance}, kFirstBandGain);
+    if (gain_ == 0) gain_ = kFirstBandGain;
+}
+
+/// A band of few states is quicker. Returns the clearance that the path keeps.
+double FloorSearch::shortenFirst(const Job& job, og::PathGeometric& path) const {
+    const Clock::time_point begin = Clock::now();
+    const double floor = kShortenedFloor * validator_->scene().part.box().diagonal().norm();
+    const PathAudit found = simplify(path, *validator_,
+                                     {std::max(floor, job.path.clearance),
+                                      [&] { return isSpent_() || secondsSince(begin) > job.seconds; }});
+    return found.isValid() ? std::max(0.0, kSurelyKept * found.lowerClearance) : 0;
+}
+
+void FloorSearch::takeIfBetter(const WidePath& path, double gain) {
+    if (best_ && path.clearance <= best_->clearance) return;
+    best_ = path;
+    gain_ = gain;
+}
+
+void FloorSearch::seek(const Job& job) {
+    const Clock::time_point begin = Clock::now();
+    const auto isPassed = [&] {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        return paths_ > job.known || (best_ && best_->clearance > job.floor);
+    };
+    const ob::PlannerTerminationCondition isOver(
+        [&] { return isSpent_() || (job.seconds > 0 && secondsSince(begin) > job.seconds) || isPassed(); });
+    const std::shared_ptr<og::PathGeometric> states = Seeker(*this, job).solve(isOver);
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (states) {
+        ++paths_;
+        WidePath found{std::make_shared<og::PathGeometric>(si_), job.floor};
+        for (const ob::State* state : states->getStates()) found.path->append(state);
+        add(found, secondsSince(begin));
+    } else if (paths_ == job.known && !(best_ && best_->clearance > job.floor)) {
+        patience_ *= kGrowth;
+        share_ = share_ > kLeastShare ? 0.5 * share_ : kFirstShare;
+    }
+}
+
+}  // namespace clearway::planning

@@ -1,0 +1,73 @@
+// Looks for paths of more and more clearance by two kinds of work side by side: elastic bands widen the paths found so far,
+// and planners look for other ways around obstacles, by motions that keep more than the best path does.
+#pragma once
+
+#include <ompl/base/ProblemDefinition.h>
+#include <ompl/base/SpaceInformation.h>
+#include <ompl/geometric/PathGeometric.h>
+
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+#include "clearway/planning/motion_validator.h"
+#include "planning/paths/unwind.h"
+
+namespace clearway::planning {
+
+struct FloorSearchOptions {
+    double range = 0;          ///< longest edge of the planners' trees; 0: OMPL's
+    unsigned int threads = 2;  ///< >= 1
+    double most = 0;           ///< no path has more clearance; finite
+    double enough = 0;         ///< more is not looked for
+};
+
+class FloorSearch {
+  public:
+    /// The space information's validity checker must be one of clearway's. definition: start and goal.
+    FloorSearch(ompl::base::SpaceInformationPtr si, ompl::base::ProblemDefinitionPtr definition,
+                std::shared_ptr<const MotionValidator> validator);
+    ~FloorSearch();
+
+    /// A path to widen. seconds: what it took to find it.
+    void add(const WidePath& path, double seconds);
+
+    /// Goes on until isSpent returns true or the best path keeps enough. It is called often, from several threads.
+    void run(const FloorSearchOptions& options, const std::function<bool()>& isSpent);
+
+    const std::optional<WidePath>& best() const { return best_; }
+
+  private:
+    struct Job;
+    class Seeker;
+
+    void work();
+    Job nextJob();
+    Job seekingJob();
+    void widen(const Job& job);
+    double shortenFirst(const Job& job, ompl::geometric::PathGeometric& path) const;
+    void seek(const Job& job);
+    void takeIfBetter(const WidePath& path, double gain);
+    bool isOver() const;
+
+    ompl::base::SpaceInformationPtr si_;
+    ompl::base::ProblemDefinitionPtr definition_;
+    std::shared_ptr<const MotionValidator> validator_;
+    FloorSearchOptions options_;
+    std::function<bool()> isSpent_;
+
+    mutable std::mutex mutex_;  ///< of what follows
+    std::vector<Job> waiting_;  ///< paths to widen, the next one last
+    std::optional<WidePath> best_;
+    double gain_ = 0;      ///< of the best path's next band; 0: its first one is not over
+    int widening_ = 0;     ///< threads
+    int paths_ = 0;        ///< that seekers found, ever
+    int seeks_ = 0;        ///< begun, ever
+    double patience_ = 0;  ///< seconds of the next seek
+    double share_ = 0;     ///< of the difference between the best and the most clearance, for the next floor
+    double widened_ = 0, sought_ = 0;  ///< seconds spent
+};
+
+}  // namespace clearway::planning

@@ -1,0 +1,96 @@
+#include "planning/setup/room.h"
+
+#include <algorithm>
+#include <memory>
+
+#include "clearway/planning/motion_validator.h"
+#include "planning/paths/kept_clearance.h"
+#include "planning/paths/room_both_ways.h"
+#include "planning/planners/rising_floor.h"
+
+namespace clearway::planning {
+namespace {
+
+namespace ob = ompl::base;
+namespace og = ompl::geometric;
+
+/// Of the clearances before and after, as shares. The time is for bands.
+constexpr double kBeforeAccuracy = 0.1, kAfterAccuracy = 0.01;
+
+/// The setup's problem with a validator that ends with the room's time, and without an objective.
+class RoomSetup {
+  public:
+    RoomSetup(const PlanSetup& setup, const RoomLimits& limits)
+        : si_(std::make_shared<ob::SpaceInformation>(setup.si->getStateSpace())),
+          definition_(std::make_shared<ob::ProblemDefinition>(si_)) {
+        const Scene& scene = setup.auditor->scene();
+        validator_ = std::make_shared<MotionValidator>(
+            si_, scene, MotionOptions{setup.auditor->leastInterval(), limits.isSpent});
+        si_->setStateValidityChecker(std::make_shared<ValidityChecker>(si_, scene));
+        si_->setMotionValidator(validator_);
+        si_->setup();
+        for (unsigned int i = 0; i < setup.definition->getStartStateCount(); ++i) {
+            definition_->addStartState(setup.definition->getStartState(i));
+        }
+        definition_->setGoal(setup.definition->getGoal());
+    }
+
+    const ob::SpaceInformationPtr& si() const { return si_; }
+    const ob::ProblemDefinitionPtr& definition() const { return definition_; }
+    const MotionValidator& validator() const { return *validator_; }
+
+    og::PathGeometric copyOf(const og::PathGeometric& path) const {
+        og::PathGeometric copy(si_);
+        for (unsigned int i = 0; i < path.getStateCount(); ++i) copy.append(path.getState(i));
+        return copy;
+    }
+
+  private:
+    ob::SpaceInformationPtr si_;
+    ob::ProblemDefinitionPtr definition_;
+    std::shared_ptr<MotionValidator> validator_;
+};
+
+void makeRoomBySweeps(const RoomSetup& setup, og::PathGeometric& path, const RoomLimits& limits,
+                      double kept) {
+    RoomOptions options;
+    options.clearance = kept;
+    options.sweeps = limits.sweeps;
+    options.isSpent = limits.isSpent;
+    makeRoomBothWays(path, setup.validator(), options);
+}
+
+void makeRoomInTime(const RoomSetup& setup, og::PathGeometric& path, const RoomLimits& limits, double kept) {
+    RisingFloor rising(setup.si());
+    rising.setProblemDefinition(setup.definition());
+    rising.setRange(limits.range);
+    rising.setThreads(std::max(1u, limits.threads));
+    rising.setup();
+    rising.startFrom(path, {kept, limits.planningSeconds});
+    rising.solve(ob::PlannerTerminationCondition(limits.isSpent));
+    if (const ob::PathPtr found = setup.definition()->getSolutionPath()) {
+        path = *std::static_pointer_cast<og::PathGeometric>(found);
+    }
+}
+
+}  // namespace
+
+RoomReport makeRoom(const PlanSetup& setup, og::PathGeometric& path, const RoomLimits& limits) {
+    const RoomSetup room(setup, limits);
+    const double most = setup.auditor->scene().part.box().diagonal().norm();
+    RoomReport report;
+    report.before = keptClearance(path, room.validator(), {0, most, kBeforeAccuracy, limits.isSpent});
+    og::PathGeometric widened = room.copyOf(path);
+    (limits.sweeps ? makeRoomBySweeps : makeRoomInTime)(room, widened, limits, report.before);
+    // The last word has the auditor, whose motions do not end with the room's time.
+    report.after = keptClearance(widened, *setup.auditor, {0, most, kAfterAccuracy, {}});
+    if (report.after < report.before) {
+        report.after = report.before;
+        return report;
+    }
+    path.clear();
+    for (const ob::State* state : widened.getStates()) path.append(state);
+    return report;
+}
+
+}  // namespace clearway::planning
