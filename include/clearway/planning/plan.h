@@ -69,6 +69,7 @@ struct PlanReport {
     enum class Outcome { kFound, kNotFound, kStopped };
     Outcome outcome = Outcome::kNotFound;
     std::vector<std::string> planners;  ///< those that ran side by side
+    unsigned int threads = 1;           ///< that plan at a time, where planners do not choose for themselves
     std::string foundBy;                ///< OMPL's name of the planner that found the path
     std::string objective;              ///< name of the objective; empty: the first path is taken
     double cost = 0;                    ///< the path's cost by the objective, if there is one

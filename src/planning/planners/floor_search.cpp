@@ -1,6 +1,5 @@
 #include "planning/planners/floor_search.h"
 
-#include <ompl/geometric/planners/rrt/RRT.h>
 #include <ompl/geometric/planners/rrt/RRTConnect.h>
 
 #include <algorithm>
@@ -9,6 +8,7 @@
 #include <utility>
 
 #include "clearway/planning/simplify.h"
+#include "clearway/planning/sliding_rrt_connect.h"
 #include "clearway/planning/validity_checker.h"
 #include "planning/motion/floor_validator.h"
 #include "planning/paths/elastic_band.h"
@@ -69,7 +69,7 @@ class FloorSearch::Seeker {
         if (job.number % 2 == 0) {
             make<og::RRTConnect>(search.options_.range);
         } else {
-            make<og::RRT>(search.options_.range);
+            make<SlidingRRTConnect>(search.options_.range);
         }
     }
 

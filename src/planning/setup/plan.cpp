@@ -128,7 +128,7 @@ double widen(const PlanSetup& setup, Budget& budget, og::PathGeometric& path, Pl
     limits.sweeps = budget.roomSweeps();
     limits.planningSeconds = report.planningSeconds;
     limits.range = report.range;
-    limits.threads = static_cast<unsigned int>(report.planners.size());
+    limits.threads = report.threads;
     limits.isSpent = [&] { return budget.isRoomOver(); };
     report.room = makeRoom(setup, path, limits);
     report.room->seconds = secondsSince(begin);

@@ -83,11 +83,11 @@ void setSeed(std::uint32_t seed) {
     ompl::RNG::setSeed(seed);
 }
 
-/// How many planners run side by side when there are `kinds` kinds of them.
-std::size_t planCount(const PlanOptions& options, std::size_t kinds) {
+/// How many planners run side by side. With iterations the clock must not decide who is next.
+std::size_t planCount(const PlanOptions& options) {
+    if (options.iterations) return 1;
     if (options.threads > 0) return static_cast<std::size_t>(options.threads);
-    const auto cores = static_cast<std::size_t>(std::thread::hardware_concurrency());
-    return std::clamp(cores, kinds, std::max(kinds, kMostThreads));
+    return std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, kMostThreads);
 }
 
 /// The planner for an objective of clearance, unless one is named. Null for other objectives.
@@ -101,22 +101,16 @@ const char* clearancePlanner(const std::optional<ObjectiveChoice>& objective, co
 /// The planners to run side by side.
 std::vector<std::string> choosePlanners(const Problem& problem, const PlanOptions& options,
                                         const char* clearancePlanner) {
-    std::vector<std::string> kinds;
+    std::string name = kDefaultPlanner;
     if (!options.planner.empty()) {
-        kinds = {plannerClassName(options.planner)};
+        name = plannerClassName(options.planner);
     } else if (problem.planners.size() == 1) {
-        kinds = {plannerClassName(problem.planners[0].name)};
+        name = plannerClassName(problem.planners[0].name);
     } else if (clearancePlanner != nullptr) {
-        kinds = {clearancePlanner};
-    } else {
-        kinds = {kDefaultPlanner};
+        name = clearancePlanner;
     }
-    std::size_t count = planCount(options, kinds.size());
-    const bool hasThreads = kinds[0] == kDefaultPlanner || !isRepeatable(kinds[0]);
-    if (options.iterations || hasThreads) count = 1;
-    std::vector<std::string> names;
-    for (std::size_t i = 0; i < count; ++i) names.push_back(kinds[i % kinds.size()]);
-    return names;
+    const bool hasThreads = name == kDefaultPlanner || !isRepeatable(name);
+    return std::vector<std::string>(hasThreads ? 1 : planCount(options), name);
 }
 
 void addOnce(std::vector<std::string>& warnings, const std::string& warning) {
@@ -216,10 +210,11 @@ ob::ProblemDefinitionPtr defineProblem(const PlanSetup& setup, const Problem& pr
 
 /// The planners that AnytimePathShortening runs.
 std::string innerPlanners(const PlanOptions& options, const PlanReport& report) {
-    const std::size_t kinds = std::size(kShortenedPlanners), count = planCount(options, kinds);
+    constexpr std::size_t kKinds = std::size(kShortenedPlanners);
+    const std::size_t count = std::max(kKinds, planCount(options));
     std::string all;
     for (std::size_t i = 0; i < count; ++i) {
-        all += std::string(i > 0 ? "," : "") + kShortenedPlanners[i % kinds] +
+        all += std::string(i > 0 ? "," : "") + kShortenedPlanners[i % kKinds] +
                "[range=" + formatNumber(report.range) + "]";
     }
     return all;
@@ -231,11 +226,7 @@ ob::PlannerPtr setUpPlanner(const PlanSetup& setup, const std::string& name, con
     if (hasParameter(*planner, "range")) setParameter(*planner, "range", formatNumber(report.range));
     if (hasParameter(*planner, "planners"))
         setParameter(*planner, "planners", innerPlanners(options, report));
-    if (hasParameter(*planner, "threads")) {
-        // With several threads it depends on the clock who is next.
-        const std::size_t count = options.iterations ? 1 : planCount(options, 1);
-        setParameter(*planner, "threads", std::to_string(count));
-    }
+    if (hasParameter(*planner, "threads")) setParameter(*planner, "threads", std::to_string(report.threads));
     setFileParameters(*planner, name, problem, report.warnings);
     for (const auto& [parameter, value] : options.parameters) setParameter(*planner, parameter, value);
     planner->setProblemDefinition(setup.definition);
@@ -252,6 +243,7 @@ PlanSetup makePlanSetup(const Problem& stated, const Scene& scene, const PlanOpt
     const std::optional<ObjectiveChoice> objective = chooseObjective(stated, options);
     report.planners = choosePlanners(stated, options, clearancePlanner(objective, options, scene.part));
     const Problem problem = problemFor(report.planners[0], stated);
+    report.threads = static_cast<unsigned int>(planCount(options));
     report.isRepeatable = options.iterations && isRepeatable(report.planners[0]);
     if (objective) report.objective = objective->name;
     if (!objective && problem.objective != "length") {
