@@ -12,6 +12,7 @@
 
 #include "clearway/planning/audit.h"
 #include "clearway/planning/clearance_objectives.h"
+#include "clearway/planning/outside_goal.h"
 #include "clearway/planning/planners.h"
 #include "clearway/planning/validity_checker.h"
 #include "planning/motion/floor_validator.h"
@@ -51,7 +52,7 @@ class RisingFloor::Round {
         for (unsigned int i = 0; i < owner.pdef_->getStartStateCount(); ++i) {
             definition_->addStartState(owner.pdef_->getStartState(i));
         }
-        definition_->setGoal(owner.pdef_->getGoal());
+        definition_->setGoal(goalOf(owner.pdef_->getGoal()));
         for (unsigned int i = 0; i < owner.threads_; ++i) {
             planners_.push_back(i % 2 == 0 ? make<og::RRTConnect>(owner.range_)
                                            : make<og::RRT>(owner.range_));
@@ -67,6 +68,12 @@ class RisingFloor::Round {
     }
 
   private:
+    /// A goal outside has to draw states that keep the floor.
+    ob::GoalPtr goalOf(const ob::GoalPtr& given) const {
+        const auto* outside = dynamic_cast<const OutsideGoal*>(given.get());
+        return outside == nullptr ? given : std::make_shared<OutsideGoal>(si_, *outside);
+    }
+
     template <class Tree>
     ob::PlannerPtr make(double range) {
         const auto planner = std::make_shared<Tree>(si_);
@@ -96,7 +103,7 @@ void RisingFloor::clear() {
 }
 
 /// No path can have more clearance than its ends, nor more than the environment's reach or the objective's
-/// cap.
+/// cap. A goal of many states is taken to have one with as much as the start.
 double RisingFloor::mostClearance() const {
     const MinClearanceObjective objective(si_, validator_->scene());
     double most = objective.cap();

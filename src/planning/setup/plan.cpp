@@ -153,7 +153,7 @@ PlanReport plan(const Problem& problem, const Scene& scene, const PlanOptions& o
 std::optional<Reach> planningReach(const Problem& problem, const PlanOptions& options, const Model& part,
                                    const Box& environmentBox) {
     if (mayUseSampler(problem, "max_clearance")) return std::nullopt;
-    const Box bounds = boundsOf(problem, environmentBox);
+    const Box bounds = boundsOf(problem, environmentBox, part.box());
     const Vector3 slack = Vector3::Constant(kBoundsSlack * bounds.diagonal().norm());
     const double radius = part.radiusAboutOrigin();
     const auto objective = chooseObjective(problem, options);
