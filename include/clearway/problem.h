@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <iosfwd>
 #include <map>
 #include <optional>
 #include <string>
@@ -153,8 +154,10 @@ LoadedScene loadScene(const Problem& problem, const BuildOptions& options = {},
 Box boundsOf(const Problem& problem, const Box& environmentBox, const Box& partBox = Box());
 
 /// Writes one state a line with 17 digits: x y z qx qy qz qw, or x y yaw in SE(2). The file is written under
-/// a temporary name, then renamed.
+/// a temporary name, then renamed. Throws std::runtime_error when it cannot be written. With a stream, writes the same
+/// lines there.
 void writePath(const std::vector<PartState>& path, Space space, const std::string& file);
+void writePath(const std::vector<PartState>& path, Space space, std::ostream& stream);
 
 /// Reads a file with one state a line, as writePath writes it. Quaternions are normalised, because files with
 /// 6 digits are off by 3e-7. Blank lines and lines that begin with # are skipped. Throws std::runtime_error

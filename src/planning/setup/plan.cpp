@@ -101,9 +101,7 @@ void describeSolution(const PlanSetup& setup, const Problem& problem, const Budg
     og::PathGeometric path = pathOf(setup, solution);
     report.statesBefore = path.getStateCount();
     report.audit = finish(setup, path, [&] { return budget.isOutOfTime(); });
-    if (budget.isStopped()) {
-        report.outcome = PlanReport::Outcome::kStopped;
-    } else if (report.isCertified && !report.audit.isValid()) {
+    if (report.isCertified && !report.audit.isValid()) {
         report.warnings.push_back("the planner's path did not pass its audit; it counts as none");
     } else {
         if (!report.audit.isValid()) report.warnings.push_back(doubtOf(report.audit));
@@ -139,10 +137,10 @@ PlanReport plan(const Problem& problem, const Scene& scene, const PlanOptions& o
 
     const Clock::time_point planned = Clock::now();
     budget.beginFinishing();
-    if (budget.isStopped()) {
+    if (setup.definition->hasExactSolution()) describeSolution(setup, problem, budget, report);
+    report.isStopped = budget.isStopped();
+    if (report.isStopped && report.outcome == PlanReport::Outcome::kNotFound) {
         report.outcome = PlanReport::Outcome::kStopped;
-    } else if (setup.definition->hasExactSolution()) {
-        describeSolution(setup, problem, budget, report);
     }
     report.finishingSeconds = secondsSince(planned);
     report.checks = checksOf(setup) + report.audit.queries;

@@ -277,9 +277,7 @@ PlanSetup makePlanSetup(const Problem& stated, const Scene& scene, const PlanOpt
         useCertified(setup, scene, leastSpare, isOver, report);
     }
     setup.floor = report.floor;
-    MotionOptions audits = auditMotions(scene, leastSpare);
-    audits.isStopped = options.isStopped;
-    setup.auditor = std::make_shared<MotionValidator>(setup.si, scene, audits);
+    setup.auditor = std::make_shared<MotionValidator>(setup.si, scene, auditMotions(scene, leastSpare));
     setup.si->setStateValidityChecker(setup.checker);
     setup.definition = defineProblem(setup, problem, scene, report.warnings);
     if (objective) {
