@@ -1,28 +1,35 @@
-# The files of data/tunnel-console-small keep their bytes: the generator that made them is gone. Run as
+# The files of data that no generator makes again keep their bytes. Run as
 # `cmake -DROOT=<repository> -P data_checksums.cmake`.
 cmake_minimum_required(VERSION 3.25)
 
-set(folder ${ROOT}/data/tunnel-console-small)
-# name, SHA-256
-set(expected
+# require_files(FOLDER NAME SHA-256 ...): the folder of data holds these files and no others.
+function(require_files name)
+  set(folder ${ROOT}/data/${name})
+  set(expected ${ARGN})
+  file(GLOB found RELATIVE ${folder} ${folder}/*)
+  list(LENGTH found count)
+  list(LENGTH expected twice)
+  math(EXPR wanted "${twice} / 2")
+  if(NOT count EQUAL wanted)
+    message(FATAL_ERROR "${folder} holds ${count} files, expected ${wanted}")
+  endif()
+  while(expected)
+    list(POP_FRONT expected file sum)
+    file(SHA256 ${folder}/${file} actual)
+    if(NOT actual STREQUAL sum)
+      message(FATAL_ERROR "${folder}/${file} has the SHA-256 ${actual}, expected ${sum}")
+    endif()
+  endwhile()
+endfunction()
+
+require_files(tunnel-console-small
     tunnel-console.cfg eb93469f0e18a916b6cc1fda5b1eb72bbd916fb553763a2b48204914c1d1b8a0
     tunnel-console.path 60a4fce6f4f2e51d537fb391621ad59e0294a2c42ff81aca69688534236e275f
     tunnel-console.png 99100d69ac4480fedf23683b217017a83b7769ad3fa332d26046f2d202750381
     tunnel-console_environment.obj 6b590d47a758b5e1f7c1db89bb7bc08d868ae93cc183210b18c629a6e757edaf
     tunnel-console_part.obj 3aea9b34de9b9c602f9f3007b7fbf4c2960eca43849750dd8c8af99862cdba87
     tunnel-console_replay.poses 4244f80e36c41d5ac24c1d29b1881b30d8ddcd269b5939fd30b1ada1b7eefab7)
-
-file(GLOB found RELATIVE ${folder} ${folder}/*)
-list(LENGTH found count)
-list(LENGTH expected twice)
-math(EXPR wanted "${twice} / 2")
-if(NOT count EQUAL wanted)
-  message(FATAL_ERROR "${folder} holds ${count} files, expected ${wanted}")
-endif()
-while(expected)
-  list(POP_FRONT expected name sum)
-  file(SHA256 ${folder}/${name} actual)
-  if(NOT actual STREQUAL sum)
-    message(FATAL_ERROR "${folder}/${name} has the SHA-256 ${actual}, expected ${sum}")
-  endif()
-endwhile()
+require_files(bracket
+    bracket.cfg 8c126d89d4fc122bcfd3500cff915a606cab3aa8aeac0bc4e9e67da2a4690ee9
+    bracket.stl 7a815f72aa7f5946a7eeb00abca46afff79c75841d225beb750a5fa686de0b7b
+    wall.stl a99fefb1b052f4ae0a0d4da0eb40b467907d2abc6376a7b0122960b4d06474cb)

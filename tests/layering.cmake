@@ -40,7 +40,7 @@ set(program program/scenes program/render program/report program/study program/c
 set(layers ${library} ${planning} ${program})
 
 # The room of planning that holds each public planning header's source: including the header counts as including the room.
-set(validity_headers validity_checker.h scene_clearance.h state_to_pose.h displacement_bound.h)
+set(validity_headers validity_checker.h scene_clearance.h state_to_pose.h displacement_bound.h outside_goal.h)
 set(motion_headers motion_validator.h discrete_motion_validator.h)
 set(objectives_headers clearance_objectives.h objectives.h)
 set(samplers_headers valid_state_samplers.h)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <iosfwd>
 #include <map>
 #include <optional>
 #include <string>
@@ -11,6 +12,7 @@
 #include "clearway/mesh.h"
 #include "clearway/obstacle_groups.h"
 #include "clearway/obstacle_rules.h"
+#include "clearway/outside.h"
 #include "clearway/scene.h"
 #include "clearway/types.h"
 
@@ -53,7 +55,7 @@ struct Problem {
     std::vector<std::string> furtherWorlds;  ///< further mesh files of the environment; see readProblem
     Space space = Space::kSe3;
     PartState start;
-    PartState goal;
+    PartState goal;             ///< has no meaning when the goal is `outside`
     std::optional<Box> volume;  ///< bounds of the part's position; without them see boundsOf()
     std::string objective = "length";
     std::optional<double> objectiveThreshold;
@@ -75,6 +77,7 @@ struct Problem {
     // [clearway]
     double margin = 0;  ///< of obstacles that no rule names, environment units
     ObstacleRules rules;
+    std::optional<Outside> outside;  ///< the goal is any pose outside of the environment's box, not `goal`
     std::optional<double>
         step;  ///< fineness of the scene, environment units: planners' edges are 20 times as long
     bool asOmplApp = true;  ///< read meshes as OMPL.app does; `reading = stored` turns this off
@@ -84,13 +87,13 @@ struct Problem {
 };
 
 /// Reads a .cfg. The space is SE(3) if start and goal have z and the axis keys, SE(2) if they have none of
-/// them. OMPL.app's `world` is one file; here it may list several, separated by commas and in quotes where
+/// them. A goal outside has no pose. OMPL.app's `world` is one file; here it may list several, separated by commas and in quotes where
 /// necessary ("a, b.stl"). If the whole text is the name of an existing file, it is that one file. Planner
 /// names and parameters are kept unchecked, in lower case.
 ///
 /// Throws std::runtime_error when the file cannot be read. Throws std::invalid_argument when robot, world,
-/// start or goal is missing, a value is wrong, a key stands twice, or [clearway] has an unknown key. The
-/// messages name the file, the key, the value and what was expected.
+/// start or goal is missing, a value is wrong, a key stands twice, a goal outside has a pose or contacts, or
+/// [clearway] has an unknown key. The messages name the file, the key, the value and what was expected.
 Problem readProblem(const std::string& file);
 
 /// Writes a .cfg that readProblem reads back to equal values: numbers have 17 digits; rotations, as axis and
@@ -116,7 +119,7 @@ std::vector<Mesh> loadWorlds(const Problem& problem, const MeshReader& read = lo
 Mesh loadEnvironment(const Problem& problem);
 
 /// Groups the environment's files by the problem's margin and rules. Throws as groupObstacles does, naming
-/// the problem's file.
+/// the problem's file, and when the goal is outside but has contacts, which lie around a pose.
 ObstacleGroups obstaclesOf(const Problem& problem, const std::vector<Mesh>& worlds);
 
 /// The steps of loadScene that a caller may replace.
@@ -143,14 +146,18 @@ struct LoadedScene {
 LoadedScene loadScene(const Problem& problem, const BuildOptions& options = {},
                       const SceneLoading& loading = {});
 
-/// problem.volume, or else OMPL.app's rule: the environment's box grown to hold start and goal. In SE(2) z is
-/// 0 to 0. Throws std::invalid_argument when the bounds leave out the start or the goal, or have no extent
-/// along an axis.
-Box boundsOf(const Problem& problem, const Box& environmentBox);
+/// problem.volume, or else OMPL.app's rule: the environment's box grown to hold start and goal. For a goal
+/// outside it is grown by so much on each of the goal's sides that the part fits there however it is turned.
+/// In SE(2) z is 0 to 0. partBox: the part's box in its own coordinates, needed for a goal outside. Throws
+/// std::invalid_argument when the bounds leave out the start or the goal, leave no room for the part outside
+/// even when it is turned to need least, or have no extent along an axis.
+Box boundsOf(const Problem& problem, const Box& environmentBox, const Box& partBox = Box());
 
 /// Writes one state a line with 17 digits: x y z qx qy qz qw, or x y yaw in SE(2). The file is written under
-/// a temporary name, then renamed.
+/// a temporary name, then renamed. Throws std::runtime_error when it cannot be written. With a stream, writes the same
+/// lines there.
 void writePath(const std::vector<PartState>& path, Space space, const std::string& file);
+void writePath(const std::vector<PartState>& path, Space space, std::ostream& stream);
 
 /// Reads a file with one state a line, as writePath writes it. Quaternions are normalised, because files with
 /// 6 digits are off by 3e-7. Blank lines and lines that begin with # are skipped. Throws std::runtime_error

@@ -28,11 +28,37 @@ struct TemporaryFile {
     ~TemporaryFile() { std::remove(name.c_str()); }
 };
 
+/// The type of the file that a name leads to. /dev/stdout and other links to a process's streams count as devices even where
+/// the stream goes to a regular file: it is the link that would be renamed or replaced.
+std::filesystem::file_type typeOf(const std::string& file) {
+    namespace fs = std::filesystem;
+    constexpr int kMostLinks = 40;  // as many as the system follows
+    std::error_code ignored;
+    fs::path name = fs::absolute(file, ignored);
+    for (int i = 0; i < kMostLinks; ++i) {
+        const fs::path folder = fs::weakly_canonical(name.parent_path(), ignored);
+        if (folder.string().rfind("/proc/", 0) == 0) return fs::file_type::character;
+        if (!fs::is_symlink(name, ignored)) break;
+        name = folder / fs::read_symlink(name, ignored);
+    }
+    return fs::status(file, ignored).type();
+}
+
+/// The first free name for a file that is set aside.
+std::string freeName(const std::string& file) {
+    namespace fs = std::filesystem;
+    std::error_code ignored;
+    std::string name = file + ".old";
+    for (int i = 2; fs::symlink_status(name, ignored).type() != fs::file_type::not_found; ++i) {
+        name = file + ".old." + std::to_string(i);
+    }
+    return name;
+}
+
 /// Refuses devices and pipes, which renaming would replace, and folders, over which renaming fails only after
 /// all the work.
 void requireFileOrNothing(const std::string& file) {
-    std::error_code ignored;
-    const auto kind = std::filesystem::status(file, ignored).type();
+    const auto kind = typeOf(file);
     if (kind == std::filesystem::file_type::directory) {
         throw std::runtime_error("cannot write '" + file + "': it is a folder, expected the name of a file");
     }
@@ -66,6 +92,25 @@ void requireReplaceable(const std::string& file) {
     requireFileOrNothing(file);
     const TemporaryFile temporary{temporaryName(file)};
     open(temporary, file);
+}
+
+std::optional<std::string> setAside(const std::string& file) {
+    if (typeOf(file) != std::filesystem::file_type::regular) return std::nullopt;
+    // A hard link never replaces a file, even one that another program has just made. Where the file system has no hard links
+    // the file is renamed.
+    std::error_code failed;
+    std::string name = freeName(file);
+    std::filesystem::create_hard_link(file, name, failed);
+    while (failed == std::errc::file_exists) {
+        name = freeName(file);
+        std::filesystem::create_hard_link(file, name, failed);
+    }
+    errno = 0;
+    const int done = failed ? std::rename(file.c_str(), name.c_str()) : std::remove(file.c_str());
+    if (done == 0) return name;
+    const std::string reason = std::strerror(errno);
+    throw std::runtime_error("cannot rename '" + file + "' to '" + name + "': " + reason +
+                             ", expected a folder that may be written");
 }
 
 void makeFolder(const std::string& folder) {

@@ -3,10 +3,12 @@
 
 #include "clearway/obstacle_groups.h"
 #include "clearway/problem.h"
+#include "problem/outside.h"
 
 namespace clearway {
 
 ObstacleGroups obstaclesOf(const Problem& problem, const std::vector<Mesh>& worlds) {
+    requireNoGoalContact(problem);
     try {
         return groupObstacles(worlds, problem.margin, problem.rules);
     } catch (const std::invalid_argument& error) {

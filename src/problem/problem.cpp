@@ -2,6 +2,7 @@
 #include "clearway/problem.h"
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 
 #include "clearway/obstacle_groups.h"
@@ -12,12 +13,20 @@
 namespace clearway {
 namespace {
 
+/// Derived bounds let the part's position go this far beyond the environment, in radii of the part about its origin: one
+/// radius lets any rotation be outside, the rest is room to draw poses from.
+constexpr double kRoomInRadii = 1.25;
+
 std::string named(const Problem& problem) {
     return problem.file.empty() ? "" : problem.file + ": ";
 }
 
+int dimensionsOf(const Problem& problem) {
+    return problem.space == Space::kSe3 ? 3 : 2;
+}
+
 void requireInside(const Problem& problem, const Box& bounds, const char* name, const PartState& state) {
-    const int dimensions = problem.space == Space::kSe3 ? 3 : 2;
+    const int dimensions = dimensionsOf(problem);
     for (int i = 0; i < dimensions; ++i) {
         const double value = state.position[i];
         if (value >= bounds.min()[i] && value <= bounds.max()[i]) continue;
@@ -28,7 +37,7 @@ void requireInside(const Problem& problem, const Box& bounds, const char* name, 
 }
 
 void requireExtent(const Problem& problem, const Box& bounds) {
-    const int dimensions = problem.space == Space::kSe3 ? 3 : 2;
+    const int dimensions = dimensionsOf(problem);
     for (int i = 0; i < dimensions; ++i) {
         if (bounds.min()[i] < bounds.max()[i]) continue;
         const std::string axis = kAxisNames[i];
@@ -37,6 +46,42 @@ void requireExtent(const Problem& problem, const Box& bounds) {
                                     ", expected an extent above 0: state volume.min." + axis +
                                     " and volume.max." + axis);
     }
+}
+
+/// Makes room for the part beyond the goal's sides, whatever its rotation.
+void growForPart(Box& bounds, const Problem& problem, const Box& environmentBox, const Box& partBox) {
+    if (environmentBox.isEmpty()) return;
+    const Vector3 farthest = partBox.min().cwiseAbs().cwiseMax(partBox.max().cwiseAbs());
+    const double room = kRoomInRadii * farthest.norm() + largestMargin(problem);
+    for (const BoxSide& side : sidesOf(*problem.outside)) {
+        if (side.axis >= dimensionsOf(problem)) continue;
+        Vector3 point = environmentBox.center();
+        point[side.axis] =
+            side.isUpper ? environmentBox.max()[side.axis] + room : environmentBox.min()[side.axis] - room;
+        bounds.extend(point);
+    }
+}
+
+void requireRoomOutside(const Problem& problem, const Box& bounds, const Box& environmentBox,
+                        const Box& partBox) {
+    const double least = reachAlong(flattestDirection(partBox, dimensionsOf(problem)), partBox);
+    std::string expected;
+    for (const BoxSide& side : sidesOf(*problem.outside)) {
+        if (overlapAt(side, partBox, environmentBox) == -std::numeric_limits<double>::infinity()) return;
+        if (side.axis >= dimensionsOf(problem)) {
+            if (overlapAt(side, partBox, environmentBox) < 0) return;
+            continue;
+        }
+        const int axis = side.axis;
+        const double limit =
+            side.isUpper ? environmentBox.max()[axis] + least : environmentBox.min()[axis] - least;
+        if (side.isUpper ? bounds.max()[axis] > limit : bounds.min()[axis] < limit) return;
+        expected += std::string(expected.empty() ? "" : " or ") +
+                    (side.isUpper ? "volume.max." : "volume.min.") + kAxisNames[axis] +
+                    (side.isUpper ? " above " : " below ") + shortNumber(limit);
+    }
+    throw std::invalid_argument(named(problem) + "the bounds leave no room for the part outside, expected " +
+                                (expected.empty() ? "a side along x or y" : expected));
 }
 
 Mesh loadAs(const Problem& problem, const std::string& file, MeshReading omplAppReading,
@@ -69,18 +114,30 @@ double largestMargin(const Problem& problem) {
     return largest;
 }
 
-Box boundsOf(const Problem& problem, const Box& environmentBox) {
+Box boundsOf(const Problem& problem, const Box& environmentBox, const Box& partBox) {
+    if (problem.outside && partBox.isEmpty()) {
+        throw std::invalid_argument(named(problem) + "the goal is outside, expected the part's box too");
+    }
     Box bounds;
     if (problem.volume) {
         bounds = *problem.volume;
     } else {
         bounds = environmentBox;
-        bounds.extend(problem.start.position).extend(problem.goal.position);
+        bounds.extend(problem.start.position);
+        if (problem.outside) {
+            growForPart(bounds, problem, environmentBox, partBox);
+        } else {
+            bounds.extend(problem.goal.position);
+        }
     }
     if (problem.space == Space::kSe2) bounds.min().z() = bounds.max().z() = 0;
     requireExtent(problem, bounds);
     requireInside(problem, bounds, "start", problem.start);
-    requireInside(problem, bounds, "goal", problem.goal);
+    if (problem.outside) {
+        requireRoomOutside(problem, bounds, environmentBox, partBox);
+    } else {
+        requireInside(problem, bounds, "goal", problem.goal);
+    }
     return bounds;
 }
 

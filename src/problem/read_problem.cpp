@@ -19,7 +19,7 @@ namespace clearway {
 namespace {
 
 constexpr const char* kClearwayKeys =
-    "contact.goal, contact.start, ignore, margin, margin.NAME, reading, solid, step";
+    "contact.goal, contact.start, goal, ignore, margin, margin.NAME, outside, reading, solid, step";
 
 /// The mesh file's path: in the .cfg's folder or, with a warning, in the current folder. OMPL.app looks in
 /// the current folder first; the order here keeps a problem from depending on the current folder.
@@ -107,6 +107,14 @@ PartState readState(ConfigValues& values, const std::string& prefix, Space space
     return state;
 }
 
+void readGoal(ConfigValues& values, Problem& problem) {
+    problem.goal = readState(values, "problem.goal.", problem.space);
+    problem.goalThreshold = values.number("problem.threshold");
+    if (problem.goalThreshold && *problem.goalThreshold < 0) {
+        values.refuse("problem.threshold", "a number of at least 0");
+    }
+}
+
 /// Empty if no key is given. Throws unless all keys of the space are given.
 std::optional<Box> readVolume(ConfigValues& values, Space space) {
     const int dimensions = space == Space::kSe3 ? 3 : 2;
@@ -184,6 +192,29 @@ void readClearway(ConfigValues& values, Problem& problem) {
     problem.asOmplApp = how == "omplapp";
 }
 
+/// Reads the goal `outside`. Empty when the goal is a pose. Keys of a goal's pose contradict it.
+std::optional<Outside> readOutside(ConfigValues& values, Space space) {
+    const std::string kind = "clearway.goal", which = "clearway.outside";
+    const std::optional<std::string> goal = values.text(kind), side = values.text(which);
+    if (goal && *goal != "outside")
+        values.refuse(kind, "outside, or no such key where [problem] has the goal");
+    if (side && !goal) values.refuse(which, "it only together with goal = outside");
+    if (!goal) return std::nullopt;
+    for (const ConfigEntry& entry : values.unread()) {
+        if (boost::starts_with(entry.name, "problem.goal.") || entry.name == "clearway.contact.goal") {
+            values.refuse(entry.name, "no such key together with [clearway] goal = outside");
+        }
+    }
+    Outside outside;
+    if (!side) return outside;
+    outside.side = sideNamed(*side);
+    const bool isSpatial = space == Space::kSe3;
+    if (!outside.side || (!isSpatial && outside.side->axis == 2)) {
+        values.refuse(which, isSpatial ? "+x, -x, +y, -y, +z or -z" : "+x, -x, +y or -y");
+    }
+    return outside;
+}
+
 /// Warns of keys that nothing has read. In [clearway] an unknown key is an error, because it may be meant to
 /// decide validity.
 void judgeUnread(const std::string& file, const ConfigValues& values, Problem& problem) {
@@ -230,14 +261,11 @@ Problem readProblem(const std::string& file) {
     readWorlds(values, problem);
     problem.space = spaceOf(values);
     problem.start = readState(values, "problem.start.", problem.space);
-    problem.goal = readState(values, "problem.goal.", problem.space);
+    problem.outside = readOutside(values, problem.space);
+    if (!problem.outside) readGoal(values, problem);
     problem.volume = readVolume(values, problem.space);
     problem.objective = values.text("problem.objective").value_or(problem.objective);
     problem.objectiveThreshold = values.number("problem.objective.threshold");
-    problem.goalThreshold = values.number("problem.threshold");
-    if (problem.goalThreshold && *problem.goalThreshold < 0) {
-        values.refuse("problem.threshold", "a number of at least 0");
-    }
     problem.sampler = values.text("problem.sampler").value_or("");
     readSettings(values, problem);
     readBenchmark(values, problem);

@@ -107,9 +107,11 @@ Pose acceptable(const Pose& pose, const NumberLine& line, const std::string& fil
 }  // namespace
 
 void writePath(const std::vector<PartState>& path, Space space, const std::string& file) {
-    replaceFile(file, [&](std::ostream& stream) {
-        for (const PartState& state : path) stream << lineOf(state, space);
-    });
+    replaceFile(file, [&](std::ostream& stream) { writePath(path, space, stream); });
+}
+
+void writePath(const std::vector<PartState>& path, Space space, std::ostream& stream) {
+    for (const PartState& state : path) stream << lineOf(state, space);
 }
 
 std::vector<PartState> readPath(const std::string& file, Space space) {

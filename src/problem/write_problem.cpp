@@ -12,6 +12,7 @@
 #include "core/text.h"
 #include "problem/config.h"
 #include "problem/obstacle_rules.h"
+#include "problem/outside.h"
 #include "problem/rotation.h"
 
 namespace clearway {
@@ -103,14 +104,14 @@ void writeProblemSection(ConfigText& text, const Problem& problem, const std::st
     text.line("robot", relativeTo(folder, problem.robot));
     text.line("world", writtenWorlds(problem, folder));
     writeState(text, "start", problem.start, problem.space);
-    writeState(text, "goal", problem.goal, problem.space);
+    if (!problem.outside) writeState(text, "goal", problem.goal, problem.space);
     if (problem.volume) {
         text.vector("volume.min", problem.volume->min(), dimensions);
         text.vector("volume.max", problem.volume->max(), dimensions);
     }
     text.line("objective", problem.objective);
     if (problem.objectiveThreshold) text.line("objective.threshold", *problem.objectiveThreshold);
-    if (problem.goalThreshold) text.line("threshold", *problem.goalThreshold);
+    if (problem.goalThreshold && !problem.outside) text.line("threshold", *problem.goalThreshold);
     if (!problem.sampler.empty()) text.line("sampler", problem.sampler);
     writeTexts(text, "a setting of the problem", "", problem.settings);
 }
@@ -146,6 +147,11 @@ void writePlannerSection(ConfigText& text, const Problem& problem) {
 
 void writeClearwaySection(ConfigText& text, const Problem& problem) {
     text.section("clearway");
+    if (problem.outside) {
+        requireNoGoalContact(problem);
+        text.line("goal", std::string("outside"));
+        if (problem.outside->side) text.line("outside", nameOf(*problem.outside->side));
+    }
     text.line("margin", problem.margin);
     for (const auto& [key, value] : writtenRules(problem.rules)) text.quotedLine(key, value);
     if (problem.step) text.line("step", *problem.step);

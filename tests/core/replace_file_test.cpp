@@ -1,8 +1,11 @@
 #include "core/replace_file.h"
 
+#include <fcntl.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <boost/test/unit_test.hpp>
+#include <filesystem>
 #include <ostream>
 #include <stdexcept>
 
@@ -84,6 +87,43 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_written_is_named) {
     BOOST_TEST(messageOf(pipe) == "cannot write '" + pipe +
                                       "': it is not a regular file, expected a regular file or a new name");
     BOOST_TEST(folder.names() == std::vector<std::string>{"pipe"}, boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(a_stream_of_the_process_is_refused_wherever_it_leads) {
+    const TemporaryFolder folder;
+    const std::string redirected = folder.write("out.txt", "shown");
+    const int stream = ::open(redirected.c_str(), O_WRONLY);
+    BOOST_REQUIRE(stream >= 0);
+    const std::string name = "/proc/self/fd/" + std::to_string(stream), link = folder.file("link");
+    std::filesystem::create_symlink(name, link);
+    for (const std::string& each : {name, link, "/dev/fd/" + std::to_string(stream)}) {
+        BOOST_TEST(messageOf(each).find("it is not a regular file") != std::string::npos, each);
+        BOOST_TEST(!setAside(each), each);
+    }
+    ::close(stream);
+    BOOST_TEST(readText(redirected) == "shown");
+    BOOST_TEST(std::filesystem::is_symlink(link));
+}
+
+BOOST_AUTO_TEST_CASE(a_file_set_aside_never_overwrites_another) {
+    const TemporaryFolder folder;
+    const std::string file = folder.file("a.path");
+    BOOST_TEST(!setAside(file));
+    folder.write("a.path.old.2", "kept");
+    for (const char* name : {"a.path.old", "a.path.old.3", "a.path.old.4"}) {
+        folder.write("a.path", name);
+        BOOST_TEST(setAside(file).value_or("") == folder.file(name));
+        BOOST_TEST(readText(folder.file(name)) == name);
+        BOOST_TEST(!std::filesystem::exists(file));
+    }
+    BOOST_TEST(readText(folder.file("a.path.old.2")) == "kept");
+
+    folder.write("b.path", "there");
+    std::filesystem::create_symlink("b.path", file);
+    BOOST_TEST(setAside(file).value_or("") == folder.file("a.path.old.5"));
+    BOOST_TEST(std::filesystem::is_symlink(folder.file("a.path.old.5")));
+    BOOST_TEST(readText(folder.file("b.path")) == "there");
+    BOOST_TEST(!setAside(folder.path()));  // a folder stays
 }
 
 }  // namespace clearway

@@ -61,6 +61,10 @@ void requireSameAgain(const Problem& problem) {
                 back.runCount == problem.runCount,
             "numbers survive");
     require(back.asOmplApp == problem.asOmplApp, "the reading survives");
+    require(back.outside.has_value() == problem.outside.has_value(), "a goal outside survives");
+    if (back.outside) {
+        require(back.outside->side.has_value() == problem.outside->side.has_value(), "its side survives");
+    }
     requireSameRules(back.rules, problem.rules);
     require(worldFiles(back).size() == worldFiles(problem).size(), "worlds survive");
     require(back.volume.has_value() == problem.volume.has_value(), "bounds survive");
@@ -141,6 +145,7 @@ std::vector<std::string> seeds() {
         "ignore = e, \"f, g\"\nsolid = all\ncontact.start = h, 3\ncontact.goal = i, j, 0.5\n";
     return {'\0' + meshes + spatial + rest,
             '\0' + meshes + "start.theta = 0.5\ngoal.x = 4\ngoal.y = 5\ngoal.theta = 6\n" + rest,
+            '\0' + meshes + "start.theta = 0.5\n[clearway]\ngoal = outside\noutside = -y\n",
             "\1"
             "1 2.5 -3e2 0.1 0.2 0.3 0.9\n# x\n1 2 3 0 0 0 1\n",
             "\2"

@@ -226,9 +226,58 @@ BOOST_AUTO_TEST_CASE(an_unknown_clearway_key_is_an_error_for_it_may_decide_what_
     BOOST_TEST(
         refusalOf(kSpatial + "[clearway]\nsolids = wall\n") ==
         ":20: [clearway] solids = 'wall' is an unknown key, expected one of contact.goal, contact.start, "
-        "ignore, margin, margin.NAME, reading, solid, step");
+        "goal, ignore, margin, margin.NAME, outside, reading, solid, step");
     BOOST_TEST(refusalOf(kSpatial + "[Clearway]\nmargin = 2\n") ==
                ":20: the section is [Clearway], expected [clearway]");
+}
+
+/// The text without the goal's lines, with a section [clearway].
+std::string withoutGoal(const std::string& text, const std::string& clearway) {
+    std::string kept;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+        if (line.compare(0, 5, "goal.") != 0) kept += line + "\n";
+    }
+    return kept + "[clearway]\n" + clearway;
+}
+
+BOOST_AUTO_TEST_CASE(a_goal_outside_is_read_with_its_side_and_without_a_pose) {
+    const Problem anySide = read(withoutGoal(kSpatial, "goal = outside\n"));
+    BOOST_REQUIRE(anySide.outside.has_value());
+    BOOST_TEST(!anySide.outside->side);
+    BOOST_TEST((anySide.space == Space::kSe3));
+    BOOST_TEST(anySide.warnings.empty());
+    for (const char* name : {"+x", "-x", "+y", "-y", "+z", "-z"}) {
+        const Problem problem =
+            read(withoutGoal(kSpatial, std::string("goal = outside\noutside = ") + name + "\n"));
+        BOOST_TEST(nameOf(problem.outside.value().side.value()) == name);
+    }
+    BOOST_TEST((read(withoutGoal(kPlanar, "goal = outside\noutside = -y\n")).space == Space::kSe2));
+    BOOST_TEST(!read(kSpatial).outside);
+    const std::string threshold = with(withoutGoal(kSpatial, "goal = outside\n"), "name", "threshold = 1");
+    BOOST_TEST(read(threshold).warnings.size() == 1u);
+}
+
+BOOST_AUTO_TEST_CASE(a_goal_outside_that_is_wrong_or_has_a_pose_is_refused_with_its_line) {
+    const auto refusal = [](const std::string& text, const std::string& clearway) {
+        return refusalOf(withoutGoal(text, clearway));
+    };
+    BOOST_TEST(
+        refusal(kSpatial, "goal = out\n") ==
+        ":13: [clearway] goal is 'out', expected outside, or no such key where [problem] has the goal");
+    BOOST_TEST(refusal(kSpatial, "goal = outside\noutside = up\n") ==
+               ":14: [clearway] outside is 'up', expected +x, -x, +y, -y, +z or -z");
+    BOOST_TEST(refusal(kPlanar, "goal = outside\noutside = +z\n").find("expected +x, -x, +y or -y") !=
+               std::string::npos);
+    BOOST_TEST(refusalOf(kSpatial + "[clearway]\noutside = +x\n") ==
+               ":20: [clearway] outside is '+x', expected it only together with goal = outside");
+    BOOST_TEST(refusalOf(kSpatial + "[clearway]\ngoal = outside\n")
+                   .find("expected no such key together with [clearway] goal = outside") !=
+               std::string::npos);
+    BOOST_TEST(
+        refusal(kSpatial, "goal = outside\ncontact.goal = wall, 1\n") ==
+        ":14: [clearway] contact.goal is 'wall, 1', expected no such key together with [clearway] goal = "
+        "outside");
 }
 
 BOOST_AUTO_TEST_CASE(other_unknown_keys_and_sections_are_warned_of_once_each) {

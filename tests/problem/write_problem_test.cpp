@@ -88,6 +88,21 @@ BOOST_AUTO_TEST_CASE(everything_written_reads_back_to_the_same_values) {
     BOOST_TEST(!back.asOmplApp);
 }
 
+BOOST_AUTO_TEST_CASE(a_goal_outside_reads_back) {
+    const TemporaryFolder folder;
+    Problem problem = basicProblem(folder);
+    for (const char* side : {"", "+x", "-z"}) {
+        problem.outside = Outside{sideNamed(side)};
+        writeProblem(problem, folder.file("a.cfg"));
+        const Problem back = readProblem(folder.file("a.cfg"));
+        BOOST_TEST(back.warnings.empty());
+        BOOST_REQUIRE(back.outside.has_value());
+        BOOST_TEST((back.outside->side ? nameOf(*back.outside->side) : "") == side);
+    }
+    problem.rules.goalContact = ContactRule{{"wall"}, 1};
+    BOOST_CHECK_THROW(writeProblem(problem, folder.file("a.cfg")), std::invalid_argument);
+}
+
 BOOST_AUTO_TEST_CASE(states_read_back_to_the_same_pose) {
     constexpr unsigned kSeed = 11;
     BOOST_TEST_MESSAGE("seed " << kSeed);

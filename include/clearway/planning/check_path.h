@@ -12,7 +12,7 @@ namespace clearway::planning {
 struct PathCheck {
     PathAudit audit;
     /// At the path's ends no point of the part is farther than this from its place at the problem's start and
-    /// goal. Environment units.
+    /// goal. For a goal outside, offGoal is OutsideGoal::distanceGoal at the path's end. Environment units.
     double offStart = 0, offGoal = 0;
     double tolerance = 0;  ///< offsets up to this are rounding in the file: a share of the part's diagonal
 

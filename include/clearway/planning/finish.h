@@ -25,7 +25,7 @@ std::optional<BestSolution> bestSolution(const ompl::base::ProblemDefinition& de
 ompl::base::PlannerSolution solutionOf(const PlanSetup& setup);
 
 /// Copies the solution's states into a path in the setup's own space information: the solution's may be a
-/// wrapper that dies with its planner.
+/// wrapper that dies with its planner. A path to a goal outside ends with its first state there.
 ompl::geometric::PathGeometric pathOf(const PlanSetup& setup, const ompl::base::PlannerSolution& solution);
 
 /// Shortens the path until isSpent, which must not be empty, returns true, by certified motions that keep

@@ -54,7 +54,8 @@ struct PlanOptions {
     bool quick = false;
     bool omplWeights = false;  ///< weights rotation as OMPL does, instead of by the part's radius
 
-    /// Called often, also from other threads and within motions. True ends the planning without a path.
+    /// Called often, also from other threads and within motions. True ends planning and shortening: the best path
+    /// so far, if there is one, is audited and returned.
     std::function<bool()> isStopped;
 };
 
@@ -67,14 +68,15 @@ struct RoomReport {
 
 struct PlanReport {
     enum class Outcome { kFound, kNotFound, kStopped };
-    Outcome outcome = Outcome::kNotFound;
-    std::vector<std::string> planners;  ///< those that ran side by side
-    unsigned int threads = 1;           ///< that plan at a time, where planners do not choose for themselves
-    std::string foundBy;                ///< OMPL's name of the planner that found the path
-    std::string objective;              ///< name of the objective; empty: the first path is taken
-    double cost = 0;                    ///< the path's cost by the objective, if there is one
-    bool isRepeatable = false;          ///< with the same seed and number of iterations
-    bool isCertified = false;           ///< the planners' motions were certified, not checked in steps
+    Outcome outcome = Outcome::kNotFound;  ///< kStopped: stopped before there was a path
+    bool isStopped = false;                ///< PlanOptions::isStopped ended the planning or the shortening
+    std::vector<std::string> planners;     ///< those that ran side by side
+    unsigned int threads = 1;   ///< that plan at a time, where planners do not choose for themselves
+    std::string foundBy;        ///< OMPL's name of the planner that found the path
+    std::string objective;      ///< name of the objective; empty: the first path is taken
+    double cost = 0;            ///< the path's cost by the objective, if there is one
+    bool isRepeatable = false;  ///< with the same seed and number of iterations
+    bool isCertified = false;   ///< the planners' motions were certified, not checked in steps
     /// The step used, which is shorter than the requested one when start or goal have less than half of that
     /// to spare. 0 without a step.
     double step = 0;

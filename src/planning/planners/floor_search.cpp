@@ -7,6 +7,7 @@
 #include <future>
 #include <utility>
 
+#include "clearway/planning/outside_goal.h"
 #include "clearway/planning/simplify.h"
 #include "clearway/planning/sliding_rrt_connect.h"
 #include "clearway/planning/validity_checker.h"
@@ -65,7 +66,7 @@ class FloorSearch::Seeker {
         for (unsigned int i = 0; i < search.definition_->getStartStateCount(); ++i) {
             definition_->addStartState(search.definition_->getStartState(i));
         }
-        definition_->setGoal(search.definition_->getGoal());
+        definition_->setGoal(goalOf(search.definition_->getGoal()));
         if (job.number % 2 == 0) {
             make<og::RRTConnect>(search.options_.range);
         } else {
@@ -81,6 +82,12 @@ class FloorSearch::Seeker {
     }
 
   private:
+    /// A goal outside has to draw states that keep the floor.
+    ob::GoalPtr goalOf(const ob::GoalPtr& given) const {
+        const auto* outside = dynamic_cast<const OutsideGoal*>(given.get());
+        return outside == nullptr ? given : std::make_shared<OutsideGoal>(si_, *outside);
+    }
+
     template <class Tree>
     void make(double range) {
         const auto planner = std::make_shared<Tree>(si_);

@@ -41,7 +41,7 @@ void RisingFloor::startFrom(const og::PathGeometric& path, const First& first) {
 }
 
 /// No path can have more clearance than its ends, nor more than the environment's reach or the objective's
-/// cap.
+/// cap. A goal of many states is taken to have one with as much as the start.
 double RisingFloor::mostClearance() const {
     const MinClearanceObjective objective(si_, validator_->scene());
     double most = objective.cap();

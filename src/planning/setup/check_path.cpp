@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "clearway/planning/displacement_bound.h"
+#include "clearway/planning/outside_goal.h"
 #include "clearway/planning/validity_checker.h"
 #include "core/number.h"
 #include "planning/motion/motion_search.h"
@@ -47,7 +48,7 @@ void requirePositions(const std::vector<PartState>& path, const Scene& scene, co
 PathCheck checkPath(const Problem& problem, const Scene& scene, const std::vector<PartState>& path,
                     const AuditOptions& options) {
     if (path.empty()) throw std::invalid_argument("the path has no state, expected at least one");
-    const Box bounds = boundsOf(problem, scene.environmentBox());
+    const Box bounds = boundsOf(problem, scene.environmentBox(), scene.part.box());
     requireReachOf(scene, bounds, stepOf(problem, PlanOptions(), scene.part));
     requirePositions(path, scene, bounds);
     const auto si = std::make_shared<ob::SpaceInformation>(
@@ -69,7 +70,9 @@ PathCheck checkPath(const Problem& problem, const Scene& scene, const std::vecto
     PathCheck check;
     check.tolerance = kTolerancePerDiagonal * scene.part.box().diagonal().norm();
     check.offStart = off(first, problem.start);
-    check.offGoal = off(last, problem.goal);
+    check.offGoal = problem.outside
+                        ? OutsideGoal(si, scene, *problem.outside, problem.start).distanceGoal(last)
+                        : off(last, problem.goal);
     const double spare = std::max(0.0, std::min(checker->clearance(first), checker->clearance(last)));
     check.audit = audit(states, MotionValidator(si, scene, auditMotions(scene, spare)), options);
     return check;

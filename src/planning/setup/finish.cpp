@@ -7,6 +7,7 @@
 #include "clearway/planning/simplify.h"
 #include "planning/paths/kept_clearance.h"
 #include "planning/paths/unwind.h"
+#include "planning/setup/goals.h"
 
 namespace clearway::planning {
 namespace {
@@ -115,7 +116,10 @@ ob::PlannerSolution solutionOf(const PlanSetup& setup) {
 
 og::PathGeometric pathOf(const PlanSetup& setup, const ob::PlannerSolution& solution) {
     og::PathGeometric path(setup.si);
-    for (const ob::State* state : solution.path_->as<og::PathGeometric>()->getStates()) path.append(state);
+    for (const ob::State* state : solution.path_->as<og::PathGeometric>()->getStates()) {
+        path.append(state);
+        if (isOutside(setup.definition->getGoal(), state)) break;
+    }
     return path;
 }
 

@@ -145,9 +145,7 @@ void describeSolution(const PlanSetup& setup, const Problem& problem, const Plan
     budget.beginFinishing();
     report.audit = finish(
         setup, path, [&] { return budget.isOutOfTime(); }, kept);
-    if (budget.isStopped()) {
-        report.outcome = PlanReport::Outcome::kStopped;
-    } else if (report.isCertified && !report.audit.isValid()) {
+    if (report.isCertified && !report.audit.isValid()) {
         report.warnings.push_back("the planner's path did not pass its audit; it counts as none");
     } else {
         if (!report.audit.isValid()) report.warnings.push_back(doubtOf(report.audit));
@@ -182,10 +180,10 @@ PlanReport plan(const Problem& problem, const Scene& scene, const PlanOptions& o
     report.planningSeconds = secondsSince(begin);
 
     const Clock::time_point planned = Clock::now();
-    if (budget.isStopped()) {
+    if (setup.definition->hasExactSolution()) describeSolution(setup, problem, options, budget, report);
+    report.isStopped = budget.isStopped();
+    if (report.isStopped && report.outcome == PlanReport::Outcome::kNotFound) {
         report.outcome = PlanReport::Outcome::kStopped;
-    } else if (setup.definition->hasExactSolution()) {
-        describeSolution(setup, problem, options, budget, report);
     }
     report.finishingSeconds = secondsSince(planned);
     report.checks = checksOf(setup) + report.audit.queries;
@@ -196,7 +194,7 @@ PlanReport plan(const Problem& problem, const Scene& scene, const PlanOptions& o
 std::optional<Reach> planningReach(const Problem& problem, const PlanOptions& options, const Model& part,
                                    const Box& environmentBox) {
     if (mayUseSampler(problem, "max_clearance")) return std::nullopt;
-    const Box bounds = boundsOf(problem, environmentBox);
+    const Box bounds = boundsOf(problem, environmentBox, part.box());
     const Vector3 slack = Vector3::Constant(kBoundsSlack * bounds.diagonal().norm());
     const double radius = part.radiusAboutOrigin();
     const auto objective = chooseObjective(problem, options);

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <sstream>
 #include <stdexcept>
 #include <thread>
@@ -13,6 +12,7 @@
 #include "clearway/planning/planners.h"
 #include "core/number.h"
 #include "planning/motion/motion_search.h"
+#include "planning/setup/goals.h"
 #include "planning/setup/problem_settings.h"
 #include "planning/validity/ompl_states.h"
 
@@ -199,12 +199,15 @@ void useCertified(PlanSetup& setup, const Scene& scene, double spare, const std:
     setup.si->setMotionValidator(setup.certified);
 }
 
-ob::ProblemDefinitionPtr defineProblem(const PlanSetup& setup, const Problem& problem) {
-    const ob::StateSpacePtr& space = setup.si->getStateSpace();
+ob::ProblemDefinitionPtr defineProblem(const PlanSetup& setup, const Problem& problem, const Scene& scene,
+                                       std::vector<std::string>& warnings) {
     const auto definition = std::make_shared<ob::ProblemDefinition>(setup.si);
-    definition->setStartAndGoalStates(toOmpl(space, problem.space, problem.start),
-                                      toOmpl(space, problem.space, problem.goal),
-                                      problem.goalThreshold.value_or(std::numeric_limits<double>::epsilon()));
+    const auto start = toOmpl(setup.si->getStateSpace(), problem.space, problem.start);
+    definition->addStartState(start);
+    definition->setGoal(makeGoal(setup.si, problem, scene));
+    if (isOutside(definition->getGoal(), start.get())) {
+        warnings.push_back("the start is outside already, so the path ends there");
+    }
     return definition;
 }
 
@@ -256,7 +259,7 @@ PlanSetup makePlanSetup(const Problem& stated, const Scene& scene, const PlanOpt
 
     PlanSetup setup;
     const double turnWeight = options.omplWeights ? 1.0 : scene.part.radiusAboutOrigin();
-    const Box bounds = boundsOf(problem, scene.environmentBox());
+    const Box bounds = boundsOf(problem, scene.environmentBox(), scene.part.box());
     requireReachOf(scene, bounds, stepOf(problem, options, scene.part));
     setup.si = std::make_shared<ob::SpaceInformation>(makeSpace(problem.space, bounds, turnWeight));
     setup.truth = makeChecker(setup.si, scene, 0);
@@ -265,18 +268,17 @@ PlanSetup makePlanSetup(const Problem& stated, const Scene& scene, const PlanOpt
         return requireValid(*setup.truth, omplState.get(), what);
     };
     const double startSpare = spare(problem.start, "start");  // the start is refused before the goal
-    const double leastSpare = std::min(startSpare, spare(problem.goal, "goal"));
+    const double leastSpare =
+        problem.outside ? startSpare : std::min(startSpare, spare(problem.goal, "goal"));
     if (options.step) {
         useSteps(setup, scene, options, leastSpare, report);
     } else {
         useCertified(setup, scene, leastSpare, isOver, report);
     }
     setup.floor = report.floor;
-    MotionOptions audits = auditMotions(scene, leastSpare);
-    audits.isStopped = options.isStopped;
-    setup.auditor = std::make_shared<MotionValidator>(setup.si, scene, audits);
+    setup.auditor = std::make_shared<MotionValidator>(setup.si, scene, auditMotions(scene, leastSpare));
     setup.si->setStateValidityChecker(setup.checker);
-    setup.definition = defineProblem(setup, problem);
+    setup.definition = defineProblem(setup, problem, scene, report.warnings);
     if (objective) {
         setup.definition->setOptimizationObjective(
             makePlanObjective(setup.si, scene, *objective, problem.objectiveThreshold, leastSpare));

@@ -4,11 +4,11 @@
 #include <ompl/base/spaces/SE3StateSpace.h>
 #include <ompl/util/Console.h>
 
-#include <limits>
 #include <memory>
 #include <stdexcept>
 
 #include "clearway/planning/validity_checker.h"
+#include "planning/setup/goals.h"
 #include "planning/setup/problem_settings.h"
 #include "planning/validity/ompl_states.h"
 
@@ -28,7 +28,7 @@ Space kindOf(const ob::StateSpace& space) {
 }  // namespace
 
 og::SimpleSetup makeSetup(const Problem& problem, const Scene& scene) {
-    const Box bounds = boundsOf(problem, scene.environmentBox());
+    const Box bounds = boundsOf(problem, scene.environmentBox(), scene.part.box());
     og::SimpleSetup setup(makeSpace(problem.space, bounds, scene.part.radiusAboutOrigin()));
     const ob::SpaceInformationPtr& si = setup.getSpaceInformation();
     const auto checker = std::make_shared<ValidityChecker>(si, scene);
@@ -36,11 +36,13 @@ og::SimpleSetup makeSetup(const Problem& problem, const Scene& scene) {
     si->setMotionValidator(std::make_shared<MotionValidator>(si, scene));
 
     const auto start = toOmpl(si->getStateSpace(), problem.space, problem.start);
-    const auto goal = toOmpl(si->getStateSpace(), problem.space, problem.goal);
     requireValid(*checker, start.get(), "start");
-    requireValid(*checker, goal.get(), "goal");
-    setup.setStartAndGoalStates(start, goal,
-                                problem.goalThreshold.value_or(std::numeric_limits<double>::epsilon()));
+    if (!problem.outside) {
+        const auto goal = toOmpl(si->getStateSpace(), problem.space, problem.goal);
+        requireValid(*checker, goal.get(), "goal");
+    }
+    setup.setStartState(start);
+    setup.setGoal(makeGoal(si, problem, scene));
 
     std::vector<std::string> warnings;
     applySettings(*si, problem, warnings);

@@ -55,6 +55,16 @@ void warnOfEnd(const char* verb, double off, double tolerance, const char* end) 
                    ", expected at most " + readable(tolerance)});
 }
 
+void warnOfEnds(const Problem& problem, const planning::PathCheck& check) {
+    warnOfEnd("begins", check.offStart, check.tolerance, "start");
+    if (!problem.outside) return warnOfEnd("ends", check.offGoal, check.tolerance, "goal");
+    if (check.endsAtGoal()) return;
+    const auto& side = problem.outside->side;
+    printWarnings({"at the path's end the part's box overlaps the environment's by " +
+                   readable(check.offGoal) + (side ? " along " + nameOf(*side) : "") +
+                   ", expected a goal outside"});
+}
+
 void print(const Scene& scene, const planning::PathCheck& check) {
     printMesh("part", scene.part);
     printObstacles(scene);
@@ -83,8 +93,7 @@ int check(const Arguments& arguments) {
         found = planning::checkPath(problem, scene, path);
     }
     printWarnings(problem.warnings);
-    warnOfEnd("begins", found.offStart, found.tolerance, "start");
-    warnOfEnd("ends", found.offGoal, found.tolerance, "goal");
+    warnOfEnds(problem, found);
     print(scene, found);
     if (!options.csv.empty()) writeProfile(found.audit, options.csv);
     options.outputs.write(problem, scene, path, found.audit, {});

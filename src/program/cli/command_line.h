@@ -34,7 +34,7 @@ int render(const Arguments& arguments);
 int scene(const Arguments& arguments);
 
 /// From now on the first Ctrl-C (SIGINT, SIGTERM) ends the current work, not the program: finished work is
-/// still written. The second Ctrl-C has its usual effect.
+/// still written. The second Ctrl-C has its usual effect: it ends the program at once, with exit code 130 in a shell.
 void heedInterrupts();
 bool isInterrupted();
 

@@ -104,6 +104,19 @@ std::string description(const PartState& state) {
            readable(q.y()) + ", " + readable(q.z()) + ", " + readable(q.w()) + ")";
 }
 
+std::string goalOf(const Problem& problem) {
+    if (!problem.outside) return description(problem.goal);
+    const auto& side = problem.outside->side;
+    return side ? "outside, beyond " + nameOf(*side) + " of the environment's box"
+                : "outside of the environment's box";
+}
+
+std::string boundsNote(const Problem& problem) {
+    if (problem.volume) return "";
+    return std::string(" (the environment's box, grown to hold ") +
+           (problem.outside ? "the start and the part outside)" : "start and goal)");
+}
+
 std::string description(const PlannerChoice& planner) {
     std::string text = planner.name;
     for (const auto& [name, value] : planner.parameters) text += ", " + name + " = " + value;
@@ -116,15 +129,14 @@ void printContact(const char* where, const std::optional<ContactRule>& contact) 
 }
 
 /// Prints all of the problem but its meshes. environmentBox: bounds the part's position where the problem
-/// states no volume. Throws std::invalid_argument when the bounds leave out start or goal.
-void describeProblem(const Problem& problem, const Box& environmentBox) {
-    const Box bounds = boundsOf(problem, environmentBox);
+/// states no volume. partBox: the part's, in its own coordinates. Throws as boundsOf does.
+void describeProblem(const Problem& problem, const Box& environmentBox, const Box& partBox) {
+    const Box bounds = boundsOf(problem, environmentBox, partBox);
     printRow("problem", problem.file + (problem.name.empty() ? "" : " (" + problem.name + ")"));
     printRow("space", problem.space == Space::kSe3 ? "SE(3)" : "SE(2)");
     printRow("start", description(problem.start));
-    printRow("goal", description(problem.goal));
-    printRow("bounds", readable(bounds) +
-                           (problem.volume ? "" : " (the environment's box, grown to hold start and goal)"));
+    printRow("goal", goalOf(problem));
+    printRow("bounds", readable(bounds) + boundsNote(problem));
     printRow("objective", problem.objective + (problem.objectiveThreshold
                                                    ? ", threshold " + readable(*problem.objectiveThreshold)
                                                    : std::string()));
@@ -150,7 +162,7 @@ void describeProblemFile(const std::string& file, const BuildOptions& tree) {
     const std::vector<Mesh> worlds = loadWorlds(problem, guardedLoadMesh);
     const Mesh environment = joinedEnvironment(worlds);
     const ObstacleGroups obstacles = obstaclesOf(problem, worlds);
-    describeProblem(problem, boundingBox(environment));
+    describeProblem(problem, boundingBox(environment), boundingBox(part));
     printObstacles(obstacles);
     std::cout << "\nPart\n";
     const Model partModel =

@@ -2,11 +2,14 @@
 #include "clearway/planning/plan.h"
 
 #include <cmath>
+#include <exception>
+#include <iostream>
 
 #include "clearway/planning/check_path.h"
 #include "clearway/planning/objectives.h"
 #include "clearway/planning/planners.h"
 #include "core/text.h"
+#include "program/cli/old_path.h"
 #include "program/cli/path_outputs.h"
 #include "program/cli/print.h"
 #include "program/cli/print_audit.h"
@@ -67,8 +70,10 @@ bool readArguments(const Arguments& arguments, PlanArguments& given) {
         "clearway plan PROBLEM.cfg --path OUT.path [options]",
         "Finds a path from the problem's start to its goal, shortens it, audits it along its whole length "
         "and\n"
-        "writes it. Exit code 1 when no path was found. With --step the audit may find that the path is not\n"
-        "valid: the path is then written with a warning, and the exit code is 1.");
+        "writes it. Ctrl-C keeps the best path so far. Exit code 1 when no path was found. With --step the "
+        "audit\n"
+        "may find that the path is not valid: the path is then written with a warning, and the exit code is "
+        "1.");
     addProblem(line, given.problem);
     line.option("--path FILE", "where the path is written, one state a line", to(given.path),
                 CommandLine::Count::kRequired);
@@ -126,16 +131,23 @@ Rows pathRows(const PlanReport& report) {
     return rows;
 }
 
-void printOutcome(const PlanReport& report, const Problem& problem, const std::string& file) {
-    if (report.outcome == PlanReport::Outcome::kFound) {
-        printRows(pathRows(report));
-        printAudit(report.audit);
-        writePath(report.path, problem.space, file);
-        printRow("path", file);
-    } else {
-        printRow("path",
-                 report.outcome == PlanReport::Outcome::kStopped ? "none, interrupted" : "none found");
+/// A path that cannot be written after all is printed: the work is not lost.
+void writeOrPrint(const std::vector<PartState>& path, Space space, const std::string& file) {
+    try {
+        writePath(path, space, file);
+    } catch (const std::exception&) {
+        printRow("path", "not written, its states follow");
+        writePath(path, space, std::cout);
+        throw;
     }
+}
+
+void printPath(const PlanReport& report, const Problem& problem, const std::string& file) {
+    printRows(pathRows(report));
+    printAudit(report.audit);
+    if (report.isStopped) printRow("interrupted", "the path is the best so far");
+    writeOrPrint(report.path, problem.space, file);
+    printRow("path", file);
 }
 
 }  // namespace
@@ -148,6 +160,7 @@ int plan(const Arguments& arguments) {
     OutputFiles files(inputsOf(problem));
     files.add("--path", given.path);
     given.outputs.require(files);
+    OldPath oldPath(given.path);
     const Scene scene = given.trees.load(problem, given.plan);
     PlanReport report;
     {
@@ -160,16 +173,20 @@ int plan(const Arguments& arguments) {
     printObstacles(scene);
     Rows figures = settingsRows(given.plan, report);
     printRows(figures);
-    printOutcome(report, problem, given.path);
-    const bool isFound = report.outcome == PlanReport::Outcome::kFound;
-    if (isFound && !given.outputs.isEmpty()) {
+    if (report.outcome != PlanReport::Outcome::kFound) {
+        printRow("path", report.isStopped ? "none, interrupted" : "none found");
+        return kAnswerIsNo;
+    }
+    printPath(report, problem, given.path);
+    oldPath.isReplaced();
+    if (!given.outputs.isEmpty()) {
         for (const auto& row : pathRows(report)) figures.push_back(row);
         // Planning audits the path without a profile; the outputs show a profile.
         const planning::PathCheck checked = planning::checkPath(problem, scene, report.path);
         given.outputs.write(problem, scene, report.path, checked.audit, figures);
     }
     requirePrinted();
-    return isFound && report.audit.isValid() ? kDone : kAnswerIsNo;
+    return report.audit.isValid() ? kDone : kAnswerIsNo;
 }
 
 }  // namespace clearway::cli

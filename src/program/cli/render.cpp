@@ -122,7 +122,8 @@ bool readArguments(const Arguments& arguments, RenderArguments& given) {
     CommandLine line("clearway render PROBLEM.cfg [IN.path] --out OUT.png [options]",
                      "Draws the environment and the part at poses along the path, coloured by clearance; "
                      "without a path, at\n"
-                     "the problem's start and goal. Coordinates and lengths are the environment's; z is up.");
+                     "the problem's start and goal (a goal outside has no pose). Coordinates and lengths are "
+                     "the environment's; z is up.");
     addProblem(line, given.problem);
     line.argument("[IN.path]", to(given.path));
     line.option("--out FILE", "the picture, a PNG file", to(given.out), CommandLine::Count::kRequired);
@@ -146,6 +147,12 @@ bool readArguments(const Arguments& arguments, RenderArguments& given) {
                 integer<int>(given.drawing.samples, 1, 4096));
     addCache(line, given.trees);
     return line.parse(arguments);
+}
+
+/// The poses that a problem states.
+std::vector<PartState> endsOf(const Problem& problem) {
+    if (problem.outside) return {problem.start};
+    return {problem.start, problem.goal};
 }
 
 void printPose(double share, const Scene& scene, const planning::PoseClearance& at) {
@@ -199,8 +206,7 @@ int render(const Arguments& arguments) {
     if (!readArguments(arguments, given)) return kDone;
     const bool hasPath = !given.path.empty();
     const Problem problem = given.problem.read();
-    const std::vector<PartState> states =
-        hasPath ? readPath(given.path, problem.space) : std::vector<PartState>{problem.start, problem.goal};
+    const std::vector<PartState> states = hasPath ? readPath(given.path, problem.space) : endsOf(problem);
     std::vector<std::string> inputs = inputsOf(problem);
     if (hasPath) inputs.push_back(given.path);
     OutputFiles(inputs).add("--out", given.out);
@@ -210,9 +216,8 @@ int render(const Arguments& arguments) {
     const Scene scene = given.trees.load(problem);
     const planning::SceneClearance clearance(scene);
     const report::PathLine line(states, scene.part.radiusAboutOrigin());
-    const std::vector<double> shares = !given.shares.empty() ? given.shares
-                                       : hasPath             ? report::evenShares(given.poseCount)
-                                                             : std::vector<double>{0, 1};
+    const std::vector<double> shares =
+        !given.shares.empty() ? given.shares : report::evenShares(hasPath ? given.poseCount : states.size());
     auto poses = posesAt(line, shares, clearance, true);
     chooseGhosts(scene.part, poses);
     const auto way = hasPath ? posesAt(line, report::evenShares(kWayPoses), clearance, false)

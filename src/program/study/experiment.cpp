@@ -61,6 +61,11 @@ std::string durationText(double seconds) {
     return std::to_string(minutes / 60) + " h " + std::to_string(minutes % 60) + " min";
 }
 
+std::string goalText(const Problem& problem) {
+    if (!problem.outside) return textOf(problem.goal);
+    return " outside" + (problem.outside->side ? nameOf(*problem.outside->side) : "");
+}
+
 }  // namespace
 
 BuildOptions Engine::build() const {
@@ -131,8 +136,8 @@ std::string StudyProblem::fingerprint() const {
         }
     }
     for (const auto& [key, value] : problem.settings) text += " " + key + "=" + value;
-    const Box bounds = boundsOf(problem, obstacles.environmentBox());
-    return text + textOf(problem.start) + textOf(problem.goal) + textOf(bounds.min()) + textOf(bounds.max());
+    const Box bounds = boundsOf(problem, obstacles.environmentBox(), boundingBox(part));
+    return text + textOf(problem.start) + goalText(problem) + textOf(bounds.min()) + textOf(bounds.max());
 }
 
 Scene buildScene(const StudyProblem& study, const Engine& engine, const std::string& cache) {

@@ -1,6 +1,10 @@
 #include "program/cli/command_line.h"
 
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <boost/test/unit_test.hpp>
+#include <csignal>
 #include <stdexcept>
 
 namespace clearway::testing {
@@ -83,6 +87,22 @@ BOOST_AUTO_TEST_CASE(file_names_are_taken_as_they_stand) {
     BOOST_TEST(Read({"p.cfg", "--out=--a.png"}).out == "--a.png");
     BOOST_TEST(Read({"p.cfg", "--out", "-3"}).out == "-3");
     BOOST_TEST(Read({"p.cfg", "-h"}).isHelp);
+}
+
+BOOST_AUTO_TEST_CASE(the_second_interrupt_ends_the_program_at_once) {
+    const pid_t child = fork();
+    BOOST_REQUIRE(child >= 0);
+    if (child == 0) {
+        heedInterrupts();
+        raise(SIGINT);
+        if (!isInterrupted()) _exit(1);
+        raise(SIGINT);
+        _exit(2);
+    }
+    int status = 0;
+    BOOST_REQUIRE(waitpid(child, &status, 0) == child);
+    BOOST_TEST(WIFSIGNALED(status));  // a shell's exit code is then 130
+    BOOST_TEST(WTERMSIG(status) == SIGINT);
 }
 
 }  // namespace clearway::testing

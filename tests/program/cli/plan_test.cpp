@@ -1,4 +1,5 @@
 #include <csignal>
+#include <filesystem>
 
 #include "clearway/problem.h"
 #include "program/cli/run_program.h"
@@ -242,6 +243,7 @@ BOOST_AUTO_TEST_CASE(what_a_problem_file_says_in_vain_is_warned_of_once) {
 
     problem.planners = {{"nonesuch", {}}};
     folder.write(problem);
+    std::filesystem::remove(folder.file("out.path"));  // would be set aside
     requireRefused(folder, kPlan, {"window.cfg", "unknown planner 'nonesuch'"});
 }
 

@@ -1,0 +1,12 @@
+// Contradictions of a goal outside.
+#pragma once
+
+#include "clearway/problem.h"
+
+namespace clearway {
+
+/// Throws std::invalid_argument, naming the problem's file, when the goal is outside but has contacts, which lie around a
+/// pose.
+void requireNoGoalContact(const Problem& problem);
+
+}  // namespace clearway

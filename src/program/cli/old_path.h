@@ -1,0 +1,24 @@
+// Keeps the path file of an earlier run from being taken for that of a run that failed.
+#pragma once
+
+#include <string>
+#include <utility>
+
+namespace clearway::cli {
+
+/// Make one when all files and options are accepted, before the planning. Unless the file is replaced by then, the destructor
+/// sets it aside (setAside), however the run failed, and prints a row about it, or a warning when it cannot.
+class OldPath {
+  public:
+    explicit OldPath(std::string file) : file_(std::move(file)) {}
+    ~OldPath();
+    OldPath(const OldPath&) = delete;
+    OldPath& operator=(const OldPath&) = delete;
+
+    void isReplaced() { file_.clear(); }
+
+  private:
+    std::string file_;
+};
+
+}  // namespace clearway::cli

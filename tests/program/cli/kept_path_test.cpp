@@ -1,0 +1,123 @@
+#include <csignal>
+
+#include "clearway/problem.h"
+#include "program/cli/run_program.h"
+#include "support/random_meshes.h"
+#include "support/window_scene.h"
+
+namespace clearway::testing {
+namespace {
+
+struct KeptFolder : TemporaryFolder {
+    KeptFolder() {
+        saveMesh(window.partMesh, file("plate.obj"));
+        saveMesh(window.wallMesh, file("wall.obj"));
+        Problem problem = window.problem;
+        problem.robot = file("plate.obj");
+        problem.world = file("wall.obj");
+        problem.asOmplApp = false;
+        writeProblem(problem, file("window.cfg"));
+        problem.goal.position = {-60, 30, 0};  // before the wall as the start is
+        writeProblem(problem, file("easy.cfg"));
+    }
+    WindowScene window = windowScene();
+};
+
+constexpr const char* kFails = "plan window.cfg --path out.path --time 0.2 --margin 12";
+constexpr const char* kOld = "1 2 3 0 0 0 1\n";
+
+/// Runs the program until it is sent SIGINT, after more and more time: on a busy machine it may still be starting.
+Outcome interrupted(const TemporaryFolder& folder, const std::string& arguments) {
+    constexpr int kEndedBySignal = 128 + SIGINT;
+    Outcome outcome;
+    outcome.code = kEndedBySignal;
+    for (int seconds = 2; outcome.code == kEndedBySignal && seconds < 100; seconds *= 2) {
+        const std::string command = "cd '" + folder.path() + "' && timeout --preserve-status -s INT " +
+                                    std::to_string(seconds) + " " CLEARWAY_PROGRAM " " + arguments +
+                                    " > shown 2> errors";
+        const int status = std::system(command.c_str());
+        outcome = {WIFEXITED(status) ? WEXITSTATUS(status) : -1, readText(folder.file("shown")),
+                   readText(folder.file("errors"))};
+    }
+    return outcome;
+}
+
+BOOST_AUTO_TEST_CASE(an_interrupt_keeps_the_best_path_so_far) {
+    const KeptFolder folder;
+    const Outcome outcome =
+        interrupted(folder, "plan easy.cfg --path out.path --time 300 --objective length --planner RRTstar");
+    BOOST_TEST(outcome.code == 0, outcome.err);
+    BOOST_TEST(row(outcome, "interrupted") == "the path is the best so far");
+    BOOST_TEST(row(outcome, "audit") == "valid along the whole path, certified");
+    BOOST_TEST(row(outcome, "path") == "out.path");
+    BOOST_TEST(runIn(folder, "check easy.cfg out.path").code == 0);
+}
+
+BOOST_AUTO_TEST_CASE(a_path_that_cannot_be_written_is_printed_and_the_exit_code_is_2) {
+    const KeptFolder folder;
+    // With no blocks to write, files can be made but stay empty. Pipes are no files.
+    const std::string command =
+        "cd '" + folder.path() +
+        "' && { ( ulimit -f 0; " CLEARWAY_PROGRAM
+        " plan easy.cfg --path out.path --iterations 10000; echo code $? ) 2>&1; } | cat > all";
+    BOOST_TEST(std::system(command.c_str()) == 0);
+    const std::string all = readText(folder.file("all"));
+    BOOST_TEST(all.find("\ncode 2\n") != std::string::npos, all);
+    BOOST_TEST(all.find("\nclearway: cannot write 'out.path': ") != std::string::npos, all);
+    BOOST_TEST(readText(folder.file("out.path")) == "");
+    const std::string label = "not written, its states follow\n";
+    const std::size_t begin = all.find(label) + label.size(), end = all.find("clearway: ");
+    BOOST_REQUIRE(begin < end);
+    folder.write("printed.path", all.substr(begin, end - begin));
+    const Outcome checked = runIn(folder, "check easy.cfg printed.path");
+    BOOST_TEST(checked.code == 0, checked.out);
+    BOOST_TEST(checked.err == "");
+}
+
+BOOST_AUTO_TEST_CASE(a_plan_that_fails_sets_an_old_path_aside_and_says_so) {
+    const KeptFolder folder;
+    for (const char* name : {"out.path.old", "out.path.old.2", "out.path.old.3"}) {
+        folder.write("out.path", kOld);
+        const Outcome outcome = runIn(folder, kFails);
+        BOOST_TEST(outcome.code == 1);
+        BOOST_TEST(row(outcome, "path") == "none found");
+        BOOST_TEST(row(outcome, "old path") ==
+                   std::string("moved to ") + name + ", because there is no new one");
+        BOOST_TEST(readText(folder.file(name)) == kOld);
+        BOOST_TEST(readText(folder.file("out.path")) == "");
+    }
+    const auto names = folder.names();
+    const Outcome without = runIn(folder, kFails);
+    BOOST_TEST(without.out.find("old path") == std::string::npos);
+    BOOST_TEST(folder.names() == names, boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(a_plan_that_is_refused_or_interrupted_sets_an_old_path_aside) {
+    const KeptFolder folder;
+    folder.write("out.path", kOld);
+    const Outcome refused = runIn(folder, "plan window.cfg --path out.path --margin 100");
+    BOOST_TEST(refused.code == 2);
+    BOOST_TEST(refused.err.find("start is too close") != std::string::npos, refused.err);
+    BOOST_TEST(row(refused, "old path").find("moved to out.path.old,") == 0);
+
+    folder.write("out.path", kOld);
+    const Outcome ended = interrupted(folder, "plan window.cfg --path out.path --time 300 --margin 12");
+    BOOST_TEST(ended.code == 1);
+    BOOST_TEST(row(ended, "path") == "none, interrupted");
+    BOOST_TEST(row(ended, "old path").find("moved to out.path.old.2,") == 0);
+}
+
+BOOST_AUTO_TEST_CASE(a_new_path_replaces_the_old_one_and_wrong_usage_leaves_it) {
+    const KeptFolder folder;
+    folder.write("out.path", kOld);
+    requireRefused(folder, "plan window.cfg --path out.path --time soon", {"--time"});
+    BOOST_TEST(readText(folder.file("out.path")) == kOld);
+    const Outcome outcome = runIn(folder, "plan easy.cfg --path out.path --iterations 10000");
+    BOOST_TEST(outcome.code == 0);
+    BOOST_TEST(outcome.out.find("old path") == std::string::npos);
+    BOOST_TEST(readText(folder.file("out.path")) != kOld);
+    BOOST_TEST(readText(folder.file("out.path.old")) == "");
+}
+
+}  // namespace
+}  // namespace clearway::testing
