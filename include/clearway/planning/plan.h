@@ -110,9 +110,9 @@ struct PlanReport {
 /// Plans for the scene. The scene's margins count; the problem's own margin and mesh files do not. The path
 /// begins at the problem's start, ends at its goal, and is valid along its whole length. With a step it is
 /// valid at every state that was looked at, and its audit tells about the rest. Throws std::invalid_argument
-/// when an option is wrong, the problem names an unknown planner, the bounds leave out the start or the goal,
-/// the environment was built with too small a reach (see planningReach), or start or goal is not valid: then
-/// the message names the two closest meshes and triangles.
+/// when an option is wrong, the problem names an unknown planner, the bounds leave out the start or the goal or
+/// leave no room for a goal outside, the environment was built with too small a reach (see planningReach), or start
+/// or goal is not valid: then the message names the two closest meshes and triangles.
 PlanReport plan(const Problem& problem, const Scene& scene, const PlanOptions& options);
 
 /// The reach that plan() and checkPath() need of an environment's model: all positions within the problem's

@@ -13,11 +13,11 @@
 namespace clearway::planning {
 
 /// Makes OMPL's setup of a problem in a scene: SE(3) or SE(2) within the problem's bounds, the problem's
-/// start and goal, a ValidityChecker, and a MotionValidator, which certifies motions. A rotation counts as
-/// far as it moves the part's outermost point, where OMPL would count radians as environment units. The
-/// problem's settings of the space and the sampler are applied; a setting that neither has gives a warning
-/// through OMPL's console. The caller sets the planner and the objective, which the problem holds as names
-/// and texts.
+/// start and goal (an OutsideGoal for a goal outside), a ValidityChecker, and a MotionValidator, which certifies
+/// motions. A rotation counts as far as it moves the part's outermost point, where OMPL would count radians as
+/// environment units. The problem's settings of the space and the sampler are applied; a setting that neither has
+/// gives a warning through OMPL's console. The caller sets the planner and the objective, which the problem holds
+/// as names and texts.
 ///
 /// The scene's margins count, not the problem's. Throws std::invalid_argument as boundsOf, ValidityChecker
 /// and MotionValidator do, for a setting that OMPL refuses, and when start or goal is not valid: then the
