@@ -37,6 +37,9 @@ constexpr double kBoundsSlack = 1e-9;
 /// with hardly any room shortening could go on without end.
 constexpr double kLeastFinishing = 5;
 
+/// Seconds for trying what stops the part, where no path was found.
+constexpr double kMostAsking = 1;
+
 /// Decides when the planner has to end. Some planners ask from several threads.
 class Budget {
   public:
@@ -114,6 +117,29 @@ void describeSolution(const PlanSetup& setup, const Problem& problem, const Budg
     }
 }
 
+/// When the planners' trees turn out to be a path together, adds it to the solutions and returns true. Otherwise tells
+/// why there is no path.
+bool joinOrTellWhy(const PlanSetup& setup, const Problem& problem, const PlanOptions& options,
+                   PlanReport& report) {
+    WhyNoPathOptions asking;
+    if (!options.iterations) asking.seconds = kMostAsking;
+    asking.seed = options.seed;
+    asking.isStopped = options.isStopped;
+    WhyNoPath why = whyNoPath(setup, problem, asking);
+    if (why.isJoined) {
+        const auto path = std::make_shared<og::PathGeometric>(setup.si);
+        for (const PartState& state : why.nearest.path) {
+            path->append(toOmpl(setup.si->getStateSpace(), problem.space, state).get());
+        }
+        ob::PlannerSolution solution(path);
+        solution.setPlannerName("the trees of several planners, joined");
+        setup.definition->addSolutionPath(solution);
+        return true;
+    }
+    report.whyNoPath = std::move(why);
+    return false;
+}
+
 std::uint64_t checksOf(const PlanSetup& setup) {
     std::uint64_t checks = setup.truth->counters().checks;
     if (setup.checker != setup.truth) checks += setup.checker->counters().checks;
@@ -141,7 +167,7 @@ PlanReport plan(const Problem& problem, const Scene& scene, const PlanOptions& o
     budget.beginFinishing();
     if (budget.isStopped()) {
         report.outcome = PlanReport::Outcome::kStopped;
-    } else if (setup.definition->hasExactSolution()) {
+    } else if (setup.definition->hasExactSolution() || joinOrTellWhy(setup, problem, options, report)) {
         describeSolution(setup, problem, budget, report);
     }
     report.finishingSeconds = secondsSince(planned);
