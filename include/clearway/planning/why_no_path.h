@@ -15,10 +15,15 @@ namespace clearway::planning {
 
 struct PlanSetup;
 
+/// A part that comes less far than this is shut in, as a multiple of its diagonal. A part that can only turn on the spot
+/// moves by up to one diagonal.
+constexpr double kShutIn = 2;
+
 /// A hindrance, and how many of the motions tried it stopped.
 struct Blocker {
-    std::string name;      ///< of the obstacle's component, see meshNames; empty for the bounds
-    std::string partMesh;  ///< the component of the part that it stopped most often; empty for the bounds
+    std::string name;  ///< of the obstacle's component, see meshNames; empty for the bounds
+    /// The part's component that it stopped most often; empty for the bounds, and for a part of one component.
+    std::string partMesh;
     std::size_t atStart = 0, atGoal = 0;  ///< motions stopped, from the states reached from start and goal
 
     bool isBounds() const { return name.empty(); }
@@ -53,8 +58,8 @@ struct WhyNoPath {
     /// The motion over the gap is valid: the trees of several planners, joined, are a path.
     bool isJoined = false;
 
-    /// True when no state was reached in which a point of the part has moved by as much as the part's diagonal.
-    bool isShutIn(const ReachedFrom& end) const { return end.hasTree && end.farthest < diagonal; }
+    /// True when no state was reached in which a point of the part has moved by as much as kShutIn.
+    bool isShutIn(const ReachedFrom& end) const { return end.hasTree && end.farthest < kShutIn * diagonal; }
 };
 
 struct WhyNoPathOptions {

@@ -89,7 +89,8 @@ class Trial {
         const MotionReport report = validator_.report(before, after);
         if (report.leavesBounds) return {};
         const MeshNames names = meshNames(validator_.scene(), report.closest);
-        return {names.environment, names.part};
+        const bool hasSeveral = validator_.scene().part.components().size() > 1;
+        return {names.environment, hasSeveral ? names.part : std::string()};
     }
 
     const MotionValidator& validator_;
