@@ -32,10 +32,14 @@ struct Explanation {
     /// A path that a trial found and that is valid with all obstacles and whole margins. Planning only missed it.
     std::vector<PartState> path;
     std::size_t trials = 0;
+    double trialSeconds = 0;   ///< the most that a trial plans; 0 with iterations
     bool isOutOfTime = false;  ///< trials were left out for want of time, or because it was interrupted
 };
 
-/// Throws std::invalid_argument unless the scene has at least two named obstacles, the components of its meshes.
+/// True when the scene has at least two obstacles, the components of its meshes, and all have names.
+bool isExplainable(const Scene& scene);
+
+/// Throws std::invalid_argument unless isExplainable.
 void requireExplainable(const Scene& scene);
 
 /// Plans again without the obstacles that stopped most motions, then puts back, one by one, those without which no path

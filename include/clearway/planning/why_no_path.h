@@ -2,22 +2,33 @@
 // planners' trees came to each other.
 #pragma once
 
+#include <ompl/base/Planner.h>
+#include <ompl/base/ProblemDefinition.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "clearway/planning/motion_validator.h"
 #include "clearway/problem.h"
 
 namespace clearway::planning {
 
-struct PlanSetup;
+/// Planners that found no path.
+struct FailedPlanning {
+    std::vector<ompl::base::PlannerPtr> planners;
+    ompl::base::ProblemDefinitionPtr definition;  ///< with the problem's start and goal; in its space
+    std::shared_ptr<const MotionValidator>
+        validator;  ///< tells which motions are valid, and what stops others
+};
 
 /// A part that comes less far than this is shut in, as a multiple of its diagonal. A part that can only turn on the spot
 /// moves by up to one diagonal.
-constexpr double kShutIn = 2;
+constexpr double kShutIn = 1.5;
 
 /// A hindrance, and how many of the motions tried it stopped.
 struct Blocker {
@@ -69,11 +80,12 @@ struct WhyNoPathOptions {
     std::function<bool()> isStopped;  ///< true ends the trying
 };
 
-/// Looks at the trees of the setup's planners, which must have run in vain. To tell what stops the part, motions from
+/// Looks at the trees of the planners. To tell what stops the part, motions from
 /// random states of the trees towards random poses are followed until they are blocked. Positions of these poses are
 /// drawn from the bounds widened by a quarter of the part's diagonal, so that the bounds can be what blocks.
 ///
 /// Planners that do not tell their trees (RisingFloor, CForest) count as having grown none.
-WhyNoPath whyNoPath(const PlanSetup& setup, const Problem& problem, const WhyNoPathOptions& options = {});
+WhyNoPath whyNoPath(const FailedPlanning& failed, const Problem& problem,
+                    const WhyNoPathOptions& options = {});
 
 }  // namespace clearway::planning

@@ -8,8 +8,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "clearway/planning/ompl_messages.h"
-
 namespace clearway::planning {
 namespace {
 
@@ -89,7 +87,6 @@ std::vector<const ob::State*> FailedTree::wayToRoot(std::size_t state) const {
 
 FailedTrees failedTrees(const std::vector<ob::PlannerPtr>& planners,
                         const ob::ProblemDefinition& definition) {
-    const OmplMessages unheard;  // some planners log that they tell only a part of their states
     FailedTrees trees;
     for (const ob::PlannerPtr& planner : planners) {
         if (!tellsItsStates(*planner)) continue;

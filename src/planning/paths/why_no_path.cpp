@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "clearway/planning/plan_setup.h"
 #include "planning/paths/failed_trees.h"
 #include "planning/paths/what_blocks.h"
 #include "planning/validity/ompl_states.h"
@@ -27,12 +26,12 @@ double mostDisplacement(const Pose& a, const Pose& b, double radius) {
 }
 
 /// The exact displacement is asked for only where its quick bound is above the most so far: seldom in large trees.
-double farthestIn(const FailedTree& tree, const ValidityChecker& checker, const ob::State* end) {
-    const Model& part = checker.scene().part;
-    const Pose from = checker.pose(end);
+double farthestIn(const FailedTree& tree, const MotionValidator& validator, const ob::State* end) {
+    const Model& part = validator.scene().part;
+    const Pose from = validator.pose(end);
     double farthest = 0;
     for (const ReachedState& reached : tree.states) {
-        const Pose to = checker.pose(reached.state);
+        const Pose to = validator.pose(reached.state);
         const double most = mostDisplacement(from, to, part.radiusAboutOrigin());
         if (most * (1 + kRounding) <= farthest) continue;
         farthest = std::max(farthest, part.displacement(from, to));
@@ -53,22 +52,22 @@ std::vector<std::string> touchedBounds(const PartState& state, Space kind, const
     return touched;
 }
 
-ReachedFrom reachedFrom(const FailedTree& tree, const PlanSetup& setup, const Problem& problem,
+ReachedFrom reachedFrom(const FailedTree& tree, const FailedPlanning& failed, const Problem& problem,
                         const PartState& end) {
     ReachedFrom reached;
     reached.states = tree.states.size();
     reached.hasTree = tree.isGrown;
-    const auto state = toOmpl(setup.si->getStateSpace(), problem.space, end);
-    reached.farthest = farthestIn(tree, *setup.truth, state.get());
-    const double diagonal = setup.truth->scene().part.box().diagonal().norm();
+    const auto state = toOmpl(failed.definition->getSpaceInformation()->getStateSpace(), problem.space, end);
+    reached.farthest = farthestIn(tree, *failed.validator, state.get());
+    const double diagonal = failed.validator->scene().part.box().diagonal().norm();
     reached.bounds =
-        touchedBounds(end, problem.space, positionBounds(problem.space, *setup.si->getStateSpace()),
+        touchedBounds(end, problem.space, positionBounds(problem.space, failed.validator->space()),
                       kTouchPerDiagonal * diagonal);
     return reached;
 }
 
-void findNearestMiss(const FailedTrees& trees, const PlanSetup& setup, Space space, WhyNoPath& why) {
-    const ClosestStates closest = closestStates(trees, *setup.si);
+void findNearestMiss(const FailedTrees& trees, const FailedPlanning& failed, Space space, WhyNoPath& why) {
+    const ClosestStates closest = closestStates(trees, *failed.definition->getSpaceInformation());
     std::vector<const ob::State*> way = trees.start.wayToRoot(closest.start);
     std::reverse(way.begin(), way.end());
     why.nearest.gap = way.size() - 1;
@@ -76,20 +75,20 @@ void findNearestMiss(const FailedTrees& trees, const PlanSetup& setup, Space spa
     for (const ob::State* state : way) why.nearest.path.push_back(fromOmpl(space, state));
     const ob::State *a = way[why.nearest.gap], *b = way[why.nearest.gap + 1];
     why.nearest.displacement =
-        setup.truth->scene().part.displacement(setup.truth->pose(a), setup.truth->pose(b));
-    why.isJoined = setup.auditor->checkMotion(a, b);
+        failed.validator->scene().part.displacement(failed.validator->pose(a), failed.validator->pose(b));
+    why.isJoined = failed.validator->checkMotion(a, b);
 }
 
 }  // namespace
 
-WhyNoPath whyNoPath(const PlanSetup& setup, const Problem& problem, const WhyNoPathOptions& options) {
+WhyNoPath whyNoPath(const FailedPlanning& failed, const Problem& problem, const WhyNoPathOptions& options) {
     WhyNoPath why;
-    why.diagonal = setup.truth->scene().part.box().diagonal().norm();
-    const FailedTrees trees = failedTrees(setup.planners, *setup.definition);
-    why.start = reachedFrom(trees.start, setup, problem, problem.start);
-    why.goal = reachedFrom(trees.goal, setup, problem, problem.goal);
-    findNearestMiss(trees, setup, problem.space, why);
-    if (!why.isJoined) findBlockers(trees, *setup.auditor, problem.space, options, why);
+    why.diagonal = failed.validator->scene().part.box().diagonal().norm();
+    const FailedTrees trees = failedTrees(failed.planners, *failed.definition);
+    why.start = reachedFrom(trees.start, failed, problem, problem.start);
+    why.goal = reachedFrom(trees.goal, failed, problem, problem.goal);
+    findNearestMiss(trees, failed, problem.space, why);
+    if (!why.isJoined) findBlockers(trees, *failed.validator, problem.space, options, why);
     return why;
 }
 

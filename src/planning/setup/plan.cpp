@@ -125,7 +125,8 @@ bool joinOrTellWhy(const PlanSetup& setup, const Problem& problem, const PlanOpt
     if (!options.iterations) asking.seconds = kMostAsking;
     asking.seed = options.seed;
     asking.isStopped = options.isStopped;
-    WhyNoPath why = whyNoPath(setup, problem, asking);
+    const OmplMessages unheard;  // some planners log that they tell only a part of their states
+    WhyNoPath why = whyNoPath({setup.planners, setup.definition, setup.auditor}, problem, asking);
     if (why.isJoined) {
         const auto path = std::make_shared<og::PathGeometric>(setup.si);
         for (const PartState& state : why.nearest.path) {

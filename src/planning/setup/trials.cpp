@@ -91,7 +91,7 @@ std::optional<TrialPath> Trials::foundBy(const PlanSetup& setup) {
     } else if (!isOver()) {
         WhyNoPathOptions asking{kMotions, {}, options_.seed, options_.isStopped};
         if (!options_.iterations) asking.seconds = kShareOfMotions * *options_.seconds;
-        WhyNoPath why = whyNoPath(setup, problem_, asking);
+        WhyNoPath why = whyNoPath({setup.planners, setup.definition, setup.auditor}, problem_, asking);
         blockers_ = std::move(why.blockers);
         if (why.isJoined) found.path = std::move(why.nearest.path);
     }

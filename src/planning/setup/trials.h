@@ -34,6 +34,7 @@ class Trials {
     /// Lets trials go on until a share of the whole time has passed.
     void allow(double share) { share_ = share; }
     std::size_t count() const { return count_; }
+    double secondsOfEach() const { return options_.seconds.value_or(0); }
 
   private:
     std::optional<TrialPath> foundBy(const PlanSetup& setup);

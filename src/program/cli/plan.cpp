@@ -137,7 +137,9 @@ planning::Explanation explain(const PlanArguments& given, const Problem& problem
     planning::ExplainOptions options;
     options.plan = given.plan;
     options.seconds = *given.explainSeconds;
-    options.load = [&](const Problem& changed) { return given.trees.load(changed, given.plan); };
+    options.load = [&](const Problem& changed) {
+        return given.trees.loadWithNotes(changed, given.plan).scene;
+    };
     const ElapsedLine elapsed("explaining");
     return planning::explain(problem, why, options);
 }

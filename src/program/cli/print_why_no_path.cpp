@@ -59,7 +59,8 @@ void printReached(const WhyNoPath& why, const ReachedFrom& end, const std::strin
     std::string text = counted(end.states, "state") +
                        " reached, where no point of the part has moved by more than " +
                        readable(end.farthest);
-    if (why.isShutIn(end)) text += ": less than twice its diagonal, so it may be shut in there";
+    if (why.isShutIn(end))
+        text += ": less than " + readable(planning::kShutIn) + " diagonals, so it may be shut in there";
     printRow(label, text);
 }
 
@@ -112,12 +113,13 @@ std::string quoted(const std::vector<std::string>& names) {
 
 void printMarginFound(const planning::Explanation& explanation, double largestMargin) {
     if (!explanation.isMarginTried) return;
-    if (!explanation.marginScale) return printRow("found with margin", "none, not even with margins of 0");
+    if (!explanation.marginScale)
+        return printRow("found with margin", "none by these trials, not even with margins of 0");
     const double scale = *explanation.marginScale;
     std::string text = readable(scale * largestMargin);
     text += " in place of " + readable(largestMargin) + " (all margins times " + readable(scale) + ")";
     if (explanation.refusedScale < 1)
-        text += "; none found with " + readable(explanation.refusedScale * largestMargin);
+        text += "; none by these trials with " + readable(explanation.refusedScale * largestMargin);
     printRow("found with margin", text);
 }
 
@@ -135,13 +137,15 @@ void printWhyNoPath(const WhyNoPath& why) {
 }
 
 void printExplanation(const planning::Explanation& explanation, double largestMargin) {
-    printRow("explained by", counted(explanation.trials, "trial") +
+    const double seconds = explanation.trialSeconds;
+    const std::string trialLength = seconds > 0 ? " of up to " + readable(seconds) + " s" : "";
+    printRow("explained by", counted(explanation.trials, "trial") + trialLength +
                                  (explanation.isOutOfTime ? ", until the time was over" : "") +
                                  "; greedy: fewer obstacles may do");
     for (const std::vector<std::string>& set : explanation.withoutThese)
         printRow("found without", quoted(set));
     if (explanation.withoutThese.empty() && explanation.path.empty()) {
-        printRow("found without", "no set of obstacles that was tried");
+        printRow("found without", "none of the sets of obstacles that were tried");
     }
     printMarginFound(explanation, largestMargin);
     if (!explanation.path.empty()) {
@@ -153,10 +157,8 @@ void printHints(const WhyNoPath& why, const Problem& problem, const Scene& scene
     printHintOfBounds(why, problem);
     if (scene.largestMargin() > 0)
         printRow("hint", "--margin may be smaller than " + readable(problem.margin));
-    if (!why.isShutIn(why.start) && !why.isShutIn(why.goal)) {
-        printRow("hint", "--time gives the planners longer");
-    }
-    if (!asked.isExplained) {
+    printRow("hint", "--time gives the planners longer");
+    if (!asked.isExplained && planning::isExplainable(scene)) {
         printRow("hint", "--explain 60 looks for obstacles and margins without which there is a path");
     }
     if (!asked.hasNearest)
