@@ -155,8 +155,11 @@ void printExplanation(const planning::Explanation& explanation, double largestMa
 
 void printHints(const WhyNoPath& why, const Problem& problem, const Scene& scene, const AskedFor& asked) {
     printHintOfBounds(why, problem);
-    if (scene.largestMargin() > 0)
+    if (problem.margin > 0) {
         printRow("hint", "--margin may be smaller than " + readable(problem.margin));
+    } else if (scene.largestMargin() > 0) {
+        printRow("hint", "margin.NAME of the problem file may be smaller");
+    }
     printRow("hint", "--time gives the planners longer");
     if (!asked.isExplained && planning::isExplainable(scene)) {
         printRow("hint", "--explain 60 looks for obstacles and margins without which there is a path");
