@@ -17,11 +17,11 @@ namespace {
 namespace ob = ompl::base;
 using Clock = std::chrono::steady_clock;
 
-/// By how much the targets of motions may be beyond the bounds, as a share of the part's diagonal. Planners never aim
-/// there; without such targets no motion would meet a bound.
+/// Targets of motions may be beyond the bounds by this share of the part's diagonal. Planners never aim there, but
+/// without such targets no motion would meet a bound.
 constexpr double kBeyondPerDiagonal = 0.25;
 
-/// How closely motions are followed, as a share of the part's diagonal: to name what is next, more is not needed.
+/// Motions are followed to within this share of the part's diagonal of the pose that blocks: close enough to name it.
 constexpr double kWithinPerDiagonal = 1e-3;
 
 class Trial {

@@ -12,7 +12,7 @@ namespace {
 
 namespace ob = ompl::base;
 
-/// How near to a bound the part's origin counts as touching it, as a share of the part's diagonal.
+/// The part's origin is at a bound when it is within this share of the part's diagonal of it.
 constexpr double kTouchPerDiagonal = 1e-3;
 
 /// Room for rounding in the quick bound of a displacement.

@@ -15,7 +15,7 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-/// The share of the time for obstacles, where margins are to be scaled as well.
+/// Obstacles get this share of the time where margins are to be scaled as well.
 constexpr double kShareForObstacles = 0.6;
 
 /// Sets are no longer looked for when so many of equal size are known.
@@ -43,7 +43,7 @@ void addNames(Names& names, const std::vector<Blocker>& blockers) {
     }
 }
 
-/// What stops the part next to an end that it is shut in comes first.
+/// Puts first the obstacles that stop the part next to the end where it is shut in, if it is shut in at one end only.
 Names blockingOrder(const WhyNoPath& why) {
     std::vector<Blocker> blockers = why.blockers;
     const bool isStartShut = why.isShutIn(why.start), isGoalShut = why.isShutIn(why.goal);

@@ -26,7 +26,7 @@ constexpr std::size_t kMotions = 200;
 /// They take at most this share of the time of the trial.
 constexpr double kShareOfMotions = 0.25;
 
-/// Plans only for a first path.
+/// Without an objective a trial ends with its first path.
 Problem withoutObjective(Problem problem) {
     problem.objective = "length";
     problem.objectiveThreshold.reset();

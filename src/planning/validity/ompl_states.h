@@ -22,7 +22,7 @@ bool isOmplSe3(const ompl::base::StateSpace& space);
 /// unit of OMPL's rotation distance counts as (half the angle in SE(3), the angle in SE(2), in radians).
 ompl::base::StateSpacePtr makeSpace(Space kind, const Box& bounds, double turnWeight);
 
-/// Those of a space that makeSpace may have made.
+/// Returns the bounds of positions in a space of the kinds that makeSpace makes.
 const ompl::base::RealVectorBounds& positionBounds(Space kind, const ompl::base::StateSpace& space);
 
 ompl::base::ScopedState<> toOmpl(const ompl::base::StateSpacePtr& space, Space kind, const PartState& state);

@@ -19,7 +19,7 @@ using planning::WhyNoPath;
 constexpr std::size_t kMostBlockers = 5;
 
 /// From this share of the stopped motions on, the bounds are worth a hint.
-constexpr double kManyAtBounds = 0.1;
+constexpr double kManyAtBounds = 0.2;
 
 std::string nameOf(const Blocker& blocker) {
     if (blocker.isBounds()) return "the bounds";
