@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "clearway/planning/motion_validator.h"
+
 namespace clearway::planning {
 
 /// A state that the planners reached. The planners own it.
@@ -34,9 +36,10 @@ struct ClosestStates {
 };
 
 /// Goes from the start and goal states of the planners' graphs along their edges, breadth first, so that a part of a
-/// roadmap becomes a tree. The planners must outlive the result, and stay as they are. They must be of the definition's space information.
+/// roadmap becomes a tree. Motions of lazy planners are checked by the validator. The planners must outlive the result,
+/// and stay as they are; their states must be of the definition's space.
 FailedTrees failedTrees(const std::vector<ompl::base::PlannerPtr>& planners,
-                        const ompl::base::ProblemDefinition& definition);
+                        const ompl::base::ProblemDefinition& definition, const MotionValidator& validator);
 
 /// The pair of states with the least distance in the space. In large trees a pair for which neither state has a nearer
 /// one in the other tree.

@@ -84,7 +84,7 @@ void findNearestMiss(const FailedTrees& trees, const FailedPlanning& failed, Spa
 WhyNoPath whyNoPath(const FailedPlanning& failed, const Problem& problem, const WhyNoPathOptions& options) {
     WhyNoPath why;
     why.diagonal = failed.validator->scene().part.box().diagonal().norm();
-    const FailedTrees trees = failedTrees(failed.planners, *failed.definition);
+    const FailedTrees trees = failedTrees(failed.planners, *failed.definition, *failed.validator);
     why.start = reachedFrom(trees.start, failed, problem, problem.start);
     why.goal = reachedFrom(trees.goal, failed, problem, problem.goal);
     findNearestMiss(trees, failed, problem.space, why);
