@@ -29,6 +29,9 @@ struct ObstacleRules {
     bool isAllSolid = false;
     std::vector<std::string> solid;  ///< names of solid obstacles; see Obstacle::solids
     std::optional<ContactRule> startContact, goalContact;
+    /// Names of components that become an obstacle of their own each, so that a scene can be looked at without them.
+    /// Problem files have no key for it.
+    std::vector<std::string> apart;
 };
 
 }  // namespace clearway

@@ -20,8 +20,9 @@ namespace {
 struct Treatment {
     double margin = 0;
     bool isSolid = false, isIgnoredAtStart = false, isIgnoredAtGoal = false, isIgnored = false;
+    std::size_t apart = 0;  ///< a number of its own for a component that shares its group with no other one
 
-    auto key() const { return std::make_tuple(margin, isSolid, isIgnoredAtStart, isIgnoredAtGoal); }
+    auto key() const { return std::make_tuple(margin, isSolid, isIgnoredAtStart, isIgnoredAtGoal, apart); }
 };
 
 void requireMargin(const std::string& rule, double margin) {
@@ -47,6 +48,9 @@ class Rules {
             set("contact.start", rules.startContact->names, &Treatment::isIgnoredAtStart);
         }
         if (rules.goalContact) set("contact.goal", rules.goalContact->names, &Treatment::isIgnoredAtGoal);
+        for (const std::string& name : rules.apart) {
+            for (const std::size_t i : names_.find("apart", name)) treatments_[i].apart = i + 1;
+        }
     }
 
     const std::vector<Treatment>& treatments() const { return treatments_; }
@@ -172,7 +176,7 @@ ObstacleGroups groupObstacles(const std::vector<Mesh>& files, double margin, con
     for (const auto& [key, components] : members) {
         ObstacleGroup group;
         bool isSolid = false;
-        std::tie(group.margin, isSolid, group.isIgnoredAtStart, group.isIgnoredAtGoal) = key;
+        std::tie(group.margin, isSolid, group.isIgnoredAtStart, group.isIgnoredAtGoal, std::ignore) = key;
         const bool isAll = components.size() == applied.treatments().size();
         group.mesh = isAll ? all : meshOfComponents(all, components);
         if (group.mesh.triangles.empty()) continue;

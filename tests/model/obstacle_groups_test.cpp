@@ -64,6 +64,23 @@ BOOST_AUTO_TEST_CASE(without_rules_the_environment_is_one_group_as_it_is) {
     BOOST_TEST(groups.ignoredBox.isEmpty());
 }
 
+BOOST_AUTO_TEST_CASE(components_that_are_apart_have_groups_of_their_own_and_count_as_before) {
+    const Mesh mesh = file("car.glb", {"door", "roof", "floor/steel", "seat"});
+    ObstacleRules rules;
+    rules.margins = {{"roof", 3}};
+    rules.apart = {"door", "roof"};
+    const ObstacleGroups groups = groupObstacles({mesh}, 1.5, rules);
+    BOOST_REQUIRE(groups.groups.size() == 3u);
+    BOOST_TEST(namesOf(groupOf(groups, "door")) == Names{"door"}, boost::test_tools::per_element());
+    BOOST_TEST(namesOf(groupOf(groups, "roof")) == Names{"roof"}, boost::test_tools::per_element());
+    const Names others = {"floor/steel", "seat"};
+    BOOST_TEST(namesOf(groupOf(groups, "seat")) == others, boost::test_tools::per_element());
+    BOOST_TEST(groupOf(groups, "door").margin == 1.5);
+    BOOST_TEST(groupOf(groups, "roof").margin == 3);
+    rules.apart = {"window"};
+    BOOST_TEST(refusal({mesh}, rules).find("'window'") != std::string::npos);
+}
+
 BOOST_AUTO_TEST_CASE(components_that_count_alike_are_one_group_and_keep_their_places_in_the_file) {
     const Mesh mesh = file("car.glb", {"door", "floor/steel", "floor/rubber", "left pillar", "seat"});
     ObstacleRules rules;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "clearway/planning/audit.h"
+#include "clearway/planning/why_no_path.h"
 #include "clearway/problem.h"
 #include "clearway/scene.h"
 
@@ -101,9 +102,13 @@ struct PlanReport {
     /// PlanOptions::quick, with an objective, with a step, and when no path was found.
     std::optional<RoomReport> room;
 
+    /// Why no path was found: only with kNotFound, and not for a path that did not pass its audit.
+    std::optional<WhyNoPath> whyNoPath;
+
     double planningSeconds = 0;
-    double finishingSeconds = 0;  ///< for making room, simplifying and auditing
-    std::uint64_t checks = 0;     ///< states asked about, in all
+    double finishingSeconds =
+        0;  ///< for making room, simplifying and auditing, or for finding out why there is no path
+    std::uint64_t checks = 0;  ///< states asked about, in all
     std::vector<std::string> warnings;
 };
 

@@ -44,6 +44,8 @@ constexpr double kRoomShare = 0.5;
 /// With iterations a sweep of a band counts as so many of them. A sweep and as many iterations of RRTConnect take about
 /// the same time, and the most and the least sweeps about the seconds above.
 constexpr std::uint64_t kIterationsPerSweep = 100, kLeastSweeps = 64, kMostSweeps = 320;
+/// Seconds for trying what stops the part, where no path was found.
+constexpr double kMostAsking = 1;
 
 /// Decides when the planner has to end. Some planners ask from several threads.
 class Budget {
@@ -156,6 +158,30 @@ void describeSolution(const PlanSetup& setup, const Problem& problem, const Plan
     }
 }
 
+/// When the planners' trees turn out to be a path together, adds it to the solutions and returns true. Otherwise tells
+/// why there is no path.
+bool joinOrTellWhy(const PlanSetup& setup, const Problem& problem, const PlanOptions& options,
+                   PlanReport& report) {
+    WhyNoPathOptions asking;
+    if (!options.iterations) asking.seconds = kMostAsking;
+    asking.seed = options.seed;
+    asking.isStopped = options.isStopped;
+    const OmplMessages unheard;  // some planners log that they tell only a part of their states
+    WhyNoPath why = whyNoPath({setup.planners, setup.definition, setup.auditor}, problem, asking);
+    if (why.isJoined) {
+        const auto path = std::make_shared<og::PathGeometric>(setup.si);
+        for (const PartState& state : why.nearest.path) {
+            path->append(toOmpl(setup.si->getStateSpace(), problem.space, state).get());
+        }
+        ob::PlannerSolution solution(path);
+        solution.setPlannerName("the trees of several planners, joined");
+        setup.definition->addSolutionPath(solution);
+        return true;
+    }
+    report.whyNoPath = std::move(why);
+    return false;
+}
+
 std::uint64_t checksOf(const PlanSetup& setup) {
     std::uint64_t checks = setup.truth->counters().checks;
     if (setup.checker != setup.truth) checks += setup.checker->counters().checks;
@@ -180,7 +206,9 @@ PlanReport plan(const Problem& problem, const Scene& scene, const PlanOptions& o
     report.planningSeconds = secondsSince(begin);
 
     const Clock::time_point planned = Clock::now();
-    if (setup.definition->hasExactSolution()) describeSolution(setup, problem, options, budget, report);
+    const bool isFound = setup.definition->hasExactSolution() ||
+                         (!budget.isStopped() && joinOrTellWhy(setup, problem, options, report));
+    if (isFound) describeSolution(setup, problem, options, budget, report);
     report.isStopped = budget.isStopped();
     if (report.isStopped && report.outcome == PlanReport::Outcome::kNotFound) {
         report.outcome = PlanReport::Outcome::kStopped;

@@ -50,6 +50,11 @@ ob::StateSpacePtr makeSpace(Space kind, const Box& bounds, double turnWeight) {
     return makeBounded<Se3Space>(bounds, 3, turnWeight);
 }
 
+const ob::RealVectorBounds& positionBounds(Space kind, const ob::StateSpace& space) {
+    return kind == Space::kSe2 ? space.as<ob::SE2StateSpace>()->getBounds()
+                               : space.as<ob::SE3StateSpace>()->getBounds();
+}
+
 ob::ScopedState<> toOmpl(const ob::StateSpacePtr& space, Space kind, const PartState& state) {
     ob::ScopedState<> result(space);
     const auto q = state.rotation.normalized();

@@ -3,6 +3,7 @@
 
 #include <ompl/base/ScopedState.h>
 #include <ompl/base/SpaceInformation.h>
+#include <ompl/base/spaces/RealVectorBounds.h>
 
 #include <utility>
 
@@ -20,6 +21,9 @@ bool isOmplSe3(const ompl::base::StateSpace& space);
 /// SE(3) or SE(2) with the position within the bounds. turnWeight: the length, in environment units, that one
 /// unit of OMPL's rotation distance counts as (half the angle in SE(3), the angle in SE(2), in radians).
 ompl::base::StateSpacePtr makeSpace(Space kind, const Box& bounds, double turnWeight);
+
+/// Returns the bounds of positions in a space of the kinds that makeSpace makes.
+const ompl::base::RealVectorBounds& positionBounds(Space kind, const ompl::base::StateSpace& space);
 
 ompl::base::ScopedState<> toOmpl(const ompl::base::StateSpacePtr& space, Space kind, const PartState& state);
 PartState fromOmpl(Space kind, const ompl::base::State* state);

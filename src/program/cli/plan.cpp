@@ -13,6 +13,7 @@
 #include "program/cli/path_outputs.h"
 #include "program/cli/print.h"
 #include "program/cli/print_audit.h"
+#include "program/cli/print_why_no_path.h"
 #include "program/cli/shared_options.h"
 
 namespace clearway::cli {
@@ -25,7 +26,8 @@ struct PlanArguments {
     ProblemChoice problem;
     planning::PlanOptions plan;
     TreeChoice trees;
-    std::string path;
+    std::string path, nearest;
+    std::optional<double> explainSeconds;
     PathOutputs outputs;
 };
 
@@ -87,6 +89,13 @@ bool readArguments(const Arguments& arguments, PlanArguments& given) {
               given.plan.quick);
     line.exclude("--quick", "--objective");
     line.exclude("--quick", "--step");
+    line.option("--nearest FILE",
+                "when no path is found: writes the nearest miss as a path, of which one motion is not valid",
+                to(given.nearest));
+    line.option(
+        "--explain S",
+        "when no path is found: looks for S seconds for obstacles and margins without which there is one",
+        positive(given.explainSeconds));
     addTarget(line);
     addPathOutputs(line, given.outputs);
     addTreeOptions(line, given.trees.options);
@@ -142,6 +151,45 @@ void writeOrPrint(const std::vector<PartState>& path, Space space, const std::st
     }
 }
 
+/// Refuses before the planning what would be refused after it.
+void requireExplainable(const Scene& scene) {
+    try {
+        planning::requireExplainable(scene);
+    } catch (const std::invalid_argument& error) {
+        throw std::invalid_argument(std::string("--explain: ") + error.what());
+    }
+}
+
+planning::Explanation explain(const PlanArguments& given, const Problem& problem,
+                              const planning::WhyNoPath& why) {
+    planning::ExplainOptions options;
+    options.plan = given.plan;
+    options.seconds = *given.explainSeconds;
+    options.load = [&](const Problem& changed) {
+        return given.trees.loadWithNotes(changed, given.plan).scene;
+    };
+    const ElapsedLine elapsed("explaining");
+    return planning::explain(problem, why, options);
+}
+
+void tellWhy(const PlanArguments& given, const PlanReport& report, const Problem& problem,
+             const Scene& scene) {
+    if (report.whyNoPath) {
+        const planning::WhyNoPath& why = *report.whyNoPath;
+        printWhyNoPath(why);
+        if (given.explainSeconds) printExplanation(explain(given, problem, why), scene.largestMargin());
+        printHints(why, problem, scene, {given.explainSeconds.has_value(), !given.nearest.empty()});
+        if (!given.nearest.empty()) writePath(why.nearest.path, problem.space, given.nearest);
+    }
+    if (given.nearest.empty()) return;
+    const bool isFound = report.outcome == PlanReport::Outcome::kFound;
+    printRow("nearest", report.whyNoPath
+                            ? given.nearest + ", segment " +
+                                  std::to_string(report.whyNoPath->nearest.gap + 1) + " is not valid"
+                        : isFound ? "not written: a path was found"
+                                  : "not written: planning came to no end");
+}
+
 void printPath(const PlanReport& report, const Problem& problem, const std::string& file) {
     printRows(pathRows(report));
     printAudit(report.audit);
@@ -159,9 +207,11 @@ int plan(const Arguments& arguments) {
     const Problem problem = given.problem.read();
     OutputFiles files(inputsOf(problem));
     files.add("--path", given.path);
+    files.add("--nearest", given.nearest);
     given.outputs.require(files);
     OldPath oldPath(given.path);
     const Scene scene = given.trees.load(problem, given.plan);
+    if (given.explainSeconds) requireExplainable(scene);
     PlanReport report;
     {
         const ElapsedLine elapsed("planning");
@@ -173,20 +223,22 @@ int plan(const Arguments& arguments) {
     printObstacles(scene);
     Rows figures = settingsRows(given.plan, report);
     printRows(figures);
-    if (report.outcome != PlanReport::Outcome::kFound) {
+    const bool isFound = report.outcome == PlanReport::Outcome::kFound;
+    if (isFound) {
+        printPath(report, problem, given.path);
+        oldPath.isReplaced();
+    } else {
         printRow("path", report.isStopped ? "none, interrupted" : "none found");
-        return kAnswerIsNo;
     }
-    printPath(report, problem, given.path);
-    oldPath.isReplaced();
-    if (!given.outputs.isEmpty()) {
+    tellWhy(given, report, problem, scene);
+    if (isFound && !given.outputs.isEmpty()) {
         for (const auto& row : pathRows(report)) figures.push_back(row);
         // Planning audits the path without a profile; the outputs show a profile.
         const planning::PathCheck checked = planning::checkPath(problem, scene, report.path);
         given.outputs.write(problem, scene, report.path, checked.audit, figures);
     }
     requirePrinted();
-    return report.audit.isValid() ? kDone : kAnswerIsNo;
+    return isFound && report.audit.isValid() ? kDone : kAnswerIsNo;
 }
 
 }  // namespace clearway::cli

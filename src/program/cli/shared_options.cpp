@@ -65,7 +65,7 @@ Model TreeChoice::build(const Mesh& mesh) const {
     return buildFrom(cache, mesh, options, std::nullopt);
 }
 
-Scene TreeChoice::load(const Problem& problem, const planning::PlanOptions& plan) const {
+LoadedScene TreeChoice::loadWithNotes(const Problem& problem, const planning::PlanOptions& plan) const {
     SceneLoading loading;
     loading.read = guardedLoadMesh;
     loading.build = [&](const Mesh& mesh, const BuildOptions& build, const std::optional<Reach>& reach) {
@@ -74,7 +74,11 @@ Scene TreeChoice::load(const Problem& problem, const planning::PlanOptions& plan
     loading.reach = [&](const Model& part, const Box& environmentBox) {
         return planning::planningReach(problem, plan, part, environmentBox);
     };
-    const LoadedScene loaded = loadScene(problem, options, loading);
+    return loadScene(problem, options, loading);
+}
+
+Scene TreeChoice::load(const Problem& problem, const planning::PlanOptions& plan) const {
+    const LoadedScene loaded = loadWithNotes(problem, plan);
     printWarnings(loaded.notes);
     return loaded.scene;
 }

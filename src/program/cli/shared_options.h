@@ -42,7 +42,10 @@ struct TreeChoice {
     Model build(const Mesh& mesh) const;
 
     /// Calls loadScene with the load guard, the cache, and a reach that suffices for planning with these
-    /// options. Prints the scene's notes as warnings.
+    /// options.
+    LoadedScene loadWithNotes(const Problem& problem, const planning::PlanOptions& plan) const;
+
+    /// The scene alone. Prints its notes as warnings.
     Scene load(const Problem& problem, const planning::PlanOptions& plan = {}) const;
 };
 

@@ -1,0 +1,91 @@
+// Why planning found no path: how far the part comes from start and goal, what stops it, and the closest that the
+// planners' trees came to each other.
+#pragma once
+
+#include <ompl/base/Planner.h>
+#include <ompl/base/ProblemDefinition.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "clearway/planning/motion_validator.h"
+#include "clearway/problem.h"
+
+namespace clearway::planning {
+
+/// Planners that found no path.
+struct FailedPlanning {
+    std::vector<ompl::base::PlannerPtr> planners;
+    ompl::base::ProblemDefinitionPtr definition;  ///< with the problem's start and goal; in its space
+    std::shared_ptr<const MotionValidator>
+        validator;  ///< tells which motions are valid, and what stops others
+};
+
+/// A part that comes less far than this is shut in, as a multiple of its diagonal. A part that can only turn on the spot
+/// moves by up to one diagonal.
+constexpr double kShutIn = 1.5;
+
+/// A hindrance, and how many of the motions tried it stopped.
+struct Blocker {
+    std::string name;  ///< of the obstacle's component, see meshNames; empty for the bounds
+    /// The part's component that it stopped most often; empty for the bounds, and for a part of one component.
+    std::string partMesh;
+    std::size_t atStart = 0, atGoal = 0;  ///< motions stopped, from the states reached from start and goal
+
+    bool isBounds() const { return name.empty(); }
+    std::size_t motions() const { return atStart + atGoal; }
+};
+
+/// How far the part comes from the start or the goal.
+struct ReachedFrom {
+    std::size_t states = 1;  ///< reached from there by valid motions, itself included
+    bool hasTree = false;    ///< the planners looked for states reached from there
+    /// The most that any point of the part moves from there to a state reached; see Model::displacement.
+    double farthest = 0;
+    std::size_t motionsStopped = 0;
+    /// The bounds that the part's origin is within a thousandth of the part's diagonal of: "least x", "greatest z".
+    std::vector<std::string> bounds;
+};
+
+/// Where the states reached from the start and those reached from the goal are closest.
+struct NearestMiss {
+    /// From the start to the goal. All motions but the one from state `gap` to the next are in the planners' trees.
+    std::vector<PartState> path;
+    std::size_t gap = 0;
+    double displacement = 0;  ///< the most that any point of the part moves over the gap
+};
+
+struct WhyNoPath {
+    double diagonal = 0;  ///< of the part's box
+    ReachedFrom start, goal;
+    std::size_t motionsTried = 0;
+    std::vector<Blocker> blockers;  ///< those that stopped most motions first
+    NearestMiss nearest;
+    /// The motion over the gap is valid: the trees of several planners, joined, are a path.
+    bool isJoined = false;
+
+    /// True when no state was reached in which a point of the part has moved by as much as kShutIn.
+    bool isShutIn(const ReachedFrom& end) const { return end.hasTree && end.farthest < kShutIn * diagonal; }
+};
+
+struct WhyNoPathOptions {
+    std::size_t motions = 400;      ///< how many are tried to tell what stops the part
+    std::optional<double> seconds;  ///< the trying ends after these; without them the answer is repeatable
+    std::uint32_t seed = 1;
+    std::function<bool()> isStopped;  ///< true ends the trying
+};
+
+/// Looks at the trees of the planners. To tell what stops the part, motions from
+/// random states of the trees towards random poses are followed until they are blocked. Positions of these poses are
+/// drawn from the bounds widened by a quarter of the part's diagonal, so that the bounds can be what blocks.
+///
+/// Planners that do not tell their trees (RisingFloor, CForest) count as having grown none.
+WhyNoPath whyNoPath(const FailedPlanning& failed, const Problem& problem,
+                    const WhyNoPathOptions& options = {});
+
+}  // namespace clearway::planning

@@ -1,0 +1,171 @@
+#include "program/cli/print_why_no_path.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/text.h"
+#include "program/cli/print.h"
+
+namespace clearway::cli {
+
+namespace {
+
+using planning::Blocker;
+using planning::ReachedFrom;
+using planning::WhyNoPath;
+
+/// Names in one row; the others are counted.
+constexpr std::size_t kMostBlockers = 5;
+
+/// From this share of the stopped motions on, the bounds are worth a hint.
+constexpr double kManyAtBounds = 0.2;
+
+std::string nameOf(const Blocker& blocker) {
+    if (blocker.isBounds()) return "the bounds";
+    return "'" + blocker.name + "'" +
+           (blocker.partMesh.empty() ? "" : " (the part's '" + blocker.partMesh + "')");
+}
+
+std::string inPercent(double share) {
+    return std::to_string(std::lround(100 * share)) + " %";
+}
+
+/// "82 % 'door' (the part's 'box'), 18 % the bounds", of the motions that `count` counts.
+template <class Count>
+std::string shares(std::vector<Blocker> blockers, std::size_t all, const Count& count) {
+    std::stable_sort(blockers.begin(), blockers.end(),
+                     [&](const Blocker& a, const Blocker& b) { return count(a) > count(b); });
+    std::vector<std::string> texts;
+    std::size_t others = 0, rest = 0;
+    for (const Blocker& blocker : blockers) {
+        if (count(blocker) == 0) continue;
+        if (texts.size() < kMostBlockers) {
+            texts.push_back(inPercent(double(count(blocker)) / double(all)) + " " + nameOf(blocker));
+        } else {
+            ++others;
+            rest += count(blocker);
+        }
+    }
+    if (others > 0) {
+        texts.push_back(inPercent(double(rest) / double(all)) + " " + counted(others, "other"));
+    }
+    return joined(texts);
+}
+
+void printReached(const WhyNoPath& why, const ReachedFrom& end, const std::string& name) {
+    const std::string label = "from the " + name;
+    if (!end.hasTree) return printRow(label, "the planner tells no states reached from there");
+    std::string text = counted(end.states, "state") +
+                       " reached, where no point of the part has moved by more than " +
+                       readable(end.farthest);
+    if (why.isShutIn(end))
+        text += ": less than " + readable(planning::kShutIn) + " diagonals, so it may be shut in there";
+    printRow(label, text);
+}
+
+void printBlockers(const WhyNoPath& why) {
+    const std::size_t stopped = why.start.motionsStopped + why.goal.motionsStopped;
+    printRow("motions tried", std::to_string(why.motionsTried) + " from random states reached, " +
+                                  std::to_string(stopped) + " of them stopped");
+    if (stopped == 0) return;
+    printRow("stopped by", shares(why.blockers, stopped, [](const Blocker& b) { return b.motions(); }));
+    const auto printEnd = [&](const char* label, const ReachedFrom& end, std::size_t Blocker::*count) {
+        if (!why.isShutIn(end) || end.motionsStopped == 0) return;
+        printRow(label, shares(why.blockers, end.motionsStopped, [&](const Blocker& b) { return b.*count; }));
+    };
+    printEnd("at the start", why.start, &Blocker::atStart);
+    printEnd("at the goal", why.goal, &Blocker::atGoal);
+}
+
+void printTouchedBounds(const ReachedFrom& end, const std::string& name) {
+    if (!end.bounds.empty()) printRow("bounds", "the " + name + " is at the " + joined(end.bounds));
+}
+
+/// "volume.min.x" for "least x".
+std::string volumeKey(const std::string& bound) {
+    return std::string(bound.compare(0, 5, "least") == 0 ? "volume.min." : "volume.max.") + bound.back();
+}
+
+void printHintOfBounds(const WhyNoPath& why, const Problem& problem) {
+    std::vector<std::string> keys;
+    for (const ReachedFrom* end : {&why.start, &why.goal}) {
+        for (const std::string& bound : end->bounds) {
+            if (std::find(keys.begin(), keys.end(), volumeKey(bound)) == keys.end())
+                keys.push_back(volumeKey(bound));
+        }
+    }
+    std::size_t atBounds = 0, stopped = why.start.motionsStopped + why.goal.motionsStopped;
+    for (const Blocker& blocker : why.blockers) atBounds += blocker.isBounds() ? blocker.motions() : 0;
+    if (keys.empty() && double(atBounds) < std::max(1.0, kManyAtBounds * double(stopped))) return;
+    const std::string named = keys.empty() ? "volume.min.x ... volume.max.z" : joined(keys);
+    printRow("hint",
+             named + (problem.volume ? " of the problem file may leave too little room"
+                                     : " in the problem file give the part more room than the environment's "
+                                       "box, which are the bounds without them"));
+}
+
+std::string quoted(const std::vector<std::string>& names) {
+    std::vector<std::string> all;
+    for (const std::string& name : names) all.push_back("'" + name + "'");
+    return joined(all);
+}
+
+void printMarginFound(const planning::Explanation& explanation, double largestMargin) {
+    if (!explanation.isMarginTried) return;
+    if (!explanation.marginScale)
+        return printRow("found with margin", "none by these trials, not even with margins of 0");
+    const double scale = *explanation.marginScale;
+    std::string text = readable(scale * largestMargin);
+    text += " in place of " + readable(largestMargin) + " (all margins times " + readable(scale) + ")";
+    if (explanation.refusedScale < 1)
+        text += "; none by these trials with " + readable(explanation.refusedScale * largestMargin);
+    printRow("found with margin", text);
+}
+
+}  // namespace
+
+void printWhyNoPath(const WhyNoPath& why) {
+    printRow("part's diagonal", readable(why.diagonal));
+    printReached(why, why.start, "start");
+    printReached(why, why.goal, "goal");
+    printTouchedBounds(why.start, "start");
+    printTouchedBounds(why.goal, "goal");
+    printBlockers(why);
+    printRow("nearest miss",
+             "states reached from start and goal are " + readable(why.nearest.displacement) + " apart");
+}
+
+void printExplanation(const planning::Explanation& explanation, double largestMargin) {
+    const double seconds = explanation.trialSeconds;
+    const std::string trialLength = seconds > 0 ? " of up to " + readable(seconds) + " s" : "";
+    printRow("explained by", counted(explanation.trials, "trial") + trialLength +
+                                 (explanation.isOutOfTime ? ", until the time was over" : "") +
+                                 "; greedy: fewer obstacles may do");
+    for (const std::vector<std::string>& set : explanation.withoutThese)
+        printRow("found without", quoted(set));
+    if (explanation.withoutThese.empty() && explanation.path.empty()) {
+        printRow("found without", "none of the sets of obstacles that were tried");
+    }
+    printMarginFound(explanation, largestMargin);
+    if (!explanation.path.empty()) {
+        printRow("hint", "a trial found a path among all obstacles: give --time more, or another --seed");
+    }
+}
+
+void printHints(const WhyNoPath& why, const Problem& problem, const Scene& scene, const AskedFor& asked) {
+    printHintOfBounds(why, problem);
+    if (problem.margin > 0) {
+        printRow("hint", "--margin may be smaller than " + readable(problem.margin));
+    } else if (scene.largestMargin() > 0) {
+        printRow("hint", "margin.NAME of the problem file may be smaller");
+    }
+    printRow("hint", "--time gives the planners longer");
+    if (!asked.isExplained && planning::isExplainable(scene)) {
+        printRow("hint", "--explain 60 looks for obstacles and margins without which there is a path");
+    }
+    if (!asked.hasNearest)
+        printRow("hint", "--nearest FILE writes the nearest miss as a path, to check or render");
+}
+
+}  // namespace clearway::cli

@@ -1,0 +1,157 @@
+#include "clearway/planning/why_no_path.h"
+
+#include <algorithm>
+#include <boost/test/unit_test.hpp>
+
+#include "clearway/planning/check_path.h"
+#include "clearway/planning/plan.h"
+#include "support/door_scene.h"
+#include "support/random_meshes.h"
+
+namespace clearway::planning {
+namespace {
+
+using testing::doorScene;
+using Outcome = PlanReport::Outcome;
+
+PlanOptions withIterations(std::uint64_t iterations, const std::string& planner = "") {
+    PlanOptions options;
+    options.iterations = iterations;
+    options.planner = planner;
+    return options;
+}
+
+WhyNoPath whyNot(const Problem& problem, const Scene& scene, const PlanOptions& options) {
+    const PlanReport report = plan(problem, scene, options);
+    BOOST_REQUIRE((report.outcome == Outcome::kNotFound));
+    BOOST_REQUIRE(report.whyNoPath.has_value());
+    return *report.whyNoPath;
+}
+
+struct ClosedBox {
+    testing::DoorScene door = doorScene();
+    Scene scene{Model::build(door.part), Model::build(door.box)};
+};
+
+/// A plate that fills the bounds which are derived from it, start and goal.
+struct Barred {
+    Barred() {
+        problem.start.position = {0, 0, 0};
+        problem.goal.position = {20, 0, 0};
+    }
+    Scene scene{Model::build(boxMesh({Vector3(-2, -2, -2), Vector3(2, 2, 2)})),
+                Model::build(boxMesh({Vector3(9, -8, -8), Vector3(11, 8, 8)}, "plate"))};
+    Problem problem;
+};
+
+BOOST_AUTO_TEST_CASE(a_part_in_a_closed_box_is_shut_in_at_the_start_and_its_goal_is_not) {
+    const ClosedBox closed;
+    const WhyNoPath why = whyNot(closed.door.problem, closed.scene, withIterations(3000));
+    BOOST_TEST(why.diagonal == std::sqrt(48.0), boost::test_tools::tolerance(1e-12));
+    BOOST_TEST(why.isShutIn(why.start));
+    BOOST_TEST(why.start.states > 10u);
+    // The origin stays within 2 of the middle along each axis, and a vertex is sqrt(12) from it.
+    BOOST_TEST(why.start.farthest <= std::sqrt(12.0) + 2 * std::sqrt(12.0));
+    BOOST_TEST(why.start.farthest > 1);
+    BOOST_TEST(why.goal.farthest > 8);  // from x = 15 to where the door's other side stops the part
+    BOOST_TEST(why.start.bounds.empty());
+    BOOST_TEST(why.goal.bounds.empty());
+}
+
+BOOST_AUTO_TEST_CASE(what_stops_the_part_is_told_by_name_and_every_stopped_motion_once) {
+    const ClosedBox closed;
+    const WhyNoPath why = whyNot(closed.door.problem, closed.scene, withIterations(3000));
+    std::size_t atStart = 0, atGoal = 0;
+    for (const Blocker& blocker : why.blockers) {
+        atStart += blocker.atStart;
+        atGoal += blocker.atGoal;
+        // Outside only the door and the bounds are in the way; inside everything else but the bounds.
+        if (blocker.isBounds()) BOOST_TEST(blocker.atStart == 0u);
+        if (blocker.name == "back") BOOST_TEST(blocker.atGoal == 0u);
+    }
+    BOOST_TEST(atStart == why.start.motionsStopped);
+    BOOST_TEST(atGoal == why.goal.motionsStopped);
+    BOOST_TEST(why.motionsTried == WhyNoPathOptions().motions);
+    BOOST_TEST(2 * atStart > why.motionsTried * 9 / 10);  // hardly any target is within the box
+    const auto door = std::find_if(why.blockers.begin(), why.blockers.end(),
+                                   [](const Blocker& blocker) { return blocker.name == "door"; });
+    BOOST_REQUIRE((door != why.blockers.end()));
+    BOOST_TEST(door->atStart > 0u);
+    BOOST_TEST(door->atGoal > 0u);
+    BOOST_TEST(std::is_sorted(why.blockers.begin(), why.blockers.end(),
+                              [](const Blocker& a, const Blocker& b) { return a.motions() > b.motions(); }));
+}
+
+BOOST_AUTO_TEST_CASE(derived_bounds_that_bar_the_way_are_told_and_wider_ones_let_the_part_pass) {
+    Barred barred;
+    const WhyNoPath why = whyNot(barred.problem, barred.scene, withIterations(2000));
+    BOOST_TEST(why.start.bounds == std::vector<std::string>{"least x"}, boost::test_tools::per_element());
+    BOOST_TEST(why.goal.bounds == std::vector<std::string>{"greatest x"}, boost::test_tools::per_element());
+    BOOST_TEST(std::any_of(why.blockers.begin(), why.blockers.end(), [](const Blocker& blocker) {
+        return blocker.isBounds() && blocker.atStart > 0 && blocker.atGoal > 0;
+    }));
+    barred.problem.volume = Box(Vector3(-5, -20, -20), Vector3(25, 20, 20));
+    const PlanReport wide = plan(barred.problem, barred.scene, withIterations(20000));
+    BOOST_TEST((wide.outcome == Outcome::kFound));
+    BOOST_TEST(!wide.whyNoPath.has_value());
+}
+
+BOOST_AUTO_TEST_CASE(the_nearest_miss_leads_from_start_to_goal_and_one_of_its_motions_is_not_valid) {
+    const ClosedBox closed;
+    for (const char* planner : {"", "RRTConnect", "BiEST", "PRM", "RRT", "FMT", "SBL", "LBKPIECE1"}) {
+        const WhyNoPath why = whyNot(closed.door.problem, closed.scene, withIterations(1500, planner));
+        const PathCheck check = checkPath(closed.door.problem, closed.scene, why.nearest.path);
+        BOOST_TEST_CONTEXT("planner '" << planner << "'") {
+            BOOST_TEST(check.beginsAtStart());
+            BOOST_TEST(check.endsAtGoal());
+            BOOST_REQUIRE(check.audit.notValid.size() == 1u);
+            BOOST_TEST(check.audit.notValid[0] == why.nearest.gap);
+            BOOST_TEST(why.nearest.displacement ==
+                           closed.scene.part.displacement(poseOf(why.nearest.path[why.nearest.gap]),
+                                                          poseOf(why.nearest.path[why.nearest.gap + 1])),
+                       boost::test_tools::tolerance(1e-6));
+            BOOST_TEST(why.nearest.displacement <= 15 + 1e-6);  // no farther than start and goal are
+            BOOST_TEST(!why.isJoined);
+        }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(with_iterations_all_that_is_told_is_repeatable) {
+    const ClosedBox closed;
+    const WhyNoPath first = whyNot(closed.door.problem, closed.scene, withIterations(1000));
+    const WhyNoPath second = whyNot(closed.door.problem, closed.scene, withIterations(1000));
+    BOOST_TEST(first.start.states == second.start.states);
+    BOOST_TEST(first.start.farthest == second.start.farthest);
+    BOOST_TEST(first.goal.farthest == second.goal.farthest);
+    BOOST_TEST(first.nearest.displacement == second.nearest.displacement);
+    BOOST_REQUIRE(first.blockers.size() == second.blockers.size());
+    for (std::size_t i = 0; i < first.blockers.size(); ++i) {
+        BOOST_TEST(first.blockers[i].name == second.blockers[i].name);
+        BOOST_TEST(first.blockers[i].atStart == second.blockers[i].atStart);
+        BOOST_TEST(first.blockers[i].atGoal == second.blockers[i].atGoal);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(a_planner_without_a_tree_from_the_goal_says_nothing_about_the_goal) {
+    const ClosedBox closed;
+    const WhyNoPath why = whyNot(closed.door.problem, closed.scene, withIterations(1000, "RRT"));
+    BOOST_TEST(why.start.hasTree);
+    BOOST_TEST(!why.goal.hasTree);
+    BOOST_TEST(why.goal.states == 1u);
+    BOOST_TEST(!why.isShutIn(why.goal));
+}
+
+BOOST_AUTO_TEST_CASE(trees_that_a_valid_motion_joins_are_a_path) {
+    ClosedBox open;
+    open.scene.obstacles.clear();
+    PlanOptions options = withIterations(1, "RRT");
+    options.parameters = {{"goal_bias", "0"}};
+    const PlanReport report = plan(open.door.problem, open.scene, options);
+    BOOST_REQUIRE((report.outcome == Outcome::kFound));
+    BOOST_TEST(report.audit.isValid());
+    BOOST_TEST(report.foundBy == "the trees of several planners, joined");
+    BOOST_TEST(!report.whyNoPath.has_value());
+}
+
+}  // namespace
+}  // namespace clearway::planning

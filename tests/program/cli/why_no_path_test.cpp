@@ -1,0 +1,110 @@
+// What `plan` says when it finds no path.
+#include "clearway/problem.h"
+#include "program/cli/run_program.h"
+#include "support/door_scene.h"
+
+namespace clearway::testing {
+
+namespace {
+
+/// The closed box as files.
+struct DoorFolder : TemporaryFolder {
+    DoorFolder() {
+        saveMesh(door.part, file("block.obj"));
+        saveMesh(door.box, file("box.obj"));
+        door.problem.robot = file("block.obj");
+        door.problem.world = file("box.obj");
+        writeProblem(door.problem, file("door.cfg"));
+    }
+
+    DoorScene door = doorScene();
+};
+
+constexpr const char* kPlan = "plan door.cfg --path out.path --iterations 1000";
+
+std::string added(const std::string& more) {
+    return std::string(kPlan) + " " + more;
+}
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+BOOST_AUTO_TEST_CASE(without_a_path_the_program_says_what_it_learnt_and_what_may_help) {
+    const DoorFolder folder;
+    const Outcome outcome = runIn(folder, kPlan);
+    BOOST_TEST(outcome.code == 1, outcome.err);
+    BOOST_TEST(row(outcome, "path") == "none found");
+    BOOST_TEST(row(outcome, "part's diagonal") == "6.92820323");
+    BOOST_TEST(contains(row(outcome, "from the start"), "may be shut in"));
+    BOOST_TEST(contains(row(outcome, "from the goal"), " states reached"));
+    BOOST_TEST(row(outcome, "motions tried").substr(0, 4) == "400 ");
+    BOOST_TEST(contains(row(outcome, "stopped by"), " % "));
+    BOOST_TEST(contains(row(outcome, "at the start"), "'door'"));
+    BOOST_TEST(!contains(row(outcome, "at the start"), "the bounds"));
+    BOOST_TEST(contains(outcome.out, "hint:               --explain"));
+    BOOST_TEST(contains(outcome.out, "hint:               --nearest"));
+    BOOST_TEST(!contains(outcome.out, "--margin"));  // there is none to lessen
+    BOOST_TEST(runIn(folder, kPlan).out.find(outcome.out.substr(outcome.out.find("part's diagonal"))) !=
+               std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(the_nearest_miss_is_a_path_that_check_refuses_where_the_program_says) {
+    const DoorFolder folder;
+    const Outcome outcome = runIn(folder, added("--nearest near.path"));
+    const std::string nearest = row(outcome, "nearest");
+    BOOST_TEST_REQUIRE(contains(nearest, "near.path, segment "), nearest);
+    BOOST_TEST(!contains(outcome.out, "hint:               --nearest"));
+    const Outcome checked = runIn(folder, "check door.cfg near.path");
+    BOOST_TEST(checked.code == 1);
+    BOOST_TEST(checked.err == "");  // it begins at the start and ends at the goal
+    const std::string segment =
+        nearest.substr(nearest.find("segment "), nearest.find(" is not") - nearest.find("segment "));
+    BOOST_TEST(contains(row(checked, "first"), segment + ", "), row(checked, "first"));
+    BOOST_TEST(row(checked, "audit").substr(0, 16) == "NOT valid: 1 of ");
+}
+
+BOOST_AUTO_TEST_CASE(no_nearest_miss_is_written_when_a_path_was_found) {
+    const DoorFolder folder;
+    Problem problem = folder.door.problem;
+    problem.rules.ignored = {"door"};
+    writeProblem(problem, folder.file("open.cfg"));
+    const Outcome outcome =
+        runIn(folder, "plan open.cfg --path out.path --iterations 20000 --nearest near.path --explain 5");
+    BOOST_TEST(outcome.code == 0, outcome.err);
+    BOOST_TEST(row(outcome, "nearest") == "not written: a path was found");
+    BOOST_TEST(readText(folder.file("near.path")) == "");
+}
+
+BOOST_AUTO_TEST_CASE(the_explanation_names_the_door) {
+    const DoorFolder folder;
+    const Outcome outcome = runIn(folder, added("--explain 100"));
+    BOOST_TEST(outcome.code == 1, outcome.err);
+    BOOST_TEST(contains(row(outcome, "explained by"), "greedy"));
+    BOOST_TEST(row(outcome, "found without") == "'door'");
+    BOOST_TEST(!contains(outcome.out, "hint:               --explain"));
+}
+
+BOOST_AUTO_TEST_CASE(without_names_there_is_nothing_to_explain) {
+    const DoorFolder folder;
+    saveMesh(boxMesh({Vector3(4, -4, -4), Vector3(5, 4, 4)}), folder.file("box.obj"));
+    requireRefused(folder, added("--explain 5"),
+                   {"--explain", "1 obstacle", "expected at least two with names"});
+    requireRefused(folder, added("--explain 0"), {"--explain is '0'"});
+    requireRefused(folder, added("--nearest ./box.obj"), {"--nearest is './box.obj'", "input file"});
+    requireRefused(folder, added("--nearest out.path"), {"another file"});
+}
+
+BOOST_AUTO_TEST_CASE(an_end_at_a_derived_bound_is_told_with_the_key_that_moves_the_bound) {
+    const DoorFolder folder;
+    Problem problem = folder.door.problem;
+    problem.volume.reset();
+    writeProblem(problem, folder.file("derived.cfg"));
+    const Outcome outcome = runIn(folder, "plan derived.cfg --path out.path --iterations 1000");
+    BOOST_TEST(outcome.code == 1, outcome.err);
+    BOOST_TEST(row(outcome, "bounds") == "the goal is at the greatest x");
+    BOOST_TEST(contains(row(outcome, "hint"), "volume.max.x in the problem file"));
+}
+
+}  // namespace
+}  // namespace clearway::testing
