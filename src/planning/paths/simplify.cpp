@@ -11,6 +11,7 @@
 
 #include "core/number.h"
 #include "planning/motion/floor_validator.h"
+#include "planning/validity/ompl_states.h"
 
 namespace clearway::planning {
 namespace {
@@ -86,7 +87,7 @@ class Simplifier {
         const auto si = std::make_shared<ob::SpaceInformation>(given->getStateSpace());
         si->setStateValidityChecker(given->getStateValidityChecker());
         si->setMotionValidator(std::make_shared<FloorValidator>(si, validator_, floor, options_.isSpent));
-        si->setup();
+        setUpOnSharedSpace(*si);
         og::PathGeometric shorter(si);
         for (const ob::State* state : path.getStates()) shorter.append(state);
         shorten(shorter, [this] { return isSpent(); });

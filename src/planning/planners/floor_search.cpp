@@ -13,6 +13,7 @@
 #include "clearway/planning/validity_checker.h"
 #include "planning/motion/floor_validator.h"
 #include "planning/paths/elastic_band.h"
+#include "planning/validity/ompl_states.h"
 
 namespace clearway::planning {
 namespace {
@@ -62,7 +63,7 @@ class FloorSearch::Seeker {
         for (Obstacle& obstacle : raised.obstacles) obstacle.margin += job.floor;
         si_->setStateValidityChecker(std::make_shared<ValidityChecker>(si_, raised));
         si_->setMotionValidator(std::make_shared<FloorValidator>(si_, *search.validator_, job.floor));
-        si_->setup();
+        setUpOnSharedSpace(*si_);
         for (unsigned int i = 0; i < search.definition_->getStartStateCount(); ++i) {
             definition_->addStartState(search.definition_->getStartState(i));
         }

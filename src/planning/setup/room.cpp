@@ -7,6 +7,7 @@
 #include "planning/paths/kept_clearance.h"
 #include "planning/paths/room_both_ways.h"
 #include "planning/planners/rising_floor.h"
+#include "planning/validity/ompl_states.h"
 
 namespace clearway::planning {
 namespace {
@@ -28,7 +29,7 @@ class RoomSetup {
             si_, scene, MotionOptions{setup.auditor->leastInterval(), limits.isSpent});
         si_->setStateValidityChecker(std::make_shared<ValidityChecker>(si_, scene));
         si_->setMotionValidator(validator_);
-        si_->setup();
+        setUpOnSharedSpace(*si_);
         for (unsigned int i = 0; i < setup.definition->getStartStateCount(); ++i) {
             definition_->addStartState(setup.definition->getStartState(i));
         }

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <memory>
+#include <mutex>
 #include <stdexcept>
 #include <typeinfo>
 
@@ -53,6 +54,12 @@ ob::StateSpacePtr makeSpace(Space kind, const Box& bounds, double turnWeight) {
 const ob::RealVectorBounds& positionBounds(Space kind, const ob::StateSpace& space) {
     return kind == Space::kSe2 ? space.as<ob::SE2StateSpace>()->getBounds()
                                : space.as<ob::SE3StateSpace>()->getBounds();
+}
+
+void setUpOnSharedSpace(ob::SpaceInformation& si) {
+    static std::mutex mutex;
+    const std::lock_guard<std::mutex> lock(mutex);
+    si.setup();
 }
 
 ob::ScopedState<> toOmpl(const ob::StateSpacePtr& space, Space kind, const PartState& state) {

@@ -25,6 +25,10 @@ ompl::base::StateSpacePtr makeSpace(Space kind, const Box& bounds, double turnWe
 /// Returns the bounds of positions in a space of the kinds that makeSpace makes.
 const ompl::base::RealVectorBounds& positionBounds(Space kind, const ompl::base::StateSpace& space);
 
+/// Sets up a space information whose space others use, too. OMPL's setup writes to the space, as if no other thread could
+/// set up another space information on it.
+void setUpOnSharedSpace(ompl::base::SpaceInformation& si);
+
 ompl::base::ScopedState<> toOmpl(const ompl::base::StateSpacePtr& space, Space kind, const PartState& state);
 PartState fromOmpl(Space kind, const ompl::base::State* state);
 PartState partStateOfSe3(const ompl::base::State* state);
