@@ -15,7 +15,7 @@
 
 namespace clearway::planning {
 
-/// First RRTConnect and RRT look for a path, side by side. The path is shortened, and an elastic band widens it (see
+/// First RRTConnect and SlidingRRTConnect look for a path, side by side. The path is shortened, and an elastic band widens it (see
 /// makeRoom). The band never changes the way around obstacles, so other threads look for other ways meanwhile (see
 /// FloorSearch): for paths that keep a floor, a third of the way from the clearance of the best path to the most that start
 /// and goal leave. When such a search finds nothing in the time of some earlier ones, the next floor is half as far up, and
