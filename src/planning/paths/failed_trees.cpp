@@ -1,7 +1,7 @@
 #include "planning/paths/failed_trees.h"
 
 #include <ompl/base/PlannerData.h>
-#include <ompl/base/goals/GoalState.h>
+#include <ompl/base/goals/GoalSampleableRegion.h>
 #include <ompl/datastructures/NearestNeighborsGNATNoThreadSafety.h>
 #include <ompl/geometric/planners/cforest/CForest.h>
 #include <ompl/geometric/planners/kpiece/LBKPIECE1.h>
@@ -136,7 +136,12 @@ FailedTrees failedTrees(const std::vector<ob::PlannerPtr>& planners, const ob::P
         if (tree.states.empty()) tree.states.push_back({root, -1});
     };
     addRoot(trees.start, definition.getStartState(0));
-    addRoot(trees.goal, definition.getGoal()->as<ob::GoalState>()->getState());
+    const auto* goal = definition.getGoal()->as<ob::GoalSampleableRegion>();
+    if (trees.goal.states.empty()) {
+        trees.drawnGoal = std::make_shared<ob::ScopedState<>>(definition.getSpaceInformation());
+        goal->sampleGoal(trees.drawnGoal->get());
+        addRoot(trees.goal, trees.drawnGoal->get());
+    }
     return trees;
 }
 

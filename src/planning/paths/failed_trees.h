@@ -3,8 +3,10 @@
 
 #include <ompl/base/Planner.h>
 #include <ompl/base/ProblemDefinition.h>
+#include <ompl/base/ScopedState.h>
 
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 #include "clearway/planning/motion_validator.h"
@@ -28,6 +30,8 @@ struct FailedTree {
 
 struct FailedTrees {
     FailedTree start, goal;
+    /// A goal, where no planner tells one: the only state of the goal's tree then.
+    std::shared_ptr<ompl::base::ScopedState<>> drawnGoal;
 };
 
 /// Indices into the two trees' states.

@@ -86,7 +86,11 @@ WhyNoPath whyNoPath(const FailedPlanning& failed, const Problem& problem, const 
     why.diagonal = failed.validator->scene().part.box().diagonal().norm();
     const FailedTrees trees = failedTrees(failed.planners, *failed.definition, *failed.validator);
     why.start = reachedFrom(trees.start, failed, problem, problem.start);
-    why.goal = reachedFrom(trees.goal, failed, problem, problem.goal);
+    if (problem.outside) {
+        why.goal.states = trees.goal.states.size();  // from many poses: none to measure from
+    } else {
+        why.goal = reachedFrom(trees.goal, failed, problem, problem.goal);
+    }
     findNearestMiss(trees, failed, problem.space, why);
     if (!why.isJoined) findBlockers(trees, *failed.validator, problem.space, options, why);
     return why;

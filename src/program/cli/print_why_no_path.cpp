@@ -55,6 +55,7 @@ std::string shares(std::vector<Blocker> blockers, std::size_t all, const Count& 
 
 void printReached(const WhyNoPath& why, const ReachedFrom& end, const std::string& name) {
     const std::string label = "from the " + name;
+    if (!end.hasTree && end.states > 1) return printRow(label, counted(end.states, "state") + " reached");
     if (!end.hasTree) return printRow(label, "the planner tells no states reached from there");
     std::string text = counted(end.states, "state") +
                        " reached, where no point of the part has moved by more than " +

@@ -42,7 +42,7 @@ BOOST_AUTO_TEST_CASE(a_path_is_found_written_and_free_by_the_oracle) {
     const Outcome outcome = runIn(folder, kPlan);
     BOOST_TEST(outcome.code == 0, outcome.err);
     BOOST_TEST(outcome.err == "");  // no progress line either, because this is no terminal
-    BOOST_TEST(row(outcome, "planner") == "RRTConnect, seed 1");
+    BOOST_TEST(row(outcome, "planner") == "PlannerTeam, seed 1");
     BOOST_TEST(row(outcome, "repeatable") == "yes");
     BOOST_TEST(row(outcome, "motions") == "certified along their whole length");
     BOOST_TEST(std::stod(row(outcome, "planning time")) > 0);
@@ -110,11 +110,13 @@ BOOST_AUTO_TEST_CASE(an_objective_is_planned_for_and_its_cost_told) {
 
 BOOST_AUTO_TEST_CASE(what_no_position_within_the_bounds_can_come_near_is_left_out_and_counted) {
     const WindowFolder folder;
-    BOOST_TEST(row(runIn(folder, kPlan), "environment") == "wall.obj, 432 triangles");
+    // Sliding planners and bands go by distances whose last digits differ from tree to tree.
+    const std::string verdictsAlone = "--planner RRTConnect --quick";
+    BOOST_TEST(row(runIn(folder, added(verdictsAlone)), "environment") == "wall.obj, 432 triangles");
     const std::string path = readText(folder.file("out.path"));
     const Mesh far = transformed(folder.window.wallMesh, {Matrix3::Identity(), {1000, 0, 0}});
     saveMesh(joined(folder.window.wallMesh, far), folder.file("wall.obj"));
-    const Outcome outcome = runIn(folder, added("--cache trees"));
+    const Outcome outcome = runIn(folder, added(verdictsAlone + " --cache trees"));
     BOOST_TEST(outcome.code == 0, outcome.err);
     BOOST_TEST(row(outcome, "environment") == "wall.obj, 432 triangles, 432 out of reach left out");
     BOOST_TEST(readText(folder.file("out.path")) == path);
@@ -189,7 +191,7 @@ BOOST_AUTO_TEST_CASE(a_report_and_an_animation_of_the_path_are_written_beside_it
     BOOST_TEST(row(outcome, "report").find("out.html, ") == 0);
     const std::string page = readText(folder.file("out.html"));
     for (const char* text :
-         {"</html>", "RRTConnect, seed 1", "valid along the whole path, certified", "plate"})
+         {"</html>", "PlannerTeam, seed 1", "valid along the whole path, certified", "plate"})
         BOOST_TEST(page.find(text) != std::string::npos, text);
     BOOST_TEST(
         runIn(folder, "plan window.cfg --path other.path --report other.html --time 0.3 --margin 12").code !=
