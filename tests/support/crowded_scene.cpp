@@ -11,7 +11,7 @@ namespace {
 
 namespace ob = ompl::base;
 
-/// Of the part's diagonal, beyond the margin.
+/// Reaches tell clearances up to this share of the part's diagonal.
 constexpr double kReachedClearance = 0.3;
 
 Box roomAround(const Vector3& centre, const Vector3& halfSides) {

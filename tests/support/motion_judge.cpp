@@ -171,7 +171,7 @@ class MotionJudge {
                     one.says(MotionVerdict::kValid) && other.says(MotionVerdict::kInvalid);
                 BOOST_TEST(!isContradiction, one.name << " against " << other.name);
             }
-            // What is farther than a least interval from contact can be certified.
+            // A motion farther than a least interval from contact can be certified.
             const bool isFar = one.report().verdict == MotionVerdict::kValid &&
                                one.report().lowerClearance > one.leastInterval;
             if (!isFar || one.isStopped) continue;
