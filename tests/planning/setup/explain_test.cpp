@@ -51,7 +51,9 @@ BOOST_AUTO_TEST_CASE(the_margin_with_which_a_path_is_found_is_the_widest_gates) 
     constexpr double kWidestGate = 12, kTooMuch = 14;
     Problem problem = readProblem(CLEARWAY_DATA_DIR "/gates/gates.cfg");
     problem.margin = kTooMuch;
-    const Explanation explanation = explained(problem, loaded, withIterations(6000));
+    PlanOptions options = withIterations(500);
+    options.planner = "SlidingRRTConnect";
+    const Explanation explanation = explained(problem, loaded, options);
     BOOST_REQUIRE(explanation.marginScale.has_value());
     BOOST_TEST(*explanation.marginScale * kTooMuch <= kWidestGate);
     BOOST_TEST(*explanation.marginScale * kTooMuch >= 0.93 * kWidestGate);

@@ -18,7 +18,7 @@ using Outcome = PlanReport::Outcome;
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr double kTunnelSeconds = 150;  // enough under a sanitizer
 #else
-constexpr double kTunnelSeconds = 8;
+constexpr double kTunnelSeconds = 4;
 #endif
 
 PlanOptions withObjective(const std::string& objective, double seconds) {
