@@ -23,17 +23,31 @@ constexpr double kLongestTurn = 20 * M_PI / 180;  ///< of a motion to be unwound
 constexpr double kLongestWay = 0.5;  ///< of a motion to be unwound, in diagonals of the part's box
 constexpr double kEveryPart = 4;     ///< stretches begin a quarter of their length apart
 
-double angleBetween(const ob::State* a, const ob::State* b) {
-    const Eigen::Quaterniond qa = partStateOfSe3(a).rotation, qb = partStateOfSe3(b).rotation;
-    return qa.normalized().angularDistance(qb.normalized());
-}
-
-double wayBetween(const ob::State* a, const ob::State* b) {
-    return (partStateOfSe3(a).position - partStateOfSe3(b).position).norm();
+bool isOmplSe2(const ob::StateSpace& space) {
+    return typeid(space) == typeid(ob::SE2StateSpace);
 }
 
 PartState partStateOf(const ob::StateSpace& space, const ob::State* state) {
-    return typeid(space) == typeid(ob::SE2StateSpace) ? partStateOfSe2(state) : partStateOfSe3(state);
+    return isOmplSe2(space) ? partStateOfSe2(state) : partStateOfSe3(state);
+}
+
+void setPosition(const ob::StateSpace& space, const Vector3& position, ob::State* state) {
+    if (isOmplSe2(space)) {
+        state->as<ob::SE2StateSpace::StateType>()->setXY(position.x(), position.y());
+    } else {
+        state->as<ob::SE3StateSpace::StateType>()->setXYZ(position.x(), position.y(), position.z());
+    }
+}
+
+/// Between two states of a path.
+struct Step {
+    double way = 0, angle = 0;  ///< environment units, radians
+};
+
+Step stepBetween(const ob::StateSpace& space, const ob::State* a, const ob::State* b) {
+    const PartState from = partStateOf(space, a), to = partStateOf(space, b);
+    return {(to.position - from.position).norm(),
+            from.rotation.normalized().angularDistance(to.rotation.normalized())};
 }
 
 class Unwinder {
@@ -42,6 +56,7 @@ class Unwinder {
              const std::function<bool()>& isSpent)
         : path_(path),
           si_(*path.getSpaceInformation()),
+          space_(*si_.getStateSpace()),
           validator_(validator),
           floor_(floor),
           isSpent_(isSpent) {}
@@ -71,8 +86,9 @@ class Unwinder {
         og::PathGeometric divided(path_.getSpaceInformation());
         divided.append(state(0));
         for (std::size_t i = 1; i < path_.getStateCount(); ++i) {
-            const double turns = angleBetween(state(i - 1), state(i)) / kLongestTurn;
-            const double ways = longest > 0 ? wayBetween(state(i - 1), state(i)) / longest : 0;
+            const Step step = stepBetween(space_, state(i - 1), state(i));
+            const double turns = step.angle / kLongestTurn;
+            const double ways = longest > 0 ? step.way / longest : 0;
             appendDivided(divided, i, static_cast<int>(std::ceil(std::max(turns, ways))));
             divided.append(state(i));
         }
@@ -85,7 +101,7 @@ class Unwinder {
         for (int k = 1; k < parts; ++k) {
             between.push_back(std::make_unique<ScratchState>(si_));
             const double time = static_cast<double>(k) / parts;
-            si_.getStateSpace()->interpolate(state(i - 1), state(i), time, between.back()->get());
+            space_.interpolate(state(i - 1), state(i), time, between.back()->get());
             if (!keeps(last, between.back()->get())) return;
             last = between.back()->get();
         }
@@ -96,15 +112,17 @@ class Unwinder {
     void unwindStretch(std::size_t first, std::size_t last) {
         double turned = 0, length = 0;
         for (std::size_t i = first; i < last; ++i) {
-            turned += angleBetween(state(i), state(i + 1));
-            length += wayBetween(state(i), state(i + 1));
+            const Step step = stepBetween(space_, state(i), state(i + 1));
+            turned += step.angle;
+            length += step.way;
         }
-        if (turned - angleBetween(state(first), state(last)) < kLeastSaving || !(length > 0)) return;
+        const double least = stepBetween(space_, state(first), state(last)).angle;
+        if (turned - least < kLeastSaving || !(length > 0)) return;
         std::vector<std::unique_ptr<ScratchState>> turnedStates;
         const ob::State* before = state(first);
         double passed = 0;
         for (std::size_t i = first + 1; i < last; ++i) {
-            passed += wayBetween(state(i - 1), state(i));
+            passed += stepBetween(space_, state(i - 1), state(i)).way;
             turnedStates.push_back(turnedState(first, last, i, passed / length));
             const ob::State* next = turnedStates.back()->get();
             if (!keeps(before, next)) return;
@@ -119,14 +137,14 @@ class Unwinder {
     std::unique_ptr<ScratchState> turnedState(std::size_t first, std::size_t last, std::size_t i,
                                               double time) const {
         auto made = std::make_unique<ScratchState>(si_);
-        si_.getStateSpace()->interpolate(state(first), state(last), time, made->get());
-        const Vector3 position = partStateOfSe3(state(i)).position;
-        made->get()->as<ob::SE3StateSpace::StateType>()->setXYZ(position.x(), position.y(), position.z());
+        space_.interpolate(state(first), state(last), time, made->get());
+        setPosition(space_, partStateOf(space_, state(i)).position, made->get());
         return made;
     }
 
     og::PathGeometric& path_;
     const ob::SpaceInformation& si_;
+    const ob::StateSpace& space_;
     const MotionValidator& validator_;
     double floor_;
     const std::function<bool()>& isSpent_;
@@ -138,9 +156,8 @@ double windingLength(const og::PathGeometric& path, double radius) {
     const ob::StateSpace& space = *path.getSpaceInformation()->getStateSpace();
     double winding = 0;
     for (unsigned int i = 1; i < path.getStateCount(); ++i) {
-        const PartState a = partStateOf(space, path.getState(i - 1)),
-                        b = partStateOf(space, path.getState(i));
-        winding += (b.position - a.position).norm() + radius * a.rotation.angularDistance(b.rotation);
+        const Step step = stepBetween(space, path.getState(i - 1), path.getState(i));
+        winding += step.way + radius * step.angle;
     }
     return winding;
 }
@@ -153,7 +170,8 @@ bool isBetterWay(const WidePath& way, const WidePath& other, double radius) {
 
 void unwind(og::PathGeometric& path, const MotionValidator& validator, double floor,
             const std::function<bool()>& isSpent) {
-    if (!isOmplSe3(*path.getSpaceInformation()->getStateSpace()) || path.getStateCount() < 3) return;
+    const ob::StateSpace& space = *path.getSpaceInformation()->getStateSpace();
+    if (!(isOmplSe3(space) || isOmplSe2(space)) || path.getStateCount() < 3) return;
     Unwinder(path, validator, floor, isSpent).run();
 }
 

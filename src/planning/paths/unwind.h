@@ -27,7 +27,7 @@ bool isBetterWay(const WidePath& way, const WidePath& other, double radius);
 /// Replaces the rotations along stretches of the path by one turn from the stretch's first rotation to its last, where
 /// that saves turns and all new motions keep the floor (MotionValidator::keepsClearance). Positions stay. The stretches
 /// are the whole path, then halves, quarters and so on. isSpent may be empty; true ends the unwinding. Paths in other
-/// spaces than OMPL's SE(3), such as SE(2), stay as they are.
+/// spaces than OMPL's SE(3) and SE(2) stay as they are.
 void unwind(ompl::geometric::PathGeometric& path, const MotionValidator& validator, double floor,
             const std::function<bool()>& isSpent);
 

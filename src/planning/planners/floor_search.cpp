@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <future>
+#include <iterator>
 #include <utility>
 
 #include "clearway/planning/outside_goal.h"
@@ -22,6 +23,9 @@ namespace ob = ompl::base;
 namespace og = ompl::geometric;
 using Clock = std::chrono::steady_clock;
 
+/// Floors, by turns, of the planners that look for short ways, as shares of the best clearance. A low one is quick, and a
+/// high one keeps out of ways that are short but narrow.
+constexpr double kShortWaysFloors[] = {0.5, 0.75, 0.9};
 constexpr double kFirstShare = 0.3;       ///< of the difference between the best and the most clearance
 constexpr double kLeastShare = 1.0 / 32;  ///< below it the shares begin anew
 constexpr double kPatience = 4;           ///< times the duration of the seek that found the last path
@@ -50,6 +54,7 @@ struct FloorSearch::Job {
     double gain = 0;            ///< of a band that goes on
     double floor = 0;           ///< of a seek
     double seconds = 0;         ///< limit of a seek, of a band that goes on, or of shortening; 0: none
+    bool isShortWay = false;    ///< to be sought or widened: it counts where it winds less than the best path
     int number = 0, known = 0;  ///< of a seek, and of the paths found when it began
 };
 
@@ -111,13 +116,26 @@ FloorSearch::~FloorSearch() = default;
 
 void FloorSearch::add(const WidePath& path, double seconds) {
     takeIfBetter(path, 0);
+    widenLater(path, seconds, false);
+    wideSeeks_.patience = shortSeeks_.patience = std::max(kLeastPatience, kPatience * seconds);
+    share_ = kFirstShare;
+}
+
+void FloorSearch::widenLater(const WidePath& path, double seconds, bool isShortWay) {
     Job job;
     job.kind = Job::Kind::kWiden;
     job.path = path;
     job.seconds = std::max(kLeastShortening, kShorteningShare * seconds);
+    job.isShortWay = isShortWay;
     waiting_.push_back(job);
-    patience_ = std::max(kLeastPatience, kPatience * seconds);
-    share_ = kFirstShare;
+}
+
+double FloorSearch::radius() const {
+    return 0.5 * validator_->scene().part.box().diagonal().norm();
+}
+
+const std::optional<WidePath>& FloorSearch::bestWay() const {
+    return shortWay_ && isBetterWay(*shortWay_, *best_, radius()) ? shortWay_ : best_;
 }
 
 void FloorSearch::run(const FloorSearchOptions& options, const std::function<bool()>& isSpent) {
@@ -144,7 +162,8 @@ void FloorSearch::work() {
         const bool isSeek = job.kind == Job::Kind::kSeek;
         isSeek ? seek(job) : widen(job);
         const std::lock_guard<std::mutex> lock(mutex_);
-        (isSeek ? sought_ : widened_) += secondsSince(begin);
+        Seeks& seeks = job.isShortWay ? shortSeeks_ : wideSeeks_;
+        (isSeek ? seeks.spent : widened_) += secondsSince(begin);
         widening_ -= !isSeek;
     }
 }
@@ -159,13 +178,13 @@ FloorSearch::Job FloorSearch::nextJob() {
         ++widening_;
         return job;
     }
-    const bool isTurn = options_.threads > 1 || widened_ <= sought_;
+    const bool isTurn = options_.threads > 1 || widened_ <= wideSeeks_.spent + shortSeeks_.spent;
     if (!best_ || gain_ == 0 || widening_ > 0 || !isTurn) return seekingJob();
     Job job;
     job.kind = Job::Kind::kWidenOn;
     job.path = {std::make_shared<og::PathGeometric>(*best_->path), best_->clearance};
     job.gain = gain_;
-    job.seconds = std::max(patience_, kLeastPatience);
+    job.seconds = std::max(wideSeeks_.patience, kLeastPatience);
     gain_ = gain_ > kLeastGain ? kGainLoss * gain_ : kFirstBandGain;
     ++widening_;
     return job;
@@ -173,11 +192,15 @@ FloorSearch::Job FloorSearch::nextJob() {
 
 FloorSearch::Job FloorSearch::seekingJob() {
     Job job;
-    job.number = seeks_++;
     job.known = paths_;
-    if (best_) {
+    job.isShortWay = best_ && options_.wantsShortWays && shortSeeks_.spent < wideSeeks_.spent;
+    Seeks& seeks = job.isShortWay ? shortSeeks_ : wideSeeks_;
+    job.number = seeks.begun++;
+    job.seconds = seeks.patience;
+    if (job.isShortWay) {
+        job.floor = kShortWaysFloors[job.number % std::size(kShortWaysFloors)] * best_->clearance;
+    } else if (best_) {
         job.floor = best_->clearance + share_ * std::max(0.0, options_.most - best_->clearance);
-        job.seconds = patience_;
     }
     return job;
 }
@@ -195,11 +218,19 @@ void FloorSearch::widen(const Job& job) {
     } else {
         options.idleStages = kFirstIdleStages;
         options.clearance = shortenFirst(job, path);
+        if (job.isShortWay && isTooLong(path)) return;
     }
     const double clearance = makeRoom(path, *validator_, options);
+    const WidePath widened{std::make_shared<og::PathGeometric>(path), clearance};
     const std::lock_guard<std::mutex> lock(mutex_);
-    takeIfBetter({std::make_shared<og::PathGeometric>(path), clearance}, kFirstBandGain);
+    takeIfBetter(widened, kFirstBandGain);
+    if (job.isShortWay && (!shortWay_ || isBetterWay(widened, *shortWay_, radius()))) shortWay_ = widened;
     if (gain_ == 0) gain_ = kFirstBandGain;
+}
+
+bool FloorSearch::isTooLong(const og::PathGeometric& path) const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return windingLength(path, radius()) >= windingLength(*bestWay()->path, radius());
 }
 
 /// A band of few states is quicker. Returns the clearance that the path keeps.
@@ -222,19 +253,22 @@ void FloorSearch::seek(const Job& job) {
     const Clock::time_point begin = Clock::now();
     const auto isPassed = [&] {
         const std::lock_guard<std::mutex> lock(mutex_);
-        return paths_ > job.known || (best_ && best_->clearance > job.floor);
+        return !job.isShortWay && (paths_ > job.known || (best_ && best_->clearance > job.floor));
     };
     const ob::PlannerTerminationCondition isOver(
         [&] { return isSpent_() || (job.seconds > 0 && secondsSince(begin) > job.seconds) || isPassed(); });
     const std::shared_ptr<og::PathGeometric> states = Seeker(*this, job).solve(isOver);
     const std::lock_guard<std::mutex> lock(mutex_);
     if (states) {
-        ++paths_;
         WidePath found{std::make_shared<og::PathGeometric>(si_), job.floor};
         for (const ob::State* state : states->getStates()) found.path->append(state);
+        if (job.isShortWay) return widenLater(found, secondsSince(begin), true);
+        ++paths_;
         add(found, secondsSince(begin));
+    } else if (job.isShortWay) {
+        shortSeeks_.patience *= kGrowth;
     } else if (paths_ == job.known && !(best_ && best_->clearance > job.floor)) {
-        patience_ *= kGrowth;
+        wideSeeks_.patience *= kGrowth;
         share_ = share_ > kLeastShare ? 0.5 * share_ : kFirstShare;
     }
 }

@@ -22,6 +22,8 @@ struct FloorSearchOptions {
     unsigned int threads = 2;  ///< >= 1
     double most = 0;           ///< no path has more clearance; finite
     double enough = 0;         ///< more is not looked for
+    /// Half of the planners' time goes to ways that wind less than the best path, instead of to wider ones.
+    bool wantsShortWays = false;
 };
 
 class FloorSearch {
@@ -37,11 +39,22 @@ class FloorSearch {
     /// Goes on until isSpent returns true or the best path keeps enough. It is called often, from several threads.
     void run(const FloorSearchOptions& options, const std::function<bool()>& isSpent);
 
+    /// The path of most clearance, if any was found.
     const std::optional<WidePath>& best() const { return best_; }
+
+    /// The best path by isBetterWay(): it may keep a little less clearance than best() where it winds less.
+    const std::optional<WidePath>& bestWay() const;
 
   private:
     struct Job;
     class Seeker;
+
+    /// Planners that look for ways of one kind, wide or short ones.
+    struct Seeks {
+        int begun = 0;
+        double patience = 0;  ///< seconds of the next one
+        double spent = 0;     ///< seconds
+    };
 
     void work();
     Job nextJob();
@@ -49,7 +62,10 @@ class FloorSearch {
     void widen(const Job& job);
     double shortenFirst(const Job& job, ompl::geometric::PathGeometric& path) const;
     void seek(const Job& job);
+    void widenLater(const WidePath& path, double seconds, bool isShortWay);
     void takeIfBetter(const WidePath& path, double gain);
+    bool isTooLong(const ompl::geometric::PathGeometric& path) const;
+    double radius() const;
     bool isOver() const;
 
     ompl::base::SpaceInformationPtr si_;
@@ -61,13 +77,13 @@ class FloorSearch {
     mutable std::mutex mutex_;  ///< of what follows
     std::vector<Job> waiting_;  ///< paths to widen, the next one last
     std::optional<WidePath> best_;
-    double gain_ = 0;      ///< of the best path's next band; 0: its first one is not over
-    int widening_ = 0;     ///< threads
-    int paths_ = 0;        ///< that seekers found, ever
-    int seeks_ = 0;        ///< begun, ever
-    double patience_ = 0;  ///< seconds of the next seek
-    double share_ = 0;     ///< of the difference between the best and the most clearance, for the next floor
-    double widened_ = 0, sought_ = 0;  ///< seconds spent
+    std::optional<WidePath> shortWay_;  ///< the best of the short ways, by isBetterWay
+    double gain_ = 0;                   ///< of the best path's next band; 0: its first one is not over
+    int widening_ = 0;                  ///< threads
+    int paths_ = 0;                     ///< that seekers found, ever
+    Seeks wideSeeks_, shortSeeks_;
+    double share_ = 0;    ///< of the difference between the best and the most clearance, for the next floor
+    double widened_ = 0;  ///< seconds spent
 };
 
 }  // namespace clearway::planning

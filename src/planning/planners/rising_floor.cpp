@@ -86,9 +86,10 @@ ob::PlannerStatus RisingFloor::solve(const ob::PlannerTerminationCondition& isSp
     options.threads = threads_;
     options.most = mostClearance();
     options.enough = std::min(kNearlyMost * options.most, wantedClearance());
+    options.wantsShortWays = wantsShortWays_;
     search_->run(options, [&] { return isSpent(); });
     if (!search_->best()) return ob::PlannerStatus::TIMEOUT;
-    ob::PlannerSolution solution(std::make_shared<og::PathGeometric>(*search_->best()->path));
+    ob::PlannerSolution solution(std::make_shared<og::PathGeometric>(*search_->bestWay()->path));
     solution.setPlannerName(getName());
     pdef_->addSolutionPath(solution);
     return ob::PlannerStatus::EXACT_SOLUTION;

@@ -40,6 +40,10 @@ class RisingFloor : public ompl::base::Planner {
     /// Lets the next solve() begin with the band of a path from start to goal, whose motions are valid.
     void startFrom(const ompl::geometric::PathGeometric& path, const First& first);
 
+    /// Looks for ways that wind less, too, and ends with one that keeps nearly as much clearance as the best path: see
+    /// FloorSearch::bestWay.
+    void lookForShortWays() { wantsShortWays_ = true; }
+
     void setRange(double range) { range_ = range; }  ///< longest edge of the trees; 0: OMPL's
     double getRange() const { return range_; }
     void setThreads(unsigned int threads) { threads_ = threads; }  ///< how many planners run side by side
@@ -51,6 +55,7 @@ class RisingFloor : public ompl::base::Planner {
     double wantedClearance() const;
 
     double range_ = 0;
+    bool wantsShortWays_ = false;
     unsigned int threads_ = 2;
     std::shared_ptr<const MotionValidator> validator_;
     std::unique_ptr<FloorSearch> search_;

@@ -66,6 +66,7 @@ void makeRoomInTime(const RoomSetup& setup, og::PathGeometric& path, const RoomL
     rising.setProblemDefinition(setup.definition());
     rising.setRange(limits.range);
     rising.setThreads(std::max(1u, limits.threads));
+    rising.lookForShortWays();
     rising.setup();
     rising.startFrom(path, {kept, limits.planningSeconds});
     rising.solve(ob::PlannerTerminationCondition(limits.isSpent));

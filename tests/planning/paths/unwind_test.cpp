@@ -39,6 +39,16 @@ BOOST_AUTO_TEST_CASE(turns_to_and_fro_are_taken_out_where_there_is_room) {
     BOOST_TEST(windingLength(path, 10) == 40, boost::test_tools::tolerance(1e-3));
 }
 
+BOOST_AUTO_TEST_CASE(a_full_turn_in_the_plane_is_taken_out) {
+    const Fixture f(0, {}, Space::kSe2);
+    og::PathGeometric path(f.si);
+    for (int i = 0; i <= 8; ++i) path.append(f.at({-60, 5.0 * i - 20, 0}, i * M_PI / 4).get());
+    BOOST_TEST(turnedOf(f, path) == 2 * M_PI, boost::test_tools::tolerance(1e-9));
+    unwind(path, *f.validator, 1, {});
+    BOOST_TEST(turnedOf(f, path) < 1e-9);
+    BOOST_TEST(windingLength(path, 10) == 40, boost::test_tools::tolerance(1e-9));
+}
+
 BOOST_AUTO_TEST_CASE(turns_that_keep_the_part_off_the_wall_stay) {
     const Fixture f;
     og::PathGeometric path(f.si);

@@ -1,0 +1,61 @@
+// The planner that widens paths also straightens the ways they take.
+#include "planning/planners/rising_floor.h"
+
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "clearway/planning/problem_setup.h"
+#include "planning/paths/kept_clearance.h"
+#include "planning/paths/unwind.h"
+#include "support/gates_scene.h"
+#include "support/processor_time.h"
+
+namespace clearway::planning {
+namespace {
+
+namespace ob = ompl::base;
+namespace og = ompl::geometric;
+
+/// Through both wide gates, turning once about itself.
+std::vector<PartState> spinning() {
+    const auto at = [](double x, double y, double angle) {
+        PartState state;
+        state.position = {x, y, 0};
+        state.rotation = Eigen::AngleAxisd(angle, Vector3::UnitZ());
+        return state;
+    };
+    return {at(-80, 0, 0),    at(-80, 41, M_PI / 2), at(-60, 41, M_PI),       at(0, 41, M_PI),
+            at(0, -41, M_PI), at(60, -41, M_PI),     at(80, -41, 1.5 * M_PI), at(80, 0, 2 * M_PI)};
+}
+
+BOOST_AUTO_TEST_CASE(of_ways_with_nearly_as_much_clearance_it_ends_with_one_that_winds_less) {
+    const testing::GatesScene gates = testing::gatesScene();
+    og::SimpleSetup setup = makeSetup(gates.problem, gates.scene);
+    setup.setup();
+    const og::PathGeometric first = pathThrough(setup.getSpaceInformation(), spinning());
+    const MotionValidator& validator = motionValidatorOf(setup.getSpaceInformation());
+    const double radius = 0.5 * gates.scene.part.box().diagonal().norm();
+    const auto kept = [&](const og::PathGeometric& path) {
+        return keptClearance(path, validator, {0, testing::kWideGates, 0.01, {}});
+    };
+    const double clearance = kept(first);
+    BOOST_TEST_REQUIRE(clearance > 9);
+    testing::withProcessorTime(6, [&](double seconds) {
+        RisingFloor planner(setup.getSpaceInformation());
+        planner.setProblemDefinition(setup.getProblemDefinition());
+        planner.setRange(60);
+        planner.lookForShortWays();
+        planner.setup();
+        planner.startFrom(first, {clearance, 0.05});
+        return planner.solve(ob::timedPlannerTerminationCondition(seconds));
+    });
+    const og::PathGeometric& found = setup.getSolutionPath();
+    BOOST_TEST_MESSAGE(clearance << ", then " << kept(found) << ", winding " << windingLength(first, radius) << ", then " << windingLength(found, radius));
+    BOOST_TEST(kept(found) > 0.96 * clearance);
+    BOOST_TEST(windingLength(found, radius) < windingLength(first, radius) - M_PI * radius);
+}
+
+}  // namespace
+}  // namespace clearway::planning
