@@ -172,22 +172,42 @@ planning::Explanation explain(const PlanArguments& given, const Problem& problem
     return planning::explain(problem, why, options);
 }
 
-void tellWhy(const PlanArguments& given, const PlanReport& report, const Problem& problem,
-             const Scene& scene) {
+/// Returns the path of a trial of --explain that solves the problem after all; empty without one.
+std::vector<PartState> tellWhy(const PlanArguments& given, const PlanReport& report, const Problem& problem,
+                               const Scene& scene) {
+    std::vector<PartState> path;
     if (report.whyNoPath) {
         const planning::WhyNoPath& why = *report.whyNoPath;
         printWhyNoPath(why);
-        if (given.explainSeconds) printExplanation(explain(given, problem, why), scene.largestMargin());
-        printHints(why, problem, scene, {given.explainSeconds.has_value(), !given.nearest.empty()});
+        if (given.explainSeconds) {
+            planning::Explanation explanation = explain(given, problem, why);
+            printExplanation(explanation, scene.largestMargin());
+            path = std::move(explanation.path);
+        }
+        if (path.empty())
+            printHints(why, problem, scene, {given.explainSeconds.has_value(), !given.nearest.empty()});
         if (!given.nearest.empty()) writePath(why.nearest.path, problem.space, given.nearest);
     }
-    if (given.nearest.empty()) return;
+    if (given.nearest.empty()) return path;
     const bool isFound = report.outcome == PlanReport::Outcome::kFound;
     printRow("nearest", report.whyNoPath
                             ? given.nearest + ", segment " +
                                   std::to_string(report.whyNoPath->nearest.gap + 1) + " is not valid"
                         : isFound ? "not written: a path was found"
                                   : "not written: planning came to no end");
+    return path;
+}
+
+/// The path is as the trial's planner found it: neither widened nor shortened.
+planning::PathAudit printTrialPath(const std::vector<PartState>& path, const Problem& problem,
+                                   const Scene& scene, const std::string& file) {
+    const planning::PathAudit audit = planning::checkPath(problem, scene, path).audit;
+    printRows({{"found by", "a trial of --explain, among all obstacles; give --time more for a shorter one"},
+               {"states", std::to_string(path.size())}});
+    printAudit(audit);
+    writeOrPrint(path, problem.space, file);
+    printRow("path", file);
+    return audit;
 }
 
 void printPath(const PlanReport& report, const Problem& problem, const std::string& file) {
@@ -226,19 +246,26 @@ int plan(const Arguments& arguments) {
     const bool isFound = report.outcome == PlanReport::Outcome::kFound;
     if (isFound) {
         printPath(report, problem, given.path);
-        oldPath.isReplaced();
+        for (const auto& row : pathRows(report)) figures.push_back(row);
     } else {
         printRow("path", report.isStopped ? "none, interrupted" : "none found");
     }
-    tellWhy(given, report, problem, scene);
-    if (isFound && !given.outputs.isEmpty()) {
-        for (const auto& row : pathRows(report)) figures.push_back(row);
+    const std::vector<PartState> trialPath = tellWhy(given, report, problem, scene);
+    const std::vector<PartState>& path = isFound ? report.path : trialPath;
+    if (path.empty()) {
+        requirePrinted();
+        return kAnswerIsNo;
+    }
+    const bool isValid =
+        (isFound ? report.audit : printTrialPath(path, problem, scene, given.path)).isValid();
+    oldPath.isReplaced();
+    if (!given.outputs.isEmpty()) {
         // Planning audits the path without a profile; the outputs show a profile.
-        const planning::PathCheck checked = planning::checkPath(problem, scene, report.path);
-        given.outputs.write(problem, scene, report.path, checked.audit, figures);
+        const planning::PathCheck checked = planning::checkPath(problem, scene, path);
+        given.outputs.write(problem, scene, path, checked.audit, figures);
     }
     requirePrinted();
-    return isFound && report.audit.isValid() ? kDone : kAnswerIsNo;
+    return isValid ? kDone : kAnswerIsNo;
 }
 
 }  // namespace clearway::cli

@@ -143,15 +143,13 @@ void printExplanation(const planning::Explanation& explanation, double largestMa
     printRow("explained by", counted(explanation.trials, "trial") + trialLength +
                                  (explanation.isOutOfTime ? ", until the time was over" : "") +
                                  "; greedy: fewer obstacles may do");
+    if (!explanation.path.empty()) return;  // nothing has to go
     for (const std::vector<std::string>& set : explanation.withoutThese)
         printRow("found without", quoted(set));
-    if (explanation.withoutThese.empty() && explanation.path.empty()) {
+    if (explanation.withoutThese.empty()) {
         printRow("found without", "none of the sets of obstacles that were tried");
     }
     printMarginFound(explanation, largestMargin);
-    if (!explanation.path.empty()) {
-        printRow("hint", "a trial found a path among all obstacles: give --time more, or another --seed");
-    }
 }
 
 void printHints(const WhyNoPath& why, const Problem& problem, const Scene& scene, const AskedFor& asked) {

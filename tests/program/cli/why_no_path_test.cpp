@@ -85,6 +85,21 @@ BOOST_AUTO_TEST_CASE(the_explanation_names_the_door) {
     BOOST_TEST(!contains(outcome.out, "hint:               --explain"));
 }
 
+BOOST_AUTO_TEST_CASE(a_path_that_a_trial_finds_among_all_obstacles_is_written) {
+    const TemporaryFolder folder;
+    const std::string gates = CLEARWAY_DATA_DIR "/gates/gates.cfg --margin 1";
+    // The planning has no time to find a path, but each trial has more than a second.
+    const Outcome outcome =
+        runIn(folder, "plan " + gates + " --time 0.00001 --explain 20 --path out.path --report out.html");
+    BOOST_TEST(outcome.code == 0, outcome.err);
+    BOOST_TEST(contains(row(outcome, "found by"), "a trial of --explain"), outcome.out);
+    BOOST_TEST(!contains(outcome.out, "found without"));
+    BOOST_TEST(!contains(outcome.out, "hint:"));
+    BOOST_TEST(contains(row(outcome, "audit"), "valid along the whole path"));
+    BOOST_TEST(runIn(folder, "check " + gates + " out.path").code == 0);
+    BOOST_TEST(contains(readText(folder.file("out.html")), "</html>"));
+}
+
 BOOST_AUTO_TEST_CASE(without_names_there_is_nothing_to_explain) {
     const DoorFolder folder;
     saveMesh(boxMesh({Vector3(4, -4, -4), Vector3(5, 4, 4)}), folder.file("box.obj"));
