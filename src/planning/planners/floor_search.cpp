@@ -87,6 +87,8 @@ class FloorSearch::Seeker {
         return std::static_pointer_cast<og::PathGeometric>(definition_->getSolutionPath());
     }
 
+    void getPlannerData(ob::PlannerData& data) const { planner_->getPlannerData(data); }
+
   private:
     /// A goal outside has to draw states that keep the floor.
     ob::GoalPtr goalOf(const ob::GoalPtr& given) const {
@@ -141,12 +143,31 @@ const std::optional<WidePath>& FloorSearch::bestWay() const {
 void FloorSearch::run(const FloorSearchOptions& options, const std::function<bool()>& isSpent) {
     options_ = options;
     isSpent_ = isSpent;
+    inVain_.clear();
     std::vector<std::future<void>> others;
     for (unsigned int i = 1; i < options.threads; ++i) {
         others.push_back(std::async(std::launch::async, [this] { work(); }));
     }
     work();
     for (auto& other : others) other.get();
+}
+
+std::optional<double> FloorSearch::clearance() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return best_ ? std::optional<double>(best_->clearance) : std::nullopt;
+}
+
+void FloorSearch::getPlannerData(ob::PlannerData& data) const {
+    if (!best_) {
+        for (const auto& seeker : inVain_) seeker->getPlannerData(data);
+        return;
+    }
+    const std::vector<ob::State*>& states = bestWay()->path->getStates();
+    data.addStartVertex(ob::PlannerDataVertex(states.front()));
+    data.addGoalVertex(ob::PlannerDataVertex(states.back()));
+    for (std::size_t i = 1; i < states.size(); ++i) {
+        data.addEdge(ob::PlannerDataVertex(states[i - 1]), ob::PlannerDataVertex(states[i]));
+    }
 }
 
 bool FloorSearch::isOver() const {
@@ -257,7 +278,8 @@ void FloorSearch::seek(const Job& job) {
     };
     const ob::PlannerTerminationCondition isOver(
         [&] { return isSpent_() || (job.seconds > 0 && secondsSince(begin) > job.seconds) || isPassed(); });
-    const std::shared_ptr<og::PathGeometric> states = Seeker(*this, job).solve(isOver);
+    auto seeker = std::make_unique<Seeker>(*this, job);
+    const std::shared_ptr<og::PathGeometric> states = seeker->solve(isOver);
     const std::lock_guard<std::mutex> lock(mutex_);
     if (states) {
         WidePath found{std::make_shared<og::PathGeometric>(si_), job.floor};
@@ -267,7 +289,11 @@ void FloorSearch::seek(const Job& job) {
         add(found, secondsSince(begin));
     } else if (job.isShortWay) {
         shortSeeks_.patience *= kGrowth;
-    } else if (paths_ == job.known && !(best_ && best_->clearance > job.floor)) {
+    } else if (!best_) {
+        // Only the last ones: where a goal is not valid, each ends at once.
+        if (inVain_.size() >= options_.threads) inVain_.erase(inVain_.begin());
+        inVain_.push_back(std::move(seeker));
+    } else if (paths_ == job.known && !(best_->clearance > job.floor)) {
         wideSeeks_.patience *= kGrowth;
         share_ = share_ > kLeastShare ? 0.5 * share_ : kFirstShare;
     }

@@ -2,6 +2,7 @@
 // and planners look for other ways around obstacles, by motions that keep more than the best path does.
 #pragma once
 
+#include <ompl/base/PlannerData.h>
 #include <ompl/base/ProblemDefinition.h>
 #include <ompl/base/SpaceInformation.h>
 #include <ompl/geometric/PathGeometric.h>
@@ -45,6 +46,13 @@ class FloorSearch {
     /// The best path by isBetterWay(): it may keep a little less clearance than best() where it winds less.
     const std::optional<WidePath>& bestWay() const;
 
+    /// How much clearance the best path keeps; nothing before there is one. May be called while run() goes on.
+    std::optional<double> clearance() const;
+
+    /// The trees of the planners that looked in vain for a first path, or else the best way, as one branch. The states live
+    /// until the next run().
+    void getPlannerData(ompl::base::PlannerData& data) const;
+
   private:
     struct Job;
     class Seeker;
@@ -74,7 +82,9 @@ class FloorSearch {
     FloorSearchOptions options_;
     std::function<bool()> isSpent_;
 
-    mutable std::mutex mutex_;  ///< of what follows
+    std::vector<std::unique_ptr<Seeker>> inVain_;  ///< they looked for a first path
+
+    mutable std::mutex mutex_;  ///< of what follows, and of inVain_
     std::vector<Job> waiting_;  ///< paths to widen, the next one last
     std::optional<WidePath> best_;
     std::optional<WidePath> shortWay_;  ///< the best of the short ways, by isBetterWay

@@ -24,14 +24,33 @@ RisingFloor::RisingFloor(const ob::SpaceInformationPtr& si) : Planner(si, "Risin
     specs_.multithreaded = true;
     declareParam<double>("range", this, &RisingFloor::setRange, &RisingFloor::getRange, "0.:1.:10000.");
     declareParam<unsigned int>("threads", this, &RisingFloor::setThreads, &RisingFloor::getThreads, "1:256");
+    addPlannerProgressProperty("best cost REAL", [this] { return bestClearance(); });
 }
 
 RisingFloor::~RisingFloor() = default;
 
 void RisingFloor::clear() {
     Planner::clear();
-    search_.reset();
+    {
+        const std::lock_guard<std::mutex> lock(searchMutex_);
+        search_.reset();
+    }
     first_.reset();
+}
+
+std::string RisingFloor::bestClearance() const {
+    std::shared_ptr<const FloorSearch> search;
+    {
+        const std::lock_guard<std::mutex> lock(searchMutex_);
+        search = search_;
+    }
+    const std::optional<double> clearance = search ? search->clearance() : std::nullopt;
+    return clearance ? std::to_string(*clearance) : "";
+}
+
+void RisingFloor::getPlannerData(ob::PlannerData& data) const {
+    Planner::getPlannerData(data);
+    if (search_) search_->getPlannerData(data);
 }
 
 void RisingFloor::startFrom(const og::PathGeometric& path, const First& first) {
@@ -78,7 +97,10 @@ ob::PlannerStatus RisingFloor::solve(const ob::PlannerTerminationCondition& isSp
     }
     validator_ = std::dynamic_pointer_cast<const MotionValidator>(si_->getMotionValidator());
     if (!validator_) validator_ = std::make_shared<MotionValidator>(si_, sceneOf(si_));
-    if (!search_) search_ = std::make_unique<FloorSearch>(si_, pdef_, validator_);
+    if (!search_) {
+        const std::lock_guard<std::mutex> lock(searchMutex_);
+        search_ = std::make_shared<FloorSearch>(si_, pdef_, validator_);
+    }
     if (first_) search_->add(first_->first, first_->second);
     first_.reset();
     FloorSearchOptions options;

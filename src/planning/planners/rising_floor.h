@@ -7,7 +7,9 @@
 #include <ompl/geometric/PathGeometric.h>
 
 #include <memory>
+#include <mutex>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "clearway/planning/motion_validator.h"
@@ -23,7 +25,8 @@ namespace clearway::planning {
 ///
 /// RisingFloor plans by certified motions, whatever validator the space information has, in the scene of the
 /// space information's validity checker, which must be one of clearway's: see sceneOf. The problem definition
-/// gets the best path when the time is over. A further solve() goes on from there.
+/// gets the best path when the time is over. A further solve() goes on from there. The progress property "best cost REAL" is
+/// the clearance that the best path keeps so far; it never falls.
 class RisingFloor : public ompl::base::Planner {
   public:
     explicit RisingFloor(const ompl::base::SpaceInformationPtr& si);
@@ -32,6 +35,8 @@ class RisingFloor : public ompl::base::Planner {
     /// Throws std::invalid_argument as sceneOf does, and as MotionValidator.
     ompl::base::PlannerStatus solve(const ompl::base::PlannerTerminationCondition& isSpent) override;
     void clear() override;
+    /// See FloorSearch::getPlannerData.
+    void getPlannerData(ompl::base::PlannerData& data) const override;
 
     struct First {
         double clearance = 0;  ///< that all motions of the path keep
@@ -50,6 +55,7 @@ class RisingFloor : public ompl::base::Planner {
     unsigned int getThreads() const { return threads_; }
 
   private:
+    std::string bestClearance() const;
     bool hasValidStart() const;
     double mostClearance() const;
     double wantedClearance() const;
@@ -58,7 +64,8 @@ class RisingFloor : public ompl::base::Planner {
     bool wantsShortWays_ = false;
     unsigned int threads_ = 2;
     std::shared_ptr<const MotionValidator> validator_;
-    std::unique_ptr<FloorSearch> search_;
+    std::shared_ptr<FloorSearch> search_;               ///< shared with those who ask for the progress
+    mutable std::mutex searchMutex_;                    ///< of the pointer
     std::optional<std::pair<WidePath, double>> first_;  ///< with the seconds it took
 };
 

@@ -3,6 +3,8 @@
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <mutex>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -52,9 +54,47 @@ BOOST_AUTO_TEST_CASE(of_ways_with_nearly_as_much_clearance_it_ends_with_one_that
         return planner.solve(ob::timedPlannerTerminationCondition(seconds));
     });
     const og::PathGeometric& found = setup.getSolutionPath();
-    BOOST_TEST_MESSAGE(clearance << ", then " << kept(found) << ", winding " << windingLength(first, radius) << ", then " << windingLength(found, radius));
+    BOOST_TEST_MESSAGE(clearance << ", then " << kept(found) << ", winding " << windingLength(first, radius)
+                                 << ", then " << windingLength(found, radius));
     BOOST_TEST(kept(found) > 0.96 * clearance);
     BOOST_TEST(windingLength(found, radius) < windingLength(first, radius) - M_PI * radius);
+}
+
+BOOST_AUTO_TEST_CASE(the_clearance_told_while_it_plans_never_falls_and_its_data_are_the_path) {
+    const testing::GatesScene gates = testing::gatesScene();
+    og::SimpleSetup setup = makeSetup(gates.problem, gates.scene);
+    setup.setup();
+    RisingFloor planner(setup.getSpaceInformation());
+    planner.setProblemDefinition(setup.getProblemDefinition());
+    planner.setup();
+    const auto tell = planner.getPlannerProgressProperties().at("best cost REAL");
+    BOOST_TEST(tell() == "");
+    double last = 0;
+    int gains = 0;
+    bool hasFallen = false;
+    std::mutex mutex;  // the planner's threads ask whether the time is over
+    testing::withProcessorTime(1, [&](double seconds) {
+        const ob::PlannerTerminationCondition isOver = ob::timedPlannerTerminationCondition(seconds);
+        return planner.solve(ob::PlannerTerminationCondition([&] {
+            const std::lock_guard<std::mutex> lock(mutex);
+            const std::string told = tell();
+            const double now = told.empty() ? 0 : std::stod(told);
+            hasFallen = hasFallen || now < last;
+            gains += now > last;
+            last = now;
+            return isOver();
+        }));
+    });
+    BOOST_TEST(!hasFallen);
+    BOOST_TEST(gains > 1);
+    BOOST_TEST(last > testing::kNarrowGates / 2);
+    ob::PlannerData data(setup.getSpaceInformation());
+    planner.getPlannerData(data);
+    const og::PathGeometric& found = setup.getSolutionPath();
+    BOOST_TEST(data.numVertices() == found.getStateCount());
+    BOOST_TEST(data.numEdges() == found.getStateCount() - 1);
+    BOOST_TEST(data.numStartVertices() == 1u);
+    BOOST_TEST(data.numGoalVertices() == 1u);
 }
 
 }  // namespace
