@@ -12,7 +12,7 @@
 
 #include "clearway/planning/clearance_objectives.h"
 #include "planning/motion/forward_check.h"
-#include "planning/paths/contact_planes.h"
+#include "planning/planners/slide_contacts.h"
 #include "planning/validity/ompl_states.h"
 
 namespace clearway::planning {
@@ -25,21 +25,14 @@ namespace {
 // Shares of half the diagonal of the part's box.
 constexpr double kLeastStandoff = 0.005, kMostStandoff = 0.1;
 constexpr double kRange = 0.5;
-constexpr double kLongestSlide = 0.5;   ///< of one step, because contact planes change on the way
-constexpr double kForgottenGap = 0.02;  ///< added to kForgottenStandoffs
-constexpr double kLeastStep = 0.001;    ///< shorter ones count as no progress
+constexpr double kLeastStep = 0.001;                    ///< shorter ones count as no progress
 constexpr double kFirstDomain = 1, kLeastDomain = 0.3;  ///< a node's radius after its first failure
 
-constexpr double kForgottenStandoffs = 4;  ///< contacts with a larger gap do not count
 constexpr double kLeastStepStandoffs = 0.05;
 /// In standoffs: how near to a blocked pose the last certified one is looked for, and the step back from that one.
 constexpr double kNearBlock = 1, kStepBack = 0.2;
 constexpr int kMostSteps = 30, kMostShortSteps = 2;
-constexpr std::size_t kMostContacts = 8;
-constexpr double kLikeContact = 0.15;    ///< rows closer than this are the same contact
-constexpr double kLeastProgress = 0.05;  ///< of a step, along the way to the target
 constexpr double kDomainGrowth = 1.1, kDomainLoss = 0.9;
-constexpr double kTendBack = 0.5;
 
 }  // namespace
 
@@ -144,6 +137,7 @@ class SlidingRRTConnect::Extension {
           at_(from),
           node_(from),
           standoff_(standoff),
+          contacts_(*planner.si_, lengths_.clearance, lengths_.moves, standoff),
           next_(*planner.si_),
           blocked_(*planner.si_) {}
 
@@ -151,7 +145,7 @@ class SlidingRRTConnect::Extension {
     Node* run(const ob::State* target, double reach) {
         int shortSteps = 0;
         for (int step = 0; step < kMostSteps && reach > 0; ++step) {
-            const std::optional<bool> isWhole = chooseNext(target, reach);
+            const std::optional<bool> isWhole = contacts_.step(at_->state, target, reach, next_.get());
             if (!isWhole) break;
             const Node* before = at_;
             const bool isFree = advance();
@@ -167,9 +161,9 @@ class SlidingRRTConnect::Extension {
             shortSteps = moved < least ? shortSteps + 1 : 0;
             if (shortSteps == kMostShortSteps) break;
             if (!isFree) {
-                lookAround(blocked_.get());
-            } else if (!contacts_.empty()) {
-                lookAround(at_->state);
+                contacts_.lookAround(blocked_.get());
+            } else if (!contacts_.areNone()) {
+                contacts_.lookAround(at_->state);
             }
         }
         if (isReached_ || sinceNode_ >= 0.2 * lengths_.mostStandoff) makeNode();
@@ -184,49 +178,6 @@ class SlidingRRTConnect::Extension {
         tree_.nodes->add(at_);
         node_ = at_;
         sinceNode_ = 0;
-    }
-
-    /// Puts the state to move to next into next_. Returns whether it is the target itself; none when contacts leave no way on.
-    std::optional<bool> chooseNext(const ob::State* target, double reach) {
-        const Twist wanted = moves_.between(at_->state, target);
-        const double way = wanted.norm();
-        const bool isNear = way <= reach;
-        Twist step = isNear ? wanted : Twist(wanted * (reach / way));
-        const Pose X_environmentPart = moves_.pose(at_->state);
-        const double forgotten = kForgottenStandoffs * standoff_ + kForgottenGap * moves_.radius();
-        std::vector<ContactRow> rows;
-        for (std::size_t i = 0; i < contacts_.size();) {
-            const ContactRow row = rowAt(contacts_[i], moves_, X_environmentPart);
-            if (row.gap > forgotten) {
-                contacts_.erase(contacts_.begin() + static_cast<std::ptrdiff_t>(i));
-            } else {
-                rows.push_back(row);
-                ++i;
-            }
-        }
-        if (rows.empty()) {
-            if (isNear) {
-                planner_.si_->copyState(next_.get(), target);
-            } else {
-                moves_.move(at_->state, step, next_.get());
-            }
-            return isNear;
-        }
-        const double longest = kLongestSlide * moves_.radius();
-        const bool isShortened = step.norm() > longest;
-        if (isShortened) step *= longest / step.norm();
-        const Twist free = step;
-        step = nearestKeeping(standoff_, rows, free);
-        const double along = step.dot(wanted);
-        if (along < kLeastProgress * way * free.norm() && step.norm() < 2 * standoff_) return std::nullopt;
-        if (along < -kTendBack * standoff_ * way) return std::nullopt;
-        const bool isUnchanged = (step - free).squaredNorm() == 0;
-        if (isNear && !isShortened && isUnchanged) {
-            planner_.si_->copyState(next_.get(), target);
-            return true;
-        }
-        moves_.move(at_->state, step, next_.get());
-        return false;
     }
 
     /// Moves on to next_, or to a little before where that motion is blocked. Returns whether it is not blocked.
@@ -255,34 +206,13 @@ class SlidingRRTConnect::Extension {
         return isFree;
     }
 
-    /// Remembers the plane of the closest pair at a pose. Where a motion was blocked, that pair is what blocks it.
-    void lookAround(const ob::State* state) {
-        const Pose X_environmentPart = moves_.pose(state);
-        ClearanceOptions options;
-        options.cap = kForgottenStandoffs * standoff_ + kForgottenGap * moves_.radius();
-        options.isRough = true;
-        const PoseClearance found = lengths_.clearance.at(X_environmentPart, options);
-        const auto plane = contactPlaneOf(found.nearest, lengths_.clearance.scene(), X_environmentPart);
-        if (!plane) return;
-        const ContactRow row = rowAt(*plane, moves_, X_environmentPart);
-        if (row.gap > options.cap) return;
-        for (ContactPlane& known : contacts_) {
-            if ((rowAt(known, moves_, X_environmentPart).row - row.row).norm() < kLikeContact) {
-                known = *plane;
-                return;
-            }
-        }
-        if (contacts_.size() == kMostContacts) contacts_.erase(contacts_.begin());
-        contacts_.push_back(*plane);
-    }
-
     const SlidingRRTConnect& planner_;
     const Lengths& lengths_;
     const PartMoves& moves_;
     Tree& tree_;
     Node *at_, *node_;
     double standoff_, sinceNode_ = 0;
-    std::vector<ContactPlane> contacts_;
+    SlideContacts contacts_;
     bool isReached_ = false;
     ScratchState next_, blocked_;  ///< blocked_: the last pose that is certified
 };
