@@ -95,9 +95,11 @@ struct PlanReport {
     /// a step. With a step it may not be; a warning then says where.
     PathAudit audit;
 
-    /// Certified paths are widened before they are shortened: their states are pushed away from obstacles, and other ways
-    /// with more room are looked for. This takes about as long as the planning, from 1 to 5 seconds, and no more than half of
-    /// the time left. With iterations it takes a number of steps in proportion to the iterations spent; the path is then
+    /// Certified paths are widened before they are shortened: their states are pushed away from obstacles, and planners
+    /// look for other ways, some for more room and some for less winding with about as much room. This takes about as
+    /// long as the planning, from 1 to 5 seconds, and no more than half of the time left; up to three times as long, within
+    /// 5 seconds, while the clearance still grows fast. With iterations no other ways
+    /// are looked for, and the states are pushed a number of times in proportion to the iterations spent; the path is then
     /// repeatable, but with another tree of the same environment (as with another reach) it is another path. Empty with
     /// PlanOptions::quick, with an objective, with a step, and when no path was found.
     std::optional<RoomReport> room;

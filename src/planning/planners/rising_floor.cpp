@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <string>
 
 #include "clearway/planning/clearance_objectives.h"
 
@@ -24,7 +25,10 @@ RisingFloor::RisingFloor(const ob::SpaceInformationPtr& si) : Planner(si, "Risin
     specs_.multithreaded = true;
     declareParam<double>("range", this, &RisingFloor::setRange, &RisingFloor::getRange, "0.:1.:10000.");
     declareParam<unsigned int>("threads", this, &RisingFloor::setThreads, &RisingFloor::getThreads, "1:256");
-    addPlannerProgressProperty("best cost REAL", [this] { return bestClearance(); });
+    addPlannerProgressProperty("best cost REAL", [this] {
+        const std::optional<double> best = clearance();
+        return best ? std::to_string(*best) : std::string();
+    });
 }
 
 RisingFloor::~RisingFloor() = default;
@@ -38,14 +42,13 @@ void RisingFloor::clear() {
     first_.reset();
 }
 
-std::string RisingFloor::bestClearance() const {
+std::optional<double> RisingFloor::clearance() const {
     std::shared_ptr<const FloorSearch> search;
     {
         const std::lock_guard<std::mutex> lock(searchMutex_);
         search = search_;
     }
-    const std::optional<double> clearance = search ? search->clearance() : std::nullopt;
-    return clearance ? std::to_string(*clearance) : "";
+    return search ? search->clearance() : std::nullopt;
 }
 
 void RisingFloor::getPlannerData(ob::PlannerData& data) const {

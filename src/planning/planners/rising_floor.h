@@ -9,7 +9,6 @@
 #include <memory>
 #include <mutex>
 #include <optional>
-#include <string>
 #include <utility>
 
 #include "clearway/planning/motion_validator.h"
@@ -45,6 +44,9 @@ class RisingFloor : public ompl::base::Planner {
     /// Lets the next solve() begin with the band of a path from start to goal, whose motions are valid.
     void startFrom(const ompl::geometric::PathGeometric& path, const First& first);
 
+    /// How much the best path keeps so far; nothing before there is one. May be called while solve() goes on.
+    std::optional<double> clearance() const;
+
     /// Looks for ways that wind less, too, and ends with one that keeps nearly as much clearance as the best path: see
     /// FloorSearch::bestWay.
     void lookForShortWays() { wantsShortWays_ = true; }
@@ -55,7 +57,6 @@ class RisingFloor : public ompl::base::Planner {
     unsigned int getThreads() const { return threads_; }
 
   private:
-    std::string bestClearance() const;
     bool hasValidStart() const;
     double mostClearance() const;
     double wantedClearance() const;

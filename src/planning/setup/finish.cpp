@@ -37,17 +37,28 @@ PathAudit shortenBySteps(const PlanSetup& setup, og::PathGeometric& path,
     return found;
 }
 
+/// Audits certify small clearances only to 10 %. Here all motions are known to keep a clearance.
+void raiseTo(double kept, PathAudit& found) {
+    if (!found.isValid()) return;
+    found.lowerClearance = std::max(found.lowerClearance, std::min(kept, found.upperClearance));
+    for (SegmentAudit& segment : found.segments) {
+        MotionReport& motion = segment.motion;
+        motion.lowerClearance = std::max(motion.lowerClearance, std::min(kept, motion.upperClearance));
+    }
+}
+
 /// Shortens a path so that all its motions still keep a clearance.
 PathAudit shortenKeeping(const PlanSetup& setup, og::PathGeometric& path, double kept,
                          const std::function<bool()>& isSpent) {
     og::PathGeometric shorter = path;
     const double floor = std::max(setup.floor, kept);
     unwind(shorter, *setup.auditor, floor, isSpent);
-    const PathAudit found = simplify(shorter, *setup.auditor, {floor, isSpent});
+    PathAudit found = simplify(shorter, *setup.auditor, {floor, isSpent});
     if (kept > 0 && keptClearance(shorter, *setup.auditor, {0, kept, kAccuracy, {}}) < kept) {
         return audit(path, *setup.auditor);
     }
     path = shorter;
+    raiseTo(kept, found);
     return found;
 }
 
@@ -136,7 +147,9 @@ PathAudit finish(const PlanSetup& setup, og::PathGeometric& path, const std::fun
     const double kept = keptBy(setup, path, found, isSpent);
     const double floor = std::max(setup.floor, std::min(cap, kept));
     unwind(path, *setup.auditor, floor, isSpent);
-    return simplify(path, *setup.auditor, {floor, isSpent});
+    PathAudit shortened = simplify(path, *setup.auditor, {floor, isSpent});
+    raiseTo(std::min(kept, keptClearance(path, *setup.auditor, {0, floor, kAccuracy, {}})), shortened);
+    return shortened;
 }
 
 }  // namespace clearway::planning

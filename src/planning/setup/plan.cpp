@@ -38,8 +38,9 @@ constexpr double kBoundsSlack = 1e-9;
 /// with hardly any room shortening could go on without end.
 constexpr double kLeastFinishing = 5;
 
-/// Seconds that making room gets: as many as planning took, within these, and within half of the time left.
-constexpr double kLeastRoom = 1, kMostRoom = 5;
+/// Seconds that making room gets: as many as planning took, within these, and within half of the time left. It gets up to
+/// kGrowing times as many, within kMostRoom, while the clearance still grows fast.
+constexpr double kLeastRoom = 1, kMostRoom = 5, kGrowing = 3;
 constexpr double kRoomShare = 0.5;
 /// With iterations a sweep of a band counts as so many of them. A sweep and as many iterations of RRTConnect take about
 /// the same time, and the most and the least sweeps about the seconds above.
@@ -63,7 +64,9 @@ class Budget {
         if (!seconds_) return;
         const double planned = secondsSince(begin_);
         const double left = std::max(0.0, *seconds_ - planned);
-        roomSeconds_ = planned + std::min(kRoomShare * left, std::clamp(planned, kLeastRoom, kMostRoom));
+        const double room = std::clamp(planned, kLeastRoom, kMostRoom);
+        roomDueSeconds_ = planned + std::min(kRoomShare * left, room);
+        roomSeconds_ = planned + std::min(kRoomShare * left, std::min(kGrowing * room, kMostRoom));
     }
 
     std::optional<std::uint64_t> roomSweeps() const {
@@ -81,6 +84,7 @@ class Budget {
     void end() { isEnded_ = true; }
     bool isPlanningOver() const { return isEnded_ || isStopped() || isOver(planningSeconds_); }
     bool isStopped() const { return options_.isStopped && options_.isStopped(); }
+    bool isRoomDue() const { return isOver(roomDueSeconds_); }
     bool isRoomOver() const { return isStopped() || isOver(roomSeconds_); }
     bool isOutOfTime() const { return isStopped() || isOver(seconds_); }
     bool spendIteration() {
@@ -94,7 +98,7 @@ class Budget {
 
     const PlanOptions& options_;
     Clock::time_point begin_;
-    std::optional<double> seconds_, planningSeconds_, roomSeconds_;
+    std::optional<double> seconds_, planningSeconds_, roomDueSeconds_, roomSeconds_;
     std::atomic<std::uint64_t> asked_{0};
     std::atomic<bool> isEnded_{false};
 };
@@ -131,6 +135,7 @@ double widen(const PlanSetup& setup, Budget& budget, og::PathGeometric& path, Pl
     limits.planningSeconds = report.planningSeconds;
     limits.range = report.range;
     limits.threads = report.threads;
+    limits.isDue = [&] { return budget.isRoomDue(); };
     limits.isSpent = [&] { return budget.isRoomOver(); };
     report.room = makeRoom(setup, path, limits);
     report.room->seconds = secondsSince(begin);

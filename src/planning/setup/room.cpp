@@ -1,7 +1,9 @@
 #include "planning/setup/room.h"
 
 #include <algorithm>
+#include <chrono>
 #include <memory>
+#include <mutex>
 
 #include "clearway/planning/motion_validator.h"
 #include "planning/paths/kept_clearance.h"
@@ -17,6 +19,36 @@ namespace og = ompl::geometric;
 
 /// Of the clearances before and after, as shares. The time is for bands.
 constexpr double kBeforeAccuracy = 0.1, kAfterAccuracy = 0.01;
+
+/// Whether a clearance still grows fast: by kFastGrowth within the last kLookBack of the time.
+constexpr double kFastGrowth = 0.05, kLookBack = 0.25;
+constexpr double kLookSeconds = 0.01;  ///< between two looks
+
+/// Watches a clearance. Several threads ask.
+class Growth {
+  public:
+    template <class Clearance>
+    bool isFast(const Clearance& clearance) {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        const double now = std::chrono::duration<double>(Clock::now() - begin_).count();
+        if (now - looked_ < kLookSeconds) return isFast_;
+        looked_ = now;
+        const double grown = clearance();
+        if (grown > (1 + kFastGrowth) * reference_) {
+            reference_ = grown;
+            lastGrown_ = now;
+        }
+        isFast_ = now - lastGrown_ < kLookBack * now;
+        return isFast_;
+    }
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    std::mutex mutex_;
+    const Clock::time_point begin_ = Clock::now();
+    double looked_ = 0, reference_ = 0, lastGrown_ = 0;
+    bool isFast_ = true;
+};
 
 /// The setup's problem with a validator that ends with the room's time, and without an objective.
 class RoomSetup {
@@ -69,7 +101,11 @@ void makeRoomInTime(const RoomSetup& setup, og::PathGeometric& path, const RoomL
     rising.lookForShortWays();
     rising.setup();
     rising.startFrom(path, {kept, limits.planningSeconds});
-    rising.solve(ob::PlannerTerminationCondition(limits.isSpent));
+    Growth growth;
+    rising.solve(ob::PlannerTerminationCondition([&] {
+        const bool isFast = growth.isFast([&] { return rising.clearance().value_or(0); });
+        return limits.isSpent() || (limits.isDue() && !isFast);
+    }));
     if (const ob::PathPtr found = setup.definition()->getSolutionPath()) {
         path = *std::static_pointer_cast<og::PathGeometric>(found);
     }

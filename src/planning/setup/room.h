@@ -17,7 +17,9 @@ struct RoomLimits {
     double planningSeconds = 0;  ///< that it took to find the path
     double range = 0;            ///< longest edge of the planners' trees
     unsigned int threads = 1;
-    std::function<bool()> isSpent;  ///< called often, also within motions
+    std::function<bool()>
+        isDue;  ///< true ends the work on other ways and bands once the clearance grows slowly
+    std::function<bool()> isSpent;  ///< called often, also within motions; true ends everything
 };
 
 /// Gives a valid path of certified motions as much clearance as the limits allow. Without a limit of sweeps another way

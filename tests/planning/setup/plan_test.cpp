@@ -170,7 +170,10 @@ BOOST_AUTO_TEST_CASE(a_path_gets_room_and_shortening_keeps_it_unless_it_has_to_b
             BOOST_TEST(wide.room->after > wide.room->before);
             BOOST_TEST(wide.room->after > quick.audit.upperClearance);
             BOOST_TEST(wide.audit.upperClearance >= wide.room->after);
-            BOOST_TEST(wide.audit.lowerClearance >= 0.89 * wide.room->after);  // as accurate as audits are
+            BOOST_TEST(wide.audit.lowerClearance >= wide.room->after);
+            const testing::MeshOracle oracle(window.partMesh, window.wallMesh);
+            BOOST_TEST(testing::leastDistance(oracle, wide.path, window.problem, 300) >=
+                       wide.audit.lowerClearance);
         }
     }
 }
