@@ -34,6 +34,7 @@ struct Explanation {
     std::size_t trials = 0;
     double trialSeconds = 0;   ///< the most that a trial plans; 0 with iterations
     bool isOutOfTime = false;  ///< trials were left out for want of time, or because it was interrupted
+    bool isStopped = false;    ///< PlanOptions::isStopped ended the trials
 };
 
 /// True when the scene has at least two obstacles, the components of its meshes, and all have names.

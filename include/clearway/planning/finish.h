@@ -24,6 +24,9 @@ std::optional<BestSolution> bestSolution(const ompl::base::ProblemDefinition& de
 /// std::out_of_range when the definition has no solution.
 ompl::base::PlannerSolution solutionOf(const PlanSetup& setup);
 
+/// Ends a path to a goal outside with its first state there. Returns whether states were cut off.
+bool cutOutside(const PlanSetup& setup, ompl::geometric::PathGeometric& path);
+
 /// Copies the solution's states into a path in the setup's own space information: the solution's may be a
 /// wrapper that dies with its planner. A path to a goal outside ends with its first state there.
 ompl::geometric::PathGeometric pathOf(const PlanSetup& setup, const ompl::base::PlannerSolution& solution);

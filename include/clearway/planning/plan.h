@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,6 +18,12 @@
 namespace clearway::planning {
 
 constexpr double kDefaultSeconds = 30;
+
+/// An option that is wrong in itself or contradicts another one: nothing was planned.
+class RefusedOption : public std::invalid_argument {
+  public:
+    using std::invalid_argument::invalid_argument;
+};
 
 struct PlanOptions {
     /// OMPL's class name in any case. Empty: the problem's planner when it names exactly one, else

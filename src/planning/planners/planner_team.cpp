@@ -74,7 +74,9 @@ struct PlannerTeam::Member {
         definition->clearSolutionPaths();
         const ob::PlannerStatus status = planner->solve(isTurnOver);
         left -= std::max<std::uint64_t>(1, std::min(count, left));
-        return status;
+        // A planner that still waits for a goal when its turn ends calls the goal invalid.
+        const bool isUnfinished = status == ob::PlannerStatus::INVALID_GOAL && isTurnOver();
+        return isUnfinished ? ob::PlannerStatus(ob::PlannerStatus::TIMEOUT) : status;
     }
 };
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <functional>
 #include <set>
 #include <stdexcept>
 
@@ -122,6 +123,7 @@ class Search {
         : order_(blockingOrder(why)),
           scenes_(problem, options, order_),
           problem_(bounded(problem, scenes_.whole())),
+          isStopped_(options.plan.isStopped),
           trials_(problem_, options) {}
 
     Explanation run() {
@@ -132,6 +134,7 @@ class Search {
         trials_.allow(1);
         if (hasMargins && result_.path.empty()) findMargin();
         result_.isOutOfTime = result_.isOutOfTime || trials_.isOver();
+        result_.isStopped = isStopped_ && isStopped_();
         result_.trials = trials_.count();
         result_.trialSeconds = trials_.secondsOfEach();
         return std::move(result_);
@@ -150,6 +153,7 @@ class Search {
         std::deque<Names> kept = {{}};
         for (; !kept.empty() && result_.withoutThese.size() < kMostSets; kept.pop_front()) {
             const auto set = setWithout(kept.front());
+            if (!result_.path.empty()) return;  // nothing has to go
             if (!set) continue;
             keepIfSmall(*set);
             for (const std::string& name : *set) {
@@ -241,6 +245,7 @@ class Search {
     Names order_;
     ChangedScenes scenes_;
     Problem problem_;
+    std::function<bool()> isStopped_;
     Trials trials_;
     Explanation result_;
 };

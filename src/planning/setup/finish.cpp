@@ -125,12 +125,21 @@ ob::PlannerSolution solutionOf(const PlanSetup& setup) {
     return setup.definition->getSolutions().at(0);
 }
 
+bool cutOutside(const PlanSetup& setup, og::PathGeometric& path) {
+    for (unsigned int i = 0; i + 1 < path.getStateCount(); ++i) {
+        if (!isOutside(setup.definition->getGoal(), path.getState(i))) continue;
+        og::PathGeometric first(setup.si);
+        for (unsigned int k = 0; k <= i; ++k) first.append(path.getState(k));
+        path = first;
+        return true;
+    }
+    return false;
+}
+
 og::PathGeometric pathOf(const PlanSetup& setup, const ob::PlannerSolution& solution) {
     og::PathGeometric path(setup.si);
-    for (const ob::State* state : solution.path_->as<og::PathGeometric>()->getStates()) {
-        path.append(state);
-        if (isOutside(setup.definition->getGoal(), state)) break;
-    }
+    for (const ob::State* state : solution.path_->as<og::PathGeometric>()->getStates()) path.append(state);
+    cutOutside(setup, path);
     return path;
 }
 

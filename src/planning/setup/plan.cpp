@@ -138,6 +138,7 @@ double widen(const PlanSetup& setup, Budget& budget, og::PathGeometric& path, Pl
     limits.isDue = [&] { return budget.isRoomDue(); };
     limits.isSpent = [&] { return budget.isRoomOver(); };
     report.room = makeRoom(setup, path, limits);
+    cutOutside(setup, path);
     report.room->seconds = secondsSince(begin);
     return report.room->after;
 }
@@ -152,6 +153,7 @@ void describeSolution(const PlanSetup& setup, const Problem& problem, const Plan
     budget.beginFinishing();
     report.audit = finish(
         setup, path, [&] { return budget.isOutOfTime(); }, kept);
+    if (cutOutside(setup, path)) report.audit = audit(path, *setup.auditor);
     if (report.isCertified && !report.audit.isValid()) {
         report.warnings.push_back("the planner's path did not pass its audit; it counts as none");
     } else {

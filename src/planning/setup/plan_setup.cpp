@@ -43,29 +43,26 @@ constexpr double kFloorPerDiagonal = 1e-3;
 
 void requireOptions(const Problem& problem, const PlanOptions& options) {
     if (options.floor && options.step) {
-        throw std::invalid_argument("both a floor and a step are given, expected one of them");
+        throw RefusedOption("both a floor and a step are given, expected one of them");
     }
     if (options.floor && !(*options.floor >= 0 && std::isfinite(*options.floor))) {
-        throw std::invalid_argument("floor is " + shortNumber(*options.floor) +
-                                    ", expected a finite number >= 0");
+        throw RefusedOption("floor is " + shortNumber(*options.floor) + ", expected a finite number >= 0");
     }
     if (options.quick && (options.step || !options.objective.empty())) {
-        throw std::invalid_argument(std::string("both quick and ") +
-                                    (options.step ? "a step" : "an objective") +
-                                    " are given, expected one of them");
+        throw RefusedOption(std::string("both quick and ") + (options.step ? "a step" : "an objective") +
+                            " are given, expected one of them");
     }
-    if (options.seed == 0) throw std::invalid_argument("seed is 0, expected a whole number above 0");
+    if (options.seed == 0) throw RefusedOption("seed is 0, expected a whole number above 0");
     if (options.seconds && options.iterations) {
-        throw std::invalid_argument("both a time and a number of iterations are given, expected one of them");
+        throw RefusedOption("both a time and a number of iterations are given, expected one of them");
     }
     if (options.seconds && !(*options.seconds > 0)) {
-        throw std::invalid_argument("time is " + std::to_string(*options.seconds) +
-                                    ", expected seconds above 0");
+        throw RefusedOption("time is " + std::to_string(*options.seconds) + ", expected seconds above 0");
     }
     if (options.threads < 0 || (options.iterations && options.threads > 1)) {
-        throw std::invalid_argument("threads is " + std::to_string(options.threads) +
-                                    (options.iterations ? ", expected 1 with a number of iterations"
-                                                        : ", expected a whole number of at least 0"));
+        throw RefusedOption("threads is " + std::to_string(options.threads) +
+                            (options.iterations ? ", expected 1 with a number of iterations"
+                                                : ", expected a whole number of at least 0"));
     }
     for (const PlannerChoice& choice : problem.planners) {
         try {
@@ -223,6 +220,21 @@ std::string innerPlanners(const PlanOptions& options, const PlanReport& report) 
     return all;
 }
 
+void setGivenParameters(ob::Planner& planner, const PlanOptions& options) {
+    for (const auto& [parameter, value] : options.parameters) {
+        try {
+            setParameter(planner, parameter, value);
+        } catch (const std::invalid_argument& error) {
+            throw RefusedOption(error.what());
+        }
+    }
+}
+
+/// Whether the planner runs in threads of its own, whose order is the machine's.
+bool hasSeveralThreads(ob::Planner& planner) {
+    return hasParameter(planner, "threads") && planner.params()["threads"].getValue() != "1";
+}
+
 ob::PlannerPtr setUpPlanner(const PlanSetup& setup, const std::string& name, const Problem& problem,
                             const PlanOptions& options, PlanReport& report) {
     const ob::PlannerPtr planner = makePlanner(setup.si, name);
@@ -231,7 +243,7 @@ ob::PlannerPtr setUpPlanner(const PlanSetup& setup, const std::string& name, con
         setParameter(*planner, "planners", innerPlanners(options, report));
     if (hasParameter(*planner, "threads")) setParameter(*planner, "threads", std::to_string(report.threads));
     setFileParameters(*planner, name, problem, report.warnings);
-    for (const auto& [parameter, value] : options.parameters) setParameter(*planner, parameter, value);
+    setGivenParameters(*planner, options);
     planner->setProblemDefinition(setup.definition);
     planner->setup();
     return planner;
@@ -287,6 +299,7 @@ PlanSetup makePlanSetup(const Problem& stated, const Scene& scene, const PlanOpt
     applySettings(*setup.si, problem, report.warnings);
     for (const std::string& name : report.planners) {
         setup.planners.push_back(setUpPlanner(setup, name, problem, options, report));
+        if (hasSeveralThreads(*setup.planners.back())) report.isRepeatable = false;
     }
     return setup;
 }

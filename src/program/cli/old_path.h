@@ -6,8 +6,8 @@
 
 namespace clearway::cli {
 
-/// Make one when all files and options are accepted, before the planning. Unless the file is replaced by then, the destructor
-/// sets it aside (setAside), however the run failed, and prints a row about it, or a warning when it cannot.
+/// Make one when the arguments are read, before the planning. Unless the file is replaced by then, or stays, the destructor sets
+/// it aside (setAside), however the run failed, and prints a row about it, or a warning when it cannot.
 class OldPath {
   public:
     explicit OldPath(std::string file) : file_(std::move(file)) {}
@@ -16,6 +16,7 @@ class OldPath {
     OldPath& operator=(const OldPath&) = delete;
 
     void isReplaced() { file_.clear(); }
+    void stays() { file_.clear(); }  ///< after wrong usage
 
   private:
     std::string file_;

@@ -156,7 +156,7 @@ void requireExplainable(const Scene& scene) {
     try {
         planning::requireExplainable(scene);
     } catch (const std::invalid_argument& error) {
-        throw std::invalid_argument(std::string("--explain: ") + error.what());
+        throw planning::RefusedOption(std::string("--explain: ") + error.what());
     }
 }
 
@@ -172,30 +172,34 @@ planning::Explanation explain(const PlanArguments& given, const Problem& problem
     return planning::explain(problem, why, options);
 }
 
-/// Returns the path of a trial of --explain that solves the problem after all; empty without one.
-std::vector<PartState> tellWhy(const PlanArguments& given, const PlanReport& report, const Problem& problem,
-                               const Scene& scene) {
+/// Says why there is no path. Returns the path of a trial of --explain that solves the problem after all; empty without one.
+std::vector<PartState> tellWhy(const PlanArguments& given, const planning::WhyNoPath& why,
+                               const Problem& problem, const Scene& scene) {
     std::vector<PartState> path;
-    if (report.whyNoPath) {
-        const planning::WhyNoPath& why = *report.whyNoPath;
-        printWhyNoPath(why);
-        if (given.explainSeconds) {
-            planning::Explanation explanation = explain(given, problem, why);
-            printExplanation(explanation, scene.largestMargin());
-            path = std::move(explanation.path);
-        }
-        if (path.empty())
-            printHints(why, problem, scene, {given.explainSeconds.has_value(), !given.nearest.empty()});
-        if (!given.nearest.empty()) writePath(why.nearest.path, problem.space, given.nearest);
+    printWhyNoPath(why);
+    if (given.explainSeconds) {
+        planning::Explanation explanation = explain(given, problem, why);
+        printExplanation(explanation, scene.largestMargin());
+        path = std::move(explanation.path);
     }
-    if (given.nearest.empty()) return path;
-    const bool isFound = report.outcome == PlanReport::Outcome::kFound;
-    printRow("nearest", report.whyNoPath
-                            ? given.nearest + ", segment " +
-                                  std::to_string(report.whyNoPath->nearest.gap + 1) + " is not valid"
-                        : isFound ? "not written: a path was found"
-                                  : "not written: planning came to no end");
+    if (path.empty()) {
+        printHints(why, problem, scene, {given.explainSeconds.has_value(), !given.nearest.empty()});
+    }
     return path;
+}
+
+void writeNearest(const PlanArguments& given, const PlanReport& report, const Problem& problem,
+                  bool isFound) {
+    if (given.nearest.empty()) return;
+    if (isFound) return printRow("nearest", "not written: a path was found");
+    if (!report.whyNoPath) {
+        return printRow("nearest", report.isStopped
+                                       ? "not written: planning came to no end"
+                                       : "not written: the planner's path did not pass its audit");
+    }
+    const planning::NearestMiss& nearest = report.whyNoPath->nearest;
+    writePath(nearest.path, problem.space, given.nearest);
+    printRow("nearest", given.nearest + ", segment " + std::to_string(nearest.gap + 1) + " is not valid");
 }
 
 /// The path is as the trial's planner found it: neither widened nor shortened.
@@ -218,18 +222,8 @@ void printPath(const PlanReport& report, const Problem& problem, const std::stri
     printRow("path", file);
 }
 
-}  // namespace
-
-int plan(const Arguments& arguments) {
-    PlanArguments given;
-    if (!readArguments(arguments, given)) return kDone;
-    heedInterrupts();
-    const Problem problem = given.problem.read();
-    OutputFiles files(inputsOf(problem));
-    files.add("--path", given.path);
-    files.add("--nearest", given.nearest);
-    given.outputs.require(files);
-    OldPath oldPath(given.path);
+/// Plans, prints and writes. Tells oldPath when there is a new path.
+int planAndWrite(const PlanArguments& given, const Problem& problem, OldPath& oldPath) {
     const Scene scene = given.trees.load(problem, given.plan);
     if (given.explainSeconds) requireExplainable(scene);
     PlanReport report;
@@ -243,29 +237,47 @@ int plan(const Arguments& arguments) {
     printObstacles(scene);
     Rows figures = settingsRows(given.plan, report);
     printRows(figures);
-    const bool isFound = report.outcome == PlanReport::Outcome::kFound;
-    if (isFound) {
+    std::vector<PartState> path = report.path;
+    bool isValid = report.audit.isValid();
+    if (!path.empty()) {
         printPath(report, problem, given.path);
         for (const auto& row : pathRows(report)) figures.push_back(row);
     } else {
-        printRow("path", report.isStopped ? "none, interrupted" : "none found");
+        printRow("path", report.isStopped       ? "none, interrupted"
+                         : given.explainSeconds ? "none found so far"
+                                                : "none found");
+        if (report.whyNoPath) path = tellWhy(given, *report.whyNoPath, problem, scene);
+        if (!path.empty()) isValid = printTrialPath(path, problem, scene, given.path).isValid();
     }
-    const std::vector<PartState> trialPath = tellWhy(given, report, problem, scene);
-    const std::vector<PartState>& path = isFound ? report.path : trialPath;
-    if (path.empty()) {
-        requirePrinted();
-        return kAnswerIsNo;
-    }
-    const bool isValid =
-        (isFound ? report.audit : printTrialPath(path, problem, scene, given.path)).isValid();
-    oldPath.isReplaced();
-    if (!given.outputs.isEmpty()) {
+    if (!path.empty()) oldPath.isReplaced();
+    writeNearest(given, report, problem, !path.empty());
+    if (!path.empty() && !given.outputs.isEmpty()) {
         // Planning audits the path without a profile; the outputs show a profile.
         const planning::PathCheck checked = planning::checkPath(problem, scene, path);
         given.outputs.write(problem, scene, path, checked.audit, figures);
     }
     requirePrinted();
-    return isValid ? kDone : kAnswerIsNo;
+    return !path.empty() && isValid ? kDone : kAnswerIsNo;
+}
+
+}  // namespace
+
+int plan(const Arguments& arguments) {
+    PlanArguments given;
+    if (!readArguments(arguments, given)) return kDone;
+    heedInterrupts();
+    const Problem problem = given.problem.read();
+    OutputFiles files(inputsOf(problem));
+    files.add("--path", given.path);
+    files.add("--nearest", given.nearest);
+    given.outputs.require(files);
+    OldPath oldPath(given.path);
+    try {
+        return planAndWrite(given, problem, oldPath);
+    } catch (const planning::RefusedOption&) {
+        oldPath.stays();
+        throw;
+    }
 }
 
 }  // namespace clearway::cli

@@ -141,7 +141,9 @@ void printExplanation(const planning::Explanation& explanation, double largestMa
     const double seconds = explanation.trialSeconds;
     const std::string trialLength = seconds > 0 ? " of up to " + readable(seconds) + " s" : "";
     printRow("explained by", counted(explanation.trials, "trial") + trialLength +
-                                 (explanation.isOutOfTime ? ", until the time was over" : "") +
+                                 (explanation.isStopped     ? ", until interrupted"
+                                  : explanation.isOutOfTime ? ", until the time was over"
+                                                            : "") +
                                  "; greedy: fewer obstacles may do");
     if (!explanation.path.empty()) return;  // nothing has to go
     for (const std::vector<std::string>& set : explanation.withoutThese)

@@ -52,6 +52,11 @@ BOOST_AUTO_TEST_CASE(a_path_outside_is_free_by_the_oracle_and_ends_beyond_the_si
         BOOST_TEST(check.audit.isValid());
         BOOST_TEST(check.endsAtGoal());
         BOOST_TEST(check.offGoal == 0);
+        for (std::size_t i = 0; i + 1 < report.path.size(); ++i) {
+            const PathCheck first =
+                checkPath(window.problem, window.scene, {report.path.begin(), report.path.begin() + i + 1});
+            BOOST_TEST(!first.endsAtGoal(), "state " << i << " of " << report.path.size());
+        }
     }
 }
 

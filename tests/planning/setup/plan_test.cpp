@@ -416,6 +416,15 @@ BOOST_AUTO_TEST_CASE(with_iterations_one_seed_gives_one_path_whatever_else_the_m
     }
 }
 
+BOOST_AUTO_TEST_CASE(a_team_in_threads_is_not_called_repeatable) {
+    const auto window = windowScene();
+    PlanOptions options = withIterations(100);
+    options.parameters = {{"threads", "2"}};
+    BOOST_TEST(!plan(window.problem, window.scene, options).isRepeatable);
+    options.parameters = {{"threads", "1"}};
+    BOOST_TEST(plan(window.problem, window.scene, options).isRepeatable);
+}
+
 BOOST_AUTO_TEST_CASE(a_planar_problem_is_planned_in_se2) {
     auto window = windowScene();
     window.problem.space = Space::kSe2;

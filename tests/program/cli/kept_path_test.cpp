@@ -110,8 +110,13 @@ BOOST_AUTO_TEST_CASE(a_plan_that_is_refused_or_interrupted_sets_an_old_path_asid
 BOOST_AUTO_TEST_CASE(a_new_path_replaces_the_old_one_and_wrong_usage_leaves_it) {
     const KeptFolder folder;
     folder.write("out.path", kOld);
-    requireRefused(folder, "plan window.cfg --path out.path --time soon", {"--time"});
-    BOOST_TEST(readText(folder.file("out.path")) == kOld);
+    for (const char* wrong :
+         {"--time soon", "--iterations 9 --threads 4", "--planner-param beauty=1", "--seed 0"}) {
+        requireRefused(folder, std::string("plan window.cfg --path out.path ") + wrong, {});
+        BOOST_TEST(readText(folder.file("out.path")) == kOld, wrong);
+    }
+    requireRefused(folder, "plan " CLEARWAY_DATA_DIR "/bracket/bracket.cfg --path out.path --explain 5",
+                   {"--explain"});
     const Outcome outcome = runIn(folder, "plan easy.cfg --path out.path --iterations 10000");
     BOOST_TEST(outcome.code == 0);
     BOOST_TEST(outcome.out.find("old path") == std::string::npos);
