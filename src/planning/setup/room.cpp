@@ -20,8 +20,8 @@ namespace og = ompl::geometric;
 /// Of the clearances before and after, as shares. The time is for bands.
 constexpr double kBeforeAccuracy = 0.1, kAfterAccuracy = 0.01;
 
-/// Whether a clearance still grows fast: by kFastGrowth within the last kLookBack of the time.
-constexpr double kFastGrowth = 0.05, kLookBack = 0.25;
+/// Whether a clearance still grows fast: by kFastGrowth within this share of the time so far.
+constexpr double kFastGrowth = 0.05, kLookBack = 0.5;
 constexpr double kLookSeconds = 0.01;  ///< between two looks
 
 /// Watches a clearance. Several threads ask.
