@@ -1,0 +1,42 @@
+// Shrinks a part, so that obstacles may reach a little way into it.
+//
+// The overlap of a part and an obstacle is how deep points of the obstacle lie below the part's surface. No
+// point lies deeper than X exactly when the obstacle misses the points of the part that lie deeper than X: the
+// part shrunk by X.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "clearway/mesh.h"
+#include "clearway/types.h"
+
+namespace clearway {
+
+struct ShrinkOptions {
+    double overlap = 0;    ///< mesh units, > 0: how deep obstacles may reach
+    double tolerance = 0;  ///< mesh units, > 0: how much deeper they may reach unnoticed
+};
+
+/// A part shrunk by an overlap. Certified by exact queries: its surface lies inside the part, nowhere less than
+/// the overlap and nowhere more than overlap + tolerance below the part's surface; and every point of the part
+/// that lies deeper than overlap + tolerance is inside it.
+struct ShrunkPart {
+    Mesh mesh;  ///< one component; in the part's mesh coordinates
+    ShrinkOptions options;
+    /// One line for each component of the part of which shrinking leaves nothing, cuts off or removes a piece, or
+    /// leaves out something thin: more than three times as far from the shrunk part as the overlap is deep.
+    std::vector<std::string> leftOut;
+};
+
+/// Shrinks the part. Throws std::invalid_argument, naming what is wrong, if an option is not a finite number above
+/// 0, if a component of the part is not closed, if two of them touch, overlap or lie in each other, if nothing of
+/// the part lies deeper than the overlap, or if the tolerance is too small for the part's size.
+///
+/// The surface is cut through tetrahedra that are bisected where a bound on depths fails, as in isosurface
+/// stuffing (Labelle and Shewchuk, ACM Trans. Graphics 26, 2007), but with bounds from exact distances. So
+/// flat and large faces take few triangles, while a grid of one width takes area / tolerance^2.
+ShrunkPart shrink(const Mesh& part, const ShrinkOptions& options);
+
+}  // namespace clearway

@@ -1,0 +1,155 @@
+#include "shrink/surface_depth.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "mesh/components.h"
+#include "mesh/renumber.h"
+
+namespace clearway {
+namespace {
+
+constexpr double kRounding = 1e-11;  ///< of the largest coordinate
+
+/// The least of a point's barycentric coordinates in a triangle, for the point to count as well within it.
+constexpr double kWellWithin = 1e-3;
+
+/// A mesh of one triangle whose corners are one point, the origin.
+Mesh pointMesh() {
+    Mesh mesh;
+    mesh.vertices = {Vector3::Zero()};
+    mesh.triangles = {{0, 0, 0}};
+    return mesh;
+}
+
+Pose poseAt(const Vector3& point) {
+    Pose pose;
+    pose.translation = point;
+    return pose;
+}
+
+double distanceToSegment(const Vector3& point, const Vector3& a, const Vector3& b) {
+    const Vector3 along = b - a;
+    const double lengthSquared = along.squaredNorm();
+    const double s = lengthSquared > 0 ? std::clamp(along.dot(point - a) / lengthSquared, 0.0, 1.0) : 0.0;
+    return (point - (a + s * along)).norm();
+}
+
+}  // namespace
+
+double distanceToTriangle(const Vector3& point, const Corners3& triangle) {
+    const auto& [a, b, c] = triangle;
+    const Vector3 normal = (b - a).cross(c - a);
+    const double lengthSquared = normal.squaredNorm();
+    bool isAbove = lengthSquared > 0;
+    for (int k = 0; k < 3 && isAbove; ++k) {
+        const Vector3 &from = triangle[k], &to = triangle[(k + 1) % 3];
+        isAbove = normal.dot((to - from).cross(point - from)) >= 0;
+    }
+    if (isAbove) return std::abs(normal.dot(point - a)) / std::sqrt(lengthSquared);
+    return std::min(
+        {distanceToSegment(point, a, b), distanceToSegment(point, b, c), distanceToSegment(point, c, a)});
+}
+
+PointDistance::PointDistance(Model mesh) : mesh_(std::move(mesh)), point_(Model::build(pointMesh())) {}
+
+DistanceResult PointDistance::find(const Vector3& point, Workspace& workspace) const {
+    return distance(point_, mesh_, poseAt(point), {}, workspace);
+}
+
+SurfaceDepth::SurfaceDepth(const Mesh& mesh) : mesh_(mesh), distance_(Model::build(mesh)) {
+    const std::vector<Component> components = componentsOf(mesh);
+    outwards_.assign(mesh.triangles.size(), 1);
+    for (const Component& component : components) {
+        if (component.triangleCount == 0) continue;
+        const std::string name = component.name.empty() ? "unnamed" : component.name;
+        pieces_.push_back({name, component.firstTriangle, component.triangleCount, 1});
+        solids_.emplace_back(meshOf(pieces_.size() - 1), name);
+        if (solids_.back().isTurnedOver()) {
+            pieces_.back().outwards = -1;
+            std::fill_n(outwards_.begin() + component.firstTriangle, component.triangleCount, -1);
+        }
+        const auto& vertices = solids_.back().shellVertices();
+        shellVertices_.insert(shellVertices_.end(), vertices.begin(), vertices.end());
+    }
+    const Box& box = model().box();
+    rounding_ = kRounding * std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
+    requireDisjoint();
+}
+
+Mesh SurfaceDepth::meshOf(std::size_t piece) const {
+    Mesh part;
+    part.vertices = mesh_.vertices;
+    const auto first = mesh_.triangles.begin() + pieces_[piece].firstTriangle;
+    part.triangles.assign(first, first + pieces_[piece].triangleCount);
+    part.vertices = takeUsedVertices(mesh_.vertices, part.triangles);
+    return part;
+}
+
+void SurfaceDepth::requireDisjoint() const {
+    Workspace workspace;
+    for (std::size_t i = 0; i < solids_.size(); ++i) {
+        for (std::size_t j = i + 1; j < solids_.size(); ++j) {
+            if (!solids_[i].box().intersects(solids_[j].box())) continue;
+            const auto holds = [&](const Solid& outer, const Solid& inner) {
+                const auto& vertices = inner.shellVertices();
+                return std::any_of(vertices.begin(), vertices.end(),
+                                   [&](const Vector3& vertex) { return outer.winding({}, {}, vertex) > 0; });
+            };
+            if (holds(solids_[i], solids_[j]) || holds(solids_[j], solids_[i]) ||
+                collides(Model::build(meshOf(i)), Model::build(meshOf(j)), {}, workspace)) {
+                throw std::invalid_argument(
+                    "the part's components '" + pieces_[i].name + "' and '" + pieces_[j].name +
+                    "' touch or overlap each other, expected components that are apart");
+            }
+        }
+    }
+}
+
+SurfaceDepth::Place SurfaceDepth::at(const Vector3& point, Workspace& workspace) const {
+    const DistanceResult found = distance_.find(point, workspace);
+    const auto triangle = static_cast<std::uint32_t>(found.environmentTriangle);
+    const std::optional<bool> isBehind = isBehindFace(point, triangle);
+    return {(isBehind ? *isBehind : isInside(point)) ? found.distance : -found.distance, triangle};
+}
+
+/// The straight way to the nearest point of the surface crosses no surface. So if that point is well within a
+/// face, the point's side of the face tells whether it is inside.
+std::optional<bool> SurfaceDepth::isBehindFace(const Vector3& point, std::uint32_t triangle) const {
+    const Corners3 c = corners(triangle);
+    const Vector3 normal = outwardNormal(triangle);
+    const double lengthSquared = normal.squaredNorm();
+    const double height = normal.dot(point - c[0]);
+    if (!(std::abs(height) > rounding_ * std::sqrt(lengthSquared))) return std::nullopt;
+    const Vector3 turned = outwards_[triangle] * normal;
+    for (int k = 0; k < 3; ++k) {
+        const double share = turned.dot((c[(k + 1) % 3] - c[k]).cross(point - c[k])) / lengthSquared;
+        if (!(share > kWellWithin)) return std::nullopt;
+    }
+    return height < 0;
+}
+
+Vector3 SurfaceDepth::outwardNormal(std::uint32_t triangle) const {
+    const Corners3 c = corners(triangle);
+    return outwards_[triangle] * (c[1] - c[0]).cross(c[2] - c[0]);
+}
+
+std::uint32_t SurfaceDepth::nearest(const Vector3& point, Workspace& workspace) const {
+    return static_cast<std::uint32_t>(distance_.find(point, workspace).environmentTriangle);
+}
+
+std::optional<std::size_t> SurfaceDepth::pieceHolding(const Vector3& point) const {
+    for (std::size_t i = 0; i < solids_.size(); ++i) {
+        if (solids_[i].box().contains(point) && solids_[i].winding({}, {}, point) > 0) return i;
+    }
+    return std::nullopt;
+}
+
+Corners3 SurfaceDepth::corners(std::uint32_t triangle) const {
+    const TriangleIndices& t = mesh_.triangles[triangle];
+    return {mesh_.vertices[t[0]], mesh_.vertices[t[1]], mesh_.vertices[t[2]]};
+}
+
+}  // namespace clearway
