@@ -21,8 +21,8 @@ Mesh joinedEnvironment(const std::vector<Mesh>& files);
 /// Components that share a margin and count alike. One Obstacle is built from each group.
 struct ObstacleGroup {
     Mesh mesh;
-    double margin = 0;
-    std::shared_ptr<const Solids> solids;  ///< null unless solid
+    double margin = 0, overlap = 0;        ///< at most one of them above 0
+    std::shared_ptr<const Solids> solids;  ///< null unless solid or with an overlap
     bool isIgnoredAtStart = false, isIgnoredAtGoal = false;
     std::vector<std::uint32_t> fileTriangles;  ///< see Obstacle
 };
@@ -35,19 +35,22 @@ struct ObstacleGroups {
 
     double largestMargin() const;  ///< 0 without groups
     bool hasSolids() const;
+    std::vector<double> overlaps() const;  ///< those above 0, each once, rising
     Box environmentBox() const;  ///< of all groups and ignoredBox: where a problem's bounds come from
 };
 
 /// Puts each component of the files into one group, or among the ignored ones. margin: for components that no
 /// rule names. Throws std::invalid_argument if a rule matches no obstacle (and lists the obstacles) or is
-/// ambiguous between files, if a margin is negative, not finite or contradicts another rule, or if a solid
-/// encloses nothing (and says why).
+/// ambiguous between files, if a margin or an overlap is negative, not finite or contradicts another rule, if an
+/// obstacle has both above 0, or if a solid encloses nothing (and says why).
 ObstacleGroups groupObstacles(const std::vector<Mesh>& files, double margin, const ObstacleRules& rules);
 
 /// Makes the scene of a part among the groups, whose models `build` makes. The contact zones of the rules lie
-/// around the part's start and goal. partSolids may be null if no group is solid.
+/// around the part's start and goal. partSolids may be null if no group is solid. shrunk: the part, shrunk by each
+/// overlap of the groups.
 Scene makeScene(Model part, std::shared_ptr<const Solids> partSolids, const ObstacleGroups& obstacles,
                 const ObstacleRules& rules, const Pose& X_environmentStart, const Pose& X_environmentGoal,
-                const std::function<Model(const Mesh&)>& build);
+                const std::function<Model(const Mesh&)>& build,
+                const std::vector<std::shared_ptr<const ShrunkModel>>& shrunk = {});
 
 }  // namespace clearway

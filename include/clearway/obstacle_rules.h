@@ -20,6 +20,15 @@ struct ContactRule {
     double distance = 0;  ///< environment units, > 0
 };
 
+/// How deep obstacles may reach below the part's surface; see shrink().
+struct OverlapRules {
+    double common = 0;  ///< of obstacles that no name stands for, environment units, >= 0
+    /// By name; environment units, >= 0. If two names stand for one obstacle, as for margins.
+    std::map<std::string, double> byName;
+    std::optional<double> tolerance;  ///< environment units, > 0; without it a tenth of each overlap
+    bool isThinAllowed = false;       ///< whether shrinking may remove or cut off pieces of the part
+};
+
 /// All rules of a problem.
 struct ObstacleRules {
     /// Margins that replace the common margin, by name; environment units, >= 0. If two names stand for one
@@ -29,6 +38,7 @@ struct ObstacleRules {
     bool isAllSolid = false;
     std::vector<std::string> solid;  ///< names of solid obstacles; see Obstacle::solids
     std::optional<ContactRule> startContact, goalContact;
+    OverlapRules overlap;
     /// Names of components that become an obstacle of their own each, so that a scene can be looked at without them.
     /// Problem files have no key for it.
     std::vector<std::string> apart;

@@ -14,6 +14,7 @@
 #include "clearway/obstacle_rules.h"
 #include "clearway/outside.h"
 #include "clearway/scene.h"
+#include "clearway/shrink.h"
 #include "clearway/types.h"
 
 namespace clearway {
@@ -139,6 +140,12 @@ struct LoadedScene {
     Scene scene;
     std::vector<std::string> notes;
 };
+
+/// The part shrunk by each overlap of the obstacles. Adds a note for each thing that shrinking leaves out.
+/// Throws as shrink() does, naming the problem's file, and when something is left out although the problem
+/// does not allow it.
+std::vector<ShrunkPart> shrinkPart(const Problem& problem, const Mesh& part, const ObstacleGroups& obstacles,
+                                   std::vector<std::string>& notes);
 
 /// Loads the meshes and builds their models: the part, and the obstacles with their margins, solids and
 /// contact zones as the problem has them. Throws as loadPart, obstaclesOf and Model::build do, and what the

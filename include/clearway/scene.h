@@ -30,6 +30,16 @@ struct MadeSolids {
 /// Model::build does.
 MadeSolids makeSolids(const Mesh& mesh);
 
+/// A part that is shrunk so that obstacles may reach a little way into it (see shrink()).
+struct ShrunkModel {
+    Model model;  ///< in the part's mesh coordinates
+    std::shared_ptr<const Solids> solids;
+    double overlap = 0, tolerance = 0;  ///< as in ShrinkOptions
+
+    /// For each triangle of the model the nearest triangle of the part's mesh. Reports name these.
+    std::vector<std::uint32_t> partTriangles;
+};
+
 /// Meshes that share a margin and count at equal poses, as one model.
 struct Obstacle {
     Model model;
@@ -46,6 +56,11 @@ struct Obstacle {
 
     bool isIgnoredAtStart = false;  ///< while the part is within Scene::startContact
     bool isIgnoredAtGoal = false;   ///< while the part is within Scene::goalContact
+
+    /// Stands for the part toward this obstacle: a pose is then invalid when the obstacle touches the shrunk
+    /// part or, with solids, one holds a piece of the other. Distances and clearances are the shrunk part's.
+    /// Null: the part itself. Not together with a margin above 0.
+    std::shared_ptr<const ShrunkModel> shrunk = nullptr;
 };
 
 /// A zone around an assembled pose, in which given obstacles are ignored because assembled parts touch. The
@@ -71,6 +86,11 @@ struct Scene {
     /// The box of obstacles that were left out. It counts only for environmentBox(), from which a problem's
     /// bounds are taken.
     Box ignoredBox;
+
+    /// The model that stands for the part toward an obstacle.
+    const Model& partFor(const Obstacle& obstacle) const {
+        return obstacle.shrunk ? obstacle.shrunk->model : part;
+    }
 
     /// 0 without obstacles.
     double largestMargin() const {

@@ -5,11 +5,13 @@
 // part shrunk by X.
 #pragma once
 
-#include <cstddef>
+#include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "clearway/mesh.h"
+#include "clearway/scene.h"
 #include "clearway/types.h"
 
 namespace clearway {
@@ -25,6 +27,7 @@ struct ShrinkOptions {
 struct ShrunkPart {
     Mesh mesh;  ///< one component; in the part's mesh coordinates
     ShrinkOptions options;
+    std::vector<std::uint32_t> partTriangles;  ///< for each triangle the nearest one of the part's mesh
     /// One line for each component of the part of which shrinking leaves nothing, cuts off or removes a piece, or
     /// leaves out something thin: more than three times as far from the shrunk part as the overlap is deep.
     std::vector<std::string> leftOut;
@@ -38,5 +41,8 @@ struct ShrunkPart {
 /// stuffing (Labelle and Shewchuk, ACM Trans. Graphics 26, 2007), but with bounds from exact distances. So
 /// flat and large faces take few triangles, while a grid of one width takes area / tolerance^2.
 ShrunkPart shrink(const Mesh& part, const ShrinkOptions& options);
+
+/// The shrunk part for Obstacle::shrunk. model: built from its mesh.
+std::shared_ptr<const ShrunkModel> shrunkModel(const ShrunkPart& shrunk, Model model);
 
 }  // namespace clearway

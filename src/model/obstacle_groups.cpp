@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <tuple>
 
@@ -18,29 +19,32 @@ namespace {
 
 /// How one component counts by the rules.
 struct Treatment {
-    double margin = 0;
+    double margin = 0, overlap = 0;
     bool isSolid = false, isIgnoredAtStart = false, isIgnoredAtGoal = false, isIgnored = false;
     std::size_t apart = 0;  ///< a number of its own for a component that shares its group with no other one
 
-    auto key() const { return std::make_tuple(margin, isSolid, isIgnoredAtStart, isIgnoredAtGoal, apart); }
+    auto key() const { return std::make_tuple(margin, overlap, isSolid, isIgnoredAtStart, isIgnoredAtGoal, apart); }
 };
 
-void requireMargin(const std::string& rule, double margin) {
-    if (margin >= 0 && std::isfinite(margin)) return;
-    throw std::invalid_argument(rule + " is " + shortNumber(margin) + ", expected a finite number >= 0");
+void requireLength(const std::string& rule, double length) {
+    if (length >= 0 && std::isfinite(length)) return;
+    throw std::invalid_argument(rule + " is " + shortNumber(length) + ", expected a finite number >= 0");
 }
 
 class Rules {
   public:
-    Rules(const ObstacleNames& names, double margin) : names_(names) {
-        requireMargin("margin", margin);
+    Rules(const ObstacleNames& names, double margin, double overlap) : names_(names) {
+        requireLength("margin", margin);
+        requireLength("overlap", overlap);
         Treatment usual;
         usual.margin = margin;
+        usual.overlap = overlap;
         treatments_.assign(names.components().size(), usual);
     }
 
     void apply(const ObstacleRules& rules) {
-        setMargins(rules.margins);
+        setLengths("margin", rules.margins, &Treatment::margin);
+        setLengths("overlap", rules.overlap.byName, &Treatment::overlap);
         set("ignore", rules.ignored, &Treatment::isIgnored);
         set("solid", rules.solid, &Treatment::isSolid);
         for (Treatment& treatment : treatments_) treatment.isSolid = treatment.isSolid || rules.isAllSolid;
@@ -51,6 +55,7 @@ class Rules {
         for (const std::string& name : rules.apart) {
             for (const std::size_t i : names_.find("apart", name)) treatments_[i].apart = i + 1;
         }
+        requireOneLength();
     }
 
     const std::vector<Treatment>& treatments() const { return treatments_; }
@@ -62,27 +67,40 @@ class Rules {
         }
     }
 
-    void setMargins(const std::map<std::string, double>& margins) {
-        struct Margin {
+    /// rule: "margin" or "overlap", of which the lengths are.
+    void setLengths(const std::string& rule, const std::map<std::string, double>& lengths,
+                    double Treatment::*which) {
+        struct Length {
             std::size_t count;  ///< of components that the name stands for
             const std::string* name;
-            double margin;
+            double length;
         };
-        std::vector<std::optional<Margin>> found(treatments_.size());
-        for (const auto& [name, margin] : margins) {
-            requireMargin("margin." + name, margin);
-            const std::vector<std::size_t> members = names_.find("margin." + name, name);
+        std::vector<std::optional<Length>> found(treatments_.size());
+        for (const auto& [name, length] : lengths) {
+            const std::string key = rule + "." + name;
+            requireLength(key, length);
+            const std::vector<std::size_t> members = names_.find(key, name);
             for (const std::size_t i : members) {
-                if (found[i] && found[i]->count == members.size() && found[i]->margin != margin) {
-                    throw std::invalid_argument("the margin of '" + names_.components()[i].name + "' is " +
-                                                shortNumber(found[i]->margin) + " by margin." +
-                                                *found[i]->name + " and " + shortNumber(margin) +
-                                                " by margin." + name + ", expected one");
+                if (found[i] && found[i]->count == members.size() && found[i]->length != length) {
+                    throw std::invalid_argument("the " + rule + " of '" + names_.components()[i].name + "' is " +
+                                                shortNumber(found[i]->length) + " by " + rule + "." +
+                                                *found[i]->name + " and " + shortNumber(length) + " by " + key +
+                                                ", expected one");
                 }
                 if (found[i] && found[i]->count < members.size()) continue;
-                found[i] = Margin{members.size(), &name, margin};
-                treatments_[i].margin = margin;
+                found[i] = Length{members.size(), &name, length};
+                treatments_[i].*which = length;
             }
+        }
+    }
+
+    void requireOneLength() const {
+        for (std::size_t i = 0; i < treatments_.size(); ++i) {
+            const Treatment& treatment = treatments_[i];
+            if (treatment.isIgnored || !(treatment.margin > 0) || !(treatment.overlap > 0)) continue;
+            throw std::invalid_argument("the obstacle '" + names_.components()[i].name + "' has the margin " +
+                                        shortNumber(treatment.margin) + " and the overlap " +
+                                        shortNumber(treatment.overlap) + ", expected at least one of them to be 0");
         }
     }
 
@@ -90,9 +108,10 @@ class Rules {
     std::vector<Treatment> treatments_;
 };
 
-void makeSolid(ObstacleGroup& group, std::vector<std::string>& notes) {
+/// Makes the solids of a group. For an overlap open components are fine: they hold nothing.
+void makeSolid(ObstacleGroup& group, bool isRule, std::vector<std::string>& notes) {
     const MadeSolids made = makeSolids(group.mesh);
-    if (!made.refusals.empty()) {
+    if (isRule && !made.refusals.empty()) {
         const std::size_t others = made.refusals.size() - 1;
         throw std::invalid_argument(
             "solid: " + made.refusals[0] +
@@ -102,6 +121,15 @@ void makeSolid(ObstacleGroup& group, std::vector<std::string>& notes) {
     for (const std::string& name : made.turnedOver) {
         notes.push_back("the solid '" + name + "' faces inwards: it is turned over");
     }
+}
+
+std::shared_ptr<const ShrunkModel> shrunkBy(double overlap,
+                                            const std::vector<std::shared_ptr<const ShrunkModel>>& shrunk) {
+    if (overlap == 0) return nullptr;
+    for (const auto& model : shrunk) {
+        if (model->overlap == overlap) return model;
+    }
+    throw std::invalid_argument("no shrunk part for the overlap " + shortNumber(overlap) + ", expected one for each");
 }
 
 /// The first triangle of each component in its own file.
@@ -152,6 +180,14 @@ bool ObstacleGroups::hasSolids() const {
                        [](const ObstacleGroup& group) { return group.solids != nullptr; });
 }
 
+std::vector<double> ObstacleGroups::overlaps() const {
+    std::set<double> found;
+    for (const ObstacleGroup& group : groups) {
+        if (group.overlap > 0) found.insert(group.overlap);
+    }
+    return {found.begin(), found.end()};
+}
+
 Box ObstacleGroups::environmentBox() const {
     Box box = ignoredBox;
     for (const ObstacleGroup& group : groups) box.extend(boundingBox(group.mesh));
@@ -160,7 +196,7 @@ Box ObstacleGroups::environmentBox() const {
 
 ObstacleGroups groupObstacles(const std::vector<Mesh>& files, double margin, const ObstacleRules& rules) {
     const ObstacleNames names(files);
-    Rules applied(names, margin);
+    Rules applied(names, margin, rules.overlap.common);
     applied.apply(rules);
     const Mesh all = joinedEnvironment(files);
     const std::vector<std::uint32_t> fileTriangles = firstTrianglesOf(files);
@@ -176,12 +212,12 @@ ObstacleGroups groupObstacles(const std::vector<Mesh>& files, double margin, con
     for (const auto& [key, components] : members) {
         ObstacleGroup group;
         bool isSolid = false;
-        std::tie(group.margin, isSolid, group.isIgnoredAtStart, group.isIgnoredAtGoal, std::ignore) = key;
+        std::tie(group.margin, group.overlap, isSolid, group.isIgnoredAtStart, group.isIgnoredAtGoal, std::ignore) = key;
         const bool isAll = components.size() == applied.treatments().size();
         group.mesh = isAll ? all : meshOfComponents(all, components);
         if (group.mesh.triangles.empty()) continue;
         for (const std::size_t i : components) group.fileTriangles.push_back(fileTriangles[i]);
-        if (isSolid) makeSolid(group, result.notes);
+        if (isSolid || group.overlap > 0) makeSolid(group, isSolid, result.notes);
         result.groups.push_back(std::move(group));
     }
     return result;
@@ -189,7 +225,8 @@ ObstacleGroups groupObstacles(const std::vector<Mesh>& files, double margin, con
 
 Scene makeScene(Model part, std::shared_ptr<const Solids> partSolids, const ObstacleGroups& obstacles,
                 const ObstacleRules& rules, const Pose& X_environmentStart, const Pose& X_environmentGoal,
-                const std::function<Model(const Mesh&)>& build) {
+                const std::function<Model(const Mesh&)>& build,
+                const std::vector<std::shared_ptr<const ShrunkModel>>& shrunk) {
     Scene scene(std::move(part));
     scene.partSolids = std::move(partSolids);
     scene.ignoredBox = obstacles.ignoredBox;
@@ -198,7 +235,8 @@ Scene makeScene(Model part, std::shared_ptr<const Solids> partSolids, const Obst
     if (rules.goalContact) scene.goalContact = ContactZone{X_environmentGoal, rules.goalContact->distance};
     for (const ObstacleGroup& group : obstacles.groups) {
         scene.obstacles.push_back({build(group.mesh), group.margin, group.fileTriangles, group.solids,
-                                   group.isIgnoredAtStart, group.isIgnoredAtGoal});
+                                   group.isIgnoredAtStart, group.isIgnoredAtGoal,
+                                   shrunkBy(group.overlap, shrunk)});
     }
     return scene;
 }

@@ -3,9 +3,15 @@
 
 #include "clearway/obstacle_groups.h"
 #include "clearway/problem.h"
+#include "core/number.h"
 #include "problem/outside.h"
 
 namespace clearway {
+namespace {
+
+constexpr double kUsualTolerance = 0.1;  ///< of an overlap
+
+}  // namespace
 
 ObstacleGroups obstaclesOf(const Problem& problem, const std::vector<Mesh>& worlds) {
     requireNoGoalContact(problem);
@@ -14,6 +20,30 @@ ObstacleGroups obstaclesOf(const Problem& problem, const std::vector<Mesh>& worl
     } catch (const std::invalid_argument& error) {
         throw std::invalid_argument(problem.file + ": [clearway] " + error.what());
     }
+}
+
+std::vector<ShrunkPart> shrinkPart(const Problem& problem, const Mesh& part, const ObstacleGroups& obstacles,
+                                   std::vector<std::string>& notes) {
+    std::vector<ShrunkPart> all;
+    const OverlapRules& rules = problem.rules.overlap;
+    const std::string prefix = problem.file + ": [clearway] ";
+    for (const double overlap : obstacles.overlaps()) {
+        const ShrinkOptions options{overlap, rules.tolerance.value_or(kUsualTolerance * overlap)};
+        try {
+            all.push_back(shrink(part, options));
+        } catch (const std::invalid_argument& error) {
+            throw std::invalid_argument(prefix + error.what());
+        }
+        const std::string what = "overlap = " + shortNumber(overlap) + ": ";
+        const std::vector<std::string>& leftOut = all.back().leftOut;
+        if (!leftOut.empty() && !rules.isThinAllowed) {
+            throw std::invalid_argument(prefix + what + leftOut[0] +
+                                        ", expected a smaller overlap, or overlap.thin = allow, with which "
+                                        "obstacles may pass through what is left out");
+        }
+        for (const std::string& line : leftOut) notes.push_back(what + line + "; obstacles may pass through it");
+    }
+    return all;
 }
 
 LoadedScene loadScene(const Problem& problem, const BuildOptions& options, const SceneLoading& loading) {
@@ -31,8 +61,12 @@ LoadedScene loadScene(const Problem& problem, const BuildOptions& options, const
         }
         partSolids = made.solids;
     }
+    std::vector<std::shared_ptr<const ShrunkModel>> shrunk;
+    for (const ShrunkPart& each : shrinkPart(problem, partMesh, obstacles, notes)) {
+        shrunk.push_back(shrunkModel(each, loading.build(each.mesh, options, std::nullopt)));
+    }
     return {makeScene(part, partSolids, obstacles, problem.rules, poseOf(problem.start), poseOf(problem.goal),
-                      [&](const Mesh& mesh) { return loading.build(mesh, options, reach); }),
+                      [&](const Mesh& mesh) { return loading.build(mesh, options, reach); }, shrunk),
             notes};
 }
 

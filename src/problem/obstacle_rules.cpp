@@ -10,7 +10,11 @@
 namespace clearway {
 namespace {
 
-constexpr const char* kMarginOf = "clearway.margin.";
+constexpr const char* kMargin = "margin";
+constexpr const char* kOverlap = "overlap";
+constexpr const char* kTolerance = "clearway.overlap.tolerance";
+constexpr const char* kThin = "clearway.overlap.thin";
+constexpr const char* kAllow = "allow";
 constexpr const char* kNames = "names, separated by commas";
 constexpr const char* kAll = "all";
 
@@ -35,18 +39,33 @@ std::optional<ContactRule> readContact(ConfigValues& values, const std::string& 
     return contact;
 }
 
-void readMargins(ConfigValues& values, std::map<std::string, double>& margins) {
-    const std::string prefix = kMarginOf;
+/// Reads the keys KEY.NAME = length. key: "margin" or "overlap".
+void readLengths(ConfigValues& values, const std::string& key, std::map<std::string, double>& lengths) {
+    const std::string prefix = "clearway." + key + ".";
     for (const ConfigEntry& entry : values.unread()) {
         if (entry.name.compare(0, prefix.size(), prefix) != 0) continue;
         const auto names = splitNames(std::string_view(entry.name).substr(prefix.size()));
-        const double margin = values.number(entry.name).value_or(-1);
-        if (!(margin >= 0)) values.refuse(entry.name, "a number of at least 0");
-        if (!names || names->size() != 1 || !margins.insert({names->front(), margin}).second) {
-            values.refuse(entry.name,
-                          "margin.NAME = M with each name once, and a name that has a comma in quotes");
+        const double length = values.number(entry.name).value_or(-1);
+        if (!(length >= 0)) values.refuse(entry.name, "a number of at least 0");
+        if (!names || names->size() != 1 || !lengths.insert({names->front(), length}).second) {
+            values.refuse(entry.name, key + ".NAME = " + (key == kOverlap ? "X" : "M") +
+                                          " with each name once, and a name that has a comma in quotes");
         }
     }
+}
+
+OverlapRules readOverlap(ConfigValues& values) {
+    OverlapRules rules;
+    rules.common = values.number("clearway.overlap").value_or(0);
+    if (!(rules.common >= 0)) values.refuse("clearway.overlap", "a number of at least 0");
+    rules.tolerance = values.number(kTolerance);
+    if (rules.tolerance && !(*rules.tolerance > 0)) values.refuse(kTolerance, "a number above 0");
+    if (const std::optional<std::string> thin = values.text(kThin)) {
+        if (*thin != kAllow) values.refuse(kThin, "allow, or no such key");
+        rules.isThinAllowed = true;
+    }
+    readLengths(values, kOverlap, rules.byName);
+    return rules;
 }
 
 std::string namesOf(const std::string& key, const std::vector<std::string>& names) {
@@ -67,11 +86,42 @@ void addContact(const std::string& key, const std::optional<ContactRule>& contac
     lines.emplace_back(key, namesOf(key, contact->names) + ", " + formatNumber(contact->distance));
 }
 
+void requireLength(const std::string& key, double length) {
+    if (length >= 0 && std::isfinite(length)) return;
+    throw std::invalid_argument(key + " is " + shortNumber(length) + ", expected a finite number >= 0");
+}
+
+void addLengths(const std::string& key, const std::map<std::string, double>& lengths,
+                std::vector<std::pair<std::string, std::string>>& lines) {
+    for (const auto& [name, length] : lengths) {
+        requireLength(key + "." + name, length);
+        std::string written = namesOf(key, {name});
+        // Without quotes these would be keys of their own.
+        if (key == kOverlap && (name == "tolerance" || name == "thin")) written = "\"" + name + "\"";
+        lines.emplace_back(key + "." + written, formatNumber(length));
+    }
+}
+
+void addOverlap(const OverlapRules& rules, std::vector<std::pair<std::string, std::string>>& lines) {
+    requireLength(kOverlap, rules.common);
+    if (rules.common > 0) lines.emplace_back(kOverlap, formatNumber(rules.common));
+    addLengths(kOverlap, rules.byName, lines);
+    if (rules.tolerance) {
+        if (!(*rules.tolerance > 0) || !std::isfinite(*rules.tolerance)) {
+            throw std::invalid_argument("overlap.tolerance is " + shortNumber(*rules.tolerance) +
+                                        ", expected a finite number above 0");
+        }
+        lines.emplace_back("overlap.tolerance", formatNumber(*rules.tolerance));
+    }
+    if (rules.isThinAllowed) lines.emplace_back("overlap.thin", kAllow);
+}
+
 }  // namespace
 
 ObstacleRules readObstacleRules(ConfigValues& values) {
     ObstacleRules rules;
-    readMargins(values, rules.margins);
+    readLengths(values, kMargin, rules.margins);
+    rules.overlap = readOverlap(values);
     rules.ignored = readNames(values, "clearway.ignore");
     rules.isAllSolid = values.has("clearway.solid") && *values.text("clearway.solid") == kAll;
     if (!rules.isAllSolid) rules.solid = readNames(values, "clearway.solid");
@@ -82,13 +132,8 @@ ObstacleRules readObstacleRules(ConfigValues& values) {
 
 std::vector<std::pair<std::string, std::string>> writtenRules(const ObstacleRules& rules) {
     std::vector<std::pair<std::string, std::string>> lines;
-    for (const auto& [name, margin] : rules.margins) {
-        if (!(margin >= 0) || !std::isfinite(margin)) {
-            throw std::invalid_argument("margin." + name + " is " + shortNumber(margin) +
-                                        ", expected a finite number >= 0");
-        }
-        lines.emplace_back("margin." + namesOf("margin", {name}), formatNumber(margin));
-    }
+    addLengths(kMargin, rules.margins, lines);
+    addOverlap(rules.overlap, lines);
     if (!rules.ignored.empty()) lines.emplace_back("ignore", namesOf("ignore", rules.ignored));
     if (rules.isAllSolid) {
         lines.emplace_back("solid", kAll);

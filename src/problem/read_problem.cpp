@@ -19,7 +19,8 @@ namespace clearway {
 namespace {
 
 constexpr const char* kClearwayKeys =
-    "contact.goal, contact.start, goal, ignore, margin, margin.NAME, outside, reading, solid, step";
+    "contact.goal, contact.start, goal, ignore, margin, margin.NAME, outside, overlap, overlap.NAME, "
+    "overlap.thin, overlap.tolerance, reading, solid, step";
 
 /// The mesh file's path: in the .cfg's folder or, with a warning, in the current folder. OMPL.app looks in
 /// the current folder first; the order here keeps a problem from depending on the current folder.

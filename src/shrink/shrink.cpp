@@ -318,6 +318,16 @@ void requireInside(const Mesh& shrunk, const SurfaceDepth& surface) {
     }
 }
 
+std::vector<std::uint32_t> nearestTriangles(const SurfaceDepth& surface, const Mesh& shrunk) {
+    std::vector<std::uint32_t> nearest;
+    Workspace workspace;
+    for (const auto& [a, b, c] : shrunk.triangles) {
+        const Vector3 sum = shrunk.vertices[a] + shrunk.vertices[b] + shrunk.vertices[c];
+        nearest.push_back(surface.nearest(sum / 3, workspace));
+    }
+    return nearest;
+}
+
 }  // namespace
 
 ShrunkPart shrink(const Mesh& part, const ShrinkOptions& options) {
@@ -332,8 +342,15 @@ ShrunkPart shrink(const Mesh& part, const ShrinkOptions& options) {
                                     ", and nothing of the part lies that deep below its surface");
     }
     requireInside(shrunk.mesh, surface);
+    shrunk.partTriangles = nearestTriangles(surface, shrunk.mesh);
     shrunk.leftOut = findLeftOut(surface, shrunk.mesh, options.overlap + options.tolerance);
     return shrunk;
+}
+
+std::shared_ptr<const ShrunkModel> shrunkModel(const ShrunkPart& shrunk, Model model) {
+    return std::make_shared<const ShrunkModel>(ShrunkModel{std::move(model), makeSolids(shrunk.mesh).solids,
+                                                           shrunk.options.overlap, shrunk.options.tolerance,
+                                                           shrunk.partTriangles});
 }
 
 }  // namespace clearway

@@ -21,6 +21,14 @@ constexpr double kRoughError = 0.05;
 /// The share of upper that lower must reach; otherwise a tight distance is asked for.
 constexpr double kRoughEnough = 0.9;
 
+/// The index of the component with this triangle.
+std::int64_t componentWith(const std::vector<Component>& components, std::uint32_t triangle) {
+    const auto after = std::upper_bound(
+        components.begin(), components.end(), triangle,
+        [](std::uint32_t t, const Component& component) { return t < component.firstTriangle; });
+    return after - components.begin() - 1;
+}
+
 /// The answer when no obstacle was asked.
 SceneDistance nowhere() {
     constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
@@ -56,9 +64,13 @@ SceneClearance::SceneClearance(Scene scene)
             throw std::invalid_argument("margin is " + shortNumber(obstacle.margin) +
                                         ", expected a finite number >= 0");
         }
-        if (obstacle.solids && !scene_.partSolids) {
+        if (obstacle.solids && !obstacle.shrunk && !scene_.partSolids) {
             throw std::invalid_argument(
                 "an obstacle is solid and partSolids is null, expected makeSolids of the part's mesh");
+        }
+        if (obstacle.shrunk && obstacle.margin > 0) {
+            throw std::invalid_argument("margin is " + shortNumber(obstacle.margin) + " for an overlap of " +
+                                        shortNumber(obstacle.shrunk->overlap) + ", expected a margin of 0");
         }
         hasSolids_ = hasSolids_ || obstacle.solids;
         zones_->add(scene_, obstacle);
@@ -108,8 +120,8 @@ bool SceneClearance::isFree(std::size_t i, const Pose& X_environmentPart, Scratc
     Workspace& workspace = scratch.workspaces[i];
     const bool isBlocked =
         obstacle.margin == 0
-            ? collides(scene_.part, obstacle.model, X_environmentPart, workspace)
-            : isWithin(scene_.part, obstacle.model, X_environmentPart, obstacle.margin, workspace);
+            ? collides(scene_.partFor(obstacle), obstacle.model, X_environmentPart, workspace)
+            : isWithin(scene_.partFor(obstacle), obstacle.model, X_environmentPart, obstacle.margin, workspace);
     ++tallyOfThisThread().withins;
     tallyOfThisThread().work += workspace.counters();
     return !isBlocked;
@@ -182,7 +194,7 @@ void SceneClearance::ask(std::size_t i, const Pose& X_environmentPart, const Dis
     const double margin = obstacle.margin;
     DistanceResult& d = answer.nearest;
     Workspace& workspace = scratch.workspaces[i];
-    d = clearway::distance(scene_.part, obstacle.model, X_environmentPart, options, workspace);
+    d = clearway::distance(scene_.partFor(obstacle), obstacle.model, X_environmentPart, options, workspace);
     ++tallyOfThisThread().distances;
     tallyOfThisThread().work += workspace.counters();
     answer.nearest.obstacle = static_cast<int>(i);
@@ -205,7 +217,8 @@ SceneDistance SceneClearance::distance(const Pose& X_environmentPart) const {
     visitAll(scene_.obstacles.size(), mine.nearest, [&](std::size_t i) {
         DistanceOptions options;
         options.cap = least.upper;
-        const DistanceResult found = clearway::distance(scene_.part, scene_.obstacles[i].model,
+        const Obstacle& obstacle = scene_.obstacles[i];
+        const DistanceResult found = clearway::distance(scene_.partFor(obstacle), obstacle.model,
                                                         X_environmentPart, options, mine.workspaces[i]);
         const double lower = std::min(least.lower, found.lower);
         if (found.upper < least.upper || least.obstacle < 0) {
@@ -222,6 +235,12 @@ SceneDistance SceneClearance::distance(const Pose& X_environmentPart) const {
 void SceneClearance::nameTriangle(SceneDistance& nearest) const {
     if (nearest.environmentTriangle < 0) return;
     const Obstacle& obstacle = scene_.obstacles[static_cast<std::size_t>(nearest.obstacle)];
+    if (obstacle.shrunk) {
+        const std::uint32_t triangle =
+            obstacle.shrunk->partTriangles[static_cast<std::size_t>(nearest.partTriangle)];
+        nearest.partTriangle = triangle;
+        nearest.partComponent = componentWith(scene_.part.components(), triangle);
+    }
     if (obstacle.fileTriangles.empty()) return;
     const auto component = static_cast<std::size_t>(nearest.environmentComponent);
     nearest.environmentTriangle += static_cast<std::int64_t>(obstacle.fileTriangles[component]) -
@@ -246,10 +265,11 @@ std::optional<SceneClearance::Enclosure> SceneClearance::enclosureBy(std::size_t
                                                                      const Pose& X_environmentPart) const {
     const Obstacle& obstacle = scene_.obstacles[i];
     if (!obstacle.solids) return std::nullopt;
-    if (const auto found = obstacle.solids->holding({}, *scene_.partSolids, X_environmentPart)) {
+    const Solids& part = obstacle.shrunk ? *obstacle.shrunk->solids : *scene_.partSolids;
+    if (const auto found = obstacle.solids->holding({}, part, X_environmentPart)) {
         return Enclosure{found->outer, found->inner, true};
     }
-    if (const auto found = scene_.partSolids->holding(X_environmentPart, *obstacle.solids, {})) {
+    if (const auto found = part.holding(X_environmentPart, *obstacle.solids, {})) {
         return Enclosure{found->inner, found->outer, false};
     }
     return std::nullopt;

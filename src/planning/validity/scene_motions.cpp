@@ -101,7 +101,8 @@ SweepVerdict SceneClearance::sideAlong(std::size_t i, const PartMotion& motion, 
         return enclosureBy(i, X) ? SweepVerdict::kContact : SweepVerdict::kCertified;
     }
     if (travel > leastInterval) return SweepVerdict::kUndecided;
-    const bool isClear = !isWithin(scene_.part, scene_.obstacles[i].model, X, moved,
+    const Obstacle& obstacle = scene_.obstacles[i];
+    const bool isClear = !isWithin(scene_.partFor(obstacle), obstacle.model, X, moved,
                                    scratch_->perThread.local().workspaces[i]);
     return isClear && !enclosureBy(i, X) ? SweepVerdict::kCertified : SweepVerdict::kUndecided;
 }
@@ -124,7 +125,7 @@ SceneSweep SceneClearance::sweep(const PartMotion& motion, const SceneSweepOptio
         asked.isContactAtEnd =
             answer.contactTime == asked.until || (options.isContactAtEnd && asked.until == options.until);
         const SweepResult found = clearway::sweep(
-            scene_.part, obstacle.model, piecesFor(i, motion, options.poseError), asked, mine.workspaces[i]);
+            scene_.partFor(obstacle), obstacle.model, piecesFor(i, motion, options.poseError), asked, mine.workspaces[i]);
         ++answer.queries;
         ++tallyOfThisThread().sweeps;
         tallyOfThisThread().work += found.counters;
@@ -154,7 +155,7 @@ LeastClearance SceneClearance::leastClearance(const PartMotion& motion,
         asked.margin = obstacle.margin;
         asked.cap = answer.upper;
         const LeastDistance found = leastDistance(
-            scene_.part, obstacle.model, piecesFor(i, motion, options.poseError), asked, mine.workspaces[i]);
+            scene_.partFor(obstacle), obstacle.model, piecesFor(i, motion, options.poseError), asked, mine.workspaces[i]);
         ++answer.queries;
         ++tallyOfThisThread().sweeps;
         tallyOfThisThread().work += found.counters;

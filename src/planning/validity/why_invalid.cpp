@@ -22,11 +22,23 @@ double marginOf(const Scene& scene, const SceneDistance& nearest) {
     return nearest.obstacle < 0 ? 0 : scene.obstacles[static_cast<std::size_t>(nearest.obstacle)].margin;
 }
 
+const ShrunkModel* shrunkFor(const Scene& scene, const SceneDistance& nearest) {
+    return nearest.obstacle < 0 ? nullptr
+                                : scene.obstacles[static_cast<std::size_t>(nearest.obstacle)].shrunk.get();
+}
+
 /// Describes a pair that touches or is closer than the margin.
 std::string describePair(const Scene& scene, const SceneDistance& nearest) {
     const double margin = marginOf(scene, nearest);
     const MeshNames names = meshNames(scene, nearest);
     std::ostringstream message;
+    if (const ShrunkModel* shrunk = shrunkFor(scene, nearest)) {
+        message << "the environment's mesh '" << names.environment << "' reaches more than "
+                << shrunk->overlap << " below the surface of the part's mesh '" << names.part
+                << "', at triangle " << nearest.environmentTriangle << ", nearest to triangle "
+                << nearest.partTriangle << " of the part";
+        return message.str();
+    }
     message << "triangle " << nearest.partTriangle << " of the part's mesh '" << names.part
             << "' and triangle " << nearest.environmentTriangle << " of the environment's mesh '"
             << names.environment << "' are ";

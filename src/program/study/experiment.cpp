@@ -129,7 +129,9 @@ std::string StudyProblem::fingerprint() const {
         text += " " + keyOf(group.mesh) + " " + formatNumber(group.margin) + " " +
                 std::to_string(group.isIgnoredAtStart) + std::to_string(group.isIgnoredAtGoal) +
                 std::to_string(group.solids != nullptr);
+        if (group.overlap > 0) text += " overlap " + formatNumber(group.overlap);
     }
+    for (const ShrunkPart& each : shrunk) text += " " + keyOf(each.mesh);
     for (const PlannerChoice& choice : problem.planners) {
         for (const NamedTexts* texts : {&choice.parameters, &choice.settings}) {
             for (const auto& [key, value] : *texts) text += " " + choice.name + "." + key + "=" + value;
@@ -146,9 +148,13 @@ Scene buildScene(const StudyProblem& study, const Engine& engine, const std::str
     reaching.objective = "max_min_clearance";
     const auto reach =
         planning::planningReach(study.problem, reaching, part, study.obstacles.environmentBox());
-    return makeScene(part, study.partSolids, study.obstacles, study.problem.rules,
-                     poseOf(study.problem.start), poseOf(study.problem.goal),
-                     [&](const Mesh& mesh) { return build(mesh, engine, cache, reach); });
+    std::vector<std::shared_ptr<const ShrunkModel>> shrunk;
+    for (const ShrunkPart& each : study.shrunk) {
+        shrunk.push_back(shrunkModel(each, build(each.mesh, engine, cache)));
+    }
+    return makeScene(
+        part, study.partSolids, study.obstacles, study.problem.rules, poseOf(study.problem.start),
+        poseOf(study.problem.goal), [&](const Mesh& mesh) { return build(mesh, engine, cache, reach); }, shrunk);
 }
 
 TimeLeft::TimeLeft(std::size_t pieces, double mostEach)

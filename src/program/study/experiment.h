@@ -84,6 +84,7 @@ struct StudyProblem {
     Mesh part;
     ObstacleGroups obstacles;
     std::shared_ptr<const Solids> partSolids;  ///< null unless an obstacle is solid
+    std::vector<ShrunkPart> shrunk;            ///< one for each overlap of the obstacles
     std::vector<Pose> replayPoses;  ///< for the tables of trees; empty: the poses of recorded calls
 
     /// A text that differs for problems with different meshes, obstacles, start, goal, bounds or planner
