@@ -34,7 +34,7 @@ struct ShrunkPart {
 };
 
 /// Shrinks the part. Throws std::invalid_argument, naming what is wrong, if an option is not a finite number above
-/// 0, if a component of the part is not closed, if two of them touch, overlap or lie in each other, if nothing of
+/// 0, if a component of the part is not closed, if two pieces of its surface touch or lie in each other or one passes through itself, if nothing of
 /// the part lies deeper than the overlap, or if the tolerance is too small for the part's size.
 ///
 /// The surface is cut through tetrahedra that are bisected where a bound on depths fails, as in isosurface

@@ -5,13 +5,19 @@
 #include <stdexcept>
 #include <string>
 
+#include "mesh/clean.h"
 #include "mesh/components.h"
 #include "mesh/renumber.h"
+#include "mesh/topology.h"
 
 namespace clearway {
 namespace {
 
 constexpr double kRounding = 1e-11;  ///< of the largest coordinate
+
+/// The copies of triangles with which self-crossings are sought: their size in the triangle's, and how many
+/// roundings they stand in front of it.
+constexpr double kCopySize = 0.999, kCopyHeights = 100;
 
 /// The least of a point's barycentric coordinates in a triangle, for the point to count as well within it.
 constexpr double kWellWithin = 1e-3;
@@ -76,7 +82,7 @@ SurfaceDepth::SurfaceDepth(const Mesh& mesh) : mesh_(mesh), distance_(Model::bui
     }
     const Box& box = model().box();
     rounding_ = kRounding * std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
-    requireDisjoint();
+    requireSimple();
 }
 
 Mesh SurfaceDepth::meshOf(std::size_t piece) const {
@@ -88,23 +94,75 @@ Mesh SurfaceDepth::meshOf(std::size_t piece) const {
     return part;
 }
 
-void SurfaceDepth::requireDisjoint() const {
+/// Each connected piece of the surface must keep apart from the others and from itself, with the part on its
+/// one side and none on its other.
+void SurfaceDepth::requireSimple() const {
+    std::vector<Shell> shells;
+    for (std::size_t i = 0; i < pieces_.size(); ++i) addShells(i, shells);
     Workspace workspace;
-    for (std::size_t i = 0; i < solids_.size(); ++i) {
-        for (std::size_t j = i + 1; j < solids_.size(); ++j) {
-            if (!solids_[i].box().intersects(solids_[j].box())) continue;
-            const auto holds = [&](const Solid& outer, const Solid& inner) {
-                const auto& vertices = inner.shellVertices();
-                return std::any_of(vertices.begin(), vertices.end(),
-                                   [&](const Vector3& vertex) { return outer.winding({}, {}, vertex) > 0; });
-            };
-            if (holds(solids_[i], solids_[j]) || holds(solids_[j], solids_[i]) ||
-                collides(Model::build(meshOf(i)), Model::build(meshOf(j)), {}, workspace)) {
-                throw std::invalid_argument(
-                    "the part's components '" + pieces_[i].name + "' and '" + pieces_[j].name +
-                    "' touch or overlap each other, expected components that are apart");
-            }
+    for (std::size_t i = 0; i < shells.size(); ++i) {
+        const Shell& shell = shells[i];
+        int around = 0;  // how often the others wind around this one
+        std::size_t holder = shell.piece;
+        for (std::size_t j = 0; j < shells.size(); ++j) {
+            const Shell& other = shells[j];
+            if (i == j || !other.solid.box().intersects(shell.solid.box())) continue;
+            if (j < i && collides(shell.model, other.model, {}, workspace))
+                refuseMeeting(other.piece, shell.piece);
+            if (other.solid.winding({}, {}, shell.solid.shellVertices()[0]) <= 0) continue;
+            around += other.isCavity ? -1 : 1;
+            if (!other.isCavity) holder = other.piece;
         }
+        if (around != (shell.isCavity ? 1 : 0)) refuseMeeting(holder, shell.piece);
+    }
+    requireNoSelfCrossing();
+}
+
+void SurfaceDepth::addShells(std::size_t piece, std::vector<Shell>& shells) const {
+    const CleanMesh cleaned = clean(meshOf(piece));
+    const Shells found = findShells(cleaned.triangles);
+    const std::vector<double> volumes = signedVolumes(cleaned.vertices, cleaned.triangles, found);
+    std::vector<Mesh> meshes(found.count);
+    for (std::size_t t = 0; t < cleaned.triangles.size(); ++t) {
+        meshes[found.ofTriangle[t]].triangles.push_back(cleaned.triangles[t]);
+    }
+    for (std::uint32_t k = 0; k < found.count; ++k) {
+        if (volumes[k] == 0) continue;  // it encloses nothing
+        meshes[k].vertices = takeUsedVertices(cleaned.vertices, meshes[k].triangles);
+        shells.push_back({piece, volumes[k] * pieces_[piece].outwards < 0,
+                          Solid(meshes[k], pieces_[piece].name), Model::build(meshes[k])});
+    }
+}
+
+void SurfaceDepth::refuseMeeting(std::size_t a, std::size_t b) const {
+    const std::string which = a == b
+                                  ? "two pieces of '" + pieces_[a].name + "'"
+                                  : "the components '" + pieces_[a].name + "' and '" + pieces_[b].name + "'";
+    throw std::invalid_argument("overlap needs a part of which only the outside is surface, and " + which +
+                                " touch or lie in each other, expected pieces that are apart");
+}
+
+/// A copy of each triangle, a little smaller and a little in front of it, meets the surface only where the surface
+/// comes back to itself.
+void SurfaceDepth::requireNoSelfCrossing() const {
+    Workspace workspace;
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
+        const Vector3 normal = outwardNormal(t);
+        if (!(normal.squaredNorm() > 0)) continue;
+        const Corners3 c = corners(t);
+        const Vector3 middle = (c[0] + c[1] + c[2]) / 3;
+        Mesh copy;
+        for (const Vector3& corner : c) {
+            copy.vertices.push_back(middle + kCopySize * (corner - middle) +
+                                    kCopyHeights * rounding_ * normal.normalized());
+        }
+        copy.triangles = {{0, 1, 2}};
+        if (!collides(Model::build(copy), model(), {}, workspace)) continue;
+        throw std::invalid_argument(
+            "overlap needs a part of which only the outside is surface, and it passes through itself or "
+            "touches "
+            "itself at triangle " +
+            std::to_string(t) + ", expected a surface that bounds one inside");
     }
 }
 

@@ -36,8 +36,9 @@ class PointDistance {
 /// The closed surfaces of a mesh's components, each of which bounds a piece of the part.
 class SurfaceDepth {
   public:
-    /// Throws std::invalid_argument, naming the components, if one is not closed or if two touch or lie in
-    /// each other: the depth below the surface of both together would then be another one.
+    /// Throws std::invalid_argument, naming the components, if one is not closed, if two pieces of the surface
+    /// touch or lie in each other, or if one passes through itself: then a wall within the part would count as
+    /// its surface, and depths would be too small.
     explicit SurfaceDepth(const Mesh& mesh);
 
     const Mesh& mesh() const { return mesh_; }
@@ -75,7 +76,17 @@ class SurfaceDepth {
 
   private:
     std::optional<bool> isBehindFace(const Vector3& point, std::uint32_t triangle) const;
-    void requireDisjoint() const;
+    /// A connected piece of the surface.
+    struct Shell {
+        std::size_t piece;
+        bool isCavity;
+        Solid solid;
+        Model model;
+    };
+    void requireSimple() const;
+    void addShells(std::size_t piece, std::vector<Shell>& shells) const;
+    [[noreturn]] void refuseMeeting(std::size_t a, std::size_t b) const;
+    void requireNoSelfCrossing() const;
 
     Mesh mesh_;
     PointDistance distance_;

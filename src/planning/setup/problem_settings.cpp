@@ -20,6 +20,12 @@
 namespace clearway::planning {
 namespace {
 
+constexpr const char* kStart = "start";
+constexpr const char* kCollision = "in collision";
+constexpr const char* kCures =
+    "; if the parts are assembled so, [clearway] contact.start = NAME, D ignores an obstacle near the start, and "
+    "overlap = X lets obstacles reach a little way into the part (clearway info PROBLEM --lift tells how far)";
+
 namespace ob = ompl::base;
 
 constexpr double kDefaultStepPerDiagonal = 1.0 / 500;
@@ -137,7 +143,9 @@ void applySettings(ob::SpaceInformation& si, const Problem& problem, std::vector
 double requireValid(const ValidityChecker& checker, const ob::State* state, const std::string& what) {
     double clearance = 0;
     if (checker.isValid(state, clearance)) return clearance;
-    throw std::invalid_argument(what + " is " + checker.whyInvalid(state));
+    const std::string why = checker.whyInvalid(state);
+    const bool isCollision = why.find(kCollision) == 0 && what == kStart;
+    throw std::invalid_argument(what + " is " + why + (isCollision ? kCures : ""));
 }
 
 double stepOf(const Problem& problem, const PlanOptions& options, const Model& part) {

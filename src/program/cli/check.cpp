@@ -3,6 +3,7 @@
 #include <iostream>
 
 #include "clearway/planning/check_path.h"
+#include "program/cli/overlaps.h"
 #include "program/cli/path_outputs.h"
 #include "program/cli/print.h"
 #include "program/cli/print_audit.h"
@@ -96,7 +97,9 @@ int check(const Arguments& arguments) {
     warnOfEnds(problem, found);
     print(scene, found);
     if (!options.csv.empty()) writeProfile(found.audit, options.csv);
-    options.outputs.write(problem, scene, path, found.audit, {});
+    const std::vector<FoundOverlap> overlaps = overlapsAlong(problem, scene, path);
+    printOverlaps(overlaps);
+    options.outputs.write(problem, scene, path, found.audit, {}, overlaps);
     requirePrinted();
     return found.audit.isValid() ? kDone : kAnswerIsNo;
 }

@@ -5,16 +5,22 @@
 #include <stdexcept>
 
 #include "clearway/planning/plan.h"
+#include "clearway/planning/scene_clearance.h"
 #include "clearway/problem.h"
 #include "mesh/clean.h"
 #include "mesh/topology.h"
 #include "program/cli/load_guard.h"
+#include "program/cli/overlaps.h"
 #include "program/cli/print.h"
 #include "program/cli/shared_options.h"
 
 namespace clearway::cli {
 
 namespace {
+
+constexpr int kMostDoublings = 8;
+constexpr double kLiftError = 0.02;      ///< of the least overlap that frees a start
+constexpr double kLiftTolerance = 0.5;  ///< of the overlap, unless the problem states one
 
 Box inFileUnits(const Box& box, const MeshOrigin& origin) {
     return Box((box.min() - origin.shift) / origin.scale, (box.max() - origin.shift) / origin.scale);
@@ -172,22 +178,69 @@ void describeProblemFile(const std::string& file, const BuildOptions& tree) {
                  planning::planningReach(problem, {}, partModel, boundingBox(environment)));
 }
 
+/// Why the start is not valid with this overlap; empty when it is valid.
+std::string whyStartIsInvalid(Problem problem, double overlap) {
+    OverlapRules& rules = problem.rules.overlap;
+    rules.common = overlap;
+    if (!rules.tolerance) rules.tolerance = kLiftTolerance * overlap;
+    SceneLoading loading;
+    loading.read = guardedLoadMesh;
+    const planning::SceneClearance clearance(loadScene(problem, {}, loading).scene);
+    return clearance.whyInvalid(poseOf(problem.start));
+}
+
+/// Says how deep obstacles reach into the part at the start, and which overlap frees the start.
+void describeLift(const std::string& file) {
+    Problem problem = readProblem(file);
+    const std::vector<FoundOverlap> overlaps = overlapsAtStart(problem);
+    for (const FoundOverlap& found : overlaps) printRow(found.obstacle, describe(found));
+    if (overlaps.empty()) {
+        printRow("start", "no obstacle reaches into the part");
+        return;
+    }
+    problem.margin = 0;
+    problem.rules.margins.clear();
+    problem.rules.overlap.common = 0;
+    problem.rules.overlap.byName.clear();
+    problem.rules.overlap.isThinAllowed = true;
+    double least = 0, enough = 0;
+    for (const FoundOverlap& found : overlaps) enough = std::max(enough, found.deepest.upper);
+    std::string why = whyStartIsInvalid(problem, enough);
+    for (int doublings = 0; !why.empty() && doublings < kMostDoublings; ++doublings) {
+        least = enough;
+        enough *= 2;
+        why = whyStartIsInvalid(problem, enough);
+    }
+    if (!why.empty()) throw std::invalid_argument("no overlap up to " + readable(enough) + " frees the start: " + why);
+    while (least > 0 && enough - least > kLiftError * enough) {
+        const double middle = 0.5 * (least + enough);
+        (whyStartIsInvalid(problem, middle).empty() ? enough : least) = middle;
+    }
+    printRow("lift", "overlap = " + depthText(enough) + " frees the start");
+}
+
 }  // namespace
 
 int info(const Arguments& arguments) {
     std::string file;
     std::optional<double> scale;
     BuildOptions tree;
+    bool isLift = false;
     CommandLine line(
         "clearway info MESH|PROBLEM.cfg [options]",
         "Shows what a mesh or a problem's two meshes hold: triangles, components, box, whether the\n"
         "surface is closed, the conversions on reading, the findings of cleaning, and the tree built.");
     line.argument("MESH|PROBLEM.cfg", to(file));
     line.option("--scale F", "factor for the coordinates of a mesh file (1)", positive(scale));
+    line.flag("--lift",
+              "tells how deep obstacles reach into the part at the problem's start, and the least overlap that "
+              "frees it",
+              isLift);
     addTreeOptions(line, tree);
     if (!line.parse(arguments)) return kDone;
 
     if (!boost::iends_with(file, ".cfg")) {
+        if (isLift) throw std::invalid_argument("--lift is given with the mesh '" + file + "', expected a problem");
         LoadOptions load;
         load.scale = scale.value_or(1);
         describeMesh(guardedLoadMesh(file, load), "as stored", tree);
@@ -195,6 +248,8 @@ int info(const Arguments& arguments) {
         throw std::invalid_argument(
             "--scale is '" + readable(*scale) +
             "', expected only with a mesh: a problem file says how its meshes are read");
+    } else if (isLift) {
+        describeLift(file);
     } else {
         describeProblemFile(file, tree);
     }

@@ -50,6 +50,17 @@ Rows pathRows(const std::vector<PartState>& path, const planning::PathAudit& aud
     return rows;
 }
 
+report::ReportTable overlapTable(const std::vector<FoundOverlap>& overlaps) {
+    report::ReportTable table;
+    table.title = "Overlaps, where they are deepest";
+    table.header = {"obstacle", "deep", "at"};
+    for (const FoundOverlap& found : overlaps) {
+        table.rows.push_back({found.obstacle, depthText(found.deepest.lower), readable(found.deepest.point)});
+        table.shares.push_back(found.share);
+    }
+    return table;
+}
+
 std::string verdictOf(const planning::PathAudit& audit) {
     if (audit.isValid()) return "valid along the whole path, certified";
     return "NOT valid: " + std::to_string(audit.notValid.size()) + " of " +
@@ -64,7 +75,7 @@ std::string megabytes(std::size_t bytes) {
 
 void writePage(const Problem& problem, const Mesh& part, const Mesh& environment, const Scene& scene,
                const std::vector<PartState>& path, const planning::PathAudit& audit, const Rows& planner,
-               const std::string& file) {
+               const std::vector<FoundOverlap>& overlaps, const std::string& file) {
     report::ReportInput input{problem.name.empty() ? shortName(problem.file) : problem.name,
                               verdictOf(audit),
                               part,
@@ -76,6 +87,7 @@ void writePage(const Problem& problem, const Mesh& part, const Mesh& environment
     input.tables.push_back(tableOf("Problem", problemRows(problem, part, environment)));
     if (!planner.empty()) input.tables.push_back(tableOf("Planner", planner));
     input.tables.push_back(tableOf("Path", pathRows(path, audit)));
+    if (!overlaps.empty()) input.tables.push_back(overlapTable(overlaps));
     input.tables.push_back(report::segmentTable(audit, path, scene.part.radiusAboutOrigin()));
     const report::WrittenReport written = writeReport(input, file);
     printRow("report", file + ", " + megabytes(written.bytes));
@@ -90,11 +102,12 @@ void PathOutputs::require(OutputFiles& files) const {
 }
 
 void PathOutputs::write(const Problem& problem, const Scene& scene, const std::vector<PartState>& path,
-                        const planning::PathAudit& audit, const Rows& planner) const {
+                        const planning::PathAudit& audit, const Rows& planner,
+                        const std::vector<FoundOverlap>& overlaps) const {
     if (isEmpty()) return;
     const Mesh part = loadPart(problem, guardedLoadMesh);
     const Mesh environment = shownEnvironment(problem);
-    if (!report.empty()) writePage(problem, part, environment, scene, path, audit, planner, report);
+    if (!report.empty()) writePage(problem, part, environment, scene, path, audit, planner, overlaps, report);
     if (motion.empty()) return;
     report::exportMotion(part, environment, path, scene.part.radiusAboutOrigin(), motion);
     printRow("export", motion);

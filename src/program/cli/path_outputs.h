@@ -7,6 +7,7 @@
 #include "clearway/planning/audit.h"
 #include "clearway/problem.h"
 #include "clearway/scene.h"
+#include "program/cli/overlaps.h"
 #include "program/cli/print.h"
 #include "program/cli/shared_options.h"
 
@@ -21,8 +22,10 @@ struct PathOutputs {
 
     /// Writes the files and prints a row about each. planner: figures of the planner that found the path; may
     /// be empty. audit: the path's audit, with its profile.
+    /// overlaps: those along the path.
     void write(const Problem& problem, const Scene& scene, const std::vector<PartState>& path,
-               const planning::PathAudit& audit, const Rows& planner) const;
+               const planning::PathAudit& audit, const Rows& planner,
+               const std::vector<FoundOverlap>& overlaps) const;
 };
 
 /// Declares --report and --export.

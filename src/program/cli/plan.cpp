@@ -251,10 +251,13 @@ int planAndWrite(const PlanArguments& given, const Problem& problem, OldPath& ol
     }
     if (!path.empty()) oldPath.isReplaced();
     writeNearest(given, report, problem, !path.empty());
+    const std::vector<FoundOverlap> overlaps =
+        path.empty() ? std::vector<FoundOverlap>() : overlapsAlong(problem, scene, path);
+    printOverlaps(overlaps);
     if (!path.empty() && !given.outputs.isEmpty()) {
         // Planning audits the path without a profile; the outputs show a profile.
         const planning::PathCheck checked = planning::checkPath(problem, scene, path);
-        given.outputs.write(problem, scene, path, checked.audit, figures);
+        given.outputs.write(problem, scene, path, checked.audit, figures, overlaps);
     }
     requirePrinted();
     return !path.empty() && isValid ? kDone : kAnswerIsNo;

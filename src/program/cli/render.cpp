@@ -13,6 +13,7 @@
 #include "core/replace_file.h"
 #include "program/cli/load_guard.h"
 #include "program/cli/path_outputs.h"
+#include "program/cli/overlaps.h"
 #include "program/cli/print.h"
 #include "program/cli/shared_options.h"
 #include "program/render/camera.h"
@@ -223,6 +224,7 @@ int render(const Arguments& arguments) {
     const auto way = hasPath ? posesAt(line, report::evenShares(kWayPoses), clearance, false)
                              : std::vector<render::PosedPart>{};
     const render::RenderOptions& drawing = given.drawing;
+    printOverlaps(overlapsAlong(problem, scene, states));
     render::writePng(render::render(part, environment, poses, way, drawing), given.out);
     printRow("picture",
              given.out + ", " + std::to_string(drawing.width) + " x " + std::to_string(drawing.height));

@@ -1,0 +1,44 @@
+// How deep an obstacle reaches into a part.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "clearway/mesh.h"
+#include "clearway/types.h"
+
+namespace clearway {
+
+class SurfaceDepth;
+
+/// The point of an obstacle that lies deepest below the part's surface.
+struct DeepestPoint {
+    double lower = 0, upper = 0;      ///< bounds of its depth, environment units
+    Vector3 point = Vector3::Zero();  ///< one of depth `lower`, environment frame
+    std::int64_t obstacleTriangle =
+        -1;  ///< position in the obstacle's mesh; -1 when no point inside was found
+};
+
+/// Measures overlaps with one part. Any number of threads may use it at once.
+class OverlapMeter {
+  public:
+    /// Throws std::invalid_argument as shrink() does for a part that is not closed, or whose components touch.
+    explicit OverlapMeter(const Mesh& part);
+
+    /// The deepest point of the obstacle's triangles inside the part at the pose; upper is above lower by at
+    /// most 1 % or, if more, 1e-4 of the part's diagonal. X_environmentPart: as for distance(). A triangle's depth is found by halving
+    /// it, with the distance from its middle to the part's surface as the bound (which changes no faster than
+    /// places).
+    DeepestPoint deepest(const Mesh& obstacle, const Pose& X_environmentPart) const {
+        return deepest(obstacle, X_environmentPart, 0);
+    }
+
+    /// With a least depth of interest, more than the default: shallower points may stay unseen, and upper is at
+    /// most so much above lower if that is more than 1 %.
+    DeepestPoint deepest(const Mesh& obstacle, const Pose& X_environmentPart, double leastDepth) const;
+
+  private:
+    std::shared_ptr<const SurfaceDepth> surface_;
+};
+
+}  // namespace clearway

@@ -1,0 +1,36 @@
+// How deep obstacles reach into the whole part at given poses, for those who look at a path.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "clearway/overlap.h"
+#include "clearway/problem.h"
+#include "clearway/scene.h"
+
+namespace clearway::cli {
+
+struct FoundOverlap {
+    std::string obstacle;  ///< name of the component
+    double share = 0;      ///< of the path, where it is deepest
+    DeepestPoint deepest;
+};
+
+/// For each obstacle for which the problem allows an overlap, where it reaches deepest into the part, the deepest
+/// first; at poses along the path, to a tenth of the allowed overlap. Empty when the problem allows none.
+std::vector<FoundOverlap> overlapsAlong(const Problem& problem, const Scene& scene,
+                                        const std::vector<PartState>& path);
+
+/// For each obstacle that reaches into the part at the problem's start, where it reaches deepest.
+std::vector<FoundOverlap> overlapsAtStart(const Problem& problem);
+
+/// Prints a row for each, a few at most; none when there is none.
+void printOverlaps(const std::vector<FoundOverlap>& overlaps);
+
+/// Three digits, because a depth is known to 1 %.
+std::string depthText(double depth);
+
+/// "0.0312 deep, at (1, 2, 3), triangle 17 of 'bolt'"
+std::string describe(const FoundOverlap& found);
+
+}  // namespace clearway::cli

@@ -1,0 +1,70 @@
+#include "clearway/overlap.h"
+
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+
+#include "support/oracle.h"
+#include "support/random_meshes.h"
+#include "support/winding.h"
+
+namespace clearway::testing {
+namespace {
+
+double depthOf(const Mesh& part, const Vector3& point) {
+    Mesh one;
+    one.vertices = {point};
+    one.triangles = {{0, 0, 0}};
+    const Component all{"", 0, static_cast<std::uint32_t>(part.triangles.size())};
+    if (std::abs(windingBySolidAngles(part, all, point)) < 0.5) return 0;
+    return bruteForceDistance(one, part, {}).distance;
+}
+
+BOOST_AUTO_TEST_CASE(a_corner_that_reaches_into_a_box_is_as_deep_as_it_is) {
+    const OverlapMeter meter(box({5, 5, 5}));
+    const Mesh block = transformed(box({2, 2, 2}), {Matrix3::Identity(), {6, 0, 0}});
+    const DeepestPoint found = meter.deepest(block, {});
+    BOOST_TEST(found.lower <= 1);
+    BOOST_TEST(found.upper >= 1);
+    BOOST_TEST(found.upper <= found.lower * 1.01 + 0.002);
+    BOOST_TEST(found.point.x() == 4, boost::test_tools::tolerance(1e-9));
+    BOOST_TEST(found.obstacleTriangle >= 0);
+}
+
+BOOST_AUTO_TEST_CASE(what_is_outside_or_only_touches_has_no_depth_of_interest) {
+    const OverlapMeter meter(box({5, 5, 5}));
+    BOOST_TEST(meter.deepest(transformed(box({1, 1, 1}), {Matrix3::Identity(), {9, 0, 0}}), {}).upper == 0);
+    const DeepestPoint touching =
+        meter.deepest(transformed(box({1, 1, 1}), {Matrix3::Identity(), {6, 0, 0}}), {});
+    BOOST_TEST(touching.lower <= 1e-9);
+    BOOST_TEST(touching.upper < 0.002);
+}
+
+BOOST_AUTO_TEST_CASE(the_deepest_point_is_within_its_bounds_at_random_poses) {
+    Random random(5);
+    const Mesh part = torus(4, 1.5, 10), obstacle = box({1, 2, 3}, 2);
+    const OverlapMeter meter(part);
+    int reaching = 0;
+    for (int n = 0; n < 40; ++n) {
+        const Pose X = random.pose(4);
+        const DeepestPoint found = meter.deepest(obstacle, X);
+        const Mesh seen = transformed(obstacle, inverse(X));
+        if (found.obstacleTriangle >= 0) {
+            ++reaching;
+            BOOST_TEST(depthOf(part, inverse(X) * found.point) == found.lower,
+                       boost::test_tools::tolerance(1e-6));
+            BOOST_TEST(found.upper <= 1.01 * found.lower + 2e-3);
+        }
+        for (int k = 0; k < 100; ++k) {
+            const auto& t = seen.triangles[std::size_t(random.below(int(seen.triangles.size())))];
+            double u = random.uniform(0, 1), v = random.uniform(0, 1);
+            if (u + v > 1) u = 1 - u, v = 1 - v;
+            const Vector3 p =
+                (1 - u - v) * seen.vertices[t[0]] + u * seen.vertices[t[1]] + v * seen.vertices[t[2]];
+            BOOST_REQUIRE(depthOf(part, p) <= found.upper + 1e-9);
+        }
+    }
+    BOOST_TEST(reaching > 10);
+}
+
+}  // namespace
+}  // namespace clearway::testing

@@ -1,0 +1,281 @@
+// Shrunk parts against depths found by brute force.
+#include "clearway/shrink.h"
+
+#include <boost/test/unit_test.hpp>
+#include <functional>
+#include <stdexcept>
+
+#include "mesh/topology.h"
+#include "model/solids.h"
+#include "shrink/surface_depth.h"
+#include "support/full_run.h"
+#include "support/oracle.h"
+#include "support/random_meshes.h"
+#include "support/winding.h"
+
+namespace clearway::testing {
+namespace {
+
+Mesh named(Mesh mesh, const std::string& name) {
+    mesh.components = {{name, 0, static_cast<std::uint32_t>(mesh.triangles.size())}};
+    return mesh;
+}
+
+/// Both meshes, with their components.
+Mesh both(const Mesh& a, const Mesh& b) {
+    Mesh mesh = joined(a, b);
+    mesh.components = a.components;
+    for (Component component : b.components) {
+        component.firstTriangle += static_cast<std::uint32_t>(a.triangles.size());
+        mesh.components.push_back(component);
+    }
+    return mesh;
+}
+
+Mesh at(const Mesh& mesh, const Vector3& place) {
+    return transformed(mesh, {Matrix3::Identity(), place});
+}
+
+/// How deep a point lies below the surface of a part whose triangles all face one way, by brute force.
+double depthOf(const Mesh& part, const Vector3& point) {
+    Mesh one;
+    one.vertices = {point};
+    one.triangles = {{0, 0, 0}};
+    const double length = bruteForceDistance(one, part, {}).distance;
+    const Component all{"", 0, static_cast<std::uint32_t>(part.triangles.size())};
+    return std::abs(windingBySolidAngles(part, all, point)) > 0.5 ? length : -length;
+}
+
+bool isIn(const Mesh& mesh, const Vector3& point) {
+    return Solid(mesh, "shrunk").winding({}, {}, point) > 0;
+}
+
+/// Checks what ShrunkPart promises: on its surface, and at points drawn in the part's box.
+void checkShrunk(const Mesh& part, const ShrinkOptions& options, int draws = 150) {
+    const ShrunkPart shrunk = shrink(part, options);
+    const double least = options.overlap, most = options.overlap + options.tolerance;
+    const double rounding = 1e-9 * boundingBox(part).diagonal().norm();
+    Random random(7);
+    for (int n = 0; n < draws; ++n) {
+        const auto& t = shrunk.mesh.triangles[std::size_t(random.below(int(shrunk.mesh.triangles.size())))];
+        double u = random.uniform(0, 1), v = random.uniform(0, 1);
+        if (u + v > 1) u = 1 - u, v = 1 - v;
+        const auto& vertices = shrunk.mesh.vertices;
+        const Vector3 p = (1 - u - v) * vertices[t[0]] + u * vertices[t[1]] + v * vertices[t[2]];
+        const double depth = depthOf(part, p);
+        BOOST_REQUIRE(depth > least - rounding);
+        BOOST_REQUIRE(depth < most + rounding);
+    }
+    const Solid solid(shrunk.mesh, "shrunk");
+    const Box box = boundingBox(part);
+    int inside = 0;
+    for (int n = 0; n < draws; ++n) {
+        const auto& t = shrunk.mesh.triangles[std::size_t(random.below(int(shrunk.mesh.triangles.size())))];
+        const bool isNear = n % 2 == 0;
+        const Vector3 p = isNear ? Vector3(shrunk.mesh.vertices[t[0]] + 2 * most * random.inBox(1))
+                                 : Vector3(box.center() + random.inBox(0.5).cwiseProduct(box.sizes()));
+        const double depth = depthOf(part, p);
+        const bool isInside = solid.winding({}, {}, p) > 0;
+        inside += isInside;
+        if (depth > most + rounding) BOOST_REQUIRE(isInside);
+        if (depth < least - rounding) BOOST_REQUIRE(!isInside);
+    }
+    BOOST_REQUIRE(shrunk.partTriangles.size() == shrunk.mesh.triangles.size());
+    BOOST_TEST(inside > 0);
+    BOOST_TEST(inside < draws);
+}
+
+std::string refusal(const Mesh& part, const ShrinkOptions& options) {
+    try {
+        shrink(part, options);
+    } catch (const std::invalid_argument& error) {
+        return error.what();
+    }
+    return "";
+}
+
+BOOST_AUTO_TEST_CASE(a_box_shrinks_to_a_box) {
+    const ShrunkPart shrunk = shrink(box({3, 2, 1}), {0.25, 0.05});
+    const Box left = boundingBox(shrunk.mesh);
+    for (int axis = 0; axis < 3; ++axis) {
+        const double half = axis == 0 ? 3 : axis == 1 ? 2 : 1;
+        BOOST_TEST(left.max()[axis] <= half - 0.25);
+        BOOST_TEST(left.max()[axis] >= half - 0.30);
+        BOOST_TEST(left.min()[axis] == -left.max()[axis], boost::test_tools::tolerance(0.03));
+    }
+    BOOST_TEST(shrunk.leftOut.empty());
+    BOOST_TEST(shrunk.mesh.triangles.size() < 20000u);
+}
+
+BOOST_AUTO_TEST_CASE(every_point_of_a_shrunk_part_is_as_deep_as_promised) {
+    checkShrunk(box({3, 2, 1}, 3), {0.25, 0.05});
+    checkShrunk(tube(2, 3, 6, 12), {0.2, 0.2});
+    checkShrunk(sphere(2, 8), {0.5, 0.1});
+    checkShrunk(torus(4, 1, 8), {0.3, 0.15});
+    checkShrunk(at(box({3, 2, 1}), {1e4, -2e4, 3e4}), {0.25, 0.1});  // far from the origin
+    checkShrunk(box({0.02, 1, 1}), {0.01, 0.005});                   // a thin sheet
+    checkShrunk(box({0.05, 0.05, 1}), {0.02, 0.01});                 // a needle
+    checkShrunk(box({1e-5, 2e-5, 3e-5}), {1e-6, 1e-6});              // units do not matter
+    checkShrunk(box({1e7, 2e7, 3e7}), {1e6, 1e6});
+    if (!isFullRun()) return;
+    checkShrunk(tube(2, 3, 6, 24), {0.2, 0.02});
+    checkShrunk(sphere(2, 16), {0.5, 0.05});
+    checkShrunk(torus(4, 1, 12), {0.3, 0.03});
+    checkShrunk(tube(0.5, 0.52, 3, 16), {0.002, 0.002});
+}
+
+BOOST_AUTO_TEST_CASE(cavities_grow_and_pieces_stay_apart) {
+    const Mesh shell = joined(box({3, 3, 3}), reversed(box({2, 2, 2})));
+    Mesh one = shell;
+    one.components = {};
+    checkShrunk(one, {0.2, 0.1});
+    BOOST_TEST(shrink(one, {0.2, 0.1}).leftOut.empty());
+    const Mesh two = both(named(box({1, 1, 1}), "left"), named(at(box({1, 1, 1}), {3, 0, 0}), "right"));
+    const ShrunkPart shrunk = shrink(two, {0.2, 0.1});
+    BOOST_TEST(shrunk.leftOut.empty());
+    BOOST_TEST(isIn(shrunk.mesh, {0, 0, 0}));
+    BOOST_TEST(isIn(shrunk.mesh, {3, 0, 0}));
+    BOOST_TEST(!isIn(shrunk.mesh, {1.5, 0, 0}));
+}
+
+BOOST_AUTO_TEST_CASE(a_part_that_faces_inwards_shrinks_alike) {
+    const ShrunkPart shrunk = shrink(reversed(box({3, 2, 1})), {0.25, 0.05});
+    BOOST_TEST(isIn(shrunk.mesh, {0, 0, 0}));
+    BOOST_TEST(boundingBox(shrunk.mesh).max().x() < 2.751);
+}
+
+BOOST_AUTO_TEST_CASE(threads_and_scenes_shrink_as_promised) {
+    for (const char* name : {"bracket/bracket.stl", "puzzle/puzzle_part.obj"}) {
+        const Mesh part = loadMesh(std::string(CLEARWAY_DATA_DIR) + "/" + name);
+        const double diagonal = boundingBox(part).diagonal().norm();
+        checkShrunk(part, {0.008 * diagonal, 0.008 * diagonal}, 60);
+        if (isFullRun()) checkShrunk(part, {0.002 * diagonal, 0.0004 * diagonal}, 60);
+    }
+}
+
+/// Two thick blocks with a web between them, in one surface: a prism whose outline is an H on its side.
+Mesh blocksWithWeb(double webThickness) {
+    const double w = 0.5 * webThickness;
+    const std::vector<Eigen::Vector2d> outline{{-3, -1}, {-1, -1}, {-1, -w}, {1, -w}, {1, -1}, {3, -1},
+                                               {3, 1},   {1, 1},   {1, w},   {-1, w}, {-1, 1}, {-3, 1}};
+    Mesh mesh;
+    for (const double z : {-1.0, 1.0}) {
+        for (const auto& p : outline) mesh.vertices.push_back({p.x(), p.y(), z});
+    }
+    const std::uint32_t n = 12;
+    for (std::uint32_t k = 0; k < n; ++k) {
+        const std::uint32_t next = (k + 1) % n;
+        mesh.triangles.push_back({k, next, n + next});
+        mesh.triangles.push_back({k, n + next, n + k});
+    }
+    const auto quad = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
+        mesh.triangles.push_back({a, c, b});
+        mesh.triangles.push_back({a, d, c});
+        mesh.triangles.push_back({n + a, n + b, n + c});
+        mesh.triangles.push_back({n + a, n + c, n + d});
+    };
+    quad(0, 1, 2, 11), quad(11, 2, 9, 10), quad(2, 3, 8, 9), quad(3, 4, 5, 8), quad(5, 6, 7, 8);
+    // The outline's corners 2 and 9 split block sides, so that no edge has a corner within it.
+    mesh.triangles.erase(mesh.triangles.end() - 20, mesh.triangles.end());
+    const auto fan = [&](const std::vector<std::uint32_t>& corners) {
+        for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
+            mesh.triangles.push_back({corners[0], corners[i + 1], corners[i]});
+            mesh.triangles.push_back({n + corners[0], n + corners[i], n + corners[i + 1]});
+        }
+    };
+    fan({0, 1, 2, 9, 10, 11});
+    fan({2, 3, 8, 9});
+    fan({5, 6, 7, 8, 3, 4});
+    return named(mesh, "blocks");
+}
+
+BOOST_AUTO_TEST_CASE(what_shrinking_leaves_out_is_named) {
+    const ShrinkOptions options{0.2, 0.05};
+    BOOST_TEST(shrink(blocksWithWeb(1), options).leftOut.empty());
+    const std::vector<std::string> cut = shrink(blocksWithWeb(0.3), options).leftOut;
+    BOOST_REQUIRE(!cut.empty());
+    BOOST_TEST(cut[0] == "'blocks' has 1 piece and 2 after shrinking");
+    const Mesh pinAndBlock =
+        both(named(box({2, 2, 2}), "block"), named(at(box({0.1, 0.1, 1}), {5, 0, 0}), "pin"));
+    const std::vector<std::string> lost = shrink(pinAndBlock, options).leftOut;
+    BOOST_REQUIRE(lost.size() == 1u);
+    BOOST_TEST(lost[0] == "nothing is left of 'pin'");
+}
+
+BOOST_AUTO_TEST_CASE(a_thin_fin_is_named_with_its_place) {
+    // A tube's rim stands for a fin: the wall between z = 3 and z = 6 is thin.
+    Mesh mesh;
+    const double thick = 1, thin = 0.1;
+    const auto ring = [&](double half, double z) {
+        for (const auto& [x, y] : {std::pair{-half, -1.0}, {half, -1.0}, {half, 1.0}, {-half, 1.0}}) {
+            mesh.vertices.push_back({x, y, z});
+        }
+    };
+    ring(thick, 0), ring(thick, 2), ring(thin, 2), ring(thin, 5);
+    for (std::uint32_t level = 0; level < 3; ++level) {
+        for (std::uint32_t k = 0; k < 4; ++k) {
+            const std::uint32_t a = 4 * level + k, b = 4 * level + (k + 1) % 4;
+            mesh.triangles.push_back({a, b, b + 4});
+            mesh.triangles.push_back({a, b + 4, a + 4});
+        }
+    }
+    mesh.triangles.push_back({0, 2, 1});
+    mesh.triangles.push_back({0, 3, 2});
+    mesh.triangles.push_back({12, 13, 14});
+    mesh.triangles.push_back({12, 14, 15});
+    const ShrunkPart shrunk = shrink(named(mesh, "finned"), {0.2, 0.05});
+    BOOST_REQUIRE(shrunk.leftOut.size() == 1u);
+    BOOST_TEST(shrunk.leftOut[0].find("'finned' is too thin at (") == 0u);
+}
+
+BOOST_AUTO_TEST_CASE(parts_without_an_inside_and_wrong_lengths_are_refused) {
+    const auto has = [](const std::string& text, const char* words) {
+        return text.find(words) != std::string::npos;
+    };
+    Mesh open = named(box({1, 1, 1}), "lid");
+    open.triangles.pop_back();
+    open.components[0].triangleCount = 11;
+    BOOST_TEST(has(refusal(open, {0.1, 0.1}), "'lid' encloses nothing: 3 open edges"));
+    const Mesh touching = both(named(box({1, 1, 1}), "a"), named(at(box({1, 1, 1}), {2, 0, 0}), "b"));
+    BOOST_TEST(has(refusal(touching, {0.1, 0.1}), "the components 'a' and 'b' touch or lie in each other"));
+    const Mesh nested = both(named(box({3, 3, 3}), "a"), named(box({1, 1, 1}), "b"));
+    BOOST_TEST(has(refusal(nested, {0.1, 0.1}), "the components 'a' and 'b' touch or lie in each other"));
+    const Mesh pierced = joined(named(box({3, 3, 3}), "a"), at(box({1, 1, 4}), {0, 0, 2}));
+    BOOST_TEST(has(refusal(named(pierced, "p"), {0.1, 0.1}), "two pieces of 'p' touch or lie in each other"));
+    const Mesh lain = joined(box({3, 3, 3}), box({1, 1, 1}));
+    BOOST_TEST(has(refusal(named(lain, "p"), {0.1, 0.1}), "two pieces of 'p' touch or lie in each other"));
+    Mesh crossed = named(box({1, 1, 1}, 4), "p");  // one corner of the lattice pulled through the far side
+    for (Vector3& v : crossed.vertices) {
+        if (v == Vector3(1, 0, 0)) v.x() = -3;
+    }
+    BOOST_TEST(has(refusal(crossed, {0.1, 0.1}), "passes through itself"));
+    BOOST_TEST(has(refusal(box({1, 1, 1}), {1.5, 0.1}), "nothing of the part lies that deep"));
+    BOOST_TEST(has(refusal(box({1, 1, 1}), {0, 0.1}), "overlap is 0, expected a finite number above 0"));
+    BOOST_TEST(has(refusal(box({1, 1, 1}), {0.1, -1}), "overlap.tolerance is -1, expected"));
+}
+
+BOOST_AUTO_TEST_CASE(a_shrunk_part_is_the_same_each_time) {
+    const Mesh part = torus(4, 1, 8);
+    const ShrunkPart a = shrink(part, {0.3, 0.2}), b = shrink(part, {0.3, 0.2});
+    BOOST_TEST((a.mesh.triangles == b.mesh.triangles));
+    BOOST_TEST((a.mesh.vertices == b.mesh.vertices));
+}
+
+BOOST_AUTO_TEST_CASE(depths_are_those_of_brute_force) {
+    Random random(11);
+    Workspace workspace;
+    for (const Mesh& part : {box({1, 2, 3}), torus(4, 1, 8), tube(1, 2, 3, 9), reversed(sphere(2, 8))}) {
+        const SurfaceDepth surface(part);
+        const double half = 1.2 * boundingBox(part).max().maxCoeff();
+        for (int n = 0; n < 200; ++n) {
+            const Vector3 p = random.inBox(half);
+            const SurfaceDepth::Place found = surface.at(p, workspace);
+            BOOST_REQUIRE(std::abs(found.depth - depthOf(part, p)) < 1e-9);
+            BOOST_REQUIRE(std::abs(distanceToTriangle(p, surface.corners(found.triangle)) -
+                                   std::abs(found.depth)) < 1e-9);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace clearway::testing
