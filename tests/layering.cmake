@@ -14,8 +14,9 @@ set(build_may_include core mesh tree)
 set(exact_may_include core)
 set(query_may_include core tree kernels exact)
 set(model_may_include core mesh build tree query exact)
+set(shrink_may_include core mesh model)
 set(problem_may_include core mesh model)
-set(library core mesh tree build kernels exact query model problem)
+set(library core mesh tree build kernels exact query model shrink problem)
 
 # The rooms of planning, each above those it may include.
 set(planning/validity_may_include core model problem)

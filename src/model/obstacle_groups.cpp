@@ -23,7 +23,9 @@ struct Treatment {
     bool isSolid = false, isIgnoredAtStart = false, isIgnoredAtGoal = false, isIgnored = false;
     std::size_t apart = 0;  ///< a number of its own for a component that shares its group with no other one
 
-    auto key() const { return std::make_tuple(margin, overlap, isSolid, isIgnoredAtStart, isIgnoredAtGoal, apart); }
+    auto key() const {
+        return std::make_tuple(margin, overlap, isSolid, isIgnoredAtStart, isIgnoredAtGoal, apart);
+    }
 };
 
 void requireLength(const std::string& rule, double length) {
@@ -82,10 +84,10 @@ class Rules {
             const std::vector<std::size_t> members = names_.find(key, name);
             for (const std::size_t i : members) {
                 if (found[i] && found[i]->count == members.size() && found[i]->length != length) {
-                    throw std::invalid_argument("the " + rule + " of '" + names_.components()[i].name + "' is " +
-                                                shortNumber(found[i]->length) + " by " + rule + "." +
-                                                *found[i]->name + " and " + shortNumber(length) + " by " + key +
-                                                ", expected one");
+                    throw std::invalid_argument("the " + rule + " of '" + names_.components()[i].name +
+                                                "' is " + shortNumber(found[i]->length) + " by " + rule +
+                                                "." + *found[i]->name + " and " + shortNumber(length) +
+                                                " by " + key + ", expected one");
                 }
                 if (found[i] && found[i]->count < members.size()) continue;
                 found[i] = Length{members.size(), &name, length};
@@ -100,7 +102,8 @@ class Rules {
             if (treatment.isIgnored || !(treatment.margin > 0) || !(treatment.overlap > 0)) continue;
             throw std::invalid_argument("the obstacle '" + names_.components()[i].name + "' has the margin " +
                                         shortNumber(treatment.margin) + " and the overlap " +
-                                        shortNumber(treatment.overlap) + ", expected at least one of them to be 0");
+                                        shortNumber(treatment.overlap) +
+                                        ", expected at least one of them to be 0");
         }
     }
 
@@ -129,7 +132,8 @@ std::shared_ptr<const ShrunkModel> shrunkBy(double overlap,
     for (const auto& model : shrunk) {
         if (model->overlap == overlap) return model;
     }
-    throw std::invalid_argument("no shrunk part for the overlap " + shortNumber(overlap) + ", expected one for each");
+    throw std::invalid_argument("no shrunk part for the overlap " + shortNumber(overlap) +
+                                ", expected one for each");
 }
 
 /// The first triangle of each component in its own file.
@@ -212,7 +216,8 @@ ObstacleGroups groupObstacles(const std::vector<Mesh>& files, double margin, con
     for (const auto& [key, components] : members) {
         ObstacleGroup group;
         bool isSolid = false;
-        std::tie(group.margin, group.overlap, isSolid, group.isIgnoredAtStart, group.isIgnoredAtGoal, std::ignore) = key;
+        std::tie(group.margin, group.overlap, isSolid, group.isIgnoredAtStart, group.isIgnoredAtGoal,
+                 std::ignore) = key;
         const bool isAll = components.size() == applied.treatments().size();
         group.mesh = isAll ? all : meshOfComponents(all, components);
         if (group.mesh.triangles.empty()) continue;

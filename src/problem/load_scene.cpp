@@ -41,7 +41,8 @@ std::vector<ShrunkPart> shrinkPart(const Problem& problem, const Mesh& part, con
                                         ", expected a smaller overlap, or overlap.thin = allow, with which "
                                         "obstacles may pass through what is left out");
         }
-        for (const std::string& line : leftOut) notes.push_back(what + line + "; obstacles may pass through it");
+        for (const std::string& line : leftOut)
+            notes.push_back(what + line + "; obstacles may pass through it");
     }
     return all;
 }
@@ -65,8 +66,9 @@ LoadedScene loadScene(const Problem& problem, const BuildOptions& options, const
     for (const ShrunkPart& each : shrinkPart(problem, partMesh, obstacles, notes)) {
         shrunk.push_back(shrunkModel(each, loading.build(each.mesh, options, std::nullopt)));
     }
-    return {makeScene(part, partSolids, obstacles, problem.rules, poseOf(problem.start), poseOf(problem.goal),
-                      [&](const Mesh& mesh) { return loading.build(mesh, options, reach); }, shrunk),
+    return {makeScene(
+                part, partSolids, obstacles, problem.rules, poseOf(problem.start), poseOf(problem.goal),
+                [&](const Mesh& mesh) { return loading.build(mesh, options, reach); }, shrunk),
             notes};
 }
 

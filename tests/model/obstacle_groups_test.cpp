@@ -224,5 +224,27 @@ BOOST_AUTO_TEST_CASE(the_window_of_data_is_made_of_closed_boxes_that_face_outwar
     }
 }
 
+BOOST_AUTO_TEST_CASE(obstacles_are_grouped_by_overlap_and_made_solid) {
+    const Mesh mesh = file("car.glb", {"door", "floor/steel", "floor/rubber"});
+    ObstacleRules rules;
+    rules.overlap.common = 0.5;
+    rules.overlap.byName = {{"floor", 0.25}, {"floor/rubber", 0}};
+    const ObstacleGroups groups = groupObstacles({mesh}, 0, rules);
+    BOOST_TEST(groups.groups.size() == 3u);
+    BOOST_TEST(groupOf(groups, "door").overlap == 0.5);
+    BOOST_TEST(groupOf(groups, "floor/steel").overlap == 0.25);
+    BOOST_TEST(groupOf(groups, "floor/rubber").overlap == 0);
+    BOOST_TEST((groupOf(groups, "door").solids != nullptr));
+    BOOST_TEST((groupOf(groups, "floor/rubber").solids == nullptr));
+    BOOST_TEST(groups.overlaps() == (std::vector<double>{0.25, 0.5}), boost::test_tools::per_element());
+    rules.margins = {{"floor/steel", 2}};
+    BOOST_TEST(refusal({mesh}, rules) ==
+               "the obstacle 'door' has the margin 1 and the overlap 0.5, expected at "
+               "least one of them to be 0");
+    BOOST_CHECK_THROW(makeScene(Model::build(mesh), makeSolids(mesh).solids, groups, rules, {}, {},
+                                [](const Mesh& each) { return Model::build(each); }),
+                      std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace clearway::testing

@@ -146,5 +146,44 @@ BOOST_AUTO_TEST_CASE(names_that_no_file_can_hold_are_not_written) {
     BOOST_TEST(folder.names().empty());
 }
 
+BOOST_AUTO_TEST_CASE(overlaps_are_read_and_written_back) {
+    const TemporaryFolder folder;
+    const std::string keys =
+        "overlap = 0.5\noverlap.bolt = 0\noverlap.\"thin\" = 2\noverlap.\"a, b\" = 3\noverlap.tolerance = "
+        "0.25\n"
+        "overlap.thin = allow\n";
+    const Problem problem = read(folder, "w.stl", keys);
+    const OverlapRules& rules = problem.rules.overlap;
+    BOOST_TEST(rules.common == 0.5);
+    BOOST_TEST((rules.byName == std::map<std::string, double>{{"bolt", 0}, {"thin", 2}, {"a, b", 3}}));
+    BOOST_TEST(rules.tolerance.value() == 0.25);
+    BOOST_TEST(rules.isThinAllowed);
+    writeProblem(problem, folder.file("b.cfg"));
+    const OverlapRules back = readProblem(folder.file("b.cfg")).rules.overlap;
+    BOOST_TEST(back.common == rules.common);
+    BOOST_TEST((back.byName == rules.byName));
+    BOOST_TEST((back.tolerance == rules.tolerance));
+    BOOST_TEST(back.isThinAllowed);
+    const OverlapRules none = read(folder, "w.stl", "").rules.overlap;
+    BOOST_TEST(none.common == 0);
+    BOOST_TEST((none.byName.empty() && !none.tolerance && !none.isThinAllowed));
+}
+
+BOOST_AUTO_TEST_CASE(wrong_overlaps_are_refused_with_what_was_expected) {
+    const auto has = [](const std::string& text, const char* words) {
+        return text.find(words) != std::string::npos;
+    };
+    BOOST_TEST(has(refusal("overlap = -1\n"), "overlap is '-1', expected a number of at least 0"));
+    BOOST_TEST(has(refusal("overlap.a = x\n"), "overlap.a is 'x', expected a"));
+    BOOST_TEST(has(refusal("overlap.a = -2\n"), "expected a number of at least 0"));
+    BOOST_TEST(has(refusal("overlap.tolerance = 0\n"), "expected a number above 0"));
+    BOOST_TEST(has(refusal("overlap.thin = 3\n"), "overlap.thin is '3', expected allow"));
+    BOOST_TEST(has(refusal("overlap.a,b = 1\n"), "overlap.NAME = X with each name once"));
+    Problem problem;
+    problem.rules.overlap.common = -1;
+    const TemporaryFolder folder;
+    BOOST_CHECK_THROW(writeProblem(problem, folder.file("c.cfg")), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace clearway::testing

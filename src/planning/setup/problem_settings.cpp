@@ -23,8 +23,10 @@ namespace {
 constexpr const char* kStart = "start";
 constexpr const char* kCollision = "in collision";
 constexpr const char* kCures =
-    "; if the parts are assembled so, [clearway] contact.start = NAME, D ignores an obstacle near the start, and "
-    "overlap = X lets obstacles reach a little way into the part (clearway info PROBLEM --lift tells how far)";
+    "; if the parts are assembled so, [clearway] contact.start = NAME, D ignores an obstacle near the start, "
+    "and "
+    "overlap = X lets obstacles reach a little way into the part (clearway info PROBLEM --lift tells how "
+    "far)";
 
 namespace ob = ompl::base;
 

@@ -118,10 +118,10 @@ bool SceneClearance::isFree(const Pose& X_environmentPart, Scratch& mine) const 
 bool SceneClearance::isFree(std::size_t i, const Pose& X_environmentPart, Scratch& scratch) const {
     const Obstacle& obstacle = scene_.obstacles[i];
     Workspace& workspace = scratch.workspaces[i];
-    const bool isBlocked =
-        obstacle.margin == 0
-            ? collides(scene_.partFor(obstacle), obstacle.model, X_environmentPart, workspace)
-            : isWithin(scene_.partFor(obstacle), obstacle.model, X_environmentPart, obstacle.margin, workspace);
+    const bool isBlocked = obstacle.margin == 0 ? collides(scene_.partFor(obstacle), obstacle.model,
+                                                           X_environmentPart, workspace)
+                                                : isWithin(scene_.partFor(obstacle), obstacle.model,
+                                                           X_environmentPart, obstacle.margin, workspace);
     ++tallyOfThisThread().withins;
     tallyOfThisThread().work += workspace.counters();
     return !isBlocked;

@@ -124,8 +124,9 @@ SceneSweep SceneClearance::sweep(const PartMotion& motion, const SceneSweepOptio
         asked.until = answer.certifiedUntil;
         asked.isContactAtEnd =
             answer.contactTime == asked.until || (options.isContactAtEnd && asked.until == options.until);
-        const SweepResult found = clearway::sweep(
-            scene_.partFor(obstacle), obstacle.model, piecesFor(i, motion, options.poseError), asked, mine.workspaces[i]);
+        const SweepResult found =
+            clearway::sweep(scene_.partFor(obstacle), obstacle.model, piecesFor(i, motion, options.poseError),
+                            asked, mine.workspaces[i]);
         ++answer.queries;
         ++tallyOfThisThread().sweeps;
         tallyOfThisThread().work += found.counters;
@@ -154,8 +155,9 @@ LeastClearance SceneClearance::leastClearance(const PartMotion& motion,
         const Obstacle& obstacle = scene_.obstacles[i];
         asked.margin = obstacle.margin;
         asked.cap = answer.upper;
-        const LeastDistance found = leastDistance(
-            scene_.partFor(obstacle), obstacle.model, piecesFor(i, motion, options.poseError), asked, mine.workspaces[i]);
+        const LeastDistance found =
+            leastDistance(scene_.partFor(obstacle), obstacle.model, piecesFor(i, motion, options.poseError),
+                          asked, mine.workspaces[i]);
         ++answer.queries;
         ++tallyOfThisThread().sweeps;
         tallyOfThisThread().work += found.counters;

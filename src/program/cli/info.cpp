@@ -19,7 +19,7 @@ namespace clearway::cli {
 namespace {
 
 constexpr int kMostDoublings = 8;
-constexpr double kLiftError = 0.02;      ///< of the least overlap that frees a start
+constexpr double kLiftError = 0.02;     ///< of the least overlap that frees a start
 constexpr double kLiftTolerance = 0.5;  ///< of the overlap, unless the problem states one
 
 Box inFileUnits(const Box& box, const MeshOrigin& origin) {
@@ -211,7 +211,8 @@ void describeLift(const std::string& file) {
         enough *= 2;
         why = whyStartIsInvalid(problem, enough);
     }
-    if (!why.empty()) throw std::invalid_argument("no overlap up to " + readable(enough) + " frees the start: " + why);
+    if (!why.empty())
+        throw std::invalid_argument("no overlap up to " + readable(enough) + " frees the start: " + why);
     while (least > 0 && enough - least > kLiftError * enough) {
         const double middle = 0.5 * (least + enough);
         (whyStartIsInvalid(problem, middle).empty() ? enough : least) = middle;
@@ -232,15 +233,17 @@ int info(const Arguments& arguments) {
         "surface is closed, the conversions on reading, the findings of cleaning, and the tree built.");
     line.argument("MESH|PROBLEM.cfg", to(file));
     line.option("--scale F", "factor for the coordinates of a mesh file (1)", positive(scale));
-    line.flag("--lift",
-              "tells how deep obstacles reach into the part at the problem's start, and the least overlap that "
-              "frees it",
-              isLift);
+    line.flag(
+        "--lift",
+        "tells how deep obstacles reach into the part at the problem's start, and the least overlap that "
+        "frees it",
+        isLift);
     addTreeOptions(line, tree);
     if (!line.parse(arguments)) return kDone;
 
     if (!boost::iends_with(file, ".cfg")) {
-        if (isLift) throw std::invalid_argument("--lift is given with the mesh '" + file + "', expected a problem");
+        if (isLift)
+            throw std::invalid_argument("--lift is given with the mesh '" + file + "', expected a problem");
         LoadOptions load;
         load.scale = scale.value_or(1);
         describeMesh(guardedLoadMesh(file, load), "as stored", tree);

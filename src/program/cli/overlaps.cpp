@@ -14,7 +14,7 @@
 namespace clearway::cli {
 namespace {
 
-constexpr std::size_t kPoses = 41;        ///< along a path
+constexpr std::size_t kPoses = 41;  ///< along a path
 constexpr std::size_t kMostRows = 5;
 constexpr double kShareOfInterest = 0.1;  ///< of the allowed overlap: depths that differ by less are alike
 
@@ -57,9 +57,8 @@ std::vector<FoundOverlap> findOverlaps(const Mesh& part, const std::vector<Mesh>
         }
         if (found.deepest.obstacleTriangle >= 0) all.push_back(found);
     }
-    std::sort(all.begin(), all.end(), [](const FoundOverlap& a, const FoundOverlap& b) {
-        return a.deepest.lower > b.deepest.lower;
-    });
+    std::sort(all.begin(), all.end(),
+              [](const FoundOverlap& a, const FoundOverlap& b) { return a.deepest.lower > b.deepest.lower; });
     return all;
 }
 
@@ -92,9 +91,11 @@ std::vector<FoundOverlap> overlapsAtStart(const Problem& problem) {
 
 void printOverlaps(const std::vector<FoundOverlap>& overlaps) {
     for (std::size_t i = 0; i < overlaps.size() && i < kMostRows; ++i) {
-        printRow(i == 0 ? "overlap" : "", describe(overlaps[i]) + ", at " + readable(overlaps[i].share) + " of the path");
+        printRow(i == 0 ? "overlap" : "",
+                 describe(overlaps[i]) + ", at " + readable(overlaps[i].share) + " of the path");
     }
-    if (overlaps.size() > kMostRows) printRow("", "and of " + std::to_string(overlaps.size() - kMostRows) + " more obstacles, less");
+    if (overlaps.size() > kMostRows)
+        printRow("", "and of " + std::to_string(overlaps.size() - kMostRows) + " more obstacles, less");
 }
 
 std::string depthText(double depth) {

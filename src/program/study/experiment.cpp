@@ -154,7 +154,8 @@ Scene buildScene(const StudyProblem& study, const Engine& engine, const std::str
     }
     return makeScene(
         part, study.partSolids, study.obstacles, study.problem.rules, poseOf(study.problem.start),
-        poseOf(study.problem.goal), [&](const Mesh& mesh) { return build(mesh, engine, cache, reach); }, shrunk);
+        poseOf(study.problem.goal), [&](const Mesh& mesh) { return build(mesh, engine, cache, reach); },
+        shrunk);
 }
 
 TimeLeft::TimeLeft(std::size_t pieces, double mostEach)

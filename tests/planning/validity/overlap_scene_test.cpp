@@ -1,0 +1,117 @@
+// Scenes in which obstacles may reach a little way into the part: poses, motions and words agree with depths.
+#include <boost/test/unit_test.hpp>
+
+#include "clearway/overlap.h"
+#include "clearway/shrink.h"
+#include "support/part_in_space.h"
+#include "support/random_meshes.h"
+
+namespace clearway::testing {
+namespace {
+
+using planning::MotionReport;
+using planning::MotionVerdict;
+
+constexpr double kOverlap = 0.5, kTolerance = 0.1;
+
+Mesh at(const Mesh& mesh, const Vector3& place) {
+    return transformed(mesh, {Matrix3::Identity(), place});
+}
+
+Mesh named(Mesh mesh, const std::string& name) {
+    mesh.components = {{name, 0, static_cast<std::uint32_t>(mesh.triangles.size())}};
+    return mesh;
+}
+
+Scene overlapScene(const Mesh& part, const Mesh& obstacle) {
+    const ShrunkPart shrunk = shrink(part, {kOverlap, kTolerance});
+    Scene scene(Model::build(part), Model::build(obstacle));
+    scene.obstacles[0].solids = makeSolids(obstacle).solids;
+    scene.obstacles[0].shrunk = shrunkModel(shrunk, Model::build(shrunk.mesh));
+    return scene;
+}
+
+BOOST_AUTO_TEST_CASE(a_part_may_sink_into_a_floor_as_deep_as_the_overlap) {
+    const Mesh part = named(box({2, 2, 2}), "part"), floor = named(at(box({20, 20, 5}), {0, 0, -5}), "floor");
+    const PartInSpace space(overlapScene(part, floor));
+    for (const double sunk : {-3.0, 0.0, 0.3, 0.5}) BOOST_TEST(space.isValid({1, 2, 2 - sunk}));
+    for (const double sunk : {0.61, 1.0, 3.0}) BOOST_TEST(!space.isValid({1, 2, 2 - sunk}));
+    BOOST_TEST(!space.isValid({0, 0, -5}));  // all of it within the floor
+    BOOST_TEST(space.checker->clearance(space.at({0, 0, 1.7}).get()) > 0.2 - 1e-9);
+    BOOST_TEST(space.checker->clearance(space.at({0, 0, 1.7}).get()) < 0.3 + 1e-9);
+    BOOST_TEST(space.checker->clearance(space.at({0, 0, 1}).get()) <= 0);
+    BOOST_TEST(space.check({-5, 0, 1.6}, {5, 3, 1.7}));
+    BOOST_TEST(!space.check({-5, 0, 1.6}, {5, 3, 1}));
+    BOOST_TEST(!space.check({0, 0, 3}, {0, 0, -13}));
+    const MotionReport report =
+        space.validator->report(space.at({-5, 0, 1.6}).get(), space.at({5, 3, 1.7}).get());
+    BOOST_TEST((report.verdict == MotionVerdict::kValid));
+    BOOST_TEST(report.lowerClearance > 0);
+    const std::string why = space.checker->whyInvalid(space.at({0, 0, 1}).get());
+    BOOST_TEST(
+        why.find("in collision: the environment's mesh 'floor' reaches more than 0.5 below the surface of "
+                 "the part's mesh 'part', at triangle ") == 0u,
+        why);
+    const std::string within = space.checker->whyInvalid(space.at({0, 0, -5}).get());
+    BOOST_TEST(within.find("is inside the solid 'floor'") != std::string::npos, within);
+}
+
+BOOST_AUTO_TEST_CASE(an_obstacle_within_the_part_is_invalid_even_when_it_is_open) {
+    Mesh sheet = named(box({1, 1, 0.01}), "sheet");
+    sheet.triangles.resize(2);
+    sheet.components[0].triangleCount = 2;
+    const PartInSpace space(overlapScene(named(box({4, 4, 4}), "part"), sheet));
+    BOOST_TEST(!space.isValid({0, 0, 0}));
+    BOOST_TEST(space.isValid({5, 0, 0}) == space.isValid({-5, 0, 0}));
+    BOOST_TEST(space.isValid({0, 0, 3.7}));   // 0.3 deep
+    BOOST_TEST(!space.isValid({0, 0, 3.3}));  // 0.7 deep
+}
+
+BOOST_AUTO_TEST_CASE(poses_and_motions_agree_with_depths) {
+    Random random(3);
+    const Mesh part = torus(5, 2, 8), obstacle = box({1, 2, 6}, 2);
+    const PartInSpace space(overlapScene(part, obstacle));
+    const OverlapMeter meter(part);
+    int shallow = 0, deep = 0, certified = 0;
+    for (int n = 0; n < 150; ++n) {
+        const Pose X = random.pose(7);
+        PartState state;
+        state.position = X.translation;
+        state.rotation = Eigen::Quaterniond(X.rotation);
+        const DeepestPoint found = meter.deepest(obstacle, poseOf(state));
+        const bool isValid = space.checker->isValid(space.at(state).get());
+        if (found.lower > kOverlap + kTolerance) {
+            ++deep;
+            BOOST_REQUIRE(!isValid);
+        }
+        if (found.upper < kOverlap && found.upper > 0) {
+            ++shallow;
+            BOOST_REQUIRE(isValid);  // the obstacle is longer than the part, and the part than the obstacle
+        }
+        PartState next = state;
+        next.position += 2 * random.inBox(1);
+        const auto a = space.at(state), b = space.at(next);
+        if (!space.validator->checkMotion(a.get(), b.get())) continue;
+        ++certified;
+        auto between = space.at(state);
+        for (int k = 0; k <= 20; ++k) {
+            space.space->interpolate(a.get(), b.get(), k / 20.0, between.get());
+            const DeepestPoint there = meter.deepest(obstacle, poseOf(space.stateOf(between.get())));
+            BOOST_REQUIRE(there.lower <= kOverlap + kTolerance);
+        }
+    }
+    BOOST_TEST(shallow > 3);
+    BOOST_TEST(deep > 20);
+    BOOST_TEST(certified > 20);
+}
+
+BOOST_AUTO_TEST_CASE(an_overlap_with_a_margin_is_refused) {
+    Scene scene = overlapScene(box({2, 2, 2}), box({1, 1, 1}));
+    scene.obstacles[0].margin = 1;
+    BOOST_CHECK_EXCEPTION(PartInSpace{scene}, std::invalid_argument, [](const auto& error) {
+        return std::string(error.what()) == "margin is 1 for an overlap of 0.5, expected a margin of 0";
+    });
+}
+
+}  // namespace
+}  // namespace clearway::testing

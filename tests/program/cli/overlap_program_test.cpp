@@ -1,0 +1,107 @@
+// The program on a part that sits a little way in its floor: how deep, the least overlap that frees it, and a way out.
+#include "clearway/problem.h"
+#include "program/cli/run_program.h"
+#include "support/random_meshes.h"
+
+namespace clearway::testing {
+namespace {
+
+Mesh named(Mesh mesh, const std::string& name) {
+    mesh.components = {{name, 0, static_cast<std::uint32_t>(mesh.triangles.size())}};
+    return mesh;
+}
+
+/// A block that sits 0.3 deep in a floor.
+struct SunkFolder : TemporaryFolder {
+    SunkFolder() {
+        saveMesh(named(box({2, 2, 2}), "block"), file("block.obj"));
+        saveMesh(named(transformed(box({6, 6, 1}), {Matrix3::Identity(), {0, 0, -1}}), "floor"),
+                 file("floor.obj"));
+        saveMesh(named(box({2, 2, 0.1}), "plate"), file("plate.obj"));
+    }
+    std::string problem(const std::string& keys, const std::string& part = "block.obj",
+                        double z = 1.7) const {
+        write("p.cfg",
+              "[problem]\nrobot = " + part +
+                  "\nworld = floor.obj\nstart.x = 0\nstart.y = 0\nstart.z = " + std::to_string(z) +
+                  "\nstart.axis.x = 0\nstart.axis.y = 0\nstart.axis.z = 1\nstart.theta = 0\n[clearway]\n"
+                  "reading = stored\ngoal = outside\noutside = +z\n" +
+                  keys);
+        return "p.cfg";
+    }
+};
+
+BOOST_AUTO_TEST_CASE(a_sunk_start_names_both_cures_and_info_tells_how_deep) {
+    const SunkFolder folder;
+    folder.problem("");
+    const Outcome refused = runIn(folder, "plan p.cfg --path o.path");
+    BOOST_TEST(refused.code == 2);
+    BOOST_TEST(refused.err.find("start is in collision: ") != std::string::npos, refused.err);
+    BOOST_TEST(refused.err.find("contact.start = NAME, D") != std::string::npos, refused.err);
+    BOOST_TEST(refused.err.find("overlap = X") != std::string::npos, refused.err);
+    const Outcome lifted = runIn(folder, "info p.cfg --lift");
+    BOOST_TEST(lifted.code == 0, lifted.err);
+    BOOST_TEST(row(lifted, "floor").find("0.3 deep, at (") == 0u, lifted.out);
+    const std::string lift = row(lifted, "lift");
+    BOOST_TEST(lift.find("overlap = 0.30") == 0u, lift);
+    folder.problem("", "block.obj", 3);
+    BOOST_TEST(row(runIn(folder, "info p.cfg --lift"), "start") == "no obstacle reaches into the part");
+    BOOST_TEST(runIn(folder, "info block.obj --lift").code == 2);
+}
+
+BOOST_AUTO_TEST_CASE(a_sunk_part_is_planned_checked_and_drawn_with_its_overlap) {
+    const SunkFolder folder;
+    folder.problem("overlap = 0.35\n");
+    const Outcome planned = runIn(folder, "plan p.cfg --quick --path o.path --report o.html");
+    BOOST_TEST(planned.code == 0, planned.err);
+    BOOST_TEST(row(planned, "overlap").find("0.3 deep, at (") == 0u, planned.out);
+    BOOST_TEST(readText(folder.file("o.html")).find("Overlaps, where they are deepest") != std::string::npos);
+    const Outcome checked = runIn(folder, "check p.cfg o.path");
+    BOOST_TEST(checked.code == 0, checked.err);
+    BOOST_TEST(row(checked, "overlap").find("of 'floor', at 0 of the path") != std::string::npos,
+               checked.out);
+    const Outcome drawn = runIn(folder, "render p.cfg o.path --out o.png --size 64x64 --samples 1");
+    BOOST_TEST(drawn.code == 0, drawn.err);
+    BOOST_TEST(row(drawn, "overlap").find("0.3 deep") == 0u);
+    folder.problem("overlap = 0.2\n");
+    const Outcome deeper = runIn(folder, "check p.cfg o.path");
+    BOOST_TEST(deeper.code == 1);
+    BOOST_TEST(deeper.out.find("reaches more than 0.2 below the surface") != std::string::npos, deeper.out);
+    folder.problem("overlap.floor = 0.35\noverlap.tolerance = 0.1\n");
+    BOOST_TEST(runIn(folder, "check p.cfg o.path").code == 0);
+}
+
+BOOST_AUTO_TEST_CASE(what_an_overlap_would_leave_out_is_refused_unless_allowed) {
+    const SunkFolder folder;
+    folder.problem("overlap = 0.2\n", "plate.obj");
+    const Outcome nothing = runIn(folder, "plan p.cfg --path o.path");
+    BOOST_TEST(nothing.code == 2);
+    BOOST_TEST(nothing.err.find("p.cfg: [clearway] overlap is 0.2, and nothing of the part lies that deep") !=
+                   std::string::npos,
+               nothing.err);
+    Mesh two = joined(box({2, 2, 2}), transformed(box({0.1, 0.1, 0.1}), {Matrix3::Identity(), {4, 0, 0}}));
+    two.components = {{"block", 0, 12}, {"crumb", 12, 12}};
+    saveMesh(two, folder.file("two.obj"));
+    folder.problem("overlap = 0.35\n", "two.obj");
+    const Outcome crumb = runIn(folder, "plan p.cfg --path o.path");
+    BOOST_TEST(crumb.code == 2);
+    BOOST_TEST(
+        crumb.err.find("nothing is left of 'crumb', expected a smaller overlap, or overlap.thin = allow") !=
+            std::string::npos,
+        crumb.err);
+    folder.problem("overlap = 0.35\noverlap.thin = allow\n", "two.obj");
+    const Outcome allowed = runIn(folder, "plan p.cfg --quick --path o.path");
+    BOOST_TEST(allowed.code == 0, allowed.err);
+    BOOST_TEST(
+        allowed.err.find("nothing is left of 'crumb'; obstacles may pass through it") != std::string::npos,
+        allowed.err);
+    folder.problem("overlap = 0.35\nmargin = 1\n");
+    const Outcome both = runIn(folder, "plan p.cfg --path o.path");
+    BOOST_TEST(both.code == 2);
+    BOOST_TEST(
+        both.err.find("the obstacle 'floor' has the margin 1 and the overlap 0.35") != std::string::npos,
+        both.err);
+}
+
+}  // namespace
+}  // namespace clearway::testing
