@@ -226,7 +226,8 @@ BOOST_AUTO_TEST_CASE(an_unknown_clearway_key_is_an_error_for_it_may_decide_what_
     BOOST_TEST(
         refusalOf(kSpatial + "[clearway]\nsolids = wall\n") ==
         ":20: [clearway] solids = 'wall' is an unknown key, expected one of contact.goal, contact.start, "
-        "goal, ignore, margin, margin.NAME, outside, reading, solid, step");
+        "goal, ignore, margin, margin.NAME, outside, overlap, overlap.NAME, overlap.thin, "
+        "overlap.tolerance, reading, solid, step");
     BOOST_TEST(refusalOf(kSpatial + "[Clearway]\nmargin = 2\n") ==
                ":20: the section is [Clearway], expected [clearway]");
 }

@@ -197,7 +197,9 @@ BOOST_AUTO_TEST_CASE(problems_with_wrong_values_are_refused) {
         "volume.max.x = 9\nvolume.max.y = 9\nvolume.max.z = 9\n",
         {"a.cfg", "start.x is 5", "from 6 to 9"});
     requireTailRefused("[clearway]\nsolids = wall\n",
-                       {"a.cfg:20", "solids", "margin.NAME, outside, reading, solid, step"});
+                       {"a.cfg:20", "solids",
+                        "margin.NAME, outside, overlap, overlap.NAME, overlap.thin, overlap.tolerance, "
+                        "reading, solid, step"});
     requireTailRefused("[clearway]\nmargin = -1\n", {"a.cfg:20", "margin", "'-1'", "at least 0"});
     requireTailRefused("what is this\n", {"a.cfg:19", "'what is this'", "key = value"});
 }
