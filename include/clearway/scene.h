@@ -58,8 +58,8 @@ struct Obstacle {
     bool isIgnoredAtGoal = false;   ///< while the part is within Scene::goalContact
 
     /// Stands for the part toward this obstacle: a pose is then invalid when the obstacle touches the shrunk
-    /// part or, with solids, one holds a piece of the other. Distances and clearances are the shrunk part's.
-    /// Null: the part itself. Not together with a margin above 0.
+    /// part or, with solids, one holds a piece of the other. Distances, clearances and the margin are the
+    /// shrunk part's. Null: the part itself.
     std::shared_ptr<const ShrunkModel> shrunk = nullptr;
 };
 

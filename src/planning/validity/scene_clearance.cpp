@@ -68,10 +68,6 @@ SceneClearance::SceneClearance(Scene scene)
             throw std::invalid_argument(
                 "an obstacle is solid and partSolids is null, expected makeSolids of the part's mesh");
         }
-        if (obstacle.shrunk && obstacle.margin > 0) {
-            throw std::invalid_argument("margin is " + shortNumber(obstacle.margin) + " for an overlap of " +
-                                        shortNumber(obstacle.shrunk->overlap) + ", expected a margin of 0");
-        }
         hasSolids_ = hasSolids_ || obstacle.solids;
         zones_->add(scene_, obstacle);
         // A query here refuses models that cannot be queried together, rather than later inside a planner.

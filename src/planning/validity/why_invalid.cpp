@@ -32,7 +32,8 @@ std::string describePair(const Scene& scene, const SceneDistance& nearest) {
     const double margin = marginOf(scene, nearest);
     const MeshNames names = meshNames(scene, nearest);
     std::ostringstream message;
-    if (const ShrunkModel* shrunk = shrunkFor(scene, nearest)) {
+    const ShrunkModel* shrunk = shrunkFor(scene, nearest);
+    if (shrunk && nearest.collides()) {
         message << "the environment's mesh '" << names.environment << "' reaches more than "
                 << shrunk->overlap << " below the surface of the part's mesh '" << names.part
                 << "', at triangle " << nearest.environmentTriangle << ", nearest to triangle "

@@ -95,7 +95,7 @@ void printOverlaps(const std::vector<FoundOverlap>& overlaps) {
                  describe(overlaps[i]) + ", at " + readable(overlaps[i].share) + " of the path");
     }
     if (overlaps.size() > kMostRows)
-        printRow("", "and of " + std::to_string(overlaps.size() - kMostRows) + " more obstacles, less");
+        printRow("overlap", "less in " + std::to_string(overlaps.size() - kMostRows) + " more obstacles");
 }
 
 std::string depthText(double depth) {

@@ -18,21 +18,30 @@ namespace {
 constexpr std::size_t kLabelWidth = 20;
 constexpr std::size_t kMostNames = 6;  // most names of obstacles in one row
 
-/// Prints a row about one group of obstacles.
-void printObstacle(const std::vector<Component>& components, std::size_t triangles, double margin,
-                   bool isSolid, bool atStart, bool atGoal) {
+/// A group of obstacles that count alike.
+struct ObstacleRow {
+    const std::vector<Component>& components;
+    std::size_t triangles;
+    double margin, overlap;
+    bool isSolid, atStart, atGoal;
+};
+
+void printObstacle(const ObstacleRow& row) {
     std::vector<std::string> names;
-    for (const Component& component : components) names.push_back("'" + component.name + "'");
+    for (const Component& component : row.components) names.push_back("'" + component.name + "'");
     const std::size_t shown = std::min(names.size(), kMostNames);
     const std::string more =
         shown < names.size() ? " and " + std::to_string(names.size() - shown) + " more" : "";
     names.resize(shown);
-    const char* const where = atStart && atGoal ? ", ignored near the start and the goal"
-                              : atStart         ? ", ignored near the start"
-                              : atGoal          ? ", ignored near the goal"
-                                                : "";
-    printRow("obstacle", joined(names) + more + ": " + counted(triangles, "triangle") + ", margin " +
-                             readable(margin) + (isSolid ? ", solid" : "") + where);
+    const char* const where = row.atStart && row.atGoal ? ", ignored near the start and the goal"
+                              : row.atStart             ? ", ignored near the start"
+                              : row.atGoal              ? ", ignored near the goal"
+                                                        : "";
+    const std::string rule = row.overlap > 0
+                                 ? "overlap " + readable(row.overlap)
+                                 : "margin " + readable(row.margin) + (row.isSolid ? ", solid" : "");
+    printRow("obstacle",
+             joined(names) + more + ": " + counted(row.triangles, "triangle") + ", " + rule + where);
 }
 
 }  // namespace
@@ -70,8 +79,9 @@ void printObstacles(const Scene& scene) {
     for (const Obstacle& obstacle : scene.obstacles) {
         printMesh("environment", obstacle.model);
         if (isPlain) continue;
-        printObstacle(obstacle.model.components(), obstacle.model.report().triangles, obstacle.margin,
-                      obstacle.solids != nullptr, obstacle.isIgnoredAtStart, obstacle.isIgnoredAtGoal);
+        printObstacle({obstacle.model.components(), obstacle.model.report().triangles, obstacle.margin,
+                       obstacle.shrunk ? obstacle.shrunk->overlap : 0, obstacle.solids != nullptr,
+                       obstacle.isIgnoredAtStart, obstacle.isIgnoredAtGoal});
     }
     if (scene.obstacles.empty()) printRow("environment", "every obstacle is ignored");
     printRow("margin", scene.obstacles.size() == 1
@@ -86,8 +96,8 @@ void printObstacles(const Scene& scene) {
 
 void printObstacles(const ObstacleGroups& obstacles) {
     for (const ObstacleGroup& group : obstacles.groups) {
-        printObstacle(group.mesh.components, group.mesh.triangles.size(), group.margin,
-                      group.solids != nullptr, group.isIgnoredAtStart, group.isIgnoredAtGoal);
+        printObstacle({group.mesh.components, group.mesh.triangles.size(), group.margin, group.overlap,
+                       group.solids != nullptr, group.isIgnoredAtStart, group.isIgnoredAtGoal});
     }
     for (const std::string& name : obstacles.ignored) printRow("ignored", "'" + name + "'");
     for (const std::string& note : obstacles.notes) printRow("note", note);

@@ -63,6 +63,11 @@ BOOST_AUTO_TEST_CASE(a_sunk_part_is_planned_checked_and_drawn_with_its_overlap) 
     const Outcome drawn = runIn(folder, "render p.cfg o.path --out o.png --size 64x64 --samples 1");
     BOOST_TEST(drawn.code == 0, drawn.err);
     BOOST_TEST(row(drawn, "overlap").find("0.3 deep") == 0u);
+    for (const char* how :
+         {"--iterations 500", "--objective max_min_clearance --time 1"}) {  // they raise margins
+        const Outcome roomy = runIn(folder, std::string("plan p.cfg --path r.path ") + how);
+        BOOST_TEST(roomy.code == 0, roomy.err);
+    }
     folder.problem("overlap = 0.2\n");
     const Outcome deeper = runIn(folder, "check p.cfg o.path");
     BOOST_TEST(deeper.code == 1);
