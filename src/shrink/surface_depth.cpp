@@ -19,6 +19,9 @@ constexpr double kRounding = 1e-11;  ///< of the largest coordinate
 /// roundings they stand in front of it.
 constexpr double kCopySize = 0.999, kCopyHeights = 100;
 
+/// A triangle with less height over its longest edge, as a share of that edge, is a sliver: its normal is too inexact.
+constexpr double kSliver = 1e-4;
+
 /// The least of a point's barycentric coordinates in a triangle, for the point to count as well within it.
 constexpr double kWellWithin = 1e-3;
 
@@ -36,6 +39,13 @@ Pose poseAt(const Vector3& point) {
     return pose;
 }
 
+/// Whether the computed normal of a triangle, whose length is twice its area, can be relied on.
+bool isSliver(const Corners3& triangle, const Vector3& normal) {
+    const auto& [a, b, c] = triangle;
+    const double longest = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+    return !(normal.norm() > kSliver * longest);
+}
+
 double distanceToSegment(const Vector3& point, const Vector3& a, const Vector3& b) {
     const Vector3 along = b - a;
     const double lengthSquared = along.squaredNorm();
@@ -49,7 +59,7 @@ double distanceToTriangle(const Vector3& point, const Corners3& triangle) {
     const auto& [a, b, c] = triangle;
     const Vector3 normal = (b - a).cross(c - a);
     const double lengthSquared = normal.squaredNorm();
-    bool isAbove = lengthSquared > 0;
+    bool isAbove = !isSliver(triangle, normal);  // the distance to the edges is never less
     for (int k = 0; k < 3 && isAbove; ++k) {
         const Vector3 &from = triangle[k], &to = triangle[(k + 1) % 3];
         isAbove = normal.dot((to - from).cross(point - from)) >= 0;
@@ -148,8 +158,8 @@ void SurfaceDepth::requireNoSelfCrossing() const {
     Workspace workspace;
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
         const Vector3 normal = outwardNormal(t);
-        if (!(normal.squaredNorm() > 0)) continue;
         const Corners3 c = corners(t);
+        if (isSliver(c, normal)) continue;  // where a sliver meets the surface, the other triangle is found
         const Vector3 middle = (c[0] + c[1] + c[2]) / 3;
         Mesh copy;
         for (const Vector3& corner : c) {
@@ -180,6 +190,7 @@ std::optional<bool> SurfaceDepth::isBehindFace(const Vector3& point, std::uint32
     const Vector3 normal = outwardNormal(triangle);
     const double lengthSquared = normal.squaredNorm();
     const double height = normal.dot(point - c[0]);
+    if (isSliver(c, normal)) return std::nullopt;
     if (!(std::abs(height) > rounding_ * std::sqrt(lengthSquared))) return std::nullopt;
     const Vector3 turned = outwards_[triangle] * normal;
     for (int k = 0; k < 3; ++k) {

@@ -16,8 +16,8 @@ namespace clearway {
 
 using Corners3 = std::array<Vector3, 3>;
 
-/// The distance from the point to the nearest point of the triangle; relative error below 1e-14 of the
-/// coordinates.
+/// The distance from the point to the nearest point of the triangle, or to that of its edges if the triangle is a
+/// sliver. Never less than the distance, except for rounding.
 double distanceToTriangle(const Vector3& point, const Corners3& triangle);
 
 /// The distance of points to a mesh.
