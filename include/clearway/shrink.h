@@ -25,7 +25,7 @@ struct ShrinkOptions {
 /// the overlap and nowhere more than overlap + tolerance below the part's surface; and every point of the part
 /// that lies deeper than overlap + tolerance is inside it.
 struct ShrunkPart {
-    Mesh mesh;  ///< one component; in the part's mesh coordinates
+    Mesh mesh;  ///< one component, called as the part's only one or "part"; in the part's mesh coordinates
     ShrinkOptions options;
     std::vector<std::uint32_t> partTriangles;  ///< for each triangle the nearest one of the part's mesh
     /// One line for each component of the part of which shrinking leaves nothing, cuts off or removes a piece, or

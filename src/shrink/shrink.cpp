@@ -341,6 +341,9 @@ ShrunkPart shrink(const Mesh& part, const ShrinkOptions& options) {
         throw std::invalid_argument("overlap is " + shortNumber(options.overlap) +
                                     ", and nothing of the part lies that deep below its surface");
     }
+    shrunk.mesh.origin = part.origin;
+    shrunk.mesh.components = {{surface.pieceCount() == 1 ? surface.piece(0).name : "part", 0,
+                               static_cast<std::uint32_t>(shrunk.mesh.triangles.size())}};
     requireInside(shrunk.mesh, surface);
     shrunk.partTriangles = nearestTriangles(surface, shrunk.mesh);
     shrunk.leftOut = findLeftOut(surface, shrunk.mesh, options.overlap + options.tolerance);
