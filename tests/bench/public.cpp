@@ -1,0 +1,308 @@
+// Judges and solves rigid-body problems that others published, found in a user's checkouts of their repositories
+// (public/checkouts.h says which); this repository holds nothing of theirs.
+//   bench_public CHECKOUTS OUT
+// Every run is a process of its own. A run that stands in OUT's tables already is not repeated, so a benchmark that was
+// stopped goes on where it was.
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <mutex>
+#include <set>
+#include <stdexcept>
+#include <thread>
+
+#include "bench/public/assembly_part.h"
+#include "bench/public/checkouts.h"
+#include "bench/public/contenders.h"
+#include "bench/public/published_paths.h"
+#include "core/number.h"
+#include "core/replace_file.h"
+#include "core/text.h"
+#include "program/cli/command_line.h"
+
+namespace clearway::testing {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kSkipped = 77;  ///< the exit code that CTest takes for a skipped test
+
+struct Choices {
+    std::string checkouts, out, only, job;
+    double seconds = 60, partSeconds = 20;
+    std::uint32_t seeds = 10, contenderSeeds = 3;
+};
+
+bool readChoices(int count, char** words, Choices& to) {
+    cli::CommandLine line(
+        "bench_public CHECKOUTS OUT [options]",
+        "Audits, solves and compares problems that others published, read from your checkouts of their\n"
+        "repositories. Writes paths.csv, invalid_segments.csv, runs.csv and parts.csv to OUT; a run that "
+        "stands\n"
+        "there already is not repeated.");
+    line.argument("CHECKOUTS", cli::to(to.checkouts));
+    line.argument("OUT", cli::folder(to.out));
+    line.option("--only TEXT", "takes only problems and assemblies with this in their names",
+                cli::to(to.only));
+    line.option("--seeds N", "clearway plans each problem with seeds 1 to N (10)",
+                cli::integer<std::uint32_t>(to.seeds, 0, UINT32_MAX));
+    line.option("--contender-seeds N", "the other planners do so with seeds 1 to N (3)",
+                cli::integer<std::uint32_t>(to.contenderSeeds, 0, UINT32_MAX));
+    line.option("--time S", "seconds of each run (60)", cli::positive(to.seconds));
+    line.option("--part-time S", "seconds for each part of an assembly; 0 leaves assemblies out (20)",
+                cli::nonNegative(to.partSeconds));
+    line.option("--job TEXT", "for the benchmark's own processes: does one run and prints its row",
+                cli::to(to.job));
+    return line.parse({words + 1, words + count});
+}
+
+/// A table that grows row by row. Rows are known by the words before the run's own columns.
+class Table {
+  public:
+    Table(std::string file, const std::string& keyColumns, const std::string& columns)
+        : file_(std::move(file)) {
+        const std::string header = keyColumns + "," + columns;
+        keyWords_ = 1 + static_cast<std::size_t>(std::count(keyColumns.begin(), keyColumns.end(), ','));
+        if (!fs::exists(file_)) {
+            replaceFile(file_, [&](std::ostream& out) { out << header << "\n"; });
+            return;
+        }
+        const std::vector<std::string> lines = readLines(file_, "a table of this benchmark");
+        if (lines.empty() || lines[0] != header)
+            throw std::invalid_argument(file_ + ": its first line is " +
+                                        quote(lines.empty() ? "" : lines[0]) + ", expected " + header);
+        for (std::size_t i = 1; i < lines.size(); ++i) keys_.insert(keyOf(lines[i]));
+    }
+
+    bool has(const std::string& key) const { return keys_.count(key) > 0; }
+
+    void append(const std::string& row) {
+        std::ofstream out(file_, std::ios::app);
+        if (!(out << row << "\n" << std::flush)) throw std::runtime_error(file_ + ": cannot be written");
+        keys_.insert(keyOf(row));
+    }
+
+  private:
+    std::string keyOf(const std::string& row) const {
+        std::size_t end = 0;
+        for (std::size_t i = 0; i < keyWords_ && end != std::string::npos; ++i)
+            end = row.find(',', end + (i > 0));
+        return row.substr(0, end);
+    }
+
+    std::string file_;
+    std::size_t keyWords_ = 1;
+    std::set<std::string> keys_;
+};
+
+struct Job {
+    std::string key;   ///< the first words of its row
+    std::string text;  ///< for --job
+};
+
+std::string shellQuoted(const std::string& word) {
+    std::string quoted = "'";
+    for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return quoted + "'";
+}
+
+std::string thisProgram() {
+    return fs::read_symlink("/proc/self/exe").string();
+}
+
+/// Does the job in a process of its own and returns the last line that it prints. A process that crashes leaves a
+/// row of emptyColumns that says so.
+std::string rowFrom(const Choices& choices, const Job& job, const std::string& columns) {
+    std::string command = shellQuoted(thisProgram()) + " " + shellQuoted(choices.checkouts) + " " +
+                          shellQuoted(choices.out) + " --time " + shortNumber(choices.seconds) +
+                          " --part-time " + shortNumber(choices.partSeconds) + " --job " +
+                          shellQuoted(job.text);
+    FILE* pipe = popen(command.c_str(), "r");
+    if (pipe == nullptr) throw std::runtime_error("no process could be started for " + job.key);
+    std::string printed;
+    std::array<char, 4096> block;
+    while (const std::size_t size = std::fread(block.data(), 1, block.size(), pipe))
+        printed.append(block.data(), size);
+    const int status = pclose(pipe);
+    if (WIFEXITED(status) && WEXITSTATUS(status) == 0) {
+        while (!printed.empty() && printed.back() == '\n') printed.pop_back();
+        return printed.substr(printed.rfind('\n') + 1);
+    }
+    if (WIFSIGNALED(status) && WTERMSIG(status) == SIGINT) throw std::runtime_error("interrupted");
+    return std::string(static_cast<std::size_t>(std::count(columns.begin(), columns.end(), ',')), ',') +
+           "the process ended with status " + std::to_string(status);
+}
+
+/// Does the jobs that the table lacks, several at a time.
+void doJobs(const Choices& choices, const std::vector<Job>& jobs, int atATime, const std::string& columns,
+            Table& table) {
+    std::mutex mutex;
+    std::size_t next = 0;
+    std::exception_ptr trouble;
+    const auto work = [&] {
+        for (;;) {
+            const Job* job = nullptr;
+            {
+                const std::lock_guard lock(mutex);
+                while (next < jobs.size() && table.has(jobs[next].key)) ++next;
+                if (next == jobs.size() || trouble) return;
+                job = &jobs[next++];
+            }
+            try {
+                const std::string row = job->key + "," + rowFrom(choices, *job, columns);
+                const std::lock_guard lock(mutex);
+                table.append(row);
+                std::cout << row << std::endl;
+            } catch (...) {
+                const std::lock_guard lock(mutex);
+                trouble = std::current_exception();
+            }
+        }
+    };
+    std::vector<std::thread> threads;
+    for (int i = 0; i < atATime; ++i) threads.emplace_back(work);
+    for (std::thread& thread : threads) thread.join();
+    if (trouble) std::rethrow_exception(trouble);
+}
+
+std::string fileFor(const std::string& folder, std::string name, const std::string& ending) {
+    std::replace(name.begin(), name.end(), '/', '_');
+    makeFolder(folder);
+    return folder + "/" + name + ending;
+}
+
+bool isWanted(const Choices& choices, const std::string& name) {
+    return name.find(choices.only) != std::string::npos;
+}
+
+/// Returns how many verdicts the oracle refuted.
+int judgePaths(const Choices& choices, const PublicProblems& found) {
+    const std::string columns = kPathColumns, segments = kSegmentColumns;
+    const auto keyed = [](const std::string& all) { return all.substr(std::string("problem,path,").size()); };
+    Table paths(choices.out + "/paths.csv", "problem,path", keyed(columns));
+    Table invalid(choices.out + "/invalid_segments.csv", "problem,path,segment",
+                  segments.substr(std::string("problem,path,segment,").size()));
+    int refuted = 0;
+    for (const PublicProblem& puzzle : found.puzzles) {
+        if (!isWanted(choices, puzzle.name)) continue;
+        for (const std::string& path : puzzle.paths) {
+            const std::string key = puzzle.name + "," + fs::path(path).filename().string();
+            if (paths.has(key)) continue;
+            const PathVerdict verdict = judgePath(puzzle, path);
+            for (const std::string& row : verdict.invalidRows) invalid.append(row);
+            paths.append(verdict.row);
+            std::cout << verdict.row << std::endl;
+            refuted += verdict.refuted;
+        }
+    }
+    return refuted;
+}
+
+void runPlanners(const Choices& choices, const PublicProblems& found) {
+    Table table(choices.out + "/runs.csv", "problem,contender,seed", kRunColumns);
+    std::vector<Job> ours, others;
+    const auto add = [](std::vector<Job>& to, const PublicProblem& puzzle, const std::string& contender,
+                        std::uint32_t seed) {
+        const std::string key = puzzle.name + "," + contender + "," + std::to_string(seed);
+        to.push_back({key, "run," + key});
+    };
+    for (const PublicProblem& puzzle : found.puzzles) {
+        if (!isWanted(choices, puzzle.name)) continue;
+        for (std::uint32_t seed = 1; seed <= choices.seeds; ++seed) add(ours, puzzle, kOurs, seed);
+        for (std::uint32_t seed = 1; seed <= choices.contenderSeeds; ++seed) {
+            for (const std::string& contender : contenders()) add(others, puzzle, contender, seed);
+        }
+    }
+    // Ours plans on all cores, the others on one each.
+    doJobs(choices, ours, 1, kRunColumns, table);
+    doJobs(choices, others, 2, kRunColumns, table);
+}
+
+void takeApart(const Choices& choices, const PublicProblems& found) {
+    if (choices.partSeconds == 0) return;
+    Table table(choices.out + "/parts.csv", "assembly,part", kPartColumns);
+    std::vector<Job> jobs;
+    for (const Assembly& assembly : found.assemblies) {
+        if (!isWanted(choices, assembly.name)) continue;
+        for (std::size_t i = 0; i < assembly.files.size(); ++i) {
+            const std::string key = assembly.name + "," + fs::path(assembly.files[i]).stem().string();
+            jobs.push_back({key, "part," + key});
+        }
+    }
+    doJobs(choices, jobs, 1, kPartColumns, table);
+}
+
+std::string doJob(const Choices& choices, const PublicProblems& found) {
+    std::vector<std::string> words(1);
+    for (const char c : choices.job) {
+        if (c == ',')
+            words.emplace_back();
+        else
+            words.back() += c;
+    }
+    const std::string paths = choices.out + "/paths";
+    if (words[0] == "run" && words.size() == 4) {
+        for (const PublicProblem& puzzle : found.puzzles) {
+            if (puzzle.name != words[1]) continue;
+            return runContender(puzzle.file, words[2],
+                                static_cast<std::uint32_t>(parseInteger(words[3]).value()), choices.seconds,
+                                fileFor(paths, puzzle.name + "_" + words[2] + "_" + words[3], ".path"));
+        }
+    }
+    if (words[0] == "part" && words.size() == 3) {
+        for (const Assembly& assembly : found.assemblies) {
+            for (std::size_t i = 0; i < assembly.files.size(); ++i) {
+                if (assembly.name != words[1] || fs::path(assembly.files[i]).stem() != words[2]) continue;
+                const std::string folder = choices.out + "/problems/" + assembly.name;
+                return runPart(assembly, i, choices.partSeconds, fileFor(folder, words[2], ".cfg"),
+                               fileFor(paths, assembly.name + "_" + words[2], ".path"));
+            }
+        }
+    }
+    throw std::invalid_argument("--job is " + quote(choices.job) +
+                                ", expected run,PROBLEM,CONTENDER,SEED or part,ASSEMBLY,PART");
+}
+
+int run(int count, char** words) {
+    if (count < 2 || std::string(words[1]).empty()) {
+        std::cout << "skipped: no checkouts, configure with -DCLEARWAY_CHECKOUTS=DIR\n";
+        return kSkipped;
+    }
+    Choices choices;
+    if (!readChoices(count, words, choices)) return 0;
+    makeFolder(choices.out);
+    const PublicProblems found = findPublicProblems(choices.checkouts, choices.out + "/problems");
+    if (!choices.job.empty()) {
+        std::cout << doJob(choices, found) << "\n";
+        return 0;
+    }
+    for (const std::string& line : found.skipped) std::cout << "skipped: " << line << "\n";
+    if (found.puzzles.empty() && found.assemblies.empty()) {
+        std::cout << "skipped: there is no problem in " << choices.checkouts << "\n";
+        return kSkipped;
+    }
+    const int refuted = judgePaths(choices, found);
+    takeApart(choices, found);
+    runPlanners(choices, found);
+    std::cout << refuted << " verdicts on published paths are refuted by the oracle\n";
+    return refuted == 0 ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace clearway::testing
+
+int main(int count, char** words) {
+    try {
+        return clearway::testing::run(count, words);
+    } catch (const std::exception& error) {
+        std::cerr << "bench_public: " << error.what() << "\n";
+        return 2;
+    }
+}
