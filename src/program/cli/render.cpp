@@ -223,8 +223,10 @@ int render(const Arguments& arguments) {
     chooseGhosts(scene.part, poses);
     const auto way = hasPath ? posesAt(line, report::evenShares(kWayPoses), clearance, false)
                              : std::vector<render::PosedPart>{};
-    const render::RenderOptions& drawing = given.drawing;
-    printOverlaps(overlapsAlong(problem, scene, states));
+    render::RenderOptions& drawing = given.drawing;
+    const std::vector<FoundOverlap> overlaps = overlapsAlong(problem, scene, states);
+    printOverlaps(overlaps);
+    for (const FoundOverlap& found : overlaps) drawing.marks.push_back(found.deepest.point);
     render::writePng(render::render(part, environment, poses, way, drawing), given.out);
     printRow("picture",
              given.out + ", " + std::to_string(drawing.width) + " x " + std::to_string(drawing.height));

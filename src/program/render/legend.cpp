@@ -1,7 +1,4 @@
-// Cairo draws lines and lettering into a mask of ink, which is then laid over the picture.
 #include "program/render/legend.h"
-
-#include <cairo/cairo.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,74 +7,13 @@
 #include <string>
 
 #include "core/number.h"
+#include "program/render/ink_mask.h"
 
 namespace clearway::render {
 
 namespace {
 
 const Colour kTextColour = sRgb(40, 42, 48);
-constexpr double kFigureHeight = 0.73;  ///< height of a digit per font size, as in most fonts without serifs
-
-/// The part of the picture that the legend covers, as a mask: 0 is the picture, 1 is ink. Coordinates are the
-/// picture's.
-class InkMask {
-  public:
-    InkMask(int left, int width, int height)
-        : left_(left),
-          surface_(cairo_image_surface_create(CAIRO_FORMAT_A8, width - left, height), cairo_surface_destroy),
-          context_(cairo_create(surface_.get()), cairo_destroy) {
-        cairo_translate(context_.get(), -left, 0);
-        cairo_set_line_cap(context_.get(), CAIRO_LINE_CAP_ROUND);
-        cairo_set_line_join(context_.get(), CAIRO_LINE_JOIN_ROUND);
-        cairo_select_font_face(context_.get(), "sans-serif", CAIRO_FONT_SLANT_NORMAL,
-                               CAIRO_FONT_WEIGHT_NORMAL);
-    }
-
-    void drawLine(double fromX, double fromY, double toX, double toY, double width) {
-        cairo_set_line_width(context_.get(), width);
-        cairo_move_to(context_.get(), fromX, fromY);
-        cairo_line_to(context_.get(), toX, toY);
-        cairo_stroke(context_.get());
-    }
-    void drawFrame(const Area& area, double width) {
-        cairo_set_line_width(context_.get(), width);
-        cairo_rectangle(context_.get(), area.left, area.top, area.right - area.left, area.bottom - area.top);
-        cairo_stroke(context_.get());
-    }
-    /// (x, y): the left end of the base line. height: of a digit, pixels.
-    void drawText(const std::string& text, double x, double y, double height) {
-        cairo_set_font_size(context_.get(), height / kFigureHeight);
-        cairo_move_to(context_.get(), x, y);
-        cairo_show_text(context_.get(), text.c_str());
-    }
-    double widthOf(const std::string& text, double height) const {
-        cairo_set_font_size(context_.get(), height / kFigureHeight);
-        cairo_text_extents_t extents;
-        cairo_text_extents(context_.get(), text.c_str(), &extents);
-        return extents.x_bearing + extents.width;
-    }
-
-    void layOver(Image& image) const {
-        if (cairo_status(context_.get()) != CAIRO_STATUS_SUCCESS) {
-            throw std::runtime_error(std::string("Cairo cannot draw the legend: ") +
-                                     cairo_status_to_string(cairo_status(context_.get())));
-        }
-        cairo_surface_flush(surface_.get());
-        const unsigned char* row = cairo_image_surface_get_data(surface_.get());
-        for (int y = 0; y < image.height; ++y, row += cairo_image_surface_get_stride(surface_.get())) {
-            for (int x = left_; x < image.width; ++x) {
-                const float ink = static_cast<float>(row[x - left_]) / 255;
-                image.at(x, y) += ink * (kTextColour - image.at(x, y));
-            }
-        }
-    }
-
-  private:
-    int left_;
-    std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)> surface_;
-    std::unique_ptr<cairo_t, decltype(&cairo_destroy)> context_;
-};
-
 /// All lengths of a legend follow from the size of the picture.
 struct Layout {
     double letters;  ///< height of a digit
@@ -165,7 +101,7 @@ void drawLegend(double most, const std::vector<double>& clearances, Image& image
     const double width = ink.widthOf("clearance", letters);
     ink.drawText("clearance", std::min(layout.left, image.width - width - 0.8 * letters),
                  layout.top - 1.6 * letters, letters);
-    ink.layOver(image);
+    ink.layOver(image, kTextColour);
 }
 
 }  // namespace clearway::render

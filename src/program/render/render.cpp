@@ -7,6 +7,7 @@
 
 #include "program/render/exposure.h"
 #include "program/render/legend.h"
+#include "program/render/marks.h"
 #include "program/render/samples.h"
 
 namespace clearway::render {
@@ -122,6 +123,9 @@ class Arrangement {
         exposure.samples = options_.samples;
         exposure.lineWidth = std::max(1.0f, 1.4f * static_cast<float>(options_.height) / 720);
         Image image = expose(stages_, camera_, exposure);
+        std::vector<Vector3f> marks;
+        for (const Vector3& mark : options_.marks) marks.push_back(frame_(mark).cast<float>());
+        if (!marks.empty()) drawMarks(marks, camera_, image);
         std::vector<double> clearances;
         for (const PosedPart& pose : poses_) clearances.push_back(pose.clearance);
         drawLegend(most_, clearances, image);

@@ -35,6 +35,8 @@ struct RenderOptions {
     std::optional<CutPlane> cut;
     /// Clearance at the top of the colour scale. Default: see scaleFor().
     std::optional<double> scaleMost;
+    /// Places in environment coordinates around which rings are drawn, over all that hides them.
+    std::vector<Vector3> marks;
 };
 
 /// poses: the poses the part is shown at, at least one. way: the poses that a line is drawn through, at the

@@ -194,6 +194,31 @@ BOOST_AUTO_TEST_CASE(the_way_is_a_line_in_the_colours_of_its_clearances) {
     BOOST_TEST(count(shot.taken(way), isBlue) > 20);
 }
 
+BOOST_AUTO_TEST_CASE(a_mark_is_a_ring_around_its_place_over_what_hides_it) {
+    const auto isRing = [](const Colour& pixel) {
+        return pixel[0] > 1.5f * pixel[2] && pixel[2] > 1.2f * pixel[1];
+    };
+    Shot shot;
+    shot.poses = {{shot.upright(60), 10}};
+    shot.options.eye = Vector3(300, 0, 0);
+    shot.options.lookAt = Vector3(0, 0, 0);
+    BOOST_TEST(count(shot.taken(), isRing) == 0);
+    shot.options.marks = {Vector3(0, 0, 0), Vector3(400, 0, 0)};  // behind the plate; behind the camera
+    const Image image = shot.taken();
+    const int found = count(image, isRing);
+    BOOST_TEST(found > 10);
+    BOOST_TEST(found < 120);
+    const Area area = areaBesideLegend(kWidth, kHeight);
+    const int x = static_cast<int>((area.left + area.right) / 2),
+              y = static_cast<int>((area.top + area.bottom) / 2);
+    BOOST_TEST(!isRing(image.at(x, y)));
+    bool isAbove = false;
+    for (int up = 1; up < 8; ++up) {
+        isAbove = isAbove || isRing(image.at(x - 1, y - up)) || isRing(image.at(x, y - up));
+    }
+    BOOST_TEST(isAbove);
+}
+
 BOOST_AUTO_TEST_CASE(a_camera_of_ones_own_sees_what_it_looks_at) {
     Shot shot;
     shot.poses = {{shot.upright(-60), 0}};

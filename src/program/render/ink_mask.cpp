@@ -1,0 +1,72 @@
+#include "program/render/ink_mask.h"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace clearway::render {
+
+namespace {
+
+constexpr double kFigureHeight = 0.73;  ///< height of a digit per font size, as in most fonts without serifs
+
+}  // namespace
+
+InkMask::InkMask(int left, int width, int height)
+    : left_(left),
+      surface_(cairo_image_surface_create(CAIRO_FORMAT_A8, width - left, height), cairo_surface_destroy),
+      context_(cairo_create(surface_.get()), cairo_destroy) {
+    cairo_translate(context_.get(), -left, 0);
+    cairo_set_line_cap(context_.get(), CAIRO_LINE_CAP_ROUND);
+    cairo_set_line_join(context_.get(), CAIRO_LINE_JOIN_ROUND);
+    cairo_select_font_face(context_.get(), "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
+}
+
+void InkMask::drawLine(double fromX, double fromY, double toX, double toY, double width) {
+    cairo_set_line_width(context_.get(), width);
+    cairo_move_to(context_.get(), fromX, fromY);
+    cairo_line_to(context_.get(), toX, toY);
+    cairo_stroke(context_.get());
+}
+
+void InkMask::drawFrame(const Area& area, double width) {
+    cairo_set_line_width(context_.get(), width);
+    cairo_rectangle(context_.get(), area.left, area.top, area.right - area.left, area.bottom - area.top);
+    cairo_stroke(context_.get());
+}
+
+void InkMask::drawCircle(double x, double y, double radius, double width) {
+    cairo_set_line_width(context_.get(), width);
+    cairo_new_sub_path(context_.get());
+    cairo_arc(context_.get(), x, y, radius, 0, 2 * M_PI);
+    cairo_stroke(context_.get());
+}
+
+void InkMask::drawText(const std::string& text, double x, double y, double height) {
+    cairo_set_font_size(context_.get(), height / kFigureHeight);
+    cairo_move_to(context_.get(), x, y);
+    cairo_show_text(context_.get(), text.c_str());
+}
+
+double InkMask::widthOf(const std::string& text, double height) const {
+    cairo_set_font_size(context_.get(), height / kFigureHeight);
+    cairo_text_extents_t extents;
+    cairo_text_extents(context_.get(), text.c_str(), &extents);
+    return extents.x_bearing + extents.width;
+}
+
+void InkMask::layOver(Image& image, const Colour& colour) const {
+    if (cairo_status(context_.get()) != CAIRO_STATUS_SUCCESS) {
+        throw std::runtime_error(std::string("Cairo cannot draw on the picture: ") +
+                                 cairo_status_to_string(cairo_status(context_.get())));
+    }
+    cairo_surface_flush(surface_.get());
+    const unsigned char* row = cairo_image_surface_get_data(surface_.get());
+    for (int y = 0; y < image.height; ++y, row += cairo_image_surface_get_stride(surface_.get())) {
+        for (int x = left_; x < image.width; ++x) {
+            const float ink = static_cast<float>(row[x - left_]) / 255;
+            image.at(x, y) += ink * (colour - image.at(x, y));
+        }
+    }
+}
+
+}  // namespace clearway::render
