@@ -22,7 +22,9 @@ struct DeepestPoint {
 /// Measures overlaps with one part. Any number of threads may use it at once.
 class OverlapMeter {
   public:
-    /// Throws std::invalid_argument as shrink() does for a part that is not closed, or whose components touch.
+    /// Where components of the part meet, gaps of less than 0.0002 of the part's diagonal count as filled, and depths
+    /// may be too small by twice as much. Throws std::invalid_argument as shrink() does for a part that is not closed
+    /// or passes through itself.
     explicit OverlapMeter(const Mesh& part);
 
     /// The deepest point of the obstacle's triangles inside the part at the pose; upper is above lower by at

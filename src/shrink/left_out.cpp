@@ -19,13 +19,6 @@ std::string placeText(const Vector3& point) {
     return "(" + rounded(point.x()) + ", " + rounded(point.y()) + ", " + rounded(point.z()) + ")";
 }
 
-/// The number of outer shells, which are those with a volume of the given sign.
-std::size_t countPieces(const CleanMesh& mesh, double sign) {
-    const std::vector<double> volumes =
-        signedVolumes(mesh.vertices, mesh.triangles, findShells(mesh.triangles));
-    return std::size_t(std::count_if(volumes.begin(), volumes.end(), [&](double v) { return sign * v > 0; }));
-}
-
 /// The shells of the shrunk mesh by the component in which they lie.
 std::vector<std::size_t> piecesByComponent(const SurfaceDepth& surface, const Mesh& shrunk) {
     const CleanMesh cleaned = clean(shrunk);
@@ -55,10 +48,16 @@ Far furthest(const SurfaceDepth& surface, const SurfaceDepth::Piece& piece, cons
         const double found = shrunk.at(point, workspace);
         if (found > far.distance) far = {found, point};
     };
+    const auto& triangles = surface.mesh().triangles;
+    std::vector<bool> isLookedAt(surface.mesh().vertices.size());
     for (std::uint32_t t = piece.firstTriangle; t < piece.firstTriangle + piece.triangleCount; ++t) {
         const Corners3 c = surface.corners(t);
         lookAt((c[0] + c[1] + c[2]) / 3);
-        for (const Vector3& corner : c) lookAt(corner);
+        for (int k = 0; k < 3; ++k) {
+            if (isLookedAt[triangles[t][k]]) continue;
+            isLookedAt[triangles[t][k]] = true;
+            lookAt(c[k]);
+        }
     }
     return far;
 }
@@ -76,7 +75,7 @@ std::vector<std::string> findLeftOut(const SurfaceDepth& surface, const Mesh& sh
             lines.push_back("nothing is left of " + name);
             continue;
         }
-        const std::size_t had = countPieces(clean(surface.meshOf(i)), piece.outwards);
+        const std::size_t had = piece.bodies;
         if (left[i] != had) {
             lines.push_back(name + " has " + std::to_string(had) + (had == 1 ? " piece" : " pieces") +
                             " and " + std::to_string(left[i]) + " after shrinking");

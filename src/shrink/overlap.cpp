@@ -11,6 +11,8 @@ namespace {
 constexpr double kShare = 0.01;       ///< how much of the depth may stay open
 constexpr double kLeastDepth = 1e-4;  ///< of the part's diagonal: how much may stay open in any case
 
+constexpr double kMeterFineness = 2e-4;  ///< of the part's diagonal: where its surfaces meet
+
 /// A piece of a triangle, in the part's frame.
 struct TrianglePiece {
     Corners3 corners;
@@ -118,7 +120,9 @@ class DeepestSearch {
 
 }  // namespace
 
-OverlapMeter::OverlapMeter(const Mesh& part) : surface_(std::make_shared<const SurfaceDepth>(part)) {}
+OverlapMeter::OverlapMeter(const Mesh& part)
+    : surface_(
+          std::make_shared<const SurfaceDepth>(part, kMeterFineness * boundingBox(part).diagonal().norm())) {}
 
 DeepestPoint OverlapMeter::deepest(const Mesh& obstacle, const Pose& X_environmentPart,
                                    double leastDepth) const {

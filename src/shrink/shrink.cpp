@@ -24,10 +24,12 @@ namespace {
 constexpr std::size_t kMostVertices = 8'000'000;
 constexpr std::size_t kBlock =
     256;  ///< items that one thread takes with one warm start, so that threads change nothing
-constexpr double kLevel = 0.2;   ///< of the tolerance, above the overlap: where the surface is meant to be
-constexpr int kMostPieces = 24;  ///< in which the outside part of a tetrahedron is looked at
-constexpr double kMostShallow = 0.15;  ///< of the tolerance: how far above its level the surface may lie
-constexpr double kMostDeep = 0.7;      ///< of the tolerance: how far below
+constexpr double kLevel = 0.2;  ///< of the tolerance, above the overlap: where the surface is meant to be
+constexpr double kJoinFineness = 0.125;  ///< of the tolerance: where the part's surfaces meet
+constexpr double kError = 0.01;       ///< of the tolerance: by how much depths may be too large
+constexpr int kMostPieces = 24;          ///< in which the outside part of a tetrahedron is looked at
+constexpr double kMostShallow = 0.15;    ///< of the tolerance: how far above its level the surface may lie
+constexpr double kMostDeep = 0.7;        ///< of the tolerance: how far below
 
 class Shrinking {
   public:
@@ -35,9 +37,9 @@ class Shrinking {
         : surface_(surface),
           tetrahedra_(surface_.model().box()),
           least_(options.overlap),
-          most_(options.overlap + options.tolerance - surface_.rounding()),
-          level_(options.overlap + kLevel * options.tolerance),
-          tolerance_(options.tolerance) {}
+          most_(options.overlap + options.tolerance - surface_.slack() - surface_.rounding()),
+          level_(options.overlap + kLevel * (options.tolerance - surface_.slack())),
+          tolerance_(options.tolerance - surface_.slack()) {}
 
     Mesh run() {
         open_.resize(tetrahedra_.all().size());
@@ -105,7 +107,7 @@ class Shrinking {
         places_.resize(vertices.size());
         heights_.resize(vertices.size());
         forBlocks(first, vertices.size(), [&](std::size_t i, Workspace& workspace) {
-            places_[i] = surface_.at(vertices[i], workspace);
+            places_[i] = surface_.at(vertices[i], workspace, kError * tolerance_);
             heights_[i] = places_[i].depth - level_;
         });
     }
@@ -157,7 +159,7 @@ class Shrinking {
         Vector3 sum = Vector3::Zero();
         double count = 0;
         eachCut(c, [&](std::uint32_t, std::uint32_t, const Vector3& point) { sum += point, ++count; });
-        const double depth = surface_.at(sum / count, workspace).depth;
+        const double depth = surface_.at(sum / count, workspace, kError * tolerance_).depth;
         return depth >= level_ - kMostShallow * tolerance_ && depth <= level_ + kMostDeep * tolerance_;
     }
 
@@ -192,7 +194,7 @@ class Shrinking {
 
     bool isCovered(Polytope piece, Workspace& workspace, int& pieces) const {
         if (pieces-- == 0 || !piece.isSimple()) return false;
-        const std::uint32_t triangle = surface_.nearest(piece.centre(), workspace);
+        const std::uint32_t triangle = surface_.nearest(piece.centre(), workspace, kError * tolerance_);
         const Corners3 corners = surface_.corners(triangle);
         if (distanceToTriangle(piece.centre(), corners) > most_) return false;
         const auto isNear = [&] {
@@ -306,7 +308,7 @@ void requirePositive(double value, const char* name) {
 void requireInside(const Mesh& shrunk, const SurfaceDepth& surface) {
     const Solid solid(shrunk, "the shrunk part");
     const auto& cut = solid.shellVertices();
-    const auto& part = surface.shellVertices();
+    const std::vector<Vector3> part = surface.surfacePoints();
     const bool isInside = !solid.isTurnedOver() && std::all_of(cut.begin(), cut.end(), [&](const Vector3& v) {
         return surface.isInside(v);
     }) && std::all_of(part.begin(), part.end(), [&](const Vector3& v) {
@@ -323,7 +325,7 @@ std::vector<std::uint32_t> nearestTriangles(const SurfaceDepth& surface, const M
     Workspace workspace;
     for (const auto& [a, b, c] : shrunk.triangles) {
         const Vector3 sum = shrunk.vertices[a] + shrunk.vertices[b] + shrunk.vertices[c];
-        nearest.push_back(surface.nearest(sum / 3, workspace));
+        nearest.push_back(surface.partTriangle(surface.nearest(sum / 3, workspace)));
     }
     return nearest;
 }
@@ -333,7 +335,7 @@ std::vector<std::uint32_t> nearestTriangles(const SurfaceDepth& surface, const M
 ShrunkPart shrink(const Mesh& part, const ShrinkOptions& options) {
     requirePositive(options.overlap, "overlap");
     requirePositive(options.tolerance, "overlap.tolerance");
-    const SurfaceDepth surface(part);
+    const SurfaceDepth surface(part, kJoinFineness * options.tolerance);
     ShrunkPart shrunk;
     shrunk.options = options;
     shrunk.mesh = Shrinking(surface, options).run();

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <set>
 #include <stdexcept>
 #include <string>
 
@@ -19,11 +21,16 @@ constexpr double kRounding = 1e-11;  ///< of the largest coordinate
 /// roundings they stand in front of it.
 constexpr double kCopySize = 0.999, kCopyHeights = 100;
 
-/// A triangle with less height over its longest edge, as a share of that edge, is a sliver: its normal is too inexact.
-constexpr double kSliver = 1e-4;
-
 /// The least of a point's barycentric coordinates in a triangle, for the point to count as well within it.
 constexpr double kWellWithin = 1e-3;
+
+Mesh meshOf(const Mesh& mesh, const Component& component) {
+    Mesh part;
+    const auto first = mesh.triangles.begin() + component.firstTriangle;
+    part.triangles.assign(first, first + component.triangleCount);
+    part.vertices = takeUsedVertices(mesh.vertices, part.triangles);
+    return part;
+}
 
 /// A mesh of one triangle whose corners are one point, the origin.
 Mesh pointMesh() {
@@ -37,13 +44,6 @@ Pose poseAt(const Vector3& point) {
     Pose pose;
     pose.translation = point;
     return pose;
-}
-
-/// Whether the computed normal of a triangle, whose length is twice its area, can be relied on.
-bool isSliver(const Corners3& triangle, const Vector3& normal) {
-    const auto& [a, b, c] = triangle;
-    const double longest = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
-    return !(normal.norm() > kSliver * longest);
 }
 
 double distanceToSegment(const Vector3& point, const Vector3& a, const Vector3& b) {
@@ -71,94 +71,64 @@ double distanceToTriangle(const Vector3& point, const Corners3& triangle) {
 
 PointDistance::PointDistance(Model mesh) : mesh_(std::move(mesh)), point_(Model::build(pointMesh())) {}
 
-DistanceResult PointDistance::find(const Vector3& point, Workspace& workspace) const {
-    return distance(point_, mesh_, poseAt(point), {}, workspace);
+DistanceResult PointDistance::find(const Vector3& point, Workspace& workspace, double error) const {
+    DistanceOptions options;
+    options.absoluteError = error;
+    return distance(point_, mesh_, poseAt(point), options, workspace);
 }
 
-SurfaceDepth::SurfaceDepth(const Mesh& mesh) : mesh_(mesh), distance_(Model::build(mesh)) {
-    const std::vector<Component> components = componentsOf(mesh);
-    outwards_.assign(mesh.triangles.size(), 1);
-    for (const Component& component : components) {
-        if (component.triangleCount == 0) continue;
-        const std::string name = component.name.empty() ? "unnamed" : component.name;
-        pieces_.push_back({name, component.firstTriangle, component.triangleCount, 1});
-        solids_.emplace_back(meshOf(pieces_.size() - 1), name);
-        if (solids_.back().isTurnedOver()) {
-            pieces_.back().outwards = -1;
-            std::fill_n(outwards_.begin() + component.firstTriangle, component.triangleCount, -1);
-        }
-        const auto& vertices = solids_.back().shellVertices();
-        shellVertices_.insert(shellVertices_.end(), vertices.begin(), vertices.end());
-    }
+SurfaceDepth::SurfaceDepth(const Mesh& mesh, double fineness)
+    : mesh_(mesh), distance_(Model::build(mesh)), fineness_(fineness) {
     const Box& box = model().box();
     rounding_ = kRounding * std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
-    requireSimple();
-}
-
-Mesh SurfaceDepth::meshOf(std::size_t piece) const {
-    Mesh part;
-    part.vertices = mesh_.vertices;
-    const auto first = mesh_.triangles.begin() + pieces_[piece].firstTriangle;
-    part.triangles.assign(first, first + pieces_[piece].triangleCount);
-    part.vertices = takeUsedVertices(mesh_.vertices, part.triangles);
-    return part;
-}
-
-/// Each connected piece of the surface must keep apart from the others and from itself, with the part on its
-/// one side and none on its other.
-void SurfaceDepth::requireSimple() const {
-    std::vector<Shell> shells;
-    for (std::size_t i = 0; i < pieces_.size(); ++i) addShells(i, shells);
-    Workspace workspace;
-    for (std::size_t i = 0; i < shells.size(); ++i) {
-        const Shell& shell = shells[i];
-        int around = 0;  // how often the others wind around this one
-        std::size_t holder = shell.piece;
-        for (std::size_t j = 0; j < shells.size(); ++j) {
-            const Shell& other = shells[j];
-            if (i == j || !other.solid.box().intersects(shell.solid.box())) continue;
-            if (j < i && collides(shell.model, other.model, {}, workspace))
-                refuseMeeting(other.piece, shell.piece);
-            if (other.solid.winding({}, {}, shell.solid.shellVertices()[0]) <= 0) continue;
-            around += other.isCavity ? -1 : 1;
-            if (!other.isCavity) holder = other.piece;
+    outwards_.assign(mesh.triangles.size(), 1);
+    std::vector<SurfaceShell> shells;
+    for (const Component& component : componentsOf(mesh)) {
+        if (component.triangleCount == 0) continue;
+        const std::string name = component.name.empty() ? "unnamed" : component.name;
+        pieces_.push_back({name, component.firstTriangle, component.triangleCount, 0});
+        solids_.emplace_back(meshOf(mesh, component), name);
+        if (solids_.back().isTurnedOver())
+            std::fill_n(outwards_.begin() + component.firstTriangle, component.triangleCount, -1);
+        const auto& vertices = solids_.back().shellVertices();
+        shellVertices_.insert(shellVertices_.end(), vertices.begin(), vertices.end());
+        for (SurfaceShell& shell : findShellsOf(component, solids_.size() - 1)) {
+            requireNoSelfCrossing(shell);
+            pieces_.back().bodies += !shell.isCavity;
+            shells.push_back(std::move(shell));
         }
-        if (around != (shell.isCavity ? 1 : 0)) refuseMeeting(holder, shell.piece);
     }
-    requireNoSelfCrossing();
+    if (doMeet(shells)) join(shells);
 }
 
-void SurfaceDepth::addShells(std::size_t piece, std::vector<Shell>& shells) const {
-    const CleanMesh cleaned = clean(meshOf(piece));
+std::vector<SurfaceShell> SurfaceDepth::findShellsOf(const Component& component, std::size_t number) const {
+    const CleanMesh cleaned = clean(meshOf(mesh_, component));
     const Shells found = findShells(cleaned.triangles);
     const std::vector<double> volumes = signedVolumes(cleaned.vertices, cleaned.triangles, found);
     std::vector<Mesh> meshes(found.count);
+    std::vector<std::vector<std::uint32_t>> triangles(found.count);
     for (std::size_t t = 0; t < cleaned.triangles.size(); ++t) {
         meshes[found.ofTriangle[t]].triangles.push_back(cleaned.triangles[t]);
+        triangles[found.ofTriangle[t]].push_back(component.firstTriangle + cleaned.triangleIds[t]);
     }
+    const double outwards = outwards_[component.firstTriangle];
+    std::vector<SurfaceShell> shells;
     for (std::uint32_t k = 0; k < found.count; ++k) {
         if (volumes[k] == 0) continue;  // it encloses nothing
         meshes[k].vertices = takeUsedVertices(cleaned.vertices, meshes[k].triangles);
-        shells.push_back({piece, volumes[k] * pieces_[piece].outwards < 0,
-                          Solid(meshes[k], pieces_[piece].name), Model::build(meshes[k])});
+        shells.push_back({number, volumes[k] * outwards < 0, outwards, meshes[k], triangles[k],
+                          Solid(meshes[k], component.name), Model::build(meshes[k])});
     }
-}
-
-void SurfaceDepth::refuseMeeting(std::size_t a, std::size_t b) const {
-    const std::string which = a == b
-                                  ? "two pieces of '" + pieces_[a].name + "'"
-                                  : "the components '" + pieces_[a].name + "' and '" + pieces_[b].name + "'";
-    throw std::invalid_argument("overlap needs a part of which only the outside is surface, and " + which +
-                                " touch or lie in each other, expected pieces that are apart");
+    return shells;
 }
 
 /// A copy of each triangle, a little smaller and a little in front of it, meets the surface only where the surface
 /// comes back to itself.
-void SurfaceDepth::requireNoSelfCrossing() const {
+void SurfaceDepth::requireNoSelfCrossing(const SurfaceShell& shell) const {
     Workspace workspace;
-    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
-        const Vector3 normal = outwardNormal(t);
-        const Corners3 c = corners(t);
+    for (std::size_t t = 0; t < shell.mesh.triangles.size(); ++t) {
+        const Corners3 c = corners(shell.triangles[t]);
+        const Vector3 normal = outwardNormal(shell.triangles[t]);
         if (isSliver(c, normal)) continue;  // where a sliver meets the surface, the other triangle is found
         const Vector3 middle = (c[0] + c[1] + c[2]) / 3;
         Mesh copy;
@@ -167,20 +137,92 @@ void SurfaceDepth::requireNoSelfCrossing() const {
                                     kCopyHeights * rounding_ * normal.normalized());
         }
         copy.triangles = {{0, 1, 2}};
-        if (!collides(Model::build(copy), model(), {}, workspace)) continue;
+        if (!collides(Model::build(copy), shell.model, {}, workspace)) continue;
         throw std::invalid_argument(
             "overlap needs a part of which only the outside is surface, and it passes through itself or "
             "touches "
             "itself at triangle " +
-            std::to_string(t) + ", expected a surface that bounds one inside");
+            std::to_string(shell.triangles[t]) + ", expected a surface that bounds one inside");
     }
 }
 
-SurfaceDepth::Place SurfaceDepth::at(const Vector3& point, Workspace& workspace) const {
-    const DistanceResult found = distance_.find(point, workspace);
+Box SurfaceDepth::grown(const Box& box) const {
+    return Box(box.min() - Vector3::Constant(fineness_), box.max() + Vector3::Constant(fineness_));
+}
+
+/// Whether two shells have less than the fineness between them, or one is neither a cavity right inside another one nor apart from all others.
+bool SurfaceDepth::doMeet(const std::vector<SurfaceShell>& shells) const {
+    Workspace workspace;
+    for (std::size_t i = 0; i < shells.size(); ++i) {
+        int around = 0;  // how often the others wind around this one
+        for (std::size_t j = 0; j < shells.size(); ++j) {
+            const SurfaceShell& other = shells[j];
+            if (i == j || !grown(other.solid.box()).intersects(shells[i].solid.box())) continue;
+            if (j < i && isWithin(shells[i].model, other.model, {}, fineness_, workspace)) return true;
+            if (other.solid.winding({}, {}, shells[i].solid.shellVertices()[0]) <= 0) continue;
+            around += other.isCavity ? -1 : 1;
+        }
+        if (around != (shells[i].isCavity ? 1 : 0)) return true;
+    }
+    return false;
+}
+
+void SurfaceDepth::join(const std::vector<SurfaceShell>& shells) {
+    const OuterSurface outer = outerSurface(
+        shells, [&](const Vector3& point) { return isInComponent(point); }, fineness_);
+    everything_ = std::move(distance_);
+    distance_ = PointDistance(Model::build(outer.mesh));
+    partTriangles_ = outer.triangles;
+    std::vector<double> outwards;
+    for (const std::uint32_t t : partTriangles_) outwards.push_back(outwards_[t]);
+    outwards_ = std::move(outwards);
+    mesh_ = outer.mesh;
+    pieces_ = {{"part", 0, static_cast<std::uint32_t>(mesh_.triangles.size()), countBodies(shells)}};
+}
+
+/// How many bodies there are when shells without a gap between them, or in another component, count as one.
+std::size_t SurfaceDepth::countBodies(const std::vector<SurfaceShell>& shells) const {
+    std::vector<std::size_t> group(shells.size());
+    std::iota(group.begin(), group.end(), std::size_t(0));
+    Workspace workspace;
+    const auto areOne = [&](const SurfaceShell& a, const SurfaceShell& b) {
+        if (!grown(a.solid.box()).intersects(b.solid.box())) return false;
+        if (isWithin(a.model, b.model, {}, fineness_, workspace)) return true;
+        const Vector3& vertex = b.solid.shellVertices()[0];
+        if (a.component != b.component) return solids_[a.component].winding({}, {}, vertex) > 0;
+        return !a.isCavity && a.solid.winding({}, {}, vertex) > 0;
+    };
+    for (std::size_t i = 0; i < shells.size(); ++i) {
+        for (std::size_t j = 0; j < shells.size(); ++j) {
+            if (group[i] == group[j] || !areOne(shells[i], shells[j])) continue;
+            std::replace(group.begin(), group.end(), std::size_t(group[j]), std::size_t(group[i]));
+        }
+    }
+    return std::set<std::size_t>(group.begin(), group.end()).size();
+}
+
+SurfaceDepth::Place SurfaceDepth::at(const Vector3& point, Workspace& workspace, double error) const {
+    const DistanceResult found = distance_.find(point, workspace, error);
     const auto triangle = static_cast<std::uint32_t>(found.environmentTriangle);
+    if (everything_) {
+        const bool isIn = isInComponent(point) || isInGap(point, found.distance, workspace);
+        return {isIn ? found.distance : -found.distance, triangle};
+    }
     const std::optional<bool> isBehind = isBehindFace(point, triangle);
     return {(isBehind ? *isBehind : isInside(point)) ? found.distance : -found.distance, triangle};
+}
+
+bool SurfaceDepth::isInComponent(const Vector3& point) const {
+    return std::any_of(solids_.begin(), solids_.end(), [&](const Solid& solid) {
+        return solid.box().contains(point) && solid.winding({}, {}, point) > 0;
+    });
+}
+
+/// Whether a point outside of all components lies in a gap that counts as filled: near a surface, but at the
+/// given distance from the outside.
+bool SurfaceDepth::isInGap(const Vector3& point, double distance, Workspace& workspace) const {
+    if (distance <= 2 * fineness_) return false;
+    return everything_->at(point, workspace) <= fineness_;
 }
 
 /// The straight way to the nearest point of the surface crosses no surface. So if that point is well within a
@@ -205,15 +247,29 @@ Vector3 SurfaceDepth::outwardNormal(std::uint32_t triangle) const {
     return outwards_[triangle] * (c[1] - c[0]).cross(c[2] - c[0]);
 }
 
-std::uint32_t SurfaceDepth::nearest(const Vector3& point, Workspace& workspace) const {
-    return static_cast<std::uint32_t>(distance_.find(point, workspace).environmentTriangle);
+std::uint32_t SurfaceDepth::nearest(const Vector3& point, Workspace& workspace, double error) const {
+    return static_cast<std::uint32_t>(distance_.find(point, workspace, error).environmentTriangle);
 }
 
 std::optional<std::size_t> SurfaceDepth::pieceHolding(const Vector3& point) const {
+    if (everything_) {
+        Workspace workspace;
+        return at(point, workspace).depth >= 0 ? std::optional<std::size_t>(0) : std::nullopt;
+    }
     for (std::size_t i = 0; i < solids_.size(); ++i) {
         if (solids_[i].box().contains(point) && solids_[i].winding({}, {}, point) > 0) return i;
     }
     return std::nullopt;
+}
+
+std::vector<Vector3> SurfaceDepth::surfacePoints() const {
+    if (!everything_) return shellVertices_;
+    std::vector<Vector3> points;
+    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
+        const bool isNext = t == 0 || partTriangles_[t] != partTriangles_[t - 1];
+        if (isNext) points.push_back(mesh_.vertices[mesh_.triangles[t][0]]);
+    }
+    return points;
 }
 
 Corners3 SurfaceDepth::corners(std::uint32_t triangle) const {

@@ -1,7 +1,6 @@
 // How deep points lie below the closed surface of a part.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -11,10 +10,9 @@
 #include "clearway/model.h"
 #include "clearway/query.h"
 #include "model/solids.h"
+#include "shrink/outer_surface.h"
 
 namespace clearway {
-
-using Corners3 = std::array<Vector3, 3>;
 
 /// The distance from the point to the nearest point of the triangle, or to that of its edges if the triangle is a
 /// sliver. Never less than the distance, except for rounding.
@@ -25,7 +23,8 @@ class PointDistance {
   public:
     explicit PointDistance(Model mesh);
 
-    DistanceResult find(const Vector3& point, Workspace& workspace) const;
+    /// error: how far the triangle found may be beyond the nearest one.
+    DistanceResult find(const Vector3& point, Workspace& workspace, double error = 0) const;
     double at(const Vector3& point, Workspace& workspace) const { return find(point, workspace).distance; }
     const Model& model() const { return mesh_; }
 
@@ -33,15 +32,23 @@ class PointDistance {
     Model mesh_, point_;
 };
 
-/// The closed surfaces of a mesh's components, each of which bounds a piece of the part.
+/// The closed surfaces of a mesh's components, each of which bounds a piece of the part. Where they touch or lie in
+/// each other, only their outside counts: a wall within the part would make depths too small.
 class SurfaceDepth {
   public:
-    /// Throws std::invalid_argument, naming the components, if one is not closed, if two pieces of the surface
-    /// touch or lie in each other, or if one passes through itself: then a wall within the part would count as
-    /// its surface, and depths would be too small.
-    explicit SurfaceDepth(const Mesh& mesh);
+    /// fineness: narrower gaps between connected surfaces count as filled; such surfaces meet. Throws
+    /// std::invalid_argument, naming the component, if one is not closed or if a surface passes through itself.
+    SurfaceDepth(const Mesh& mesh, double fineness);
 
+    /// No depth is too small by more than this: 0, or twice the fineness where surfaces meet. Where gaps are
+    /// filled, depths are those of the filled part.
+    double slack() const { return everything_ ? 2 * fineness_ : 0; }
+
+    /// The surface: the mesh itself or, where surfaces meet, pieces of its triangles.
     const Mesh& mesh() const { return mesh_; }
+    std::uint32_t partTriangle(std::uint32_t triangle) const {  ///< its position in the given mesh
+        return everything_ ? partTriangles_[triangle] : triangle;
+    }
     const Model& model() const { return distance_.model(); }
     double rounding() const { return rounding_; }  ///< more than the error of computed lengths
 
@@ -49,19 +56,19 @@ class SurfaceDepth {
         double depth;  ///< the distance to the surface, negative outside; not rounded in one direction
         std::uint32_t triangle;  ///< the nearest one; its position in the mesh
     };
-    Place at(const Vector3& point, Workspace& workspace) const;
+    Place at(const Vector3& point, Workspace& workspace, double error = 0) const;
 
-    std::uint32_t nearest(const Vector3& point, Workspace& workspace) const;  ///< a triangle
+    /// A triangle; see PointDistance::find.
+    std::uint32_t nearest(const Vector3& point, Workspace& workspace, double error = 0) const;
 
-    /// A component with triangles.
+    /// A component with triangles. Where surfaces meet, there is one piece for all components.
     struct Piece {
         std::string name;
-        std::uint32_t firstTriangle, triangleCount;
-        double outwards;  ///< 1, or -1 if its triangles are listed to face inwards
+        std::uint32_t firstTriangle, triangleCount;  ///< in mesh()
+        std::size_t bodies;                          ///< how many connected bodies it consists of
     };
     std::size_t pieceCount() const { return pieces_.size(); }
     const Piece& piece(std::size_t i) const { return pieces_[i]; }
-    Mesh meshOf(std::size_t piece) const;
     std::optional<std::size_t> pieceHolding(const Vector3& point) const;
 
     bool isInside(const Vector3& point) const { return pieceHolding(point).has_value(); }
@@ -71,25 +78,28 @@ class SurfaceDepth {
 
     Corners3 corners(std::uint32_t triangle) const;
 
-    /// One vertex of each connected piece of the surface.
+    /// One vertex of each shell of the given mesh.
     const std::vector<Vector3>& shellVertices() const { return shellVertices_; }
+
+    /// Points of the surface, at least one on each connected piece of it.
+    std::vector<Vector3> surfacePoints() const;
 
   private:
     std::optional<bool> isBehindFace(const Vector3& point, std::uint32_t triangle) const;
-    /// A connected piece of the surface.
-    struct Shell {
-        std::size_t piece;
-        bool isCavity;
-        Solid solid;
-        Model model;
-    };
-    void requireSimple() const;
-    void addShells(std::size_t piece, std::vector<Shell>& shells) const;
-    [[noreturn]] void refuseMeeting(std::size_t a, std::size_t b) const;
-    void requireNoSelfCrossing() const;
+    bool isInComponent(const Vector3& point) const;
+    bool isInGap(const Vector3& point, double distance, Workspace& workspace) const;
+    std::vector<SurfaceShell> findShellsOf(const Component& component, std::size_t number) const;
+    void requireNoSelfCrossing(const SurfaceShell& shell) const;
+    std::size_t countBodies(const std::vector<SurfaceShell>& shells) const;
+    Box grown(const Box& box) const;  ///< by the fineness
+    bool doMeet(const std::vector<SurfaceShell>& shells) const;
+    void join(const std::vector<SurfaceShell>& shells);
 
     Mesh mesh_;
     PointDistance distance_;
+    double fineness_;
+    std::optional<PointDistance> everything_;   ///< to the given mesh, where its surfaces meet
+    std::vector<std::uint32_t> partTriangles_;  ///< where surfaces meet
     std::vector<Solid> solids_;
     std::vector<Piece> pieces_;
     std::vector<double> outwards_;  ///< for each triangle: 1, or -1 if it is listed to face inwards
