@@ -30,8 +30,9 @@ struct ShrunkPart {
     Mesh mesh;  ///< one component, called as the part's only one or "part"; in the part's mesh coordinates
     ShrinkOptions options;
     std::vector<std::uint32_t> partTriangles;  ///< for each triangle the nearest one of the part's mesh
-    /// One line for each component of the part (for the whole part where components meet) of which shrinking leaves nothing, cuts off or removes a piece, or
-    /// leaves out something thin: more than three times as far from the shrunk part as the overlap is deep.
+    /// One line for each component of the part (for the whole part where components meet) of which shrinking leaves
+    /// nothing, cuts off or removes a piece, or leaves out something thin: more than three times as far from the
+    /// shrunk part as the overlap is deep.
     std::vector<std::string> leftOut;
 };
 

@@ -26,7 +26,6 @@ constexpr std::size_t kBlock =
     256;  ///< items that one thread takes with one warm start, so that threads change nothing
 constexpr double kLevel = 0.2;  ///< of the tolerance, above the overlap: where the surface is meant to be
 constexpr double kJoinFineness = 0.125;  ///< of the tolerance: where the part's surfaces meet
-constexpr double kError = 0.01;       ///< of the tolerance: by how much depths may be too large
 constexpr int kMostPieces = 24;          ///< in which the outside part of a tetrahedron is looked at
 constexpr double kMostShallow = 0.15;    ///< of the tolerance: how far above its level the surface may lie
 constexpr double kMostDeep = 0.7;        ///< of the tolerance: how far below
@@ -107,7 +106,7 @@ class Shrinking {
         places_.resize(vertices.size());
         heights_.resize(vertices.size());
         forBlocks(first, vertices.size(), [&](std::size_t i, Workspace& workspace) {
-            places_[i] = surface_.at(vertices[i], workspace, kError * tolerance_);
+            places_[i] = surface_.at(vertices[i], workspace);
             heights_[i] = places_[i].depth - level_;
         });
     }
@@ -159,7 +158,7 @@ class Shrinking {
         Vector3 sum = Vector3::Zero();
         double count = 0;
         eachCut(c, [&](std::uint32_t, std::uint32_t, const Vector3& point) { sum += point, ++count; });
-        const double depth = surface_.at(sum / count, workspace, kError * tolerance_).depth;
+        const double depth = surface_.at(sum / count, workspace).depth;
         return depth >= level_ - kMostShallow * tolerance_ && depth <= level_ + kMostDeep * tolerance_;
     }
 
@@ -194,7 +193,7 @@ class Shrinking {
 
     bool isCovered(Polytope piece, Workspace& workspace, int& pieces) const {
         if (pieces-- == 0 || !piece.isSimple()) return false;
-        const std::uint32_t triangle = surface_.nearest(piece.centre(), workspace, kError * tolerance_);
+        const std::uint32_t triangle = surface_.nearest(piece.centre(), workspace);
         const Corners3 corners = surface_.corners(triangle);
         if (distanceToTriangle(piece.centre(), corners) > most_) return false;
         const auto isNear = [&] {

@@ -71,10 +71,8 @@ double distanceToTriangle(const Vector3& point, const Corners3& triangle) {
 
 PointDistance::PointDistance(Model mesh) : mesh_(std::move(mesh)), point_(Model::build(pointMesh())) {}
 
-DistanceResult PointDistance::find(const Vector3& point, Workspace& workspace, double error) const {
-    DistanceOptions options;
-    options.absoluteError = error;
-    return distance(point_, mesh_, poseAt(point), options, workspace);
+DistanceResult PointDistance::find(const Vector3& point, Workspace& workspace) const {
+    return distance(point_, mesh_, poseAt(point), {}, workspace);
 }
 
 SurfaceDepth::SurfaceDepth(const Mesh& mesh, double fineness)
@@ -201,8 +199,8 @@ std::size_t SurfaceDepth::countBodies(const std::vector<SurfaceShell>& shells) c
     return std::set<std::size_t>(group.begin(), group.end()).size();
 }
 
-SurfaceDepth::Place SurfaceDepth::at(const Vector3& point, Workspace& workspace, double error) const {
-    const DistanceResult found = distance_.find(point, workspace, error);
+SurfaceDepth::Place SurfaceDepth::at(const Vector3& point, Workspace& workspace) const {
+    const DistanceResult found = distance_.find(point, workspace);
     const auto triangle = static_cast<std::uint32_t>(found.environmentTriangle);
     if (everything_) {
         const bool isIn = isInComponent(point) || isInGap(point, found.distance, workspace);
@@ -247,8 +245,8 @@ Vector3 SurfaceDepth::outwardNormal(std::uint32_t triangle) const {
     return outwards_[triangle] * (c[1] - c[0]).cross(c[2] - c[0]);
 }
 
-std::uint32_t SurfaceDepth::nearest(const Vector3& point, Workspace& workspace, double error) const {
-    return static_cast<std::uint32_t>(distance_.find(point, workspace, error).environmentTriangle);
+std::uint32_t SurfaceDepth::nearest(const Vector3& point, Workspace& workspace) const {
+    return static_cast<std::uint32_t>(distance_.find(point, workspace).environmentTriangle);
 }
 
 std::optional<std::size_t> SurfaceDepth::pieceHolding(const Vector3& point) const {

@@ -23,8 +23,7 @@ class PointDistance {
   public:
     explicit PointDistance(Model mesh);
 
-    /// error: how far the triangle found may be beyond the nearest one.
-    DistanceResult find(const Vector3& point, Workspace& workspace, double error = 0) const;
+    DistanceResult find(const Vector3& point, Workspace& workspace) const;
     double at(const Vector3& point, Workspace& workspace) const { return find(point, workspace).distance; }
     const Model& model() const { return mesh_; }
 
@@ -56,10 +55,9 @@ class SurfaceDepth {
         double depth;  ///< the distance to the surface, negative outside; not rounded in one direction
         std::uint32_t triangle;  ///< the nearest one; its position in the mesh
     };
-    Place at(const Vector3& point, Workspace& workspace, double error = 0) const;
+    Place at(const Vector3& point, Workspace& workspace) const;
 
-    /// A triangle; see PointDistance::find.
-    std::uint32_t nearest(const Vector3& point, Workspace& workspace, double error = 0) const;
+    std::uint32_t nearest(const Vector3& point, Workspace& workspace) const;
 
     /// A component with triangles. Where surfaces meet, there is one piece for all components.
     struct Piece {

@@ -4,9 +4,9 @@
 #include <boost/algorithm/string/predicate.hpp>
 #include <filesystem>
 
-#include "support/ppl_scene.h"
 #include "clearway/problem.h"
 #include "core/replace_file.h"
+#include "support/ppl_scene.h"
 
 namespace clearway::testing {
 namespace {
