@@ -90,7 +90,8 @@ class Finder {
         addPuzzle(name, problem, thoseThere({folder / "Puzzle-Path-v1.75-RRTConnect.txt"}));
     }
 
-    /// OMPL.app's alpha-1.2 as .obj files in other coordinates, with a path of its own, which says start and goal.
+    /// OMPL.app's alpha-1.2 as .obj files in other coordinates. It has no problem file, so start, goal and bounds
+    /// are those of its published path.
     void findAlphaOfTunnelDiscovery() {
         const std::string name = "PuzzleTunnelDiscovery/alpha-1.2";
         const fs::path folder = checkouts_ / "PuzzleTunnelDiscovery/res/alpha";
@@ -103,6 +104,9 @@ class Finder {
         const std::vector<PartState> states = readPath(path.string(), problem.space);
         problem.start = states.front();
         problem.goal = states.back();
+        Box bounds = boundingBox(loadMesh(problem.world));
+        for (const PartState& state : states) bounds.extend(state.position);
+        problem.volume = bounds;
         addPuzzle(name, problem, {path.string()});
     }
 
