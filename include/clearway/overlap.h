@@ -13,24 +13,26 @@ class SurfaceDepth;
 
 /// The point of an obstacle that lies deepest below the part's surface.
 struct DeepestPoint {
-    double lower = 0, upper = 0;      ///< bounds of its depth, environment units
-    Vector3 point = Vector3::Zero();  ///< one of depth `lower`, environment frame
-    std::int64_t obstacleTriangle =
-        -1;  ///< position in the obstacle's mesh; -1 when no point inside was found
+    double lower = 0, upper = 0;         ///< bounds of its depth, environment units
+    Vector3 point = Vector3::Zero();     ///< one of depth `lower`, environment frame
+    std::int64_t obstacleTriangle = -1;  ///< position in its mesh; -1 when no point inside was found
 };
 
 /// Measures overlaps with one part. Any number of threads may use it at once.
 class OverlapMeter {
   public:
-    /// Where components of the part meet, gaps of less than 0.0002 of the part's diagonal count as filled, and depths
-    /// may be too small by twice as much. Throws std::invalid_argument as shrink() does for a part that is not closed
-    /// or passes through itself.
+    /// Where components of the part meet, gaps of less than 0.0002 of the part's diagonal count as filled, and
+    /// depths may be too small by twice as much. Throws std::invalid_argument as shrink() does for a part that is
+    /// not closed or passes through itself.
     explicit OverlapMeter(const Mesh& part);
 
+    /// Gaps of less than an eighth of the tolerance count as filled, as they do in shrink().
+    OverlapMeter(const Mesh& part, double tolerance);
+
     /// The deepest point of the obstacle's triangles inside the part at the pose; upper is above lower by at
-    /// most 1 % or, if more, 1e-4 of the part's diagonal. X_environmentPart: as for distance(). A triangle's depth is found by halving
-    /// it, with the distance from its middle to the part's surface as the bound (which changes no faster than
-    /// places).
+    /// most 1 % or, if more, 1e-4 of the part's diagonal. X_environmentPart: as for distance(). A triangle's depth is
+    /// found by halving it, with the distance from its middle to the part's surface as the bound (which changes no
+    /// faster than places).
     DeepestPoint deepest(const Mesh& obstacle, const Pose& X_environmentPart) const {
         return deepest(obstacle, X_environmentPart, 0);
     }

@@ -24,21 +24,23 @@ struct ShrinkOptions {
 /// A part shrunk by an overlap. Certified by exact queries: its surface lies inside the part, nowhere less than
 /// the overlap and nowhere more than overlap + tolerance below the part's surface; and every point of the part
 /// that lies deeper than overlap + tolerance is inside it. Where components of the part touch or lie in each other,
-/// their common outside counts as the part's surface, and gaps between them of less than an eighth of the tolerance
+/// their common outside counts as the part's surface, and gaps in the part of less than an eighth of the tolerance
 /// count as filled.
 struct ShrunkPart {
     Mesh mesh;  ///< one component, called as the part's only one or "part"; in the part's mesh coordinates
     ShrinkOptions options;
     std::vector<std::uint32_t> partTriangles;  ///< for each triangle the nearest one of the part's mesh
-    /// One line for each component of the part (for the whole part where components meet) of which shrinking leaves
-    /// nothing, cuts off or removes a piece, or leaves out something thin: more than three times as far from the
-    /// shrunk part as the overlap is deep.
+    /// One line for each component of the part of which shrinking leaves nothing, or removes or cuts through a
+    /// connected body; and one for each (for the whole part where components meet) of which it leaves out something
+    /// thin: a point further from the shrunk part than three times overlap + tolerance. A point that is not quite
+    /// 1.1 times as far may go unnoticed.
     std::vector<std::string> leftOut;
 };
 
 /// Shrinks the part. Throws std::invalid_argument, naming what is wrong, if an option is not a finite number above
 /// 0, if a component of the part is not closed, if a connected piece of its surface passes through itself, if nothing of
-/// the part lies deeper than the overlap, or if the tolerance is too small for the part's size.
+/// the part is left, or if the tolerance is too small for the part's size. Something is left where a point of the
+/// part lies deeper than overlap + tolerance.
 ///
 /// The surface is cut through tetrahedra that are bisected where a bound on depths fails, as in isosurface
 /// stuffing (Labelle and Shewchuk, ACM Trans. Graphics 26, 2007), but with bounds from exact distances. So

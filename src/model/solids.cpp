@@ -219,7 +219,7 @@ void Solid::orient(const std::string& name) {
     }
     std::size_t outward = 0, inward = 0;
     for (std::uint32_t shell = 0; shell < shells.count; ++shell) {
-        if (isOutermost(shells, shell)) ++(volumes[shell] > 0 ? outward : inward);
+        if (volumes[shell] != 0 && isOutermost(shells, shell)) ++(volumes[shell] > 0 ? outward : inward);
     }
     if (outward > 0 && inward > 0) {
         refuseSolid(name, std::to_string(outward) + " of its outermost shells face outwards and " +

@@ -65,6 +65,11 @@ OverlapRules readOverlap(ConfigValues& values) {
         rules.isThinAllowed = true;
     }
     readLengths(values, kOverlap, rules.byName);
+    if (rules.common == 0 && rules.byName.empty()) {
+        const char* expected = "an overlap above 0, or an overlap.NAME, beside it";
+        if (rules.tolerance) values.refuse(kTolerance, expected);
+        if (rules.isThinAllowed) values.refuse(kThin, expected);
+    }
     return rules;
 }
 

@@ -11,7 +11,7 @@ namespace {
 constexpr double kShare = 0.01;       ///< how much of the depth may stay open
 constexpr double kLeastDepth = 1e-4;  ///< of the part's diagonal: how much may stay open in any case
 
-constexpr double kMeterFineness = 2e-4;  ///< of the part's diagonal: where its surfaces meet
+constexpr double kMeterTolerance = 16e-4;  ///< of the part's diagonal
 
 /// A piece of a triangle, in the part's frame.
 struct TrianglePiece {
@@ -121,8 +121,10 @@ class DeepestSearch {
 }  // namespace
 
 OverlapMeter::OverlapMeter(const Mesh& part)
-    : surface_(
-          std::make_shared<const SurfaceDepth>(part, kMeterFineness * boundingBox(part).diagonal().norm())) {}
+    : OverlapMeter(part, kMeterTolerance * boundingBox(part).diagonal().norm()) {}
+
+OverlapMeter::OverlapMeter(const Mesh& part, double tolerance)
+    : surface_(std::make_shared<const SurfaceDepth>(part, kJoinFineness * tolerance)) {}
 
 DeepestPoint OverlapMeter::deepest(const Mesh& obstacle, const Pose& X_environmentPart,
                                    double leastDepth) const {

@@ -24,11 +24,11 @@ namespace {
 constexpr std::size_t kMostVertices = 8'000'000;
 constexpr std::size_t kBlock =
     256;  ///< items that one thread takes with one warm start, so that threads change nothing
-constexpr double kLevel = 0.2;  ///< of the tolerance, above the overlap: where the surface is meant to be
-constexpr double kJoinFineness = 0.125;  ///< of the tolerance: where the part's surfaces meet
-constexpr int kMostPieces = 24;          ///< in which the outside part of a tetrahedron is looked at
-constexpr double kMostShallow = 0.15;    ///< of the tolerance: how far above its level the surface may lie
-constexpr double kMostDeep = 0.7;        ///< of the tolerance: how far below
+constexpr double kLevel = 0.2;   ///< of the tolerance, above the overlap: where the surface is meant to be
+constexpr int kMostPieces = 24;  ///< in which the outside part of a tetrahedron is looked at
+constexpr double kLeastSize = 0.02;    ///< of the tolerance: the edges of tetrahedra
+constexpr double kMostShallow = 0.15;  ///< of the tolerance: how far above its level the surface may lie
+constexpr double kMostDeep = 0.7;      ///< of the tolerance: how far below
 
 class Shrinking {
   public:
@@ -115,6 +115,7 @@ class Shrinking {
     /// level.
     bool settles(const Tetrahedron& tetrahedron, Workspace& workspace) const {
         const auto& c = tetrahedron.corners;
+        requireContinuity(c);
         std::vector<double> below;  // the level, at the corners
         for (const std::uint32_t v : c) below.push_back(-heights_[v]);
         const auto inside = std::count_if(below.begin(), below.end(), [](double b) { return b <= 0; });
@@ -280,6 +281,28 @@ class Shrinking {
         return !open_.empty();
     }
 
+    /// Depths change no faster than places, except in gaps that count as filled. So tetrahedra need not be smaller
+    /// than a tenth of the tolerance either.
+    void requireContinuity(const std::array<std::uint32_t, 4>& c) const {
+        const double most = 2 * surface_.slack() + 100 * surface_.rounding();
+        double longest = 0;
+        for (int i = 0; i < 4; ++i) {
+            for (int j = 0; j < i; ++j) {
+                const double length = (vertex(c[i]) - vertex(c[j])).norm();
+                longest = std::max(longest, length);
+                if (std::abs(heights_[c[i]] - heights_[c[j]]) > length + most) refusePlace(vertex(c[i]));
+            }
+        }
+        if (longest < kLeastSize * tolerance_) refusePlace(vertex(c[0]));
+    }
+
+    [[noreturn]] void refusePlace(const Vector3& place) const {
+        throw std::invalid_argument("overlap is " + shortNumber(least_) + " with the tolerance " +
+                                    shortNumber(tolerance_) + ", and near " + shortPoint(place) +
+                                    " it is unclear what is inside the part, expected surfaces that do not "
+                                    "run into themselves there, or another overlap.tolerance");
+    }
+
     void bisect(std::size_t tetrahedron, std::vector<std::size_t>& halves) {
         halves.push_back(tetrahedron);
         halves.push_back(tetrahedra_.all().size());
@@ -339,8 +362,9 @@ ShrunkPart shrink(const Mesh& part, const ShrinkOptions& options) {
     shrunk.options = options;
     shrunk.mesh = Shrinking(surface, options).run();
     if (shrunk.mesh.triangles.empty()) {
-        throw std::invalid_argument("overlap is " + shortNumber(options.overlap) +
-                                    ", and nothing of the part lies that deep below its surface");
+        throw std::invalid_argument("overlap is " + shortNumber(options.overlap) + " with the tolerance " +
+                                    shortNumber(options.tolerance) +
+                                    ", which leaves nothing of the part, expected smaller ones");
     }
     shrunk.mesh.origin = part.origin;
     shrunk.mesh.components = {{surface.pieceCount() == 1 ? surface.piece(0).name : "part", 0,

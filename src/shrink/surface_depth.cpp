@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
-#include <set>
 #include <stdexcept>
 #include <string>
 
+#include "core/number.h"
 #include "mesh/clean.h"
 #include "mesh/components.h"
 #include "mesh/renumber.h"
@@ -40,6 +41,17 @@ Mesh pointMesh() {
     return mesh;
 }
 
+Mesh joinedShells(const std::vector<SurfaceShell>& shells) {
+    Mesh all;
+    for (const SurfaceShell& shell : shells) {
+        const auto first = static_cast<std::uint32_t>(all.vertices.size());
+        all.vertices.insert(all.vertices.end(), shell.mesh.vertices.begin(), shell.mesh.vertices.end());
+        for (const auto& [a, b, c] : shell.mesh.triangles)
+            all.triangles.push_back({first + a, first + b, first + c});
+    }
+    return all;
+}
+
 Pose poseAt(const Vector3& point) {
     Pose pose;
     pose.translation = point;
@@ -69,6 +81,11 @@ double distanceToTriangle(const Vector3& point, const Corners3& triangle) {
         {distanceToSegment(point, a, b), distanceToSegment(point, b, c), distanceToSegment(point, c, a)});
 }
 
+std::string shortPoint(const Vector3& point) {
+    const auto rounded = [](double x) { return shortNumber(double(float(x))); };
+    return "(" + rounded(point.x()) + ", " + rounded(point.y()) + ", " + rounded(point.z()) + ")";
+}
+
 PointDistance::PointDistance(Model mesh) : mesh_(std::move(mesh)), point_(Model::build(pointMesh())) {}
 
 DistanceResult PointDistance::find(const Vector3& point, Workspace& workspace) const {
@@ -84,7 +101,7 @@ SurfaceDepth::SurfaceDepth(const Mesh& mesh, double fineness)
     for (const Component& component : componentsOf(mesh)) {
         if (component.triangleCount == 0) continue;
         const std::string name = component.name.empty() ? "unnamed" : component.name;
-        pieces_.push_back({name, component.firstTriangle, component.triangleCount, 0});
+        pieces_.push_back({name, component.firstTriangle, component.triangleCount});
         solids_.emplace_back(meshOf(mesh, component), name);
         if (solids_.back().isTurnedOver())
             std::fill_n(outwards_.begin() + component.firstTriangle, component.triangleCount, -1);
@@ -92,14 +109,14 @@ SurfaceDepth::SurfaceDepth(const Mesh& mesh, double fineness)
         shellVertices_.insert(shellVertices_.end(), vertices.begin(), vertices.end());
         for (SurfaceShell& shell : findShellsOf(component, solids_.size() - 1)) {
             requireNoSelfCrossing(shell);
-            pieces_.back().bodies += !shell.isCavity;
             shells.push_back(std::move(shell));
         }
     }
-    if (doMeet(shells)) join(shells);
+    findBodies(shells);
+    if (hasFlatShell_ || doMeet(shells)) join(shells);
 }
 
-std::vector<SurfaceShell> SurfaceDepth::findShellsOf(const Component& component, std::size_t number) const {
+std::vector<SurfaceShell> SurfaceDepth::findShellsOf(const Component& component, std::size_t number) {
     const CleanMesh cleaned = clean(meshOf(mesh_, component));
     const Shells found = findShells(cleaned.triangles);
     const std::vector<double> volumes = signedVolumes(cleaned.vertices, cleaned.triangles, found);
@@ -112,7 +129,10 @@ std::vector<SurfaceShell> SurfaceDepth::findShellsOf(const Component& component,
     const double outwards = outwards_[component.firstTriangle];
     std::vector<SurfaceShell> shells;
     for (std::uint32_t k = 0; k < found.count; ++k) {
-        if (volumes[k] == 0) continue;  // it encloses nothing
+        if (volumes[k] == 0) {  // it encloses nothing, and would be a wall where it lies in the part
+            hasFlatShell_ = true;
+            continue;
+        }
         meshes[k].vertices = takeUsedVertices(cleaned.vertices, meshes[k].triangles);
         shells.push_back({number, volumes[k] * outwards < 0, outwards, meshes[k], triangles[k],
                           Solid(meshes[k], component.name), Model::build(meshes[k])});
@@ -138,8 +158,7 @@ void SurfaceDepth::requireNoSelfCrossing(const SurfaceShell& shell) const {
         if (!collides(Model::build(copy), shell.model, {}, workspace)) continue;
         throw std::invalid_argument(
             "overlap needs a part of which only the outside is surface, and it passes through itself or "
-            "touches "
-            "itself at triangle " +
+            "touches itself at triangle " +
             std::to_string(shell.triangles[t]) + ", expected a surface that bounds one inside");
     }
 }
@@ -148,7 +167,8 @@ Box SurfaceDepth::grown(const Box& box) const {
     return Box(box.min() - Vector3::Constant(fineness_), box.max() + Vector3::Constant(fineness_));
 }
 
-/// Whether two shells have less than the fineness between them, or one is neither a cavity right inside another one nor apart from all others.
+/// Whether two shells have less than the fineness between them, or one is neither a cavity right inside another one
+/// nor apart from all others.
 bool SurfaceDepth::doMeet(const std::vector<SurfaceShell>& shells) const {
     Workspace workspace;
     for (std::size_t i = 0; i < shells.size(); ++i) {
@@ -168,35 +188,62 @@ bool SurfaceDepth::doMeet(const std::vector<SurfaceShell>& shells) const {
 void SurfaceDepth::join(const std::vector<SurfaceShell>& shells) {
     const OuterSurface outer = outerSurface(
         shells, [&](const Vector3& point) { return isInComponent(point); }, fineness_);
-    everything_ = std::move(distance_);
+    everything_ = hasFlatShell_ ? PointDistance(Model::build(joinedShells(shells))) : std::move(distance_);
     distance_ = PointDistance(Model::build(outer.mesh));
     partTriangles_ = outer.triangles;
     std::vector<double> outwards;
     for (const std::uint32_t t : partTriangles_) outwards.push_back(outwards_[t]);
     outwards_ = std::move(outwards);
     mesh_ = outer.mesh;
-    pieces_ = {{"part", 0, static_cast<std::uint32_t>(mesh_.triangles.size()), countBodies(shells)}};
+    pieces_ = {{"part", 0, static_cast<std::uint32_t>(mesh_.triangles.size())}};
 }
 
-/// How many bodies there are when shells without a gap between them, or in another component, count as one.
-std::size_t SurfaceDepth::countBodies(const std::vector<SurfaceShell>& shells) const {
+/// The smallest shell of a component around shell i, if the component has material there.
+std::optional<std::size_t> SurfaceDepth::shellAround(const std::vector<SurfaceShell>& shells, std::size_t i,
+                                                     std::size_t component) {
+    const Vector3& vertex = shells[i].solid.shellVertices()[0];
+    int around = 0;
+    std::optional<std::size_t> smallest;
+    for (std::size_t j = 0; j < shells.size(); ++j) {
+        const SurfaceShell& other = shells[j];
+        if (i == j || other.component != component || !other.solid.box().contains(vertex)) continue;
+        if (other.solid.winding({}, {}, vertex) <= 0) continue;
+        around += other.isCavity ? -1 : 1;
+        const bool isSmallest =
+            !smallest || other.solid.box().volume() < shells[*smallest].solid.box().volume();
+        if (!other.isCavity && isSmallest) smallest = j;
+    }
+    return around > 0 ? smallest : std::nullopt;
+}
+
+void SurfaceDepth::findBodies(const std::vector<SurfaceShell>& shells) {
     std::vector<std::size_t> group(shells.size());
     std::iota(group.begin(), group.end(), std::size_t(0));
-    Workspace workspace;
-    const auto areOne = [&](const SurfaceShell& a, const SurfaceShell& b) {
-        if (!grown(a.solid.box()).intersects(b.solid.box())) return false;
-        if (isWithin(a.model, b.model, {}, fineness_, workspace)) return true;
-        const Vector3& vertex = b.solid.shellVertices()[0];
-        if (a.component != b.component) return solids_[a.component].winding({}, {}, vertex) > 0;
-        return !a.isCavity && a.solid.winding({}, {}, vertex) > 0;
+    const auto join = [&](std::size_t i, std::size_t j) {
+        std::replace(group.begin(), group.end(), std::size_t(group[j]), std::size_t(group[i]));
     };
+    Workspace workspace;
     for (std::size_t i = 0; i < shells.size(); ++i) {
-        for (std::size_t j = 0; j < shells.size(); ++j) {
-            if (group[i] == group[j] || !areOne(shells[i], shells[j])) continue;
-            std::replace(group.begin(), group.end(), std::size_t(group[j]), std::size_t(group[i]));
+        for (std::size_t component = 0; component < solids_.size(); ++component) {
+            if (const auto around = shellAround(shells, i, component)) join(*around, i);
+        }
+        for (std::size_t j = 0; j < i; ++j) {
+            if (group[i] == group[j] || !grown(shells[i].solid.box()).intersects(shells[j].solid.box()))
+                continue;
+            if (isWithin(shells[i].model, shells[j].model, {}, fineness_, workspace)) join(j, i);
         }
     }
-    return std::set<std::size_t>(group.begin(), group.end()).size();
+    bodyOfTriangle_.assign(mesh_.triangles.size(), 0);
+    std::map<std::size_t, std::size_t> bodies;
+    for (std::size_t i = 0; i < shells.size(); ++i) {
+        const std::size_t body = bodies.emplace(group[i], bodies.size()).first->second;
+        if (body == bodyNames_.size()) bodyNames_.push_back(pieces_[shells[i].component].name);
+        for (const std::uint32_t t : shells[i].triangles) bodyOfTriangle_[t] = body;
+    }
+}
+
+std::size_t SurfaceDepth::bodyNear(const Vector3& point, Workspace& workspace) const {
+    return bodyOfTriangle_[partTriangle(nearest(point, workspace))];
 }
 
 SurfaceDepth::Place SurfaceDepth::at(const Vector3& point, Workspace& workspace) const {
@@ -249,15 +296,10 @@ std::uint32_t SurfaceDepth::nearest(const Vector3& point, Workspace& workspace) 
     return static_cast<std::uint32_t>(distance_.find(point, workspace).environmentTriangle);
 }
 
-std::optional<std::size_t> SurfaceDepth::pieceHolding(const Vector3& point) const {
-    if (everything_) {
-        Workspace workspace;
-        return at(point, workspace).depth >= 0 ? std::optional<std::size_t>(0) : std::nullopt;
-    }
-    for (std::size_t i = 0; i < solids_.size(); ++i) {
-        if (solids_[i].box().contains(point) && solids_[i].winding({}, {}, point) > 0) return i;
-    }
-    return std::nullopt;
+bool SurfaceDepth::isInside(const Vector3& point) const {
+    if (!everything_) return isInComponent(point);
+    Workspace workspace;
+    return at(point, workspace).depth >= 0;
 }
 
 std::vector<Vector3> SurfaceDepth::surfacePoints() const {

@@ -18,6 +18,9 @@ namespace clearway {
 /// sliver. Never less than the distance, except for rounding.
 double distanceToTriangle(const Vector3& point, const Corners3& triangle);
 
+/// "(1.5, 2, 0.1)", rounded to floats.
+std::string shortPoint(const Vector3& point);
+
 /// The distance of points to a mesh.
 class PointDistance {
   public:
@@ -30,6 +33,8 @@ class PointDistance {
   private:
     Model mesh_, point_;
 };
+
+constexpr double kJoinFineness = 0.125;  ///< of the tolerance: where the part's surfaces meet
 
 /// The closed surfaces of a mesh's components, each of which bounds a piece of the part. Where they touch or lie in
 /// each other, only their outside counts: a wall within the part would make depths too small.
@@ -63,13 +68,16 @@ class SurfaceDepth {
     struct Piece {
         std::string name;
         std::uint32_t firstTriangle, triangleCount;  ///< in mesh()
-        std::size_t bodies;                          ///< how many connected bodies it consists of
     };
     std::size_t pieceCount() const { return pieces_.size(); }
     const Piece& piece(std::size_t i) const { return pieces_[i]; }
-    std::optional<std::size_t> pieceHolding(const Vector3& point) const;
+    bool isInside(const Vector3& point) const;
 
-    bool isInside(const Vector3& point) const { return pieceHolding(point).has_value(); }
+    /// The part's connected bodies, each called as a component in it.
+    const std::vector<std::string>& bodyNames() const { return bodyNames_; }
+
+    /// The body with the triangle nearest to the point: for a point inside the part the one that holds it.
+    std::size_t bodyNear(const Vector3& point, Workspace& workspace) const;
 
     /// Perpendicular to the triangle, of any length; 0 for one without area.
     Vector3 outwardNormal(std::uint32_t triangle) const;
@@ -86,9 +94,11 @@ class SurfaceDepth {
     std::optional<bool> isBehindFace(const Vector3& point, std::uint32_t triangle) const;
     bool isInComponent(const Vector3& point) const;
     bool isInGap(const Vector3& point, double distance, Workspace& workspace) const;
-    std::vector<SurfaceShell> findShellsOf(const Component& component, std::size_t number) const;
+    std::vector<SurfaceShell> findShellsOf(const Component& component, std::size_t number);
     void requireNoSelfCrossing(const SurfaceShell& shell) const;
-    std::size_t countBodies(const std::vector<SurfaceShell>& shells) const;
+    static std::optional<std::size_t> shellAround(const std::vector<SurfaceShell>& shells, std::size_t i,
+                                                  std::size_t component);
+    void findBodies(const std::vector<SurfaceShell>& shells);
     Box grown(const Box& box) const;  ///< by the fineness
     bool doMeet(const std::vector<SurfaceShell>& shells) const;
     void join(const std::vector<SurfaceShell>& shells);
@@ -96,10 +106,13 @@ class SurfaceDepth {
     Mesh mesh_;
     PointDistance distance_;
     double fineness_;
-    std::optional<PointDistance> everything_;   ///< to the given mesh, where its surfaces meet
+    std::optional<PointDistance> everything_;   ///< to all shells, where they meet
     std::vector<std::uint32_t> partTriangles_;  ///< where surfaces meet
     std::vector<Solid> solids_;
     std::vector<Piece> pieces_;
+    bool hasFlatShell_ = false;  ///< one that encloses nothing
+    std::vector<std::string> bodyNames_;
+    std::vector<std::size_t> bodyOfTriangle_;  ///< of the given mesh
     std::vector<double> outwards_;  ///< for each triangle: 1, or -1 if it is listed to face inwards
     std::vector<Vector3> shellVertices_;
     double rounding_ = 0;

@@ -177,6 +177,17 @@ Mesh prismSides(const std::vector<Eigen::Vector2d>& outline) {
     return mesh;
 }
 
+/// A prism from z = -1 to z = 1 whose ends are these triangles.
+Mesh prism(const std::vector<Eigen::Vector2d>& outline, const std::vector<TriangleIndices>& end) {
+    Mesh mesh = prismSides(outline);
+    const auto n = static_cast<std::uint32_t>(outline.size());
+    for (const auto& [a, b, c] : end) {
+        mesh.triangles.push_back({a, c, b});
+        mesh.triangles.push_back({n + a, n + b, n + c});
+    }
+    return mesh;
+}
+
 /// Two thick blocks with a web between them, in one surface: a prism whose outline is an H on its side.
 Mesh blocksWithWeb(double webThickness) {
     const double w = 0.5 * webThickness;
@@ -210,38 +221,53 @@ BOOST_AUTO_TEST_CASE(what_shrinking_leaves_out_is_named) {
     BOOST_TEST(shrink(blocksWithWeb(1), options).leftOut.empty());
     const std::vector<std::string> cut = shrink(blocksWithWeb(0.3), options).leftOut;
     BOOST_REQUIRE(!cut.empty());
-    BOOST_TEST(cut[0] == "'blocks' has 1 piece and 2 after shrinking");
+    BOOST_TEST(cut[0] == "shrinking cuts through 'blocks'");
     const Mesh pinAndBlock =
         both(named(box({2, 2, 2}), "block"), named(at(box({0.1, 0.1, 1}), {5, 0, 0}), "pin"));
     const std::vector<std::string> lost = shrink(pinAndBlock, options).leftOut;
     BOOST_REQUIRE(lost.size() == 1u);
     BOOST_TEST(lost[0] == "nothing is left of 'pin'");
+    // One piece falls apart and another one vanishes, which leaves as many pieces as there were.
+    const Mesh blocksAndPin =
+        named(joined(blocksWithWeb(0.3), at(box({0.1, 0.1, 1}), {9, 0, 0})), "blocks and pin");
+    const std::vector<std::string> both = shrink(blocksAndPin, options).leftOut;
+    BOOST_REQUIRE(both.size() >= 2u);
+    BOOST_TEST(both[0] == "nothing is left of 1 of the 2 pieces of 'blocks and pin'");
+    BOOST_TEST(both[1] == "shrinking cuts through 1 of the 2 pieces of 'blocks and pin'");
 }
 
-BOOST_AUTO_TEST_CASE(a_thin_fin_is_named_with_its_place) {
-    // A tube's rim stands for a fin: the wall between z = 3 and z = 6 is thin.
+/// A surface through squares one above another, and its two ends.
+Mesh throughSquares(const std::vector<std::pair<double, double>>& halvesAndHeights) {
     Mesh mesh;
-    const double thick = 1, thin = 0.1;
-    const auto ring = [&](double half, double z) {
-        for (const auto& [x, y] : {std::pair{-half, -1.0}, {half, -1.0}, {half, 1.0}, {-half, 1.0}}) {
+    for (const auto& [half, z] : halvesAndHeights) {
+        for (const auto& [x, y] : {std::pair{-half, -half}, {half, -half}, {half, half}, {-half, half}})
             mesh.vertices.push_back({x, y, z});
-        }
-    };
-    ring(thick, 0), ring(thick, 2), ring(thin, 2), ring(thin, 5);
-    for (std::uint32_t level = 0; level < 3; ++level) {
+    }
+    const auto last = static_cast<std::uint32_t>(mesh.vertices.size() - 4);
+    for (std::uint32_t level = 0; level < last; level += 4) {
         for (std::uint32_t k = 0; k < 4; ++k) {
-            const std::uint32_t a = 4 * level + k, b = 4 * level + (k + 1) % 4;
+            const std::uint32_t a = level + k, b = level + (k + 1) % 4;
             mesh.triangles.push_back({a, b, b + 4});
             mesh.triangles.push_back({a, b + 4, a + 4});
         }
     }
     mesh.triangles.push_back({0, 2, 1});
     mesh.triangles.push_back({0, 3, 2});
-    mesh.triangles.push_back({12, 13, 14});
-    mesh.triangles.push_back({12, 14, 15});
-    const ShrunkPart shrunk = shrink(named(mesh, "finned"), {0.2, 0.05});
-    BOOST_REQUIRE(shrunk.leftOut.size() == 1u);
-    BOOST_TEST(shrunk.leftOut[0].find("'finned' is too thin at (") == 0u);
+    mesh.triangles.push_back({last, last + 1, last + 2});
+    mesh.triangles.push_back({last, last + 2, last + 3});
+    return mesh;
+}
+
+BOOST_AUTO_TEST_CASE(something_thin_is_named_with_its_place) {
+    const std::vector<std::string> fin =
+        shrink(named(throughSquares({{1, 0}, {1, 2}, {0.1, 2}, {0.1, 5}}), "finned"), {0.2, 0.05}).leftOut;
+    BOOST_REQUIRE(fin.size() == 1u);
+    BOOST_TEST(fin[0].find("'finned' is too thin at (") == 0u);
+    // The bottom of a tray, two triangles whose corners and centres are near its rim.
+    const std::vector<std::string> bottom =
+        shrink(named(throughSquares({{5, 0}, {5, 3}, {3, 3}, {3, 0.6}}), "tray"), {0.5, 0.5}).leftOut;
+    BOOST_REQUIRE(bottom.size() == 1u);
+    BOOST_TEST(bottom[0].find("'tray' is too thin at (") == 0u);
 }
 
 BOOST_AUTO_TEST_CASE(parts_without_an_inside_and_wrong_lengths_are_refused) {
@@ -257,7 +283,7 @@ BOOST_AUTO_TEST_CASE(parts_without_an_inside_and_wrong_lengths_are_refused) {
         if (v == Vector3(1, 0, 0)) v.x() = -3;
     }
     BOOST_TEST(has(refusal(crossed, {0.1, 0.1}), "passes through itself"));
-    BOOST_TEST(has(refusal(box({1, 1, 1}), {1.5, 0.1}), "nothing of the part lies that deep"));
+    BOOST_TEST(has(refusal(box({1, 1, 1}), {1.5, 0.1}), "which leaves nothing of the part"));
     BOOST_TEST(has(refusal(box({1, 1, 1}), {0, 0.1}), "overlap is 0, expected a finite number above 0"));
     BOOST_TEST(has(refusal(box({1, 1, 1}), {0.1, -1}), "overlap.tolerance is -1, expected"));
 }
@@ -315,11 +341,89 @@ BOOST_AUTO_TEST_CASE(only_the_outside_of_components_that_meet_counts) {
     check(both(shell, named(cube, "loose")), joined(shell, cube));         // a body loose in a cavity
 }
 
+/// A block of 18 x 6 whose upper left part hovers over the lower one: a slot of that height from x = -5 to -1.
+Mesh slotted(double height) {
+    return prism({{-9, -3}, {9, -3}, {9, 0}, {-5, 0}, {-5, height}, {-1, height}, {-1, 3}, {-9, 3}},
+                 {{0, 3, 7}, {0, 1, 3}, {1, 2, 3}, {3, 4, 7}, {4, 5, 7}, {5, 6, 7}});
+}
+
+BOOST_AUTO_TEST_CASE(a_slot_that_something_fills_is_no_wall_in_the_part) {
+    const double height = 0.01;  // less than the fineness: in front of the slot's wall is the part itself
+    const Mesh shim = named(at(box({2, 0.5 * height, 1}), {-3, 0.5 * height, 0}), "shim");
+    Random random(3);
+    for (const Pose& pose : {Pose{}, Pose{random.rotation(), {1, -2, 3}}}) {
+        const SurfaceDepth filled(transformed(both(named(slotted(height), "block"), shim), pose), 0.05);
+        Workspace workspace;
+        for (const double x : {-4.9, -4.0, -3.0, -2.0}) {
+            for (const double y : {-0.3, 0.5 * height, 0.3}) {
+                const double depth = filled.at(pose * Vector3(x, y, 0), workspace).depth;
+                BOOST_TEST_CONTEXT("x " << x << " y " << y) {
+                    BOOST_TEST(depth > 1 - filled.slack());
+                }
+            }
+        }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(a_surface_below_its_own_overhang_stays_outside) {
+    // The centre of a floor's triangle lies below the overhang; a bolt makes this a part of components that meet.
+    Mesh block = slotted(1e-3);
+    for (const std::uint32_t v : {5, 6, 13, 14}) block.vertices[v].x() = 1;
+    const Mesh bolt = named(at(box({0.5, 0.5, 0.5}), {-9, -1, 0}), "bolt");
+    const SurfaceDepth surface(both(named(block, "block"), bolt), 0.05);
+    Workspace workspace;
+    for (const double x : {1.1, 2.0, 8.0}) {
+        for (const double z : {-0.6, 0.6}) {
+            const double depth = surface.at({x, -0.3, z}, workspace).depth;
+            BOOST_TEST(depth < 0.3 + 1e-9);
+            BOOST_TEST(depth > 0.3 - surface.slack());
+        }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(a_surface_that_runs_into_itself_along_its_own_planes_is_refused_at_once) {
+    // A frame whose two ends overlap: all their sides lie in common planes, so that no side passes through another.
+    const Mesh frame = prism({{3.5, 6},
+                              {0, 6},
+                              {0, 0},
+                              {6, 0},
+                              {6, 6},
+                              {2.5, 6},
+                              {2.5, 4},
+                              {4, 4},
+                              {4, 2},
+                              {2, 2},
+                              {2, 4},
+                              {3.5, 4}},
+                             {{0, 1, 10},
+                              {0, 10, 11},
+                              {1, 2, 9},
+                              {1, 9, 10},
+                              {2, 3, 8},
+                              {2, 8, 9},
+                              {3, 4, 7},
+                              {3, 7, 8},
+                              {4, 5, 6},
+                              {4, 6, 7}});
+    const std::string message = refusal(frame, {0.05, 0.05});
+    BOOST_TEST(message.find("it is unclear what is inside the part") != std::string::npos, message);
+}
+
+BOOST_AUTO_TEST_CASE(a_shell_that_encloses_nothing_is_no_wall_in_the_part) {
+    Mesh flat;
+    flat.vertices = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
+    flat.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}};
+    const Mesh block = box({3, 3, 3});
+    for (const Vector3& place : {Vector3(0, 0, 0), Vector3(6, 0, 0)}) {
+        checkShrunk(shrink(named(joined(block, at(flat, place)), "p"), {0.3, 0.2}), block, 60);
+    }
+}
+
 BOOST_AUTO_TEST_CASE(components_that_meet_are_as_deep_as_their_outside) {
     const double fineness = 0.01;
     const SurfaceDepth surface(plusOfBoxes(false), fineness);
     const Mesh outside = plusOutline();
-    BOOST_TEST(surface.piece(0).bodies == 1u);
+    BOOST_TEST(surface.bodyNames().size() == 1u);
     Random random(3);
     Workspace workspace;
     for (int n = 0; n < 300; ++n) {
@@ -344,7 +448,7 @@ BOOST_AUTO_TEST_CASE(depths_in_scenes_whose_parts_have_components_that_meet_end_
         const double fineness = 0.001 * boundingBox(part).diagonal().norm();
         const SurfaceDepth surface(part, fineness);
         BOOST_TEST(surface.slack() > 0);
-        BOOST_TEST(surface.piece(0).bodies < part.components.size());
+        BOOST_TEST(surface.bodyNames().size() < part.components.size());
         Random random(9);
         Workspace workspace;
         for (int n = 0; n < (isFullRun() ? 300 : 8);) {

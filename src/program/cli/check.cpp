@@ -99,6 +99,7 @@ int check(const Arguments& arguments) {
     if (!options.csv.empty()) writeProfile(found.audit, options.csv);
     const std::vector<FoundOverlap> overlaps = overlapsAlong(problem, scene, path);
     printOverlaps(overlaps);
+    if (found.audit.isValid()) requireAllowed(overlaps);
     options.outputs.write(problem, scene, path, found.audit, {}, overlaps);
     requirePrinted();
     return found.audit.isValid() ? kDone : kAnswerIsNo;

@@ -1,5 +1,6 @@
 // clearway info: shows the content of a mesh or a problem, the conversions on reading, and the trees built.
 #include <boost/algorithm/string/predicate.hpp>
+#include <cmath>
 #include <iostream>
 #include <optional>
 #include <stdexcept>
@@ -178,15 +179,30 @@ void describeProblemFile(const std::string& file, const BuildOptions& tree) {
                  planning::planningReach(problem, {}, partModel, boundingBox(environment)));
 }
 
+double liftTolerance(const Problem& problem, double overlap) {
+    return problem.rules.overlap.tolerance.value_or(kLiftTolerance * overlap);
+}
+
 /// Why the start is not valid with this overlap; empty when it is valid.
 std::string whyStartIsInvalid(Problem problem, double overlap) {
     OverlapRules& rules = problem.rules.overlap;
     rules.common = overlap;
-    if (!rules.tolerance) rules.tolerance = kLiftTolerance * overlap;
+    rules.tolerance = liftTolerance(problem, overlap);
     SceneLoading loading;
     loading.read = guardedLoadMesh;
-    const planning::SceneClearance clearance(loadScene(problem, {}, loading).scene);
-    return clearance.whyInvalid(poseOf(problem.start));
+    try {
+        const planning::SceneClearance clearance(loadScene(problem, {}, loading).scene);
+        return clearance.whyInvalid(poseOf(problem.start));
+    } catch (const std::invalid_argument& error) {
+        throw std::invalid_argument("no overlap is found that frees the start; tried: " +
+                                    std::string(error.what()));
+    }
+}
+
+/// The number with three digits, not less than it was.
+double roundedUp(double depth) {
+    const double unit = std::pow(10, std::floor(std::log10(depth)) - 2);
+    return std::ceil(depth / unit) * unit;
 }
 
 /// Says how deep obstacles reach into the part at the start, and which overlap frees the start.
@@ -194,17 +210,22 @@ void describeLift(const std::string& file) {
     Problem problem = readProblem(file);
     const std::vector<FoundOverlap> overlaps = overlapsAtStart(problem);
     for (const FoundOverlap& found : overlaps) printRow(found.obstacle, describe(found));
-    if (overlaps.empty()) {
-        printRow("start", "no obstacle reaches into the part");
-        return;
-    }
     problem.margin = 0;
     problem.rules.margins.clear();
     problem.rules.overlap.common = 0;
     problem.rules.overlap.byName.clear();
     problem.rules.overlap.isThinAllowed = true;
+    if (overlaps.empty()) {
+        SceneLoading loading;
+        loading.read = guardedLoadMesh;
+        const planning::SceneClearance clearance(loadScene(problem, {}, loading).scene);
+        const std::string why = clearance.whyInvalid(poseOf(problem.start));
+        printRow("start", "no obstacle reaches into the part" + (why.empty() ? "" : ", but " + why));
+        return;
+    }
     double least = 0, enough = 0;
     for (const FoundOverlap& found : overlaps) enough = std::max(enough, found.deepest.upper);
+    enough = roundedUp(enough);
     std::string why = whyStartIsInvalid(problem, enough);
     for (int doublings = 0; !why.empty() && doublings < kMostDoublings; ++doublings) {
         least = enough;
@@ -213,11 +234,16 @@ void describeLift(const std::string& file) {
     }
     if (!why.empty())
         throw std::invalid_argument("no overlap up to " + readable(enough) + " frees the start: " + why);
-    while (least > 0 && enough - least > kLiftError * enough) {
-        const double middle = 0.5 * (least + enough);
+    const bool isFromSearch = least > 0;
+    while (isFromSearch && enough - least > kLiftError * enough) {
+        const double middle = roundedUp(0.5 * (least + enough));
         (whyStartIsInvalid(problem, middle).empty() ? enough : least) = middle;
     }
-    printRow("lift", "overlap = " + depthText(enough) + " frees the start");
+    printRow("lift",
+             "overlap = " + depthText(enough) +
+                 (isFromSearch ? " with overlap.tolerance = " + depthText(liftTolerance(problem, enough))
+                               : std::string()) +
+                 " frees the start");
 }
 
 }  // namespace

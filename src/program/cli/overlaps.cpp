@@ -4,8 +4,11 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <map>
+#include <stdexcept>
 
 #include "mesh/components.h"
+#include "model/solids.h"
 #include "program/cli/load_guard.h"
 #include "program/cli/print.h"
 #include "program/report/frames.h"
@@ -16,6 +19,7 @@ namespace {
 
 constexpr std::size_t kPoses = 41;  ///< along a path
 constexpr std::size_t kMostRows = 5;
+constexpr double kRounding = 1e-9;        ///< of an overlap
 constexpr double kShareOfInterest = 0.1;  ///< of the allowed overlap: depths that differ by less are alike
 
 struct PosedAt {
@@ -23,34 +27,38 @@ struct PosedAt {
     Pose X_environmentPart;
 };
 
-template <class Wanted>
-std::vector<Mesh> componentsIn(const ObstacleGroups& obstacles, const Wanted& isWanted) {
-    std::vector<Mesh> meshes;
-    for (const ObstacleGroup& group : obstacles.groups) {
-        if (!isWanted(group)) continue;
-        const std::size_t count = componentsOf(group.mesh).size();
-        for (std::size_t i = 0; i < count; ++i) {
-            Mesh component = meshOfComponents(group.mesh, {i});
-            if (!component.triangles.empty()) meshes.push_back(std::move(component));
-        }
+struct Piece {
+    Mesh mesh;           ///< one component of an obstacle
+    double allowed = 0;  ///< as FoundOverlap has it
+};
+
+void addComponents(const Mesh& mesh, double allowed, std::vector<Piece>& to) {
+    const std::size_t count = componentsOf(mesh).size();
+    for (std::size_t i = 0; i < count; ++i) {
+        Mesh component = meshOfComponents(mesh, {i});
+        if (!component.triangles.empty()) to.push_back({std::move(component), allowed});
     }
-    return meshes;
 }
 
-/// For each obstacle, a mesh of one component, where it reaches deepest into the part.
-std::vector<FoundOverlap> findOverlaps(const Mesh& part, const std::vector<Mesh>& obstacles,
-                                       const std::vector<PosedAt>& poses, double leastDepth) {
-    const OverlapMeter meter(part);
+/// For each piece where it reaches deepest into the part.
+std::vector<FoundOverlap> findOverlaps(const Mesh& part, const OverlapMeter& meter,
+                                       const std::vector<Piece>& pieces, const std::vector<PosedAt>& poses,
+                                       double leastDepth) {
     const Model model = Model::build(part);
+    const Solids inPart(part);
     std::vector<FoundOverlap> all;
     Workspace workspace;
-    for (const Mesh& obstacle : obstacles) {
-        const Model tree = Model::build(obstacle);
+    for (const Piece& piece : pieces) {
+        const Model tree = Model::build(piece.mesh);
+        const Solids inPiece(piece.mesh);
         FoundOverlap found;
-        found.obstacle = componentsOf(obstacle)[0].name;
+        found.obstacle = componentsOf(piece.mesh)[0].name;
+        found.allowed = piece.allowed;
         for (const PosedAt& pose : poses) {
-            if (!collides(model, tree, pose.X_environmentPart, workspace)) continue;
-            const DeepestPoint deepest = meter.deepest(obstacle, pose.X_environmentPart, leastDepth);
+            if (!collides(model, tree, pose.X_environmentPart, workspace) &&
+                !inPart.holding(pose.X_environmentPart, inPiece, {}))
+                continue;
+            const DeepestPoint deepest = meter.deepest(piece.mesh, pose.X_environmentPart, leastDepth);
             if (deepest.lower <= found.deepest.lower) continue;
             found.deepest = deepest;
             found.share = pose.share;
@@ -66,27 +74,47 @@ std::vector<FoundOverlap> findOverlaps(const Mesh& part, const std::vector<Mesh>
 
 std::vector<FoundOverlap> overlapsAlong(const Problem& problem, const Scene& scene,
                                         const std::vector<PartState>& path) {
-    double least = std::numeric_limits<double>::infinity();
+    std::map<double, double> tolerances;
+    double least = std::numeric_limits<double>::infinity(), leastTolerance = least;
     for (const Obstacle& obstacle : scene.obstacles) {
-        if (obstacle.shrunk) least = std::min(least, obstacle.shrunk->overlap);
+        if (!obstacle.shrunk) continue;
+        tolerances[obstacle.shrunk->overlap] = obstacle.shrunk->tolerance;
+        least = std::min(least, obstacle.shrunk->overlap);
+        leastTolerance = std::min(leastTolerance, obstacle.shrunk->tolerance);
     }
-    if (std::isinf(least)) return {};
+    if (tolerances.empty()) return {};
     const report::PathLine line(path, scene.part.radiusAboutOrigin());
     std::vector<PosedAt> poses;
     for (const double share : report::evenShares(kPoses)) poses.push_back({share, poseOf(line.at(share))});
     const ObstacleGroups obstacles = obstaclesOf(problem, loadWorlds(problem, guardedLoadMesh));
-    return findOverlaps(loadPart(problem, guardedLoadMesh),
-                        componentsIn(obstacles, [](const ObstacleGroup& group) { return group.overlap > 0; }),
-                        poses, kShareOfInterest * least);
+    std::vector<Piece> pieces;
+    for (const ObstacleGroup& group : obstacles.groups) {
+        if (group.overlap > 0)
+            addComponents(group.mesh, group.overlap + tolerances.at(group.overlap), pieces);
+    }
+    const Mesh part = loadPart(problem, guardedLoadMesh);
+    return findOverlaps(part, OverlapMeter(part, leastTolerance), pieces, poses, kShareOfInterest * least);
 }
 
 std::vector<FoundOverlap> overlapsAtStart(const Problem& problem) {
     Problem allowingNone = problem;
     allowingNone.rules.overlap = {};
-    const ObstacleGroups obstacles = obstaclesOf(allowingNone, loadWorlds(problem, guardedLoadMesh));
-    return findOverlaps(loadPart(problem, guardedLoadMesh),
-                        componentsIn(obstacles, [](const ObstacleGroup&) { return true; }),
-                        {{0, poseOf(problem.start)}}, 0);
+    std::vector<Piece> pieces;
+    for (const ObstacleGroup& group :
+         obstaclesOf(allowingNone, loadWorlds(problem, guardedLoadMesh)).groups) {
+        addComponents(group.mesh, 0, pieces);
+    }
+    const Mesh part = loadPart(problem, guardedLoadMesh);
+    return findOverlaps(part, OverlapMeter(part), pieces, {{0, poseOf(problem.start)}}, 0);
+}
+
+void requireAllowed(const std::vector<FoundOverlap>& overlaps) {
+    for (const FoundOverlap& found : overlaps) {
+        if (found.deepest.lower <= found.allowed * (1 + kRounding)) continue;
+        throw std::logic_error("the path is certified, but is not valid: at " + readable(found.share) +
+                               " of it an obstacle reaches " + describe(found) + ", expected at most " +
+                               readable(found.allowed) + "; please report this contradiction");
+    }
 }
 
 void printOverlaps(const std::vector<FoundOverlap>& overlaps) {

@@ -14,6 +14,7 @@ struct FoundOverlap {
     std::string obstacle;  ///< name of the component
     double share = 0;      ///< of the path, where it is deepest
     DeepestPoint deepest;
+    double allowed = 0;  ///< the overlap and its tolerance
 };
 
 /// For each obstacle for which the problem allows an overlap, where it reaches deepest into the part, the deepest
@@ -23,6 +24,10 @@ std::vector<FoundOverlap> overlapsAlong(const Problem& problem, const Scene& sce
 
 /// For each obstacle that reaches into the part at the problem's start, where it reaches deepest.
 std::vector<FoundOverlap> overlapsAtStart(const Problem& problem);
+
+/// Throws std::logic_error if an obstacle reaches deeper than allowed: this is called for valid paths, so that a
+/// verdict is never given against what another algorithm measured.
+void requireAllowed(const std::vector<FoundOverlap>& overlaps);
 
 /// Prints a row for each, a few at most; none when there is none.
 void printOverlaps(const std::vector<FoundOverlap>& overlaps);

@@ -254,6 +254,7 @@ int planAndWrite(const PlanArguments& given, const Problem& problem, OldPath& ol
     const std::vector<FoundOverlap> overlaps =
         path.empty() ? std::vector<FoundOverlap>() : overlapsAlong(problem, scene, path);
     printOverlaps(overlaps);
+    if (isValid) requireAllowed(overlaps);
     if (!path.empty() && !given.outputs.isEmpty()) {
         // Planning audits the path without a profile; the outputs show a profile.
         const planning::PathCheck checked = planning::checkPath(problem, scene, path);

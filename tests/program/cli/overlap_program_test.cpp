@@ -81,9 +81,10 @@ BOOST_AUTO_TEST_CASE(what_an_overlap_would_leave_out_is_refused_unless_allowed) 
     folder.problem("overlap = 0.2\n", "plate.obj");
     const Outcome nothing = runIn(folder, "plan p.cfg --path o.path");
     BOOST_TEST(nothing.code == 2);
-    BOOST_TEST(nothing.err.find("p.cfg: [clearway] overlap is 0.2, and nothing of the part lies that deep") !=
-                   std::string::npos,
-               nothing.err);
+    BOOST_TEST(
+        nothing.err.find("p.cfg: [clearway] overlap is 0.2 with the tolerance 0.02, which leaves nothing "
+                         "of the part") != std::string::npos,
+        nothing.err);
     Mesh two = joined(box({2, 2, 2}), transformed(box({0.1, 0.1, 0.1}), {Matrix3::Identity(), {4, 0, 0}}));
     two.components = {{"block", 0, 12}, {"crumb", 12, 12}};
     saveMesh(two, folder.file("two.obj"));
@@ -100,6 +101,12 @@ BOOST_AUTO_TEST_CASE(what_an_overlap_would_leave_out_is_refused_unless_allowed) 
     BOOST_TEST(
         allowed.err.find("nothing is left of 'crumb'; obstacles may pass through it") != std::string::npos,
         allowed.err);
+    folder.problem("overlap.tolerance = 0.1\n");
+    const Outcome alone = runIn(folder, "plan p.cfg --path o.path");
+    BOOST_TEST(alone.code == 2);
+    BOOST_TEST(
+        alone.err.find("expected an overlap above 0, or an overlap.NAME, beside it") != std::string::npos,
+        alone.err);
     folder.problem("overlap = 0.35\nmargin = 1\n");
     const Outcome both = runIn(folder, "plan p.cfg --path o.path");
     BOOST_TEST(both.code == 2);
