@@ -8,6 +8,7 @@
 
 #include <array>
 #include <atomic>
+#include <boost/algorithm/string/replace.hpp>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -280,7 +281,10 @@ int run(int count, char** words) {
     makeFolder(choices.out);
     const PublicProblems found = findPublicProblems(choices.checkouts, choices.out + "/problems");
     if (!choices.job.empty()) {
-        std::cout << doJob(choices, found) << "\n";
+        // Notes name files, by where they are in the checkouts.
+        std::cout << boost::replace_all_copy(doJob(choices, found),
+                                             (fs::path(choices.checkouts) / "").string(), "")
+                  << "\n";
         return 0;
     }
     for (const std::string& line : found.skipped) std::cout << "skipped: " << line << "\n";

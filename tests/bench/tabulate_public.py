@@ -5,6 +5,7 @@ tabulate_public.py FOLDER
 """
 
 import csv
+import math
 import statistics
 import sys
 
@@ -18,15 +19,24 @@ def rows_of(folder, name):
 
 
 def short(value):
-    """Three digits, without an exponent where that is readable."""
-    return f"{value:.3g}" if abs(value) < 1000 else f"{value:.0f}"
+    """Two digits, without an exponent."""
+    if value == 0:
+        return "0"
+    rounded = float(f"{value:.2g}")
+    return f"{rounded:.{max(0, 1 - math.floor(math.log10(abs(rounded))))}f}"
 
 
-def spread(values):
+def spread(values, write=short):
     """The median with the least and the largest value."""
     if not values:
         return ""
-    return f"{short(statistics.median(values))} ({short(min(values))} to {short(max(values))})"
+    if write(min(values)) == write(max(values)):
+        return write(values[0])
+    return f"{write(statistics.median(values))} ({write(min(values))} to {write(max(values))})"
+
+
+def seconds(value):
+    return "< 0.01" if value < 0.01 else short(value)
 
 
 def in_order(rows, key):
@@ -58,7 +68,7 @@ def print_runs(rows):
             continue
         solved = [row for row in ours if row["valid"] == "1"]
         lines.append(
-            [problem, count(ours), spread([float(r["seconds"]) for r in ours]), spread([float(r["clearance"]) for r in solved])]
+            [problem, count(ours), spread([float(r["seconds"]) for r in ours], seconds), spread([float(r["clearance"]) for r in solved])]
             + [" / ".join(str(sum(r["valid"] == "1" for r in of[name])) for name in others)]
             + [f"{sum(r['found'] == '1' for r in of[FCL])} found, {sum(r['valid'] == '1' for r in of[FCL])} valid"]
         )
@@ -74,7 +84,7 @@ def print_parts(rows):
         lines.append(
             [assembly, str(len(parts)), str(sum(row["touching"] != "0" for row in parts)), str(len(found)), str(len(straight))]
             + [str(sum(row["note"] != "" for row in parts))]
-            + [spread([float(row["seconds"]) for row in found]), spread([float(row["preparing_seconds"]) for row in parts])]
+            + [spread([float(row["seconds"]) for row in found], seconds), spread([float(row["preparing_seconds"]) for row in parts], seconds)]
         )
     print_table(
         ["assembly", "parts", "touch others", "taken out", "only straight", "refused", "seconds, median (range)", "preparing"],
