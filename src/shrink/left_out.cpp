@@ -49,7 +49,7 @@ std::vector<std::string> findLostBodies(const SurfaceDepth& surface, const Mesh&
     const auto add = [&](const std::string& what, std::size_t count, std::size_t all,
                          const std::string& name) {
         const std::string share =
-            all == 1 ? "" : std::to_string(count) + " of the " + std::to_string(all) + " pieces of ";
+            count == all ? "" : std::to_string(count) + " of the " + std::to_string(all) + " pieces of ";
         if (count > 0) lines.push_back(what + share + "'" + name + "'");
     };
     for (const auto& [name, bodies] : byName) {

@@ -38,7 +38,7 @@ constexpr int kSkipped = 77;  ///< the exit code that CTest takes for a skipped 
 struct Choices {
     std::string checkouts, out, only, job;
     double seconds = 60, partSeconds = 20;
-    std::uint32_t seeds = 10, contenderSeeds = 3;
+    std::uint32_t seeds = 10, contenderSeeds = 3, together = 2;
 };
 
 bool readChoices(int count, char** words, Choices& to) {
@@ -56,6 +56,8 @@ bool readChoices(int count, char** words, Choices& to) {
                 cli::integer<std::uint32_t>(to.seeds, 0, UINT32_MAX));
     line.option("--contender-seeds N", "the other planners do so with seeds 1 to N (3)",
                 cli::integer<std::uint32_t>(to.contenderSeeds, 0, UINT32_MAX));
+    line.option("--together N", "so many of these run at a time (2)",
+                cli::integer<std::uint32_t>(to.together, 1, 1024));
     line.option("--time S", "seconds of each run (60)", cli::positive(to.seconds));
     line.option("--part-time S", "seconds for each part of an assembly; 0 leaves assemblies out (20)",
                 cli::nonNegative(to.partSeconds));
@@ -223,7 +225,7 @@ void runPlanners(const Choices& choices, const PublicProblems& found) {
     }
     // Ours plans on all cores, the others on one each.
     doJobs(choices, ours, 1, kRunColumns, table);
-    doJobs(choices, others, 2, kRunColumns, table);
+    doJobs(choices, others, static_cast<int>(choices.together), kRunColumns, table);
 }
 
 void takeApart(const Choices& choices, const PublicProblems& found) {
