@@ -24,8 +24,8 @@ std::optional<Number> parseWhole(std::string_view text) {
     return value;
 }
 
-template <typename... Format>
-std::string formatWith(double value, Format... format) {
+template <typename Float, typename... Format>
+std::string formatWith(Float value, Format... format) {
     if (std::isnan(value)) return "nan";  // to_chars may write its sign
     char text[32];
     return std::string(text, std::to_chars(text, text + sizeof text, value, format...).ptr);
@@ -48,6 +48,10 @@ std::string formatNumber(double value) {
 
 std::string shortNumber(double value) {
     return formatWith(value);
+}
+
+std::string roundedNumber(double value) {
+    return formatWith(static_cast<float>(value));
 }
 
 }  // namespace clearway

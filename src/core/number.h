@@ -23,4 +23,7 @@ std::string formatNumber(double value);
 /// people.
 std::string shortNumber(double value);
 
+/// A computed number for messages: as a float, so without digits that rounding made.
+std::string roundedNumber(double value);
+
 }  // namespace clearway

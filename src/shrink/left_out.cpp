@@ -123,7 +123,7 @@ std::vector<std::string> findLeftOut(const SurfaceDepth& surface, const Mesh& sh
         const Far far = search.find(surface, piece);
         if (far.distance > kThin * depth) {
             lines.push_back("'" + piece.name + "' is too thin at " + shortPoint(far.point) + ", which lies " +
-                            shortNumber(double(float(far.distance))) + " from what is left");
+                            roundedNumber(far.distance) + " from what is left");
         }
     }
     return lines;

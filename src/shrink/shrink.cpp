@@ -84,8 +84,8 @@ class Shrinking {
     }
 
     [[noreturn]] void refuseSize() const {
-        throw std::invalid_argument("overlap is " + shortNumber(least_) + " with the tolerance " +
-                                    shortNumber(tolerance_) + ", which takes more than " +
+        throw std::invalid_argument("overlap is " + roundedNumber(least_) + " with the tolerance " +
+                                    roundedNumber(tolerance_) + ", which takes more than " +
                                     std::to_string(kMostVertices) +
                                     " points in the part, expected a larger overlap or overlap.tolerance");
     }
@@ -297,8 +297,8 @@ class Shrinking {
     }
 
     [[noreturn]] void refusePlace(const Vector3& place) const {
-        throw std::invalid_argument("overlap is " + shortNumber(least_) + " with the tolerance " +
-                                    shortNumber(tolerance_) + ", and near " + shortPoint(place) +
+        throw std::invalid_argument("overlap is " + roundedNumber(least_) + " with the tolerance " +
+                                    roundedNumber(tolerance_) + ", and near " + shortPoint(place) +
                                     " it is unclear what is inside the part, expected surfaces that do not "
                                     "run into themselves there, or another overlap.tolerance");
     }
@@ -362,8 +362,8 @@ ShrunkPart shrink(const Mesh& part, const ShrinkOptions& options) {
     shrunk.options = options;
     shrunk.mesh = Shrinking(surface, options).run();
     if (shrunk.mesh.triangles.empty()) {
-        throw std::invalid_argument("overlap is " + shortNumber(options.overlap) + " with the tolerance " +
-                                    shortNumber(options.tolerance) +
+        throw std::invalid_argument("overlap is " + roundedNumber(options.overlap) + " with the tolerance " +
+                                    roundedNumber(options.tolerance) +
                                     ", which leaves nothing of the part, expected smaller ones");
     }
     shrunk.mesh.origin = part.origin;

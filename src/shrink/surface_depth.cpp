@@ -82,8 +82,8 @@ double distanceToTriangle(const Vector3& point, const Corners3& triangle) {
 }
 
 std::string shortPoint(const Vector3& point) {
-    const auto rounded = [](double x) { return shortNumber(double(float(x))); };
-    return "(" + rounded(point.x()) + ", " + rounded(point.y()) + ", " + rounded(point.z()) + ")";
+    return "(" + roundedNumber(point.x()) + ", " + roundedNumber(point.y()) + ", " +
+           roundedNumber(point.z()) + ")";
 }
 
 PointDistance::PointDistance(Model mesh) : mesh_(std::move(mesh)), point_(Model::build(pointMesh())) {}

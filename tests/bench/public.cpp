@@ -274,10 +274,6 @@ std::string doJob(const Choices& choices, const PublicProblems& found) {
 }
 
 int run(int count, char** words) {
-    if (count < 2 || std::string(words[1]).empty()) {
-        std::cout << "skipped: no checkouts, configure with -DCLEARWAY_CHECKOUTS=DIR\n";
-        return kSkipped;
-    }
     Choices choices;
     if (!readChoices(count, words, choices)) return 0;
     makeFolder(choices.out);

@@ -46,6 +46,7 @@ BOOST_AUTO_TEST_CASE(numbers_written_read_back_to_the_same_bits) {
 BOOST_AUTO_TEST_CASE(written_numbers_have_the_digits_promised) {
     BOOST_TEST(formatNumber(0.1) == "0.10000000000000001");
     BOOST_TEST(shortNumber(0.1) == "0.1");
+    BOOST_TEST(roundedNumber(0.1 * 0.2) == "0.02");
     const double infinity = std::numeric_limits<double>::infinity();
     BOOST_TEST(formatNumber(infinity) == "inf");
     BOOST_TEST(formatNumber(-infinity) == "-inf");
