@@ -54,4 +54,9 @@ std::string roundedNumber(double value) {
     return formatWith(static_cast<float>(value));
 }
 
+std::string roundedPoint(const Vector3& point) {
+    return "(" + roundedNumber(point.x()) + ", " + roundedNumber(point.y()) + ", " +
+           roundedNumber(point.z()) + ")";
+}
+
 }  // namespace clearway

@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "clearway/types.h"
+
 namespace clearway {
 
 /// The finite decimal number that the whole text states. Empty for every other text: "", "1 2", "0x10",
@@ -25,5 +27,6 @@ std::string shortNumber(double value);
 
 /// A computed number for messages: as a float, so without digits that rounding made.
 std::string roundedNumber(double value);
+std::string roundedPoint(const Vector3& point);  ///< "(1.5, 2, 0.1)", numbers as roundedNumber gives them
 
 }  // namespace clearway

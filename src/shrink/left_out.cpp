@@ -122,8 +122,8 @@ std::vector<std::string> findLeftOut(const SurfaceDepth& surface, const Mesh& sh
             continue;
         const Far far = search.find(surface, piece);
         if (far.distance > kThin * depth) {
-            lines.push_back("'" + piece.name + "' is too thin at " + shortPoint(far.point) + ", which lies " +
-                            roundedNumber(far.distance) + " from what is left");
+            lines.push_back("'" + piece.name + "' is too thin at " + roundedPoint(far.point) +
+                            ", which lies " + roundedNumber(far.distance) + " from what is left");
         }
     }
     return lines;

@@ -12,11 +12,11 @@
 #include <string>
 
 #include "core/number.h"
-#include "shrink/cut_surface.h"
+#include "isosurface/cut_surface.h"
+#include "isosurface/polytope.h"
+#include "isosurface/tetrahedra.h"
 #include "shrink/left_out.h"
-#include "shrink/polytope.h"
 #include "shrink/surface_depth.h"
-#include "shrink/tetrahedra.h"
 
 namespace clearway {
 namespace {
@@ -298,7 +298,7 @@ class Shrinking {
 
     [[noreturn]] void refusePlace(const Vector3& place) const {
         throw std::invalid_argument("overlap is " + roundedNumber(least_) + " with the tolerance " +
-                                    roundedNumber(tolerance_) + ", and near " + shortPoint(place) +
+                                    roundedNumber(tolerance_) + ", and near " + roundedPoint(place) +
                                     " it is unclear what is inside the part, expected surfaces that do not "
                                     "run into themselves there, or another overlap.tolerance");
     }

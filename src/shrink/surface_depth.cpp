@@ -7,7 +7,6 @@
 #include <stdexcept>
 #include <string>
 
-#include "core/number.h"
 #include "mesh/clean.h"
 #include "mesh/components.h"
 #include "mesh/renumber.h"
@@ -79,11 +78,6 @@ double distanceToTriangle(const Vector3& point, const Corners3& triangle) {
     if (isAbove) return std::abs(normal.dot(point - a)) / std::sqrt(lengthSquared);
     return std::min(
         {distanceToSegment(point, a, b), distanceToSegment(point, b, c), distanceToSegment(point, c, a)});
-}
-
-std::string shortPoint(const Vector3& point) {
-    return "(" + roundedNumber(point.x()) + ", " + roundedNumber(point.y()) + ", " +
-           roundedNumber(point.z()) + ")";
 }
 
 PointDistance::PointDistance(Model mesh) : mesh_(std::move(mesh)), point_(Model::build(pointMesh())) {}

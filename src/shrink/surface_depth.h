@@ -18,9 +18,6 @@ namespace clearway {
 /// sliver. Never less than the distance, except for rounding.
 double distanceToTriangle(const Vector3& point, const Corners3& triangle);
 
-/// "(1.5, 2, 0.1)", rounded to floats.
-std::string shortPoint(const Vector3& point);
-
 /// The distance of points to a mesh.
 class PointDistance {
   public:

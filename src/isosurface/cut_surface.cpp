@@ -1,4 +1,4 @@
-#include "shrink/cut_surface.h"
+#include "isosurface/cut_surface.h"
 
 #include <algorithm>
 #include <unordered_map>

@@ -1,4 +1,4 @@
-#include "shrink/polytope.h"
+#include "isosurface/polytope.h"
 
 namespace clearway {
 namespace {

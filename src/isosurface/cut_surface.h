@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "clearway/mesh.h"
-#include "shrink/tetrahedra.h"
+#include "isosurface/tetrahedra.h"
 
 namespace clearway {
 

@@ -1,4 +1,4 @@
-#include "shrink/tetrahedra.h"
+#include "isosurface/tetrahedra.h"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>

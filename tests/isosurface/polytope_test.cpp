@@ -1,4 +1,4 @@
-#include "shrink/polytope.h"
+#include "isosurface/polytope.h"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
