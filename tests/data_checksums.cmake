@@ -23,7 +23,7 @@ function(require_files name)
 endfunction()
 
 require_files(tunnel-console-small
-    tunnel-console.cfg eb93469f0e18a916b6cc1fda5b1eb72bbd916fb553763a2b48204914c1d1b8a0
+    tunnel-console.cfg ac78e4fa7d903fa8d61f6fe71788fe3fc5d33cd445df20f870e6f37497d3a903
     tunnel-console.path 60a4fce6f4f2e51d537fb391621ad59e0294a2c42ff81aca69688534236e275f
     tunnel-console.png 99100d69ac4480fedf23683b217017a83b7769ad3fa332d26046f2d202750381
     tunnel-console_environment.obj 6b590d47a758b5e1f7c1db89bb7bc08d868ae93cc183210b18c629a6e757edaf

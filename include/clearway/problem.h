@@ -80,8 +80,13 @@ struct Problem {
     ObstacleRules rules;
     std::optional<Outside> outside;  ///< the goal is any pose outside of the environment's box, not `goal`
     std::optional<double>
-        step;  ///< fineness of the scene, environment units: planners' edges are 20 times as long
+        fineness;           ///< of the scene, environment units: planners' edges are 20 times as long
     bool asOmplApp = true;  ///< read meshes as OMPL.app does; `reading = stored` turns this off
+    /// False for a file without the key `reading`. Without a section [clearway] it is then read as OMPL.app reads
+    /// it; otherwise as stored, and a mesh that OMPL.app would place differently is refused when it is loaded.
+    bool isReadingStated = true;
+    Box knownWay;  ///< positions of a known path, which derived bounds hold too; no key of the file
+    double partScale = 1, worldScale = 1;  ///< `robot.scale` and `world.scale`, for the meshes' coordinates
 
     /// One line for each key that has no effect, to be shown once.
     std::vector<std::string> warnings;
@@ -113,11 +118,16 @@ double largestMargin(const Problem& problem);
 /// Reads a mesh file as loadMesh does, which is the default wherever a MeshReader is taken.
 using MeshReader = std::function<Mesh(const std::string& file, const LoadOptions& options)>;
 
-/// Loads the meshes of the part and of the environment with the MeshReading that fits the problem.
-/// loadEnvironment joins the meshes of several files (joinedEnvironment).
+/// Loads the meshes of the part and of the environment with the MeshReading and the scale that fit the problem.
+/// loadEnvironment joins the meshes of several files (joinedEnvironment). Throws std::invalid_argument when the
+/// problem does not state its reading and the readings differ (see Problem::isReadingStated).
 Mesh loadPart(const Problem& problem, const MeshReader& read = loadMesh);
 std::vector<Mesh> loadWorlds(const Problem& problem, const MeshReader& read = loadMesh);
 Mesh loadEnvironment(const Problem& problem);
+
+/// How far the part was moved on reading, if the problem does not say that it wants that; otherwise empty. part: from
+/// loadPart.
+std::string readingNote(const Problem& problem, const Mesh& part);
 
 /// Groups the environment's files by the problem's margin and rules. Throws as groupObstacles does, naming
 /// the problem's file, and when the goal is outside but has contacts, which lie around a pose.
@@ -153,7 +163,7 @@ std::vector<ShrunkPart> shrinkPart(const Problem& problem, const Mesh& part, con
 LoadedScene loadScene(const Problem& problem, const BuildOptions& options = {},
                       const SceneLoading& loading = {});
 
-/// problem.volume, or else OMPL.app's rule: the environment's box grown to hold start and goal. For a goal
+/// problem.volume, or else OMPL.app's rule: the environment's box grown to hold start and goal, and problem.knownWay. For a goal
 /// outside it is grown by so much on each of the goal's sides that the part fits there however it is turned.
 /// In SE(2) z is 0 to 0. partBox: the part's box in its own coordinates, needed for a goal outside. Throws
 /// std::invalid_argument when the bounds leave out the start or the goal, leave no room for the part outside

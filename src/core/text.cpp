@@ -5,6 +5,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <numeric>
 #include <stdexcept>
 
 namespace clearway {
@@ -53,6 +54,28 @@ std::vector<std::string_view> words(std::string_view line) {
         line.remove_prefix(length);
     }
     return found;
+}
+
+std::string didYouMean(std::string_view word, const std::vector<std::string>& names) {
+    std::size_t least = word.size() / 3 + 1;
+    const std::string* nearest = nullptr;
+    for (const std::string& name : names) {
+        // V. Levenshtein, Binary codes capable of correcting deletions, insertions and reversals (1966).
+        std::vector<std::size_t> row(name.size() + 1);
+        std::iota(row.begin(), row.end(), std::size_t(0));
+        for (std::size_t i = 0; i < word.size(); ++i) {
+            std::size_t diagonal = row[0]++;
+            for (std::size_t j = 0; j < name.size(); ++j) {
+                const std::size_t changed = diagonal + (word[i] != name[j]);
+                diagonal = row[j + 1];
+                row[j + 1] = std::min({changed, row[j] + 1, row[j + 1] + 1});
+            }
+        }
+        if (row.back() >= least) continue;
+        least = row.back();
+        nearest = &name;
+    }
+    return nearest ? " (did you mean '" + *nearest + "'?)" : "";
 }
 
 std::string place(const std::string& file, int line) {

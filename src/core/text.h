@@ -28,6 +28,10 @@ std::string quote(std::string_view text);
 /// All texts with the separator between them: "a, b, c".
 std::string joined(const std::vector<std::string>& texts, const std::string& separator = ", ");
 
+/// " (did you mean 'NAME'?)" for the name that takes the fewest letters to change, insert or leave out, if these are at
+/// most a third of the word's; otherwise empty.
+std::string didYouMean(std::string_view word, const std::vector<std::string>& names);
+
 /// The names of a table's rows, in order.
 template <class Table>
 std::vector<std::string> namesOf(const Table& table) {

@@ -8,6 +8,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "mesh/surface_formats.h"
+
 namespace clearway {
 
 namespace {
@@ -79,6 +81,14 @@ void requireReadableMeshFile(const std::string& file) {
     if (!stream) refuseMeshFile(file, "it may not be opened");
     const std::uintmax_t bytes = std::filesystem::file_size(file, error);
     if (bytes == 0) refuseMeshFile(file, "it is empty");
+    const std::string format = surfaceFormat(stream);
+    if (!format.empty()) {
+        throw std::runtime_error(
+            "cannot read mesh '" + file + "': it is " + format +
+            ", which holds surfaces, not triangles, expected a mesh: export STL, OBJ, 3MF or "
+            "glTF from the CAD program");
+    }
+    stream.seekg(0);
     requireSoundHeader(file, stream, bytes);
 }
 

@@ -12,8 +12,8 @@ namespace clearway {
 /// reader's own words, with several lines and a full stop.
 [[noreturn]] void refuseMeshFile(const std::string& file, std::string reason);
 
-/// Refuses a file that is missing, a folder, unreadable or empty, a PLY file that ends within its header, and
-/// an OFF file whose header states more items than the file can hold.
+/// Refuses a file that is missing, a folder, unreadable or empty, a CAD file that holds surfaces, a PLY file that ends
+/// within its header, and an OFF file whose header states more items than the file can hold.
 void requireReadableMeshFile(const std::string& file);
 
 /// "triangle 17 of component 'bracket' in 'engine.stl'", as far as component and file are known.

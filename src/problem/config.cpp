@@ -150,10 +150,14 @@ double ConfigValues::requiredNumber(const std::string& name, const std::string& 
     return *number(name);
 }
 
+std::string ConfigValues::placeOf(const std::string& name) const {
+    return place(file_, entries_.at(name).line);
+}
+
 void ConfigValues::refuse(const std::string& name, const std::string& expected) const {
     const ConfigEntry& entry = entries_.at(name);
-    throw std::invalid_argument(place(file_, entry.line) + shown(name) + " is " + quote(entry.value) +
-                                ", expected " + expected);
+    throw std::invalid_argument(placeOf(name) + shown(name) + " is " + quote(entry.value) + ", expected " +
+                                expected);
 }
 
 void ConfigValues::refuseMissing(const std::string& name, const std::string& expected) const {

@@ -59,6 +59,9 @@ class ConfigValues {
     /// Throws std::invalid_argument: the key's value is wrong.
     [[noreturn]] void refuse(const std::string& name, const std::string& expected) const;
 
+    /// "p.cfg:7: ", for messages about a key that is there.
+    std::string placeOf(const std::string& name) const;
+
     /// The entries that have not been read, in the file's order.
     std::vector<ConfigEntry> unread() const;
 

@@ -10,6 +10,18 @@ namespace clearway {
 namespace {
 
 constexpr double kUsualTolerance = 0.1;  ///< of an overlap
+constexpr double kOtherUnit = 1000;      ///< sizes that differ by this factor may be in different units
+
+/// Says when the sizes of part and surroundings suggest that their files have different units; otherwise empty.
+std::string unitNote(const Box& part, const Box& environment) {
+    if (environment.isEmpty()) return "";
+    const double ratio = part.diagonal().norm() / environment.diagonal().norm();
+    if (ratio < kOtherUnit && ratio > 1 / kOtherUnit) return "";
+    return "the part is " + roundedNumber(part.diagonal().norm()) + " across and its surroundings are " +
+           roundedNumber(environment.diagonal().norm()) +
+           ": are both files in one unit? [clearway] robot.scale and world.scale are factors for their "
+           "coordinates";
+}
 
 }  // namespace
 
@@ -54,6 +66,9 @@ LoadedScene loadScene(const Problem& problem, const BuildOptions& options, const
     std::optional<Reach> reach;
     if (loading.reach) reach = loading.reach(part, obstacles.environmentBox());
     std::vector<std::string> notes = obstacles.notes;
+    if (const std::string note = readingNote(problem, partMesh); !note.empty()) notes.push_back(note);
+    if (const std::string note = unitNote(part.box(), obstacles.environmentBox()); !note.empty())
+        notes.push_back(note);
     std::shared_ptr<const Solids> partSolids;
     if (obstacles.hasSolids()) {
         const MadeSolids made = makeSolids(partMesh);

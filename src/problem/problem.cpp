@@ -17,6 +17,8 @@ namespace {
 /// radius lets any rotation be outside, the rest is room to draw poses from.
 constexpr double kRoomInRadii = 1.25;
 
+constexpr double kSamePlace = 1e-6;  ///< of a mesh's size: readings that differ by less are alike
+
 std::string named(const Problem& problem) {
     return problem.file.empty() ? "" : problem.file + ": ";
 }
@@ -84,11 +86,31 @@ void requireRoomOutside(const Problem& problem, const Box& bounds, const Box& en
                                 (expected.empty() ? "a side along x or y" : expected));
 }
 
-Mesh loadAs(const Problem& problem, const std::string& file, MeshReading omplAppReading,
+std::string boxText(const Box& box) {
+    return roundedPoint(box.min()) + " to " + roundedPoint(box.max());
+}
+
+void requireAlike(const Problem& problem, const std::string& file, const Box& stored, const Box& asOmplApp) {
+    const double size = stored.diagonal().norm();
+    const double most = std::max((stored.min() - asOmplApp.min()).cwiseAbs().maxCoeff(),
+                                 (stored.max() - asOmplApp.max()).cwiseAbs().maxCoeff());
+    if (most <= kSamePlace * size) return;
+    throw std::invalid_argument(named(problem) + "[clearway] does not say how to read " + file +
+                                ": its box is " + boxText(stored) + " as the file stores it, and " +
+                                boxText(asOmplApp) +
+                                " as OMPL.app reads it; expected reading = stored or reading = omplapp");
+}
+
+Mesh loadAs(const Problem& problem, const std::string& file, double scale, MeshReading omplAppReading,
             const MeshReader& read) {
     LoadOptions options;
+    options.scale = scale;
     options.reading = problem.asOmplApp ? omplAppReading : MeshReading::kAsStored;
-    return read(file, options);
+    Mesh mesh = read(file, options);
+    if (problem.isReadingStated || problem.asOmplApp) return mesh;
+    options.reading = omplAppReading;
+    requireAlike(problem, file, boundingBox(mesh), boundingBox(read(file, options)));
+    return mesh;
 }
 
 }  // namespace
@@ -123,6 +145,7 @@ Box boundsOf(const Problem& problem, const Box& environmentBox, const Box& partB
         bounds = *problem.volume;
     } else {
         bounds = environmentBox;
+        bounds.extend(problem.knownWay);
         bounds.extend(problem.start.position);
         if (problem.outside) {
             growForPart(bounds, problem, environmentBox, partBox);
@@ -143,16 +166,27 @@ Box boundsOf(const Problem& problem, const Box& environmentBox, const Box& partB
 
 Mesh loadPart(const Problem& problem, const MeshReader& read) {
     const bool isSpatial = problem.space == Space::kSe3;
-    return loadAs(problem, problem.robot,
+    return loadAs(problem, problem.robot, problem.partScale,
                   isSpatial ? MeshReading::kOmplAppRobot : MeshReading::kOmplAppPlanarRobot, read);
 }
 
 std::vector<Mesh> loadWorlds(const Problem& problem, const MeshReader& read) {
     std::vector<Mesh> worlds;
     for (const std::string& file : worldFiles(problem)) {
-        worlds.push_back(loadAs(problem, file, MeshReading::kOmplAppEnvironment, read));
+        worlds.push_back(loadAs(problem, file, problem.worldScale, MeshReading::kOmplAppEnvironment, read));
     }
     return worlds;
+}
+
+std::string readingNote(const Problem& problem, const Mesh& part) {
+    const Vector3& shift = part.origin.shift;
+    if (problem.isReadingStated || !problem.asOmplApp ||
+        shift.norm() <= kSamePlace * boundingBox(part).diagonal().norm())
+        return "";
+    return "the part is moved by " + roundedPoint(shift) +
+           " on reading, as OMPL.app does, so that the mean of its vertices is its origin; [clearway] "
+           "reading = "
+           "stored keeps the file's coordinates";
 }
 
 Mesh loadEnvironment(const Problem& problem) {

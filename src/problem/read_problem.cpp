@@ -1,7 +1,9 @@
 // Reads .cfg files: [problem], [benchmark] and [planner] as OMPL.app's benchmark program does, and clearway's
 // own [clearway].
+#include <algorithm>
 #include <boost/algorithm/string/case_conv.hpp>
 #include <boost/algorithm/string/predicate.hpp>
+#include <cmath>
 #include <filesystem>
 #include <set>
 #include <stdexcept>
@@ -18,9 +20,52 @@ namespace clearway {
 
 namespace {
 
-constexpr const char* kClearwayKeys =
-    "contact.goal, contact.start, goal, ignore, margin, margin.NAME, outside, overlap, overlap.NAME, "
-    "overlap.thin, overlap.tolerance, reading, solid, step";
+struct KnownKeys {
+    const char* section;
+    std::vector<std::string> keys;  ///< those with a NAME in them stand for many
+};
+
+const std::vector<KnownKeys>& knownKeys() {
+    static const std::vector<KnownKeys> all = {
+        {"problem",
+         {"name",
+          "robot",
+          "world",
+          "start.x",
+          "start.y",
+          "start.z",
+          "start.axis.x",
+          "start.axis.y",
+          "start.axis.z",
+          "start.theta",
+          "goal.x",
+          "goal.y",
+          "goal.z",
+          "goal.axis.x",
+          "goal.axis.y",
+          "goal.axis.z",
+          "goal.theta",
+          "threshold",
+          "volume.min.x",
+          "volume.min.y",
+          "volume.min.z",
+          "volume.max.x",
+          "volume.max.y",
+          "volume.max.z",
+          "objective",
+          "objective.threshold",
+          "sampler",
+          "standard_deviation",
+          "longest_valid_segment_fraction",
+          "projection.cellsize_factor"}},
+        {"benchmark", {"time_limit", "mem_limit", "run_count", "output", "save_paths", "simplify"}},
+        {"clearway",
+         {"contact.goal", "contact.start", "fineness", "goal", "goal.degrees", "ignore", "margin",
+          "margin.NAME", "outside", "overlap", "overlap.NAME", "overlap.thin", "overlap.tolerance", "reading",
+          "robot.scale", "solid", "start.degrees", "step", "world.scale"}},
+    };
+    return all;
+}
 
 /// The mesh file's path: in the .cfg's folder or, with a warning, in the current folder. OMPL.app looks in
 /// the current folder first; the order here keeps a problem from depending on the current folder.
@@ -88,7 +133,29 @@ Space spaceOf(const ConfigValues& values) {
     return Space::kSe2;
 }
 
-PartState readState(ConfigValues& values, const std::string& prefix, Space space) {
+/// Reads theta, in radians, or its form in degrees. isClearways: the file has a section [clearway].
+double readAngle(ConfigValues& values, const std::string& state, bool isClearways,
+                 const std::string& expected, std::vector<std::string>& warnings) {
+    const std::string theta = "problem." + state + ".theta", degrees = "clearway." + state + ".degrees";
+    if (const std::optional<double> angle = values.number(degrees)) {
+        if (values.has(theta)) values.refuse(degrees, "it or [problem] " + state + ".theta, not both");
+        return *angle * M_PI / 180;
+    }
+    const double angle = values.requiredNumber(theta, expected);
+    if (std::abs(angle) <= 2 * M_PI * (1 + 1e-9)) return angle;
+    const std::string asDegrees = roundedNumber(angle * M_PI / 180);
+    if (isClearways) {
+        values.refuse(theta, "radians, at most 2 pi (if these are degrees: " + asDegrees +
+                                 ", or [clearway] " + state + ".degrees = " + shortNumber(angle) + ")");
+    }
+    warnings.push_back(values.placeOf(theta) + shown(theta) + " = " + shortNumber(angle) +
+                       " is in radians, more than a turn; if it is in degrees, write " + asDegrees);
+    return angle;
+}
+
+PartState readState(ConfigValues& values, const std::string& name, bool isClearways, Problem& problem) {
+    const Space space = problem.space;
+    const std::string prefix = "problem." + name + ".";
     const std::string expected =
         space == Space::kSe3
             ? "x, y, z, axis.x, axis.y, axis.z and theta of start and goal (SE(2): x, y and theta alone)"
@@ -101,15 +168,15 @@ PartState readState(ConfigValues& values, const std::string& prefix, Space space
     if (space == Space::kSe3) {
         for (int i = 0; i < 3; ++i) rotation.axis[i] = number(std::string("axis.") + kAxisNames[i]);
     }
-    rotation.angle = number("theta");
+    rotation.angle = readAngle(values, name, isClearways, expected, problem.warnings);
     const std::optional<Rotation> quaternion = fromAxisAngle(rotation);
     if (!quaternion) values.refuse(prefix + "axis.x", "an axis (x, y, z) of length above 0");
     state.rotation = *quaternion;
     return state;
 }
 
-void readGoal(ConfigValues& values, Problem& problem) {
-    problem.goal = readState(values, "problem.goal.", problem.space);
+void readGoal(ConfigValues& values, bool isClearways, Problem& problem) {
+    problem.goal = readState(values, "goal", isClearways, problem);
     problem.goalThreshold = values.number("problem.threshold");
     if (problem.goalThreshold && *problem.goalThreshold < 0) {
         values.refuse("problem.threshold", "a number of at least 0");
@@ -181,16 +248,23 @@ void readBenchmark(ConfigValues& values, Problem& problem) {
     problem.runCount = static_cast<int>(*count);
 }
 
-void readClearway(ConfigValues& values, Problem& problem) {
+void readClearway(ConfigValues& values, bool isClearways, Problem& problem) {
     const std::string margin = "clearway.margin";
     problem.margin = values.number(margin).value_or(0);
     if (!(problem.margin >= 0)) values.refuse(margin, "a number of at least 0");
     problem.rules = readObstacleRules(values);
-    problem.step = readPositive(values, "clearway.step");
+    problem.fineness = readPositive(values, "clearway.fineness");
+    if (const auto step = readPositive(values, "clearway.step")) {  // the key's older name
+        if (problem.fineness) values.refuse("clearway.step", "it or fineness, not both");
+        problem.fineness = step;
+    }
     const std::string reading = "clearway.reading";
-    const std::string how = values.text(reading).value_or("omplapp");
-    if (how != "omplapp" && how != "stored") values.refuse(reading, "omplapp or stored");
-    problem.asOmplApp = how == "omplapp";
+    const std::optional<std::string> how = values.text(reading);
+    if (how && *how != "omplapp" && *how != "stored") values.refuse(reading, "omplapp or stored");
+    problem.isReadingStated = how.has_value();
+    problem.asOmplApp = how ? *how == "omplapp" : !isClearways;
+    problem.partScale = readPositive(values, "clearway.robot.scale").value_or(1);
+    problem.worldScale = readPositive(values, "clearway.world.scale").value_or(1);
 }
 
 /// Reads the goal `outside`. Empty when the goal is a pose. Keys of a goal's pose contradict it.
@@ -202,7 +276,8 @@ std::optional<Outside> readOutside(ConfigValues& values, Space space) {
     if (side && !goal) values.refuse(which, "it only together with goal = outside");
     if (!goal) return std::nullopt;
     for (const ConfigEntry& entry : values.unread()) {
-        if (boost::starts_with(entry.name, "problem.goal.") || entry.name == "clearway.contact.goal") {
+        if (boost::starts_with(entry.name, "problem.goal.") || entry.name == "clearway.contact.goal" ||
+            entry.name == "clearway.goal.degrees") {
             values.refuse(entry.name, "no such key together with [clearway] goal = outside");
         }
     }
@@ -216,18 +291,30 @@ std::optional<Outside> readOutside(ConfigValues& values, Space space) {
     return outside;
 }
 
-/// Warns of keys that nothing has read. In [clearway] an unknown key is an error, because it may be meant to
-/// decide validity.
-void judgeUnread(const std::string& file, const ConfigValues& values, Problem& problem) {
+/// Judges keys that nothing has read. In a file with a section [clearway] they are errors, because such a file may
+/// mean them to decide something. OMPL.app ignores keys that it does not know, so in its files they are only warned of.
+void judgeUnread(const std::string& file, bool isClearways, const ConfigValues& values, Problem& problem) {
     for (const ConfigEntry& entry : values.unread()) {
         const std::string what = place(file, entry.line) + shown(entry.name) + " = " + quote(entry.value);
-        if (sectionOf(entry.name) == "clearway") {
-            throw std::invalid_argument(what + " is an unknown key, expected one of " + kClearwayKeys);
+        if (entry.name == "problem.control" || entry.name == "problem.statespace") {
+            problem.warnings.push_back(what + " is not supported: planned as a free rigid body");
+            continue;
         }
-        const bool changesTheMotion = entry.name == "problem.control" || entry.name == "problem.statespace";
-        problem.warnings.push_back(what + (changesTheMotion
-                                               ? " is not supported: planned as a free rigid body"
-                                               : " has no effect here"));
+        const auto section = std::find_if(knownKeys().begin(), knownKeys().end(), [&](const KnownKeys& one) {
+            return one.section == sectionOf(entry.name);
+        });
+        const std::string meant = didYouMean(keyOf(entry.name), section->keys);
+        const bool isKnown =
+            std::find(section->keys.begin(), section->keys.end(), keyOf(entry.name)) != section->keys.end();
+        if (isKnown) {
+            problem.warnings.push_back(what + " has no effect in this problem");
+            continue;
+        }
+        if (isClearways) {
+            throw std::invalid_argument(what + " is an unknown key" + meant + ", expected one of " +
+                                        joined(section->keys));
+        }
+        problem.warnings.push_back(what + " has no effect here" + meant);
     }
 }
 
@@ -261,18 +348,21 @@ Problem readProblem(const std::string& file) {
         meshFile(values.requiredText("problem.robot", "the part's mesh file"), file, problem.warnings);
     readWorlds(values, problem);
     problem.space = spaceOf(values);
-    problem.start = readState(values, "problem.start.", problem.space);
+    const bool isClearways = std::any_of(entries.begin(), entries.end(), [](const ConfigEntry& entry) {
+        return sectionOf(entry.name) == "clearway";
+    });
+    problem.start = readState(values, "start", isClearways, problem);
     problem.outside = readOutside(values, problem.space);
-    if (!problem.outside) readGoal(values, problem);
+    if (!problem.outside) readGoal(values, isClearways, problem);
     problem.volume = readVolume(values, problem.space);
     problem.objective = values.text("problem.objective").value_or(problem.objective);
     problem.objectiveThreshold = values.number("problem.objective.threshold");
     problem.sampler = values.text("problem.sampler").value_or("");
     readSettings(values, problem);
     readBenchmark(values, problem);
-    readClearway(values, problem);
+    readClearway(values, isClearways, problem);
     readPlanners(file, entries, problem);
-    judgeUnread(file, values, problem);
+    judgeUnread(file, isClearways, values, problem);
     return problem;
 }
 

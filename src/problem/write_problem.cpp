@@ -154,8 +154,11 @@ void writeClearwaySection(ConfigText& text, const Problem& problem) {
     }
     text.line("margin", problem.margin);
     for (const auto& [key, value] : writtenRules(problem.rules)) text.quotedLine(key, value);
-    if (problem.step) text.line("step", *problem.step);
-    text.line("reading", std::string(problem.asOmplApp ? "omplapp" : "stored"));
+    if (problem.fineness) text.line("fineness", *problem.fineness);
+    if (problem.partScale != 1) text.line("robot.scale", problem.partScale);
+    if (problem.worldScale != 1) text.line("world.scale", problem.worldScale);
+    if (problem.isReadingStated || problem.asOmplApp)
+        text.line("reading", std::string(problem.asOmplApp ? "omplapp" : "stored"));
 }
 
 }  // namespace

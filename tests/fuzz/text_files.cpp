@@ -61,7 +61,7 @@ void requireSameAgain(const Problem& problem) {
     require(
         back.name == problem.name && back.objective == problem.objective && back.sampler == problem.sampler,
         "texts survive");
-    require(back.margin == problem.margin && back.step == problem.step &&
+    require(back.margin == problem.margin && back.fineness == problem.fineness &&
                 back.objectiveThreshold == problem.objectiveThreshold &&
                 back.timeLimit == problem.timeLimit && back.memoryLimit == problem.memoryLimit &&
                 back.runCount == problem.runCount,
@@ -92,7 +92,7 @@ void readProblemAndBack(const std::string& file) {
     requireSound(problem.start);
     requireSound(problem.goal);
     require(problem.margin >= 0 && std::isfinite(problem.margin), "a margin is a length");
-    require(!problem.step || *problem.step > 0, "a step is above 0");
+    require(!problem.fineness || *problem.fineness > 0, "a step is above 0");
     require(!problem.volume || !problem.volume->isEmpty(), "bounds hold something");
     requireSameAgain(problem);
 }

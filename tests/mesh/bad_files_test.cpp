@@ -185,5 +185,35 @@ BOOST_AUTO_TEST_CASE(coordinates_that_the_scale_makes_infinite_are_refused) {
     BOOST_CHECK_THROW(loadMesh(file, options), std::runtime_error);
 }
 
+BOOST_AUTO_TEST_CASE(files_that_hold_surfaces_are_named_whatever_their_ending) {
+    using namespace std::string_literals;
+    const std::string igesLine = "exported by a CAD program" + std::string(47, ' ') + "S      1\n";
+    const std::pair<std::string, const char*> cases[] = {
+        {"ISO-10303-21;\nHEADER;\nFILE_SCHEMA(('AUTOMOTIVE_DESIGN'));\nENDSEC;\n", "a STEP file"},
+        {"\n ISO-10303-21;\n", "a STEP file"},
+        {igesLine, "an IGES file"},
+        {"Version 9.5 JT  DM 7.3.1.3" + std::string(60, ' '), "a JT file"},
+        {"\xD0\xCF\x11\xE0\xA1\xB1\x1A\xE1"s + std::string(504, '\0'), "SolidWorks"},
+        {"**ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefgh", "a Parasolid file"},
+        {"V5_CFV2\0\0"s, "a CATIA file"},
+        {"#UGC:2 PART 1000", "a Creo file"},
+        {"3D Geometry File Format        4", "a Rhino file"},
+        {"PK\3\4\x14\0\0\0\0\0"s + std::string(20, '\0') + "Document.xml", "a FreeCAD file"},
+    };
+    const TemporaryFolder folder;
+    for (const auto& [text, name] : cases) {
+        for (const char* file : {"a.stl", "a.step", "a.obj"}) {
+            const std::string refusal = refusalOf(folder.write(file, text));
+            BOOST_TEST(holds(refusal, "it is "s), refusal);
+            BOOST_TEST(holds(refusal, name), refusal);
+            BOOST_TEST(holds(refusal, "holds surfaces, not triangles, expected a mesh: export STL, OBJ"),
+                       refusal);
+        }
+    }
+    const std::string ifc =
+        folder.write("a.ifc", "ISO-10303-21;\nHEADER;\nFILE_SCHEMA(('IFC2X3'));\nENDSEC;\n");
+    BOOST_TEST(!holds(refusalOf(ifc), "holds surfaces"));
+}
+
 }  // namespace
 }  // namespace clearway

@@ -12,10 +12,11 @@ Problem betweenBoxes(const TemporaryFolder& folder) {
     saveMesh(boxMesh(Box(Vector3(-1, -1, -1), Vector3(1, 1, 1)), "part"), folder.file("part.obj"));
     saveMesh(boxMesh(Box(Vector3(10, 0, 0), Vector3(11, 1, 1)), "right"), folder.file("right.obj"));
     saveMesh(boxMesh(Box(Vector3(-11, 0, 0), Vector3(-10, 1, 1)), "left"), folder.file("left.obj"));
-    return readProblem(folder.write("boxes.cfg",
-                                    "[problem]\nrobot = part.obj\nworld = right.obj, left.obj\nstart.x = "
-                                    "0\nstart.y = 0\nstart.theta = 0\n"
-                                    "goal.x = 5\ngoal.y = 5\ngoal.theta = 0\n[clearway]\nignore = left\n"));
+    return readProblem(folder.write(
+        "boxes.cfg",
+        "[problem]\nrobot = part.obj\nworld = right.obj, left.obj\nstart.x = "
+        "0\nstart.y = 0\nstart.theta = 0\n"
+        "goal.x = 5\ngoal.y = 5\ngoal.theta = 0\n[clearway]\nignore = left\nreading = stored\n"));
 }
 
 BOOST_AUTO_TEST_CASE(a_caller_may_replace_reading_building_and_the_reach) {

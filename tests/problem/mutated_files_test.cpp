@@ -98,7 +98,7 @@ BOOST_AUTO_TEST_CASE(mutated_problems_are_taken_with_sound_states_or_refused) {
         requireFinite(problem.start);
         requireFinite(problem.goal);
         BOOST_TEST_REQUIRE(problem.margin >= 0);
-        BOOST_TEST_REQUIRE((!problem.step || *problem.step > 0));
+        BOOST_TEST_REQUIRE((!problem.fineness || *problem.fineness > 0));
         BOOST_TEST_REQUIRE((!problem.volume || !problem.volume->isEmpty()));
     });
 }

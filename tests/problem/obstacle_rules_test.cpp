@@ -74,7 +74,8 @@ BOOST_AUTO_TEST_CASE(wrong_rules_are_refused_with_their_line) {
                            .find("expected names and a length above 0") != std::string::npos,
                    wrong);
     }
-    BOOST_TEST(refusal("contact.gaol = tray, 1\n").find("is an unknown key, expected one of contact.goal") !=
+    BOOST_TEST(refusal("contact.gaol = tray, 1\n")
+                   .find("is an unknown key (did you mean 'contact.goal'?), expected one of contact.goal") !=
                std::string::npos);
 }
 

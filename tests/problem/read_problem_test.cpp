@@ -95,7 +95,7 @@ BOOST_AUTO_TEST_CASE(states_in_space_are_position_axis_and_angle) {
     BOOST_TEST(!problem.volume);
     BOOST_TEST(problem.objective == "length");
     BOOST_TEST(problem.margin == 0);
-    BOOST_TEST(!problem.step);
+    BOOST_TEST(!problem.fineness);
     BOOST_TEST(problem.asOmplApp);
     BOOST_TEST(problem.warnings.empty());
 }
@@ -125,7 +125,7 @@ mem_limit = 1000
 run_count = 50
 [clearway]
 margin = 1.5
-step = 0.5
+fineness = 0.5
 reading = stored
 )");
     BOOST_TEST_REQUIRE(problem.volume.has_value());
@@ -138,7 +138,7 @@ reading = stored
     BOOST_TEST(problem.memoryLimit.value() == 1000);
     BOOST_TEST(problem.runCount.value() == 50);
     BOOST_TEST(problem.margin == 1.5);
-    BOOST_TEST(problem.step.value() == 0.5);
+    BOOST_TEST(problem.fineness.value() == 0.5);
     BOOST_TEST(!problem.asOmplApp);
     BOOST_TEST(problem.warnings.empty());
 }
@@ -222,14 +222,100 @@ BOOST_AUTO_TEST_CASE(lines_that_are_neither_section_nor_key_are_refused) {
     BOOST_TEST(refusalOf("[problem\n") == ":1: the line is '[problem', expected [section] or key = value");
 }
 
-BOOST_AUTO_TEST_CASE(an_unknown_clearway_key_is_an_error_for_it_may_decide_what_is_valid) {
+BOOST_AUTO_TEST_CASE(an_unknown_key_is_an_error_in_a_file_of_clearway_for_it_may_decide_what_is_valid) {
     BOOST_TEST(
         refusalOf(kSpatial + "[clearway]\nsolids = wall\n") ==
-        ":20: [clearway] solids = 'wall' is an unknown key, expected one of contact.goal, contact.start, "
-        "goal, ignore, margin, margin.NAME, outside, overlap, overlap.NAME, overlap.thin, "
-        "overlap.tolerance, reading, solid, step");
+        ":20: [clearway] solids = 'wall' is an unknown key (did you mean 'solid'?), expected one of "
+        "contact.goal, "
+        "contact.start, fineness, goal, goal.degrees, ignore, margin, margin.NAME, outside, overlap, "
+        "overlap.NAME, "
+        "overlap.thin, overlap.tolerance, reading, robot.scale, solid, start.degrees, step, world.scale");
     BOOST_TEST(refusalOf(kSpatial + "[Clearway]\nmargin = 2\n") ==
                ":20: the section is [Clearway], expected [clearway]");
+    const std::string problem = refusalOf(kSpatial + "voluem.min.x = 0\n[clearway]\nmargin = 0\n");
+    BOOST_TEST(
+        problem.find(":19: [problem] voluem.min.x = '0' is an unknown key (did you mean 'volume.min.x'?), "
+                     "expected one of name, robot") == 0u,
+        problem);
+    const std::string benchmark = refusalOf(kSpatial + "[benchmark]\nruns = 5\n[clearway]\nmargin = 0\n");
+    BOOST_TEST(
+        benchmark.find(":20: [benchmark] runs = '5' is an unknown key, expected one of time_limit") == 0u,
+        benchmark);
+}
+
+BOOST_AUTO_TEST_CASE(angles_are_in_radians_or_say_that_they_are_in_degrees) {
+    const std::string quarter = with(kSpatial, "start.theta", "");
+    const Problem degrees = read(quarter + "[clearway]\nstart.degrees = 90\n");
+    BOOST_TEST(std::abs(degrees.start.rotation.w() - std::sqrt(0.5)) <= 2e-16);
+    BOOST_TEST(refusalOf(kSpatial + "[clearway]\nstart.degrees = 90\n") ==
+               ":20: [clearway] start.degrees is '90', expected it or [problem] start.theta, not both");
+    const std::string turns = with(kSpatial, "start.theta", "start.theta = 90");
+    BOOST_TEST(refusalOf(turns + "[clearway]\nmargin = 0\n") ==
+               ":11: [problem] start.theta is '90', expected radians, at most 2 pi (if these are degrees: "
+               "1.5707964, or [clearway] start.degrees = 90)");
+    BOOST_REQUIRE(warningsOf(turns).size() == 1u);
+    BOOST_TEST(warningsOf(turns)[0].find(
+                   "is in radians, more than a turn; if it is in degrees, write 1.57") != std::string::npos);
+    BOOST_TEST(warningsOf(with(kSpatial, "start.theta", "start.theta = -6.2831853071795865")).empty());
+    BOOST_TEST(refusalOf(with(kSpatial, "goal.theta", "") + "[clearway]\ngoal = outside\ngoal.degrees = 5\n")
+                   .find("expected no such key together with") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(fineness_may_have_its_older_name) {
+    BOOST_TEST(read(kSpatial + "[clearway]\nstep = 2\n").fineness.value() == 2);
+    BOOST_TEST(refusalOf(kSpatial + "[clearway]\nstep = 2\nfineness = 2\n") ==
+               ":20: [clearway] step is '2', expected it or fineness, not both");
+}
+
+BOOST_AUTO_TEST_CASE(a_file_of_clearway_reads_meshes_as_stored_and_others_as_omplapp_does) {
+    BOOST_TEST(read(kSpatial).asOmplApp);
+    BOOST_TEST(!read(kSpatial).isReadingStated);
+    const Problem unsaid = read(kSpatial + "[clearway]\nmargin = 0\n");
+    BOOST_TEST(!unsaid.asOmplApp);
+    BOOST_TEST(!unsaid.isReadingStated);
+    const Problem stated =
+        read(kSpatial + "[clearway]\nreading = omplapp\nrobot.scale = 0.001\nworld.scale = 25.4\n");
+    BOOST_TEST(stated.asOmplApp);
+    BOOST_TEST(stated.isReadingStated);
+    BOOST_TEST(stated.partScale == 0.001);
+    BOOST_TEST(stated.worldScale == 25.4);
+    BOOST_TEST(refusalOf(kSpatial + "[clearway]\nrobot.scale = 0\n").find("expected a number above 0") !=
+               std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(a_part_that_the_readings_place_differently_needs_a_stated_reading) {
+    const TemporaryFolder folder;
+    Mesh off;
+    off.vertices = {{5, 0, 0}, {6, 0, 0}, {5, 1, 0}};
+    off.triangles = {{0, 1, 2}};
+    Mesh centred = off;
+    for (Vector3& v : centred.vertices) v -= Vector3(16, 1, 0) / 3;
+    centred.vertices = {{-1, -1, 0}, {1, -1, 0}, {0, 2, 0}};
+    saveMesh(off, folder.file("off.obj"));
+    saveMesh(centred, folder.file("centred.obj"));
+    Problem problem;
+    problem.file = "p.cfg";
+    problem.world = folder.file("off.obj");
+    problem.asOmplApp = problem.isReadingStated = false;
+    problem.robot = folder.file("centred.obj");
+    BOOST_TEST(loadPart(problem).vertices[0] == Vector3(-1, -1, 0));
+    problem.robot = folder.file("off.obj");
+    BOOST_CHECK_EXCEPTION(loadPart(problem), std::invalid_argument, [](const std::invalid_argument& error) {
+        const std::string message = error.what();
+        BOOST_TEST(message.find("p.cfg: [clearway] does not say how to read ") == 0u, message);
+        BOOST_TEST(message.find("its box is (5, 0, 0) to (6, 1, 0) as the file stores it, and (-0.33") !=
+                       std::string::npos,
+                   message);
+        return message.find("expected reading = stored or reading = omplapp") != std::string::npos;
+    });
+    problem.asOmplApp = true;
+    const std::string note = readingNote(problem, loadPart(problem));
+    BOOST_TEST(note.find("the part is moved by (-5.33") == 0u, note);
+    problem.isReadingStated = true;
+    BOOST_TEST(readingNote(problem, loadPart(problem)).empty());
+    problem.asOmplApp = false;
+    problem.partScale = 2;
+    BOOST_TEST(loadPart(problem).vertices[1] == Vector3(12, 0, 0));
 }
 
 /// The text without the goal's lines, with a section [clearway].

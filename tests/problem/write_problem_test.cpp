@@ -55,7 +55,7 @@ BOOST_AUTO_TEST_CASE(everything_written_reads_back_to_the_same_values) {
     problem.memoryLimit = 1e3;
     problem.runCount = 7;
     problem.margin = 0.1;
-    problem.step = 0.7;
+    problem.fineness = 0.7;
     problem.asOmplApp = false;
 
     writeProblem(problem, folder.file("a.cfg"));
@@ -84,7 +84,7 @@ BOOST_AUTO_TEST_CASE(everything_written_reads_back_to_the_same_values) {
     BOOST_TEST(back.memoryLimit.value() == 1e3);
     BOOST_TEST(back.runCount.value() == 7);
     BOOST_TEST(back.margin == 0.1);
-    BOOST_TEST(back.step.value() == 0.7);
+    BOOST_TEST(back.fineness.value() == 0.7);
     BOOST_TEST(!back.asOmplApp);
 }
 

@@ -334,7 +334,7 @@ GeneratedScene makeApartment(const SceneOptions& options) {
     scene.problem.volume =
         Box(Vector3(0, 0, low - kLift), Vector3(apartment.width, apartment.depth, low + kAbove));
     scene.problem.name = "apartment v1";
-    scene.problem.step = apartment.leaf / 2;
+    scene.problem.fineness = apartment.leaf / 2;
     return scene;
 }
 

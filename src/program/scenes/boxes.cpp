@@ -52,7 +52,7 @@ GeneratedScene makeBoxes(const SceneOptions& options) {
     }
     statePathAsProblem(scene, kRoom);
     scene.problem.name = "boxes v1";
-    scene.problem.step = kWallThickness / 2;
+    scene.problem.fineness = kWallThickness / 2;
     return scene;
 }
 

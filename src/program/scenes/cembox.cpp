@@ -328,7 +328,7 @@ GeneratedScene makeCembox2(const SceneOptions& options) {
     scene.path = design.path();
     statePathAsProblem(scene, kRoom);
     scene.problem.name = "cembox v2";
-    scene.problem.step = design.thinnestSheet / 2;
+    scene.problem.fineness = design.thinnestSheet / 2;
     return scene;
 }
 

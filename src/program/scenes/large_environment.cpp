@@ -272,7 +272,7 @@ GeneratedScene makeLargeEnvironment2(const SceneOptions& options) {
     scene.path = roof.path();
     statePathAsProblem(scene, kRoom);
     scene.problem.name = "large-environment v2";
-    scene.problem.step = kThinnestSheet / 2;
+    scene.problem.fineness = kThinnestSheet / 2;
     return scene;
 }
 

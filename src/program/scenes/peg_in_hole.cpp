@@ -94,7 +94,7 @@ GeneratedScene makePegInHole(const SceneOptions& options) {
                   state({x, y, foot}, Eigen::Quaterniond::Identity())};
     statePathAsProblem(scene, kRoom);
     scene.problem.name = "peg-in-hole v1";
-    scene.problem.step = (kBlockHalf - kRadius) / 4;
+    scene.problem.fineness = (kBlockHalf - kRadius) / 4;
     return scene;
 }
 

@@ -240,7 +240,7 @@ GeneratedScene makeVersion(int version, const SceneOptions& options) {
     scene.path = constructedPath(part, lead, clearance);
     statePathAsProblem(scene, kRoom);
     scene.problem.name = "puzzle v" + std::to_string(version);
-    scene.problem.step = kBar / 2;
+    scene.problem.fineness = kBar / 2;
     return scene;
 }
 

@@ -49,7 +49,7 @@ struct NamedScene {
 /// A piano is carried through two doors and a corridor into the music room: the piano mover's problem. Walls,
 /// doors, frames and furniture have names that begin with the room's. There is no ceiling, but the problem's
 /// volume leaves no room above the walls. The piano, 1500 long and 600 deep, passes both doors lengthwise
-/// with the clearance on either side and at most a tenth more; it turns in the corridor. problem.step is half
+/// with the clearance on either side and at most a tenth more; it turns in the corridor. problem.fineness is half
 /// a door leaf's thickness.
 constexpr SceneOptions kApartment{1, 3000, 8000, 60};  // clearance 5 to 70 mm
 GeneratedScene makeApartment(const SceneOptions& options);
@@ -58,7 +58,7 @@ GeneratedScene makeApartment(const SceneOptions& options);
 /// near. Each box's faces are cut into grids (see gridBox) and lie exactly in planes x, y or z = constant.
 /// The path does not turn the part: it leads along the floor and the wall at a gap of the clearance and a
 /// hundredth more, then up the wall at that gap, then away from it. The numbers of triangles are reached up
-/// to three. problem.step is half the wall's thickness. A part has 12 triangles or more, an environment 24.
+/// to three. problem.fineness is half the wall's thickness. A part has 12 triangles or more, an environment 24.
 constexpr SceneOptions kBoxes{1, 100, 700, 2};  // clearance 0.01 to 20 mm
 GeneratedScene makeBoxes(const SceneOptions& options);
 
@@ -67,7 +67,7 @@ GeneratedScene makeBoxes(const SceneOptions& options);
 /// a diagonal of about 390 mm. The path leads straight up along the rails, with a gap of at least the
 /// clearance and at most 1.5 times as much until the part has left them; then the part is tilted under the
 /// wiper's tube, drawn out over the strut brace, and turned. Beyond the rails nothing is nearer than 1.5
-/// times the clearance, or 3 times once the part is above the rails. problem.step is half the thinnest sheet.
+/// times the clearance, or 3 times once the part is above the rails. problem.fineness is half the thinnest sheet.
 ///
 /// Larger numbers of triangles give more and finer details. Neighbours may reach into each other a little
 /// where sheets are joined or screws are driven in. If fewer triangles are asked for than the coarsest
@@ -80,7 +80,7 @@ GeneratedScene makeCembox2(const SceneOptions& options);
 /// between two beaded sheets that follow the tray's own over all of its area, until the tray has left them
 /// behind the car; then up and away. In front of the tray's opening the sheets are at least the clearance and
 /// less than half as much more away from the tray all along the slot; towards its edges they are a few
-/// millimetres farther. problem.step is half the thinnest sheet. If fewer triangles are asked for than all
+/// millimetres farther. problem.fineness is half the thinnest sheet. If fewer triangles are asked for than all
 /// components have when coarsest, small components are left out.
 constexpr SceneOptions kLargeEnvironment2{1, 120000, 1700000, 10};  // clearance 1 to 12 mm
 GeneratedScene makeLargeEnvironment2(const SceneOptions& options);
@@ -88,7 +88,7 @@ GeneratedScene makeLargeEnvironment2(const SceneOptions& options);
 /// A round peg, tilted beside a block, is put into the block's hole. The clearance says how narrow the
 /// passage is. The peg, 30 mm thick with a chamfer, carries a head and a square drive; the block is 50 mm
 /// high and stands on a base. The path leads straight down the hole's axis once the peg has come upright
-/// above it: in the hole it leaves the clearance all round and at most a tenth more. problem.step is a
+/// above it: in the hole it leaves the clearance all round and at most a tenth more. problem.fineness is a
 /// quarter of the block's wall. Both meshes have 300 triangles or more.
 constexpr SceneOptions kPegInHole{1, 2000, 2000, 1};  // clearance 0.01 to 10 mm
 GeneratedScene makePegInHole(const SceneOptions& options);
@@ -99,7 +99,7 @@ GeneratedScene makePegInHole(const SceneOptions& options);
 /// loop runs into the bar behind its end; in version 2 no bar meets itself: both loops are slightly open, but
 /// their gaps are narrower than a bar. The path keeps the part's middle line on the eye's axis, where it
 /// leaves the clearance and less than half as much more; when the end has come through, the path pulls and
-/// turns the part clear of the other bar. problem.step is a quarter of a bar's thickness.
+/// turns the part clear of the other bar. problem.fineness is a quarter of a bar's thickness.
 constexpr SceneOptions kPuzzle{1, 2000, 2000, 2};  // clearance 0.1 to 10 mm
 GeneratedScene makePuzzle(const SceneOptions& options);
 GeneratedScene makePuzzle2(const SceneOptions& options);
@@ -108,7 +108,7 @@ GeneratedScene makePuzzle2(const SceneOptions& options);
 /// screw (see Screw), so that the part can be turned out of the tunnel at a constant gap: at least the
 /// clearance, and less than half as much more as long as the part is in one of the ribs. The path is that
 /// motion, in chords, then one more motion through the free room to the goal. The part's bounding box has a
-/// diagonal of about 900 mm. problem.step is half the thinnest sheet.
+/// diagonal of about 900 mm. problem.fineness is half the thinnest sheet.
 ///
 /// As in a car, floor, walls and roof keep farther off than the gap, at least twice the clearance (four times
 /// at 10 mm, and at least 14 mm), and only some places are at the gap: mounts on the floor, guides on the

@@ -159,7 +159,7 @@ GeneratedScene makeTunnelConsole3(const SceneOptions& options) {
 
     setProblem(scene, kPlanningRoom);
     scene.problem.name = "tunnel-console v3";
-    scene.problem.step = design.thinnestSheet() / 2;
+    scene.problem.fineness = design.thinnestSheet() / 2;
     return scene;
 }
 

@@ -140,7 +140,7 @@ BOOST_AUTO_TEST_CASE(the_problem_starts_in_the_rails_and_ends_above_them) {
     for (const PartState& state : scene.path) BOOST_TEST(problem.volume->contains(state.position));
     BOOST_TEST((problem.start.position == scene.path.front().position));
     BOOST_TEST((problem.goal.position == scene.path.back().position));
-    BOOST_TEST(problem.step.value() == 0.6);  // half of the sheets' 1.2 mm
+    BOOST_TEST(problem.fineness.value() == 0.6);  // half of the sheets' 1.2 mm
     BOOST_TEST(problem.name == "cembox v2");
     double railTop = 0;
     for (const Component& component : scene.environment.components) {

@@ -140,7 +140,7 @@ inline bool translatesOut(const BuiltScene& made, double range, std::uint32_t se
         return space->satisfiesBounds(state) && made.isFree(at, workspace);
     });
     // A pure translation moves all points equally, so OMPL's own steps are lengths here.
-    setup.getSpaceInformation()->setStateValidityCheckingResolution(made.scene.problem.step.value() /
+    setup.getSpaceInformation()->setStateValidityCheckingResolution(made.scene.problem.fineness.value() /
                                                                     space->getMaximumExtent());
     const PartState to = translatedGoal(made);
     ob::ScopedState<ob::RealVectorStateSpace> start(space), goal(space);

@@ -128,7 +128,7 @@ BOOST_DATA_TEST_CASE(other_seeds_and_clearances_are_as_good,
         for (const Vector3& v : mesh->vertices) BOOST_REQUIRE((v == v.cast<float>().cast<double>()));
     }
     BOOST_TEST(std::abs(boundingBox(scene.part).diagonal().norm() - 900) < 10);
-    BOOST_TEST(scene.problem.step.value() == 0.8);  // half of the skins' 1.6 mm
+    BOOST_TEST(scene.problem.fineness.value() == 0.8);  // half of the skins' 1.6 mm
     const PathClearance walk = walkPath(scene, clearance, 1.5 * clearance, 5);
     BOOST_TEST_MESSAGE("seed " << seed << ": least " << walk.least << " mm, "
                                << 100 * walk.tightLength / walk.length << " % tight");

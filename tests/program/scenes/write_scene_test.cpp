@@ -37,7 +37,7 @@ BOOST_AUTO_TEST_CASE(written_files_read_back_as_the_scene) {
     const GeneratedScene read = readScene(files.problem, files.path);
     BOOST_TEST(read.problem.warnings.empty());
     BOOST_TEST(read.problem.asOmplApp);
-    BOOST_TEST(read.problem.step.value() == made.problem.step.value());
+    BOOST_TEST(read.problem.fineness.value() == made.problem.fineness.value());
     BOOST_TEST(read.part.triangles.size() == made.part.triangles.size());
     BOOST_TEST(read.environment.triangles.size() == made.environment.triangles.size());
     BOOST_TEST(names(read.part) == names(made.part), boost::test_tools::per_element());
