@@ -34,7 +34,7 @@ int main(int argc, char** argv) try {
     // OMPL's space, with our checker and motion validator, and the problem's start and goal.
     ompl::geometric::SimpleSetup setup = cp::makeSetup(problem, scene);
     setup.setPlanner(std::make_shared<ompl::geometric::RRTConnect>(setup.getSpaceInformation()));
-    setup.getPlanner()->params().setParam("range", std::to_string(20 * problem.step.value_or(1)));
+    setup.getPlanner()->params().setParam("range", std::to_string(20 * problem.fineness.value_or(1)));
     const auto status = setup.solve(/*seconds*/ 30.0);
     const cp::MotionValidator& motions = cp::motionValidatorOf(setup.getSpaceInformation());
     const cp::MotionCounters counters = motions.counters();

@@ -19,7 +19,7 @@ std::vector<clearway::Pose> recordRun(const clearway::Problem& problem, const cl
     std::vector<clearway::Pose> poses;
     ompl::geometric::SimpleSetup setup = cp::makeSetup(problem, scene);
     const auto si = setup.getSpaceInformation();
-    const double step = problem.step.value_or(1);
+    const double step = problem.fineness.value_or(1);
     si->setMotionValidator(
         std::make_shared<cp::DiscreteMotionValidator>(si, scene.part, step));  // asks for states
     const auto checker = std::make_shared<cp::ValidityChecker>(si, scene);

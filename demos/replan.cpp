@@ -15,7 +15,7 @@ using ompl::geometric::PathGeometric;
 PathGeometric plan(ompl::geometric::SimpleSetup setup, const clearway::Problem& problem) {
     const auto& si = setup.getSpaceInformation();
     setup.setPlanner(std::make_shared<ompl::geometric::RRTConnect>(si));
-    setup.getPlanner()->params().setParam("range", std::to_string(20 * problem.step.value_or(1)));
+    setup.getPlanner()->params().setParam("range", std::to_string(20 * problem.fineness.value_or(1)));
     if (setup.solve(/*seconds*/ 5.0) != ompl::base::PlannerStatus::EXACT_SOLUTION) {
         std::printf("no path found\n");
         return PathGeometric(si);

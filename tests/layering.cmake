@@ -14,9 +14,11 @@ set(build_may_include core mesh tree)
 set(exact_may_include core)
 set(query_may_include core tree kernels exact)
 set(model_may_include core mesh build tree query exact)
-set(shrink_may_include core mesh model)
+set(isosurface_may_include core mesh)
+set(shrink_may_include core mesh model isosurface)
+set(swept_may_include core mesh model isosurface)
 set(problem_may_include core mesh model)
-set(library core mesh tree build kernels exact query model shrink problem)
+set(library core mesh tree build kernels exact query model isosurface shrink swept problem)
 
 # The rooms of planning, each above those it may include.
 set(planning/validity_may_include core model problem)
@@ -54,13 +56,13 @@ set(value_headers types.h mesh.h build_options.h build_report.h query.h sweep.h 
 
 # Which files may see a library, by its include folder; every other file may not.
 set(hwy_users "^src/(kernels|query)/")
-set(assimp_users "^src/mesh/(load|save)[.]cpp$")
-set(embree3_users "^src/(build/split/embree|program/render/rays)[.]cpp$")
+set(assimp_users "^src/(mesh/(load|save)|program/cli/help)[.]cpp$")
+set(embree3_users "^src/(build/split/embree|program/render/rays|program/cli/help)[.]cpp$")
 set(embree4_users ${embree3_users})
 set(ompl_users "^(src/(planning|program/(cli|study))|include/clearway/planning|demos)/")
 set(png.h_users "^src/program/render/image[.]cpp$")
 set(cairo_users "^src/program/render/(ink_mask[.](h|cpp)|legend[.]cpp)$")
-set(nlohmann_users "^src/(core/json[.](h|cpp)|mesh/glb[.]cpp|program/report/report[.]cpp)$")
+set(nlohmann_users "^src/(core/json[.](h|cpp)|mesh/glb[.]cpp|program/report/report[.]cpp|program/cli/(facts[.](h|cpp)|(check|plan|query)[.]cpp))$")
 set(guarded_libraries hwy assimp embree3 embree4 ompl png.h cairo nlohmann)
 
 if(NOT EXISTS "${ROOT}/src")

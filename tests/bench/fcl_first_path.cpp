@@ -85,7 +85,8 @@ class Bench {
             planning::toOmpl(si->getStateSpace(), problem_.space, problem_.start),
             planning::toOmpl(si->getStateSpace(), problem_.space, problem_.goal));
         og::RRTConnect planner(si);
-        planner.setRange(problem_.step ? kRangeInSteps * *problem_.step : kRangePerDiagonal * diagonal());
+        planner.setRange(problem_.fineness ? kRangeInSteps * *problem_.fineness
+                                           : kRangePerDiagonal * diagonal());
         planner.setProblemDefinition(definition);
         planner.setup();
         const std::clock_t begin = std::clock();

@@ -135,15 +135,16 @@ int run(int count, char** words) {
     const Problem problem = readProblem(words[1]);
     const Mesh partMesh = loadPart(problem), environmentMesh = loadEnvironment(problem);
     const Scene scene{Model::build(partMesh), Model::build(environmentMesh), 0};
-    if (!problem.step) throw std::invalid_argument("the problem has no step, expected one in [clearway]");
-    const EdgeRecorder recorder(problem, scene, kRangeInSteps * *problem.step);
+    if (!problem.fineness)
+        throw std::invalid_argument("the problem has no fineness, expected one in [clearway]");
+    const EdgeRecorder recorder(problem, scene, kRangeInSteps * *problem.fineness);
     const std::vector<Edge> edges = recorder.record(static_cast<std::size_t>(parseInteger(words[2]).value()));
 
     Side clearway("clearway", recorder.space()), fcl("FCL", recorder.space());
     clearway.finish(std::make_shared<planning::ValidityChecker>(clearway.si, scene), scene.part,
-                    *problem.step);
+                    *problem.fineness);
     fcl.finish(std::make_shared<FclValidityChecker>(fcl.si, makeFclMeshes(partMesh, environmentMesh)),
-               scene.part, *problem.step);
+               scene.part, *problem.fineness);
     for (int i = 0; i < kPasses; ++i) {
         pass(clearway, edges);
         pass(fcl, edges);

@@ -23,7 +23,7 @@ namespace ob = ompl::base;
 
 /// The longest edge of a planner's trees, as `clearway plan` sets it.
 double rangeOf(const Problem& problem, const Model& part) {
-    return problem.step ? 20 * *problem.step : 0.25 * part.box().diagonal().norm();
+    return problem.fineness ? 20 * *problem.fineness : 0.25 * part.box().diagonal().norm();
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ WindowScene windowScene(const BuildOptions& options) {
     result.problem.goal.position = {60, 0, 0};
     result.problem.goal.rotation = result.problem.start.rotation;
     result.problem.volume = Box(Vector3(-80, -40, -40), Vector3(80, 40, 40));
-    result.problem.step = 1;
+    result.problem.fineness = 1;
     return result;
 }
 

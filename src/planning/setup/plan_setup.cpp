@@ -134,7 +134,7 @@ void setFileParameters(ob::Planner& planner, const std::string& plannerName, con
 }
 
 void setRange(PlanReport& report, const Problem& problem, const Scene& scene, const PlanOptions& options) {
-    const bool isStepKnown = options.step || problem.step;
+    const bool isStepKnown = options.step || problem.fineness;
     report.range = isStepKnown ? kRangeInSteps * stepOf(problem, options, scene.part)
                                : kRangePerDiagonal * scene.part.box().diagonal().norm();
 }

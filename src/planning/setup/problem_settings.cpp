@@ -13,26 +13,35 @@
 
 #include "clearway/planning/clearance_objectives.h"
 #include "clearway/planning/planners.h"
+#include "clearway/planning/scene_clearance.h"
 #include "clearway/planning/valid_state_samplers.h"
 #include "core/number.h"
 #include "planning/motion/motion_search.h"
+#include "problem/config.h"
 
 namespace clearway::planning {
 namespace {
 
 constexpr const char* kStart = "start";
 constexpr const char* kCollision = "in collision";
-constexpr const char* kCures =
-    "; if the parts are assembled so, [clearway] contact.start = NAME, D ignores an obstacle near the start, "
-    "and "
-    "overlap = X lets obstacles reach a little way into the part (clearway info PROBLEM --lift tells how "
-    "far)";
+constexpr double kUsualContact = 0.02;  ///< of the part's diagonal
 
 namespace ob = ompl::base;
 
 constexpr double kDefaultStepPerDiagonal = 1.0 / 500;
 
 constexpr const char* kLength = "length";
+
+/// The keys that let a problem begin with parts that touch.
+std::string curesOf(const ValidityChecker& checker, const ob::State* start) {
+    const std::string obstacle = meshNames(checker.scene(), checker.distance(start)).environment;
+    const std::string name = writtenNames({obstacle}).value_or(obstacle);
+    const std::string reach = roundedNumber(kUsualContact * checker.scene().part.box().diagonal().norm());
+    return "; if the parts are assembled so, write in [clearway] contact.start = " + name + ", " + reach +
+           " (ignored until some point of the part has moved so far), ignore = " + name +
+           " (left out), or overlap = X (may reach so deep into the part; clearway info PROBLEM --lift tells "
+           "X)";
+}
 
 /// The least cost that the best path can be given: the resolution of costs below its clearance.
 double attainable(const MinClearanceObjective& objective, double clearanceOfEnds) {
@@ -147,12 +156,12 @@ double requireValid(const ValidityChecker& checker, const ob::State* state, cons
     if (checker.isValid(state, clearance)) return clearance;
     const std::string why = checker.whyInvalid(state);
     const bool isCollision = why.find(kCollision) == 0 && what == kStart;
-    throw std::invalid_argument(what + " is " + why + (isCollision ? kCures : ""));
+    throw std::invalid_argument(what + " is " + why + (isCollision ? curesOf(checker, state) : ""));
 }
 
 double stepOf(const Problem& problem, const PlanOptions& options, const Model& part) {
     if (options.step) return *options.step;
-    if (problem.step) return *problem.step;
+    if (problem.fineness) return *problem.fineness;
     return kDefaultStepPerDiagonal * part.box().diagonal().norm();
 }
 

@@ -1,8 +1,10 @@
 // clearway check: audits a path file along its whole length.
 #include <cmath>
 #include <iostream>
+#include <nlohmann/json.hpp>
 
 #include "clearway/planning/check_path.h"
+#include "program/cli/facts.h"
 #include "program/cli/overlaps.h"
 #include "program/cli/path_outputs.h"
 #include "program/cli/print.h"
@@ -17,6 +19,7 @@ struct CheckOptions {
     ProblemChoice problem;
     TreeChoice trees;
     std::string path, csv;
+    bool isAnyEnds = false;
     PathOutputs outputs;
 };
 
@@ -27,15 +30,20 @@ bool readOptions(const Arguments& arguments, CheckOptions& options) {
                      "where, between which meshes, and which of its segments are not valid.\n"
                      "Clearance is the distance less the margin; certified values are rounded down. t runs "
                      "from 0 to 1 along\n"
-                     "a segment. Exit code 1 when the path is not valid or cannot be certified.");
+                     "a segment. Bounds that the problem does not state hold the path too. Exit code 1 when "
+                     "the path is not valid,\n"
+                     "cannot be certified, or misses the problem's start or goal.");
     addProblem(line, options.problem);
-    line.argument("IN.path", to(options.path));
+    line.argument("IN.path", input(options.path));
     line.option(
         "--csv FILE",
         "writes the profile: segment, t, travel, clearance there, and clearance certified up to the next "
         "line",
         to(options.csv));
+    line.flag("--any-ends", "accepts a path that begins or ends elsewhere than the problem",
+              options.isAnyEnds);
     addTarget(line);
+    addJson(line);
     addPathOutputs(line, options.outputs);
     addTreeOptions(line, options.trees.options);
     addCache(line, options.trees);
@@ -46,37 +54,69 @@ void requireFiles(const CheckOptions& options, const Problem& problem) {
     std::vector<std::string> inputs = inputsOf(problem);
     inputs.push_back(options.path);
     OutputFiles files(inputs);
-    files.add("--csv", options.csv);
+    files.addOrStandardOutput("--csv", options.csv);
+    requireFactsFile(files);
     options.outputs.require(files);
 }
 
-void warnOfEnd(const char* verb, double off, double tolerance, const char* end) {
-    if (off <= tolerance) return;
-    printWarnings({std::string("the path ") + verb + " " + readable(off) + " from the problem's " + end +
-                   ", expected at most " + readable(tolerance)});
+std::string offText(double off, double tolerance, const char* end) {
+    return off <= tolerance
+               ? ""
+               : readable(off) + " from the problem's " + end + ", expected at most " + readable(tolerance);
 }
 
-void warnOfEnds(const Problem& problem, const planning::PathCheck& check) {
-    warnOfEnd("begins", check.offStart, check.tolerance, "start");
-    if (!problem.outside) return warnOfEnd("ends", check.offGoal, check.tolerance, "goal");
+/// Says where the path begins and ends, if it misses the problem's start or goal.
+void printEnds(const Problem& problem, const planning::PathCheck& check) {
+    const std::string begin = offText(check.offStart, check.tolerance, "start");
+    if (!begin.empty()) printRow("begins", begin);
     if (check.endsAtGoal()) return;
+    if (!problem.outside) {
+        printRow("ends", offText(check.offGoal, check.tolerance, "goal"));
+        return;
+    }
     const auto& side = problem.outside->side;
-    printWarnings({"at the path's end the part's box overlaps the environment's by " +
-                   readable(check.offGoal) + (side ? " along " + nameOf(*side) : "") +
-                   ", expected a goal outside"});
+    printRow("ends", "where the part's box overlaps the environment's by " + readable(check.offGoal) +
+                         (side ? " along " + nameOf(*side) : "") + ", expected a goal outside");
 }
 
-void print(const Scene& scene, const planning::PathCheck& check) {
+/// How much of the path's length is known to be valid. Turning counts by the way of the part's furthest point.
+double validShare(const Scene& scene, const planning::PathAudit& audit) {
+    double valid = 0, all = 0;
+    for (const planning::SegmentAudit& segment : audit.segments) {
+        const double length = segment.length + segment.turned * scene.part.radiusAboutOrigin();
+        all += length;
+        valid += length * (segment.isValid() ? 1 : segment.motion.certifiedTime);
+    }
+    return all > 0 ? valid / all : audit.isValid();
+}
+
+void print(const Problem& problem, const Scene& scene, const planning::PathCheck& check) {
     printMesh("part", scene.part);
     printObstacles(scene);
     printRow("length", readable(check.audit.length));
     printRow("turned", readable(check.audit.turned * 180 / M_PI) + " degrees");
     printRow("queries", std::to_string(check.audit.queries));
     printAudit(check.audit);
+    if (!check.audit.isValid())
+        printRow("valid", shortened(100 * validShare(scene, check.audit)) +
+                              " % of the length, from each "
+                              "segment's beginning");
+    printEnds(problem, check);
     std::cout << "\n";
     printSegments(check.audit);
     std::cout << "\n";
     printProfile(check.audit);
+}
+
+void tellFacts(const Scene& scene, const planning::PathCheck& check,
+               const std::vector<FoundOverlap>& overlaps) {
+    tellScene(scene);
+    facts()["audit"] = toJson(check.audit);
+    facts()["valid_share"] = toJson(validShare(scene, check.audit));
+    facts()["off_start"] = toJson(check.offStart);
+    facts()["off_goal"] = toJson(check.offGoal);
+    facts()["ends_tolerance"] = toJson(check.tolerance);
+    facts()["overlaps"] = toJson(overlaps);
 }
 
 }  // namespace
@@ -84,9 +124,10 @@ void print(const Scene& scene, const planning::PathCheck& check) {
 int check(const Arguments& arguments) {
     CheckOptions options;
     if (!readOptions(arguments, options)) return kDone;
-    const Problem problem = options.problem.read();
+    Problem problem = options.problem.read();
     requireFiles(options, problem);
     const std::vector<PartState> path = readPath(options.path, problem.space);
+    for (const PartState& state : path) problem.knownWay.extend(state.position);
     const Scene scene = options.trees.load(problem);
     planning::PathCheck found;
     {
@@ -94,15 +135,16 @@ int check(const Arguments& arguments) {
         found = planning::checkPath(problem, scene, path);
     }
     printWarnings(problem.warnings);
-    warnOfEnds(problem, found);
-    print(scene, found);
+    print(problem, scene, found);
     if (!options.csv.empty()) writeProfile(found.audit, options.csv);
     const std::vector<FoundOverlap> overlaps = overlapsAlong(problem, scene, path);
     printOverlaps(overlaps);
     if (found.audit.isValid()) requireAllowed(overlaps);
+    tellFacts(scene, found, overlaps);
     options.outputs.write(problem, scene, path, found.audit, {}, overlaps);
     requirePrinted();
-    return found.audit.isValid() ? kDone : kAnswerIsNo;
+    const bool hasEnds = options.isAnyEnds || (found.beginsAtStart() && found.endsAtGoal());
+    return found.audit.isValid() && hasEnds ? kDone : kAnswerIsNo;
 }
 
 }  // namespace clearway::cli

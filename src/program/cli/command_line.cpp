@@ -1,6 +1,8 @@
 #include "program/cli/command_line.h"
 
 #include <algorithm>
+#include <boost/algorithm/string/case_conv.hpp>
+#include <boost/algorithm/string/replace.hpp>
 #include <csignal>
 #include <filesystem>
 #include <iostream>
@@ -40,6 +42,23 @@ void printOption(const std::string& shown, const std::string& help) {
         line += (line.size() > kHelpColumn ? " " : "") + word;
     }
     std::cout << line << "\n";
+}
+
+/// The text for man: a hyphen is a minus, a line that begins with a dot is no macro.
+std::string roff(std::string text) {
+    boost::replace_all(text, "\\", "\\e");
+    boost::replace_all(text, "-", "\\-");
+    boost::replace_all(text, "\n.", "\n\\&.");
+    return text;
+}
+
+/// Without its full stop, on one line.
+std::string firstSentence(std::string text) {
+    std::replace(text.begin(), text.end(), '\n', ' ');
+    const std::size_t end = text.find(". ");
+    text = text.substr(0, end);
+    if (!text.empty() && text.back() == '.') text.pop_back();
+    return text;
 }
 
 [[noreturn]] void refuseValue(const std::string& name, const std::string& value) {
@@ -97,6 +116,10 @@ Reader to(std::string& text) {
     return [&text](const std::string& value) { text = value; };
 }
 
+Reader input(std::string& file) {
+    return [&file](const std::string& value) { file = value == "-" ? "/dev/stdin" : value; };
+}
+
 Reader appendedTo(std::vector<std::string>& texts) {
     return [&texts](const std::string& value) { texts.push_back(value); };
 }
@@ -133,6 +156,11 @@ void CommandLine::flag(const std::string& name, const std::string& help, bool& t
 bool CommandLine::parse(const Arguments& words) {
     const auto isHelp = [](const std::string& word) { return word == "--help" || word == "-h"; };
     if (std::any_of(words.begin(), words.end(), isHelp)) return printHelp(), false;
+    if (words == Arguments{"--man"}) return printManPage(), false;
+    if (words == Arguments{"--list-options"}) {
+        for (const Declared& option : options_) std::cout << option.name << "\n";
+        return false;
+    }
     takeWords(words);
     requireCounts();
     for (const auto* all : {&arguments_, &options_}) {
@@ -156,6 +184,27 @@ void CommandLine::printHelp() const {
     for (const Declared& option : options_) printOption(option.shown, option.help);
 }
 
+/// In the macros of man(7). The usage begins with "clearway SUBCOMMAND".
+void CommandLine::printManPage() const {
+    std::istringstream usage(usage_);
+    std::string program, subcommand;
+    usage >> program >> subcommand;
+    const std::string name = program + "-" + subcommand;
+    std::cout << ".TH " << boost::to_upper_copy(name) << " 1 \"\" \"clearway\"\n"
+              << ".SH NAME\n"
+              << roff(name) << " \\- " << roff(firstSentence(purpose_)) << "\n"
+              << ".SH SYNOPSIS\n"
+              << roff(usage_) << "\n"
+              << ".SH DESCRIPTION\n"
+              << roff(purpose_) << "\n";
+    if (!options_.empty()) std::cout << ".SH OPTIONS\n";
+    for (const Declared& option : options_)
+        std::cout << ".TP\n.B " << roff(option.shown) << "\n" << roff(option.help) << "\n";
+    std::cout
+        << ".SH EXIT STATUS\n0: done; 1: the answer is no; 2: bad input or usage, with one line on standard "
+           "error.\n";
+}
+
 /// Tells options, their values and positional arguments apart. After the word -- all words are arguments.
 void CommandLine::takeWords(const Arguments& words) {
     Arguments positional;
@@ -172,7 +221,10 @@ void CommandLine::takeWords(const Arguments& words) {
         const auto option = std::find_if(
             options_.begin(), options_.end(),
             [name = words[i].substr(0, equals)](const Declared& one) { return one.name == name; });
-        if (option == options_.end()) refuse("unknown option '" + words[i] + "'");
+        if (option == options_.end()) {
+            refuse("unknown option '" + words[i] + "'" +
+                   didYouMean(words[i].substr(0, equals), namesOf(options_)));
+        }
         if (isFlag(option->shown)) {
             if (equals != std::string::npos) refuse(words[i] + " gives a value to an option that takes none");
             option->values.push_back("yes");

@@ -24,6 +24,7 @@ struct Subcommand {
 };
 
 // The subcommands: one file each, one row each in the table of main.cpp.
+int init(const Arguments& arguments);
 int info(const Arguments& arguments);
 int query(const Arguments& arguments);
 int plan(const Arguments& arguments);
@@ -57,6 +58,7 @@ std::string oneOf(const std::string& text, const std::vector<std::string>& names
 
 // Readers that store a value. `to` may be a std::optional, which then tells whether the option was given.
 Reader to(std::string& text);
+Reader input(std::string& file);  ///< stores the name; - is standard input
 Reader appendedTo(std::vector<std::string>& texts);
 Reader folder(std::string& to);  ///< an existing folder or a new name
 
@@ -98,7 +100,8 @@ class CommandLine {
     /// Forbids that both options are given.
     void exclude(const std::string& a, const std::string& b) { excluded_.push_back({a, b}); }
 
-    /// Prints the help and returns false when --help is among the arguments. Otherwise first checks which
+    /// Prints the help and returns false when --help is among the arguments; so it does with a page for man when the one
+    /// word is --man, and with the options' names, one a line, for --list-options. Otherwise first checks which
     /// options and arguments are given, then reads their values in the order of declaration. Throws
     /// std::invalid_argument that names the option or argument, its value and what was expected.
     bool parse(const Arguments& arguments);
@@ -114,6 +117,7 @@ class CommandLine {
     };
 
     void printHelp() const;
+    void printManPage() const;
     void takeWords(const Arguments& words);
     void takePositional(const Arguments& words);
     void requireCounts() const;

@@ -153,7 +153,7 @@ void describeProblem(const Problem& problem, const Box& environmentBox, const Bo
     printRow("margin", readable(problem.margin));
     printContact("contact at start", problem.rules.startContact);
     printContact("contact at goal", problem.rules.goalContact);
-    printRow("step", problem.step ? readable(*problem.step) : "not stated");
+    printRow("fineness", problem.fineness ? readable(*problem.fineness) : "not stated");
     printRow("planners", problem.planners.empty() ? "not stated" : std::to_string(problem.planners.size()));
     for (const PlannerChoice& planner : problem.planners) printRow("  planner", description(planner));
     if (problem.timeLimit) printRow("time limit", readable(*problem.timeLimit) + " s");
@@ -161,6 +161,28 @@ void describeProblem(const Problem& problem, const Box& environmentBox, const Bo
     if (problem.runCount) printRow("runs", std::to_string(*problem.runCount));
     if (!problem.outputFolder.empty()) printRow("log folder", problem.outputFolder);
     for (const std::string& warning : problem.warnings) printRow("warning", warning);
+}
+
+/// Says whether the part is valid at a pose, and how far it is from what.
+void describePose(const char* label, const planning::SceneClearance& clearance, const PartState& state) {
+    const Pose X_environmentPart = poseOf(state);
+    const std::string why = clearance.whyInvalid(X_environmentPart);
+    if (!why.empty()) return printRow(label, "NOT valid: " + why);
+    const planning::PoseClearance at = clearance.at(X_environmentPart);
+    if (at.nearest.partTriangle < 0) return printRow(label, "valid, with nothing near");
+    const planning::MeshNames names = planning::meshNames(clearance.scene(), at.nearest);
+    printRow(label, "valid, clearance " + readable(at.lower) + ", between '" + names.part + "' and '" +
+                        names.environment + "'");
+}
+
+void describeEnds(const Problem& problem) {
+    SceneLoading loading;
+    loading.read = guardedLoadMesh;
+    const LoadedScene loaded = loadScene(problem, {}, loading);
+    printWarnings(loaded.notes);
+    const planning::SceneClearance clearance(loaded.scene);
+    describePose("at the start", clearance, problem.start);
+    if (!problem.outside) describePose("at the goal", clearance, problem.goal);
 }
 
 void describeProblemFile(const std::string& file, const BuildOptions& tree) {
@@ -171,6 +193,7 @@ void describeProblemFile(const std::string& file, const BuildOptions& tree) {
     const ObstacleGroups obstacles = obstaclesOf(problem, worlds);
     describeProblem(problem, boundingBox(environment), boundingBox(part));
     printObstacles(obstacles);
+    describeEnds(problem);
     std::cout << "\nPart\n";
     const Model partModel =
         describeMesh(part, problem.asOmplApp ? "as OMPL.app reads a robot" : "as stored", tree);

@@ -41,12 +41,6 @@ std::string lineAbout(const std::string& file, const std::string& fault) {
            "\n";
 }
 
-/// Drops all output written to it.
-class Sink : public std::streambuf {
-  protected:
-    int overflow(int character) override { return character; }
-    std::streamsize xsputn(const char*, std::streamsize count) override { return count; }
-};
 Sink sink;
 
 }  // namespace

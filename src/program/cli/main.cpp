@@ -7,8 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "clearway/targets.h"
 #include "core/text.h"
 #include "program/cli/command_line.h"
+#include "program/cli/facts.h"
+#include "program/cli/help.h"
 #include "program/cli/print.h"
 
 namespace clearway::cli {
@@ -17,6 +20,7 @@ namespace {
 
 /// The subcommands, in the order of --help.
 constexpr Subcommand kSubcommands[] = {
+    {"init", "writes a problem file for a part and its surroundings, to begin with", init},
     {"info", "shows what a mesh or a problem holds, and its trees", info},
     {"query", "asks for the distance or contact at every pose of a file, and times the queries", query},
     {"plan", "finds a path for the part from the start of a problem to its goal", plan},
@@ -41,22 +45,50 @@ void printHelp() {
         std::cout << "  " << name << std::string(8 - std::min<std::size_t>(name.size(), 7), ' ')
                   << subcommand.purpose << "\n";
     }
-    std::cout << "\n  clearway SUBCOMMAND --help   shows its arguments\n"
-                 "  clearway --version           shows the version\n\n"
+    std::cout << "\n  clearway help SUBCOMMAND     shows its arguments, as clearway SUBCOMMAND --help does\n"
+                 "  clearway help TOPIC          shows a page about "
+              << joined(topicNames(), " or ")
+              << "\n"
+                 "  clearway --version           shows the versions of clearway and its libraries\n"
+                 "  clearway --completion        prints a script that completes words in bash\n\n"
                  "Exit codes: 0 done; 1 the answer is no (no path found, or the path is not valid); 2 bad "
                  "input or\n"
                  "usage, with one line on stderr\n";
 }
 
+void printVersion() {
+    std::cout << "clearway " CLEARWAY_VERSION "\n";
+    printRow("instruction set", currentTarget());
+    for (const auto& [library, version] : libraryVersions()) printRow(library, version);
+}
+
+int help(const Arguments& words) {
+    if (words.empty()) return printHelp(), kDone;
+    if (words.size() > 1)
+        throw std::invalid_argument("unexpected argument '" + words[1] + "', expected one topic");
+    for (const Subcommand& subcommand : kSubcommands) {
+        if (words[0] == subcommand.name) return subcommand.run({"--help"});
+    }
+    if (const char* text = topicNamed(words[0])) return std::cout << text, kDone;
+    std::vector<std::string> known = namesOf(kSubcommands);
+    for (const std::string& topic : topicNames()) known.push_back(topic);
+    throw std::invalid_argument("unknown topic '" + words[0] + "'" + didYouMean(words[0], known) +
+                                ", expected one of " + joined(known));
+}
+
 int run(const Arguments& words) {
     if (words.empty())
         throw std::invalid_argument("no subcommand, expected one of " + names() + ", or --help");
+    const Arguments rest(words.begin() + 1, words.end());
     if (words[0] == "--help" || words[0] == "-h") return printHelp(), kDone;
-    if (words[0] == "--version") return std::cout << "clearway " CLEARWAY_VERSION "\n", kDone;
+    if (words[0] == "help") return help(rest);
+    if (words[0] == "--version") return printVersion(), kDone;
+    if (words[0] == "--completion") return std::cout << completionScript(namesOf(kSubcommands)), kDone;
     for (const Subcommand& subcommand : kSubcommands) {
-        if (words[0] == subcommand.name) return subcommand.run({words.begin() + 1, words.end()});
+        if (words[0] == subcommand.name) return subcommand.run(rest);
     }
-    throw std::invalid_argument("unknown subcommand '" + words[0] + "', expected one of " + names() +
+    throw std::invalid_argument("unknown subcommand '" + words[0] + "'" +
+                                didYouMean(words[0], namesOf(kSubcommands)) + ", expected one of " + names() +
                                 ", or --help");
 }
 
@@ -70,6 +102,7 @@ int main(int argc, char** argv) {
     const clearway::cli::Arguments words(argv + 1, argv + argc);
     try {
         const int code = clearway::cli::run(words);
+        clearway::cli::writeFacts();
         clearway::cli::requirePrinted();
         return code;
     } catch (const std::exception& error) {

@@ -6,7 +6,9 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "clearway/swept_volume.h"
 #include "core/replace_file.h"
+#include "problem/rotation.h"
 #include "program/cli/load_guard.h"
 #include "program/cli/print.h"
 #include "program/cli/print_audit.h"
@@ -16,6 +18,10 @@
 namespace clearway::cli {
 
 namespace {
+
+constexpr double kSweptPerDiagonal = 0.01;  ///< the usual tolerance of swept volumes, of the part's diagonal
+constexpr double kLeftOutTurn = 2e-4;       ///< radians: OMPL may leave out turns below this
+constexpr double kSweptRounding = 1e-6;     ///< of the largest coordinate, for floats
 
 report::ReportTable tableOf(const std::string& title, const Rows& rows) {
     report::ReportTable table;
@@ -93,12 +99,55 @@ void writePage(const Problem& problem, const Mesh& part, const Mesh& environment
     printRow("report", file + ", " + megabytes(written.bytes));
 }
 
+/// The motions between the states of a path. OMPL interpolates positions evenly, and turns by the shorter way.
+std::vector<RigidMotion> motionsOf(const std::vector<PartState>& path) {
+    std::vector<RigidMotion> motions;
+    for (std::size_t i = 0; i + 1 < path.size() || i == 0; ++i) {
+        const PartState &from = path[i], &to = path[std::min(i + 1, path.size() - 1)];
+        AxisAngle turn = toAxisAngle(from.rotation.conjugate() * to.rotation);
+        if (turn.angle > M_PI) turn.angle -= 2 * M_PI;
+        motions.push_back({poseOf(from), to.position - from.position, turn.angle * turn.axis});
+    }
+    return motions;
+}
+
+/// How far places of the part may be off these motions, and the file's floats off the mesh: OMPL may leave out small
+/// turns.
+double sweptPoseError(const std::vector<RigidMotion>& motions, double radius) {
+    double turn = 0, farthest = radius;
+    for (const RigidMotion& motion : motions) {
+        if (motion.turn.norm() < kLeftOutTurn) turn = std::max(turn, motion.turn.norm());
+        farthest = std::max(farthest, radius + motion.start.translation.norm() + motion.translation.norm());
+    }
+    return radius * turn + kSweptRounding * farthest;
+}
+
+void writeSwept(const Mesh& part, const Model& model, const std::vector<PartState>& path,
+                std::optional<double> tolerance, const std::string& file) {
+    const std::vector<RigidMotion> motions = motionsOf(path);
+    SweptVolumeOptions options;
+    options.tolerance = tolerance.value_or(kSweptPerDiagonal * model.box().diagonal().norm());
+    options.poseError = sweptPoseError(motions, model.radiusAboutOrigin());
+    options.isStopped = isInterrupted;
+    const ElapsedLine elapsed("sweeping");
+    const Mesh swept = sweptVolume(part, motions, options);
+    if (swept.triangles.empty()) {
+        printRow("swept", "none, interrupted");
+        return;
+    }
+    saveMesh(swept, file);
+    printRow("swept", file + ", " + counted(swept.triangles.size(), "triangle") + ", within " +
+                          readable(options.tolerance) + " of the part's places");
+}
+
 }  // namespace
 
 void PathOutputs::require(OutputFiles& files) const {
-    files.add("--report", report);
-    files.add("--export", motion);
-    if (!motion.empty()) report::requireMotionFile(motion);
+    files.add("--report", report, {".html", ".htm"});
+    files.add("--export", motion, {".glb"});
+    files.add("--swept", swept, {".stl", ".obj", ".ply", ".glb", ".dae"});
+    if (swept.empty() && sweptTolerance)
+        throw std::invalid_argument("--swept-tolerance is given without --swept, expected both");
 }
 
 void PathOutputs::write(const Problem& problem, const Scene& scene, const std::vector<PartState>& path,
@@ -108,9 +157,11 @@ void PathOutputs::write(const Problem& problem, const Scene& scene, const std::v
     const Mesh part = loadPart(problem, guardedLoadMesh);
     const Mesh environment = shownEnvironment(problem);
     if (!report.empty()) writePage(problem, part, environment, scene, path, audit, planner, overlaps, report);
-    if (motion.empty()) return;
-    report::exportMotion(part, environment, path, scene.part.radiusAboutOrigin(), motion);
-    printRow("export", motion);
+    if (!motion.empty()) {
+        report::exportMotion(part, environment, path, scene.part.radiusAboutOrigin(), motion);
+        printRow("export", motion);
+    }
+    if (!swept.empty()) writeSwept(part, scene.part, path, sweptTolerance, swept);
 }
 
 void addPathOutputs(CommandLine& commandLine, PathOutputs& outputs) {
@@ -119,6 +170,14 @@ void addPathOutputs(CommandLine& commandLine, PathOutputs& outputs) {
                        to(outputs.report));
     commandLine.option("--export FILE", "writes the motion as an animated .glb file, for Blender and others",
                        to(outputs.motion));
+    commandLine.option(
+        "--swept FILE",
+        "writes the room that the part takes on its way, as a closed mesh: .stl, .obj, .ply, .glb or .dae",
+        to(outputs.swept));
+    commandLine.option(
+        "--swept-tolerance D",
+        "how far the mesh of --swept may be from the part's places (1 % of the part's diagonal)",
+        positive(outputs.sweptTolerance));
 }
 
 Mesh shownEnvironment(const Problem& problem) {

@@ -1,6 +1,7 @@
-// The report page and the animated 3D file that `plan` and `check` write about a path.
+// The report page, the animated 3D file and the swept volume that `plan` and `check` write about a path.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,11 +14,12 @@
 
 namespace clearway::cli {
 
-/// The files of --report and --export; empty if the option is not given.
+/// The files of --report, --export and --swept; empty if the option is not given.
 struct PathOutputs {
-    std::string report, motion;
+    std::string report, motion, swept;
+    std::optional<double> sweptTolerance;
 
-    bool isEmpty() const { return report.empty() && motion.empty(); }
+    bool isEmpty() const { return report.empty() && motion.empty() && swept.empty(); }
     void require(OutputFiles& files) const;
 
     /// Writes the files and prints a row about each. planner: figures of the planner that found the path; may
@@ -28,7 +30,7 @@ struct PathOutputs {
                const std::vector<FoundOverlap>& overlaps) const;
 };
 
-/// Declares --report and --export.
+/// Declares --report, --export, --swept and --swept-tolerance.
 void addPathOutputs(CommandLine& commandLine, PathOutputs& to);
 
 /// The environment as one mesh to show, without the obstacles that the problem ignores. If the problem

@@ -4,11 +4,13 @@
 #include <cmath>
 #include <exception>
 #include <iostream>
+#include <nlohmann/json.hpp>
 
 #include "clearway/planning/check_path.h"
 #include "clearway/planning/objectives.h"
 #include "clearway/planning/planners.h"
 #include "core/text.h"
+#include "program/cli/facts.h"
 #include "program/cli/old_path.h"
 #include "program/cli/path_outputs.h"
 #include "program/cli/print.h"
@@ -97,6 +99,7 @@ bool readArguments(const Arguments& arguments, PlanArguments& given) {
         "when no path is found: looks for S seconds for obstacles and margins without which there is one",
         positive(given.explainSeconds));
     addTarget(line);
+    addJson(line);
     addPathOutputs(line, given.outputs);
     addTreeOptions(line, given.trees.options);
     addCache(line, given.trees);
@@ -143,7 +146,7 @@ Rows pathRows(const PlanReport& report) {
 /// A path that cannot be written after all is printed: the work is not lost.
 void writeOrPrint(const std::vector<PartState>& path, Space space, const std::string& file) {
     try {
-        writePath(path, space, file);
+        writeOut(file, [&](std::ostream& stream) { writePath(path, space, stream); });
     } catch (const std::exception&) {
         printRow("path", "not written, its states follow");
         writePath(path, space, std::cout);
@@ -222,6 +225,31 @@ void printPath(const PlanReport& report, const Problem& problem, const std::stri
     printRow("path", file);
 }
 
+void tellFacts(const PlanArguments& given, const PlanReport& report, const Scene& scene,
+               const std::vector<FoundOverlap>& overlaps) {
+    tellScene(scene);
+    Json& all = facts();
+    all["planners"] = report.planners;
+    all["seed"] = given.plan.seed;
+    all["certified"] = report.isCertified;
+    all["planning_seconds"] = toJson(report.planningSeconds);
+    all["states_checked"] = report.checks;
+    all["interrupted"] = report.isStopped;
+    all["found"] = !report.path.empty();
+    all["warnings"] = report.warnings;
+    if (report.path.empty()) return;
+    all["found_by"] = report.foundBy;
+    all["finishing_seconds"] = toJson(report.finishingSeconds);
+    all["path"] = {{"file", given.path},
+                   {"states", report.path.size()},
+                   {"length", toJson(report.length)},
+                   {"turned_degrees", toJson(report.turned * 180 / M_PI)}};
+    if (report.room)
+        all["room"] = {{"before", toJson(report.room->before)}, {"after", toJson(report.room->after)}};
+    all["audit"] = toJson(report.audit);
+    all["overlaps"] = toJson(overlaps);
+}
+
 /// Plans, prints and writes. Tells oldPath when there is a new path.
 int planAndWrite(const PlanArguments& given, const Problem& problem, OldPath& oldPath) {
     const Scene scene = given.trees.load(problem, given.plan);
@@ -255,6 +283,7 @@ int planAndWrite(const PlanArguments& given, const Problem& problem, OldPath& ol
         path.empty() ? std::vector<FoundOverlap>() : overlapsAlong(problem, scene, path);
     printOverlaps(overlaps);
     if (isValid) requireAllowed(overlaps);
+    tellFacts(given, report, scene, overlaps);
     if (!path.empty() && !given.outputs.isEmpty()) {
         // Planning audits the path without a profile; the outputs show a profile.
         const planning::PathCheck checked = planning::checkPath(problem, scene, path);
@@ -272,10 +301,11 @@ int plan(const Arguments& arguments) {
     heedInterrupts();
     const Problem problem = given.problem.read();
     OutputFiles files(inputsOf(problem));
-    files.add("--path", given.path);
+    files.addOrStandardOutput("--path", given.path);
     files.add("--nearest", given.nearest);
+    requireFactsFile(files);
     given.outputs.require(files);
-    OldPath oldPath(given.path);
+    OldPath oldPath(given.path == "-" ? "" : given.path);
     try {
         return planAndWrite(given, problem, oldPath);
     } catch (const planning::RefusedOption&) {

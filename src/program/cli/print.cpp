@@ -8,6 +8,7 @@
 #include <iostream>
 #include <stdexcept>
 
+#include "core/replace_file.h"
 #include "core/text.h"
 #include "program/cli/command_line.h"
 
@@ -25,6 +26,17 @@ struct ObstacleRow {
     double margin, overlap;
     bool isSolid, atStart, atGoal;
 };
+
+std::string& claimedBy() {
+    static std::string option;
+    return option;
+}
+
+/// The process's standard output once an option has claimed it.
+std::ostream& standardOutput() {
+    static std::ostream stream(std::cout.rdbuf());
+    return stream;
+}
 
 void printObstacle(const ObstacleRow& row) {
     std::vector<std::string> names;
@@ -119,6 +131,21 @@ std::string oneLine(std::string message) {
         if (static_cast<unsigned char>(c) < ' ' || c == '\x7F') c = ' ';
     }
     return message;
+}
+
+void claimStandardOutput(const std::string& option) {
+    if (!claimedBy().empty())
+        throw std::invalid_argument(option + " is -, which " + claimedBy() +
+                                    " is too, expected a file for one of them");
+    claimedBy() = option;
+    static Sink sink;
+    standardOutput().rdbuf(std::cout.rdbuf(&sink));
+}
+
+void writeOut(const std::string& file, const std::function<void(std::ostream&)>& write) {
+    if (file != "-") return replaceFile(file, write);
+    write(standardOutput());
+    if (!standardOutput().flush()) throw std::runtime_error("cannot write to standard output");
 }
 
 void requirePrinted() {

@@ -2,7 +2,10 @@
 #pragma once
 
 #include <condition_variable>
+#include <functional>
+#include <iosfwd>
 #include <mutex>
+#include <streambuf>
 #include <string>
 #include <thread>
 #include <utility>
@@ -39,6 +42,21 @@ void printWarnings(const std::vector<std::string>& warnings);
 
 /// The message as one line of plain characters, whatever it quotes from a file or a library.
 std::string oneLine(std::string message);
+
+/// Drops all output written to it.
+class Sink : public std::streambuf {
+  protected:
+    int overflow(int character) override { return character; }
+    std::streamsize xsputn(const char*, std::streamsize count) override { return count; }
+};
+
+/// Gives standard output to the option's file, which is `-`: from now on rows are not printed. Throws
+/// std::invalid_argument when another option has it already.
+void claimStandardOutput(const std::string& option);
+
+/// Writes a file under a temporary name and renames it; writes to standard output if the file is `-`, which must be
+/// claimed. Throws as replaceFile does.
+void writeOut(const std::string& file, const std::function<void(std::ostream&)>& write);
 
 /// Flushes standard output. Throws std::runtime_error when what was printed could not be written.
 void requirePrinted();

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "core/number.h"
-#include "core/replace_file.h"
 #include "program/cli/print.h"
 
 namespace clearway::cli {
@@ -207,7 +206,7 @@ void printProfile(const PathAudit& audit) {
 }
 
 void writeProfile(const PathAudit& audit, const std::string& file) {
-    replaceFile(file, [&](std::ostream& stream) {
+    writeOut(file, [&](std::ostream& stream) {
         stream << "segment,t,travel,clearance,clearance_to_next\n";
         for (const PathProfilePoint& point : audit.profile) {
             stream << point.segment + 1 << "," << formatNumber(point.time) << ","

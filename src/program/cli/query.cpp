@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <nlohmann/json.hpp>
 #include <numeric>
 #include <optional>
 #include <ostream>
@@ -13,7 +14,7 @@
 #include "clearway/problem.h"
 #include "clearway/targets.h"
 #include "core/number.h"
-#include "core/replace_file.h"
+#include "program/cli/facts.h"
 #include "program/cli/load_guard.h"
 #include "program/cli/print.h"
 #include "program/cli/shared_options.h"
@@ -21,6 +22,8 @@
 namespace clearway::cli {
 
 namespace {
+
+constexpr std::size_t kMostShown = 20;  ///< answers on screen
 
 struct Question {
     enum class Kind { kDistance, kCollide, kWithin };
@@ -125,6 +128,52 @@ std::string rowOf(const DistanceResult& result) {
            std::to_string(result.environmentTriangle);
 }
 
+std::string nameAt(const Model& model, std::int64_t component) {
+    const auto& components = model.components();
+    return component < 0 || static_cast<std::size_t>(component) >= components.size()
+               ? ""
+               : "'" + components[static_cast<std::size_t>(component)].name + "' ";
+}
+
+/// The answer in words: the distance, and the two closest points with their triangles.
+std::string describe(const Question& question, const Answer& answer, const Model& part,
+                     const Model& environment) {
+    if (question.kind != Question::Kind::kDistance) return answer.verdict ? "yes" : "no";
+    const DistanceResult& found = answer.distance;
+    if (isBeyondCap(found)) return "beyond the cap";
+    return readable(found.distance) + ", part " + nameAt(part, found.partComponent) + "triangle " +
+           std::to_string(found.partTriangle) + " at " + readable(found.pointOnPart) + ", environment " +
+           nameAt(environment, found.environmentComponent) + "triangle " +
+           std::to_string(found.environmentTriangle) + " at " + readable(found.pointOnEnvironment);
+}
+
+void printFirst(const Question& question, const QueryRun& run, const Model& part, const Model& environment) {
+    const std::size_t shown = std::min(run.answers.size(), kMostShown);
+    for (std::size_t i = 0; i < shown; ++i)
+        printRow("pose " + std::to_string(i), describe(question, run.answers[i], part, environment));
+    if (shown < run.answers.size())
+        printRow("", std::to_string(run.answers.size() - shown) + " more poses; --csv or --json writes all");
+}
+
+Json toJson(const Question& question, const Answer& answer) {
+    if (question.kind != Question::Kind::kDistance) return answer.verdict;
+    const DistanceResult& found = answer.distance;
+    Json json = {{"distance", cli::toJson(found.distance)},
+                 {"lower", cli::toJson(found.lower)},
+                 {"upper", cli::toJson(found.upper)}};
+    if (isBeyondCap(found)) return json;
+    json["part"] = {{"triangle", found.partTriangle}, {"point", cli::toJson(found.pointOnPart)}};
+    json["environment"] = {{"triangle", found.environmentTriangle},
+                           {"point", cli::toJson(found.pointOnEnvironment)}};
+    return json;
+}
+
+void tellFacts(const Question& question, const QueryRun& run, const Model& part, const Model& environment) {
+    facts()["part"] = cli::toJson(part);
+    facts()["environment"] = cli::toJson(environment);
+    for (const Answer& answer : run.answers) facts()["answers"].push_back(toJson(question, answer));
+}
+
 /// Asks at every pose, in the file's order or shuffled, with one workspace.
 QueryRun ask(const Question& question, const Model& part, const Model& environment,
              const std::vector<Pose>& poses) {
@@ -168,7 +217,7 @@ void printCosts(const QueryRun& run, const Model& part, const Model& environment
 /// Writes a header and one row a pose, with 17 digits.
 void writeCsv(const Question& question, const QueryRun& run, const std::string& file) {
     const bool isDistance = question.kind == Question::Kind::kDistance;
-    replaceFile(file, [&](std::ostream& stream) {
+    writeOut(file, [&](std::ostream& stream) {
         stream << (isDistance ? "pose,distance,lower,upper,part_triangle,environment_triangle,nanoseconds\n"
                               : "pose,verdict,nanoseconds\n");
         for (std::size_t pose = 0; pose < run.answers.size(); ++pose) {
@@ -216,7 +265,7 @@ bool readArguments(const Arguments& arguments, QueryArguments& given) {
     line.option("--part MESH", "mesh of the moving part", to(given.part), kRequired);
     line.option("--environment MESH", "mesh of the obstacles, which stand still", to(given.environment),
                 kRequired);
-    line.option("--poses FILE", "the poses, one a line", to(given.poses), kRequired);
+    line.option("--poses FILE", "the poses, one a line; - is standard input", input(given.poses), kRequired);
     line.option(
         "--query Q", "distance, collide, or within=D: is the distance at most D?",
         [&](const std::string& text) { readQuestion(text, question); }, kRequired);
@@ -236,6 +285,7 @@ bool readArguments(const Arguments& arguments, QueryArguments& given) {
     line.option("--absolute-error E", "allows an interval of width E; the wider of the two counts (0)",
                 distanceOnly(question.distance.absoluteError));
     addTarget(line);
+    addJson(line);
     line.flag("--cold", "forgets the last closest pair before every query", question.isCold);
     line.option("--shuffle SEED", "asks in a random order; the answers keep the file's order",
                 integer<std::uint64_t>(question.shuffleSeed, 0, INT64_MAX));
@@ -254,7 +304,9 @@ void describeMesh(const char* label, const Model& model) {
 int query(const Arguments& arguments) {
     QueryArguments given;
     if (!readArguments(arguments, given)) return kDone;
-    OutputFiles({given.part, given.environment, given.poses}).add("--csv", given.csv);
+    OutputFiles files({given.part, given.environment, given.poses});
+    files.addOrStandardOutput("--csv", given.csv);
+    requireFactsFile(files);
     const PoseFile poses = readPoses(given.poses);
     const Model part = given.trees.build(guardedLoadMesh(given.part, given.load));
     const Model environment = given.trees.build(guardedLoadMesh(given.environment, given.load));
@@ -266,7 +318,9 @@ int query(const Arguments& arguments) {
     printRow("instruction set", currentTarget());
     printRow("poses", std::to_string(poses.poses.size()) + ", " + std::to_string(poses.projected) +
                           " of them projected to the nearest rotation");
+    printFirst(given.question, run, part, environment);
     printSummary(given.question, run);
+    tellFacts(given.question, run, part, environment);
     printCosts(run, part, environment);
     requirePrinted();
     if (!given.csv.empty()) writeCsv(given.question, run, given.csv);

@@ -126,7 +126,7 @@ bool readArguments(const Arguments& arguments, RenderArguments& given) {
                      "the problem's start and goal (a goal outside has no pose). Coordinates and lengths are "
                      "the environment's; z is up.");
     addProblem(line, given.problem);
-    line.argument("[IN.path]", to(given.path));
+    line.argument("[IN.path]", input(given.path));
     line.option("--out FILE", "the picture, a PNG file", to(given.out), CommandLine::Count::kRequired);
     line.option("--size WxH", "pixels (1280x720)",
                 [&](const std::string& text) { readSize(text, given.drawing); });
@@ -163,7 +163,10 @@ void printPose(double share, const Scene& scene, const planning::PoseClearance& 
                                     ? " or more"
                                     : ", between '" + names.part + "' and '" + names.environment + "'";
     printRow("pose at " + readable(share),
-             std::isinf(at.lower) ? "nothing to keep clear of" : "clearance " + readable(at.lower) + between);
+             std::isinf(at.lower) ? "nothing to keep clear of"
+             : nearest.collides() ? "IN COLLISION" + between
+             : !at.isValid()      ? "NOT valid, too close, clearance " + readable(at.lower) + between
+                                  : "clearance " + readable(at.lower) + between);
 }
 
 }  // namespace
@@ -210,7 +213,7 @@ int render(const Arguments& arguments) {
     const std::vector<PartState> states = hasPath ? readPath(given.path, problem.space) : endsOf(problem);
     std::vector<std::string> inputs = inputsOf(problem);
     if (hasPath) inputs.push_back(given.path);
-    OutputFiles(inputs).add("--out", given.out);
+    OutputFiles(inputs).add("--out", given.out, {".png"});
     const ElapsedLine elapsed("rendering");
     const Mesh part = loadPart(problem, guardedLoadMesh);
     const Mesh environment = shownEnvironment(problem);

@@ -1,5 +1,7 @@
 #include "program/cli/shared_options.h"
 
+#include <algorithm>
+#include <boost/algorithm/string/case_conv.hpp>
 #include <filesystem>
 #include <stdexcept>
 
@@ -131,8 +133,15 @@ std::vector<std::string> inputsOf(const Problem& problem) {
     return files;
 }
 
-void OutputFiles::add(const std::string& option, const std::string& file) {
+void OutputFiles::addOrStandardOutput(const std::string& option, const std::string& file) {
+    if (file == "-") return claimStandardOutput(option);
+    add(option, file);
+}
+
+void OutputFiles::add(const std::string& option, const std::string& file,
+                      const std::vector<std::string>& endings) {
     if (file.empty()) return;
+    if (file == "-") throw std::invalid_argument(option + " is '-', expected the name of a file");
     const auto refuse = [&](const std::string& taken) {
         throw std::invalid_argument(option + " is '" + file + "', " + taken + ", expected another file");
     };
@@ -142,6 +151,10 @@ void OutputFiles::add(const std::string& option, const std::string& file) {
     for (const Output& output : outputs_) {
         if (isSameFile(file, output.file)) refuse("which is also the file of " + output.option);
     }
+    const std::string ending = boost::to_lower_copy(std::filesystem::path(file).extension().string());
+    if (!endings.empty() && std::find(endings.begin(), endings.end(), ending) == endings.end())
+        throw std::invalid_argument(option + " is '" + file + "', expected a name that ends in " +
+                                    joined(endings, " or "));
     requireReplaceable(file);
     outputs_.push_back({option, file});
 }

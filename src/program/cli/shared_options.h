@@ -67,8 +67,12 @@ class OutputFiles {
     explicit OutputFiles(std::vector<std::string> inputs) : inputs_(std::move(inputs)) {}
 
     /// Adds an option's file. Throws before long work if the file cannot be written, is read, or is another
-    /// option's file. An empty name adds no file.
-    void add(const std::string& option, const std::string& file);
+    /// option's file. An empty name adds no file. endings: those that the file may have; empty: any.
+    void add(const std::string& option, const std::string& file,
+             const std::vector<std::string>& endings = {});
+
+    /// For files that writeOut() writes: the name `-` claims standard output.
+    void addOrStandardOutput(const std::string& option, const std::string& file);
 
   private:
     struct Output {

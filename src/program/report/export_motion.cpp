@@ -31,13 +31,13 @@ std::vector<GlbKey> keysOf(const PathLine& line) {
     return keys;
 }
 
-}  // namespace
-
 void requireMotionFile(const std::string& file) {
     const std::string ending = std::filesystem::path(file).extension().string();
     if (ending == ".glb") return;
     throw std::invalid_argument("the ending of '" + file + "' is '" + ending + "', expected .glb");
 }
+
+}  // namespace
 
 void exportMotion(const Mesh& part, const Mesh& environment, const std::vector<PartState>& path,
                   double turnRadius, const std::string& file) {

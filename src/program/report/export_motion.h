@@ -19,8 +19,4 @@ constexpr double kMotionSeconds = 12;
 void exportMotion(const Mesh& part, const Mesh& environment, const std::vector<PartState>& path,
                   double turnRadius, const std::string& file);
 
-/// Throws std::invalid_argument when the file does not end in .glb, so that a caller can refuse it before
-/// long work.
-void requireMotionFile(const std::string& file);
-
 }  // namespace clearway::report

@@ -106,7 +106,7 @@ BOOST_AUTO_TEST_CASE(a_sheet_without_thickness_is_not_planned_through) {
     sheet.vertices = {{0, -200, -200}, {0, 200, -200}, {0, 0, 400}};
     sheet.triangles = {{0, 1, 2}};
     window.scene.obstacles[0].model = Model::build(sheet);
-    window.problem.step = 100;  // this step only sets the length of edges, 20 times as long
+    window.problem.fineness = 100;  // this step only sets the length of edges, 20 times as long
     BOOST_TEST((plan(window.problem, window.scene, withIterations(2000)).outcome == Outcome::kNotFound));
 }
 
@@ -321,13 +321,13 @@ BOOST_AUTO_TEST_CASE(a_start_too_close_to_be_certified_is_warned_of) {
 
 BOOST_AUTO_TEST_CASE(edges_are_20_steps_of_the_problem_long_or_a_quarter_of_the_parts_diagonal) {
     auto window = windowScene();
-    window.problem.step.reset();
+    window.problem.fineness.reset();
     const PlanReport report = plan(window.problem, window.scene, withIterations(10));
     BOOST_TEST(report.isCertified);
     BOOST_TEST(report.step == 0);
     BOOST_TEST(report.warnings.empty());
     BOOST_TEST(report.range == Vector3(60, 40, 10).norm() / 4, boost::test_tools::tolerance(1e-12));
-    window.problem.step = 0.75;
+    window.problem.fineness = 0.75;
     BOOST_TEST(plan(window.problem, window.scene, withIterations(10)).range == 15);
     BOOST_TEST(plan(window.problem, window.scene, withIterations(10)).isCertified);
 }

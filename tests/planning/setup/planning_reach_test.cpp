@@ -126,7 +126,7 @@ BOOST_AUTO_TEST_CASE(the_reach_holds_the_bounds_and_the_cap_all_that_planning_as
     PlanOptions options;
     options.step = 7;
     BOOST_TEST(walls.reach(options)->cap == 3 + 7 + 2 * radius);
-    walls.problem.step.reset();
+    walls.problem.fineness.reset();
     BOOST_TEST(walls.reach()->cap == 3 + Vector3(60, 40, 10).norm() / 500 + 2 * radius,
                boost::test_tools::tolerance(1e-12));
     const double diagonal = Vector3(60, 40, 10).norm();

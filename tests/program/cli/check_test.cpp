@@ -141,7 +141,7 @@ BOOST_AUTO_TEST_CASE(the_profile_is_written_as_csv_in_order_and_bounds_hold) {
     BOOST_TEST(least <= 11);
 }
 
-BOOST_AUTO_TEST_CASE(a_path_that_is_not_from_start_to_goal_is_warned_of) {
+BOOST_AUTO_TEST_CASE(a_path_that_is_not_from_start_to_goal_is_no_solution) {
     const CheckFolder folder;
     auto path = folder.free();
     path.front().position.x() += 1e-5;  // as in a file of 6 digits
@@ -151,21 +151,23 @@ BOOST_AUTO_TEST_CASE(a_path_that_is_not_from_start_to_goal_is_warned_of) {
     path.back().rotation = Eigen::AngleAxisd(1.4, Vector3::UnitX());
     writePath(path, Space::kSe3, folder.file("off.path"));
     const Outcome outcome = runIn(folder, "check window.cfg off.path");
-    BOOST_TEST(outcome.code == 0);
-    BOOST_TEST(contains(outcome.err, "warning: the path begins 0.5"), outcome.err);
-    BOOST_TEST(contains(outcome.err, "from the problem's start, expected at most 0.0072"), outcome.err);
-    BOOST_TEST(contains(outcome.err, "warning: the path ends "), outcome.err);
+    BOOST_TEST(outcome.code == 1);
+    BOOST_TEST(row(outcome, "begins").find("0.5") == 0u, outcome.out);
+    BOOST_TEST(contains(row(outcome, "begins"), "from the problem's start, expected at most 0.0072"),
+               outcome.out);
+    BOOST_TEST(contains(row(outcome, "ends"), "from the problem's goal, expected at most "), outcome.out);
+    BOOST_TEST(runIn(folder, "check window.cfg off.path --any-ends").code == 0);
 }
 
 BOOST_AUTO_TEST_CASE(a_path_of_one_state_is_checked) {
     const CheckFolder folder;
     writePath({folder.window.problem.start}, Space::kSe3, folder.file("one.path"));
-    const Outcome outcome = runIn(folder, "check window.cfg one.path");
+    const Outcome outcome = runIn(folder, "check window.cfg one.path --any-ends");
     BOOST_TEST(outcome.code == 0);
     BOOST_TEST(segmentRows(outcome).size() == 1u);
-    BOOST_TEST(contains(outcome.err, "warning: the path ends "));
+    BOOST_TEST(contains(outcome.out, "from the problem's goal"));
     writePath({folder.at(0, 20)}, Space::kSe3, folder.file("one.path"));
-    BOOST_TEST(runIn(folder, "check window.cfg one.path").code == 1);
+    BOOST_TEST(runIn(folder, "check window.cfg one.path --any-ends").code == 1);
 }
 
 BOOST_AUTO_TEST_CASE(a_planar_path_is_checked_in_se2) {
@@ -217,7 +219,7 @@ BOOST_AUTO_TEST_CASE(wrong_input_is_refused_in_one_line) {
     requireRefused(folder, "check window.cfg free.path --report nowhere/x.html", {"nowhere/x.html"});
     requireRefused(folder, "check window.cfg free.path --csv x --report x",
                    {"--report is 'x'", "another file"});
-    requireRefused(folder, "check window.cfg free.path --report x.glb --export ./x.glb",
+    requireRefused(folder, "check window.cfg free.path --csv x.glb --export ./x.glb",
                    {"--export is './x.glb'", "another file"});
     requireRefused(folder, "check window.cfg free.path --export free.path", {"--export is 'free.path'"});
     requireRefused(folder, "check window.cfg free.path --csv free.path",

@@ -113,8 +113,9 @@ BOOST_AUTO_TEST_CASE(a_preset_is_what_single_choices_start_from) {
 }
 
 BOOST_AUTO_TEST_CASE(a_problem_is_described_with_both_meshes_as_omplapp_reads_them) {
-    const ProblemFolder folder(kProblem +
-                               "threshold = 3\n[planner]\nrrt=\nrrt.range=5\n[clearway]\nmargin = 0.5\n");
+    const ProblemFolder folder(
+        kProblem +
+        "threshold = 3\n[planner]\nrrt=\nrrt.range=5\n[clearway]\nmargin = 0.5\nreading = omplapp\n");
     const Outcome outcome = runIn(folder, "info a.cfg");
     BOOST_TEST(outcome.code == 0);
     BOOST_TEST(outcome.err == "");
@@ -125,7 +126,7 @@ BOOST_AUTO_TEST_CASE(a_problem_is_described_with_both_meshes_as_omplapp_reads_th
     BOOST_TEST(row(outcome, "bounds") ==
                "(-1, -1, -1) to (9, 1, 1) (the environment's box, grown to hold start and goal)");
     BOOST_TEST(row(outcome, "margin") == "0.5");
-    BOOST_TEST(row(outcome, "step") == "not stated");
+    BOOST_TEST(row(outcome, "fineness") == "not stated");
     BOOST_TEST(row(outcome, "planners") == "1");
     BOOST_TEST(row(outcome, "  planner") == "rrt, range = 5");
     BOOST_TEST(row(outcome, "goal threshold") == "3");
@@ -197,9 +198,9 @@ BOOST_AUTO_TEST_CASE(problems_with_wrong_values_are_refused) {
         "volume.max.x = 9\nvolume.max.y = 9\nvolume.max.z = 9\n",
         {"a.cfg", "start.x is 5", "from 6 to 9"});
     requireTailRefused("[clearway]\nsolids = wall\n",
-                       {"a.cfg:20", "solids",
-                        "margin.NAME, outside, overlap, overlap.NAME, overlap.thin, overlap.tolerance, "
-                        "reading, solid, step"});
+                       {"a.cfg:20", "solids", "did you mean 'solid'?",
+                        "margin.NAME, outside, overlap, overlap.NAME, overlap.thin, "
+                        "overlap.tolerance, reading, robot.scale, solid, start.degrees, step"});
     requireTailRefused("[clearway]\nmargin = -1\n", {"a.cfg:20", "margin", "'-1'", "at least 0"});
     requireTailRefused("what is this\n", {"a.cfg:19", "'what is this'", "key = value"});
 }

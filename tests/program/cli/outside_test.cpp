@@ -60,16 +60,15 @@ BOOST_AUTO_TEST_CASE(info_says_where_outside_is_and_why_the_bounds_are_larger) {
     BOOST_TEST(bounds.find("grown to hold the start and the part outside") != std::string::npos, bounds);
 }
 
-BOOST_AUTO_TEST_CASE(a_path_that_ends_inside_is_warned_of) {
+BOOST_AUTO_TEST_CASE(a_path_that_ends_inside_is_no_solution) {
     const OutsideFolder folder;
     const PartState start = folder.window.problem.start;
     writePath({start, start}, Space::kSe3, folder.file("in.path"));
     const Outcome outcome = runIn(folder, "check bounded.cfg in.path");
-    BOOST_TEST(outcome.code == 0);
-    BOOST_TEST(
-        outcome.err ==
-        "clearway: warning: at the path's end the part's box overlaps the environment's by 92 along +x, "
-        "expected a goal outside\n");
+    BOOST_TEST(outcome.code == 1);
+    BOOST_TEST(row(outcome, "ends") ==
+               "where the part's box overlaps the environment's by 92 along +x, expected a goal outside");
+    BOOST_TEST(outcome.err == "");
 }
 
 BOOST_AUTO_TEST_CASE(bounds_without_room_and_contradictions_are_refused_in_one_line) {

@@ -37,7 +37,7 @@ BOOST_AUTO_TEST_CASE(a_sunk_start_names_both_cures_and_info_tells_how_deep) {
     const Outcome refused = runIn(folder, "plan p.cfg --path o.path");
     BOOST_TEST(refused.code == 2);
     BOOST_TEST(refused.err.find("start is in collision: ") != std::string::npos, refused.err);
-    BOOST_TEST(refused.err.find("contact.start = NAME, D") != std::string::npos, refused.err);
+    BOOST_TEST(refused.err.find("contact.start = floor, ") != std::string::npos, refused.err);
     BOOST_TEST(refused.err.find("overlap = X") != std::string::npos, refused.err);
     const Outcome lifted = runIn(folder, "info p.cfg --lift");
     BOOST_TEST(lifted.code == 0, lifted.err);

@@ -199,9 +199,9 @@ BOOST_AUTO_TEST_CASE(a_report_and_an_animation_of_the_path_are_written_beside_it
     BOOST_TEST(readText(folder.file("other.html")) == "");
     BOOST_TEST(runIn(folder, added("--export out.glb")).code == 0);
     BOOST_TEST(readText(folder.file("out.glb")).substr(0, 4) == "glTF");
-    requireRefused(folder, added("--export out.obj"), {"out.obj", "expected .glb"});
-    requireRefused(folder, added("--export out.glb --report out.glb"),
-                   {"--export is 'out.glb'", "another file"});
+    requireRefused(folder, added("--export out.obj"), {"out.obj", "expected a name that ends in .glb"});
+    requireRefused(folder, added("--export out.glb --swept out.glb"),
+                   {"--swept is 'out.glb'", "another file"});
     requireRefused(folder, added("--report nowhere/out.html"), {"nowhere/out.html"});
     requireRefused(folder, added("--report out.path"), {"--report is 'out.path'", "another file"});
     requireRefused(folder, added("--report ./wall.obj"), {"--report is './wall.obj'", "input file"});
@@ -235,7 +235,7 @@ BOOST_AUTO_TEST_CASE(a_start_or_goal_that_cannot_be_is_refused_in_one_line) {
 BOOST_AUTO_TEST_CASE(what_a_problem_file_says_in_vain_is_warned_of_once) {
     const WindowFolder folder;
     Problem problem = folder.window.problem;
-    problem.step.reset();
+    problem.fineness.reset();
     problem.planners = {{"rrtconnect", {{"max_depth", "3"}}}};
     folder.write(problem);
     const Outcome outcome = runIn(folder, kPlan);

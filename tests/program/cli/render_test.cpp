@@ -48,7 +48,7 @@ BOOST_AUTO_TEST_CASE(a_picture_of_the_size_asked_for_is_written_and_each_pose_to
     BOOST_TEST(outcome.err == "");
     BOOST_TEST((sizeOf(readText(folder.file("out.png"))) == std::pair(160, 90)));
     BOOST_TEST(row(outcome, "pose at 0").find("clearance 28, between 'plate' and '") == 0, outcome.out);
-    BOOST_TEST(row(outcome, "pose at 0.5").find("clearance ") == 0);
+    BOOST_TEST(row(outcome, "pose at 0.5").find("IN COLLISION, between 'plate' and ") == 0, outcome.out);
     BOOST_TEST(row(outcome, "picture") == "out.png, 160 x 90");
 }
 

@@ -56,7 +56,7 @@ BOOST_AUTO_TEST_CASE(a_scene_is_written_with_a_path_from_its_start_to_its_goal_t
 
     const Problem problem = readProblem(folder.file(fileOf(made, "problem")));
     BOOST_TEST(problem.warnings.empty());
-    BOOST_TEST(problem.step.has_value());
+    BOOST_TEST(problem.fineness.has_value());
     const std::vector<PartState> path = readPath(folder.file(fileOf(made, "path")), problem.space);
     requireSameState(path.front(), problem.start);
     requireSameState(path.back(), problem.goal);

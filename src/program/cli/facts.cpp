@@ -1,0 +1,147 @@
+#include "program/cli/facts.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "program/cli/print.h"
+
+namespace clearway::cli {
+
+namespace {
+
+std::string& factsFile() {
+    static std::string file;
+    return file;
+}
+
+Json closestPair(const planning::SegmentAudit& segment) {
+    const SceneDistance& closest = segment.motion.closest;
+    if (closest.partTriangle < 0) return nullptr;
+    return {{"part",
+             {{"mesh", segment.partMesh},
+              {"triangle", closest.partTriangle},
+              {"point", toJson(closest.pointOnPart)}}},
+            {"environment",
+             {{"mesh", segment.environmentMesh},
+              {"triangle", closest.environmentTriangle},
+              {"point", toJson(closest.pointOnEnvironment)}}}};
+}
+
+const char* wordFor(planning::MotionVerdict verdict) {
+    switch (verdict) {
+        case planning::MotionVerdict::kValid:
+            return "valid";
+        case planning::MotionVerdict::kUndecided:
+            return "undecided";
+        default:
+            return "invalid";
+    }
+}
+
+}  // namespace
+
+Json& facts() {
+    static Json all = Json::object();
+    return all;
+}
+
+void addJson(CommandLine& commandLine) {
+    commandLine.option("--json FILE", "writes the facts as JSON; - is standard output, in place of the rows",
+                       to(factsFile()));
+}
+
+void requireFactsFile(OutputFiles& files) {
+    files.addOrStandardOutput("--json", factsFile());
+}
+
+void writeFacts() {
+    if (factsFile().empty()) return;
+    writeOut(factsFile(), [](std::ostream& stream) {
+        stream << facts().dump(2, ' ', false, Json::error_handler_t::replace) << "\n";
+    });
+}
+
+void tellScene(const Scene& scene) {
+    facts()["part"] = toJson(scene.part);
+    facts()["obstacles"] = Json::array();
+    for (const Obstacle& obstacle : scene.obstacles) {
+        Json json = toJson(obstacle.model);
+        for (const Component& component : obstacle.model.components())
+            json["names"].push_back(component.name);
+        json["margin"] = toJson(obstacle.margin);
+        if (obstacle.shrunk) {
+            json["overlap"] = toJson(obstacle.shrunk->overlap);
+            json["overlap_tolerance"] = toJson(obstacle.shrunk->tolerance);
+        }
+        json["solid"] = obstacle.solids != nullptr;
+        json["ignored_near_start"] = obstacle.isIgnoredAtStart;
+        json["ignored_near_goal"] = obstacle.isIgnoredAtGoal;
+        facts()["obstacles"].push_back(json);
+    }
+}
+
+Json toJson(double number) {
+    return std::isfinite(number) ? Json(number) : Json();
+}
+
+Json toJson(const Vector3& point) {
+    return {toJson(point.x()), toJson(point.y()), toJson(point.z())};
+}
+
+Json toJson(const Box& box) {
+    return {{"min", toJson(Vector3(box.min()))}, {"max", toJson(Vector3(box.max()))}};
+}
+
+Json toJson(const PartState& state) {
+    const auto& q = state.rotation;
+    return {{"position", toJson(state.position)}, {"quaternion_xyzw", {q.x(), q.y(), q.z(), q.w()}}};
+}
+
+Json toJson(const Model& model) {
+    Json json = {{"file", model.origin().file}, {"triangles", model.report().triangles}};
+    if (model.report().unreachableTriangles > 0) json["left_out"] = model.report().unreachableTriangles;
+    return json;
+}
+
+Json toJson(const planning::PathAudit& audit) {
+    Json json = {
+        {"verdict", wordFor(audit.verdict)},
+        {"length", toJson(audit.length)},
+        {"turned_degrees", toJson(audit.turned * 180 / M_PI)},
+        {"clearance", {{"lower", toJson(audit.lowerClearance)}, {"upper", toJson(audit.upperClearance)}}}};
+    const planning::SegmentAudit& closest = audit.segments[audit.closest];
+    json["closest"] = {{"segment", audit.closest + 1},
+                       {"t", toJson(closest.motion.closestTime)},
+                       {"position", toJson(closest.X_environmentPart.translation)},
+                       {"pair", closestPair(closest)}};
+    for (const planning::SegmentAudit& segment : audit.segments) {
+        const planning::MotionReport& motion = segment.motion;
+        json["segments"].push_back(
+            {{"verdict", wordFor(motion.verdict)},
+             {"trouble", segment.trouble},
+             {"valid_until_t", toJson(motion.certifiedTime)},
+             {"length", toJson(segment.length)},
+             {"turned_degrees", toJson(segment.turned * 180 / M_PI)},
+             {"clearance",
+              {{"lower", toJson(motion.lowerClearance)}, {"upper", toJson(motion.upperClearance)}}},
+             {"closest_t", toJson(motion.closestTime)},
+             {"pair", closestPair(segment)}});
+    }
+    return json;
+}
+
+Json toJson(const std::vector<FoundOverlap>& overlaps) {
+    Json json = Json::array();
+    for (const FoundOverlap& found : overlaps) {
+        json.push_back(
+            {{"obstacle", found.obstacle},
+             {"depth", {{"lower", toJson(found.deepest.lower)}, {"upper", toJson(found.deepest.upper)}}},
+             {"point", toJson(found.deepest.point)},
+             {"triangle", found.deepest.obstacleTriangle},
+             {"share_of_path", toJson(found.share)}});
+    }
+    return json;
+}
+
+}  // namespace clearway::cli

@@ -1,0 +1,42 @@
+// What a subcommand found, as JSON: the facts of its rows under stable names, numbers with all digits.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "clearway/model.h"
+#include "clearway/planning/audit.h"
+#include "clearway/problem.h"
+#include "clearway/scene.h"
+#include "program/cli/command_line.h"
+#include "program/cli/overlaps.h"
+#include "program/cli/shared_options.h"
+
+namespace clearway::cli {
+
+using Json = nlohmann::ordered_json;  // numbers are doubles, unlike those of core/json.h
+
+/// The facts of this run. docs/program.md lists the names.
+Json& facts();
+
+/// Declares --json FILE. With `-` the facts go to standard output, and rows are not printed.
+void addJson(CommandLine& commandLine);
+
+/// Checks the file of --json among the other files to write.
+void requireFactsFile(OutputFiles& files);
+
+/// Writes the facts to the file of --json, if it was given. Throws std::runtime_error when that fails.
+void writeFacts();
+
+/// Keeps the facts about part, obstacles and margins.
+void tellScene(const Scene& scene);
+
+Json toJson(double number);  ///< null for a number that is not finite, which JSON lacks
+Json toJson(const Vector3& point);
+Json toJson(const Box& box);
+Json toJson(const PartState& state);  ///< position, and quaternion in the order x, y, z, w
+Json toJson(const Model& model);
+Json toJson(const planning::PathAudit& audit);
+Json toJson(const std::vector<FoundOverlap>& overlaps);
+
+}  // namespace clearway::cli

@@ -1,0 +1,219 @@
+// clearway init: writes a problem file for two meshes or more, and says what it saw in them.
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <sstream>
+#include <stdexcept>
+
+#include "clearway/planning/scene_clearance.h"
+#include "clearway/problem.h"
+#include "core/number.h"
+#include "core/replace_file.h"
+#include "core/text.h"
+#include "mesh/clean.h"
+#include "mesh/components.h"
+#include "mesh/topology.h"
+#include "problem/config.h"
+#include "program/cli/load_guard.h"
+#include "program/cli/print.h"
+#include "program/cli/shared_options.h"
+
+namespace clearway::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMostNamed = 6;  ///< obstacles in one row
+constexpr double kRoom = 1.25;         ///< of the part's diagonal, around both meshes: so it can turn outside
+constexpr double kUsualContact = 0.02;    ///< of the part's diagonal
+constexpr std::size_t kValueColumn = 34;  ///< where the comments begin
+
+struct InitArguments {
+    std::string part, out;
+    std::vector<std::string> environment;
+};
+
+bool readArguments(const Arguments& words, InitArguments& given) {
+    CommandLine line(
+        "clearway init PART ENVIRONMENT... --out PROBLEM.cfg",
+        "Writes a problem file for a part and the meshes around it, with a comment beside each key. The "
+        "part\n"
+        "starts where its file puts it, and the goal is anywhere outside. Says what it saw in the meshes.");
+    line.argument("PART", to(given.part));
+    line.argument("[ENVIRONMENT...]", appendedTo(given.environment));
+    line.option("--out FILE", "the problem file, .cfg", to(given.out), CommandLine::Count::kRequired);
+    if (!line.parse(words)) return false;
+    if (given.environment.empty())
+        throw std::invalid_argument(
+            "no ENVIRONMENT, expected: clearway init PART ENVIRONMENT... --out PROBLEM.cfg");
+    return true;
+}
+
+/// A number as people write it, rounded up to four digits if `up`, else down.
+std::string rounded(double value, bool up) {
+    if (value == 0) return "0";
+    const double unit = std::pow(10, std::floor(std::log10(std::abs(value))) - 3);
+    const double whole = up ? std::ceil(value / unit) : std::floor(value / unit);
+    return roundedNumber(whole * unit);
+}
+
+/// "1234 triangles, closed, 120 x 40 x 35"
+std::string describe(const Mesh& mesh) {
+    const EdgeReport edges = checkEdges(clean(mesh).triangles);
+    const Vector3 size = boundingBox(mesh).sizes();
+    return counted(mesh.triangles.size(), "triangle") + ", " +
+           (edges.isClosed() && edges.closedEdges > 0 ? "closed" : "open") + ", " + rounded(size.x(), true) +
+           " x " + rounded(size.y(), true) + " x " + rounded(size.z(), true);
+}
+
+/// Names of the obstacles that the part touches at its start.
+std::vector<std::string> touchedBy(const Mesh& part, const ObstacleGroups& obstacles) {
+    const Model model = Model::build(part);
+    Workspace workspace;
+    std::vector<std::string> names;
+    for (const ObstacleGroup& group : obstacles.groups) {
+        const std::vector<Component> components = componentsOf(group.mesh);
+        for (std::size_t i = 0; i < components.size(); ++i) {
+            if (components[i].triangleCount == 0) continue;
+            if (collides(model, Model::build(meshOfComponents(group.mesh, {i})), {}, workspace))
+                names.push_back(components[i].name);
+        }
+    }
+    return names;
+}
+
+std::string clearanceAtStart(const Problem& problem) {
+    SceneLoading loading;
+    loading.read = guardedLoadMesh;
+    const Scene scene = loadScene(problem, {}, loading).scene;
+    const planning::SceneClearance clearance(scene);
+    const SceneDistance nearest = clearance.distance({});
+    return "free, " + readable(nearest.lower) + " from '" + planning::meshNames(scene, nearest).environment +
+           "'";
+}
+
+class ProblemText {
+  public:
+    void comment(const std::string& text) { text_ << "# " << text << "\n"; }
+    void section(const std::string& name) { text_ << "\n[" << name << "]\n"; }
+    void line(const std::string& key, const std::string& value, const std::string& about) {
+        std::string line = key + " = " + value;
+        if (!about.empty())
+            line +=
+                std::string(line.size() < kValueColumn ? kValueColumn - line.size() : 1, ' ') + "# " + about;
+        text_ << line << "\n";
+    }
+    std::string str() const { return text_.str(); }
+
+  private:
+    std::ostringstream text_;
+};
+
+std::string relativeTo(const std::string& config, const std::string& file) {
+    const fs::path folder = fs::absolute(config).parent_path();
+    return fs::absolute(file).lexically_normal().lexically_proximate(folder.lexically_normal()).string();
+}
+
+struct Seen {
+    std::string part, environment;  ///< what they hold
+    Box bounds;
+    double partSize;
+    std::vector<std::string> touched;
+};
+
+std::string textOf(const InitArguments& given, const Seen& seen) {
+    ProblemText text;
+    text.comment("A problem for clearway: clearway plan " + fs::path(given.out).filename().string() +
+                 " --path out.path");
+    text.section("problem");
+    text.line("robot", relativeTo(given.out, given.part), "the part: " + seen.part);
+    std::vector<std::string> worlds;
+    for (const std::string& file : given.environment) worlds.push_back(relativeTo(given.out, file));
+    const std::optional<std::string> written = writtenNames(worlds);
+    if (!written)
+        throw std::invalid_argument("an ENVIRONMENT has a quote in its name, expected another name");
+    text.line("world", *written, "what stands still: " + seen.environment);
+    text.comment(
+        "The start: where the files put the part. Its position, and the axis and angle of its rotation.");
+    for (const char* axis : kAxisNames) text.line(std::string("start.") + axis, "0", "");
+    for (const char* axis : kAxisNames)
+        text.line(std::string("start.axis.") + axis, axis == std::string("z") ? "1" : "0", "");
+    text.line("start.theta", "0", "radians; or start.degrees in [clearway]");
+    text.comment("A goal pose, in place of goal = outside below:");
+    text.comment("goal.x = 0, and so on, the keys that start has");
+    for (int i = 0; i < 3; ++i)
+        text.line(std::string("volume.min.") + kAxisNames[i], rounded(seen.bounds.min()[i], false),
+                  i == 0 ? "where the part's origin may be on its way" : "");
+    for (int i = 0; i < 3; ++i)
+        text.line(std::string("volume.max.") + kAxisNames[i], rounded(seen.bounds.max()[i], true), "");
+    text.section("clearway");
+    text.line("reading", "stored", "coordinates as the files hold them");
+    text.line("goal", "outside", "any pose at which the boxes of part and surroundings are apart");
+    text.comment("outside = +z: on this side only; +x, -x, +y, -y, +z or -z");
+    text.line("margin", "0", "distance to keep from everything");
+    if (!seen.touched.empty()) {
+        std::vector<std::string> names(
+            seen.touched.begin(),
+            seen.touched.begin() + std::ptrdiff_t(std::min(seen.touched.size(), kMostNamed)));
+        const std::optional<std::string> list = writtenNames(names);
+        text.comment("The part touches other meshes at its start. Choose one of these:");
+        text.comment("contact.start = " + list.value_or("NAME") + ", " +
+                     rounded(kUsualContact * seen.partSize, true) +
+                     ": ignores them until some point of the part has moved so far");
+        text.comment(
+            "overlap = X: lets obstacles reach so deep into the part (clearway info PROBLEM --lift tells how "
+            "deep)");
+    }
+    return text.str();
+}
+
+}  // namespace
+
+int init(const Arguments& words) {
+    InitArguments given;
+    if (!readArguments(words, given)) return kDone;
+    std::vector<std::string> inputs = given.environment;
+    inputs.push_back(given.part);
+    OutputFiles(inputs).add("--out", given.out, {".cfg"});
+
+    Problem problem;
+    problem.asOmplApp = false;
+    problem.robot = given.part;
+    problem.world = given.environment[0];
+    problem.furtherWorlds.assign(given.environment.begin() + 1, given.environment.end());
+    problem.outside.emplace();
+    const Mesh part = loadPart(problem, guardedLoadMesh);
+    const std::vector<Mesh> worlds = loadWorlds(problem, guardedLoadMesh);
+    const Mesh environment = joinedEnvironment(worlds);
+
+    Seen seen;
+    seen.part = describe(part);
+    seen.environment = describe(environment);
+    seen.partSize = boundingBox(part).diagonal().norm();
+    seen.bounds = boundingBox(environment);
+    seen.bounds.extend(boundingBox(part));
+    seen.bounds.extend(Vector3::Zero());
+    const Vector3 farthest = boundingBox(part).min().cwiseAbs().cwiseMax(boundingBox(part).max().cwiseAbs());
+    const Vector3 room = Vector3::Constant(kRoom * farthest.norm());
+    seen.bounds = Box(seen.bounds.min() - room, seen.bounds.max() + room);
+    seen.touched = touchedBy(part, obstaclesOf(problem, worlds));
+
+    printRow("part", seen.part);
+    printRow("environment", seen.environment);
+    if (seen.touched.empty()) {
+        printRow("start", clearanceAtStart(problem));
+    } else {
+        std::vector<std::string> names;
+        for (std::size_t i = 0; i < seen.touched.size() && i < kMostNamed; ++i)
+            names.push_back("'" + seen.touched[i] + "'");
+        const std::size_t more = seen.touched.size() - names.size();
+        printRow("start",
+                 "touches " + joined(names) + (more > 0 ? " and " + std::to_string(more) + " more" : ""));
+    }
+    replaceFile(given.out, [&](std::ostream& stream) { stream << textOf(given, seen); });
+    printRow("problem", given.out);
+    return kDone;
+}
+
+}  // namespace clearway::cli

@@ -1,0 +1,95 @@
+// The program from two meshes to a path, and its facts as JSON.
+#include <nlohmann/json.hpp>
+
+#include "clearway/problem.h"
+#include "program/cli/run_program.h"
+#include "support/random_meshes.h"
+
+namespace clearway::testing {
+namespace {
+
+Mesh named(Mesh mesh, const std::string& name, const Vector3& place) {
+    mesh = transformed(mesh, {Matrix3::Identity(), place});
+    mesh.components = {{name, 0, static_cast<std::uint32_t>(mesh.triangles.size())}};
+    return mesh;
+}
+
+/// A block beside a plate that hides its way out on one side, and a floor.
+struct MeshFolder : TemporaryFolder {
+    MeshFolder() {
+        saveMesh(named(box({1, 1, 1}), "block", {20, 0, 1.5}), file("block.obj"));
+        saveMesh(
+            joined(named(box({3, 3, 1}), "floor", {20, 0, -1}), named(box({0.5, 3, 3}), "plate", {22, 0, 2})),
+            file("rest.obj"));
+        saveMesh(named(box({3, 3, 1}), "seat", {20, 0, -0.5}), file("seat.obj"));
+    }
+};
+
+BOOST_AUTO_TEST_CASE(init_writes_a_problem_that_plan_solves) {
+    const MeshFolder folder;
+    const Outcome made = runIn(folder, "init block.obj rest.obj --out p.cfg");
+    BOOST_TEST(made.code == 0, made.err);
+    BOOST_TEST(row(made, "part") == "12 triangles, closed, 2 x 2 x 2");
+    BOOST_TEST(row(made, "start").find("free, 0.5 from '") == 0u, made.out);
+    const Problem problem = readProblem(folder.file("p.cfg"));
+    BOOST_TEST(problem.isReadingStated);
+    BOOST_TEST(!problem.asOmplApp);
+    BOOST_TEST(problem.outside.has_value());
+    BOOST_TEST(problem.volume.has_value());
+    const Outcome planned = runIn(folder, "plan p.cfg --path o.path --quick --iterations 5000");
+    BOOST_TEST(planned.code == 0, planned.err);
+    BOOST_TEST(planned.err == "");
+    const Outcome seat = runIn(folder, "init block.obj rest.obj seat.obj --out seat.cfg");
+    BOOST_TEST(row(seat, "start").find("touches 'seat") == 0u, seat.out);
+    BOOST_TEST(readText(folder.file("seat.cfg")).find("# contact.start = seat") != std::string::npos);
+    BOOST_TEST(runIn(folder, "init block.obj --out p.cfg").code == 2);
+    BOOST_TEST(runIn(folder, "init block.obj rest.obj --out p.txt").err.find("ends in .cfg") !=
+               std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(facts_are_json_with_the_names_of_the_rows) {
+    const MeshFolder folder;
+    runIn(folder, "init block.obj rest.obj --out p.cfg");
+    const Outcome planned = runIn(folder, "plan p.cfg --path o.path --quick --iterations 5000 --json -");
+    BOOST_TEST(planned.code == 0, planned.err);
+    const auto facts = nlohmann::json::parse(planned.out);  // so nothing else was printed
+    BOOST_TEST(facts["found"].get<bool>());
+    BOOST_TEST(facts["audit"]["verdict"].get<std::string>() == "valid");
+    BOOST_TEST(facts["path"]["states"].get<std::size_t>() ==
+               readPath(folder.file("o.path"), Space::kSe3).size());
+    const Outcome printed = runIn(folder, "plan p.cfg --path - --quick --iterations 5000 --json f.json");
+    BOOST_TEST(printed.out == readText(folder.file("o.path")));
+    const Outcome checked = runIn(folder, "check p.cfg o.path --json check.json");
+    const auto audit = nlohmann::json::parse(readText(folder.file("check.json")));
+    BOOST_TEST(audit["valid_share"].get<double>() == 1);
+    BOOST_TEST(audit["audit"]["segments"].size() == facts["path"]["states"].get<std::size_t>() - 1);
+    requireRefused(folder, "check p.cfg o.path --json - --csv -", {"is -", "too, expected a file"});
+    requireRefused(folder, "plan p.cfg --path o.path --report -", {"--report is '-'", "the name of a file"});
+}
+
+BOOST_AUTO_TEST_CASE(the_room_that_a_part_takes_is_written) {
+    const MeshFolder folder;
+    runIn(folder, "init block.obj rest.obj --out p.cfg");
+    runIn(folder, "plan p.cfg --path o.path --quick --iterations 5000");
+    const Outcome swept = runIn(folder, "check p.cfg o.path --swept room.stl --swept-tolerance 0.5");
+    BOOST_TEST(swept.code == 0, swept.err);
+    BOOST_TEST(row(swept, "swept").find("room.stl, ") == 0u, swept.out);
+    BOOST_TEST(boundingBox(loadMesh(folder.file("room.stl"))).contains(Vector3(20, 0, 1.5)));
+    BOOST_TEST(runIn(folder, "check p.cfg o.path --swept room.txt").code == 2);
+    BOOST_TEST(runIn(folder, "check p.cfg o.path --swept-tolerance 1").code == 2);
+}
+
+BOOST_AUTO_TEST_CASE(words_that_are_nearly_right_are_told) {
+    const TemporaryFolder folder;
+    BOOST_TEST(runIn(folder, "pln").err.find("(did you mean 'plan'?)") != std::string::npos);
+    BOOST_TEST(runIn(folder, "plan --pth x").err.find("(did you mean '--path'?)") != std::string::npos);
+    BOOST_TEST(runIn(folder, "help keyes").err.find("(did you mean 'keys'?)") != std::string::npos);
+    BOOST_TEST(runIn(folder, "help formats").out.find("qx qy qz qw") != std::string::npos);
+    BOOST_TEST(runIn(folder, "plan --list-options").out.find("--seed\n") != std::string::npos);
+    BOOST_TEST(runIn(folder, "check --man").out.find(".TH CLEARWAY-CHECK 1") == 0u);
+    BOOST_TEST(runIn(folder, "--completion").out.find("complete -o default -F _clearway clearway") !=
+               std::string::npos);
+}
+
+}  // namespace
+}  // namespace clearway::testing
