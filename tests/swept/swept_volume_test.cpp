@@ -43,7 +43,8 @@ double distanceTo(const Model& part, const Pose& X_environmentPart, const Vector
     return distance(part, Model::build(one), X_environmentPart, {}, workspace).distance;
 }
 
-void checkSwept(const Mesh& part, const std::vector<RigidMotion>& motions, double tolerance) {
+void checkSwept(const Mesh& part, const std::vector<RigidMotion>& motions, double fineTolerance) {
+    const double tolerance = (isFullRun() ? 1 : 3) * fineTolerance;
     SweptVolumeOptions options;
     options.tolerance = tolerance;
     const Mesh swept = sweptVolume(part, motions, options);
@@ -97,7 +98,7 @@ BOOST_AUTO_TEST_CASE(open_parts_sweep_a_layer_around_their_surface) {
 
 BOOST_AUTO_TEST_CASE(only_rooms_that_the_part_never_enters_are_cavities) {
     SweptVolumeOptions options;
-    options.tolerance = 0.2;
+    options.tolerance = isFullRun() ? 0.2 : 0.5;
     const std::vector<RigidMotion> stays = {{{}, {0, 0, 0}, {0, 0, 0}}};
     const auto shellsOf = [&](const Mesh& part) {
         return findShells(sweptVolume(part, stays, options).triangles).count;
@@ -128,7 +129,8 @@ BOOST_AUTO_TEST_CASE(wrong_options_are_refused_and_work_can_be_stopped) {
     BOOST_TEST(sweptVolume(part, motions, options).triangles.empty());
     options.isStopped = nullptr;
     options.tolerance = 1e-4;
-    BOOST_CHECK_THROW(sweptVolume(part, motions, options), std::invalid_argument);
+    if (isFullRun())
+        BOOST_CHECK_THROW(sweptVolume(part, motions, options), std::invalid_argument);  // takes a minute
 }
 
 }  // namespace
