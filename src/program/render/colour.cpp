@@ -59,6 +59,10 @@ Colour clearanceColour(double share) {
     return fromOklab((1 - t) * kScale[below] + t * kScale[below + 1]).cwiseMax(0).cwiseMin(1);
 }
 
+Colour contactColour() {
+    return sRgb(0, 190, 150);
+}
+
 double niceCeiling(double value) {
     if (!(value > 0) || !std::isfinite(value)) return 1;
     const double power = std::pow(10.0, std::floor(std::log10(value)));

@@ -21,6 +21,10 @@ std::array<std::uint8_t, 3> toSRgb(const Colour& colour);
 /// readers.
 Colour clearanceColour(double share);
 
+/// The part's colour in a pose that collides or is too close, on which black hatching is drawn: a green that the
+/// clearance scale does not hold. To colour-blind readers it is grey, and the hatching still tells it from the scale.
+Colour contactColour();
+
 /// The least number of the form 1, 1.5, 2, 3, 4, 5, 6 or 8 times a power of ten that is at least the value; 1
 /// if the value is not above 0 or not finite.
 double niceCeiling(double value);
