@@ -87,6 +87,7 @@ struct Problem {
     bool isReadingStated = true;
     Box knownWay;  ///< positions of a known path, which derived bounds hold too; no key of the file
     double partScale = 1, worldScale = 1;  ///< `robot.scale` and `world.scale`, for the meshes' coordinates
+    std::string unit;  ///< of all lengths, one of lengthUnits(), to be shown beside them; empty: not stated
 
     /// One line for each key that has no effect, to be shown once.
     std::vector<std::string> warnings;
@@ -108,6 +109,16 @@ Problem readProblem(const std::string& file);
 /// std::runtime_error when it cannot be written, and std::invalid_argument when a text would be read as .cfg
 /// syntax (for example with #) or a number is not finite.
 void writeProblem(const Problem& problem, const std::string& file);
+
+/// A unit of length that a problem may state.
+struct LengthUnit {
+    const char* name;
+    double metres;  ///< in one of the unit
+};
+const std::vector<LengthUnit>& lengthUnits();
+
+/// Metres in one of the problem's unit; empty without a unit.
+std::optional<double> metresPerUnit(const Problem& problem);
 
 /// The mesh files of the environment: world and furtherWorlds.
 std::vector<std::string> worldFiles(const Problem& problem);

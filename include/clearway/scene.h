@@ -87,6 +87,9 @@ struct Scene {
     /// bounds are taken.
     Box ignoredBox;
 
+    /// Stands after lengths in messages, such as "mm"; empty: no unit is shown.
+    std::string unit;
+
     /// The model that stands for the part toward an obstacle.
     const Model& partFor(const Obstacle& obstacle) const {
         return obstacle.shrunk ? obstacle.shrunk->model : part;

@@ -59,4 +59,8 @@ std::string roundedPoint(const Vector3& point) {
            roundedNumber(point.z()) + ")";
 }
 
+std::string withUnit(const std::string& text, const std::string& unit) {
+    return unit.empty() ? text : text + " " + unit;
+}
+
 }  // namespace clearway

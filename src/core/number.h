@@ -29,4 +29,7 @@ std::string shortNumber(double value);
 std::string roundedNumber(double value);
 std::string roundedPoint(const Vector3& point);  ///< "(1.5, 2, 0.1)", numbers as roundedNumber gives them
 
+/// "1.5 mm", or the text alone if the unit is empty.
+std::string withUnit(const std::string& text, const std::string& unit);
+
 }  // namespace clearway

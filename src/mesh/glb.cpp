@@ -219,7 +219,9 @@ void writeMovingGlb(const GlbMotion& motion, std::ostream& stream) {
                                                      {"rotation", first.rotation},
                                                      {"children", movingNodes}});
     nodes.push_back(mover);
-    document.addRoot(document.add("nodes", {{"name", "scene"}, {"matrix", kUpright}, {"children", nodes}}));
+    Json root = Json::array();
+    for (int i = 0; i < 16; ++i) root.push_back(i < 15 ? motion.metres * kUpright[i] : kUpright[i]);
+    document.addRoot(document.add("nodes", {{"name", "scene"}, {"matrix", root}, {"children", nodes}}));
     const Samples samples(motion.keys);
     const Json span = {{"min", Json::array({0})}, {"max", Json::array({samples.times.back()})}};
     const std::size_t times = document.addAccessor(samples.times, kFloat, "SCALAR", 0, span);

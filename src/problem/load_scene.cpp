@@ -13,12 +13,13 @@ constexpr double kUsualTolerance = 0.1;  ///< of an overlap
 constexpr double kOtherUnit = 1000;      ///< sizes that differ by this factor may be in different units
 
 /// Says when the sizes of part and surroundings suggest that their files have different units; otherwise empty.
-std::string unitNote(const Box& part, const Box& environment) {
+std::string unitNote(const Problem& problem, const Box& part, const Box& environment) {
     if (environment.isEmpty()) return "";
     const double ratio = part.diagonal().norm() / environment.diagonal().norm();
     if (ratio < kOtherUnit && ratio > 1 / kOtherUnit) return "";
-    return "the part is " + roundedNumber(part.diagonal().norm()) + " across and its surroundings are " +
-           roundedNumber(environment.diagonal().norm()) +
+    return "the part is " + withUnit(roundedNumber(part.diagonal().norm()), problem.unit) +
+           " across and its surroundings are " +
+           withUnit(roundedNumber(environment.diagonal().norm()), problem.unit) +
            ": are both files in one unit? [clearway] robot.scale and world.scale are factors for their "
            "coordinates";
 }
@@ -67,7 +68,7 @@ LoadedScene loadScene(const Problem& problem, const BuildOptions& options, const
     if (loading.reach) reach = loading.reach(part, obstacles.environmentBox());
     std::vector<std::string> notes = obstacles.notes;
     if (const std::string note = readingNote(problem, partMesh); !note.empty()) notes.push_back(note);
-    if (const std::string note = unitNote(part.box(), obstacles.environmentBox()); !note.empty())
+    if (const std::string note = unitNote(problem, part.box(), obstacles.environmentBox()); !note.empty())
         notes.push_back(note);
     std::shared_ptr<const Solids> partSolids;
     if (obstacles.hasSolids()) {
@@ -81,10 +82,11 @@ LoadedScene loadScene(const Problem& problem, const BuildOptions& options, const
     for (const ShrunkPart& each : shrinkPart(problem, partMesh, obstacles, notes)) {
         shrunk.push_back(shrunkModel(each, loading.build(each.mesh, options, std::nullopt)));
     }
-    return {makeScene(
-                part, partSolids, obstacles, problem.rules, poseOf(problem.start), poseOf(problem.goal),
-                [&](const Mesh& mesh) { return loading.build(mesh, options, reach); }, shrunk),
-            notes};
+    Scene scene = makeScene(
+        part, partSolids, obstacles, problem.rules, poseOf(problem.start), poseOf(problem.goal),
+        [&](const Mesh& mesh) { return loading.build(mesh, options, reach); }, shrunk);
+    scene.unit = problem.unit;
+    return {std::move(scene), notes};
 }
 
 }  // namespace clearway

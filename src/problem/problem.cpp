@@ -115,6 +115,19 @@ Mesh loadAs(const Problem& problem, const std::string& file, double scale, MeshR
 
 }  // namespace
 
+const std::vector<LengthUnit>& lengthUnits() {
+    static const std::vector<LengthUnit> all = {{"um", 1e-6}, {"mm", 1e-3},   {"cm", 1e-2},  {"m", 1},
+                                                {"km", 1e3},  {"in", 0.0254}, {"ft", 0.3048}};
+    return all;
+}
+
+std::optional<double> metresPerUnit(const Problem& problem) {
+    for (const LengthUnit& unit : lengthUnits()) {
+        if (unit.name == problem.unit) return unit.metres;
+    }
+    return std::nullopt;
+}
+
 Pose poseOf(const PartState& state) {
     const std::optional<Matrix3> rotation = matrixOf(state.rotation);
     if (!rotation) {
@@ -183,7 +196,7 @@ std::string readingNote(const Problem& problem, const Mesh& part) {
     if (problem.isReadingStated || !problem.asOmplApp ||
         shift.norm() <= kSamePlace * boundingBox(part).diagonal().norm())
         return "";
-    return "the part is moved by " + roundedPoint(shift) +
+    return "the part is moved by " + withUnit(roundedPoint(shift), problem.unit) +
            " on reading, as OMPL.app does, so that the mean of its vertices is its origin; [clearway] "
            "reading = "
            "stored keeps the file's coordinates";

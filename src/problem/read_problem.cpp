@@ -59,10 +59,11 @@ const std::vector<KnownKeys>& knownKeys() {
           "longest_valid_segment_fraction",
           "projection.cellsize_factor"}},
         {"benchmark", {"time_limit", "mem_limit", "run_count", "output", "save_paths", "simplify"}},
-        {"clearway",
-         {"contact.goal", "contact.start", "fineness", "goal", "goal.degrees", "ignore", "margin",
-          "margin.NAME", "outside", "overlap", "overlap.NAME", "overlap.thin", "overlap.tolerance", "reading",
-          "robot.scale", "solid", "start.degrees", "step", "world.scale"}},
+        {"clearway", {"contact.goal",      "contact.start", "fineness",     "goal",
+                      "goal.degrees",      "ignore",        "margin",       "margin.NAME",
+                      "outside",           "overlap",       "overlap.NAME", "overlap.thin",
+                      "overlap.tolerance", "reading",       "robot.scale",  "solid",
+                      "start.degrees",     "step",          "unit",         "world.scale"}},
     };
     return all;
 }
@@ -248,6 +249,16 @@ void readBenchmark(ConfigValues& values, Problem& problem) {
     problem.runCount = static_cast<int>(*count);
 }
 
+std::string readUnit(ConfigValues& values) {
+    const std::string key = "clearway.unit";
+    const std::optional<std::string> unit = values.text(key);
+    std::vector<std::string> names;
+    for (const LengthUnit& known : lengthUnits()) names.push_back(known.name);
+    if (unit && std::find(names.begin(), names.end(), *unit) == names.end())
+        values.refuse(key, "one of " + joined(names));
+    return unit.value_or("");
+}
+
 void readClearway(ConfigValues& values, bool isClearways, Problem& problem) {
     const std::string margin = "clearway.margin";
     problem.margin = values.number(margin).value_or(0);
@@ -265,6 +276,7 @@ void readClearway(ConfigValues& values, bool isClearways, Problem& problem) {
     problem.asOmplApp = how ? *how == "omplapp" : !isClearways;
     problem.partScale = readPositive(values, "clearway.robot.scale").value_or(1);
     problem.worldScale = readPositive(values, "clearway.world.scale").value_or(1);
+    problem.unit = readUnit(values);
 }
 
 /// Reads the goal `outside`. Empty when the goal is a pose. Keys of a goal's pose contradict it.

@@ -63,7 +63,7 @@ PartState stateOf(const NumberLine& line, Space space, const std::string& file) 
     if (n.size() != expected) {
         throw std::invalid_argument(place(file, line.line) + "the line has " + std::to_string(n.size()) +
                                     (n.size() == 1 ? " number" : " numbers") + ", expected " +
-                                    (space == Space::kSe3 ? "7: x y z qx qy qz qw" : "3: x y yaw"));
+                                    (space == Space::kSe3 ? "7: x y z qx qy qz qw, w last" : "3: x y yaw"));
     }
     if (space == Space::kSe3) return {{n[0], n[1], n[2]}, quaternionAt(line, 3, file)};
     return {{n[0], n[1], 0}, *fromAxisAngle({Vector3::UnitZ(), n[2]})};
@@ -134,7 +134,7 @@ PoseFile readPoses(const std::string& file) {
             throw std::invalid_argument(
                 place(file, line.line) + "the line has " + std::to_string(n.size()) +
                 (n.size() == 1 ? " number" : " numbers") +
-                ", expected 12 (rotation row-major, translation) or 7 (x y z qx qy qz qw)");
+                ", expected 12 (rotation row-major, translation) or 7 (x y z qx qy qz qw, w last)");
         }
     }
     return result;

@@ -155,6 +155,7 @@ void writeClearwaySection(ConfigText& text, const Problem& problem) {
     text.line("margin", problem.margin);
     for (const auto& [key, value] : writtenRules(problem.rules)) text.quotedLine(key, value);
     if (problem.fineness) text.line("fineness", *problem.fineness);
+    if (!problem.unit.empty()) text.line("unit", problem.unit);
     if (problem.partScale != 1) text.line("robot.scale", problem.partScale);
     if (problem.worldScale != 1) text.line("world.scale", problem.worldScale);
     if (problem.isReadingStated || problem.asOmplApp)

@@ -67,6 +67,9 @@ void requireSameAgain(const Problem& problem) {
                 back.runCount == problem.runCount,
             "numbers survive");
     require(back.asOmplApp == problem.asOmplApp, "the reading survives");
+    require(back.unit == problem.unit && back.partScale == problem.partScale &&
+                back.worldScale == problem.worldScale,
+            "unit and scales survive");
     require(back.outside.has_value() == problem.outside.has_value(), "a goal outside survives");
     if (back.outside) {
         require(back.outside->side.has_value() == problem.outside->side.has_value(), "its side survives");
@@ -184,6 +187,9 @@ std::vector<std::string> seeds() {
     return {'\0' + meshes + spatial + rest,
             '\0' + meshes + "start.theta = 0.5\ngoal.x = 4\ngoal.y = 5\ngoal.theta = 6\n" + rest,
             '\0' + meshes + "start.theta = 0.5\n[clearway]\ngoal = outside\noutside = -y\n",
+            '\0' + meshes +
+                "goal.x = 4\ngoal.y = 5\n[clearway]\nstart.degrees = 30\ngoal.degrees = -400\nunit = mm\n"
+                "robot.scale = 25.4\nworld.scale = 1e-3\nfineness = 0.5\nreading = omplapp\n",
             "\1"
             "1 2.5 -3e2 0.1 0.2 0.3 0.9\n# x\n1 2 3 0 0 0 1\n",
             "\2"

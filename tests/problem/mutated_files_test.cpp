@@ -25,6 +25,10 @@ const std::string kProblem =
     "= -9\n"
     "volume.min.z = -9\nvolume.max.x = 9\nvolume.max.y = 9\nvolume.max.z = 9\n[benchmark]\nrun_count = 5\n"
     "[planner]\nrrt=\nrrt.range = 5\n[clearway]\nmargin = 0.1\nstep = 2\nreading = stored\n";
+const std::string kOwnKeys =
+    "[problem]\nrobot = p.stl\nworld = w.stl\nstart.x = 1\nstart.y = 2\ngoal.x = 4\ngoal.y = 5\n[clearway]\n"
+    "start.degrees = 30\ngoal.degrees = -400\nunit = mm\nrobot.scale = 25.4\nworld.scale = 1e-3\n"
+    "fineness = 0.5\noverlap = 0.1\noverlap.w = 0.2\noverlap.tolerance = 0.01\noverlap.thin = allow\n";
 const std::string kStates = "1 2.5 -3e2 0.1 0.2 0.3 0.9\n# x\n1 2 3 0 0 0 1\n";
 const std::string kPoses = "1 0 0 0 1 0 0 0 1 7 8 9\n1 2 3 0 0 0 1\n0 -1 0 1 0 0 0 0 1 1e3 0 0\n";
 
@@ -93,14 +97,18 @@ void requireFinite(const PartState& state) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(mutated_problems_are_taken_with_sound_states_or_refused) {
-    requireTakenOrRefused(kProblem, [](const std::string& file) {
-        const Problem problem = readProblem(file);
-        requireFinite(problem.start);
-        requireFinite(problem.goal);
-        BOOST_TEST_REQUIRE(problem.margin >= 0);
-        BOOST_TEST_REQUIRE((!problem.fineness || *problem.fineness > 0));
-        BOOST_TEST_REQUIRE((!problem.volume || !problem.volume->isEmpty()));
-    });
+    for (const std::string& original : {kProblem, kOwnKeys}) {
+        requireTakenOrRefused(original, [](const std::string& file) {
+            const Problem problem = readProblem(file);
+            requireFinite(problem.start);
+            requireFinite(problem.goal);
+            BOOST_TEST_REQUIRE(problem.margin >= 0);
+            BOOST_TEST_REQUIRE((!problem.fineness || *problem.fineness > 0));
+            BOOST_TEST_REQUIRE((!problem.volume || !problem.volume->isEmpty()));
+            BOOST_TEST_REQUIRE((problem.partScale > 0 && problem.worldScale > 0));
+            BOOST_TEST_REQUIRE((problem.unit.empty() || metresPerUnit(problem).has_value()));
+        });
+    }
 }
 
 BOOST_AUTO_TEST_CASE(mutated_paths_are_taken_with_sound_states_or_refused) {

@@ -155,10 +155,10 @@ std::shared_ptr<ValidityChecker> makeChecker(const ob::SpaceInformationPtr& si, 
 /// checked states keep half a step more than the margin, every state between them keeps the margin. Start and
 /// goal must have as much to spare: the step is shortened for them, at most by kMostRefinement. If that is
 /// not enough, only the checked states are known to be valid.
-void setGuard(PlanReport& report, double spare) {
+void setGuard(PlanReport& report, double spare, const std::string& unit) {
     const double asked = report.step;
     std::ostringstream warning;
-    warning << "start or goal have only " << spare << " to spare: ";
+    warning << "start or goal have only " << withUnit(roundedNumber(spare), unit) << " to spare: ";
     report.guard = std::min(0.5 * asked, 0.9 * spare);
     if (report.guard == 0.5 * asked) return;
     if (report.guard < 0.5 * asked / kMostRefinement) {
@@ -166,7 +166,8 @@ void setGuard(PlanReport& report, double spare) {
         warning << "the states checked are known to be valid, not those between them";
     } else {
         report.step = 2 * report.guard;
-        warning << "motions are checked every " << report.step << " instead of every " << asked;
+        warning << "motions are checked every " << withUnit(roundedNumber(report.step), unit)
+                << " instead of every " << withUnit(roundedNumber(asked), unit);
     }
     report.warnings.push_back(warning.str());
 }
@@ -175,7 +176,7 @@ void setGuard(PlanReport& report, double spare) {
 void useSteps(PlanSetup& setup, const Scene& scene, const PlanOptions& options, double spare,
               PlanReport& report) {
     report.step = *options.step;
-    setGuard(report, spare);
+    setGuard(report, spare, scene.unit);
     setup.checker = makeChecker(setup.si, scene, report.guard * (1 + 1e-6));
     setup.discrete = std::make_shared<DiscreteMotionValidator>(setup.si, scene.part, report.step);
     setup.si->setMotionValidator(setup.discrete);
@@ -187,7 +188,7 @@ void useCertified(PlanSetup& setup, const Scene& scene, double spare, const std:
     motions.isStopped = isOver;
     if (spare < *motions.leastInterval) {
         std::ostringstream warning;
-        warning << "start or goal have only " << spare
+        warning << "start or goal have only " << withUnit(roundedNumber(spare), scene.unit)
                 << " to spare: motions next to them may be too close to be certified";
         report.warnings.push_back(warning.str());
     }

@@ -175,9 +175,10 @@ void requireReachOf(const Scene& scene, const Box& bounds, double step) {
                 "expected one that holds them all");
         }
         if (!(reach.cap >= obstacle.margin + step)) {
-            throw std::invalid_argument(
-                "the environment was built with a reach whose cap is " + shortNumber(reach.cap) +
-                ", expected at least the margin and a step, " + shortNumber(obstacle.margin + step));
+            throw std::invalid_argument("the environment was built with a reach whose cap is " +
+                                        withUnit(shortNumber(reach.cap), scene.unit) +
+                                        ", expected at least the margin and a step, " +
+                                        withUnit(shortNumber(obstacle.margin + step), scene.unit));
         }
     }
 }

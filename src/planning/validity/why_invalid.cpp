@@ -2,6 +2,7 @@
 #include <sstream>
 #include <string>
 
+#include "core/number.h"
 #include "planning/validity/contact_zones.h"
 #include "planning/validity/scene_scratch.h"
 
@@ -33,9 +34,10 @@ std::string describePair(const Scene& scene, const SceneDistance& nearest) {
     const MeshNames names = meshNames(scene, nearest);
     std::ostringstream message;
     const ShrunkModel* shrunk = shrunkFor(scene, nearest);
+    const auto inUnit = [&](double length) { return withUnit(roundedNumber(length), scene.unit); };
     if (shrunk && nearest.collides()) {
         message << "the environment's mesh '" << names.environment << "' reaches more than "
-                << shrunk->overlap << " below the surface of the part's mesh '" << names.part
+                << inUnit(shrunk->overlap) << " below the surface of the part's mesh '" << names.part
                 << "', at triangle " << nearest.environmentTriangle << ", nearest to triangle "
                 << nearest.partTriangle << " of the part";
         return message.str();
@@ -44,9 +46,9 @@ std::string describePair(const Scene& scene, const SceneDistance& nearest) {
             << "' and triangle " << nearest.environmentTriangle << " of the environment's mesh '"
             << names.environment << "' are ";
     if (nearest.collides()) {
-        message << "touching, expected a distance above " << margin;
+        message << "touching, expected a distance above " << inUnit(margin);
     } else {
-        message << nearest.distance << " apart, expected more than the margin " << margin;
+        message << inUnit(nearest.distance) << " apart, expected more than the margin " << inUnit(margin);
     }
     return message.str();
 }

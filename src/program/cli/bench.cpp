@@ -2,10 +2,12 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "clearway/planning/planners.h"
 #include "core/replace_file.h"
+#include "program/cli/facts.h"
 #include "program/cli/print.h"
 #include "program/cli/shared_options.h"
 #include "program/study/benchmark.h"
@@ -70,6 +72,7 @@ bool readArguments(const Arguments& arguments, BenchArguments& given) {
         "save_paths",
         [&](const std::string& which) { given.savedPaths = savedPaths(which); });
     addTarget(line);
+    addJson(line);
     addTreeOptions(line, given.trees.options);
     addCache(line, given.trees);
     return line.parse(arguments);
@@ -162,10 +165,23 @@ void writePaths(const Benchmark& benchmark, const Problem& problem, const std::s
     printRow("paths", std::to_string(written) + ", beside the log");
 }
 
+double secondsOf(const BenchmarkRun& run) {
+    return std::stod(run.properties.at("time REAL"));
+}
+
+Json factsOf(const PlannerBenchmark& planner) {
+    Json runs = Json::array();
+    for (const BenchmarkRun& run : planner.runs)
+        runs.push_back({{"solved", run.isSolved},
+                        {"seconds", toJson(secondsOf(run))},
+                        {"length", run.isSolved ? toJson(run.length) : Json()}});
+    return {{"name", planner.name}, {"runs", runs}};
+}
+
 void printPlanner(const PlannerBenchmark& planner) {
     std::vector<double> seconds, lengths;
     for (const BenchmarkRun& run : planner.runs) {
-        seconds.push_back(std::stod(run.properties.at("time REAL")));
+        seconds.push_back(secondsOf(run));
         if (run.isSolved) lengths.push_back(run.length);
     }
     const auto median = [](std::vector<double>& values) {
@@ -174,7 +190,7 @@ void printPlanner(const PlannerBenchmark& planner) {
     };
     std::string text = std::to_string(lengths.size()) + " of " + counted(seconds.size(), "run") + " solved";
     if (!seconds.empty()) text += ", " + readable(median(seconds)) + " s";
-    if (!lengths.empty()) text += ", length " + readable(median(lengths));
+    if (!lengths.empty()) text += ", length " + shownLength(median(lengths));
     printRow(planner.name, text + (seconds.empty() ? "" : " in the median"));
 }
 
@@ -205,7 +221,9 @@ int bench(const Arguments& arguments) {
     if (!readArguments(arguments, given)) return kDone;
     const Problem problem = readProblemFor(given);
     const std::string log = logFile(given, problem);
-    OutputFiles(inputsOf(problem)).add(given.log.empty() ? "the log" : "--log", log);
+    OutputFiles files(inputsOf(problem));
+    files.add(given.log.empty() ? "the log" : "--log", log);
+    requireFactsFile(files);
     heedInterrupts();
 
     const BenchmarkOptions options = benchmarkOptions(given, problem);
@@ -219,7 +237,14 @@ int bench(const Arguments& arguments) {
     printWarnings(problem.warnings);
     printWarnings(benchmark.warnings);
     printRow("experiment", benchmark.experiment);
-    for (const PlannerBenchmark& planner : benchmark.planners) printPlanner(planner);
+    for (const PlannerBenchmark& planner : benchmark.planners) {
+        printPlanner(planner);
+        facts()["planners"].push_back(factsOf(planner));
+    }
+    facts()["experiment"] = benchmark.experiment;
+    facts()["seconds"] = toJson(benchmark.seconds);
+    facts()["complete"] = benchmark.isComplete;
+    facts()["log"] = log;
     writePaths(benchmark, problem, log);
     printRow("took", readable(benchmark.seconds) + " s" +
                          (benchmark.isComplete ? "" : ", interrupted: the log has the runs that ended"));

@@ -19,7 +19,7 @@ struct CheckOptions {
     ProblemChoice problem;
     TreeChoice trees;
     std::string path, csv;
-    bool isAnyEnds = false;
+    bool isAnyEnds = false, isBrief = false;
     PathOutputs outputs;
 };
 
@@ -35,13 +35,14 @@ bool readOptions(const Arguments& arguments, CheckOptions& options) {
                      "cannot be certified, or misses the problem's start or goal.");
     addProblem(line, options.problem);
     line.argument("IN.path", input(options.path));
-    line.option(
-        "--csv FILE",
-        "writes the profile: segment, t, travel, clearance there, and clearance certified up to the next "
-        "line",
-        to(options.csv));
+    line.option("--csv FILE",
+                "writes the profile: segment, t, travel, clearance there, clearance certified up to the next "
+                "line, pose, "
+                "and the closest points with their triangles",
+                to(options.csv));
     line.flag("--any-ends", "accepts a path that begins or ends elsewhere than the problem",
               options.isAnyEnds);
+    line.flag("--brief", "leaves out the table of segments and the plot of the clearance", options.isBrief);
     addTarget(line);
     addJson(line);
     addPathOutputs(line, options.outputs);
@@ -60,9 +61,9 @@ void requireFiles(const CheckOptions& options, const Problem& problem) {
 }
 
 std::string offText(double off, double tolerance, const char* end) {
-    return off <= tolerance
-               ? ""
-               : readable(off) + " from the problem's " + end + ", expected at most " + readable(tolerance);
+    return off <= tolerance ? ""
+                            : shownLength(off) + " from the problem's " + end + ", expected at most " +
+                                  shownLength(tolerance);
 }
 
 /// Says where the path begins and ends, if it misses the problem's start or goal.
@@ -75,7 +76,7 @@ void printEnds(const Problem& problem, const planning::PathCheck& check) {
         return;
     }
     const auto& side = problem.outside->side;
-    printRow("ends", "where the part's box overlaps the environment's by " + readable(check.offGoal) +
+    printRow("ends", "where the part's box overlaps the environment's by " + shownLength(check.offGoal) +
                          (side ? " along " + nameOf(*side) : "") + ", expected a goal outside");
 }
 
@@ -90,10 +91,10 @@ double validShare(const Scene& scene, const planning::PathAudit& audit) {
     return all > 0 ? valid / all : audit.isValid();
 }
 
-void print(const Problem& problem, const Scene& scene, const planning::PathCheck& check) {
+void print(const Problem& problem, const Scene& scene, const planning::PathCheck& check, bool isBrief) {
     printMesh("part", scene.part);
     printObstacles(scene);
-    printRow("length", readable(check.audit.length));
+    printRow("length", shownLength(check.audit.length));
     printRow("turned", readable(check.audit.turned * 180 / M_PI) + " degrees");
     printRow("queries", std::to_string(check.audit.queries));
     printAudit(check.audit);
@@ -102,6 +103,7 @@ void print(const Problem& problem, const Scene& scene, const planning::PathCheck
                               " % of the length, from each "
                               "segment's beginning");
     printEnds(problem, check);
+    if (isBrief) return;
     std::cout << "\n";
     printSegments(check.audit);
     std::cout << "\n";
@@ -135,8 +137,8 @@ int check(const Arguments& arguments) {
         found = planning::checkPath(problem, scene, path);
     }
     printWarnings(problem.warnings);
-    print(problem, scene, found);
-    if (!options.csv.empty()) writeProfile(found.audit, options.csv);
+    print(problem, scene, found, options.isBrief);
+    if (!options.csv.empty()) writeProfile(found.audit, scene, path, options.csv);
     const std::vector<FoundOverlap> overlaps = overlapsAlong(problem, scene, path);
     printOverlaps(overlaps);
     if (found.audit.isValid()) requireAllowed(overlaps);

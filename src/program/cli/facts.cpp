@@ -15,19 +15,6 @@ std::string& factsFile() {
     return file;
 }
 
-Json closestPair(const planning::SegmentAudit& segment) {
-    const SceneDistance& closest = segment.motion.closest;
-    if (closest.partTriangle < 0) return nullptr;
-    return {{"part",
-             {{"mesh", segment.partMesh},
-              {"triangle", closest.partTriangle},
-              {"point", toJson(closest.pointOnPart)}}},
-            {"environment",
-             {{"mesh", segment.environmentMesh},
-              {"triangle", closest.environmentTriangle},
-              {"point", toJson(closest.pointOnEnvironment)}}}};
-}
-
 const char* wordFor(planning::MotionVerdict verdict) {
     switch (verdict) {
         case planning::MotionVerdict::kValid:
@@ -60,6 +47,12 @@ void writeFacts() {
     writeOut(factsFile(), [](std::ostream& stream) {
         stream << facts().dump(2, ' ', false, Json::error_handler_t::replace) << "\n";
     });
+}
+
+void tellProblem(const Problem& problem) {
+    useUnit(problem.unit);
+    facts()["problem"] = problem.file;
+    facts()["unit"] = problem.unit.empty() ? Json() : Json(problem.unit);
 }
 
 void tellScene(const Scene& scene) {
@@ -98,6 +91,11 @@ Json toJson(const PartState& state) {
     return {{"position", toJson(state.position)}, {"quaternion_xyzw", {q.x(), q.y(), q.z(), q.w()}}};
 }
 
+Json toJson(const Pose& pose) {
+    const Eigen::Quaterniond q(pose.rotation);
+    return {{"position", toJson(pose.translation)}, {"quaternion_xyzw", {q.x(), q.y(), q.z(), q.w()}}};
+}
+
 Json toJson(const Model& model) {
     Json json = {{"file", model.origin().file}, {"triangles", model.report().triangles}};
     if (model.report().unreachableTriangles > 0) json["left_out"] = model.report().unreachableTriangles;
@@ -111,10 +109,11 @@ Json toJson(const planning::PathAudit& audit) {
         {"turned_degrees", toJson(audit.turned * 180 / M_PI)},
         {"clearance", {{"lower", toJson(audit.lowerClearance)}, {"upper", toJson(audit.upperClearance)}}}};
     const planning::SegmentAudit& closest = audit.segments[audit.closest];
-    json["closest"] = {{"segment", audit.closest + 1},
-                       {"t", toJson(closest.motion.closestTime)},
-                       {"position", toJson(closest.X_environmentPart.translation)},
-                       {"pair", closestPair(closest)}};
+    json["closest"] = {
+        {"segment", audit.closest + 1},
+        {"t", toJson(closest.motion.closestTime)},
+        {"pose", toJson(closest.X_environmentPart)},
+        {"pair", closestPair(closest.motion.closest, closest.partMesh, closest.environmentMesh)}};
     for (const planning::SegmentAudit& segment : audit.segments) {
         const planning::MotionReport& motion = segment.motion;
         json["segments"].push_back(
@@ -126,9 +125,21 @@ Json toJson(const planning::PathAudit& audit) {
              {"clearance",
               {{"lower", toJson(motion.lowerClearance)}, {"upper", toJson(motion.upperClearance)}}},
              {"closest_t", toJson(motion.closestTime)},
-             {"pair", closestPair(segment)}});
+             {"pair", closestPair(motion.closest, segment.partMesh, segment.environmentMesh)}});
     }
     return json;
+}
+
+Json closestPair(const SceneDistance& closest, const std::string& partMesh,
+                 const std::string& environmentMesh) {
+    if (closest.partTriangle < 0) return nullptr;
+    return {
+        {"part",
+         {{"mesh", partMesh}, {"triangle", closest.partTriangle}, {"point", toJson(closest.pointOnPart)}}},
+        {"environment",
+         {{"mesh", environmentMesh},
+          {"triangle", closest.environmentTriangle},
+          {"point", toJson(closest.pointOnEnvironment)}}}};
 }
 
 Json toJson(const std::vector<FoundOverlap>& overlaps) {

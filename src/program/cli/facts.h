@@ -28,6 +28,9 @@ void requireFactsFile(OutputFiles& files);
 /// Writes the facts to the file of --json, if it was given. Throws std::runtime_error when that fails.
 void writeFacts();
 
+/// Keeps which problem the facts are about, and the unit of its lengths; rows show it from now on.
+void tellProblem(const Problem& problem);
+
 /// Keeps the facts about part, obstacles and margins.
 void tellScene(const Scene& scene);
 
@@ -35,8 +38,13 @@ Json toJson(double number);  ///< null for a number that is not finite, which JS
 Json toJson(const Vector3& point);
 Json toJson(const Box& box);
 Json toJson(const PartState& state);  ///< position, and quaternion in the order x, y, z, w
+Json toJson(const Pose& pose);        ///< as of its state
 Json toJson(const Model& model);
 Json toJson(const planning::PathAudit& audit);
 Json toJson(const std::vector<FoundOverlap>& overlaps);
+
+/// Two closest triangles, counted from 0, and their closest points in the environment's frame; null without any.
+Json closestPair(const SceneDistance& closest, const std::string& partMesh,
+                 const std::string& environmentMesh);
 
 }  // namespace clearway::cli

@@ -37,6 +37,7 @@ constexpr Topic kTopics[] = {
   reading = stored | omplapp   coordinates as the files hold them, or moved as OMPL.app moves them
   goal = outside               any pose outside of the surroundings' box; outside = +x, -x, ... says which side
   start.degrees, goal.degrees  in place of theta
+  unit = mm                    of all lengths, shown beside them: um, mm, cm, m, km, in or ft
   robot.scale, world.scale     factors for the meshes' coordinates (1)
   margin, margin.NAME          distance to keep from all obstacles, from one (0)
   overlap, overlap.NAME        how deep obstacles may reach into the part (0); overlap.tolerance, overlap.thin

@@ -2,6 +2,7 @@
 #include <boost/algorithm/string/predicate.hpp>
 #include <cmath>
 #include <iostream>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
 
@@ -10,6 +11,7 @@
 #include "clearway/problem.h"
 #include "mesh/clean.h"
 #include "mesh/topology.h"
+#include "program/cli/info_facts.h"
 #include "program/cli/load_guard.h"
 #include "program/cli/overlaps.h"
 #include "program/cli/print.h"
@@ -39,8 +41,8 @@ void describeReading(const Mesh& mesh, const std::string& reading) {
                                  " (points, lines, and faces that cannot be triangulated)");
     }
     printRow("box in file units", readable(inFileUnits(box, origin)));
-    printRow("box as applied", readable(box));
-    printRow("size as applied", readable(Vector3(box.sizes())));
+    printRow("box as applied", inUnit(readable(box)));
+    printRow("size as applied", shownPlace(box.sizes()));
 }
 
 void describeTriangles(const Mesh& mesh, const CleanMesh& cleaned) {
@@ -70,7 +72,7 @@ void describeTriangles(const Mesh& mesh, const CleanMesh& cleaned) {
 
 void describeReach(const Reach& reach, const BuildReport& report) {
     printRow("out of reach", counted(report.unreachableTriangles, "triangle") + ", never within " +
-                                 readable(reach.cap) + " of the part; planning leaves them out");
+                                 shownLength(reach.cap) + " of the part; planning leaves them out");
 }
 
 void describeTree(const BuildReport& report) {
@@ -94,25 +96,21 @@ void describeTree(const BuildReport& report) {
 
 /// Prints the file and the conversions on reading, the box, whether the surface is closed, the findings of
 /// cleaning, and the tree. reading: how the file was read, in words. With a reach, the tree leaves out the
-/// triangles beyond it and a row counts them.
-Model describeMesh(const Mesh& mesh, const std::string& reading, const BuildOptions& options,
-                   const std::optional<Reach>& reach = std::nullopt) {
+/// triangles beyond it and a row counts them. name: of the mesh among the facts.
+Model describeMesh(const char* name, const Mesh& mesh, const std::string& reading,
+                   const BuildOptions& options, const std::optional<Reach>& reach = std::nullopt) {
     describeReading(mesh, reading);
-    describeTriangles(mesh, clean(mesh));
+    const CleanMesh cleaned = clean(mesh);
+    describeTriangles(mesh, cleaned);
     const Model model = Model::build(mesh, options, reach);
+    facts()[name] = meshFacts(mesh, cleaned, model);
     if (reach) describeReach(*reach, model.report());
     describeTree(model.report());
     return model;
 }
 
-std::string description(const PartState& state) {
-    const auto& q = state.rotation;
-    return "position " + readable(state.position) + ", quaternion (x, y, z, w) (" + readable(q.x()) + ", " +
-           readable(q.y()) + ", " + readable(q.z()) + ", " + readable(q.w()) + ")";
-}
-
 std::string goalOf(const Problem& problem) {
-    if (!problem.outside) return description(problem.goal);
+    if (!problem.outside) return shownState(problem.goal);
     const auto& side = problem.outside->side;
     return side ? "outside, beyond " + nameOf(*side) + " of the environment's box"
                 : "outside of the environment's box";
@@ -132,28 +130,31 @@ std::string description(const PlannerChoice& planner) {
 }
 
 void printContact(const char* where, const std::optional<ContactRule>& contact) {
-    if (contact) printRow(where, readable(contact->distance));
+    if (contact) printRow(where, statedLength(contact->distance));
 }
 
 /// Prints all of the problem but its meshes. environmentBox: bounds the part's position where the problem
 /// states no volume. partBox: the part's, in its own coordinates. Throws as boundsOf does.
 void describeProblem(const Problem& problem, const Box& environmentBox, const Box& partBox) {
     const Box bounds = boundsOf(problem, environmentBox, partBox);
+    tellProblem(problem);
+    facts().update(problemFacts(problem, bounds));
     printRow("problem", problem.file + (problem.name.empty() ? "" : " (" + problem.name + ")"));
     printRow("space", problem.space == Space::kSe3 ? "SE(3)" : "SE(2)");
-    printRow("start", description(problem.start));
+    printRow("start", shownState(problem.start));
     printRow("goal", goalOf(problem));
-    printRow("bounds", readable(bounds) + boundsNote(problem));
+    printRow("bounds", inUnit(readable(bounds)) + boundsNote(problem));
     printRow("objective", problem.objective + (problem.objectiveThreshold
                                                    ? ", threshold " + readable(*problem.objectiveThreshold)
                                                    : std::string()));
     if (!problem.sampler.empty()) printRow("sampler", problem.sampler);
     if (problem.goalThreshold) printRow("goal threshold", readable(*problem.goalThreshold));
     for (const auto& [name, value] : problem.settings) printRow("setting", name + " = " + value);
-    printRow("margin", readable(problem.margin));
+    printRow("margin", statedLength(problem.margin));
+    printRow("unit", problem.unit.empty() ? "not stated" : problem.unit);
     printContact("contact at start", problem.rules.startContact);
     printContact("contact at goal", problem.rules.goalContact);
-    printRow("fineness", problem.fineness ? readable(*problem.fineness) : "not stated");
+    printRow("fineness", problem.fineness ? statedLength(*problem.fineness) : "not stated");
     printRow("planners", problem.planners.empty() ? "not stated" : std::to_string(problem.planners.size()));
     for (const PlannerChoice& planner : problem.planners) printRow("  planner", description(planner));
     if (problem.timeLimit) printRow("time limit", readable(*problem.timeLimit) + " s");
@@ -171,8 +172,8 @@ void describePose(const char* label, const planning::SceneClearance& clearance, 
     const planning::PoseClearance at = clearance.at(X_environmentPart);
     if (at.nearest.partTriangle < 0) return printRow(label, "valid, with nothing near");
     const planning::MeshNames names = planning::meshNames(clearance.scene(), at.nearest);
-    printRow(label, "valid, clearance " + readable(at.lower) + ", between '" + names.part + "' and '" +
-                        names.environment + "'");
+    printRow(label, "valid, clearance " + inUnit(shortened(at.lower)) + ", between '" + names.part +
+                        "' and '" + names.environment + "'");
 }
 
 void describeEnds(const Problem& problem) {
@@ -180,9 +181,13 @@ void describeEnds(const Problem& problem) {
     loading.read = guardedLoadMesh;
     const LoadedScene loaded = loadScene(problem, {}, loading);
     printWarnings(loaded.notes);
+    facts()["notes"] = loaded.notes;
     const planning::SceneClearance clearance(loaded.scene);
     describePose("at the start", clearance, problem.start);
-    if (!problem.outside) describePose("at the goal", clearance, problem.goal);
+    facts()["at_start"] = poseFacts(clearance, problem.start);
+    if (problem.outside) return;
+    describePose("at the goal", clearance, problem.goal);
+    facts()["at_goal"] = poseFacts(clearance, problem.goal);
 }
 
 void describeProblemFile(const std::string& file, const BuildOptions& tree) {
@@ -193,13 +198,14 @@ void describeProblemFile(const std::string& file, const BuildOptions& tree) {
     const ObstacleGroups obstacles = obstaclesOf(problem, worlds);
     describeProblem(problem, boundingBox(environment), boundingBox(part));
     printObstacles(obstacles);
+    facts()["obstacles"] = obstacleFacts(obstacles);
     describeEnds(problem);
     std::cout << "\nPart\n";
     const Model partModel =
-        describeMesh(part, problem.asOmplApp ? "as OMPL.app reads a robot" : "as stored", tree);
+        describeMesh("part", part, problem.asOmplApp ? "as OMPL.app reads a robot" : "as stored", tree);
     std::cout << "\nEnvironment\n";
-    describeMesh(environment, problem.asOmplApp ? "as OMPL.app reads its world" : "as stored", tree,
-                 planning::planningReach(problem, {}, partModel, boundingBox(environment)));
+    describeMesh("environment", environment, problem.asOmplApp ? "as OMPL.app reads its world" : "as stored",
+                 tree, planning::planningReach(problem, {}, partModel, boundingBox(environment)));
 }
 
 double liftTolerance(const Problem& problem, double overlap) {
@@ -231,7 +237,9 @@ double roundedUp(double depth) {
 /// Says how deep obstacles reach into the part at the start, and which overlap frees the start.
 void describeLift(const std::string& file) {
     Problem problem = readProblem(file);
+    tellProblem(problem);
     const std::vector<FoundOverlap> overlaps = overlapsAtStart(problem);
+    facts()["overlaps"] = toJson(overlaps);
     for (const FoundOverlap& found : overlaps) printRow(found.obstacle, describe(found));
     problem.margin = 0;
     problem.rules.margins.clear();
@@ -256,12 +264,14 @@ void describeLift(const std::string& file) {
         why = whyStartIsInvalid(problem, enough);
     }
     if (!why.empty())
-        throw std::invalid_argument("no overlap up to " + readable(enough) + " frees the start: " + why);
+        throw std::invalid_argument("no overlap up to " + shownLength(enough) + " frees the start: " + why);
     const bool isFromSearch = least > 0;
     while (isFromSearch && enough - least > kLiftError * enough) {
         const double middle = roundedUp(0.5 * (least + enough));
         (whyStartIsInvalid(problem, middle).empty() ? enough : least) = middle;
     }
+    facts()["lift"] = {{"overlap", toJson(enough)}};
+    if (isFromSearch) facts()["lift"]["tolerance"] = toJson(liftTolerance(problem, enough));
     printRow("lift",
              "overlap = " + depthText(enough) +
                  (isFromSearch ? " with overlap.tolerance = " + depthText(liftTolerance(problem, enough))
@@ -287,15 +297,18 @@ int info(const Arguments& arguments) {
         "tells how deep obstacles reach into the part at the problem's start, and the least overlap that "
         "frees it",
         isLift);
+    addJson(line);
     addTreeOptions(line, tree);
     if (!line.parse(arguments)) return kDone;
+    OutputFiles files({file});
+    requireFactsFile(files);
 
     if (!boost::iends_with(file, ".cfg")) {
         if (isLift)
             throw std::invalid_argument("--lift is given with the mesh '" + file + "', expected a problem");
         LoadOptions load;
         load.scale = scale.value_or(1);
-        describeMesh(guardedLoadMesh(file, load), "as stored", tree);
+        describeMesh("mesh", guardedLoadMesh(file, load), "as stored", tree);
     } else if (scale) {
         throw std::invalid_argument(
             "--scale is '" + readable(*scale) +

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <stdexcept>
 
@@ -14,6 +15,7 @@
 #include "mesh/components.h"
 #include "mesh/topology.h"
 #include "problem/config.h"
+#include "program/cli/facts.h"
 #include "program/cli/load_guard.h"
 #include "program/cli/print.h"
 #include "program/cli/shared_options.h"
@@ -43,6 +45,7 @@ bool readArguments(const Arguments& words, InitArguments& given) {
     line.argument("PART", to(given.part));
     line.argument("[ENVIRONMENT...]", appendedTo(given.environment));
     line.option("--out FILE", "the problem file, .cfg", to(given.out), CommandLine::Count::kRequired);
+    addJson(line);
     if (!line.parse(words)) return false;
     if (given.environment.empty())
         throw std::invalid_argument(
@@ -83,14 +86,22 @@ std::vector<std::string> touchedBy(const Mesh& part, const ObstacleGroups& obsta
     return names;
 }
 
+Json factsOf(const Mesh& mesh) {
+    const EdgeReport edges = checkEdges(clean(mesh).triangles);
+    return {{"triangles", mesh.triangles.size()},
+            {"closed", edges.isClosed() && edges.closedEdges > 0},
+            {"box", toJson(boundingBox(mesh))}};
+}
+
 std::string clearanceAtStart(const Problem& problem) {
     SceneLoading loading;
     loading.read = guardedLoadMesh;
     const Scene scene = loadScene(problem, {}, loading).scene;
     const planning::SceneClearance clearance(scene);
     const SceneDistance nearest = clearance.distance({});
-    return "free, " + readable(nearest.lower) + " from '" + planning::meshNames(scene, nearest).environment +
-           "'";
+    facts()["clearance_at_start"] = toJson(nearest.lower);
+    return "free, " + readable(nearest.distance) + " from '" +
+           planning::meshNames(scene, nearest).environment + "'";
 }
 
 class ProblemText {
@@ -148,6 +159,9 @@ std::string textOf(const InitArguments& given, const Seen& seen) {
     for (int i = 0; i < 3; ++i)
         text.line(std::string("volume.max.") + kAxisNames[i], rounded(seen.bounds.max()[i], true), "");
     text.section("clearway");
+    text.comment(
+        "unit = mm               the unit of all lengths here, um, mm, cm, m, km, in or ft: shown beside "
+        "them");
     text.line("reading", "stored", "coordinates as the files hold them");
     text.line("goal", "outside", "any pose at which the boxes of part and surroundings are apart");
     text.comment("outside = +z: on this side only; +x, -x, +y, -y, +z or -z");
@@ -175,7 +189,9 @@ int init(const Arguments& words) {
     if (!readArguments(words, given)) return kDone;
     std::vector<std::string> inputs = given.environment;
     inputs.push_back(given.part);
-    OutputFiles(inputs).add("--out", given.out, {".cfg"});
+    OutputFiles files(inputs);
+    files.add("--out", given.out, {".cfg"});
+    requireFactsFile(files);
 
     Problem problem;
     problem.asOmplApp = false;
@@ -199,6 +215,10 @@ int init(const Arguments& words) {
     seen.bounds = Box(seen.bounds.min() - room, seen.bounds.max() + room);
     seen.touched = touchedBy(part, obstaclesOf(problem, worlds));
 
+    facts()["problem"] = given.out;
+    facts()["part"] = factsOf(part);
+    facts()["environment"] = factsOf(environment);
+    facts()["touched_at_start"] = seen.touched;
     printRow("part", seen.part);
     printRow("environment", seen.environment);
     if (seen.touched.empty()) {

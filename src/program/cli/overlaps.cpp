@@ -113,7 +113,7 @@ void requireAllowed(const std::vector<FoundOverlap>& overlaps) {
         if (found.deepest.lower <= found.allowed * (1 + kRounding)) continue;
         throw std::logic_error("the path is certified, but is not valid: at " + readable(found.share) +
                                " of it an obstacle reaches " + describe(found) + ", expected at most " +
-                               readable(found.allowed) + "; please report this contradiction");
+                               shownLength(found.allowed) + "; please report this contradiction");
     }
 }
 
@@ -133,8 +133,8 @@ std::string depthText(double depth) {
 }
 
 std::string describe(const FoundOverlap& found) {
-    return depthText(found.deepest.lower) + " deep, at " + readable(found.deepest.point) + ", triangle " +
-           std::to_string(found.deepest.obstacleTriangle) + " of '" + found.obstacle + "'";
+    return inUnit(depthText(found.deepest.lower)) + " deep, at " + shownPlace(found.deepest.point) +
+           ", triangle " + std::to_string(found.deepest.obstacleTriangle) + " of '" + found.obstacle + "'";
 }
 
 }  // namespace clearway::cli

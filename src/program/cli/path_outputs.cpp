@@ -40,13 +40,13 @@ Rows problemRows(const Problem& problem, const Mesh& part, const Mesh& environme
     return {{"problem", shortName(problem.file)},
             {"part", shortName(problem.robot) + ", " + counted(part.triangles.size(), "triangle")},
             {"environment", worlds + counted(environment.triangles.size(), "triangle")},
-            {"margin", readable(problem.margin)}};
+            {"margin", statedLength(problem.margin)}};
 }
 
 Rows pathRows(const std::vector<PartState>& path, const planning::PathAudit& audit) {
     const planning::SegmentAudit& closest = audit.segments[audit.closest];
     Rows rows = {{"states", std::to_string(path.size())},
-                 {"length", readable(audit.length)},
+                 {"length", shownLength(audit.length)},
                  {"turned", readable(audit.turned * 180 / M_PI) + " degrees"},
                  {"least clearance", leastClearanceOf(audit)}};
     if (!closest.partMesh.empty()) {
@@ -61,7 +61,8 @@ report::ReportTable overlapTable(const std::vector<FoundOverlap>& overlaps) {
     table.title = "Overlaps, where they are deepest";
     table.header = {"obstacle", "deep", "at"};
     for (const FoundOverlap& found : overlaps) {
-        table.rows.push_back({found.obstacle, depthText(found.deepest.lower), readable(found.deepest.point)});
+        table.rows.push_back(
+            {found.obstacle, inUnit(depthText(found.deepest.lower)), shownPlace(found.deepest.point)});
         table.shares.push_back(found.share);
     }
     return table;
@@ -137,7 +138,7 @@ void writeSwept(const Mesh& part, const Model& model, const std::vector<PartStat
     }
     saveMesh(swept, file);
     printRow("swept", file + ", " + counted(swept.triangles.size(), "triangle") + ", within " +
-                          readable(options.tolerance) + " of the part's places");
+                          shownLength(options.tolerance) + " of the part's places");
 }
 
 }  // namespace
@@ -158,8 +159,10 @@ void PathOutputs::write(const Problem& problem, const Scene& scene, const std::v
     const Mesh environment = shownEnvironment(problem);
     if (!report.empty()) writePage(problem, part, environment, scene, path, audit, planner, overlaps, report);
     if (!motion.empty()) {
-        report::exportMotion(part, environment, path, scene.part.radiusAboutOrigin(), motion);
-        printRow("export", motion);
+        const std::optional<double> metres = metresPerUnit(problem);
+        report::exportMotion(part, environment, path, scene.part.radiusAboutOrigin(), metres.value_or(1),
+                             motion);
+        printRow("export", motion + (metres ? ", in metres" : ", lengths as they are: no unit is stated"));
     }
     if (!swept.empty()) writeSwept(part, scene.part, path, sweptTolerance, swept);
 }

@@ -114,19 +114,19 @@ Rows settingsRows(const planning::PlanOptions& options, const PlanReport& report
                         report.isRepeatable ? "yes" : "no: this planner does not give the same path again"});
     }
     rows.push_back({"motions", report.isCertified ? "certified along their whole length"
-                                                  : "checked every " + readable(report.step)});
-    if (report.isCertified) rows.push_back({"floor", readable(report.floor)});
+                                                  : "checked every " + shownLength(report.step)});
+    if (report.isCertified) rows.push_back({"floor", shownLength(report.floor)});
     if (report.guard > 0)
         rows.push_back(
-            {"extra margin", readable(report.guard) + ", so that states between checks are valid, too"});
+            {"extra margin", shownLength(report.guard) + ", so that states between checks are valid, too"});
     rows.push_back({"planning time", readable(report.planningSeconds) + " s"});
     rows.push_back({"states checked", std::to_string(report.checks)});
     return rows;
 }
 
 std::string roomOf(const planning::RoomReport& room) {
-    return shortened(room.before, 2) + " before, " + shortened(room.after, 3) + " after " +
-           shortened(room.seconds, 2) + " s; --objective max_min_clearance looks for more";
+    return inUnit(shortened(room.before, 2)) + " before, " + inUnit(shortened(room.after, 3)) + " after " +
+           readable(room.seconds) + " s; --objective max_min_clearance looks for more";
 }
 
 Rows pathRows(const PlanReport& report) {
@@ -138,7 +138,7 @@ Rows pathRows(const PlanReport& report) {
     rows.push_back({"finishing time", readable(report.finishingSeconds) + " s"});
     rows.push_back({"states", std::to_string(report.path.size()) + ", " +
                                   std::to_string(report.statesBefore) + " before simplifying"});
-    rows.push_back({"length", readable(report.length)});
+    rows.push_back({"length", shownLength(report.length)});
     rows.push_back({"turned", readable(report.turned * 180 / M_PI) + " degrees"});
     return rows;
 }
@@ -268,6 +268,9 @@ int planAndWrite(const PlanArguments& given, const Problem& problem, OldPath& ol
     std::vector<PartState> path = report.path;
     bool isValid = report.audit.isValid();
     if (!path.empty()) {
+        // The same audit as that of `clearway check`, so that both name the same closest pair.
+        report.audit = planning::checkPath(problem, scene, path).audit;
+        isValid = isValid && report.audit.isValid();
         printPath(report, problem, given.path);
         for (const auto& row : pathRows(report)) figures.push_back(row);
     } else {
@@ -275,7 +278,10 @@ int planAndWrite(const PlanArguments& given, const Problem& problem, OldPath& ol
                          : given.explainSeconds ? "none found so far"
                                                 : "none found");
         if (report.whyNoPath) path = tellWhy(given, *report.whyNoPath, problem, scene);
-        if (!path.empty()) isValid = printTrialPath(path, problem, scene, given.path).isValid();
+        if (!path.empty()) {
+            report.audit = printTrialPath(path, problem, scene, given.path);
+            isValid = report.audit.isValid();
+        }
     }
     if (!path.empty()) oldPath.isReplaced();
     writeNearest(given, report, problem, !path.empty());
@@ -284,11 +290,7 @@ int planAndWrite(const PlanArguments& given, const Problem& problem, OldPath& ol
     printOverlaps(overlaps);
     if (isValid) requireAllowed(overlaps);
     tellFacts(given, report, scene, overlaps);
-    if (!path.empty() && !given.outputs.isEmpty()) {
-        // Planning audits the path without a profile; the outputs show a profile.
-        const planning::PathCheck checked = planning::checkPath(problem, scene, path);
-        given.outputs.write(problem, scene, path, checked.audit, figures, overlaps);
-    }
+    if (!path.empty()) given.outputs.write(problem, scene, path, report.audit, figures, overlaps);
     requirePrinted();
     return !path.empty() && isValid ? kDone : kAnswerIsNo;
 }

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <iostream>
 #include <stdexcept>
 
+#include "core/number.h"
 #include "core/replace_file.h"
 #include "core/text.h"
 #include "program/cli/command_line.h"
@@ -18,6 +20,11 @@ namespace {
 
 constexpr std::size_t kLabelWidth = 20;
 constexpr std::size_t kMostNames = 6;  // most names of obstacles in one row
+
+constexpr double kRounded = 1e-12;  // a value that far above a number of four digits is shown as that number
+
+// Numbers from here on are shown whole, and with an exponent where a double has no digits left.
+constexpr double kFirstLong = 9999.5, kFirstWithoutExponent = 1e15;
 
 /// A group of obstacles that count alike.
 struct ObstacleRow {
@@ -30,6 +37,11 @@ struct ObstacleRow {
 std::string& claimedBy() {
     static std::string option;
     return option;
+}
+
+std::string& unitInUse() {
+    static std::string unit;
+    return unit;
 }
 
 /// The process's standard output once an option has claimed it.
@@ -50,8 +62,8 @@ void printObstacle(const ObstacleRow& row) {
                               : row.atGoal              ? ", ignored near the goal"
                                                         : "";
     const std::string rule = row.overlap > 0
-                                 ? "overlap " + readable(row.overlap)
-                                 : "margin " + readable(row.margin) + (row.isSolid ? ", solid" : "");
+                                 ? "overlap " + statedLength(row.overlap)
+                                 : "margin " + statedLength(row.margin) + (row.isSolid ? ", solid" : "");
     printRow("obstacle",
              joined(names) + more + ": " + counted(row.triangles, "triangle") + ", " + rule + where);
 }
@@ -59,8 +71,10 @@ void printObstacle(const ObstacleRow& row) {
 }  // namespace
 
 std::string readable(double value) {
+    const double size = std::abs(value);
+    const bool isLong = size >= kFirstLong && size < kFirstWithoutExponent;
     char text[32];
-    std::snprintf(text, sizeof text, "%.9g", value == 0 ? 0.0 : value);  // -0 reads as 0
+    std::snprintf(text, sizeof text, isLong ? "%.0f" : "%.4g", value == 0 ? 0.0 : value);  // -0 reads as 0
     return text;
 }
 
@@ -72,13 +86,58 @@ std::string readable(const Box& box) {
     return readable(Vector3(box.min())) + " to " + readable(Vector3(box.max()));
 }
 
+std::string shortened(double value, int digits) {
+    if (value == 0 || !std::isfinite(value)) return value == 0 ? "0" : "inf";
+    const double unit = std::pow(10.0, std::floor(std::log10(std::abs(value))) + 1 - digits);
+    char text[32];
+    std::snprintf(text, sizeof text, "%.*g", digits, std::trunc(value / unit) * unit);
+    return text;
+}
+
+std::string shortenedUp(double value) {
+    if (value == 0 || !std::isfinite(value)) return shortened(value);
+    const double unit = std::pow(10.0, std::floor(std::log10(std::abs(value))) - 3);
+    const double units = value / unit;
+    return readable(std::copysign(std::ceil(std::abs(units) * (1 - kRounded)), units) * unit);
+}
+
+void useUnit(const std::string& unit) {
+    unitInUse() = unit;
+}
+
+const std::string& usedUnit() {
+    return unitInUse();
+}
+
+std::string inUnit(const std::string& shown) {
+    return withUnit(shown, usedUnit());
+}
+
+std::string shownLength(double value) {
+    return inUnit(readable(value));
+}
+
+std::string shownPlace(const Vector3& place) {
+    return inUnit(readable(place));
+}
+
+std::string statedLength(double value) {
+    return inUnit(shortNumber(value));
+}
+
+std::string shownState(const PartState& state) {
+    const auto& q = state.rotation;
+    return "position " + shownPlace(state.position) + ", quaternion (x, y, z, w) (" + readable(q.x()) + ", " +
+           readable(q.y()) + ", " + readable(q.z()) + ", " + readable(q.w()) + ")";
+}
+
 std::string counted(std::size_t count, const std::string& singular, const std::string& plural) {
     return std::to_string(count) + " " + (count == 1 ? singular : plural.empty() ? singular + "s" : plural);
 }
 
 void printRow(const std::string& label, const std::string& value) {
     const std::size_t padding = kLabelWidth - std::min(label.size() + 1, kLabelWidth - 1);
-    std::cout << label << ":" << std::string(padding, ' ') << value << "\n";
+    std::cout << label << (label.empty() ? ' ' : ':') << std::string(padding, ' ') << value << "\n";
 }
 
 void printRows(const Rows& rows) {
@@ -97,10 +156,10 @@ void printObstacles(const Scene& scene) {
     }
     if (scene.obstacles.empty()) printRow("environment", "every obstacle is ignored");
     printRow("margin", scene.obstacles.size() == 1
-                           ? readable(scene.largestMargin())
-                           : "by obstacle, at most " + readable(scene.largestMargin()));
+                           ? statedLength(scene.largestMargin())
+                           : "by obstacle, at most " + statedLength(scene.largestMargin()));
     const auto printContact = [](const char* where, const std::optional<ContactZone>& contact) {
-        if (contact) printRow(where, readable(contact->distance));
+        if (contact) printRow(where, statedLength(contact->distance));
     };
     printContact("contact at start", scene.startContact);
     printContact("contact at goal", scene.goalContact);

@@ -12,19 +12,35 @@
 #include <vector>
 
 #include "clearway/obstacle_groups.h"
+#include "clearway/problem.h"
 #include "clearway/scene.h"
 
 namespace clearway::cli {
 
-/// Nine significant digits: enough to tell any two floats apart, few enough to read.
+/// Four significant digits, but whole numbers keep all of theirs. For what is to be computed with, there is --json.
 std::string readable(double value);
 std::string readable(const Vector3& v);  ///< (x, y, z)
 std::string readable(const Box& box);    ///< (x, y, z) to (x, y, z)
 
+/// Rounds to so many digits towards zero, because a certified value must not be rounded up.
+std::string shortened(double value, int digits = 4);
+std::string shortenedUp(double value);  ///< four digits, away from zero: for upper bounds
+
+/// The unit of the lengths that are shown from now on; empty at first: lengths are plain numbers.
+void useUnit(const std::string& unit);
+const std::string& usedUnit();
+
+/// "12.5 mm": a text that shows a length or a place, and the unit in use.
+std::string inUnit(const std::string& shown);
+std::string shownLength(double value);           ///< readable(value), and the unit
+std::string shownPlace(const Vector3& place);    ///< readable(place), and the unit
+std::string statedLength(double value);          ///< with all digits that the user stated
+std::string shownState(const PartState& state);  ///< position and quaternion, each named
+
 /// "1 triangle", "5 triangles"; pass the plural when it is irregular.
 std::string counted(std::size_t count, const std::string& singular, const std::string& plural = "");
 
-/// Prints the padded label and the value to standard output.
+/// Prints the padded label and the value to standard output. Without a label the value goes on with the row above.
 void printRow(const std::string& label, const std::string& value);
 
 using Rows = std::vector<std::pair<std::string, std::string>>;  ///< labels and values

@@ -1,6 +1,7 @@
 #include "program/cli/print_audit.h"
 
 #include <algorithm>
+#include <boost/algorithm/string/replace.hpp>
 #include <cmath>
 #include <cstdio>
 #include <iostream>
@@ -10,8 +11,10 @@
 #include <utility>
 #include <vector>
 
+#include "clearway/planning/scene_clearance.h"
 #include "core/number.h"
 #include "program/cli/print.h"
+#include "program/report/frames.h"
 
 namespace clearway::cli {
 
@@ -68,6 +71,54 @@ void printContact(const char* label, const PathAudit& audit,
                  " from t = " + shortened(span->first) + " to " + shortened(span->last);
     }
     if (!spans.empty()) printRow(label, "used " + spans);
+}
+
+std::string cellsOf(const Vector3& point) {
+    return formatNumber(point.x()) + "," + formatNumber(point.y()) + "," + formatNumber(point.z());
+}
+
+std::string cellsOf(const PartState& state) {
+    const auto& q = state.rotation;
+    return cellsOf(state.position) + "," + formatNumber(q.x()) + "," + formatNumber(q.y()) + "," +
+           formatNumber(q.z()) + "," + formatNumber(q.w());
+}
+
+/// A text as a cell of a CSV file (RFC 4180).
+std::string cellOf(const std::string& text) {
+    if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
+    return '"' + boost::replace_all_copy(text, "\"", "\"\"") + '"';
+}
+
+/// The closest pair at a pose: mesh, triangle and point of the part, then those of the environment.
+std::string cellsOf(const planning::SceneClearance& clearance, const Pose& X_environmentPart) {
+    SceneDistance nearest;
+    if (!clearance.isOutOfReach(X_environmentPart)) nearest = clearance.at(X_environmentPart).nearest;
+    if (nearest.partTriangle < 0) return ",,,,,,,,,";
+    const planning::MeshNames names = planning::meshNames(clearance.scene(), nearest);
+    return cellOf(names.part) + "," + std::to_string(nearest.partTriangle) + "," +
+           cellsOf(nearest.pointOnPart) + "," + cellOf(names.environment) + "," +
+           std::to_string(nearest.environmentTriangle) + "," + cellsOf(nearest.pointOnEnvironment);
+}
+
+/// Says where the path is closest. Points are in the environment's frame, as the pose is.
+void printClosest(const PathAudit& audit) {
+    const SegmentAudit& closest = audit.segments[audit.closest];
+    const SceneDistance& pair = closest.motion.closest;
+    const auto point = [](const std::string& mesh, std::int64_t triangle, const Vector3& place) {
+        return "triangle " + std::to_string(triangle) + " of '" + mesh + "', at " + shownPlace(place);
+    };
+    printRow("  on the path",
+             "segment " + std::to_string(audit.closest + 1) + " of " + std::to_string(audit.segments.size()) +
+                 ", t = " + shortened(closest.motion.closestTime) + " (0 its start, 1 its end)");
+    printRow("  on the part", point(closest.partMesh, pair.partTriangle, pair.pointOnPart));
+    printRow("  on the obstacle",
+             point(closest.environmentMesh, pair.environmentTriangle, pair.pointOnEnvironment));
+    const Eigen::Quaterniond q(closest.X_environmentPart.rotation);
+    PartState state;
+    state.position = closest.X_environmentPart.translation;
+    state.rotation.coeffs() = q.coeffs();
+    printRow("  pose of the part", shownState(state));
+    printRow("", "(in the environment's frame; triangles count from 0)");
 }
 
 // The size of the plot, in characters.
@@ -127,18 +178,11 @@ char footOf(const Column& column) {
 
 }  // namespace
 
-std::string shortened(double value, int digits) {
-    if (value == 0 || !std::isfinite(value)) return value == 0 ? "0" : "inf";
-    const double unit = std::pow(10.0, std::floor(std::log10(std::abs(value))) + 1 - digits);
-    char text[32];
-    std::snprintf(text, sizeof text, "%.*g", digits, std::trunc(value / unit) * unit);
-    return text;
-}
-
 std::string leastClearanceOf(const PathAudit& audit) {
     if (std::isinf(audit.lowerClearance)) return "nothing to keep clear of";
-    if (std::isinf(audit.upperClearance)) return readable(audit.lowerClearance) + " or more";
-    return readable(audit.lowerClearance) + " to " + readable(audit.upperClearance);
+    const std::string least = shortened(audit.lowerClearance);
+    if (std::isinf(audit.upperClearance)) return inUnit(least) + " or more";
+    return inUnit(least + " to " + shortenedUp(audit.upperClearance));
 }
 
 void printAudit(const PathAudit& audit) {
@@ -155,17 +199,13 @@ void printAudit(const PathAudit& audit) {
     printContact("start contact", audit, &MotionReport::startContact);
     printContact("goal contact", audit, &MotionReport::goalContact);
     const SegmentAudit& closest = audit.segments[audit.closest];
-    const std::string where = closest.partMesh.empty()
-                                  ? ""
-                                  : ", in segment " + std::to_string(audit.closest + 1) +
-                                        " at t = " + shortened(closest.motion.closestTime) + ", " +
-                                        readable(closest.X_environmentPart.translation) + ", between " +
-                                        pairOf(closest);
-    printRow("least clearance", leastClearanceOf(audit) + where);
+    printRow("least clearance", leastClearanceOf(audit));
+    if (!closest.partMesh.empty()) printClosest(audit);
 }
 
 void printSegments(const PathAudit& audit) {
-    printCells("segment", "verdict", "length", "turned", "clearance", "at t", "between (triangles)");
+    if (!usedUnit().empty()) std::cout << "Lengths in " << usedUnit() << ", turns in degrees\n";
+    printCells("segment", "verdict", "length", "turned", "clearance", "at t", "between (triangles, from 0)");
     for (std::size_t k = 0; k < audit.segments.size(); ++k) {
         const SegmentAudit& segment = audit.segments[k];
         const MotionReport& motion = segment.motion;
@@ -185,8 +225,8 @@ void printProfile(const PathAudit& audit) {
     if (audit.profile.empty() || !(audit.profile.back().travel > 0)) return;
     const std::vector<Column> columns = columnsOf(audit.profile);
     const std::vector<double> levels = levelsOf(columns);
-    std::cout << "clearance along the path: # certain, : found"
-              << (audit.isValid() ? "" : ", x not valid, ? not certified") << "\n";
+    std::cout << "clearance along the path" << (usedUnit().empty() ? "" : ", " + usedUnit())
+              << ": # certain, : found" << (audit.isValid() ? "" : ", x not valid, ? not certified") << "\n";
     char label[32];
     for (int row = static_cast<int>(levels.size()) - 1; row >= 0; --row) {
         const double level = levels[static_cast<std::size_t>(row)] * (1 - 1e-12);
@@ -199,19 +239,27 @@ void printProfile(const PathAudit& audit) {
     }
     std::string foot = "          +";
     for (const Column& column : columns) foot += footOf(column);
-    std::snprintf(label, sizeof label, "travelled %.6g", audit.profile.back().travel);
-    const std::string end = label;
+    std::snprintf(label, sizeof label, "travelled %s", readable(audit.profile.back().travel).c_str());
+    const std::string end = inUnit(label);
     std::cout << foot << "\n"
               << std::string(11, ' ') << "0" << std::string(kColumns - 1 - end.size(), ' ') << end << "\n";
 }
 
-void writeProfile(const PathAudit& audit, const std::string& file) {
+void writeProfile(const PathAudit& audit, const Scene& scene, const std::vector<PartState>& path,
+                  const std::string& file) {
+    const planning::SceneClearance clearance(scene);
+    const report::PathLine line(path, scene.part.radiusAboutOrigin());
     writeOut(file, [&](std::ostream& stream) {
-        stream << "segment,t,travel,clearance,clearance_to_next\n";
+        stream << "segment,t,travel,clearance,clearance_to_next,x,y,z,qx,qy,qz,qw,part_mesh,part_triangle,"
+                  "part_x,"
+                  "part_y,part_z,environment_mesh,environment_triangle,environment_x,environment_y,"
+                  "environment_z\n";
         for (const PathProfilePoint& point : audit.profile) {
+            const PartState state = line.at(report::shareIn(line, point.segment, point.time));
             stream << point.segment + 1 << "," << formatNumber(point.time) << ","
                    << formatNumber(point.travel) << "," << formatNumber(point.clearance) << ","
-                   << formatNumber(point.lowerToNext) << "\n";
+                   << formatNumber(point.lowerToNext) << "," << cellsOf(state) << ","
+                   << cellsOf(clearance, poseOf(state)) << "\n";
         }
     });
 }

@@ -2,15 +2,15 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "clearway/planning/audit.h"
+#include "clearway/problem.h"
+#include "clearway/scene.h"
 
 namespace clearway::cli {
 
-/// Rounds to so many digits towards zero, because a certified value must not be rounded up.
-std::string shortened(double value, int digits = 4);
-
-/// Prints two rows: whether the path is valid, and where it is closest.
+/// Prints rows about whether the path is valid, and where it is closest: both points, their triangles and the pose.
 void printAudit(const planning::PathAudit& audit);
 
 /// The bounds of the least clearance: "1.2 to 1.25".
@@ -23,8 +23,10 @@ void printSegments(const planning::PathAudit& audit);
 /// Prints nothing for a path that does not move.
 void printProfile(const planning::PathAudit& audit);
 
-/// Writes the profile as CSV: segment,t,travel,clearance,clearance_to_next; numbers with 17 digits. Throws
-/// std::runtime_error when the file cannot be written.
-void writeProfile(const planning::PathAudit& audit, const std::string& file);
+/// Writes the profile as CSV, with numbers of 17 digits: where on the path, the clearances, the pose, and the two
+/// closest triangles with their closest points, which are left empty where nothing is near. Throws std::runtime_error
+/// when the file cannot be written.
+void writeProfile(const planning::PathAudit& audit, const Scene& scene, const std::vector<PartState>& path,
+                  const std::string& file);
 
 }  // namespace clearway::cli

@@ -59,7 +59,7 @@ void printReached(const WhyNoPath& why, const ReachedFrom& end, const std::strin
     if (!end.hasTree) return printRow(label, "the planner tells no states reached from there");
     std::string text = counted(end.states, "state") +
                        " reached, where no point of the part has moved by more than " +
-                       readable(end.farthest);
+                       shownLength(end.farthest);
     if (why.isShutIn(end))
         text += ": less than " + readable(planning::kShutIn) + " diagonals, so it may be shut in there";
     printRow(label, text);
@@ -117,24 +117,24 @@ void printMarginFound(const planning::Explanation& explanation, double largestMa
     if (!explanation.marginScale)
         return printRow("found with margin", "none by these trials, not even with margins of 0");
     const double scale = *explanation.marginScale;
-    std::string text = readable(scale * largestMargin);
-    text += " in place of " + readable(largestMargin) + " (all margins times " + readable(scale) + ")";
+    std::string text = shownLength(scale * largestMargin);
+    text += " in place of " + statedLength(largestMargin) + " (all margins times " + readable(scale) + ")";
     if (explanation.refusedScale < 1)
-        text += "; none by these trials with " + readable(explanation.refusedScale * largestMargin);
+        text += "; none by these trials with " + shownLength(explanation.refusedScale * largestMargin);
     printRow("found with margin", text);
 }
 
 }  // namespace
 
 void printWhyNoPath(const WhyNoPath& why) {
-    printRow("part's diagonal", readable(why.diagonal));
+    printRow("part's diagonal", shownLength(why.diagonal));
     printReached(why, why.start, "start");
     printReached(why, why.goal, "goal");
     printTouchedBounds(why.start, "start");
     printTouchedBounds(why.goal, "goal");
     printBlockers(why);
     printRow("nearest miss",
-             "states reached from start and goal are " + readable(why.nearest.displacement) + " apart");
+             "states reached from start and goal are " + shownLength(why.nearest.displacement) + " apart");
 }
 
 void printExplanation(const planning::Explanation& explanation, double largestMargin) {
@@ -157,7 +157,7 @@ void printExplanation(const planning::Explanation& explanation, double largestMa
 void printHints(const WhyNoPath& why, const Problem& problem, const Scene& scene, const AskedFor& asked) {
     printHintOfBounds(why, problem);
     if (problem.margin > 0) {
-        printRow("hint", "--margin may be smaller than " + readable(problem.margin));
+        printRow("hint", "--margin may be smaller than " + statedLength(problem.margin));
     } else if (scene.largestMargin() > 0) {
         printRow("hint", "margin.NAME of the problem file may be smaller");
     }

@@ -141,9 +141,9 @@ std::string describe(const Question& question, const Answer& answer, const Model
     if (question.kind != Question::Kind::kDistance) return answer.verdict ? "yes" : "no";
     const DistanceResult& found = answer.distance;
     if (isBeyondCap(found)) return "beyond the cap";
-    return readable(found.distance) + ", part " + nameAt(part, found.partComponent) + "triangle " +
-           std::to_string(found.partTriangle) + " at " + readable(found.pointOnPart) + ", environment " +
-           nameAt(environment, found.environmentComponent) + "triangle " +
+    return readable(found.distance) + ", on the part " + nameAt(part, found.partComponent) + "triangle " +
+           std::to_string(found.partTriangle) + " at " + readable(found.pointOnPart) +
+           ", on the environment " + nameAt(environment, found.environmentComponent) + "triangle " +
            std::to_string(found.environmentTriangle) + " at " + readable(found.pointOnEnvironment);
 }
 
@@ -151,6 +151,8 @@ void printFirst(const Question& question, const QueryRun& run, const Model& part
     const std::size_t shown = std::min(run.answers.size(), kMostShown);
     for (std::size_t i = 0; i < shown; ++i)
         printRow("pose " + std::to_string(i), describe(question, run.answers[i], part, environment));
+    if (question.kind == Question::Kind::kDistance && shown > 0)
+        printRow("", "(closest points in the environment's frame; poses and triangles count from 0)");
     if (shown < run.answers.size())
         printRow("", std::to_string(run.answers.size() - shown) + " more poses; --csv or --json writes all");
 }
@@ -260,7 +262,8 @@ bool readArguments(const Arguments& arguments, QueryArguments& given) {
         "[options]",
         "Asks one question about the part at every pose (environment coordinates of the part's). A pose is "
         "one line\n"
-        "of 12 numbers (rotation row-major, translation) or 7 (x y z qx qy qz qw). Meshes are read as "
+        "of 12 numbers (rotation row-major, translation) or 7 (x y z qx qy qz qw, w last). Meshes are read "
+        "as "
         "stored.");
     line.option("--part MESH", "mesh of the moving part", to(given.part), kRequired);
     line.option("--environment MESH", "mesh of the obstacles, which stand still", to(given.environment),

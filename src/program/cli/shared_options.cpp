@@ -9,6 +9,7 @@
 #include "clearway/targets.h"
 #include "core/replace_file.h"
 #include "core/text.h"
+#include "program/cli/facts.h"
 #include "program/cli/load_guard.h"
 #include "program/cli/print.h"
 
@@ -39,6 +40,7 @@ Model buildFrom(const std::string& cache, const Mesh& mesh, const BuildOptions& 
 Problem ProblemChoice::read() const {
     Problem problem = readProblem(file);
     problem.margin = margin.value_or(problem.margin);
+    tellProblem(problem);
     return problem;
 }
 

@@ -40,10 +40,10 @@ void requireMotionFile(const std::string& file) {
 }  // namespace
 
 void exportMotion(const Mesh& part, const Mesh& environment, const std::vector<PartState>& path,
-                  double turnRadius, const std::string& file) {
+                  double turnRadius, double metres, const std::string& file) {
     requireMotionFile(file);
     const GlbMotion motion{savePartsOf(environment, "environment"), savePartsOf(part, "part"), "moving part",
-                           keysOf(PathLine(path, turnRadius))};
+                           keysOf(PathLine(path, turnRadius)), metres};
     replaceFile(file, [&](std::ostream& stream) { writeMovingGlb(motion, stream); });
 }
 

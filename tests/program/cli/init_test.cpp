@@ -79,6 +79,55 @@ BOOST_AUTO_TEST_CASE(the_room_that_a_part_takes_is_written) {
     BOOST_TEST(runIn(folder, "check p.cfg o.path --swept-tolerance 1").code == 2);
 }
 
+BOOST_AUTO_TEST_CASE(lengths_carry_the_unit_that_the_problem_states) {
+    const MeshFolder folder;
+    runIn(folder, "init block.obj rest.obj --out p.cfg");
+    const std::string text = readText(folder.file("p.cfg"));
+    const auto write = [&](const std::string& unit) {
+        folder.write("u.cfg", text + "unit = " + unit + "\n");
+    };
+    write("mm");
+    const Outcome planned =
+        runIn(folder, "plan u.cfg --path o.path --quick --iterations 5000 --export o.glb --json f.json");
+    BOOST_TEST(planned.code == 0, planned.err);
+    for (const char* label : {"length", "margin", "floor", "  on the part", "  pose of the part"})
+        BOOST_TEST(row(planned, label).find(" mm") != std::string::npos, label);
+    BOOST_TEST(row(planned, "export") == "o.glb, in metres");
+    BOOST_TEST(nlohmann::json::parse(readText(folder.file("f.json")))["unit"] == "mm");
+    const Outcome checked = runIn(folder, "check u.cfg o.path --brief --csv o.csv");
+    BOOST_TEST(checked.out.find("segment  verdict") == std::string::npos);
+    for (const char* label :
+         {"least clearance", "  on the path", "  on the part", "  on the obstacle", "  pose of the part"})
+        BOOST_TEST(row(checked, label) == row(planned, label));
+    BOOST_TEST(readText(folder.file("o.csv")).find(",block,") != std::string::npos);
+    BOOST_TEST(runIn(folder, "info u.cfg").out.find(" mm, between 'block'") != std::string::npos);
+    BOOST_TEST(runIn(folder, "check p.cfg o.path").out.find(" mm") == std::string::npos);
+    write("yards");
+    requireRefused(folder, "plan u.cfg --path o.path",
+                   {"[clearway] unit is 'yards'", "um, mm, cm, m, km, in, ft"});
+}
+
+BOOST_AUTO_TEST_CASE(facts_of_other_subcommands_are_json_too) {
+    const MeshFolder folder;
+    const auto factsOf = [&](const std::string& words) {
+        const Outcome told = runIn(folder, words + " --json -");
+        BOOST_TEST(told.code == 0, told.err);
+        return nlohmann::json::parse(told.out);
+    };
+    const auto made = factsOf("init block.obj rest.obj --out p.cfg");
+    BOOST_TEST(made["part"]["closed"].get<bool>());
+    BOOST_TEST(made["clearance_at_start"].get<double>() == 0.5, boost::test_tools::tolerance(1e-6));
+    const auto problem = factsOf("info p.cfg");
+    BOOST_TEST(problem["at_start"]["valid"].get<bool>());
+    BOOST_TEST(problem["at_start"]["pair"]["part"]["mesh"] == "block");
+    BOOST_TEST(problem["goal"] == "outside");
+    BOOST_TEST(problem["unit"].is_null());
+    BOOST_TEST(problem["environment"]["triangles"] == 24);
+    BOOST_TEST(factsOf("info block.obj")["mesh"]["tree"]["triangles"] == 12);
+    const auto bench = factsOf("bench p.cfg --runs 1 --time 5 --planner RRTConnect --log b.log");
+    BOOST_TEST(bench["planners"][0]["runs"].size() == 1u);
+}
+
 BOOST_AUTO_TEST_CASE(words_that_are_nearly_right_are_told) {
     const TemporaryFolder folder;
     BOOST_TEST(runIn(folder, "pln").err.find("(did you mean 'plan'?)") != std::string::npos);

@@ -83,7 +83,7 @@ struct Exported {
     WindowScene window = windowScene();
     std::vector<PartState> path = turningPath();
     std::string file = folder.file("motion.glb");
-    Exported() { exportMotion(window.partMesh, window.wallMesh, path, 30, file); }
+    Exported() { exportMotion(window.partMesh, window.wallMesh, path, 30, 1, file); }
 };
 
 }  // namespace
@@ -179,9 +179,23 @@ BOOST_AUTO_TEST_CASE(another_reader_finds_the_scene_upright_and_the_part_moving)
     BOOST_TEST((turned == aiVector3D(1, 3, -2)));
 }
 
+BOOST_AUTO_TEST_CASE(with_a_known_unit_the_scene_is_in_metres) {
+    const Exported exported;
+    exportMotion(exported.window.partMesh, exported.window.wallMesh, exported.path, 30, 0.001, exported.file);
+    Assimp::Importer importer;
+    const aiScene* scene = importer.ReadFile(exported.file, aiProcess_ValidateDataStructure);
+    BOOST_TEST_REQUIRE(scene != nullptr, importer.GetErrorString());
+    const aiNode* node = scene->mRootNode->FindNode("moving part");
+    BOOST_TEST_REQUIRE(node != nullptr);
+    BOOST_TEST(node->mTransformation.a4 == -60);
+    const aiVector3D placed = node->mParent->mTransformation * aiVector3D(1000, 2000, 3000);
+    BOOST_TEST((placed - aiVector3D(1, 3, -2)).Length() < 1e-6f);
+}
+
 BOOST_AUTO_TEST_CASE(a_single_state_is_a_motion_that_rests) {
     Exported exported;
-    exportMotion(exported.window.partMesh, exported.window.wallMesh, {exported.path[1]}, 30, exported.file);
+    exportMotion(exported.window.partMesh, exported.window.wallMesh, {exported.path[1]}, 30, 1,
+                 exported.file);
     const Glb glb(readText(exported.file));
     BOOST_TEST(
         glb.rows<float>(
@@ -194,7 +208,7 @@ BOOST_AUTO_TEST_CASE(other_endings_are_refused) {
     const Exported exported;
     for (const char* name : {"motion.gltf", "motion", "motion.fbx"}) {
         BOOST_CHECK_EXCEPTION(exportMotion(exported.window.partMesh, exported.window.wallMesh, exported.path,
-                                           30, exported.folder.file(name)),
+                                           30, 1, exported.folder.file(name)),
                               std::invalid_argument, [](const std::exception& error) {
                                   return std::string(error.what()).find("expected .glb") != std::string::npos;
                               });

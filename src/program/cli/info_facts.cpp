@@ -1,0 +1,132 @@
+#include "program/cli/info_facts.h"
+
+#include <nlohmann/json.hpp>
+
+#include "mesh/topology.h"
+
+namespace clearway::cli {
+
+namespace {
+
+template <class Number>
+Json orNull(const std::optional<Number>& number) {
+    return number ? Json(*number) : Json();
+}
+
+Json namesOf(const NamedTexts& texts) {
+    Json json = Json::object();
+    for (const auto& [name, value] : texts) json[name] = value;
+    return json;
+}
+
+Json componentFacts(const std::vector<Component>& components) {
+    Json json = Json::array();
+    for (const Component& component : components)
+        json.push_back({{"name", component.name}, {"triangles", component.triangleCount}});
+    return json;
+}
+
+Json treeFacts(const BuildReport& report) {
+    const TreeStatistics& tree = report.tree;
+    return {{"general_split", report.options.generalSplit},
+            {"leaf_split", report.options.leafSplit},
+            {"leaf_size", report.options.leafSize},
+            {"nodes", tree.nodes},
+            {"mean_children", toJson(tree.meanChildren)},
+            {"leaves", tree.leaves},
+            {"leaves_by_size", tree.leavesBySize},
+            {"depth", tree.depth},
+            {"bytes", tree.bytes},
+            {"build_seconds", toJson(report.seconds)},
+            {"triangles", report.triangles},
+            {"out_of_reach", report.unreachableTriangles}};
+}
+
+Json contactFacts(const std::optional<ContactRule>& contact) {
+    if (!contact) return nullptr;
+    return {{"obstacles", contact->names}, {"distance", toJson(contact->distance)}};
+}
+
+}  // namespace
+
+Json meshFacts(const Mesh& mesh, const CleanMesh& cleaned, const Model& model) {
+    const MeshOrigin& origin = mesh.origin;
+    const EdgeReport edges = checkEdges(cleaned.triangles);
+    const CleanReport& report = cleaned.report;
+    return {{"file", origin.file},
+            {"scale", toJson(origin.scale)},
+            {"shift", toJson(origin.shift)},
+            {"notes", origin.notes},
+            {"faces_left_out", origin.ignoredFaces},
+            {"box", toJson(boundingBox(mesh))},
+            {"triangles", mesh.triangles.size()},
+            {"vertices", {{"read", mesh.vertices.size()}, {"different", cleaned.vertices.size()}}},
+            {"components", componentFacts(mesh.components)},
+            {"closed", edges.closedEdges > 0 && edges.isClosed()},
+            {"edges",
+             {{"of_one_triangle", edges.openEdges},
+              {"of_more_than_two", edges.overfullEdges},
+              {"with_neighbours_facing_apart", edges.twistedEdges}}},
+            {"cleaning",
+             {{"welded", report.weldedVertices},
+              {"unused", report.unusedVertices},
+              {"without_area", report.degenerateTriangles},
+              {"duplicates_dropped", report.duplicateTriangles}}},
+            {"tree", treeFacts(model.report())}};
+}
+
+Json problemFacts(const Problem& problem, const Box& bounds) {
+    Json json = {{"name", problem.name},
+                 {"space", problem.space == Space::kSe3 ? "SE(3)" : "SE(2)"},
+                 {"start", toJson(problem.start)},
+                 {"goal", problem.outside ? Json("outside") : toJson(problem.goal)},
+                 {"bounds", toJson(bounds)},
+                 {"bounds_stated", problem.volume.has_value()},
+                 {"objective", problem.objective},
+                 {"objective_threshold", orNull(problem.objectiveThreshold)},
+                 {"sampler", problem.sampler},
+                 {"goal_threshold", orNull(problem.goalThreshold)},
+                 {"settings", namesOf(problem.settings)},
+                 {"margin", toJson(problem.margin)},
+                 {"contact_start", contactFacts(problem.rules.startContact)},
+                 {"contact_goal", contactFacts(problem.rules.goalContact)},
+                 {"fineness", orNull(problem.fineness)},
+                 {"reading", problem.asOmplApp ? "omplapp" : "stored"},
+                 {"planners", Json::array()},
+                 {"time_limit_seconds", orNull(problem.timeLimit)},
+                 {"memory_limit_megabytes", orNull(problem.memoryLimit)},
+                 {"runs", orNull(problem.runCount)},
+                 {"warnings", problem.warnings}};
+    if (problem.outside && problem.outside->side) json["outside"] = nameOf(*problem.outside->side);
+    for (const PlannerChoice& planner : problem.planners)
+        json["planners"].push_back({{"name", planner.name},
+                                    {"parameters", namesOf(planner.parameters)},
+                                    {"settings", namesOf(planner.settings)}});
+    return json;
+}
+
+Json obstacleFacts(const ObstacleGroups& obstacles) {
+    Json json = Json::array();
+    for (const ObstacleGroup& group : obstacles.groups)
+        json.push_back({{"components", componentFacts(group.mesh.components)},
+                        {"triangles", group.mesh.triangles.size()},
+                        {"margin", toJson(group.margin)},
+                        {"overlap", toJson(group.overlap)},
+                        {"solid", group.solids != nullptr},
+                        {"ignored_near_start", group.isIgnoredAtStart},
+                        {"ignored_near_goal", group.isIgnoredAtGoal}});
+    return json;
+}
+
+Json poseFacts(const planning::SceneClearance& clearance, const PartState& state) {
+    const Pose X_environmentPart = poseOf(state);
+    const std::string why = clearance.whyInvalid(X_environmentPart);
+    const planning::PoseClearance at = clearance.at(X_environmentPart);
+    const planning::MeshNames names = planning::meshNames(clearance.scene(), at.nearest);
+    return {{"valid", why.empty()},
+            {"why_not", why.empty() ? Json() : Json(why)},
+            {"clearance", toJson(at.lower)},
+            {"pair", closestPair(at.nearest, names.part, names.environment)}};
+}
+
+}  // namespace clearway::cli

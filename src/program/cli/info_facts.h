@@ -1,0 +1,24 @@
+// What `clearway info` shows, as JSON.
+#pragma once
+
+#include "clearway/model.h"
+#include "clearway/obstacle_groups.h"
+#include "clearway/planning/scene_clearance.h"
+#include "clearway/problem.h"
+#include "mesh/clean.h"
+#include "program/cli/facts.h"
+
+namespace clearway::cli {
+
+/// The mesh as it was read, the findings of cleaning, and the tree of the model that was built from it.
+Json meshFacts(const Mesh& mesh, const CleanMesh& cleaned, const Model& model);
+
+/// What the problem states. bounds: of the part's position.
+Json problemFacts(const Problem& problem, const Box& bounds);
+
+Json obstacleFacts(const ObstacleGroups& obstacles);
+
+/// Whether the part is valid there; if not, why; if so, how far from what.
+Json poseFacts(const planning::SceneClearance& clearance, const PartState& state);
+
+}  // namespace clearway::cli
