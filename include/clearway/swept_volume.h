@@ -21,12 +21,13 @@ struct SweptVolumeOptions {
 
 /// A closed mesh, each edge of which belongs to two triangles, in the environment's frame. It holds the part at every
 /// pose of the motions, and no point of its surface is further than the tolerance from the part at some pose. What is
-/// inside a closed component of the part at some pose is inside the mesh; other rooms that the part never enters are
-/// left out, as cavities where they are closed in.
+/// inside a closed component of the part at some pose is inside the mesh. Closed rooms that the part never enters are
+/// left out as cavities, or filled if they are narrower than four tolerances.
 ///
-/// The distance from a point to the part's nearest place changes no faster than places. So tetrahedra smaller than the
-/// tolerance tell where it is half the tolerance, by the distances of their corners ("marching tetrahedra"); larger
-/// ones do where it is far from that. Time and memory grow with the surface's area over the tolerance's square.
+/// The surface lies at half the tolerance from the part's places ("marching tetrahedra"). In small tetrahedra the
+/// distances of corners show that it is off the part and near it. In larger ones, which suffice at flat and slightly
+/// bent places, its triangles are certified: that the part keeps off them along all motions, and that they are near
+/// one place. Time and memory grow with the area of the bent surface over the tolerance's square.
 ///
 /// Throws std::invalid_argument when an option is out of its range, there is no motion, or the tolerance takes more
 /// than eight million points.

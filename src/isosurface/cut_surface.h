@@ -2,7 +2,9 @@
 // tetrahedra"; Doi and Koide, IEICE Trans. E74-D, 1991). Where the tetrahedra conform, it is closed.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "clearway/mesh.h"
@@ -20,7 +22,19 @@ struct CutSurface {
     std::vector<std::uint32_t> tetrahedra;  ///< the one in which each triangle lies
 };
 
-/// heights: one for each vertex, at least 0 inside.
-CutSurface cutSurface(const Tetrahedra& tetrahedra, const std::vector<double>& heights);
+/// An edge that the surface crosses.
+struct CutEdge {
+    std::uint32_t inner, outer;  ///< vertices
+};
+
+/// The edges that give the corners of a tetrahedron's triangles, of which there are at most two. Triangles of a
+/// right-handed tetrahedron face outwards, those of others inwards.
+std::vector<std::array<CutEdge, 3>> surfaceIn(const std::array<std::uint32_t, 4>& corners,
+                                              const std::vector<double>& heights);
+
+/// heights: one for each vertex, at least 0 inside. pointOn: where the surface crosses the edge between an inner and an
+/// outer vertex; by default cutPoint.
+CutSurface cutSurface(const Tetrahedra& tetrahedra, const std::vector<double>& heights,
+                      const std::function<Vector3(std::uint32_t inner, std::uint32_t outer)>& pointOn = {});
 
 }  // namespace clearway

@@ -7,18 +7,15 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <stdexcept>
 #include <string>
+#include <unordered_map>
 
-#include "clearway/model.h"
 #include "core/number.h"
 #include "isosurface/cut_surface.h"
 #include "isosurface/tetrahedra.h"
-#include "mesh/renumber.h"
-#include "mesh/topology.h"
-#include "model/solids.h"
+#include "swept/place_distances.h"
 
 namespace clearway {
 namespace {
@@ -26,87 +23,23 @@ namespace {
 constexpr std::size_t kMostVertices = 8'000'000;
 constexpr std::size_t kBlock = 64;  ///< points between two questions whether to stop
 
-// Shares of the tolerance. A point of the surface is less than kEdge from a corner on either side, whose distance to
-// the part is kLevel with an error of kError; kLevel - kEdge - kError is more than 0, kLevel + kEdge + kError less
-// than 1, both with an eighth to spare for the error of poses.
-constexpr double kLevel = 0.5, kEdge = 0.3, kError = 1.0 / 32;
-constexpr double kErrorShare = 0.1;  ///< of a distance: how little need be known of larger ones
-constexpr double kMostPoseError = 0.125;
+// Shares of the tolerance. In a tetrahedron with edges of at most kEdge, a point of the surface is less than kEdge from
+// a corner on either side, whose distance to the part is kLevel with an error of a 32nd: it is certain to be off the
+// part, and within the tolerance of it, both with an eighth to spare for the error of poses.
+constexpr double kLevel = 0.5, kEdge = 0.3, kMostPoseError = 0.125;
+constexpr double kCoarsest = 16;  ///< larger tetrahedra are halved without a look at the surface in them
+constexpr double kRoom = 4;       ///< closed rooms that are narrower may be filled
+constexpr double kLeastApart =
+    0.1;  ///< the surface in larger tetrahedra is certified to be so far from the part
+constexpr double kLeastStep = 0.05;  ///< of a search along an edge
+constexpr int kMostSteps = 24;
+constexpr int kMostQuarterings = 2;       ///< of a triangle of the surface, to show that it is near the part
+constexpr double kLeastShare = 1.0 / 64;  ///< of an edge: points of the surface keep so far from its ends
 
-/// Bounds of a point's distance to the part's nearest place.
-struct PlaceDistance {
-    double lower, upper;
-};
+using Corners = std::array<std::uint32_t, 4>;
 
-/// The part's way along one motion, and a ball that holds it.
-struct Motion {
-    RigidMotion motion;
-    Vector3 centre;
-    double radius;
-};
-
-Mesh pointAtOrigin() {
-    Mesh mesh;
-    mesh.vertices = {Vector3::Zero()};
-    mesh.triangles = {{0, 0, 0}};
-    return mesh;
-}
-
-class PlaceDistances {
-  public:
-    PlaceDistances(const Mesh& part, const std::vector<RigidMotion>& motions, double tolerance,
-                   double poseError)
-        : part_(Model::build(part)),
-          point_(Model::build(pointAtOrigin())),
-          tolerance_(tolerance),
-          poseError_(poseError) {
-        const Vector3 centre = part_.box().center();
-        const double radius = 0.5 * part_.box().diagonal().norm();
-        for (const RigidMotion& motion : motions) {
-            // The centre's way is no longer than the translation and its arc about the origin.
-            const double reach = 0.5 * (motion.translation.norm() + motion.turn.norm() * centre.norm());
-            const Pose middle = piecesOf(motion, part_)(0, 1).middle;
-            motions_.push_back({motion, middle * centre, radius + reach + poseError});
-            box_.extend(Box(motions_.back().centre - Vector3::Constant(motions_.back().radius),
-                            motions_.back().centre + Vector3::Constant(motions_.back().radius)));
-        }
-    }
-
-    const Box& box() const { return box_; }  ///< holds all places
-    const Model& part() const { return part_; }
-
-    /// first: the number of the motion that is asked first, and then of the nearest one.
-    PlaceDistance at(const Vector3& point, std::size_t& first, Workspace& workspace) const {
-        PlaceDistance least{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
-        const std::size_t begin = first;
-        for (std::size_t i = 0; i < motions_.size(); ++i) {
-            const std::size_t k = i == 0 ? begin : i <= begin ? i - 1 : i;
-            const Motion& motion = motions_[k];
-            if ((point - motion.centre).norm() - motion.radius >= least.lower) continue;
-            const PlaceDistance found = along(motion.motion, point, least.upper, workspace);
-            if (found.upper < least.upper) first = k;
-            least = {std::min(least.lower, found.lower), std::min(least.upper, found.upper)};
-        }
-        return least;
-    }
-
-  private:
-    PlaceDistance along(RigidMotion motion, const Vector3& point, double cap, Workspace& workspace) const {
-        motion.start.translation -= point;
-        LeastDistanceOptions options;
-        options.poseError = poseError_;
-        options.cap = cap;
-        options.resolution = {kErrorShare, kErrorShare, 0, kError * tolerance_};
-        const LeastDistance found = leastDistance(part_, point_, piecesOf(motion, part_), options, workspace);
-        return {std::max(found.lower, 0.0), found.upper};
-    }
-
-    Model part_, point_;
-    double tolerance_, poseError_;
-    std::vector<Motion> motions_;
-    Box box_;
-};
-
+/// Marches tetrahedra along the surface. They are halved until each of them is certain to hold no piece of the surface,
+/// or a piece that is off the part and near it.
 class Sweeping {
   public:
     Sweeping(const PlaceDistances& distances, const SweptVolumeOptions& options)
@@ -120,7 +53,13 @@ class Sweeping {
             if (isStopped_) return {};
             open_ = tetrahedra_.makeConforming();
         }
-        return cutSurface(tetrahedra_, heights_).mesh;
+        const auto pointOn = [&](std::uint32_t inner, std::uint32_t outer) {
+            const auto found = cutPoints_.find(keyOf(inner, outer));
+            if (found != cutPoints_.end()) return found->second;
+            const auto& v = tetrahedra_.vertices();
+            return cutPoint(v[inner], heights_[inner], v[outer], heights_[outer]);
+        };
+        return cutSurface(tetrahedra_, heights_, pointOn).mesh;
     }
 
   private:
@@ -128,16 +67,22 @@ class Sweeping {
         return Box(box.min() - Vector3::Constant(by), box.max() + Vector3::Constant(by));
     }
 
+    static std::uint64_t keyOf(std::uint32_t inner, std::uint32_t outer) {
+        return (std::uint64_t(inner) << 32) | outer;
+    }
+
     void refine() {
         while (!open_.empty()) {
             measureNewVertices();
+            findCutPoints();
+            const std::vector<char> isSettled = judge();
             if (isStopped_) return;
             std::vector<std::size_t> next;
-            for (const std::size_t i : open_) {
-                if (isSettled(tetrahedra_.all()[i].corners)) continue;
-                next.push_back(i);
+            for (std::size_t i = 0; i < open_.size(); ++i) {
+                if (isSettled[i]) continue;
+                next.push_back(open_[i]);
                 next.push_back(tetrahedra_.all().size());
-                tetrahedra_.bisect(i);
+                tetrahedra_.bisect(open_[i]);
             }
             open_ = std::move(next);
             if (tetrahedra_.vertices().size() > kMostVertices) {
@@ -148,49 +93,162 @@ class Sweeping {
         }
     }
 
+    /// Calls work(i, workspace) for i below count, in parallel, until the caller wants it to stop.
+    template <class Work>
+    void forEach(std::size_t count, const Work& work) {
+        tbb::parallel_for(std::size_t(0), (count + kBlock - 1) / kBlock, [&](std::size_t block) {
+            if (isStopped_ || (options_.isStopped && options_.isStopped())) {
+                isStopped_ = true;
+                return;
+            }
+            Workspace& workspace = workspaces_.local();
+            workspace.forgetWarmStart();
+            for (std::size_t i = block * kBlock; i < std::min(count, (block + 1) * kBlock); ++i)
+                work(i, workspace);
+        });
+    }
+
     void measureNewVertices() {
         const std::size_t first = places_.size();
         const auto& vertices = tetrahedra_.vertices();
         places_.resize(vertices.size());
         heights_.resize(vertices.size());
-        tbb::parallel_for(
-            std::size_t(0), (vertices.size() - first + kBlock - 1) / kBlock, [&](std::size_t block) {
-                if (isStopped_ || (options_.isStopped && options_.isStopped())) {
-                    isStopped_ = true;
-                    return;
-                }
-                Workspace& workspace = workspaces_.local();
-                workspace.forgetWarmStart();
-                std::size_t nearest = 0;
-                const std::size_t from = first + block * kBlock,
-                                  to = std::min(vertices.size(), from + kBlock);
-                for (std::size_t i = from; i < to; ++i) {
-                    places_[i] = distances_.at(vertices[i], nearest, workspace);
-                    heights_[i] = kLevel * options_.tolerance - 0.5 * (places_[i].lower + places_[i].upper);
-                }
-            });
+        forEach(vertices.size() - first, [&](std::size_t k, Workspace& workspace) {
+            const std::size_t i = first + k;
+            places_[i] = placeOf(vertices[i], workspace);
+            const double distance = middle(places_[i]);
+            const bool isInside = distance > level() && distances_.isInMaterial(vertices[i]);
+            heights_[i] = level() - (isInside ? -distance : distance);
+        });
     }
 
-    /// Whether the part never comes into the tetrahedron, or it is near the part everywhere, or is small.
-    bool isSettled(const std::array<std::uint32_t, 4>& c) const {
+    PlaceDistance placeOf(const Vector3& point, Workspace& workspace) const {
+        std::size_t& nearest = nearestMotion_.local();
+        return distances_.at(point, nearest, workspace);
+    }
+
+    static double middle(const PlaceDistance& place) { return 0.5 * (place.lower + place.upper); }
+    double level() const { return kLevel * options_.tolerance; }
+
+    /// Finds where the surface crosses the edges of open tetrahedra that it may cross without being halved.
+    void findCutPoints() {
+        std::vector<std::uint64_t> edges;
+        for (const std::size_t i : open_) {
+            const Corners& c = tetrahedra_.all()[i].corners;
+            if (isUncut(c) || isSmall(c) || isLarge(c)) continue;
+            for (const std::uint32_t inner : c) {
+                for (const std::uint32_t outer : c) {
+                    if (heights_[inner] >= 0 && heights_[outer] < 0 && !cutPoints_.count(keyOf(inner, outer)))
+                        edges.push_back(keyOf(inner, outer));
+                }
+            }
+        }
+        std::sort(edges.begin(), edges.end());
+        edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+        std::vector<Vector3> points(edges.size());
+        forEach(edges.size(), [&](std::size_t i, Workspace& workspace) {
+            points[i] = crossing(static_cast<std::uint32_t>(edges[i] >> 32),
+                                 static_cast<std::uint32_t>(edges[i]), workspace);
+        });
+        for (std::size_t i = 0; i < edges.size(); ++i) cutPoints_.emplace(edges[i], points[i]);
+    }
+
+    /// Goes from the outer end as far as the distance to the part allows, until that is the surface's.
+    Vector3 crossing(std::uint32_t inner, std::uint32_t outer, Workspace& workspace) const {
+        const Vector3 &from = tetrahedra_.vertices()[outer], &to = tetrahedra_.vertices()[inner];
+        const double length = (to - from).norm(), step = kLeastStep * options_.tolerance;
+        double way = -heights_[outer];
+        for (int i = 0; i < kMostSteps && way < length; ++i) {
+            const double spare = middle(placeOf(from + way / length * (to - from), workspace)) - level();
+            if (spare <= step) break;
+            way += spare;
+        }
+        return from + std::clamp(way / length, kLeastShare, 1 - kLeastShare) * (to - from);
+    }
+
+    std::vector<char> judge() {
+        std::vector<char> isDone(open_.size());
+        forEach(open_.size(), [&](std::size_t i, Workspace& workspace) {
+            isDone[i] = isSettled(tetrahedra_.all()[open_[i]].corners, workspace);
+        });
+        return isDone;
+    }
+
+    bool isSettled(const Corners& c, Workspace& workspace) const {
+        if (isSmall(c)) return true;
+        if (isUncut(c)) return isSettledWithoutSurface(c);
+        return !isLarge(c) && isSurfaceGood(c, workspace);
+    }
+
+    double longestEdge(const Corners& c) const {
         const auto& v = tetrahedra_.vertices();
         double longest = 0;
-        for (int i = 0; i < 4; ++i) {
-            double reach = 0;
-            for (int j = 0; j < 4; ++j) reach = std::max(reach, (v[c[j]] - v[c[i]]).norm());
-            const double spare = kMostPoseError * options_.tolerance;
-            if (isUncut(c) && (places_[c[i]].lower > reach + spare ||
-                               places_[c[i]].upper + reach + spare <= options_.tolerance))
-                return true;
-            longest = std::max(longest, reach);
-        }
-        return longest <= kEdge * options_.tolerance;
+        for (int i = 0; i < 4; ++i)
+            for (int j = 0; j < i; ++j) longest = std::max(longest, (v[c[i]] - v[c[j]]).norm());
+        return longest;
     }
 
-    bool isUncut(const std::array<std::uint32_t, 4>& c) const {
+    bool isSmall(const Corners& c) const { return longestEdge(c) <= kEdge * options_.tolerance; }
+    bool isLarge(const Corners& c) const { return longestEdge(c) > kCoarsest * options_.tolerance; }
+
+    bool isUncut(const Corners& c) const {
         const auto inside =
             std::count_if(c.begin(), c.end(), [&](std::uint32_t v) { return heights_[v] >= 0; });
         return inside == 0 || inside == 4;
+    }
+
+    /// Whether the part's surface never comes into the tetrahedron, or the tetrahedron is all inside and either near the
+    /// part or too narrow to hold a room that counts.
+    bool isSettledWithoutSurface(const Corners& c) const {
+        const auto& v = tetrahedra_.vertices();
+        const double spare = kMostPoseError * options_.tolerance;
+        const bool isInside = heights_[c[0]] >= 0;
+        for (int i = 0; i < 4; ++i) {
+            double reach = 0;
+            for (int j = 0; j < 4; ++j) reach = std::max(reach, (v[c[j]] - v[c[i]]).norm());
+            if (places_[c[i]].lower > reach + spare) return true;
+            if (isInside && places_[c[i]].upper + reach + spare <= options_.tolerance) return true;
+        }
+        return isInside && longestEdge(c) <= kRoom * options_.tolerance;
+    }
+
+    /// Whether the surface in the tetrahedron is off the part at all poses, and near it everywhere. So each connected
+    /// piece of the part stays on one side of the surface, and that is the inside: the point of the piece that
+    /// holdsPiece() knows is in a small or an uncut tetrahedron.
+    bool isSurfaceGood(const Corners& corners, Workspace& workspace) const {
+        const auto& v = tetrahedra_.vertices();
+        const Vector3 centre = 0.25 * (v[corners[0]] + v[corners[1]] + v[corners[2]] + v[corners[3]]);
+        double radius = 0;
+        for (const std::uint32_t c : corners) radius = std::max(radius, (v[c] - centre).norm());
+        if (distances_.holdsPiece(centre, radius, workspace)) return false;
+        for (const auto& edges : surfaceIn(corners, heights_)) {
+            SurfaceTriangle triangle;
+            for (int i = 0; i < 3; ++i) triangle[i] = cutPoints_.at(keyOf(edges[i].inner, edges[i].outer));
+            if (!isNear(triangle, kMostQuarterings, workspace) ||
+                !distances_.areApart(triangle, kLeastApart * options_.tolerance, workspace))
+                return false;
+        }
+        return true;
+    }
+
+    bool isNear(const SurfaceTriangle& triangle, int quarterings, Workspace& workspace) const {
+        const double most = (1 - kMostPoseError) * options_.tolerance;
+        const Vector3 centre = (triangle[0] + triangle[1] + triangle[2]) / 3;
+        const PlaceDistance place = placeOf(centre, workspace);
+        if (place.upper > most) return false;
+        double radius = 0;
+        for (const Vector3& corner : triangle) radius = std::max(radius, (corner - centre).norm());
+        if (place.upper + radius <= most) return true;
+        if (distances_.isWithinOfOnePlace(triangle, most, place, workspace)) return true;
+        if (quarterings == 0) return false;
+        const Vector3 ab = 0.5 * (triangle[0] + triangle[1]), bc = 0.5 * (triangle[1] + triangle[2]),
+                      ca = 0.5 * (triangle[2] + triangle[0]);
+        for (const SurfaceTriangle& quarter :
+             {SurfaceTriangle{triangle[0], ab, ca}, SurfaceTriangle{triangle[1], bc, ab},
+              SurfaceTriangle{triangle[2], ca, bc}, SurfaceTriangle{ab, bc, ca}}) {
+            if (!isNear(quarter, quarterings - 1, workspace)) return false;
+        }
+        return true;
     }
 
     const PlaceDistances& distances_;
@@ -199,31 +257,11 @@ class Sweeping {
     std::vector<std::size_t> open_;
     std::vector<PlaceDistance> places_;  ///< of the vertices
     std::vector<double> heights_;        ///< of the vertices
+    std::unordered_map<std::uint64_t, Vector3> cutPoints_;
     std::atomic<bool> isStopped_{false};
     tbb::enumerable_thread_specific<Workspace> workspaces_;
+    mutable tbb::enumerable_thread_specific<std::size_t> nearestMotion_{std::size_t(0)};
 };
-
-/// Leaves out shells that lie in the part's material. The part's surface never touches a shell, so all of the shell is
-/// in the material at all poses, or nothing of it at any.
-Mesh withoutInnerShells(const Mesh& swept, const Mesh& part, const Pose& X_environmentPart) {
-    const Shells shells = findShells(swept.triangles);
-    const std::shared_ptr<const Solids> solids = makeSolids(part).solids;
-    std::vector<std::optional<bool>> isKept(shells.count);
-    Mesh kept;
-    for (std::size_t t = 0; t < swept.triangles.size(); ++t) {
-        std::optional<bool>& keeps = isKept[shells.ofTriangle[t]];
-        if (!keeps) {
-            Mesh point;
-            point.vertices = {swept.vertices[swept.triangles[t][0]]};
-            point.triangles = {{0, 0, 0}};
-            keeps = !solids->holding(X_environmentPart, Solids(point), {});
-        }
-        if (*keeps) kept.triangles.push_back(swept.triangles[t]);
-    }
-    kept.vertices = takeUsedVertices(swept.vertices, kept.triangles);
-    kept.components = {{"swept volume", 0, static_cast<std::uint32_t>(kept.triangles.size())}};
-    return kept;
-}
 
 void requireOptions(const std::vector<RigidMotion>& motions, const SweptVolumeOptions& options) {
     const auto refuse = [](const std::string& name, double value, const std::string& expected) {
@@ -243,9 +281,9 @@ Mesh sweptVolume(const Mesh& part, const std::vector<RigidMotion>& motions,
                  const SweptVolumeOptions& options) {
     requireOptions(motions, options);
     const PlaceDistances distances(part, motions, options.tolerance, options.poseError);
-    const Mesh swept = Sweeping(distances, options).run();
-    if (swept.triangles.empty()) return {};
-    return withoutInnerShells(swept, part, motions[0].start);
+    Mesh swept = Sweeping(distances, options).run();
+    swept.components = {{"swept volume", 0, static_cast<std::uint32_t>(swept.triangles.size())}};
+    return swept.triangles.empty() ? Mesh() : swept;
 }
 
 }  // namespace clearway
