@@ -442,8 +442,9 @@ bool isInSome(const Mesh& part, const Vector3& point) {
 }
 
 BOOST_AUTO_TEST_CASE(depths_in_scenes_whose_parts_have_components_that_meet_end_at_their_outside) {
-    for (const char* name :
-         {"tunnel-console-small/tunnel-console_part.obj", "apartment/apartment_part.obj"}) {
+    std::vector<std::string> names = {"apartment/apartment_part.obj"};
+    if (isFullRun()) names.push_back("tunnel-console-small/tunnel-console_part.obj");
+    for (const std::string& name : names) {
         const Mesh part = loadMesh(std::string(CLEARWAY_DATA_DIR) + "/" + name);
         const double fineness = 0.001 * boundingBox(part).diagonal().norm();
         const SurfaceDepth surface(part, fineness);
@@ -451,7 +452,7 @@ BOOST_AUTO_TEST_CASE(depths_in_scenes_whose_parts_have_components_that_meet_end_
         BOOST_TEST(surface.bodyNames().size() < part.components.size());
         Random random(9);
         Workspace workspace;
-        for (int n = 0; n < (isFullRun() ? 300 : 4);) {
+        for (int n = 0; n < (isFullRun() ? 300 : 1);) {
             const auto& t = part.triangles[std::size_t(random.below(int(part.triangles.size())))];
             const Vector3 p = part.vertices[t[0]] + 10 * fineness * random.inBox(1);
             const SurfaceDepth::Place place = surface.at(p, workspace);

@@ -59,7 +59,7 @@ BOOST_AUTO_TEST_CASE(the_least_clearance_claimed_is_there_by_the_oracle) {
     const Scene scene{Model::build(part), Model::build(environment), problem.margin};
     const PlanReport report = found(problem, scene, withObjective("max_min_clearance", kTunnelSeconds));
     const testing::MeshOracle oracle(part, environment);
-    const double least = testing::leastDistance(oracle, report.path, problem, 200) - problem.margin;
+    const double least = testing::leastDistance(oracle, report.path, problem, 60) - problem.margin;
     BOOST_TEST(report.audit.lowerClearance > 0);
     BOOST_TEST(report.audit.lowerClearance <= least);
     BOOST_TEST(report.cost <= least);

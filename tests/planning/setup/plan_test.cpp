@@ -10,6 +10,7 @@
 
 #include "clearway/planning/planners.h"
 #include "planning/validity/ompl_states.h"
+#include "support/full_run.h"
 #include "support/oracle.h"
 #include "support/path_check.h"
 #include "support/processor_time.h"
@@ -48,9 +49,10 @@ PlanOptions withIterations(std::uint64_t iterations, std::uint32_t seed = 1) {
     return options;
 }
 
-BOOST_AUTO_TEST_CASE(the_path_keeps_the_margin_at_1000_interpolated_states_by_the_oracle) {
+BOOST_AUTO_TEST_CASE(the_path_keeps_the_margin_at_interpolated_states_by_the_oracle) {
+    const int states = testing::isFullRun() ? 1000 : 200;
     for (const double margin : {0.0, 2.0}) {
-        for (const std::uint32_t seed : {1u, 2u, 3u}) {
+        for (std::uint32_t seed = 1; seed <= (testing::isFullRun() ? 3 : 1); ++seed) {
             auto window = windowScene();
             window.scene.obstacles[0].margin = margin;
             const PlanReport report = plan(window.problem, window.scene, withIterations(200000, seed));
@@ -61,7 +63,7 @@ BOOST_AUTO_TEST_CASE(the_path_keeps_the_margin_at_1000_interpolated_states_by_th
                 BOOST_TEST(report.path.front().position == window.problem.start.position);
                 BOOST_TEST(report.path.back().position == window.problem.goal.position);
                 const testing::MeshOracle oracle(window.partMesh, window.wallMesh);
-                const double least = testing::leastDistance(oracle, report.path, window.problem, 1000);
+                const double least = testing::leastDistance(oracle, report.path, window.problem, states);
                 BOOST_TEST(least > margin);
                 const PathAudit& audit = report.audit;
                 BOOST_TEST(audit.isValid());
@@ -92,7 +94,7 @@ BOOST_AUTO_TEST_CASE(with_a_step_the_path_keeps_the_margin_between_the_checked_s
             BOOST_TEST(report.step == 1);
             BOOST_TEST(report.guard == 0.5);
             const testing::MeshOracle oracle(window.partMesh, window.wallMesh);
-            BOOST_TEST(testing::leastDistance(oracle, report.path, window.problem, 1000) > margin);
+            BOOST_TEST(testing::leastDistance(oracle, report.path, window.problem, 300) > margin);
             BOOST_TEST(report.audit.isValid());
             BOOST_TEST(report.audit.lowerClearance > 0);
             BOOST_TEST(report.warnings.empty());
@@ -116,7 +118,7 @@ BOOST_AUTO_TEST_CASE(repeatable_planners_give_the_same_path_bit_by_bit_and_it_is
     int found = 0;
     for (const std::string& name : plannerNames()) {
         if (!isRepeatable(name)) continue;
-        PlanOptions options = withIterations(1000, 8);
+        PlanOptions options = withIterations(testing::isFullRun() ? 1000 : 400, 8);
         options.planner = name;
         const PlanReport first = plan(window.problem, window.scene, options);
         const std::vector<char> elsewhere(1 << 20);  // so that the second run's memory lies elsewhere

@@ -14,7 +14,7 @@ namespace {
 
 /// Eight runs: two planners, two strategies, two seeds. RRTstar takes all of its time.
 constexpr const char* kStudy =
-    "bench --study leaf-strategies window.cfg --short --time 0.6 --planner RRTConnect --planner rrtstar "
+    "bench --study leaf-strategies window.cfg --short --time 0.3 --planner RRTConnect --planner rrtstar "
     "--general-split sah --leaf-split none --leaf-split all";
 
 struct StudyFolder : TemporaryFolder {
