@@ -94,7 +94,7 @@ void writePage(const Problem& problem, const Mesh& part, const Mesh& environment
     if (!planner.empty()) input.tables.push_back(tableOf("Planner", planner));
     input.tables.push_back(tableOf("Path", pathRows(path, audit)));
     if (!overlaps.empty()) input.tables.push_back(overlapTable(overlaps));
-    input.tables.push_back(report::segmentTable(audit, path, scene.part.radiusAboutOrigin()));
+    input.tables.push_back(report::segmentTable(audit, path, scene.part.radiusAboutOrigin(), input.unit));
     const report::WrittenReport written = writeReport(input, file);
     printRow("report", file + ", " + megabytes(written.bytes));
 }
