@@ -162,9 +162,35 @@ def writePeg(folder):
     return os.path.join(folder, "peg.cfg"), os.path.join(folder, "peg.path")
 
 
+def waitUntil(page, condition):
+    """Waits until the expression holds, at most 10 seconds."""
+    holds = page.run(f"""(async () => {{ for (const end = performance.now() + 10000; performance.now() < end;) {{
+        if ({condition}) return true;
+        await new Promise((done) => setTimeout(done, 10));
+    }} return false; }})()""")
+    require(holds, f"waited in vain until {condition}")
+
+
+# Sums of all pixels of the view and of the profile, which change with any pixel. Quicker than a picture of the screen.
+kSums = """(words) => { let sum = 0; words.forEach((word, i) => { sum = (sum + word * (i % 1009 + 1)) % 4294967291; }); return sum; }"""
+
+
 def viewSum(page):
-    nextFrames(page, 3)
-    return pixels(page, areaOf(page, "#view"))["sum"]
+    return page.run(f"""(() => {{
+        const view = clearwayReport.view, gl = view.renderer.getContext();
+        const words = new Uint32Array(gl.drawingBufferWidth * gl.drawingBufferHeight);
+        view.redraw();
+        gl.readPixels(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(words.buffer));
+        return ({kSums})(words);
+    }})()""")
+
+
+def profileSum(page):
+    return page.run(f"""(() => {{
+        const canvas = document.getElementById('profile');
+        const pixels = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+        return ({kSums})(new Uint32Array(pixels.data.buffer));
+    }})()""")
 
 
 def testFirstView(page):
@@ -207,11 +233,10 @@ def testObstacles(page):
 
 def testHover(page):
     page.run("document.getElementById('whole').click()")
-    page.run("new Promise(function look(done) { clearwayReport.isFlying ? requestAnimationFrame(() => look(done)) : done(); })")
     view = areaOf(page, "#view")
-    x, y = page.run("clearwayReport.placeInView([-60, -60, 5 - (clearwayReport.data.environment.low[2] + clearwayReport.data.environment.extent[2] - 9)])")
+    x, y = page.run("clearwayReport.placeInView([-60, -60, clearwayReport.data.environment.low[2] + clearwayReport.data.environment.extent[2] - 4])")
     page.ask("Input.dispatchMouseEvent", type="mouseMoved", x=view["x"] + x, y=view["y"] + y)
-    page.run("""new Promise(function look(done) { document.getElementById('hover').hidden ? setTimeout(() => look(done), 10) : done(); })""")
+    waitUntil(page, "!document.getElementById('hover').hidden")
     name = page.run("document.getElementById('hover').textContent")
     require(name.startswith("left"), f"under the pointer is '{name}', expected the plate's left side")
     page.press("h", "h")
@@ -247,8 +272,10 @@ def testContact(page):
 
 def testTightest(page):
     """The flight to the tightest place ends with the closest pair in the middle of the view, and the panel names the pair."""
+    page.emulate(("prefers-reduced-motion", "no-preference"))
     page.press("t", "t")
-    page.run("new Promise(function look(done) { clearwayReport.isFlying ? requestAnimationFrame(() => look(done)) : done(); })")
+    require(page.run("clearwayReport.isFlying"), "expected a flight to the tightest place")
+    waitUntil(page, "!clearwayReport.isFlying")
     view = areaOf(page, "#view")
     x, y = page.run("clearwayReport.placeInView(clearwayReport.frames[clearwayReport.data.tightest].pair[1])")
     require(abs(x - view["width"] / 2) < 40 and abs(y - view["height"] / 2) < 40, f"the closest pair is at {x}, {y}, expected the middle")
@@ -262,18 +289,20 @@ def testTightest(page):
 
 def testProfileModes(page):
     """The logarithmic profile and the look change what is drawn; the picture is that of the view."""
-    area = areaOf(page, "#profile")
-    linear = pixels(page, area)["sum"]
-    page.press("l", "l")
-    nextFrames(page, 2)
-    require(pixels(page, area)["sum"] != linear, "the logarithmic profile looks like the linear one")
-    page.press("l", "l")
-    light = page.run("getComputedStyle(document.body).backgroundColor")
+    linear, light = profileSum(page), viewSum(page)
+    middle = """(() => { const { range: [low, high], plot, isLogarithmic } = clearwayReport.profile, profile = clearwayReport.profile;
+        return profile.y(isLogarithmic ? Math.sqrt(low * high) : (low + high) / 2) - (plot.top + plot.bottom) / 2; })()"""
+    for isLogarithmic in (True, False):
+        page.press("l", "l")
+        require(page.run("clearwayReport.profile.isLogarithmic") == isLogarithmic, "expected the key l to switch the profile")
+        require(abs(page.run(middle)) < 1e-6, "expected the mean of the profile's range in its middle")
+        if isLogarithmic:
+            require(profileSum(page) != linear, "the logarithmic profile looks like the linear one")
     page.press("d", "d")
-    nextFrames(page, 3)
-    dark = page.run("getComputedStyle(document.body).backgroundColor")
-    require(light == "rgb(255, 255, 255)" and dark != light, f"the looks have the papers {light} and {dark}")
-    require(pixels(page, area)["sum"] != linear, "the dark look did not change the profile")
+    paper = page.run("getComputedStyle(document.body).backgroundColor")
+    require(paper != "rgb(255, 255, 255)", f"the dark look has the paper {paper}")
+    require(profileSum(page) != linear, "the dark look did not change the profile")
+    require(viewSum(page) != light, "the dark look did not change the view")
     size = page.run("""(() => { const canvas = clearwayReport.picture();
         const words = new Uint32Array(canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data.buffer);
         return [canvas.width, new Set(words).size]; })()""")
@@ -293,7 +322,7 @@ def testFits(page):
 
 
 def testWithoutWebGl(file):
-    page = browser.Page(file, flags=["--disable-3d-apis"], media=[("prefers-color-scheme", "dark")])
+    page = browser.Page(file, flags=["--disable-3d-apis"], look="dark")
     try:
         require(page.run("getComputedStyle(document.getElementById('failure')).display") != "none", "expected words in place of the view")
         require(page.run("document.documentElement.dataset.look") == "dark", "expected the look that the browser prefers")
@@ -310,7 +339,7 @@ def testWithoutWebGl(file):
 def testPeg(program, folder):
     file = os.path.join(folder, "peg.html")
     subprocess.run([program, "check", *writePeg(folder), "--report", file], stdout=subprocess.DEVNULL)  # the path collides
-    page = browser.Page(file, media=[("prefers-color-scheme", "light")])
+    page = browser.Page(file)
     try:
         for test in (testFirstView, testFits, testSwitches, testObstacles, testHover, testKeyboard, testContact, testTightest,
                      testProfileModes):

@@ -2,97 +2,110 @@
 
 const kMovingLayer = 0, kWallLayer = 1, kGhostLayer = 2;
 
-// Pictures with depths of the surroundings and of the ghosts, which stand still while the part moves. Every redraw
-// reuses them until the camera or the cut changes. Being pictures of the nearest surface, they can be laid over the
-// part as see-through sheets, in the order of their depths.
+// Pictures with depths of the surroundings and of the ghosts, which stand still while the part moves. At each pixel
+// one of them is in front of the other: a sheet shows the nearer ones, another the farther ones. Every redraw lays the
+// sheets over the part, see-through, until the camera or the cut changes.
 class StillLayers {
   constructor() {
-    this.wall = this.newTarget();
-    this.ghosts = this.newTarget();
-    // The surroundings with outlines, which a pass over the screen draws where their depth jumps.
-    this.inked = new THREE.WebGLRenderTarget(1, 1, { type: THREE.HalfFloatType, depthBuffer: false });
-    this.ink = { value: new THREE.Color() };
-    this.inking = new THREE.Scene();
-    this.inking.add(this.newInk());
+    const drawn = { samples: 4, type: THREE.HalfFloatType };
+    const stored = { minFilter: THREE.NearestFilter, magFilter: THREE.NearestFilter };
+    this.wall = this.newTarget(drawn);
+    this.ghosts = this.newTarget(drawn);
+    this.pictures = [this.newTarget(stored), this.newTarget(stored)];  // the farther one, the nearer one
     this.opacity = { value: 1 };
-    this.sheets = [this.sheet(false), this.sheet(true)];
+    this.ink = { value: new THREE.Color() };
+    this.range = { value: new THREE.Vector2() };
+    this.mixes = [this.newMix(false), this.newMix(true)];
+    this.sheets = this.pictures.map((picture, i) => this.newSheet(picture, i));
     this.isOld = true;
   }
 
-  newTarget() {
-    const target = new THREE.WebGLRenderTarget(1, 1, { samples: 4, type: THREE.HalfFloatType });
+  newTarget(options) {
+    const target = new THREE.WebGLRenderTarget(1, 1, options);
     target.depthTexture = new THREE.DepthTexture(1, 1, THREE.UnsignedIntType);
     return target;
   }
 
-  // A triangle over the whole screen. main: the body of its fragment shader, for the `place` from 0 to 1.
-  screen(uniforms, declarations, main, options) {
+  // A triangle over the whole screen. main: the body of its fragment shader.
+  newScreen(uniforms, declarations, main, options) {
     const geometry = new THREE.BufferGeometry();
     geometry.setAttribute('position', new THREE.Float32BufferAttribute([-1, -1, 0, 3, -1, 0, -1, 3, 0], 3));
     const screen = new THREE.Mesh(geometry, new THREE.ShaderMaterial({
-      uniforms, depthWrite: false, ...options,
-      vertexShader: 'varying vec2 place; void main() { place = 0.5 * position.xy + 0.5; gl_Position = vec4(position.xy, 0.0, 1.0); }',
-      fragmentShader: `varying vec2 place; ${declarations} void main() { ${main} }`,
+      uniforms, ...options,
+      vertexShader: 'void main() { gl_Position = vec4(position.xy, 0.0, 1.0); }',
+      fragmentShader: `#define fetch(picture) texelFetch(picture, ivec2(gl_FragCoord.xy), 0)
+        ${declarations}
+        void main() { ${main} }`,
     }));
     screen.frustumCulled = false;
     return screen;
   }
 
-  // The depth of a plane is linear on the screen, so that its second difference shows jumps alone. The pixel in front
-  // of a jump is inked when the jump is more than a small share of the distance.
-  newInk() {
-    this.range = { value: new THREE.Vector2() };
-    return this.screen(
-      { wall: { value: this.wall.texture }, depths: { value: this.wall.depthTexture }, ink: this.ink, range: this.range },
-      'uniform sampler2D wall; uniform highp sampler2D depths; uniform vec3 ink; uniform vec2 range;',
-      `ivec2 at = ivec2(gl_FragCoord.xy), last = textureSize(depths, 0) - 1;
-      #define depthAt(x, y) texelFetch(depths, clamp(at + ivec2(x, y), ivec2(0), last), 0).r
-      float depth = depthAt(0, 0);
-      float jump = max(depthAt(1, 0) + depthAt(-1, 0), depthAt(0, 1) + depthAt(0, -1)) - 2.0 * depth;
-      float away = range.x * range.y / (range.y - depth * (range.y - range.x));
-      float darkness = 0.75 * smoothstep(0.006, 0.015, jump * away / range.x);
-      vec4 colour = texture2D(wall, place);
-      gl_FragColor = vec4(mix(colour.rgb, ink * colour.a, darkness), colour.a);`,
-      { depthTest: false, blending: THREE.NoBlending });
+  // Picks the nearer or the farther one at each pixel, and inks the outlines of the surroundings. The depth of a plane
+  // is linear on the screen, so that its second difference shows jumps alone. The pixel in front of a jump is inked
+  // when the jump is more than a small share of the distance.
+  newMix(isNear) {
+    const scene = new THREE.Scene();
+    scene.add(this.newScreen(
+      {
+        wall: { value: this.wall.texture }, wallDepths: { value: this.wall.depthTexture },
+        ghosts: { value: this.ghosts.texture }, ghostDepths: { value: this.ghosts.depthTexture },
+        opacity: this.opacity, ink: this.ink, range: this.range, isNear: { value: isNear },
+      },
+      `uniform sampler2D wall, ghosts; uniform highp sampler2D wallDepths, ghostDepths;
+      uniform float opacity; uniform vec3 ink; uniform vec2 range; uniform bool isNear;
+      float depthBeside(ivec2 way) {
+        return texelFetch(wallDepths, clamp(ivec2(gl_FragCoord.xy) + way, ivec2(0), textureSize(wallDepths, 0) - 1), 0).r;
+      }
+      vec4 inked(vec4 colour, float depth) {
+        float jump = max(depthBeside(ivec2(1, 0)) + depthBeside(ivec2(-1, 0)), depthBeside(ivec2(0, 1)) + depthBeside(ivec2(0, -1)));
+        float away = range.x * range.y / (range.y - depth * (range.y - range.x));
+        float darkness = 0.75 * smoothstep(0.006, 0.015, (jump - 2.0 * depth) * away / range.x);
+        return vec4(mix(colour.rgb, ink * colour.a, darkness), colour.a);
+      }`,
+      `float wallDepth = fetch(wallDepths).r;
+      float ghostDepth = fetch(ghostDepths).r + 2e-6;  // behind the part, where the part is at its start or goal
+      bool isWall = (wallDepth <= ghostDepth) == isNear;
+      vec4 colour = isWall ? fetch(wall) : fetch(ghosts);
+      gl_FragColor = vec4(0.0);
+      gl_FragDepth = 1.0;
+      if (colour.a > 0.004) {
+        if (isWall) colour = inked(colour, wallDepth);
+        gl_FragColor = sRGBTransferOETF(vec4(colour.rgb / colour.a, colour.a * (isWall ? opacity : 1.0)));
+        gl_FragDepth = min(1.0, isWall ? wallDepth : ghostDepth);
+      }`,
+      { depthFunc: THREE.AlwaysDepth, blending: THREE.NoBlending }));
+    return scene;
   }
 
-  // Shows the nearer, or the farther, of the two pictures at each pixel.
-  sheet(isNear) {
-    const sheet = this.screen(
-      {
-        wall: { value: this.inked.texture }, wallDepths: { value: this.wall.depthTexture },
-        ghosts: { value: this.ghosts.texture }, ghostDepths: { value: this.ghosts.depthTexture },
-        opacity: this.opacity, isNear: { value: isNear },
-      },
-      'uniform sampler2D wall, ghosts; uniform highp sampler2D wallDepths, ghostDepths; uniform float opacity; uniform bool isNear;',
-      `float wallDepth = texture2D(wallDepths, place).r, ghostDepth = texture2D(ghostDepths, place).r;
-      bool isWall = (wallDepth <= ghostDepth) == isNear;
-      vec4 colour = isWall ? texture2D(wall, place) : texture2D(ghosts, place);
-      if (colour.a < 0.004) discard;
-      gl_FragColor = vec4(colour.rgb / colour.a, colour.a * (isWall ? opacity : 1.0));
-      gl_FragDepth = isWall ? wallDepth : ghostDepth + 2e-6;  // behind the part, where the part is at its start or goal
-      #include <colorspace_fragment>`,
-      { transparent: true });
-    sheet.renderOrder = isNear ? 2 : 1;
+  newSheet(picture, i) {
+    const sheet = this.newScreen(
+      { picture: { value: picture.texture }, depths: { value: picture.depthTexture } },
+      'uniform sampler2D picture; uniform highp sampler2D depths;',
+      `gl_FragColor = fetch(picture);
+      if (gl_FragColor.a == 0.0) discard;
+      gl_FragDepth = fetch(depths).r;`,
+      { transparent: true, depthWrite: false });
+    sheet.renderOrder = 1 + i;
     return sheet;
   }
 
   setSize(width, height) {
-    for (const target of [this.wall, this.ghosts, this.inked]) target.setSize(width, height);
+    for (const target of [this.wall, this.ghosts, ...this.pictures]) target.setSize(width, height);
     this.isOld = true;
   }
 
   draw(renderer, scene, camera) {
     renderer.setClearAlpha(0);
-    for (const [target, layer] of [[this.wall, kWallLayer], [this.ghosts, kGhostLayer]]) {
+    const drawTo = (target, drawn, layer) => {
       camera.layers.set(layer);
       renderer.setRenderTarget(target);
-      renderer.render(scene, camera);
-    }
+      renderer.render(drawn, camera);
+    };
+    drawTo(this.wall, scene, kWallLayer);
+    drawTo(this.ghosts, scene, kGhostLayer);
     this.range.value.set(camera.near, camera.far);
-    camera.layers.set(kMovingLayer);
-    renderer.setRenderTarget(this.inked);
-    renderer.render(this.inking, camera);
+    this.mixes.forEach((mix, i) => drawTo(this.pictures[i], mix, kMovingLayer));
     renderer.setRenderTarget(null);
     renderer.setClearAlpha(1);
     this.isOld = false;

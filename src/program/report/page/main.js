@@ -205,7 +205,7 @@ if (view) {
 
 // For tests: tells what is shown, and what a redraw draws.
 window.clearwayReport = {
-  data, frames, view, choose, picture, closestText,
+  data, frames, view, profile, choose, picture, closestText,
   get frame() { return state.frame; },
   get partPosition() { return view.part.getWorldPosition(new THREE.Vector3()).toArray(); },
   get isPlaying() { return state.isPlaying; },
@@ -213,6 +213,7 @@ window.clearwayReport = {
   get trianglesOf() { return { part: view.partBody.triangleCount, environment: view.wall.body.triangleCount }; },
   // Where a point of the scene is in the view, in CSS pixels.
   placeInView(point) {
+    view.camera.updateMatrixWorld();
     const at = new THREE.Vector3(...point).project(view.camera);
     return [(at.x + 1) / 2 * view.container.clientWidth, (1 - at.y) / 2 * view.container.clientHeight];
   },

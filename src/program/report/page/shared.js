@@ -8,7 +8,7 @@ const data = JSON.parse(element('data').textContent);
 const frames = data.frames;
 const objects = data.environment.objects;
 const state = { frame: 0, isPlaying: false };
-const isStill = window.matchMedia('(prefers-reduced-motion: reduce)').matches;
+const lessMotion = window.matchMedia('(prefers-reduced-motion: reduce)');
 
 // ---- numbers ----
 

@@ -134,7 +134,7 @@ class View {
 
   fly(centre, offset) {
     this.flight = null;
-    if (isStill || !this.hasFlown) {
+    if (lessMotion.matches || !this.hasFlown) {
       this.hasFlown = true;
       this.go(centre, offset);
       return;
