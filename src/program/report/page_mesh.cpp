@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <unordered_map>
 
 #include "mesh/clean.h"
@@ -32,9 +33,8 @@ std::vector<std::uint32_t> representatives(const std::vector<Vector3>& vertices,
 
 /// The triangles between three different representatives, without duplicates in a component, in the order of the
 /// components.
-std::vector<OwnedTriangle> thinned(const std::vector<Vector3>& vertices,
-                                   const std::vector<OwnedTriangle>& all, const Box& box, double cell) {
-    const std::vector<std::uint32_t> standIns = representatives(vertices, box, cell);
+std::vector<OwnedTriangle> thinned(const std::vector<OwnedTriangle>& all,
+                                   const std::vector<std::uint32_t>& standIns) {
     std::vector<OwnedTriangle> triangles;
     for (const auto& [owner, triangle] : all) {
         TriangleIndices made{standIns[triangle[0]], standIns[triangle[1]], standIns[triangle[2]]};
@@ -47,6 +47,23 @@ std::vector<OwnedTriangle> thinned(const std::vector<Vector3>& vertices,
     return triangles;
 }
 
+/// The edges between two different representatives, without duplicates in a component.
+std::vector<OwnedEdge> thinned(const std::vector<OwnedEdge>& all,
+                               const std::vector<std::uint32_t>& standIns) {
+    std::vector<OwnedEdge> edges;
+    for (const OwnedEdge& edge : all) {
+        const auto [low, high] = std::minmax(standIns[edge.ends[0]], standIns[edge.ends[1]]);
+        if (low != high) edges.push_back({edge.owner, {low, high}});
+    }
+    const auto key = [](const OwnedEdge& edge) { return std::tie(edge.owner, edge.ends); };
+    std::sort(edges.begin(), edges.end(),
+              [&](const OwnedEdge& a, const OwnedEdge& b) { return key(a) < key(b); });
+    edges.erase(std::unique(edges.begin(), edges.end(),
+                            [&](const OwnedEdge& a, const OwnedEdge& b) { return key(a) == key(b); }),
+                edges.end());
+    return edges;
+}
+
 /// The size of a cell. Bisects the number of cells along the diagonal to 5 %.
 double cellFor(const std::vector<Vector3>& vertices, const std::vector<OwnedTriangle>& all, const Box& box,
                std::size_t mostTriangles) {
@@ -54,7 +71,9 @@ double cellFor(const std::vector<Vector3>& vertices, const std::vector<OwnedTria
     double coarse = 8, fine = 65536;
     while (fine / coarse > 1.05) {
         const double cells = std::sqrt(coarse * fine);
-        (thinned(vertices, all, box, diagonal / cells).size() > mostTriangles ? fine : coarse) = cells;
+        (thinned(all, representatives(vertices, box, diagonal / cells)).size() > mostTriangles ? fine
+                                                                                               : coarse) =
+            cells;
     }
     return diagonal / coarse;
 }
@@ -100,13 +119,16 @@ PageMesh pageMeshOf(const Mesh& mesh, const PageMeshLimits& most) {
     PageMesh page;
     for (const Vector3& vertex : welded.vertices) page.box.extend(vertex);
     std::vector<OwnedTriangle> triangles = ownedTriangles(welded, components);
+    // Edges of the whole mesh: a simplified smooth surface has sharp edges that the surface itself lacks.
+    std::vector<OwnedEdge> edges = featureEdges(welded.vertices, triangles);
     if (triangles.size() > most.triangles) {
         const double cell = cellFor(welded.vertices, triangles, page.box, most.triangles);
-        triangles = thinned(welded.vertices, triangles, page.box, cell);
+        const std::vector<std::uint32_t> standIns = representatives(welded.vertices, page.box, cell);
+        triangles = thinned(triangles, standIns);
+        edges = thinned(edges, standIns);
         page.error = cell * std::sqrt(3.0);
     }
     page.error += 0.5 / kSteps * page.box.diagonal().norm();
-    std::vector<OwnedEdge> edges = featureEdges(welded.vertices, triangles);
     page.allEdges = edges.size();
     keepLongest(edges, welded.vertices, most.edges);
     page.triangleCounts =

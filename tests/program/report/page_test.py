@@ -280,11 +280,11 @@ def testTightest(page):
     x, y = page.run("clearwayReport.placeInView(clearwayReport.frames[clearwayReport.data.tightest].pair[1])")
     require(abs(x - view["width"] / 2) < 40 and abs(y - view["height"] / 2) < 40, f"the closest pair is at {x}, {y}, expected the middle")
     require(page.run("clearwayReport.frame === clearwayReport.data.tightest"), "expected the tightest frame")
-    panel = page.run("document.getElementById('closest-rows').textContent")
-    for words in ("peg", "post", "counted from 0", "x y z w, w last"):
+    panel = page.run("document.getElementById('closest-rows').textContent + document.getElementById('closest-note').textContent")
+    for words in ("peg", "post", "counted from 0", "x y z w", "w is last"):
         require(words in panel, f"the panel shows '{panel}', expected '{words}'")
     text = page.run("clearwayReport.closestText(clearwayReport.frames[0])")
-    require("translation: 0 0 60" in text and "quaternion: 0 0 0 1 as x y z w" in text, f"the text to copy is '{text}', expected the pose of the start")
+    require("translation: 0 0 60" in text and "quaternion x y z w: 0 0 0 1" in text, f"the text to copy is '{text}', expected the pose of the start")
 
 
 def testProfileModes(page):
@@ -339,9 +339,9 @@ def testWithoutWebGl(file):
 def testPeg(program, folder):
     file = os.path.join(folder, "peg.html")
     subprocess.run([program, "check", *writePeg(folder), "--report", file], stdout=subprocess.DEVNULL)  # the path collides
-    page = browser.Page(file)
+    page = browser.Page(file, 960, 600)  # fewer pixels take less time
     try:
-        for test in (testFirstView, testFits, testSwitches, testObstacles, testHover, testKeyboard, testContact, testTightest,
+        for test in (testFirstView, testSwitches, testObstacles, testHover, testKeyboard, testContact, testTightest,
                      testProfileModes):
             test(page)
         require(not page.errors, f"the console shows {page.errors}")
@@ -359,6 +359,7 @@ def testPage(program, problem, path, folder):
     page = browser.Page(file)
     try:
         testLoading(page)
+        testFits(page)
         testSlider(page)
         testPlaying(page)
         testProfileAndButtons(page)

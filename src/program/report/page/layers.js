@@ -6,8 +6,8 @@ const kMovingLayer = 0, kWallLayer = 1, kGhostLayer = 2;
 // one of them is in front of the other: a sheet shows the nearer ones, another the farther ones. Every redraw lays the
 // sheets over the part, see-through, until the camera or the cut changes.
 class StillLayers {
-  constructor() {
-    const drawn = { samples: 4, type: THREE.HalfFloatType };
+  constructor(areSmooth) {
+    const drawn = { samples: areSmooth ? 4 : 0, type: THREE.HalfFloatType };
     const stored = { minFilter: THREE.NearestFilter, magFilter: THREE.NearestFilter };
     this.wall = this.newTarget(drawn);
     this.ghosts = this.newTarget(drawn);
@@ -50,18 +50,17 @@ class StillLayers {
       {
         wall: { value: this.wall.texture }, wallDepths: { value: this.wall.depthTexture },
         ghosts: { value: this.ghosts.texture }, ghostDepths: { value: this.ghosts.depthTexture },
-        opacity: this.opacity, ink: this.ink, range: this.range, isNear: { value: isNear },
+        opacity: this.opacity, inkColour: this.ink, range: this.range, isNear: { value: isNear },
       },
       `uniform sampler2D wall, ghosts; uniform highp sampler2D wallDepths, ghostDepths;
-      uniform float opacity; uniform vec3 ink; uniform vec2 range; uniform bool isNear;
-      float depthBeside(ivec2 way) {
-        return texelFetch(wallDepths, clamp(ivec2(gl_FragCoord.xy) + way, ivec2(0), textureSize(wallDepths, 0) - 1), 0).r;
+      uniform float opacity; uniform vec3 inkColour; uniform vec2 range; uniform bool isNear;
+      float depthBeside(highp sampler2D depths, int x, int y) {
+        return texelFetch(depths, clamp(ivec2(gl_FragCoord.xy) + ivec2(x, y), ivec2(0), textureSize(depths, 0) - 1), 0).r;
       }
-      vec4 inked(vec4 colour, float depth) {
-        float jump = max(depthBeside(ivec2(1, 0)) + depthBeside(ivec2(-1, 0)), depthBeside(ivec2(0, 1)) + depthBeside(ivec2(0, -1)));
+      float darkness(highp sampler2D depths, float depth) {
+        float jump = max(depthBeside(depths, 1, 0) + depthBeside(depths, -1, 0), depthBeside(depths, 0, 1) + depthBeside(depths, 0, -1));
         float away = range.x * range.y / (range.y - depth * (range.y - range.x));
-        float darkness = 0.75 * smoothstep(0.006, 0.015, (jump - 2.0 * depth) * away / range.x);
-        return vec4(mix(colour.rgb, ink * colour.a, darkness), colour.a);
+        return 0.75 * smoothstep(0.006, 0.015, (jump - 2.0 * depth) * away / range.x);
       }`,
       `float wallDepth = fetch(wallDepths).r;
       float ghostDepth = fetch(ghostDepths).r + 2e-6;  // behind the part, where the part is at its start or goal
@@ -70,8 +69,15 @@ class StillLayers {
       gl_FragColor = vec4(0.0);
       gl_FragDepth = 1.0;
       if (colour.a > 0.004) {
-        if (isWall) colour = inked(colour, wallDepth);
-        gl_FragColor = sRGBTransferOETF(vec4(colour.rgb / colour.a, colour.a * (isWall ? opacity : 1.0)));
+        colour.rgb /= colour.a;
+        if (isWall) {
+          colour = mix(colour, vec4(inkColour, 1.0), darkness(wallDepths, wallDepth));
+          // Faces were drawn with half the alpha of lines, so that lines can stay stronger where faces are see-through.
+          colour.a = colour.a < 0.5 ? 2.0 * colour.a * opacity : mix(opacity, sqrt(opacity), 2.0 * colour.a - 1.0);
+        } else {
+          colour.a = mix(colour.a, 0.7, darkness(ghostDepths, ghostDepth));
+        }
+        gl_FragColor = sRGBTransferOETF(colour);
         gl_FragDepth = min(1.0, isWall ? wallDepth : ghostDepth);
       }`,
       { depthFunc: THREE.AlwaysDepth, blending: THREE.NoBlending }));
@@ -117,7 +123,8 @@ class Wall {
   constructor(scene) {
     this.body = new Body(data.environment);
     const shared = { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1, side: THREE.DoubleSide };
-    this.faces = new THREE.MeshLambertMaterial({ ...shared, flatShading: true });
+    const half = { transparent: true, opacity: 0.5, premultipliedAlpha: true, blending: THREE.NoBlending };  // see newMix
+    this.faces = new THREE.MeshLambertMaterial({ ...shared, ...half, flatShading: true });
     this.lines = new THREE.LineBasicMaterial();
     this.hiddenLines = new THREE.LineBasicMaterial({ depthTest: false, transparent: true, opacity: 0.22 });
     this.pointedLines = new THREE.LineBasicMaterial({ depthTest: false, transparent: true });
@@ -126,10 +133,11 @@ class Wall {
     this.hiddenEdges = this.body.edgesWith(this.hiddenLines);  // shown where the surroundings are see-through
     this.pointed = [this.body.place(new THREE.Mesh(this.body.geometryOf(this.body.corners), this.pointedFaces)),
       this.body.place(new THREE.LineSegments(this.body.geometryOf(this.body.ends), this.pointedLines))];
-    for (const object of [this.body.facesWith(this.faces), this.edges, this.hiddenEdges, ...this.pointed]) {
+    [this.body.facesWith(this.faces), this.edges, this.hiddenEdges, ...this.pointed].forEach((object, i) => {
       object.layers.set(kWallLayer);
+      object.renderOrder = i;
       scene.add(object);
-    }
+    });
     this.plane = null;
     this.pointOut(-1);
   }

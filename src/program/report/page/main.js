@@ -125,6 +125,7 @@ function savePicture() {
 
 // ---- controls and keys ----
 
+const kSeeThrough = 25;  // percent
 const toggle = (id) => () => element(id).click();
 const kKeys = [
   [' ', 'space', 'play or pause', toggle('play')],
@@ -138,7 +139,7 @@ const kKeys = [
   ['w', 'w', 'see the whole scene', toggle('whole')],
   ['g', 'g', 'start and goal as ghosts', toggle('ghosts')],
   ['e', 'e', 'edges', toggle('edges')],
-  ['x', 'x', 'surroundings solid or see-through', () => setOpacity(element('opacity').value < 100 ? 100 : 35)],
+  ['x', 'x', 'surroundings solid or see-through', () => setOpacity(element('opacity').value < 100 ? 100 : kSeeThrough)],
   ['h', 'h', 'hide the obstacle under the pointer', () => pointer?.hideFound()],
   ['a', 'a', 'show all obstacles', toggle('all-obstacles')],
   ['l', 'l', 'logarithmic profile', toggle('log')],
@@ -198,7 +199,7 @@ fillTables((i) => { play(false); choose(i); });
 choose(0);
 if (view) {
   // Where the surroundings hide much of the way, they begin see-through.
-  setOpacity(data.view.visible < 0.8 ? 35 : 100);
+  setOpacity(data.view.visible < 0.8 ? kSeeThrough : 100);
   view.showWay();
   cut();
 }

@@ -22,13 +22,13 @@ function closestRows(frame, isExact) {
     side(1, 'obstacle');
     rows.push(['distance', isExact ? `${frame.distance}` : boundText(frame.distance)]);
   }
-  rows.push(['pose, translation', shown(pose.slice(0, 3).join(' '))]);
-  rows.push(['pose, quaternion', `${shown(pose.slice(3).join(' '))} as x y z w, w last`]);
+  rows.push(['pose: translation', shown(pose.slice(0, 3).join(' '))]);
+  rows.push(['quaternion x y z w', shown(pose.slice(3).join(' '))]);
   return rows;
 }
 
 const kFrameWords = 'Points and translation are in the environment\u2019s coordinates' + (data.unit ? `, in ${data.unit}` : '') +
-  '. The pose takes the part\u2019s coordinates to the environment\u2019s.';
+  '. The pose takes the part\u2019s coordinates to the environment\u2019s. In its quaternion x y z w, w is last.';
 
 function showClosest(frame) {
   const rows = closestRows(frame, false).flatMap(([label, text]) => [make('dt', {}, label), make('dd', {}, text)]);

@@ -5,7 +5,9 @@ const kScaleWidth = 120;  // pixels
 const kUsualDirection = [0.62, -1, 0.62];
 const kPartRadius = new THREE.Vector3(...data.part.extent).length() / 2;
 
-// Without a graphics card, smooth edges cost most of the time of a redraw.
+// Without a graphics card, smooth edges cost most of the time of a redraw. They are left out where the part moves, and
+// in large surroundings.
+const kMostSmooth = 150000;  // triangles
 function isDrawnBySoftware(gl) {
   const info = gl.getExtension('WEBGL_debug_renderer_info');
   const name = gl.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : gl.RENDERER);
@@ -19,7 +21,8 @@ class View {
   // gl: a WebGL context made for a trial.
   constructor(container, gl) {
     this.container = container;
-    this.renderer = new THREE.WebGLRenderer({ antialias: !isDrawnBySoftware(gl) });
+    const isSlow = isDrawnBySoftware(gl);
+    this.renderer = new THREE.WebGLRenderer({ antialias: !isSlow });
     this.renderer.localClippingEnabled = true;
     container.prepend(this.renderer.domElement);
     this.scene = new THREE.Scene();
@@ -28,7 +31,7 @@ class View {
     this.addLights();
     this.addPart();
     this.wall = new Wall(this.scene);
-    this.still = new StillLayers();
+    this.still = new StillLayers(!isSlow || this.wall.body.triangleCount < kMostSmooth);
     this.scene.add(...this.still.sheets);
     this.addClosestPair();
     this.controls = new OrbitControls(this.camera, this.renderer.domElement);
@@ -62,7 +65,8 @@ class View {
     this.partMaterial.onBeforeCompile = (shader) => {
       shader.uniforms.hatching = this.hatching;
       shader.fragmentShader = 'uniform float hatching;\n' + shader.fragmentShader.replace('#include <dithering_fragment>',
-        'if (hatching > 0.0 && fract((gl_FragCoord.x + gl_FragCoord.y) / hatching) < 0.3) gl_FragColor.rgb = vec3(0.0);');
+        `gl_FragColor.rgb *= 0.4 + 0.6 * smoothstep(0.0, 0.25, abs(dot(normal, normalize(vViewPosition))));  // outlines where it is round
+        if (hatching > 0.0 && fract((gl_FragCoord.x + gl_FragCoord.y) / hatching) < 0.3) gl_FragColor.rgb = vec3(0.0);`);
     };
     this.partLines = new THREE.LineBasicMaterial();
     this.part = new THREE.Group();
@@ -103,7 +107,8 @@ class View {
     const paint = (material, name) => material.color.set(styleColour(name));
     this.renderer.setClearColor(styleColour('view'));
     paint(this.wall.faces, 'wall');
-    for (const material of [this.wall.lines, this.wall.hiddenLines, this.partLines]) paint(material, 'edge');
+    for (const material of [this.wall.lines, this.wall.hiddenLines]) paint(material, 'edge');
+    paint(this.partLines, 'part-edge');
     for (const material of [this.ghostMaterial, this.ghostLines]) paint(material, 'ghost');
     for (const material of [this.wall.pointedFaces, this.wall.pointedLines]) paint(material, 'accent');
     for (const material of [this.pairLine.material, this.pairEnds.material]) paint(material, 'mark');
