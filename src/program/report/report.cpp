@@ -17,8 +17,8 @@ namespace clearway::report {
 extern const char kPageHtml[];   ///< page/page.html, a template with {{places}}
 extern const char kPageStyle[];  ///< page/page.css
 /// The files page/*.js are one module, in this order: the names of a file are known to the next ones.
-extern const char kPageShared[], kPageMeshes[], kPageLayers[], kPageView[], kPageProfile[], kPagePanels[],
-    kPageMain[];
+extern const char kPageShared[], kPageMeshes[], kPageLayers[], kPageEye[], kPageView[], kPageProfile[],
+    kPagePanels[], kPageMain[];
 extern const char kThreeModule[];    ///< three.js
 extern const char kOrbitControls[];  ///< its controls, a separate module
 
@@ -69,7 +69,7 @@ WrittenReport writeReport(const ReportInput& input, const std::string& file) {
     const PageData data = pageDataOf(input);
     std::string viewer;
     for (const char* text :
-         {kPageShared, kPageMeshes, kPageLayers, kPageView, kPageProfile, kPagePanels, kPageMain})
+         {kPageShared, kPageMeshes, kPageLayers, kPageEye, kPageView, kPageProfile, kPagePanels, kPageMain})
         viewer += text;
     const std::string page = filled(kPageHtml, {{"title", htmlText(input.title)},
                                                 {"three", moduleAddress(kThreeModule)},

@@ -128,7 +128,7 @@ class Wall {
     this.lines = new THREE.LineBasicMaterial();
     this.hiddenLines = new THREE.LineBasicMaterial({ depthTest: false, transparent: true, opacity: 0.22 });
     this.pointedLines = new THREE.LineBasicMaterial({ depthTest: false, transparent: true });
-    this.pointedFaces = new THREE.MeshBasicMaterial({ side: THREE.DoubleSide, transparent: true, opacity: 0.55 });
+    this.pointedFaces = new THREE.MeshBasicMaterial({ depthTest: false, side: THREE.DoubleSide, transparent: true, opacity: 0.3 });
     this.edges = this.body.edgesWith(this.lines);
     this.hiddenEdges = this.body.edgesWith(this.hiddenLines);  // shown where the surroundings are see-through
     this.pointed = [this.body.place(new THREE.Mesh(this.body.geometryOf(this.body.corners), this.pointedFaces)),

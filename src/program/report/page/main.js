@@ -137,6 +137,10 @@ const kKeys = [
   ['c', 'c', 'look closer at the closest pair', toggle('closer')],
   ['p', 'p', 'see the part\u2019s way', toggle('way')],
   ['w', 'w', 'see the whole scene', toggle('whole')],
+  ['+', '+', 'come nearer', () => view?.eye.turn(0, 1 / 1.2)],
+  ['-', '\u2212', 'go back', () => view?.eye.turn(0, 1.2)],
+  [',', ',', 'turn to the left', () => view?.eye.turn(-0.15, 1)],
+  ['.', '.', 'turn to the right', () => view?.eye.turn(0.15, 1)],
   ['g', 'g', 'start and goal as ghosts', toggle('ghosts')],
   ['e', 'e', 'edges', toggle('edges')],
   ['x', 'x', 'surroundings solid or see-through', () => setOpacity(element('opacity').value < 100 ? 100 : kSeeThrough)],
@@ -210,7 +214,7 @@ window.clearwayReport = {
   get frame() { return state.frame; },
   get partPosition() { return view.part.getWorldPosition(new THREE.Vector3()).toArray(); },
   get isPlaying() { return state.isPlaying; },
-  get isFlying() { return Boolean(view.flight); },
+  get isFlying() { return Boolean(view.eye.flight); },
   get trianglesOf() { return { part: view.partBody.triangleCount, environment: view.wall.body.triangleCount }; },
   // Where a point of the scene is in the view, in CSS pixels.
   placeInView(point) {

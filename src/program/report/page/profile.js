@@ -122,7 +122,8 @@ class Profile {
   }
 
   drawCurve(context) {
-    const segments = frames.slice(1).map((frame, i) => [frames[i], frame]);
+    // In contact the hatching at the bottom is the line.
+    const segments = frames.slice(1).map((frame, i) => [frames[i], frame]).filter(([a, b]) => !a.trouble || !b.trouble);
     const draw = ([a, b], width, colour) => {
       context.lineWidth = width;
       context.strokeStyle = colour;

@@ -1,6 +1,5 @@
 // ---- the view ----
 
-const kFlightSeconds = 0.7;
 const kScaleWidth = 120;  // pixels
 const kUsualDirection = [0.62, -1, 0.62];
 const kPartRadius = new THREE.Vector3(...data.part.extent).length() / 2;
@@ -14,7 +13,6 @@ function isDrawnBySoftware(gl) {
   return /swiftshader|llvmpipe|software/i.test(name);
 }
 
-const vector = (values) => new THREE.Vector3(...values);
 const colourOf = (bytes) => new THREE.Color().setRGB(...bytes.map((value) => value / 255), THREE.SRGBColorSpace);
 
 class View {
@@ -26,18 +24,14 @@ class View {
     this.renderer.localClippingEnabled = true;
     container.prepend(this.renderer.domElement);
     this.scene = new THREE.Scene();
-    this.camera = new THREE.PerspectiveCamera(30, 1, 1, 1000);
-    this.camera.up.set(0, 0, 1);
+    this.eye = new Eye(this.renderer.domElement, () => this.moved());
+    this.camera = this.eye.camera;
     this.addLights();
     this.addPart();
     this.wall = new Wall(this.scene);
     this.still = new StillLayers(!isSlow || this.wall.body.triangleCount < kMostSmooth);
     this.scene.add(...this.still.sheets);
     this.addClosestPair();
-    this.controls = new OrbitControls(this.camera, this.renderer.domElement);
-    this.controls.addEventListener('change', () => { this.keepInDepth(); this.askRedrawOfAll(); });
-    this.renderer.domElement.addEventListener('pointerdown', () => { this.flight = null; });
-    this.renderer.domElement.addEventListener('wheel', () => { this.flight = null; }, { passive: true });
     this.labels = ['start', 'goal'].map((text) => container.appendChild(make('span', { className: 'label', textContent: text })));
     new ResizeObserver(() => this.fit()).observe(container);
     this.fit();
@@ -119,71 +113,10 @@ class View {
 
   // ---- the camera ----
 
-  keepInDepth() {
-    const distance = this.camera.position.distanceTo(this.controls.target);
-    this.camera.near = Math.max(distance * 1e-3, data.radius * 1e-4);
-    this.camera.far = distance + 20 * data.radius;
-    this.camera.updateProjectionMatrix();
+  moved() {
     // A ghost near the camera would hide what is looked at.
-    for (const ghost of this.ghosts) ghost.visible = this.areGhostsShown && distance > 2.2 * kPartRadius;
-  }
-
-  // Moves the camera to centre + offset, and looks at the centre.
-  go(centre, offset) {
-    this.controls.target.copy(centre);
-    this.camera.position.copy(centre).add(offset);
-    this.keepInDepth();
-    this.controls.update();
+    for (const ghost of this.ghosts) ghost.visible = this.areGhostsShown && this.eye.distance > 2.2 * kPartRadius;
     this.askRedrawOfAll();
-  }
-
-  fly(centre, offset) {
-    this.flight = null;
-    if (lessMotion.matches || !this.hasFlown) {
-      this.hasFlown = true;
-      this.go(centre, offset);
-      return;
-    }
-    const fromCentre = this.controls.target.clone(), fromOffset = this.camera.position.clone().sub(fromCentre);
-    const turn = new THREE.Quaternion().setFromUnitVectors(fromOffset.clone().normalize(), offset.clone().normalize());
-    const flight = this.flight = { start: performance.now() };
-    const step = (now) => {
-      if (this.flight !== flight) return;
-      const time = Math.min(1, Math.max(0, (now - flight.start) / (1000 * kFlightSeconds)));
-      const share = time * time * (3 - 2 * time);
-      if (time === 1) {
-        this.flight = null;
-        this.go(centre, offset);
-        return;
-      }
-      const middle = fromOffset.clone().applyQuaternion(new THREE.Quaternion().slerp(turn, share));
-      middle.setLength(fromOffset.length() ** (1 - share) * offset.length() ** share);
-      this.go(fromCentre.clone().lerp(centre, share), middle);
-      requestAnimationFrame(step);
-    };
-    requestAnimationFrame(step);
-  }
-
-  // Flies to where the points fill the view, seen from a direction.
-  flyToSee(points, direction) {
-    const back = vector(direction).normalize();
-    const right = new THREE.Vector3(0, 0, 1).cross(back).normalize(), up = back.clone().cross(right);
-    const slopeY = Math.tan(this.camera.fov * Math.PI / 360), slopeX = slopeY * this.camera.aspect;
-    const free = 1 - kScaleWidth / this.container.clientWidth;  // share of the view's width, left of the scale
-    const middleAlong = (axis) => {
-      const places = points.map((point) => point.dot(axis));
-      return (Math.min(...places) + Math.max(...places)) / 2;
-    };
-    const centre = new THREE.Vector3();
-    for (const axis of [right, up, back]) centre.addScaledVector(axis, middleAlong(axis));
-    let distance = 0;
-    for (const point of points) {
-      const q = point.clone().sub(centre);
-      distance = Math.max(distance, q.dot(back) + Math.max(Math.abs(q.dot(right)) / (slopeX * free), Math.abs(q.dot(up)) / slopeY));
-    }
-    distance *= 1.15;
-    centre.addScaledVector(right, (1 - free) * slopeX * distance);
-    this.fly(centre, back.multiplyScalar(distance));
   }
 
   cornersOf(mesh) {
@@ -199,16 +132,15 @@ class View {
     });
   }
 
-  showWay() { this.flyToSee(this.wayPoints(), data.view.direction); }
-  showAll() { this.flyToSee([...this.cornersOf(data.environment), ...this.wayPoints()], kUsualDirection); }
+  see(points, direction) { this.eye.flyToSee(points, direction, 1 - kScaleWidth / this.container.clientWidth); }
+  showWay() { this.see(this.wayPoints(), data.view.direction); }
+  showAll() { this.see([...this.cornersOf(data.environment), ...this.wayPoints()], kUsualDirection); }
 
   // Puts the closest pair in the middle, at a distance that shows its surroundings.
   lookCloser(frame, direction) {
     if (!frame.pair) return;
-    const back = direction ? vector(direction) : this.camera.position.clone().sub(this.controls.target);
-    const radius = Math.max(0.3 * kPartRadius, 2 * frame.distance);
-    const distance = radius / Math.sin(this.camera.fov * Math.PI / 360) / Math.min(1, this.camera.aspect);
-    this.fly(vector(frame.pair[0]).lerp(vector(frame.pair[1]), 0.5), back.setLength(distance));
+    const middle = vector(frame.pair[0]).lerp(vector(frame.pair[1]), 0.5);
+    this.eye.flyToBall(middle, Math.max(0.3 * kPartRadius, 2 * frame.distance), direction);
   }
 
   // ---- what is shown ----
@@ -231,8 +163,7 @@ class View {
 
   showGhosts(areShown) {
     this.areGhostsShown = areShown;
-    this.keepInDepth();
-    this.askRedrawOfAll();
+    this.moved();
   }
 
   showObstacles() {
@@ -297,8 +228,7 @@ class View {
     if (!width || !height) return;
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
     this.renderer.setSize(width, height);
-    this.camera.aspect = width / height;
-    this.camera.updateProjectionMatrix();
+    this.eye.setAspect(width / height);
     const pixels = this.renderer.getDrawingBufferSize(new THREE.Vector2());
     this.still.setSize(pixels.x, pixels.y);
     this.askRedraw();
