@@ -138,7 +138,7 @@ const kKeys = [
   ['p', 'p', 'see the part\u2019s way', toggle('way')],
   ['w', 'w', 'see the whole scene', toggle('whole')],
   ['+', '+', 'come nearer', () => view?.eye.turn(0, 1 / 1.2)],
-  ['-', '\u2212', 'go back', () => view?.eye.turn(0, 1.2)],
+  ['-', '\u2212', 'go farther away', () => view?.eye.turn(0, 1.2)],
   [',', ',', 'turn to the left', () => view?.eye.turn(-0.15, 1)],
   ['.', '.', 'turn to the right', () => view?.eye.turn(0.15, 1)],
   ['g', 'g', 'start and goal as ghosts', toggle('ghosts')],

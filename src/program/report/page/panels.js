@@ -79,12 +79,14 @@ class ObstacleList {
   }
 
   clearanceButton(object) {
-    const words = object.isContact ? (object.margin ? 'too close' : 'in contact') : boundText(object.clearance);
+    const words = object.isContact ? this.troubleWords(object) : boundText(object.clearance);
     const button = make('button', { className: 'link', title: 'go there' }, words);
     if (object.isContact) button.prepend(make('span', { className: 'contact' }));
     button.addEventListener('click', () => this.choose(object.frame));
     return button;
   }
+
+  troubleWords(object) { return object.margin ? 'too close' : 'in contact'; }
 
   otherWords(others, listed) {
     if (others.every((i) => objects[i].isIgnored)) return `${others.length} ignored`;
@@ -98,10 +100,11 @@ class ObstacleList {
   }
 
   note(listed) {
+    if (!listed) return '';
     const margin = data.margin > 0 ? 'distance less margin' : 'distance';
     return `Least clearance (${margin}) at the ${frames.length} places of the slider, a lower bound for each of them. ` +
       'Between these places only the shaded profile is certified.' +
-      (listed < objects.length && listed > 0 ? ` Listed are the ${listed} nearest of ${objects.length} obstacles.` : '');
+      (listed < objects.length ? ` Listed are the ${listed} nearest of ${objects.length} obstacles.` : '');
   }
 
   setHidden(members, isHidden) {
@@ -117,9 +120,9 @@ class ObstacleList {
   }
 
   words(index) {
-    const { clearance, isContact } = objects[index];
-    if (clearance === undefined) return '';
-    return isContact ? 'touched or too near on the way' : `least clearance ${boundText(clearance)}`;
+    const object = objects[index];
+    if (object.clearance === undefined) return '';
+    return object.isContact ? this.troubleWords(object) + ' on the way' : `least clearance ${boundText(object.clearance)}`;
   }
 }
 
@@ -162,10 +165,12 @@ class Pointer {
 
 function tableOf(table, choose) {
   const isNumber = (text) => table.header.length && /^-?[\d.]+(e[-+]?\d+)?$/.test(text);
+  const areNumbers = table.header.map((text, i) => table.rows.every((cells) => isNumber(cells[i]) || cells[i] === '-'));
+  const align = (i) => ({ className: areNumbers[i] ? 'number' : '' });
   const made = make('table', { className: table.header.length ? '' : 'labels' });
-  if (table.header.length) made.append(make('tr', {}, ...table.header.map((text) => make('th', {}, text))));
+  if (table.header.length) made.append(make('tr', {}, ...table.header.map((text, i) => make('th', align(i), text))));
   table.rows.forEach((cells, i) => {
-    const row = make('tr', {}, ...cells.map((text) => make('td', { className: isNumber(text) ? 'number' : '' }, text)));
+    const row = make('tr', {}, ...cells.map((text, i) => make('td', align(i), text)));
     made.append(row);
     if (!table.frames) return;
     Object.assign(row, { className: 'jump', tabIndex: 0, title: 'show this place' });

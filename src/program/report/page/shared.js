@@ -93,8 +93,11 @@ function clearanceWords(frame) {
 
 const placeWords = (frame) => `at ${digits(100 * frame.share)} % of the way`;
 
-// The line below: how near, where margins or solids make that differ from the clearance.
+const marginOf = new Map(objects.map((object) => [object.name, object.margin ?? 0]));
+
+// The line below: how near, where a margin or a solid makes that differ from the clearance.
 function distanceWords(frame) {
-  if (!frame.between || frame.trouble === 'in contact' || !(frame.trouble || data.margin > 0)) return '';
-  return `distance ${lengthText(frame.distance)}` + (data.margin > 0 ? `, margin up to ${lengthText(data.margin)}` : '');
+  const margin = frame.between ? marginOf.get(frame.between[1]) : 0;
+  if (!frame.between || frame.trouble === 'in contact' || !(frame.trouble || margin > 0)) return '';
+  return `distance ${boundText(frame.distance)}` + (margin > 0 ? `, margin ${lengthText(margin)}` : '');
 }
