@@ -62,7 +62,7 @@ set(embree4_users ${embree3_users})
 set(ompl_users "^(src/(planning|program/(cli|study))|include/clearway/planning|demos)/")
 set(png.h_users "^src/program/render/image[.]cpp$")
 set(cairo_users "^src/program/render/(ink_mask[.](h|cpp)|legend[.]cpp)$")
-set(nlohmann_users "^src/(core/json[.](h|cpp)|mesh/glb[.]cpp|program/report/report[.]cpp|program/cli/[a-z_]+[.](h|cpp))$")
+set(nlohmann_users "^src/(core/json[.](h|cpp)|mesh/glb[.]cpp|program/report/page_data[.]cpp|program/cli/[a-z_]+[.](h|cpp))$")
 set(guarded_libraries hwy assimp embree3 embree4 ompl png.h cairo nlohmann)
 
 if(NOT EXISTS "${ROOT}/src")

@@ -91,11 +91,12 @@ void writePage(const Problem& problem, const Mesh& part, const Mesh& environment
                               path,
                               audit,
                               {}};
+    input.unit = problem.unit;
     input.tables.push_back(tableOf("Problem", problemRows(problem, part, environment)));
     if (!planner.empty()) input.tables.push_back(tableOf("Planner", planner));
     input.tables.push_back(tableOf("Path", pathRows(path, audit)));
     if (!overlaps.empty()) input.tables.push_back(overlapTable(overlaps));
-    input.tables.push_back(report::segmentTable(audit, path, scene.part.radiusAboutOrigin()));
+    input.tables.push_back(report::segmentTable(audit, path, scene.part.radiusAboutOrigin(), input.unit));
     const report::WrittenReport written = writeReport(input, file);
     printRow("report", file + ", " + megabytes(written.bytes));
 }

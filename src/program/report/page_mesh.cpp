@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <unordered_map>
 
 #include "mesh/clean.h"
+#include "mesh/components.h"
 #include "mesh/renumber.h"
+#include "program/report/page_edges.h"
 
 namespace clearway::report {
 
@@ -28,58 +31,121 @@ std::vector<std::uint32_t> representatives(const std::vector<Vector3>& vertices,
     return result;
 }
 
-/// The triangles between three different representatives, without duplicates, in no particular order.
-std::vector<TriangleIndices> thinned(const CleanMesh& mesh, const Box& box, double cell) {
-    const std::vector<std::uint32_t> standIns = representatives(mesh.vertices, box, cell);
-    std::vector<TriangleIndices> triangles;
-    for (const TriangleIndices& triangle : mesh.triangles) {
+/// The triangles between three different representatives, without duplicates in a component, in the order of the
+/// components.
+std::vector<OwnedTriangle> thinned(const std::vector<OwnedTriangle>& all,
+                                   const std::vector<std::uint32_t>& standIns) {
+    std::vector<OwnedTriangle> triangles;
+    for (const auto& [owner, triangle] : all) {
         TriangleIndices made{standIns[triangle[0]], standIns[triangle[1]], standIns[triangle[2]]};
         if (made[0] == made[1] || made[1] == made[2] || made[2] == made[0]) continue;
         std::sort(made.begin(), made.end());
-        triangles.push_back(made);
+        triangles.emplace_back(owner, made);
     }
     std::sort(triangles.begin(), triangles.end());
     triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
     return triangles;
 }
 
+/// The edges between two different representatives, without duplicates in a component.
+std::vector<OwnedEdge> thinned(const std::vector<OwnedEdge>& all,
+                               const std::vector<std::uint32_t>& standIns) {
+    std::vector<OwnedEdge> edges;
+    for (const OwnedEdge& edge : all) {
+        const auto [low, high] = std::minmax(standIns[edge.ends[0]], standIns[edge.ends[1]]);
+        if (low != high) edges.push_back({edge.owner, {low, high}});
+    }
+    const auto key = [](const OwnedEdge& edge) { return std::tie(edge.owner, edge.ends); };
+    std::sort(edges.begin(), edges.end(),
+              [&](const OwnedEdge& a, const OwnedEdge& b) { return key(a) < key(b); });
+    edges.erase(std::unique(edges.begin(), edges.end(),
+                            [&](const OwnedEdge& a, const OwnedEdge& b) { return key(a) == key(b); }),
+                edges.end());
+    return edges;
+}
+
 /// The size of a cell. Bisects the number of cells along the diagonal to 5 %.
-double cellFor(const CleanMesh& mesh, const Box& box, std::size_t mostTriangles) {
+double cellFor(const std::vector<Vector3>& vertices, const std::vector<OwnedTriangle>& all, const Box& box,
+               std::size_t mostTriangles) {
     const double diagonal = box.diagonal().norm();
     double coarse = 8, fine = 65536;
     while (fine / coarse > 1.05) {
         const double cells = std::sqrt(coarse * fine);
-        (thinned(mesh, box, diagonal / cells).size() > mostTriangles ? fine : coarse) = cells;
+        (thinned(all, representatives(vertices, box, diagonal / cells)).size() > mostTriangles ? fine
+                                                                                               : coarse) =
+            cells;
     }
     return diagonal / coarse;
 }
 
+/// Each triangle with the component that it comes from.
+std::vector<OwnedTriangle> ownedTriangles(const CleanMesh& welded, const std::vector<Component>& components) {
+    std::vector<OwnedTriangle> triangles;
+    std::uint32_t owner = 0;
+    for (std::size_t i = 0; i < welded.triangles.size(); ++i) {
+        const auto isPast = [&](const Component& c) {
+            return welded.triangleIds[i] >= c.firstTriangle + c.triangleCount;
+        };
+        while (isPast(components[owner])) ++owner;  // ids rise
+        triangles.emplace_back(owner, welded.triangles[i]);
+    }
+    return triangles;
+}
+
+/// How many of the items each component owns.
+template <class Item, class OwnerOf>
+std::vector<std::uint32_t> countsOf(const std::vector<Item>& items, std::size_t components,
+                                    const OwnerOf& ownerOf) {
+    std::vector<std::uint32_t> counts(components, 0);
+    for (const Item& item : items) ++counts[ownerOf(item)];
+    return counts;
+}
+
+std::array<std::uint16_t, 3> storedPosition(const Vector3& vertex, const Box& box) {
+    std::array<std::uint16_t, 3> position{};
+    const Vector3 extent = box.diagonal();
+    for (int axis = 0; axis < 3; ++axis) {
+        const double share = (vertex[axis] - box.min()[axis]) / extent[axis];
+        if (extent[axis] > 0) position[axis] = static_cast<std::uint16_t>(std::lround(kSteps * share));
+    }
+    return position;
+}
+
 }  // namespace
 
-PageMesh pageMeshOf(const Mesh& mesh, std::size_t mostTriangles) {
+PageMesh pageMeshOf(const Mesh& mesh, const PageMeshLimits& most) {
     const CleanMesh welded = clean(mesh);
+    const std::vector<Component> components = componentsOf(mesh);
     PageMesh page;
     for (const Vector3& vertex : welded.vertices) page.box.extend(vertex);
-    std::vector<TriangleIndices> triangles = welded.triangles;
-    if (triangles.size() > mostTriangles) {
-        const double cell = cellFor(welded, page.box, mostTriangles);
-        triangles = thinned(welded, page.box, cell);
+    std::vector<OwnedTriangle> triangles = ownedTriangles(welded, components);
+    // Edges of the whole mesh: a simplified smooth surface has sharp edges that the surface itself lacks.
+    std::vector<OwnedEdge> edges = featureEdges(welded.vertices, triangles);
+    if (triangles.size() > most.triangles) {
+        const double cell = cellFor(welded.vertices, triangles, page.box, most.triangles);
+        const std::vector<std::uint32_t> standIns = representatives(welded.vertices, page.box, cell);
+        triangles = thinned(triangles, standIns);
+        edges = thinned(edges, standIns);
         page.error = cell * std::sqrt(3.0);
     }
-    const Vector3 extent = page.box.diagonal();
-    page.error += 0.5 / kSteps * extent.norm();
-    const auto addPosition = [&](std::uint32_t vertex) {
-        std::array<std::uint16_t, 3> position{};
-        for (int axis = 0; axis < 3; ++axis) {
-            const double share = (welded.vertices[vertex][axis] - page.box.min()[axis]) / extent[axis];
-            if (extent[axis] > 0) position[axis] = static_cast<std::uint16_t>(std::lround(kSteps * share));
-        }
-        page.positions.push_back(position);
-    };
+    page.error += 0.5 / kSteps * page.box.diagonal().norm();
+    page.allEdges = edges.size();
+    keepLongest(edges, welded.vertices, most.edges);
+    page.triangleCounts =
+        countsOf(triangles, components.size(), [](const OwnedTriangle& t) { return t.first; });
+    page.edgeCounts = countsOf(edges, components.size(), [](const OwnedEdge& e) { return e.owner; });
+
     FirstUseOrder numberOf(welded.vertices.size());
-    for (TriangleIndices triangle : triangles) {
+    const auto addPosition = [&](std::uint32_t vertex) {
+        page.positions.push_back(storedPosition(welded.vertices[vertex], page.box));
+    };
+    for (auto& [owner, triangle] : triangles) {
         for (std::uint32_t& vertex : triangle) vertex = numberOf(vertex, addPosition);
         page.triangles.push_back(triangle);
+    }
+    for (OwnedEdge& edge : edges) {
+        for (std::uint32_t& vertex : edge.ends) vertex = numberOf(vertex, addPosition);
+        page.edges.push_back(edge.ends);
     }
     return page;
 }

@@ -28,6 +28,7 @@ struct ReportInput {
     const std::vector<PartState>& path;
     const planning::PathAudit& audit;  ///< the audit of the path; its profile, if any, is drawn
     std::vector<ReportTable> tables;
+    std::string unit = {};  ///< of lengths, such as "mm"; empty when it is not known
 };
 
 struct WrittenReport {
@@ -40,8 +41,8 @@ struct WrittenReport {
 /// std::runtime_error when the file cannot be written.
 WrittenReport writeReport(const ReportInput& input, const std::string& file);
 
-/// The table of the audit's segments.
+/// The table of the audit's segments. unit: as in ReportInput.
 ReportTable segmentTable(const planning::PathAudit& audit, const std::vector<PartState>& path,
-                         double turnRadius);
+                         double turnRadius, const std::string& unit = {});
 
 }  // namespace clearway::report

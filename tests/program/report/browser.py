@@ -20,9 +20,10 @@ def find_chromium():
 
 
 class Page:
-    """One page, drawn without a graphics card. `errors` holds the errors that the page logs or throws."""
+    """One page, drawn without a graphics card. `errors` holds the errors that the page logs or throws. flags: further
+    options of the browser. look: the look that the browser prefers, "light" or "dark"."""
 
-    def __init__(self, file, width=1280, height=720):
+    def __init__(self, file, width=1280, height=720, flags=(), look="light"):
         self.profile = tempfile.mkdtemp()
         to_browser, self.to_browser = os.pipe()
         self.from_browser, from_browser = os.pipe()
@@ -38,7 +39,7 @@ class Page:
             [find_chromium(), "--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--remote-debugging-pipe",
              "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--hide-scrollbars", "--no-first-run",
              "--disable-background-networking", "--disable-extensions", "--disable-component-update",
-             f"--user-data-dir={self.profile}", f"--window-size={width},{height}", "about:blank"],
+             f"--user-data-dir={self.profile}", f"--window-size={width},{height}", *flags, "about:blank"],
             preexec_fn=use_pipes, close_fds=False, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         os.close(to_browser)
         os.close(from_browser)
@@ -51,6 +52,7 @@ class Page:
         for domain in ("Page", "Runtime", "Log", "Network"):
             self.ask(domain + ".enable")
         self.ask("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=False)
+        self.emulate(("prefers-color-scheme", look), ("prefers-reduced-motion", "reduce"))
         self.ask("Network.emulateNetworkConditions", offline=True, latency=0, downloadThroughput=-1, uploadThroughput=-1)
         self.ask("Page.setLifecycleEventsEnabled", enabled=True)
         loader = self.ask("Page.navigate", url="file://" + os.path.abspath(file))["loaderId"]
@@ -108,6 +110,15 @@ class Page:
         if "exceptionDetails" in answer:
             raise RuntimeError(f"{script}: {answer['exceptionDetails']['exception'].get('description')}")
         return answer["result"].get("value")
+
+    def emulate(self, *features):
+        """features: pairs of a media feature, such as prefers-color-scheme, and its value."""
+        self.ask("Emulation.setEmulatedMedia", features=[{"name": name, "value": value} for name, value in features])
+
+    def press(self, key, text=""):
+        """Presses a key by its name in JavaScript; text: what the key writes, if anything."""
+        self.ask("Input.dispatchKeyEvent", type="keyDown", key=key, text=text)
+        self.ask("Input.dispatchKeyEvent", type="keyUp", key=key)
 
     def screenshot(self):
         """Returns the picture as the bytes of a PNG file."""

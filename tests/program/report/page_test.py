@@ -108,16 +108,13 @@ def testProfileAndButtons(page):
     least = page.run("Math.min(...clearwayReport.frames.map((f) => f.clearance ?? Infinity))")
     require(page.run("clearwayReport.frames[clearwayReport.frame].clearance") == least, "expected the tightest place")
     page.run("document.querySelector('tr.jump:last-child').click()")
-    view = areaOf(page, "#view")
-    before = pixels(page, view)["sum"]
+    before = viewSum(page)
     page.run("""(() => { const axis = document.getElementById('cut-axis');
         axis.value = 'y'; axis.dispatchEvent(new Event('input')); })()""")
-    nextFrames(page, 3)
-    cut = pixels(page, view)["sum"]
+    cut = viewSum(page)
     require(cut != before, "the cut did not change the view")
     page.run("document.getElementById('closer').click()")
-    nextFrames(page, 3)
-    require(pixels(page, view)["sum"] != cut, "looking closer did not change the view")
+    require(viewSum(page) != cut, "looking closer did not change the view")
 
 
 def testRedraws(page):
@@ -135,6 +132,221 @@ def testRedraws(page):
     require(drawn >= sizes["part"] + sizes["environment"], f"a redraw of all draws {drawn} triangles, expected the environment's too")
 
 
+def writeBoxes(file, boxes):
+    """boxes: name, low corner, high corner."""
+    with open(file, "w") as out:
+        for n, (name, low, high) in enumerate(boxes):
+            print("o", name, file=out)
+            for i in range(8):
+                print("v", *((high if i >> axis & 1 else low)[axis] for axis in range(3)), file=out)
+            for a, b, c, d in ((1, 3, 4, 2), (5, 6, 8, 7), (1, 2, 6, 5), (3, 7, 8, 4), (1, 5, 7, 3), (2, 4, 8, 6)):
+                print("f", *(8 * n + i for i in (a, b, c, d)), file=out)
+
+
+def writePeg(folder):
+    """Writes a problem: a peg goes through the slot of a plate, then sideways into a post. 200 studs stand around."""
+    writeBoxes(os.path.join(folder, "peg.obj"), [("peg", (-5, -5, -20), (5, 5, 20))])
+    writeBoxes(os.path.join(folder, "plate.obj"), [
+        ("left", (-100, -100, -5), (-7, 100, 5)), ("right", (7, -100, -5), (100, 100, 5)),
+        ("front", (-7, -100, -5), (7, -8, 5)), ("back", (-7, 8, -5), (7, 100, 5)), ("post", (40, -5, -90), (50, 5, -5)),
+        *((f"stud{i}", (-95 + 9.5 * (i % 20), 60 + 4 * (i // 20), 5), (-93 + 9.5 * (i % 20), 62 + 4 * (i // 20), 9)) for i in range(200))])
+    ends = "".join(f"{end}.{key} = {value}\n" for end, place in (("start", (0, 0, 60)), ("goal", (60, 0, -50)))
+                   for key, value in [*zip("xyz", place), ("axis.x", 0), ("axis.y", 0), ("axis.z", 1), ("theta", 0)])
+    with open(os.path.join(folder, "peg.cfg"), "w") as out:
+        out.write(f"[problem]\nrobot = peg.obj\nworld = plate.obj\n{ends}[clearway]\nreading = stored\n")
+    with open(os.path.join(folder, "peg.path"), "w") as out:
+        out.write("0 0 60 0 0 0 1\n0 0 -50 0 0 0 1\n60 0 -50 0 0 0 1\n")
+    return os.path.join(folder, "peg.cfg"), os.path.join(folder, "peg.path")
+
+
+def waitUntil(page, condition):
+    """Waits until the expression holds, at most 10 seconds."""
+    holds = page.run(f"""(async () => {{ for (const end = performance.now() + 10000; performance.now() < end;) {{
+        if ({condition}) return true;
+        await new Promise((done) => setTimeout(done, 10));
+    }} return false; }})()""")
+    require(holds, f"waited in vain until {condition}")
+
+
+# Sums of all pixels of the view and of the profile, which change with any pixel. Quicker than a picture of the screen.
+kSums = """(words) => { let sum = 0; words.forEach((word, i) => { sum = (sum + word * (i % 1009 + 1)) % 4294967291; }); return sum; }"""
+
+
+def viewSum(page):
+    return page.run(f"""(() => {{
+        const view = clearwayReport.view, gl = view.renderer.getContext();
+        const words = new Uint32Array(gl.drawingBufferWidth * gl.drawingBufferHeight);
+        view.redraw();
+        gl.readPixels(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(words.buffer));
+        return ({kSums})(words);
+    }})()""")
+
+
+def profileSum(page):
+    return page.run(f"""(() => {{
+        const canvas = document.getElementById('profile');
+        const pixels = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+        return ({kSums})(new Uint32Array(pixels.data.buffer));
+    }})()""")
+
+
+def testFirstView(page):
+    """The first view shows the part at its start, at its goal and between."""
+    width, height = (areaOf(page, "#view")[side] for side in ("width", "height"))
+    count = page.run("clearwayReport.frames.length")
+    for i in (0, count // 2, count - 1):
+        x, y = page.run(f"clearwayReport.placeInView(clearwayReport.frames[{i}].position)")
+        require(0 < x < width and 0 < y < height, f"the first view shows frame {i} at {x}, {y}, expected within {width} x {height}")
+    require(page.run("clearwayReport.data.view.visible") > 0.5, "expected a first view that the plate hides little of")
+
+
+def testSwitches(page):
+    """Each switch changes the view, and switching back undoes that."""
+    before = viewSum(page)
+    for switch in ("ghosts", "edges"):
+        page.run(f"document.getElementById('{switch}').click()")
+        require(viewSum(page) != before, f"the switch {switch} did not change the view")
+        page.run(f"document.getElementById('{switch}').click()")
+        require(viewSum(page) == before, f"switching {switch} back did not show the same again")
+    page.run("""(() => { const slider = document.getElementById('opacity');
+        slider.value = slider.value < 50 ? 90 : 30; slider.dispatchEvent(new Event('input')); })()""")
+    require(viewSum(page) != before, "the slider of the surroundings did not change the view")
+
+
+def testObstacles(page):
+    """The list names the nearest obstacles, the worst first, counts the others, and hides each."""
+    names = page.run("[...document.querySelectorAll('#obstacles label')].map((label) => label.textContent.trim())")
+    require(names[0] == "post", f"the worst obstacle is {names[0]}, expected the post that the part runs into")
+    require(set(names[1:5]) == {"left", "right", "front", "back"}, f"next come {names[1:5]}, expected the four sides of the slot")
+    require(names[-1].startswith("125 other obstacles"), f"the last row is {names[-1]}, expected that it counts the others")
+    bounds = page.run("[...document.querySelectorAll('#obstacles td.number')].map((cell) => cell.textContent)")
+    require(bounds[0] == "in contact" and bounds[1] == "2", f"the clearances begin with {bounds[:2]}, expected contact and 2")
+    before = viewSum(page)
+    page.run("document.querySelectorAll('#obstacles input')[1].click()")
+    require(viewSum(page) != before, "hiding an obstacle did not change the view")
+    page.run("document.getElementById('all-obstacles').click()")
+    require(viewSum(page) == before, "showing all obstacles did not show the same again")
+
+
+def testHover(page):
+    page.run("document.getElementById('whole').click()")
+    view = areaOf(page, "#view")
+    x, y = page.run("clearwayReport.placeInView([-60, -60, clearwayReport.data.environment.low[2] + clearwayReport.data.environment.extent[2] - 4])")
+    page.ask("Input.dispatchMouseEvent", type="mouseMoved", x=view["x"] + x, y=view["y"] + y)
+    waitUntil(page, "!document.getElementById('hover').hidden")
+    name = page.run("document.getElementById('hover').textContent")
+    require(name.startswith("left"), f"under the pointer is '{name}', expected the plate's left side")
+    page.press("h", "h")
+    require(page.run("clearwayReport.data.environment.objects.findIndex((o, i) => clearwayReport.view.wall.body.runs[i].isHidden)") == 0,
+            "expected the key h to hide what is under the pointer")
+    page.press("a", "a")
+
+
+def testKeyboard(page):
+    frame = lambda: page.run("clearwayReport.frame")  # noqa: E731
+    last = page.run("clearwayReport.frames.length - 1")
+    for key, expected in (("End", last), ("ArrowLeft", last - 1), ("Home", 0), ("ArrowRight", 1)):
+        page.press(key)
+        require(frame() == expected, f"{key} goes to frame {frame()}, expected {expected}")
+    page.press(" ", " ")
+    require(page.run("clearwayReport.isPlaying"), "expected the space bar to play")
+    page.press(" ", " ")
+    require(not page.run("clearwayReport.isPlaying"), "expected the space bar to pause")
+    page.press("?", "?")
+    require(page.run("document.getElementById('help').open"), "expected ? to show the keys")
+    page.press("Escape")
+    page.run("document.getElementById('help').close()")
+
+
+def testContact(page):
+    """Where the part is in contact it has the colour of contact, hatched in black."""
+    page.run("clearwayReport.choose(clearwayReport.frames.findIndex((frame) => frame.trouble))")
+    require(page.run("clearwayReport.view.hatching.value") > 0, "expected hatching on the part in contact")
+    require(page.run("document.getElementById('readout').textContent").startswith("in contact"), "expected the readout to say: in contact")
+    page.run("clearwayReport.choose(0)")
+    require(page.run("clearwayReport.view.hatching.value") == 0, "expected no hatching where the part is free")
+
+
+def testTightest(page):
+    """The flight to the tightest place ends with the closest pair in the middle of the view, and the panel names the pair."""
+    page.emulate(("prefers-reduced-motion", "no-preference"))
+    page.press("t", "t")
+    require(page.run("clearwayReport.isFlying"), "expected a flight to the tightest place")
+    waitUntil(page, "!clearwayReport.isFlying")
+    view = areaOf(page, "#view")
+    x, y = page.run("clearwayReport.placeInView(clearwayReport.frames[clearwayReport.data.tightest].pair[1])")
+    require(abs(x - view["width"] / 2) < 40 and abs(y - view["height"] / 2) < 40, f"the closest pair is at {x}, {y}, expected the middle")
+    require(page.run("clearwayReport.frame === clearwayReport.data.tightest"), "expected the tightest frame")
+    panel = page.run("document.getElementById('closest-rows').textContent + document.getElementById('closest-note').textContent")
+    for words in ("peg", "post", "counted from 0", "x y z w", "w is last"):
+        require(words in panel, f"the panel shows '{panel}', expected '{words}'")
+    text = page.run("clearwayReport.closestText(clearwayReport.frames[0])")
+    require("translation: 0 0 60" in text and "quaternion x y z w: 0 0 0 1" in text, f"the text to copy is '{text}', expected the pose of the start")
+
+
+def testProfileModes(page):
+    """The logarithmic profile and the look change what is drawn; the picture is that of the view."""
+    linear, light = profileSum(page), viewSum(page)
+    middle = """(() => { const { range: [low, high], plot, isLogarithmic } = clearwayReport.profile, profile = clearwayReport.profile;
+        return profile.y(isLogarithmic ? Math.sqrt(low * high) : (low + high) / 2) - (plot.top + plot.bottom) / 2; })()"""
+    for isLogarithmic in (True, False):
+        page.press("l", "l")
+        require(page.run("clearwayReport.profile.isLogarithmic") == isLogarithmic, "expected the key l to switch the profile")
+        require(abs(page.run(middle)) < 1e-6, "expected the mean of the profile's range in its middle")
+        if isLogarithmic:
+            require(profileSum(page) != linear, "the logarithmic profile looks like the linear one")
+    page.press("d", "d")
+    paper = page.run("getComputedStyle(document.body).backgroundColor")
+    require(paper != "rgb(255, 255, 255)", f"the dark look has the paper {paper}")
+    require(profileSum(page) != linear, "the dark look did not change the profile")
+    require(viewSum(page) != light, "the dark look did not change the view")
+    size = page.run("""(() => { const canvas = clearwayReport.picture();
+        const words = new Uint32Array(canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data.buffer);
+        return [canvas.width, new Set(words).size]; })()""")
+    require(size[0] == areaOf(page, "#view")["width"] and size[1] > 50, f"the picture has width and colours {size}")
+
+
+def testFits(page):
+    """Nothing is cut off at the page's borders, and no two controls overlap."""
+    boxes = page.run("""[...document.querySelectorAll('button, select, input, #readout, #scale, h1')]
+        .filter((e) => e.offsetWidth && !e.closest('aside') && !e.closest('dialog') && e.id !== 'slider').map((e) => {
+            const b = e.getBoundingClientRect(); return [e.id || e.textContent, b.left, b.top, b.right, b.bottom]; })""")
+    for i, (name, left, top, right, bottom) in enumerate(boxes):
+        require(left >= 0 and top >= 0 and right <= 1280 and bottom <= 720, f"{name} is at {left}, {top}, {right}, {bottom}, expected it within the page")
+        for other in boxes[:i]:
+            apart = other[3] <= left or right <= other[1] or other[4] <= top or bottom <= other[2]
+            require(apart, f"{name} overlaps {other[0]}")
+
+
+def testWithoutWebGl(file):
+    page = browser.Page(file, flags=["--disable-3d-apis"], look="dark")
+    try:
+        require(page.run("getComputedStyle(document.getElementById('failure')).display") != "none", "expected words in place of the view")
+        require(page.run("document.documentElement.dataset.look") == "dark", "expected the look that the browser prefers")
+        areaOf(page, "#profile")
+        page.press("t", "t")
+        require(page.run("clearwayReport.frame === clearwayReport.data.tightest"), "expected the tightest frame without a view")
+        require(page.run("document.querySelectorAll('#obstacles tr').length") == 81, "expected the list of obstacles without a view")
+        testFits(page)
+        require(not page.errors, f"without WebGL the console shows {page.errors}")
+    finally:
+        page.close()
+
+
+def testPeg(program, folder):
+    file = os.path.join(folder, "peg.html")
+    subprocess.run([program, "check", *writePeg(folder), "--report", file], stdout=subprocess.DEVNULL)  # the path collides
+    page = browser.Page(file, 960, 600)  # fewer pixels take less time
+    try:
+        for test in (testFirstView, testSwitches, testObstacles, testHover, testKeyboard, testContact, testTightest,
+                     testProfileModes):
+            test(page)
+        require(not page.errors, f"the console shows {page.errors}")
+    finally:
+        page.close()
+    testWithoutWebGl(file)
+
+
 def testPage(program, problem, path, folder):
     file = os.path.join(folder, "report.html")
     subprocess.run([program, "check", problem, path, "--report", file], check=True, stdout=subprocess.DEVNULL)
@@ -144,6 +356,7 @@ def testPage(program, problem, path, folder):
     page = browser.Page(file)
     try:
         testLoading(page)
+        testFits(page)
         testSlider(page)
         testPlaying(page)
         testProfileAndButtons(page)
@@ -157,6 +370,7 @@ def main():
     program, problem, path = sys.argv[1:4]
     require(browser.find_chromium(), "no chromium, expected the package that cmake/packages_tests.txt names")
     with tempfile.TemporaryDirectory() as folder:
+        testPeg(program, folder)
         testPage(program, problem, path, folder)
         if not os.environ.get("CLEARWAY_FULL"):
             return

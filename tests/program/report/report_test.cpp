@@ -2,6 +2,7 @@
 
 #include <boost/test/unit_test.hpp>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "clearway/planning/check_path.h"
 #include "core/json.h"
@@ -20,12 +21,13 @@ struct Written {
     WrittenReport report;
     std::string page;
 
-    explicit Written(const std::string& title) {
+    explicit Written(const std::string& title, const std::string& unit = "") {
         const std::vector<PartState> path = {window.problem.start, window.problem.start};
         const auto audit = planning::checkPath(window.problem, window.scene, path).audit;
-        ReportInput input{title, "fine", window.partMesh, window.wallMesh, window.scene, path, audit, {}};
+        ReportInput input{title, "fine", window.partMesh, window.wallMesh, window.scene, path, audit,
+                          {},    unit};
         input.tables = {{"Figures", {}, {{"time", "3 </script> s"}, {"part", "Tr\xe4ger"}}, {}},
-                        segmentTable(audit, path, 1)};
+                        segmentTable(audit, path, 1, unit)};
         report = writeReport(input, folder.file("out.html"));
         page = readText(folder.file("out.html"));
     }
@@ -59,6 +61,45 @@ BOOST_AUTO_TEST_CASE(a_page_says_what_it_shows_of_the_meshes) {
     BOOST_TEST(written.report.environmentTriangles == written.window.wallMesh.triangles.size());
     BOOST_TEST(written.count("The environment is drawn with all of its 432 triangles") == 1u);
     BOOST_TEST(written.count("MIT licence") == 1u);
+}
+
+BOOST_AUTO_TEST_CASE(lengths_carry_the_unit_and_without_one_nothing_is_assumed) {
+    const Written millimetres("A path", "mm"), unknown("A path");
+    BOOST_TEST(millimetres.data()["unit"].get<std::string>() == "mm");
+    BOOST_TEST(millimetres.count("mm of its place") == 2u);
+    BOOST_TEST(millimetres.data()["tables"][1]["header"][3].get<std::string>() == "clearance [mm]");
+    BOOST_TEST(unknown.data()["unit"].get<std::string>().empty());
+    BOOST_TEST(unknown.data()["tables"][1]["header"][3].get<std::string>() == "clearance");
+    BOOST_TEST(unknown.count("which the problem does not name") == 1u);
+}
+
+BOOST_AUTO_TEST_CASE(a_page_knows_every_obstacle_and_how_near_the_part_comes) {
+    const Json data = Written("A path").data(), objects = data["environment"]["objects"];
+    BOOST_TEST_REQUIRE(objects.size() == 4u);
+    std::size_t triangles = 0;
+    double least = 1e300;
+    for (const Json& object : objects) {
+        triangles += object["triangles"].get<std::size_t>();
+        least = std::min(least, object["clearance"].get<double>());
+    }
+    BOOST_TEST(objects[0]["name"].get<std::string>() == "below");
+    BOOST_TEST(triangles == 432u);
+    BOOST_TEST(least == data["frames"][0]["clearance"].get<double>(), boost::test_tools::tolerance(1e-6));
+}
+
+BOOST_AUTO_TEST_CASE(poses_and_points_can_be_copied_with_all_digits) {
+    const Written written("A path");
+    const Json frame = written.data()["frames"][0];
+    std::istringstream pose(frame["pose"].get<std::string>());
+    const PartState& start = written.window.problem.start;
+    double x, y, z, qx, qy, qz, qw;
+    pose >> x >> y >> z >> qx >> qy >> qz >> qw;
+    BOOST_TEST((Vector3(x, y, z) == start.position));
+    BOOST_TEST(std::abs(Eigen::Quaterniond(qw, qx, qy, qz).dot(Eigen::Quaterniond(start.rotation))) == 1,
+               boost::test_tools::tolerance(1e-15));
+    BOOST_TEST(frame["triangles"].size() == 2u);
+    BOOST_TEST(frame["points"][1].get<std::string>().size() > 10u);
+    BOOST_TEST(!frame.contains("trouble"));
 }
 
 BOOST_AUTO_TEST_CASE(names_and_figures_cannot_break_the_page) {

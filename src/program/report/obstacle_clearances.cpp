@@ -1,0 +1,119 @@
+#include "program/report/obstacle_clearances.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+#include <unordered_map>
+
+#include "clearway/outside.h"
+#include "mesh/components.h"
+
+namespace clearway::report {
+
+namespace {
+
+Box boxOfComponent(const Mesh& mesh, const Component& component) {
+    Box box;
+    for (std::uint32_t i = 0; i < component.triangleCount; ++i) {
+        for (const std::uint32_t vertex : mesh.triangles[component.firstTriangle + i])
+            box.extend(mesh.vertices[vertex]);
+    }
+    return box;
+}
+
+/// Measures one component after another.
+class Measuring {
+  public:
+    Measuring(const Scene& scene, const Mesh& environment, const std::vector<ReportFrame>& frames)
+        : scene_(scene), environment_(environment), frames_(frames) {
+        for (const ReportFrame& frame : frames)
+            partBoxes_.push_back(movedBox(frame.X_environmentPart, scene.part.box()));
+        for (std::size_t i = 0; i < scene.obstacles.size(); ++i) {
+            for (const Component& component : scene.obstacles[i].model.components())
+                obstacleOf_.try_emplace(component.name, i);
+        }
+    }
+
+    const Obstacle* obstacleOf(const Component& component) const {
+        const auto found = obstacleOf_.find(component.name);
+        return found == obstacleOf_.end() ? nullptr : &scene_.obstacles[found->second];
+    }
+
+    /// Lower bounds of the distances at the frames within reach, with their frames, the least first.
+    std::vector<std::pair<double, std::size_t>> boxDistances(const Component& component) const {
+        const Box box = boxOfComponent(environment_, component);
+        std::vector<std::pair<double, std::size_t>> distances;
+        for (std::size_t i = 0; i < frames_.size(); ++i) {
+            if (frames_[i].isInReach) distances.emplace_back(box.exteriorDistance(partBoxes_[i]), i);
+        }
+        std::sort(distances.begin(), distances.end());
+        return distances;
+    }
+
+    void measure(std::size_t index, const Component& component, ObstacleClearance& answer) const {
+        const planning::SceneClearance clearance(sceneOf(index, *obstacleOf(component)));
+        answer = {};
+        answer.margin = clearance.scene().obstacles[0].margin;
+        answer.isMeasured = answer.isInScene = true;
+        for (const auto& [boxDistance, frame] : boxDistances(component)) {
+            if (boxDistance - answer.margin >= answer.lower) break;
+            planning::ClearanceOptions options;
+            options.cap = answer.lower;
+            const planning::PoseClearance found = clearance.at(frames_[frame].X_environmentPart, options);
+            if (!(found.lower < answer.lower)) continue;
+            answer.lower = found.lower;
+            answer.frame = frame;
+            answer.isContact = !found.isValid();
+        }
+    }
+
+  private:
+    /// The scene with one component of an obstacle, which counts as the obstacle does.
+    Scene sceneOf(std::size_t index, const Obstacle& obstacle) const {
+        Scene single(scene_.part);
+        single.partSolids = scene_.partSolids;
+        single.startContact = scene_.startContact;
+        single.goalContact = scene_.goalContact;
+        single.obstacles = {obstacle};
+        if (obstacle.model.components().size() == 1) return single;
+        const Mesh mesh = meshOfComponents(environment_, {index});
+        Obstacle& made = single.obstacles[0];
+        made.model = Model::build(mesh, obstacle.model.report().options);
+        made.fileTriangles.clear();
+        if (obstacle.solids) made.solids = makeSolids(mesh).solids;
+        return single;
+    }
+
+    const Scene& scene_;
+    const Mesh& environment_;
+    const std::vector<ReportFrame>& frames_;
+    std::vector<Box> partBoxes_;
+    std::unordered_map<std::string, std::size_t> obstacleOf_;
+};
+
+}  // namespace
+
+std::vector<ObstacleClearance> obstacleClearances(const Scene& scene, const Mesh& environment,
+                                                  const std::vector<ReportFrame>& frames, std::size_t most) {
+    const Measuring measuring(scene, environment, frames);
+    const std::vector<Component> components = componentsOf(environment);
+    std::vector<ObstacleClearance> answers(components.size());
+    std::vector<std::size_t> nearestFirst;
+    for (std::size_t i = 0; i < components.size(); ++i) {
+        const Obstacle* obstacle = measuring.obstacleOf(components[i]);
+        if (!obstacle || components[i].triangleCount == 0) continue;
+        answers[i].isInScene = true;
+        answers[i].margin = obstacle->margin;
+        const auto distances = measuring.boxDistances(components[i]);
+        if (!distances.empty()) answers[i].lower = distances.front().first - obstacle->margin;
+        nearestFirst.push_back(i);
+    }
+    std::stable_sort(nearestFirst.begin(), nearestFirst.end(),
+                     [&](std::size_t a, std::size_t b) { return answers[a].lower < answers[b].lower; });
+    nearestFirst.resize(std::min(most, nearestFirst.size()));
+    for (const std::size_t i : nearestFirst) measuring.measure(i, components[i], answers[i]);
+    return answers;
+}
+
+}  // namespace clearway::report

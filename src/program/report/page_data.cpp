@@ -1,0 +1,278 @@
+#include "program/report/page_data.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "core/json.h"
+#include "mesh/components.h"
+#include "program/render/colour.h"
+#include "program/report/coding.h"
+#include "program/report/first_view.h"
+#include "program/report/frames.h"
+#include "program/report/obstacle_clearances.h"
+#include "program/report/page_mesh.h"
+
+namespace clearway::report {
+
+namespace {
+
+/// The part is redrawn at every place of the slider. With this many triangles a redraw takes well below 0.2 s
+/// in headless Chromium without a graphics card. The environment is redrawn only when the camera moves, so
+/// its limit follows from the size of the page.
+constexpr PageMeshLimits kPartLimits{100000, 30000}, kEnvironmentLimits{600000, 150000};
+constexpr std::size_t kFrames = 401, kStretches = 600, kColours = 33, kMostTroubles = 200;
+
+/// Obstacles whose clearance is measured. The page lists these and counts the others.
+constexpr std::size_t kMostMeasured = 80;
+
+/// The points that the first view is to show: vertices of the part at places along the path.
+constexpr std::size_t kViewPlaces = 24, kViewVertices = 12;
+/// Distance of the camera in radii of what it is to show; about that of the page, which has an angle of 30 degrees.
+constexpr double kCameraDistance = 4;
+constexpr double kTightRadius = 0.15;  ///< surroundings of the closest pair, of the part's diagonal
+
+Json pointOf(const Vector3& point) {
+    return {point.x(), point.y(), point.z()};
+}
+
+/// Numbers as a text from which the same doubles can be read.
+template <class Vector>
+std::string exactText(const Vector& values) {
+    std::string text;
+    for (const double value : values) {
+        char number[32];
+        std::snprintf(number, sizeof number, "%s%.17g", text.empty() ? "" : " ", value);
+        text += number;
+    }
+    return text;
+}
+
+std::string shortly(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3g", value);
+    return text;
+}
+
+Json jsonOf(const PageMesh& mesh, const Vector3& origin, Json objects) {
+    return {{"low", pointOf(mesh.box.min() - origin)},
+            {"extent", pointOf(mesh.box.diagonal())},
+            {"positions", base64(mesh.positions.data(), 6 * mesh.positions.size())},
+            {"triangles", base64(mesh.triangles.data(), 12 * mesh.triangles.size())},
+            {"edges", base64(mesh.edges.data(), 8 * mesh.edges.size())},
+            {"objects", std::move(objects)}};
+}
+
+/// One entry for each component, which owns a run of the page's triangles and one of its edges.
+Json objectsOf(const Mesh& mesh, const PageMesh& page, const std::string& nameless) {
+    Json objects = Json::array();
+    const std::vector<Component> components = componentsOf(mesh);
+    for (std::size_t i = 0; i < components.size(); ++i) {
+        objects.push_back({{"name", components[i].name.empty() ? nameless : components[i].name},
+                           {"triangles", page.triangleCounts[i]},
+                           {"edges", page.edgeCounts[i]}});
+    }
+    return objects;
+}
+
+void addClearance(const ObstacleClearance& clearance, Json& object) {
+    if (!clearance.isInScene) {
+        object["isIgnored"] = true;
+        return;
+    }
+    if (clearance.margin > 0) object["margin"] = clearance.margin;
+    if (!std::isfinite(clearance.lower)) return;
+    object[clearance.isMeasured ? "clearance" : "atLeast"] = clearance.lower;
+    if (clearance.isMeasured) object["frame"] = clearance.frame;
+    if (clearance.isContact) object["isContact"] = true;
+}
+
+/// Why the pose of a frame is not valid, in a few words.
+std::string troubleOf(const ReportFrame& frame, const Scene& scene) {
+    const SceneDistance& nearest = frame.clearance.nearest;
+    if (!frame.isInReach || frame.clearance.isValid()) return "";
+    if (nearest.obstacle < 0) return "inside a solid";
+    if (nearest.collides()) return "in contact";
+    const double margin = scene.obstacles[static_cast<std::size_t>(nearest.obstacle)].margin;
+    return nearest.lower > margin ? "inside a solid" : "closer than the margin";
+}
+
+std::size_t nearestFrame(const std::vector<ReportFrame>& frames, double share) {
+    const auto isCloser = [&](const ReportFrame& a, const ReportFrame& b) {
+        return std::abs(a.share - share) < std::abs(b.share - share);
+    };
+    return static_cast<std::size_t>(std::min_element(frames.begin(), frames.end(), isCloser) -
+                                    frames.begin());
+}
+
+Json jsonOf(const ReportTable& table, const std::vector<ReportFrame>& frames) {
+    Json jumps;
+    for (const double share : table.shares) jumps.push_back(nearestFrame(frames, share));
+    return {{"title", table.title}, {"header", table.header}, {"rows", table.rows}, {"frames", jumps}};
+}
+
+Json colourScale() {
+    Json colours;
+    for (std::size_t i = 0; i < kColours; ++i)
+        colours.push_back(render::toSRgb(render::clearanceColour(double(i) / double(kColours - 1))));
+    return colours;
+}
+
+std::string noteOn(const char* what, const PageMesh& page, std::size_t all, const std::string& unit) {
+    const std::size_t shown = page.triangles.size();
+    std::string text = std::string("The ") + what + " is drawn with " +
+                       (shown >= all ? "all of its " : std::to_string(shown) + " of its ") +
+                       std::to_string(all) + (shown >= all ? " triangles" : "") + ", each vertex within " +
+                       shortly(page.error) + unit + " of its place";
+    if (page.edges.size() < page.allEdges)
+        text += ", and the longest " + std::to_string(page.edges.size()) + " of its " +
+                std::to_string(page.allEdges) + " sharp edges";
+    return text + ". ";
+}
+
+class PageMaker {
+  public:
+    explicit PageMaker(const ReportInput& input)
+        : input_(input),
+          part_(pageMeshOf(input.part, kPartLimits)),
+          environment_(pageMeshOf(input.environment, kEnvironmentLimits)),
+          origin_(environment_.box.center()),
+          line_(input.path, input.scene.part.radiusAboutOrigin()),
+          frames_(framesAlong(line_, planning::SceneClearance(input.scene), kFrames,
+                              tightPlaces(line_, input.audit, kMostTroubles))) {
+        for (const ReportFrame& frame : frames_) {
+            if (!frame.isInReach || !std::isfinite(frame.clearance.lower)) continue;
+            least_ = std::min(least_, frame.clearance.lower);
+            most_ = std::max(most_, frame.clearance.lower);
+        }
+    }
+
+    PageData data() const {
+        Json frames = Json::array(), tables = Json::array();
+        for (const ReportFrame& frame : frames_) frames.push_back(frameJson(frame));
+        for (const ReportTable& table : input_.tables) tables.push_back(jsonOf(table, frames_));
+        Json json = {{"title", input_.title},
+                     {"verdict", input_.verdict},
+                     {"unit", input_.unit},
+                     {"note", note()},
+                     {"radius", environment_.box.diagonal().norm() / 2},
+                     {"scale", colourScale()},
+                     {"contact", render::toSRgb(render::contactColour())},
+                     {"scaleMost", render::scaleFor(least_, most_)},
+                     {"most", most_},
+                     {"margin", input_.scene.largestMargin()},
+                     {"tightest", tightest()},
+                     {"certified", certifiedStretches(line_, input_.audit, kStretches)},
+                     {"tables", std::move(tables)},
+                     {"frames", std::move(frames)}};
+        addViews(json);
+        json["part"] = jsonOf(part_, part_.box.center(), objectsOf(input_.part, part_, "part"));
+        json["environment"] = jsonOf(environment_, origin_, obstacles());
+        return {jsonText(std::move(json)), part_.triangles.size(), environment_.triangles.size()};
+    }
+
+  private:
+    /// "position" is that of the middle of the part's box.
+    Json frameJson(const ReportFrame& frame) const {
+        const Pose& X = frame.X_environmentPart;
+        const Eigen::Quaterniond q(X.rotation);
+        Json json = {{"share", frame.share},
+                     {"position", pointOf(X * part_.box.center() - origin_)},
+                     {"rotation", {q.x(), q.y(), q.z(), q.w()}},
+                     {"pose", exactText(X.translation) + " " + exactText(q.coeffs())},
+                     {"clearance", frame.isInReach ? Json(frame.clearance.lower) : Json()}};
+        if (frame.isInReach && std::isinf(frame.clearance.lower)) json["isFree"] = true;
+        const std::string trouble = troubleOf(frame, input_.scene);
+        if (!trouble.empty()) json["trouble"] = trouble;
+        if (frame.partMesh.empty()) return json;
+        const SceneDistance& nearest = frame.clearance.nearest;
+        json["distance"] = nearest.distance;
+        json["pair"] = {pointOf(nearest.pointOnPart - origin_),
+                        pointOf(nearest.pointOnEnvironment - origin_)};
+        json["between"] = {frame.partMesh, frame.environmentMesh};
+        json["triangles"] = {nearest.partTriangle, nearest.environmentTriangle};
+        json["points"] = {exactText(nearest.pointOnPart), exactText(nearest.pointOnEnvironment)};
+        return json;
+    }
+
+    Json obstacles() const {
+        Json objects = objectsOf(input_.environment, environment_, "environment");
+        const auto clearances = obstacleClearances(input_.scene, input_.environment, frames_, kMostMeasured);
+        for (std::size_t i = 0; i < clearances.size(); ++i) addClearance(clearances[i], objects[i]);
+        return objects;
+    }
+
+    std::size_t tightest() const {
+        const auto isTighter = [](const ReportFrame& a, const ReportFrame& b) {
+            return a.isInReach && (!b.isInReach || a.clearance.lower < b.clearance.lower);
+        };
+        return static_cast<std::size_t>(std::min_element(frames_.begin(), frames_.end(), isTighter) -
+                                        frames_.begin());
+    }
+
+    void addViews(Json& json) const {
+        const auto onPage = [&](const Vector3& point) {
+            return Eigen::Vector3f((point - origin_).cast<float>());
+        };
+        render::RayScene rays;
+        render::Surface surface;
+        for (const auto& stored : environment_.positions)
+            surface.vertices.push_back(onPage(environment_.placeOf(stored)));
+        surface.triangles = environment_.triangles;
+        rays.addBody(rays.addShape(surface), {});
+        rays.finish();
+
+        ViewRequest way;
+        Box box;
+        const std::size_t vertexStep = std::max<std::size_t>(1, part_.positions.size() / kViewVertices);
+        for (const double share : evenShares(kViewPlaces)) {
+            const Pose X = poseOf(line_.at(share));
+            for (std::size_t i = 0; i < part_.positions.size(); i += vertexStep) {
+                box.extend(X * part_.placeOf(part_.positions[i]));
+                way.points.push_back(onPage(X * part_.placeOf(part_.positions[i])));
+            }
+        }
+        way.centre = onPage(box.center());
+        way.distance = static_cast<float>(kCameraDistance * (box.diagonal().norm() / 2));
+        way.along = (input_.path.back().position - input_.path.front().position).cast<float>();
+        const ChosenView chosen = chooseView(rays, way);
+        json["view"] = {{"direction", pointOf(chosen.direction.cast<double>())}, {"visible", chosen.visible}};
+
+        const ReportFrame& tight = frames_[tightest()];
+        if (tight.partMesh.empty()) return;
+        const SceneDistance& pair = tight.clearance.nearest;
+        const Vector3 middle = 0.5 * (pair.pointOnPart + pair.pointOnEnvironment);
+        const Vector3 gap = pair.pointOnEnvironment - pair.pointOnPart;
+        ViewRequest close{{onPage(middle)}, onPage(middle), 0, gap.cast<float>()};
+        close.distance = static_cast<float>(kCameraDistance * kTightRadius * part_.box.diagonal().norm());
+        json["view"]["tightDirection"] = pointOf(chooseView(rays, close).direction.cast<double>());
+    }
+
+    std::string note() const {
+        const std::string unit = input_.unit.empty() ? "" : " " + input_.unit;
+        return noteOn("environment", environment_, input_.environment.triangles.size(), unit) +
+               noteOn("part", part_, input_.part.triangles.size(), unit) +
+               "Clearances are those of the original meshes: lower bounds of distance - margin. The line in "
+               "the view is the path of the middle of the part's box. " +
+               (input_.unit.empty() ? "Lengths are in the files' unit, which the problem does not name. "
+                                    : "") +
+               "Drawn with three.js (MIT licence), which this page contains.";
+    }
+
+    const ReportInput& input_;
+    PageMesh part_, environment_;
+    Vector3 origin_;
+    PathLine line_;
+    std::vector<ReportFrame> frames_;
+    double least_ = std::numeric_limits<double>::infinity(), most_ = 0;
+};
+
+}  // namespace
+
+PageData pageDataOf(const ReportInput& input) {
+    return PageMaker(input).data();
+}
+
+}  // namespace clearway::report
