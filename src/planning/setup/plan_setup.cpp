@@ -11,6 +11,7 @@
 #include "clearway/planning/ompl_messages.h"
 #include "clearway/planning/planners.h"
 #include "core/number.h"
+#include "core/text.h"
 #include "planning/motion/motion_search.h"
 #include "planning/setup/goals.h"
 #include "planning/setup/problem_settings.h"
@@ -114,7 +115,8 @@ void addOnce(std::vector<std::string>& warnings, const std::string& warning) {
     if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end()) warnings.push_back(warning);
 }
 
-/// Unknown parameters only give a warning, because old files hold parameters that OMPL no longer has.
+/// Unknown parameters are refused, as unknown keys are. In a file of OMPL.app's they are only warned of: old files hold
+/// parameters that OMPL no longer has.
 void setFileParameters(ob::Planner& planner, const std::string& plannerName, const Problem& problem,
                        std::vector<std::string>& warnings) {
     for (const PlannerChoice& choice : problem.planners) {
@@ -125,8 +127,13 @@ void setFileParameters(ob::Planner& planner, const std::string& plannerName, con
             } else if (hasParameter(planner, name)) {
                 setParameter(planner, name, value);
             } else {
-                addOnce(warnings, problem.file + ": planner " + plannerName + " has no parameter '" + name +
-                                      "'; it is left out");
+                std::vector<std::string> known;
+                planner.params().getParamNames(known);
+                const std::string what = problem.file + ": planner " + plannerName + " has no parameter '" +
+                                         name + "'" + didYouMean(name, known);
+                const bool isOmplApps = problem.asOmplApp && !problem.isReadingStated;
+                if (!isOmplApps) throw std::invalid_argument(what + ", expected one of " + joined(known));
+                addOnce(warnings, what + "; it is left out");
             }
         }
         return;  // a planner named several times is several runs of a benchmark; the first counts

@@ -131,6 +131,7 @@ struct Seen {
     Box bounds;
     double partSize;
     std::vector<std::string> touched;
+    bool isOutside;  ///< the part, at its start
 };
 
 std::string textOf(const InitArguments& given, const Seen& seen) {
@@ -163,7 +164,9 @@ std::string textOf(const InitArguments& given, const Seen& seen) {
         "unit = mm               the unit of all lengths here, um, mm, cm, m, km, in or ft: shown beside "
         "them");
     text.line("reading", "stored", "coordinates as the files hold them");
-    text.line("goal", "outside", "any pose at which the boxes of part and surroundings are apart");
+    text.line("goal", "outside",
+              seen.isOutside ? "where the part is at its start already: state goal.x ... above instead"
+                             : "any pose at which the boxes of part and surroundings are apart");
     text.comment("outside = +z: on this side only; +x, -x, +y, -y, +z or -z");
     text.line("margin", "0", "distance to keep from everything");
     if (!seen.touched.empty()) {
@@ -213,6 +216,7 @@ int init(const Arguments& words) {
     const Vector3 farthest = boundingBox(part).min().cwiseAbs().cwiseMax(boundingBox(part).max().cwiseAbs());
     const Vector3 room = Vector3::Constant(kRoom * farthest.norm());
     seen.bounds = Box(seen.bounds.min() - room, seen.bounds.max() + room);
+    seen.isOutside = !boundingBox(part).intersects(boundingBox(environment));
     seen.touched = touchedBy(part, obstaclesOf(problem, worlds));
 
     facts()["problem"] = given.out;
@@ -231,6 +235,8 @@ int init(const Arguments& words) {
         printRow("start",
                  "touches " + joined(names) + (more > 0 ? " and " + std::to_string(more) + " more" : ""));
     }
+    if (seen.isOutside)
+        printRow("goal", "outside, where the part is already: state goal.x ... in place of goal = outside");
     replaceFile(given.out, [&](std::ostream& stream) { stream << textOf(given, seen); });
     printRow("problem", given.out);
     return kDone;

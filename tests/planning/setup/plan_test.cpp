@@ -349,10 +349,13 @@ BOOST_AUTO_TEST_CASE(wrong_planners_and_parameters_are_refused_on_demand_and_war
 
     options.parameters.clear();
     window.problem.planners = {{"rrtconnect", {{"name", "mine"}, {"max_failures", "3"}, {"range", "7"}}}};
+    BOOST_TEST(contains(refusal(planIt), "RRTConnect has no parameter 'max_failures', expected one of"));
+    window.problem.isReadingStated = false;  // as OMPL.app's files, which know no [clearway]
     const PlanReport report = plan(window.problem, window.scene, options);
     BOOST_REQUIRE(report.warnings.size() == 1u);
     BOOST_TEST(
         contains(report.warnings[0], "window.cfg: planner RRTConnect has no parameter 'max_failures'"));
+    window.problem.isReadingStated = true;
 
     window.problem.planners = {{"nonesuch", {}}};
     BOOST_TEST(contains(refusal(planIt), "window.cfg: unknown planner 'nonesuch'"));
