@@ -14,6 +14,11 @@ namespace clearway {
 /// unchanged.
 void replaceFile(const std::string& file, const std::function<void(std::ostream&)>& write);
 
+/// As replaceFile, for writers that open the file themselves: `write` gets the name of the temporary file and tells
+/// whether it is complete. If not, an existing file is unchanged. Returns what `write` told.
+bool replaceFileByName(const std::string& file,
+                       const std::function<bool(const std::string& temporary)>& write);
+
 /// Throws what replaceFile would throw before it calls `write`: when the name is that of a folder, a device, a pipe or a stream
 /// of a process such as /dev/stdout, wherever that leads to, or no file can be made beside it. Call it before long work, so that a file that
 /// cannot be written is reported at once.

@@ -15,6 +15,11 @@ void Stage::addBody(Body body) {
     bodies_.push_back(std::move(body));
 }
 
+void Stage::changeBody(std::size_t body, Body changed) {
+    rays_.moveBody(body, changed.placement);
+    bodies_[body] = std::move(changed);
+}
+
 std::uint32_t Stage::componentOf(const RayHit& hit) const {
     return shapeOf(bodies_[hit.body]).components[hit.triangle];
 }
@@ -42,6 +47,7 @@ SeenPoint Stage::seenAt(const Ray& ray, const RayHit& hit) const {
     }
     if (seen.normal.dot(ray.direction) >= 0)
         seen.normal = seen.facet;  // the smoothed normal points away from the camera
+    seen.isHatched = body.isHatched;
     seen.colour = body.colours[std::min<std::size_t>(componentOf(hit), body.colours.size() - 1)];
     return seen;
 }

@@ -10,6 +10,9 @@
 
 namespace clearway::render {
 
+/// The colour of a body's outline; it tells the start and the goal from other poses.
+enum class Pen : std::uint8_t { kPlain, kStart, kGoal };
+
 struct Body {
     std::size_t shape = 0;  ///< number of the shape in its stage
     Placement placement;
@@ -17,6 +20,8 @@ struct Body {
         colours;  ///< one for each component of the shape; the last one serves all further components
     bool hasSeams = true;    ///< lines are drawn where two components meet
     bool isOnScale = false;  ///< its colours show clearances, which no other colour may tint
+    bool isHatched = false;  ///< black lines are drawn across it
+    Pen pen = Pen::kPlain;
 };
 
 /// The point at which a ray met a body.
@@ -25,15 +30,21 @@ struct SeenPoint {
     Vector3f normal;  ///< smoothed normal on the side of the camera, unit length
     Vector3f facet;   ///< normal of the triangle on the side of the camera, unit length
     Colour colour;
+    bool isHatched = false;
 };
 
 class Stage {
   public:
     std::size_t addShape(Surface surface);
     void addBody(Body body);
-    void finish() { rays_.finish(); }  ///< to be called before any ray is traced
+    /// Replaces a body by one of the same shape: at another place, in other colours.
+    void changeBody(std::size_t body, Body changed);
+    void showBody(std::size_t body, bool isShown) { rays_.showBody(body, isShown); }
+    void finish() { rays_.finish(); }  ///< to be called after all changes and before any ray is traced
 
     bool isEmpty() const { return bodies_.empty(); }
+    std::size_t bodyCount() const { return bodies_.size(); }
+    Pen penOf(const RayHit& hit) const { return bodies_[hit.body].pen; }
     const RayScene& rays() const { return rays_; }
     SeenPoint seenAt(const Ray& ray, const RayHit& hit) const;
     /// Normal of the triangle, on the side that the order of its corners gives; unit length.
