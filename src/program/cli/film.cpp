@@ -119,6 +119,7 @@ std::size_t FilmChoice::pictureCount() const {
 void FilmChoice::require(const render::RenderOptions& drawing, std::size_t states, const std::string& picture,
                          OutputFiles& files) const {
     if (!isWanted()) return;
+    if (frames == "-") throw std::invalid_argument("--frames is '-', expected the name of a folder");
     files.add("--video", video, render::videoEndings());
     requireOutside("--video", video, frames);
     requireOutside("--out", picture, frames);

@@ -41,7 +41,7 @@ std::vector<double> sharesOf(const std::string& text) {
 
 bool readArguments(const Arguments& arguments, RenderArguments& given) {
     CommandLine line(
-        "clearway render PROBLEM.cfg [IN.path] --out OUT.png [options]",
+        "clearway render PROBLEM.cfg [IN.path] (--out FILE | --frames DIR | --video FILE) [options]",
         "Draws the environment and the part at poses along the path, coloured by clearance; "
         "without a path, at\n"
         "the problem's start and goal (a goal outside has no pose). --frames and --video show the "
@@ -67,7 +67,7 @@ bool readArguments(const Arguments& arguments, RenderArguments& given) {
     addCache(line, given.trees);
     if (!line.parse(arguments)) return false;
     if (given.out.empty() && !given.film.isWanted())
-        throw std::invalid_argument("--out is missing, expected it or --frames or --video");
+        throw std::invalid_argument("--out is missing, expected one of --out, --frames and --video");
     return true;
 }
 

@@ -14,7 +14,7 @@ constexpr int kPerPixel = 2;            ///< rays along one side of a pixel
 constexpr float kCreaseCosine = 0.80f;  ///< faces that meet at a smaller cosine have a line between them
 constexpr float kGapShare = 0.012f;  ///< share of the depth: a larger jump, on a face seen head on, is a line
 /// Darkness of each kind of line.
-constexpr float kSilhouette = 0.85f, kGap = 0.6f, kSeam = 0.4f, kCrease = 0.3f, kGhost = 0.45f,
+constexpr float kSilhouette = 0.85f, kGap = 0.7f, kSeam = 0.5f, kCrease = 0.6f, kGhost = 0.45f,
                 kColoured = 0.95f;
 constexpr float kColouredWidth = 2;  ///< width of coloured outlines, in widths of a line
 const Colour kPens[] = {sRgb(24, 26, 32), sRgb(0, 150, 230), sRgb(0, 125, 50)};

@@ -107,6 +107,7 @@ RayScene::RayScene() : state_(std::make_unique<State>()) {
                                  std::to_string(static_cast<int>(rtcGetDeviceError(nullptr))));
     }
     state_->scene = rtcNewScene(state_->device);
+    rtcSetSceneFlags(state_->scene, RTC_SCENE_FLAG_ROBUST);
     state_->requireDone("Embree cannot make a scene");
 }
 
@@ -114,6 +115,7 @@ RayScene::~RayScene() = default;
 
 std::size_t RayScene::addShape(const Surface& surface) {
     const RTCScene shape = rtcNewScene(state_->device);
+    rtcSetSceneFlags(shape, RTC_SCENE_FLAG_ROBUST);  // no ray slips through between two triangles
     state_->shapes.push_back(shape);
     if (!surface.triangles.empty()) attachTriangles(state_->device, shape, surface);
     rtcCommitScene(shape);

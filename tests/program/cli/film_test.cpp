@@ -65,6 +65,8 @@ BOOST_AUTO_TEST_CASE(a_film_that_cannot_be_made_is_refused_before_long_work) {
     requireRefused(folder, film + "--frames nowhere/film", {"nowhere/film"});
     requireRefused(folder, film + "--frames in.path", {"in.path", "not a folder"});
     requireRefused(folder, film + "--frames .", {"current folder"});
+    requireRefused(folder, film + "--frames -", {"--frames is '-'"});
+    requireRefused(folder, film + "--frames film --out film/out.png", {"film/out.png"});
     requireRefused(folder, film + "--video film.avi", {"'film.avi'", ".mp4 or .gif"});
     requireRefused(folder, film + "--video in.path", {"'in.path'"});
     requireRefused(folder, film + "--video film.mp4 --size 8000x40", {"8000 x 40", "at most 4096"});
@@ -98,7 +100,7 @@ BOOST_AUTO_TEST_CASE(an_interrupt_leaves_no_picture_and_no_frames) {
     const std::vector<std::string> before = folder.names();
     for (const std::string& output : {std::string("--out out.png"), std::string("--frames film")}) {
         const Outcome outcome =
-            interruptIn(folder, "render window.cfg in.path --size 1280x720 --samples 4096 " + output);
+            interruptIn(folder, "render window.cfg in.path --size 1280x720 --samples 512 " + output);
         BOOST_TEST(outcome.code == 1, outcome.err);
         BOOST_TEST(outcome.err == "");
         BOOST_TEST(row(outcome, output == "--out out.png" ? "picture" : "frames") == "none, interrupted");

@@ -51,7 +51,7 @@ BOOST_AUTO_TEST_CASE(wrong_usage_is_refused_in_one_line) {
     const WindowFolder folder;
     folder.write("bad.path", "1 2 3\n");
     requireRefused(folder, "render window.cfg in.path", {"--out is missing"});
-    requireRefused(folder, "render", {"PROBLEM.cfg is missing", "[IN.path]"});
+    requireRefused(folder, "render", {"PROBLEM.cfg is missing", "[IN.path]", "--video FILE"});
     requireRefused(folder, "render window.cfg in.path more --out out.png", {"'more'"});
     requireRefused(folder, "render window.cfg nowhere.path --out out.png", {"nowhere.path"});
     requireRefused(folder, "render window.cfg bad.path --out out.png",

@@ -229,14 +229,15 @@ BOOST_AUTO_TEST_CASE(a_pose_in_contact_is_hatched_in_its_own_colour_and_a_free_o
     };
     const auto isBlack = [](const Colour& pixel) { return pixel.maxCoeff() < 0.03f; };
     Shot shot;
+    shot.options.isClose = true;
     shot.poses = {{shot.upright(-60), 0}};
     const int blackWhenFree = count(shot.taken(), isBlack);
     BOOST_TEST(count(shot.taken(), isContact) == 0);
     shot.poses[0].isInContact = true;
     const Image image = shot.taken();
     BOOST_TEST(count(image, isYellow) == 0);
-    BOOST_TEST(count(image, isContact) > 300);
-    BOOST_TEST(count(image, isBlack) > blackWhenFree + 100);
+    BOOST_TEST(count(image, isContact) > 1000);
+    BOOST_TEST(count(image, isBlack) > blackWhenFree + 500);
 }
 
 BOOST_AUTO_TEST_CASE(the_way_in_contact_has_the_colour_of_contact) {
