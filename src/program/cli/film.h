@@ -23,8 +23,8 @@ struct FilmChoice {
     bool isWanted() const { return !frames.empty() || !video.empty(); }
     std::size_t pictureCount() const;
 
-    /// Throws before long work when a film of this size cannot be written. states: of the path. picture: the file of
-    /// --out, or empty.
+    /// Throws before long work when a film of this size cannot be written. states: of the path. picture: the
+    /// file of --out, or empty.
     void require(const render::RenderOptions& drawing, std::size_t states, const std::string& picture,
                  OutputFiles& files) const;
 };
@@ -42,8 +42,8 @@ struct FilmScene {
     ElapsedLine& elapsed;  ///< tells which picture is taken
 };
 
-/// Writes the film and prints a row for each output, and one about poses in contact. Returns false when interrupted; then
-/// nothing is written.
+/// Writes the film and prints a row for each output, and one about poses in contact. Returns false when
+/// interrupted; then nothing is written.
 bool writeFilm(const FilmChoice& film, const FilmScene& scene, const render::RenderOptions& drawing);
 
 }  // namespace clearway::cli

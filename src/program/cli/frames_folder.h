@@ -7,8 +7,9 @@ namespace clearway::cli {
 
 class FramesFolder {
   public:
-    /// Makes a temporary folder beside `folder`, FOLDER.<number>.tmp. `folder` may be new, empty, or hold the pictures of
-    /// an earlier film alone, which are then replaced. Throws std::runtime_error that names the folder.
+    /// Makes a temporary folder beside `folder`, FOLDER.<number>.tmp. `folder` may be new, empty, or hold the
+    /// pictures of an earlier film alone, which are then replaced. Throws std::runtime_error that names the
+    /// folder.
     explicit FramesFolder(std::string folder);
     /// Removes the temporary folder with all its pictures.
     ~FramesFolder();

@@ -1,5 +1,5 @@
-// The pictures of a motion from one camera. The environment, the start, the goal and the way stand still; their
-// surfaces, trees and rays serve all pictures.
+// The pictures of a motion from one camera. The environment, the start, the goal and the way stand still;
+// their surfaces, trees and rays serve all pictures.
 #pragma once
 
 #include <memory>

@@ -1,5 +1,5 @@
-// Lines and lettering that Cairo draws into a mask of ink, which is then laid over a picture. The font is part of the
-// program, so that pictures have letters on machines without fonts.
+// Lines and lettering that Cairo draws into a mask of ink, which is then laid over a picture. The font is
+// part of the program, so that pictures have letters on machines without fonts.
 #pragma once
 
 #include <cairo/cairo.h>
@@ -12,7 +12,8 @@
 
 namespace clearway::render {
 
-/// The part of a picture right of `left`, as a mask: 0 is the picture, 1 is ink. Coordinates are the picture's.
+/// The part of a picture right of `left`, as a mask: 0 is the picture, 1 is ink. Coordinates are the
+/// picture's.
 class InkMask {
   public:
     InkMask(int left, int width, int height);

@@ -1,4 +1,5 @@
-// The legend at the right side of a picture: the colour scale of clearances, and the signs that the picture uses.
+// The legend at the right side of a picture: the colour scale of clearances, and the signs that the picture
+// uses.
 #pragma once
 
 #include <string>

@@ -25,8 +25,8 @@ class Pixel {
     /// met: returns the averages over the rays. kept: room for one entry a sample, or null.
     Colour colour(const Camera& camera, PixelLight& met, KeptRay* kept = nullptr) const;
 
-    /// Whether a body that is added to the scene of the kept rays can change the pixel. mayHide: the body may lie
-    /// in front of the pixel; if false, only its shadow counts.
+    /// Whether a body that is added to the scene of the kept rays can change the pixel. mayHide: the body may
+    /// lie in front of the pixel; if false, only its shadow counts.
     bool isChangedBy(const RayScene& added, const Camera& camera, const KeptRay* kept, bool mayHide) const;
 
   private:

@@ -1,5 +1,5 @@
-// A picture of a scene in which nothing moves, kept with all its rays. A picture with one more body then traces
-// anew only those pixels that this body hides or shades.
+// A picture of a scene in which nothing moves, kept with all its rays. A picture with one more body then
+// traces anew only those pixels that this body hides or shades.
 #pragma once
 
 #include <vector>
@@ -19,8 +19,8 @@ class Plate {
     /// Takes the picture. The arguments must outlive the plate.
     Plate(const Stages& stages, const Camera& camera, const Exposure& exposure);
 
-    /// The picture with one more solid body, which `stages` now shows beside all others. added: holds this body
-    /// alone. area: all pixels that it can hide. Equals what expose() returns.
+    /// The picture with one more solid body, which `stages` now shows beside all others. added: holds this
+    /// body alone. area: all pixels that it can hide. Equals what expose() returns.
     Image with(const RayScene& added, const PixelArea& area) const;
 
   private:

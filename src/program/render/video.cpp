@@ -131,7 +131,8 @@ Video::~Video() {
     wait();
 }
 
-/// Closes the pipe, which ends the film, and waits for ffmpeg. Returns its status; 0 when it has been waited for.
+/// Closes the pipe, which ends the film, and waits for ffmpeg. Returns its status; 0 when it has been waited
+/// for.
 int Video::wait() {
     if (pictures_ >= 0) close(pictures_);
     pictures_ = -1;

@@ -1,4 +1,5 @@
-// Encodes pictures as a film, by the program ffmpeg. It is run, not linked: a machine without it lacks films alone.
+// Encodes pictures as a film, by the program ffmpeg. It is run, not linked: a machine without it lacks films
+// alone.
 #pragma once
 
 #include <sys/types.h>

@@ -30,7 +30,8 @@ inline Outcome runIn(const TemporaryFolder& folder, const std::string& arguments
             readText(caught.file("err"))};
 }
 
-/// Runs the program until it is sent SIGINT, after more and more time: on a busy machine it may still be starting.
+/// Runs the program until it is sent SIGINT, after more and more time: on a busy machine it may still be
+/// starting.
 inline Outcome interruptIn(const TemporaryFolder& folder, const std::string& arguments) {
     constexpr int kEndedBySignal = 128 + SIGINT;
     const TemporaryFolder caught;

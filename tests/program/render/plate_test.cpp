@@ -9,7 +9,8 @@ namespace clearway::testing {
 
 using namespace render;
 
-/// A plate reuses the rays of what stands still. The light and shade of the body that moves must be there all the same.
+/// A plate reuses the rays of what stands still. The light and shade of the body that moves must be there all
+/// the same.
 BOOST_AUTO_TEST_CASE(a_picture_from_a_plate_equals_a_picture_taken_anew) {
     const WindowScene window = windowScene();
     const auto at = [&](double x, bool isGhost) {
