@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace clearway::render {
 
@@ -25,10 +26,8 @@ struct Look {
     float depth = 0;
     Vector3f facet = Vector3f::Zero();
     float slope = 0;  ///< cosine of the angle between facet and ray
-    Pen pen = Pen::kPlain, ghostPen = Pen::kPlain;
-    std::uint32_t ghost = kNothing;         ///< nearest ghost in front of the body
-    std::uint32_t coveredGhost = kNothing;  ///< nearest ghost, if the body is in front of it
-    float ghostDepth = 0;
+    Pen pen = Pen::kPlain;
+    GhostWalls ghosts;  ///< in front of the body and behind it
 };
 
 /// Values at the places of an area of a fine grid over the picture.
@@ -62,15 +61,8 @@ Look lookAlong(const Stages& stages, const Ray& ray) {
         look.slope = std::abs(look.facet.dot(ray.direction));
         look.pen = stages.solids.penOf(hit);
     }
-    if (stages.ghosts.isEmpty()) return look;
-    const RayHit ghost = stages.ghosts.rays().nearest(ray);
-    if (ghost.isHit && (!hit.isHit || ghost.along < hit.along - kGhostGap)) {
-        look.ghost = ghost.body;
-        look.ghostDepth = ghost.along;
-        look.ghostPen = stages.ghosts.penOf(ghost);
-    } else if (ghost.isHit) {
-        look.coveredGhost = ghost.body;
-    }
+    if (!stages.ghosts.isEmpty())
+        look.ghosts = ghostsAlong(stages.ghosts, ray, std::numeric_limits<float>::infinity());
     return look;
 }
 
@@ -79,19 +71,24 @@ Ink outlineOf(Pen pen, float plain) {
     return {pen == Pen::kPlain ? plain : kColoured, pen};
 }
 
+/// The outline of the nearest ghost that `a` sees and that ends before `b`. What lies in front of it at `b`,
+/// another ghost or a body, does not end it.
+Ink ghostLine(const Stage& ghosts, const Look& a, const Look& b) {
+    for (const RayHit& ghost : a.ghosts) {
+        const bool isCovered = a.body != kNothing && ghost.along > a.depth - kGhostGap;
+        if (!isCovered && !b.ghosts.hold(ghost.body)) return outlineOf(ghosts.penOf(ghost), kGhost);
+    }
+    return {};
+}
+
 /// The line between two neighbours; share 0: no line.
-Ink lineBetween(const Look& a, const Look& b) {
+Ink lineBetween(const Stages& stages, const Look& a, const Look& b) {
     Ink line;
     const auto add = [&](const Ink& other) {
         if (other.share > line.share) line = other;
     };
-    // Where a ghost runs into a solid body, it goes on behind: its outline is elsewhere.
-    const bool goesOn = (a.ghost != kNothing && a.ghost == b.coveredGhost) ||
-                        (b.ghost != kNothing && b.ghost == a.coveredGhost);
-    if (a.ghost != b.ghost && !goesOn) {
-        const bool isA = b.ghost == kNothing || (a.ghost != kNothing && a.ghostDepth < b.ghostDepth);
-        add(outlineOf(isA ? a.ghostPen : b.ghostPen, kGhost));
-    }
+    add(ghostLine(stages.ghosts, a, b));
+    add(ghostLine(stages.ghosts, b, a));
     if (a.body != b.body) {
         const bool isA = b.body == kNothing || (a.body != kNothing && a.depth < b.depth);
         add(outlineOf(isA ? a.pen : b.pen, kSilhouette));
@@ -111,13 +108,13 @@ Ink lineBetween(const Look& a, const Look& b) {
 }
 
 /// The darker of the lines to the right of and below each place.
-Grid<Ink> linesOf(const Grid<Look>& looks) {
+Grid<Ink> linesOf(const Stages& stages, const Grid<Look>& looks) {
     Grid<Ink> lines(looks.area);
     lines.fill([&](int x, int y) {
         Ink line;
-        if (x + 1 < looks.area.right) line = lineBetween(looks.at(x, y), looks.at(x + 1, y));
+        if (x + 1 < looks.area.right) line = lineBetween(stages, looks.at(x, y), looks.at(x + 1, y));
         if (y + 1 < looks.area.bottom) {
-            const Ink below = lineBetween(looks.at(x, y), looks.at(x, y + 1));
+            const Ink below = lineBetween(stages, looks.at(x, y), looks.at(x, y + 1));
             if (below.share > line.share) line = below;
         }
         return line;
@@ -181,7 +178,7 @@ std::vector<Ink> outlineInk(const Stages& stages, const Camera& camera, const Ou
         return lookAlong(stages, camera.rayThrough((static_cast<float>(x) + 0.5f) / kPerPixel,
                                                    (static_cast<float>(y) + 0.5f) / kPerPixel));
     });
-    const Grid<Ink> lines = linesOf(looks);
+    const Grid<Ink> lines = linesOf(stages, looks);
     Grid<Ink> ink(area);
     ink.fill([&](int x, int y) { return inkAt(lines, x, y, options.width); });
     return ink.values;

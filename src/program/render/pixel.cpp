@@ -1,16 +1,12 @@
 #include "program/render/pixel.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace clearway::render {
 
 namespace {
 
-constexpr int kMostGhosts = 4;       ///< ghosts seen one behind another
-constexpr int kMostWalls = 24;       ///< walls of ghosts that one ray passes
-constexpr float kPast = 1e-5f;       ///< restarts a ray beyond the wall of a ghost; lengths along the ray
 constexpr float kHatchShare = 0.3f;  ///< share of a hatched surface that its lines cover
 const Colour kHatch = Colour::Constant(0.01f);
 
@@ -112,23 +108,15 @@ Colour Pixel::shown(const SeenPoint& seen, const Place& place) const {
     return across - std::floor(across) < kHatchShare ? kHatch : seen.colour;
 }
 
-/// Only the nearest wall of each ghost counts, so that the inside of a ghost does not blur it.
-Colour Pixel::throughGhosts(Ray ray, const Place& place, const RayHit& end, Colour behind,
+Colour Pixel::throughGhosts(const Ray& ray, const Place& place, const RayHit& end, Colour behind,
                             bool& isPlain) const {
-    std::array<RayHit, kMostGhosts> met;
-    int count = 0;
-    for (int wall = 0; wall < kMostWalls && count < kMostGhosts; ++wall) {
-        const RayHit hit = stages_.ghosts.rays().nearest(ray);
-        if (!hit.isHit || (end.isHit && hit.along > end.along - kGhostGap)) break;
-        const auto isSame = [&](const RayHit& other) { return other.body == hit.body; };
-        if (std::none_of(met.begin(), met.begin() + count, isSame)) met[count++] = hit;
-        ray.least = hit.along + kPast;
-    }
-    isPlain &= count == 0;
+    const float most = end.isHit ? end.along - kGhostGap : std::numeric_limits<float>::infinity();
+    const GhostWalls walls = ghostsAlong(stages_.ghosts, ray, most);
+    isPlain &= walls.count == 0;
     // A blue ghost over orange would read as the red of the scale, so it only pales.
     const bool isVeil = stages_.solids.isOnScale(end);
-    while (count-- > 0) {
-        const SeenPoint seen = stages_.ghosts.seenAt(ray, met[count]);
+    for (int i = walls.count - 1; i >= 0; --i) {
+        const SeenPoint seen = stages_.ghosts.seenAt(ray, walls.hits[i]);
         const Colour ghost =
             light_.unshaded(seen) * (isVeil && !seen.isHatched ? Colour(Colour::Ones()) : shown(seen, place));
         behind += (isVeil ? exposure_.veilShare : exposure_.ghostShare) * (ghost - behind);

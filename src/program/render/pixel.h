@@ -37,7 +37,8 @@ class Pixel {
           std::uint32_t seed, std::uint32_t mask);
     Place placeOf(std::uint32_t sample) const;
     Colour shown(const SeenPoint& seen, const Place& place) const;
-    Colour throughGhosts(Ray ray, const Place& place, const RayHit& end, Colour behind, bool& isPlain) const;
+    Colour throughGhosts(const Ray& ray, const Place& place, const RayHit& end, Colour behind,
+                         bool& isPlain) const;
 
     const Stages& stages_;
     const Light& light_;

@@ -5,6 +5,28 @@
 
 namespace clearway::render {
 
+namespace {
+
+constexpr int kMostWalls = 24;  ///< walls of ghosts that one ray passes
+constexpr float kPast = 1e-5f;  ///< restarts a ray beyond the wall of a ghost; lengths along the ray
+
+}  // namespace
+
+bool GhostWalls::hold(std::uint32_t ghost) const {
+    return std::any_of(begin(), end(), [&](const RayHit& hit) { return hit.body == ghost; });
+}
+
+GhostWalls ghostsAlong(const Stage& ghosts, Ray ray, float most) {
+    GhostWalls walls;
+    for (int wall = 0; wall < kMostWalls && walls.count < GhostWalls::kMost; ++wall) {
+        const RayHit hit = ghosts.rays().nearest(ray);
+        if (!hit.isHit || hit.along > most) break;
+        if (!walls.hold(hit.body)) walls.hits[walls.count++] = hit;
+        ray.least = hit.along + kPast;
+    }
+    return walls;
+}
+
 std::size_t Stage::addShape(Surface surface) {
     shapes_.push_back(std::move(surface));
     return rays_.addShape(shapes_.back());

@@ -1,6 +1,7 @@
 // The scene in front of the camera: surfaces, each at one or more places, with their colours.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <deque>
 #include <vector>
@@ -65,6 +66,20 @@ class Stage {
 /// A ghost this close in front of a solid, in coordinates of the stage, is not drawn: poses of one part often
 /// overlap, and rounding would choose between them.
 constexpr float kGhostGap = 1e-3f;
+
+/// The nearest wall of each ghost that a ray meets; the inside of a ghost plays no part.
+struct GhostWalls {
+    static constexpr int kMost = 4;  ///< ghosts seen one behind another
+    std::array<RayHit, kMost> hits;  ///< the nearest first
+    int count = 0;
+
+    const RayHit* begin() const { return hits.data(); }
+    const RayHit* end() const { return hits.data() + count; }
+    bool hold(std::uint32_t ghost) const;
+};
+
+/// most: walls farther along the ray do not count.
+GhostWalls ghostsAlong(const Stage& ghosts, Ray ray, float most);
 
 /// Ghosts are translucent; they neither shade nor hide anything.
 struct Stages {
