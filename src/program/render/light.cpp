@@ -10,8 +10,10 @@ namespace {
 
 constexpr float kSky = 0.54f, kKey = 0.48f,
                 kFromCamera = 0.20f;  ///< shares of the sky, the key light and a light at the camera
-constexpr float kKeyRadius = 0.16f;   ///< radius of the key light's disk at distance 1
-constexpr float kStep = 2e-5f;        ///< lifts rays off the surface they begin on; the stage has size 1
+constexpr float kEverywhere =
+    0.03f;  ///< light that nothing shades: no pixel is black, and all can be smoothed
+constexpr float kKeyRadius = 0.16f;  ///< radius of the key light's disk at distance 1
+constexpr float kStep = 2e-5f;       ///< lifts rays off the surface they begin on; the stage has size 1
 
 /// Maps the unit square to the disk of radius 1. Source: Shirley, Chiu, A Low Distortion Map Between Disk and
 /// Square, 1997.
@@ -34,7 +36,7 @@ Light::Light(const Stage& stage, const Camera& camera, float reach)
       reach_(reach) {}
 
 float Light::unshaded(const SeenPoint& seen) const {
-    return kFromCamera * std::max(0.0f, seen.normal.dot(camera_)) + kSky +
+    return kEverywhere + kFromCamera * std::max(0.0f, seen.normal.dot(camera_)) + kSky +
            kKey * std::max(0.0f, seen.normal.dot(key_));
 }
 
@@ -52,7 +54,7 @@ Lit Light::at(const SeenPoint& seen, std::pair<float, float> skySample,
     const auto [x, y] = onDisk(skySample);
     const float height = std::sqrt(std::max(0.0f, 1 - x * x - y * y));
     lit.sky = x * across + y * seen.normal.cross(across) + height * seen.normal;
-    lit.light = kFromCamera * std::max(0.0f, seen.normal.dot(camera_));
+    lit.light = kEverywhere + kFromCamera * std::max(0.0f, seen.normal.dot(camera_));
     lit.isSkyOpen = lit.sky.dot(seen.facet) > 0 && !stage_.rays().isBlocked({lit.start, lit.sky}, reach_);
     if (lit.isSkyOpen) lit.light += kSky * (0.85f + 0.15f * lit.sky.z());
     const Vector3f key = towardsKey(keySample);
