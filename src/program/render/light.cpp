@@ -10,8 +10,8 @@ namespace {
 
 constexpr float kSky = 0.54f, kKey = 0.48f,
                 kFromCamera = 0.20f;  ///< shares of the sky, the key light and a light at the camera
-constexpr float kEverywhere =
-    0.03f;  ///< light that nothing shades: no pixel is black, and all can be smoothed
+/// Light that nothing shades: no pixel is black, and all can be smoothed.
+constexpr float kEverywhere = 0.03f;
 constexpr float kKeyRadius = 0.16f;  ///< radius of the key light's disk at distance 1
 constexpr float kStep = 2e-5f;       ///< lifts rays off the surface they begin on; the stage has size 1
 
