@@ -29,9 +29,14 @@ add_library(clearway_embree INTERFACE)
 target_link_libraries(clearway_embree INTERFACE embree)
 target_compile_definitions(clearway_embree INTERFACE CLEARWAY_EMBREE_MAJOR=${EMBREE_VERSION_MAJOR})
 
-# Draws the lines and the lettering of a picture's legend.
+# Draws the lines and the lettering of a picture's legend; cairo-ft brings FreeType, which reads the font.
 find_package(PkgConfig REQUIRED)
-pkg_check_modules(CAIRO REQUIRED IMPORTED_TARGET cairo>=1.16)
+pkg_check_modules(CAIRO REQUIRED IMPORTED_TARGET cairo-ft>=1.16)
+
+# The font of that lettering. It becomes part of the program, as its licence permits: pictures then have letters, and the same
+# ones, on every machine.
+find_file(CLEARWAY_FONT DejaVuSans.ttf REQUIRED PATHS /usr/share/fonts /usr/local/share/fonts
+          PATH_SUFFIXES truetype/dejavu dejavu dejavu-sans-fonts TTF)
 
 find_package(PNG 1.6 REQUIRED)  # writes the pictures: its simplified interface compresses an image in one call
 

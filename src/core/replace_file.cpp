@@ -88,6 +88,15 @@ void replaceFile(const std::string& file, const std::function<void(std::ostream&
     if (std::rename(temporary.name.c_str(), file.c_str()) != 0) refuse(file, "a name that may be replaced");
 }
 
+bool replaceFileByName(const std::string& file, const std::function<bool(const std::string&)>& write) {
+    requireFileOrNothing(file);
+    const TemporaryFile temporary{temporaryName(file)};
+    if (!write(temporary.name)) return false;
+    errno = 0;
+    if (std::rename(temporary.name.c_str(), file.c_str()) != 0) refuse(file, "a name that may be replaced");
+    return true;
+}
+
 void requireReplaceable(const std::string& file) {
     requireFileOrNothing(file);
     const TemporaryFile temporary{temporaryName(file)};

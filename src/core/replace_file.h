@@ -14,14 +14,20 @@ namespace clearway {
 /// unchanged.
 void replaceFile(const std::string& file, const std::function<void(std::ostream&)>& write);
 
-/// Throws what replaceFile would throw before it calls `write`: when the name is that of a folder, a device, a pipe or a stream
-/// of a process such as /dev/stdout, wherever that leads to, or no file can be made beside it. Call it before long work, so that a file that
-/// cannot be written is reported at once.
+/// As replaceFile, for writers that open the file themselves: `write` gets the name of the temporary file and
+/// tells whether it is complete. If not, an existing file is unchanged. Returns what `write` told.
+bool replaceFileByName(const std::string& file,
+                       const std::function<bool(const std::string& temporary)>& write);
+
+/// Throws what replaceFile would throw before it calls `write`: when the name is that of a folder, a device,
+/// a pipe or a stream of a process such as /dev/stdout, wherever that leads to, or no file can be made beside
+/// it. Call it before long work, so that a file that cannot be written is reported at once.
 void requireReplaceable(const std::string& file);
 
-/// Renames a regular file to file.old or, where that name is taken, to the first of file.old.2, file.old.3, ... that is not:
-/// no file is overwritten. A symbolic link to a regular file is renamed itself. Returns the new name; nothing when there is no
-/// such file. Throws std::runtime_error naming the file when it cannot be renamed.
+/// Renames a regular file to file.old or, where that name is taken, to the first of file.old.2, file.old.3,
+/// ... that is not: no file is overwritten. A symbolic link to a regular file is renamed itself. Returns the
+/// new name; nothing when there is no such file. Throws std::runtime_error naming the file when it cannot be
+/// renamed.
 std::optional<std::string> setAside(const std::string& file);
 
 /// Makes the folder and its parents unless they exist. Throws std::runtime_error naming the folder when it

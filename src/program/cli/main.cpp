@@ -27,7 +27,8 @@ constexpr Subcommand kSubcommands[] = {
     {"check", "audits a path along its whole length: how close it comes, where, and what is not valid",
      check},
     {"bench", "runs a problem's planners several times and writes OMPL's benchmark log", bench},
-    {"render", "draws a problem and the part on its way, coloured by clearance, as a PNG file", render},
+    {"render", "draws a problem and the part on its way, coloured by clearance, as a picture or a film",
+     render},
     {"scene", "makes a demo scene: two meshes, a problem and a path that solves it", scene},
 };
 

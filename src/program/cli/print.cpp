@@ -225,11 +225,16 @@ ElapsedLine::~ElapsedLine() {
     thread_.join();
 }
 
+void ElapsedLine::tell(std::string what) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    what_ = std::move(what);
+}
+
 void ElapsedLine::run() {
     std::unique_lock<std::mutex> lock(mutex_);
     for (int seconds = 1; !ended_.wait_for(lock, std::chrono::seconds(1), [this] { return isEnded_; });
          ++seconds) {
-        std::cerr << '\r' << what_ << ' ' << seconds << " s" << std::flush;
+        std::cerr << '\r' << what_ << ' ' << seconds << " s\033[K" << std::flush;
     }
     std::cerr << "\r\033[K" << std::flush;
 }

@@ -82,7 +82,8 @@ void requirePrinted();
 class ElapsedLine {
   public:
     explicit ElapsedLine(std::string what);
-    ~ElapsedLine();  ///< wipes the line
+    ~ElapsedLine();               ///< wipes the line
+    void tell(std::string what);  ///< from now on the line says this
     ElapsedLine(const ElapsedLine&) = delete;
     ElapsedLine& operator=(const ElapsedLine&) = delete;
 

@@ -1,30 +1,25 @@
 #include "program/cli/render.h"
 
 #include <algorithm>
-#include <boost/algorithm/string/classification.hpp>
-#include <boost/algorithm/string/split.hpp>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 
 #include "clearway/planning/scene_clearance.h"
 #include "clearway/query.h"
-#include "core/number.h"
-#include "core/replace_file.h"
+#include "program/cli/film.h"
 #include "program/cli/load_guard.h"
 #include "program/cli/overlaps.h"
 #include "program/cli/path_outputs.h"
 #include "program/cli/print.h"
+#include "program/cli/render_options.h"
 #include "program/cli/shared_options.h"
-#include "program/render/camera.h"
 
 namespace clearway::cli {
 
 namespace {
 
-constexpr int kLeastSide = 16, kLargestSide = 16384;  ///< pixels
 constexpr std::size_t kMostPoses = 200;
-constexpr double kWidestAngle = 170;  ///< degrees
 
 struct RenderArguments {
     ProblemChoice problem;
@@ -33,56 +28,8 @@ struct RenderArguments {
     render::RenderOptions drawing;
     std::size_t poseCount = kUsualPoses;
     std::vector<double> shares;  ///< the values of --at
+    FilmChoice film;
 };
-
-std::string viewList() {
-    std::string all = "inside (cut open beside the path, close up)";
-    for (const render::NamedView& view : render::namedViews())
-        all += std::string(", ") + view.name + " (" + view.about + ")";
-    return all;
-}
-
-/// Reads numbers with commas between them.
-std::vector<double> numbersOf(const std::string& text, const std::string& expected) {
-    std::vector<std::string> words;
-    boost::split(words, text, boost::is_any_of(","));
-    std::vector<double> numbers;
-    for (const std::string& word : words) numbers.push_back(number(word, expected));
-    return numbers;
-}
-
-Vector3 pointOf(const std::string& text) {
-    const Expected expected{"three numbers X,Y,Z"};
-    const std::vector<double> numbers = numbersOf(text, expected.what);
-    if (numbers.size() != 3) throw expected;
-    return {numbers[0], numbers[1], numbers[2]};
-}
-
-void readSize(const std::string& text, render::RenderOptions& drawing) {
-    const std::size_t x = text.find('x');
-    const auto width = parseInteger(text.substr(0, x));
-    const auto height = parseInteger(x == std::string::npos ? "" : text.substr(x + 1));
-    for (const auto& side : {width, height}) {
-        if (side && *side >= kLeastSide && *side <= kLargestSide) continue;
-        throw Expected{"WIDTHxHEIGHT, each " + std::to_string(kLeastSide) + " to " +
-                       std::to_string(kLargestSide)};
-    }
-    drawing.width = static_cast<int>(*width);
-    drawing.height = static_cast<int>(*height);
-}
-
-render::CutPlane cutOf(const std::string& text) {
-    const Expected expected{"x=D, y=D, z=D or four numbers A,B,C,D with A, B, C not all 0"};
-    if (text.size() > 2 && text[1] == '=' && text[0] >= 'x' && text[0] <= 'z') {
-        return {Vector3::Unit(text[0] - 'x'), number(text.substr(2), expected.what)};
-    }
-    const std::vector<double> numbers = numbersOf(text, expected.what);
-    if (numbers.size() != 4) throw expected;
-    const Vector3 normal(numbers[0], numbers[1], numbers[2]);
-    const double length = normal.stableNorm();
-    if (!(length > 0)) throw expected;
-    return {normal / length, numbers[3] / length};
-}
 
 std::vector<double> sharesOf(const std::string& text) {
     const Expected expected{"numbers from 0 to 1, at most " + std::to_string(kMostPoses)};
@@ -92,48 +39,23 @@ std::vector<double> sharesOf(const std::string& text) {
     return shares;
 }
 
-void addCamera(CommandLine& line, render::RenderOptions& drawing) {
-    line.option("--view NAME", viewList() + " (iso)", [&](const std::string& name) {
-        if (name != "inside") render::viewNamed(name);
-        drawing.view = name;
-    });
-    line.flag("--close", "fills the picture with the part's poses, not the whole environment",
-              drawing.isClose);
-    line.option("--eye X,Y,Z", "where the camera stands, in place of a view",
-                [&](const std::string& text) { drawing.eye = pointOf(text); });
-    line.exclude("--view", "--eye");
-    line.option("--look-at X,Y,Z", "point that the camera at --eye looks at (the middle of the environment)",
-                [&](const std::string& text) {
-                    if (!drawing.eye) throw Expected{"only with --eye: a named view looks at all it shows"};
-                    drawing.lookAt = pointOf(text);
-                });
-    line.option("--angle DEG", "angle of view along the picture's longer side (30)",
-                [&](const std::string& text) {
-                    drawing.angle = positiveNumber(text);
-                    if (drawing.angle >= kWidestAngle)
-                        throw Expected{"degrees below " + readable(kWidestAngle)};
-                });
-    line.option("--cut PLANE",
-                "removes the environment on the camera's side of a plane: x=D, y=D, z=D, or A,B,C,D for "
-                "Ax+By+Cz=D",
-                [&](const std::string& text) { drawing.cut = cutOf(text); });
-}
-
 bool readArguments(const Arguments& arguments, RenderArguments& given) {
-    CommandLine line("clearway render PROBLEM.cfg [IN.path] --out OUT.png [options]",
-                     "Draws the environment and the part at poses along the path, coloured by clearance; "
-                     "without a path, at\n"
-                     "the problem's start and goal (a goal outside has no pose). Coordinates and lengths are "
-                     "the environment's; z is up.");
+    CommandLine line(
+        "clearway render PROBLEM.cfg [IN.path] (--out FILE | --frames DIR | --video FILE) [options]",
+        "Draws the environment and the part at poses along the path, coloured by clearance; "
+        "without a path, at\n"
+        "the problem's start and goal (a goal outside has no pose). --frames and --video show the "
+        "motion along the path,\n"
+        "beside --out or in its place. Coordinates and lengths are the environment's; z is up.");
     addProblem(line, given.problem);
     line.argument("[IN.path]", input(given.path));
-    line.option("--out FILE", "the picture, a PNG file", to(given.out), CommandLine::Count::kRequired);
-    line.option("--size WxH", "pixels (1280x720)",
-                [&](const std::string& text) { readSize(text, given.drawing); });
-    addCamera(line, given.drawing);
+    line.option("--out FILE", "the picture, a PNG file", to(given.out));
+    addFilm(line, given.film, [&] { return !given.path.empty(); });
+    addDrawing(line, given.drawing);
     const auto withPath = [&](const Reader& read) {
         return [&given, read](const std::string& text) {
             if (given.path.empty()) throw Expected{"only with a path file beside the problem"};
+            if (given.out.empty()) throw Expected{"only with --out: a film shows the whole path"};
             read(text);
         };
     };
@@ -142,12 +64,11 @@ bool readArguments(const Arguments& arguments, RenderArguments& given) {
     line.option("--at T,...", "these poses, in place of --poses: 0 is the start, 1 the end",
                 withPath([&](const std::string& text) { given.shares = sharesOf(text); }));
     line.exclude("--at", "--poses");
-    line.option("--scale D", "clearance at the top of the colour scale (a round number that holds all)",
-                positive(given.drawing.scaleMost));
-    line.option("--samples N", "rays for each pixel, 1 to 4096 (16)",
-                integer<int>(given.drawing.samples, 1, 4096));
     addCache(line, given.trees);
-    return line.parse(arguments);
+    if (!line.parse(arguments)) return false;
+    if (given.out.empty() && !given.film.isWanted())
+        throw std::invalid_argument("--out is missing, expected one of --out, --frames and --video");
+    return true;
 }
 
 /// The poses that a problem states.
@@ -169,6 +90,30 @@ void printPose(double share, const Scene& scene, const planning::PoseClearance& 
                                   : "clearance " + readable(at.lower) + between);
 }
 
+/// Throws before long work when an output cannot be written.
+void requireOutputs(const RenderArguments& given, const Problem& problem, std::size_t states) {
+    std::vector<std::string> inputs = inputsOf(problem);
+    if (!given.path.empty()) inputs.push_back(given.path);
+    OutputFiles files(inputs);
+    files.add("--out", given.out, {".png"});
+    given.film.require(given.drawing, states, given.out, files);
+}
+
+/// Writes the picture of --out and prints a row about each pose and the file. Returns false when interrupted.
+bool writePicture(const RenderArguments& given, const Model& part, const FilmScene& scene) {
+    const std::size_t usual = given.path.empty() ? scene.line.states().size() : given.poseCount;
+    auto poses = posesAt(scene.line, given.shares.empty() ? report::evenShares(usual) : given.shares,
+                         scene.clearance, true);
+    chooseGhosts(part, poses);
+    const render::Image picture =
+        render::render(scene.part, scene.environment, poses, scene.way, given.drawing);
+    if (picture.pixels.empty()) return printRow("picture", "none, interrupted"), false;
+    render::writePng(picture, given.out);
+    printRow("picture",
+             given.out + ", " + std::to_string(picture.width) + " x " + std::to_string(picture.height));
+    return true;
+}
+
 }  // namespace
 
 std::vector<render::PosedPart> posesAt(const report::PathLine& line, const std::vector<double>& shares,
@@ -184,7 +129,12 @@ std::vector<render::PosedPart> posesAt(const report::PathLine& line, const std::
         }
         const planning::PoseClearance at = clearance.at(X_environmentPart);
         poses.push_back({state, at.lower});
+        poses.back().isInContact = !at.isValid();
         if (isPrinted) printPose(share, clearance.scene(), at);
+    }
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+        if (shares[i] == 0) poses[i].role = render::PoseRole::kStart;
+        if (shares[i] == 1) poses[i].role = render::PoseRole::kGoal;
     }
     return poses;
 }
@@ -211,29 +161,27 @@ int render(const Arguments& arguments) {
     const bool hasPath = !given.path.empty();
     const Problem problem = given.problem.read();
     const std::vector<PartState> states = hasPath ? readPath(given.path, problem.space) : endsOf(problem);
-    std::vector<std::string> inputs = inputsOf(problem);
-    if (hasPath) inputs.push_back(given.path);
-    OutputFiles(inputs).add("--out", given.out, {".png"});
-    const ElapsedLine elapsed("rendering");
+    requireOutputs(given, problem, states.size());
+    heedInterrupts();
+    given.drawing.isStopped = isInterrupted;
+    ElapsedLine elapsed("rendering");
     const Mesh part = loadPart(problem, guardedLoadMesh);
     const Mesh environment = shownEnvironment(problem);
     const Scene scene = given.trees.load(problem);
     const planning::SceneClearance clearance(scene);
     const report::PathLine line(states, scene.part.radiusAboutOrigin());
-    const std::vector<double> shares =
-        !given.shares.empty() ? given.shares : report::evenShares(hasPath ? given.poseCount : states.size());
-    auto poses = posesAt(line, shares, clearance, true);
-    chooseGhosts(scene.part, poses);
-    const auto way = hasPath ? posesAt(line, report::evenShares(kWayPoses), clearance, false)
-                             : std::vector<render::PosedPart>{};
-    render::RenderOptions& drawing = given.drawing;
-    const std::vector<FoundOverlap> overlaps = overlapsAlong(problem, scene, states);
-    printOverlaps(overlaps);
-    for (const FoundOverlap& found : overlaps) drawing.marks.push_back(found.deepest.point);
-    render::writePng(render::render(part, environment, poses, way, drawing), given.out);
-    printRow("picture",
-             given.out + ", " + std::to_string(drawing.width) + " x " + std::to_string(drawing.height));
-    return kDone;
+    const auto way = hasPath && !isInterrupted()
+                         ? posesAt(line, report::evenShares(kWayPoses), clearance, false)
+                         : std::vector<render::PosedPart>{};
+    if (!isInterrupted()) {
+        const std::vector<FoundOverlap> overlaps = overlapsAlong(problem, scene, states);
+        printOverlaps(overlaps);
+        for (const FoundOverlap& found : overlaps) given.drawing.marks.push_back(found.deepest.point);
+    }
+    const FilmScene shown{part, environment, line, clearance, way, elapsed};
+    const bool isDone = (given.out.empty() || writePicture(given, scene.part, shown)) &&
+                        (!given.film.isWanted() || writeFilm(given.film, shown, given.drawing));
+    return isDone ? kDone : kAnswerIsNo;
 }
 
 }  // namespace clearway::cli

@@ -92,7 +92,9 @@ std::vector<planning::PathAudit> Recorder::auditMotions() const {
     const Scene scene(part, environment, stated());
     std::vector<planning::PathAudit> audits(path.size() - 1);
     tbb::parallel_for(std::size_t(0), audits.size(), [&](std::size_t i) {
-        audits[i] = planning::checkPath(problem, scene, {path[i], path[i + 1]}, {/*profile*/ false}).audit;
+        if (!isInterrupted())
+            audits[i] =
+                planning::checkPath(problem, scene, {path[i], path[i + 1]}, {/*profile*/ false}).audit;
     });
     return audits;
 }
@@ -122,9 +124,11 @@ void Recorder::writePreview() const {
     drawing.view = origin.row.preview;
     drawing.width = kPreviewWidth;
     drawing.height = kPreviewHeight;
-    render::writePng(render::render(partMesh, environmentMesh, poses,
-                                    posesAt(line, report::evenShares(kWayPoses), clearance, false), drawing),
-                     files.preview);
+    drawing.isStopped = isInterrupted;
+    const render::Image picture =
+        render::render(partMesh, environmentMesh, poses,
+                       posesAt(line, report::evenShares(kWayPoses), clearance, false), drawing);
+    if (!picture.pixels.empty()) render::writePng(picture, files.preview);
 }
 
 /// The scenes, one a line: name, description and defaults.
@@ -176,6 +180,21 @@ bool readArguments(const Arguments& arguments, SceneArguments& given) {
     return line.parse(arguments);
 }
 
+/// Removes the files, and the folder if it is new. Part of a scene is of no use.
+void removeScene(const scenes::SceneFiles& files, const std::string& folder, bool isFolderNew) {
+    std::error_code ignored;
+    for (const std::string& file :
+         {files.part, files.environment, files.problem, files.path, files.replay, files.preview}) {
+        std::filesystem::remove(file, ignored);
+    }
+    if (isFolderNew) std::filesystem::remove(folder, ignored);  // keeps a folder that holds anything else
+}
+
+int tellInterruptedScene() {
+    printRow("scene", "none, interrupted");
+    return kAnswerIsNo;
+}
+
 }  // namespace
 
 bool recordScene(const SceneOrigin& origin, const scenes::SceneFiles& files, const Mesh& environment,
@@ -183,7 +202,9 @@ bool recordScene(const SceneOrigin& origin, const scenes::SceneFiles& files, con
     const Recorder recorder{origin, files, environment};
     const double stated = recorder.stated();
     double least = std::numeric_limits<double>::infinity();
-    for (const planning::PathAudit& motion : recorder.auditMotions()) {
+    const std::vector<planning::PathAudit> audits = recorder.auditMotions();
+    if (isInterrupted()) return true;
+    for (const planning::PathAudit& motion : audits) {
         if (!motion.isValid()) {
             std::cerr << "clearway: the path does not keep the clearance " << readable(stated) << ": "
                       << motion.segments[0].trouble << "\n";
@@ -194,6 +215,7 @@ bool recordScene(const SceneOrigin& origin, const scenes::SceneFiles& files, con
     const std::string kept = roundedDown(least, 3) + " (certified), expected " + readable(stated);
     const std::string near =
         percent(recorder.nearShare()) + " of the path is within " + readable(kNear * stated);
+    if (isInterrupted()) return true;
     const std::string replay = recorder.writeReplay();
 
     const std::string pathFile = std::filesystem::path(files.path).filename().string();
@@ -205,8 +227,9 @@ bool recordScene(const SceneOrigin& origin, const scenes::SceneFiles& files, con
     printRow("least clearance", kept);
     printRow("near", near);
     printRow("replay", files.replay + ", " + replay);
-    if (!wantsPreview) return true;
+    if (!wantsPreview || isInterrupted()) return true;
     recorder.writePreview();
+    if (isInterrupted()) return true;
     printRow("preview", files.preview);
     return true;
 }
@@ -215,8 +238,12 @@ int scene(const Arguments& arguments) {
     SceneArguments given;
     if (!readArguments(arguments, given)) return kDone;
     const SceneOrigin origin{*given.named, given.options};
+    heedInterrupts();
     const ElapsedLine elapsed("making the scene");
     const scenes::GeneratedScene made = given.named->make(given.options);
+    if (isInterrupted()) return tellInterruptedScene();
+    std::error_code ignored;
+    const bool isFolderNew = !std::filesystem::exists(given.folder, ignored);
     const scenes::SceneFiles files = writeScene(made, given.folder);
 
     printRow("part", files.part + ", " + counted(made.part.triangles.size(), "triangle"));
@@ -225,6 +252,10 @@ int scene(const Arguments& arguments) {
     printRow("problem", files.problem);
     printRow("path", files.path + ", " + counted(made.path.size(), "state"));
     const bool isKept = recordScene(origin, files, made.environment, !given.hasNoPreview);
+    if (isInterrupted()) {
+        removeScene(files, given.folder, isFolderNew);
+        return tellInterruptedScene();
+    }
     requirePrinted();
     return isKept ? kDone : kAnswerIsNo;
 }

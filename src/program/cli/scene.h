@@ -16,7 +16,8 @@ struct SceneOrigin {
 /// Completes a scene that writeScene wrote. Audits the path; writes the replay poses and, if wanted, the
 /// picture; records in the problem, the path and the poses how they were made and which clearance they keep;
 /// prints a row about each. Returns false, with a message on stderr, when the path does not keep the
-/// clearance that the scene was made with. environment: as written. Throws when a file cannot be written.
+/// clearance that the scene was made with. environment: as written. Returns early when interrupted; what is
+/// written is then of no use. Throws when a file cannot be written.
 bool recordScene(const SceneOrigin& origin, const scenes::SceneFiles& files, const Mesh& environment,
                  bool wantsPreview);
 

@@ -141,6 +141,7 @@ std::vector<std::string> makeScenes(bool isShort, const std::string& folder) {
             const scenes::GeneratedScene made = named.make(options);
             const scenes::SceneFiles files = writeScene(made, at);
             recordScene({named, options}, files, made.environment, false);
+            if (isInterrupted()) break;  // the scene is not complete; the next run makes it anew
             const std::string problem = fs::path(files.problem).filename().string();
             replaceFile(kept, [&](std::ostream& out) { out << problem << "\n"; });
         }

@@ -72,6 +72,13 @@ Ray Camera::rayThrough(float x, float y) const {
     return {eye, direction.normalized()};
 }
 
+std::optional<Eigen::Vector2f> Camera::placeOf(const Vector3f& point) const {
+    const Vector3f seen = point - eye;
+    const float depth = forward.dot(seen);
+    if (!(depth > 0)) return std::nullopt;
+    return Eigen::Vector2f(centreX + focal * right.dot(seen) / depth, centreY - focal * up.dot(seen) / depth);
+}
+
 Camera cameraAt(const Vector3& eye, const Vector3& target, double angle, const Area& area) {
     const Vector3 towards = target - eye;
     if (!(towards.norm() > 0)) {

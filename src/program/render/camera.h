@@ -35,6 +35,8 @@ struct Camera {
     float centreX = 0, centreY = 0;  ///< the pixel in direction `forward`
 
     Ray rayThrough(float x, float y) const;
+    /// Where a point is seen in the picture, pixels; nothing for a point behind the camera.
+    std::optional<Eigen::Vector2f> placeOf(const Vector3f& point) const;
 };
 
 /// A camera at `eye` that looks at `target`. angle: field of view along the longer side of the area, radians.

@@ -17,9 +17,15 @@ struct Exposure {
     float ghostShare = 0.5f;   ///< opacity of a ghost
     float veilShare = 0.3f;    ///< opacity of a ghost in front of a colour of the scale, which it only pales
     float lineWidth = 1.4f;    ///< width of outlines, pixels; 0: no outlines
+    float hatching = 10;       ///< distance of the lines of hatching, pixels
+
+    std::function<bool()> isStopped = [] { return false; };  ///< then the picture is left unfinished, soon
 };
 
 /// Takes the picture on the threads of oneTBB. The result does not depend on their number.
 Image expose(const Stages& stages, const Camera& camera, const Exposure& exposure);
+
+/// Calls `work` for each pixel, on the threads of oneTBB, until stopped.
+void forEachPixel(const Exposure& exposure, const std::function<void(int, int)>& work);
 
 }  // namespace clearway::render

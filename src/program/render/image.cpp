@@ -11,16 +11,6 @@ namespace clearway::render {
 
 namespace {
 
-std::vector<std::uint8_t> bytesOf(const Image& image) {
-    std::vector<std::uint8_t> bytes;
-    bytes.reserve(3 * image.pixels.size());
-    for (const Colour& pixel : image.pixels) {
-        const auto rgb = toSRgb(pixel);
-        bytes.insert(bytes.end(), rgb.begin(), rgb.end());
-    }
-    return bytes;
-}
-
 std::vector<char> encoded(const Image& image) {
     const std::vector<std::uint8_t> bytes = bytesOf(image);
     png_image header{};
@@ -38,6 +28,16 @@ std::vector<char> encoded(const Image& image) {
 }
 
 }  // namespace
+
+std::vector<std::uint8_t> bytesOf(const Image& image) {
+    std::vector<std::uint8_t> bytes;
+    bytes.reserve(3 * image.pixels.size());
+    for (const Colour& pixel : image.pixels) {
+        const auto rgb = toSRgb(pixel);
+        bytes.insert(bytes.end(), rgb.begin(), rgb.end());
+    }
+    return bytes;
+}
 
 void writePng(const Image& image, const std::string& file) {
     const std::vector<char> png = encoded(image);

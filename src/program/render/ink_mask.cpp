@@ -1,13 +1,39 @@
 #include "program/render/ink_mask.h"
 
+#include <cairo/cairo-ft.h>
+
 #include <cmath>
 #include <stdexcept>
 
 namespace clearway::render {
 
+extern const unsigned char kFontFile[];
+extern const std::size_t kFontFileSize;
+
 namespace {
 
-constexpr double kFigureHeight = 0.73;  ///< height of a digit per font size, as in most fonts without serifs
+constexpr double kFigureHeight = 0.73;  ///< height of a digit per font size
+
+/// The font that the program carries.
+struct EmbeddedFont {
+    FT_Library library = nullptr;
+    FT_Face face = nullptr;
+    cairo_font_face_t* cairoFace = nullptr;
+
+    EmbeddedFont() {
+        if (FT_Init_FreeType(&library) != 0 ||
+            FT_New_Memory_Face(library, kFontFile, static_cast<FT_Long>(kFontFileSize), 0, &face) != 0) {
+            throw std::runtime_error("FreeType cannot read the font of the program");
+        }
+        cairoFace = cairo_ft_font_face_create_for_ft_face(face, 0);
+    }
+};
+
+/// Lives as long as the program: Cairo keeps what it made of the font until then.
+cairo_font_face_t* legendFace() {
+    static const EmbeddedFont* const font = new EmbeddedFont();
+    return font->cairoFace;
+}
 
 }  // namespace
 
@@ -18,7 +44,13 @@ InkMask::InkMask(int left, int width, int height)
     cairo_translate(context_.get(), -left, 0);
     cairo_set_line_cap(context_.get(), CAIRO_LINE_CAP_ROUND);
     cairo_set_line_join(context_.get(), CAIRO_LINE_JOIN_ROUND);
-    cairo_select_font_face(context_.get(), "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
+    cairo_set_font_face(context_.get(), legendFace());
+    // Without hinting, text grows evenly with its height, and so fits where its measured width says.
+    cairo_font_options_t* const options = cairo_font_options_create();
+    cairo_font_options_set_hint_style(options, CAIRO_HINT_STYLE_NONE);
+    cairo_font_options_set_hint_metrics(options, CAIRO_HINT_METRICS_OFF);
+    cairo_set_font_options(context_.get(), options);
+    cairo_font_options_destroy(options);
 }
 
 void InkMask::drawLine(double fromX, double fromY, double toX, double toY, double width) {
@@ -32,6 +64,16 @@ void InkMask::drawFrame(const Area& area, double width) {
     cairo_set_line_width(context_.get(), width);
     cairo_rectangle(context_.get(), area.left, area.top, area.right - area.left, area.bottom - area.top);
     cairo_stroke(context_.get());
+}
+
+void InkMask::fillBox(const Area& area) {
+    cairo_rectangle(context_.get(), area.left, area.top, area.right - area.left, area.bottom - area.top);
+    cairo_fill(context_.get());
+}
+
+void InkMask::keepWithin(const Area& area) {
+    cairo_rectangle(context_.get(), area.left, area.top, area.right - area.left, area.bottom - area.top);
+    cairo_clip(context_.get());
 }
 
 void InkMask::drawCircle(double x, double y, double radius, double width) {

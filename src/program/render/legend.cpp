@@ -2,29 +2,32 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
-#include <stdexcept>
-#include <string>
 
 #include "core/number.h"
 #include "program/render/ink_mask.h"
+#include "program/render/legend_signs.h"
 
 namespace clearway::render {
 
 namespace {
 
+constexpr double kLeastLetters = 4;  ///< height of the least readable digit, pixels
 const Colour kTextColour = sRgb(40, 42, 48);
+
 /// All lengths of a legend follow from the size of the picture.
 struct Layout {
     double letters;  ///< height of a digit
     double left, width, top, bottom;
+    double signsTop, signsBottom;
 
     Layout(int pictureWidth, int pictureHeight)
         : letters(std::max(6.0, 0.024 * std::min<double>(pictureHeight, 0.7 * pictureWidth))),
-          left(pictureWidth - 8 * letters),
+          left(pictureWidth - 8.6 * letters),
           width(1.4 * letters),
-          top(0.30 * pictureHeight),
-          bottom(0.78 * pictureHeight) {}
+          top(0.17 * pictureHeight),
+          bottom(0.60 * pictureHeight),
+          signsTop(0.66 * pictureHeight),
+          signsBottom(0.97 * pictureHeight) {}
 
     double right() const { return left + width; }
     double yOf(double share) const { return bottom + std::clamp(share, 0.0, 1.0) * (top - bottom); }
@@ -45,22 +48,35 @@ std::string tickText(double value) {
     return value > 0 ? shortNumber(std::round(value * power) / power) : "0";
 }
 
+/// The height of letters, at most `letters`, at which the widest of the texts has room.
+double lettersFor(const std::vector<std::string>& texts, double letters, double room, const InkMask& ink) {
+    double widest = 0;
+    for (const std::string& text : texts) widest = std::max(widest, ink.widthOf(text, letters));
+    return letters * std::min(1.0, room / std::max(widest, 1e-9));
+}
+
 void drawTicks(const Layout& layout, double most, double thin, int pictureWidth, InkMask& ink) {
     const int steps = stepsTo(most);
     std::vector<std::string> ticks;
-    double widest = 0;
-    for (int i = 0; i <= steps; ++i) {
-        ticks.push_back(tickText(most * i / steps));
-        widest = std::max(widest, ink.widthOf(ticks.back(), layout.letters));
-    }
+    for (int i = 0; i <= steps; ++i) ticks.push_back(tickText(most * i / steps));
     const double left = layout.right() + 0.9 * layout.letters;
-    const double room = pictureWidth - left - 0.3 * layout.letters;
-    const double figures = layout.letters * std::min(1.0, room / widest);  // the longest tick has room
+    const double figures = lettersFor(ticks, layout.letters, pictureWidth - left - 0.3 * layout.letters, ink);
     for (int i = 0; i <= steps; ++i) {
         const double y = layout.yOf(double(i) / steps);
         ink.drawLine(layout.right(), y, layout.right() + 0.5 * layout.letters, y, thin);
         ink.drawText(ticks[i], left, y + 0.5 * figures, figures);
     }
+}
+
+/// "clearance" and, below it, the unit.
+void drawTitle(const Layout& layout, const std::string& unit, int pictureWidth, InkMask& ink) {
+    std::vector<std::string> lines = {"clearance"};
+    if (!unit.empty()) lines.push_back("in " + unit);
+    const double room = pictureWidth - layout.left - 0.3 * layout.letters;
+    const double letters = lettersFor(lines, layout.letters, room, ink);
+    double y = layout.top - 1.4 * letters;
+    for (auto line = lines.rbegin(); line != lines.rend(); ++line, y -= 1.7 * letters)
+        ink.drawText(*line, layout.left, y, letters);
 }
 
 /// Colours the scale's rows; only the first and the last may cover part of a pixel.
@@ -79,7 +95,42 @@ void fillScale(const Layout& layout, Image& image) {
     }
 }
 
+/// One row for each sign, as far as rows that can be read have room.
+void drawSigns(const Layout& layout, const std::vector<Sign>& signs, Image& image) {
+    if (signs.empty()) return;
+    InkMask text(std::max(0, static_cast<int>(layout.left)), image.width, image.height);
+    std::vector<std::string> words;
+    for (const Sign sign : signs) words.push_back(wordsOf(sign));
+    const double pitch = std::min(2.1 * layout.letters,
+                                  (layout.signsBottom - layout.signsTop) / static_cast<double>(signs.size()));
+    const double wordsLeft = layout.right() + 0.7 * layout.letters;
+    const double room = image.width - wordsLeft - 0.3 * layout.letters;
+    const double letters = lettersFor(words, std::min(0.85 * layout.letters, pitch / 1.6), room, text);
+    if (letters < kLeastLetters) return;
+    double y = layout.signsTop + 0.5 * pitch;
+    for (const Sign sign : signs) {
+        const double half = std::min(0.6 * layout.width, 0.38 * pitch);
+        drawSign(sign, {layout.left, y - half, layout.right(), y + half}, image);
+        text.drawText(wordsOf(sign), wordsLeft, y + 0.5 * letters, letters);
+        y += pitch;
+    }
+    text.layOver(image, kTextColour);
+}
+
 }  // namespace
+
+std::vector<Sign> signsOf(const std::vector<PosedPart>& poses, bool hasMover) {
+    const auto holds = [&](PoseRole role) {
+        return std::any_of(poses.begin(), poses.end(),
+                           [&](const PosedPart& pose) { return pose.role == role; });
+    };
+    std::vector<Sign> signs;
+    if (holds(PoseRole::kStart)) signs.push_back(Sign::kStart);
+    if (holds(PoseRole::kBetween)) signs.push_back(Sign::kBetween);
+    if (hasMover) signs.push_back(Sign::kMoving);
+    if (holds(PoseRole::kGoal)) signs.push_back(Sign::kGoal);
+    return signs;
+}
 
 Area areaBesideLegend(int width, int height) {
     const Layout layout(width, height);
@@ -87,21 +138,20 @@ Area areaBesideLegend(int width, int height) {
     return {border, border, layout.left - 2.2 * layout.letters, height - border};
 }
 
-void drawLegend(double most, const std::vector<double>& clearances, Image& image) {
+void drawLegend(const Legend& legend, Image& image) {
     const Layout layout(image.width, image.height);
     const double letters = layout.letters, thin = std::max(1.0, 0.07 * letters);
     fillScale(layout, image);
     InkMask ink(std::max(0, static_cast<int>(layout.left - 2 * letters)), image.width, image.height);
     ink.drawFrame({layout.left, layout.top, layout.right(), layout.bottom}, thin);
-    drawTicks(layout, most, thin, image.width, ink);
-    for (const double clearance : clearances) {
-        const double y = layout.yOf(clearance / most), x = layout.left - 0.35 * letters;
+    drawTicks(layout, legend.most, thin, image.width, ink);
+    for (const double clearance : legend.clearances) {
+        const double y = layout.yOf(clearance / legend.most), x = layout.left - 0.35 * letters;
         ink.drawLine(x, y, x - 0.45 * letters, y, 0.28 * letters);
     }
-    const double width = ink.widthOf("clearance", letters);
-    ink.drawText("clearance", std::min(layout.left, image.width - width - 0.8 * letters),
-                 layout.top - 1.6 * letters, letters);
+    drawTitle(layout, legend.unit, image.width, ink);
     ink.layOver(image, kTextColour);
+    drawSigns(layout, legend.signs, image);
 }
 
 }  // namespace clearway::render

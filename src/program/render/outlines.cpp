@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace clearway::render {
 
@@ -14,34 +15,37 @@ constexpr int kPerPixel = 2;            ///< rays along one side of a pixel
 constexpr float kCreaseCosine = 0.80f;  ///< faces that meet at a smaller cosine have a line between them
 constexpr float kGapShare = 0.012f;  ///< share of the depth: a larger jump, on a face seen head on, is a line
 /// Darkness of each kind of line.
-constexpr float kSilhouette = 0.85f, kGap = 0.6f, kSeam = 0.4f, kCrease = 0.3f, kGhost = 0.45f;
-const Colour kInk = sRgb(24, 26, 32);
+constexpr float kSilhouette = 0.85f, kGap = 0.7f, kSeam = 0.5f, kCrease = 0.6f, kGhost = 0.45f,
+                kColoured = 0.95f;
+constexpr float kColouredWidth = 2;  ///< width of coloured outlines, in widths of a line
+const Colour kPens[] = {sRgb(24, 26, 32), sRgb(0, 150, 230), sRgb(0, 125, 50)};
 constexpr std::uint32_t kNothing = 0xffffffffu;
 
 struct Look {
     std::uint32_t body = kNothing, seam = 0;
-    std::uint32_t ghost = kNothing;  ///< nearest ghost in front of the body
     float depth = 0;
     Vector3f facet = Vector3f::Zero();
     float slope = 0;  ///< cosine of the angle between facet and ray
+    Pen pen = Pen::kPlain;
+    GhostWalls ghosts;  ///< in front of the body and behind it
 };
 
-/// Values at a band of rows of a fine grid over the picture.
+/// Values at the places of an area of a fine grid over the picture.
 template <class Value>
 struct Grid {
-    int width, top, bottom;  ///< rows [top, bottom)
+    PixelArea area;
     std::vector<Value> values;
 
-    Grid(int w, int from, int to)
-        : width(w), top(from), bottom(to), values(std::size_t(w) * std::size_t(to - from)) {}
+    explicit Grid(const PixelArea& places)
+        : area(places), values(std::size_t(places.width()) * std::size_t(places.bottom - places.top)) {}
     std::size_t indexOf(int x, int y) const {
-        return std::size_t(y - top) * std::size_t(width) + std::size_t(x);
+        return std::size_t(y - area.top) * std::size_t(area.width()) + std::size_t(x - area.left);
     }
     const Value& at(int x, int y) const { return values[indexOf(x, y)]; }
     template <class Function>
     void fill(const Function& valueAt) {
-        tbb::parallel_for(top, bottom, [&](int y) {
-            for (int x = 0; x < width; ++x) values[indexOf(x, y)] = valueAt(x, y);
+        tbb::parallel_for(area.top, area.bottom, [&](int y) {
+            for (int x = area.left; x < area.right; ++x) values[indexOf(x, y)] = valueAt(x, y);
         });
     }
 };
@@ -50,35 +54,69 @@ Look lookAlong(const Stages& stages, const Ray& ray) {
     Look look;
     const RayHit hit = stages.solids.rays().nearest(ray);
     if (hit.isHit) {
-        const Vector3f facet = stages.solids.facetOf(hit);
-        look = {hit.body, stages.solids.seamKey(hit),        kNothing, hit.along,
-                facet,    std::abs(facet.dot(ray.direction))};
+        look.body = hit.body;
+        look.seam = stages.solids.seamKey(hit);
+        look.depth = hit.along;
+        look.facet = stages.solids.facetOf(hit);
+        look.slope = std::abs(look.facet.dot(ray.direction));
+        look.pen = stages.solids.penOf(hit);
     }
-    if (stages.ghosts.isEmpty()) return look;
-    const RayHit ghost = stages.ghosts.rays().nearest(ray);
-    if (ghost.isHit && (!hit.isHit || ghost.along < hit.along - kGhostGap)) look.ghost = ghost.body;
+    if (!stages.ghosts.isEmpty())
+        look.ghosts = ghostsAlong(stages.ghosts, ray, std::numeric_limits<float>::infinity());
     return look;
 }
 
-/// Darkness of the line between two neighbours; 0: no line.
-float lineBetween(const Look& a, const Look& b) {
-    if (a.body != b.body) return kSilhouette;
-    const float ghostLine = a.ghost != b.ghost ? kGhost : 0;
-    if (a.body == kNothing) return ghostLine;
+/// The outline of the nearer of two different bodies, in its pen.
+Ink outlineOf(Pen pen, float plain) {
+    return {pen == Pen::kPlain ? plain : kColoured, pen};
+}
+
+/// The outline of the nearest ghost that `a` sees and that ends before `b`. What lies in front of it at `b`,
+/// another ghost or a body, does not end it.
+Ink ghostLine(const Stage& ghosts, const Look& a, const Look& b) {
+    for (const RayHit& ghost : a.ghosts) {
+        const bool isCovered = a.body != kNothing && ghost.along > a.depth - kGhostGap;
+        if (!isCovered && !b.ghosts.hold(ghost.body)) return outlineOf(ghosts.penOf(ghost), kGhost);
+    }
+    return {};
+}
+
+/// The line between two neighbours; share 0: no line.
+Ink lineBetween(const Stages& stages, const Look& a, const Look& b) {
+    Ink line;
+    const auto add = [&](const Ink& other) {
+        if (other.share > line.share) line = other;
+    };
+    add(ghostLine(stages.ghosts, a, b));
+    add(ghostLine(stages.ghosts, b, a));
+    if (a.body != b.body) {
+        const bool isA = b.body == kNothing || (a.body != kNothing && a.depth < b.depth);
+        add(outlineOf(isA ? a.pen : b.pen, kSilhouette));
+        return line;
+    }
+    if (a.body == kNothing) return line;
     const float nearer = std::min(a.depth, b.depth);
     const float slope = std::max(0.08f, std::min(a.slope, b.slope));
-    if (std::abs(a.depth - b.depth) > kGapShare * nearer / slope) return kGap;
-    if (a.seam != b.seam) return std::max(ghostLine, kSeam);
-    return std::max(ghostLine, std::abs(a.facet.dot(b.facet)) < kCreaseCosine ? kCrease : 0);
+    if (std::abs(a.depth - b.depth) > kGapShare * nearer / slope) {
+        add({kGap, Pen::kPlain});
+    } else if (a.seam != b.seam) {
+        add({kSeam, Pen::kPlain});
+    } else if (std::abs(a.facet.dot(b.facet)) < kCreaseCosine) {
+        add({kCrease, Pen::kPlain});
+    }
+    return line;
 }
 
 /// The darker of the lines to the right of and below each place.
-Grid<float> linesOf(const Grid<Look>& looks) {
-    Grid<float> lines(looks.width, looks.top, looks.bottom);
+Grid<Ink> linesOf(const Stages& stages, const Grid<Look>& looks) {
+    Grid<Ink> lines(looks.area);
     lines.fill([&](int x, int y) {
-        float line = 0;
-        if (x + 1 < looks.width) line = lineBetween(looks.at(x, y), looks.at(x + 1, y));
-        if (y + 1 < looks.bottom) line = std::max(line, lineBetween(looks.at(x, y), looks.at(x, y + 1)));
+        Ink line;
+        if (x + 1 < looks.area.right) line = lineBetween(stages, looks.at(x, y), looks.at(x + 1, y));
+        if (y + 1 < looks.area.bottom) {
+            const Ink below = lineBetween(stages, looks.at(x, y), looks.at(x, y + 1));
+            if (below.share > line.share) line = below;
+        }
         return line;
     });
     return lines;
@@ -86,56 +124,79 @@ Grid<float> linesOf(const Grid<Look>& looks) {
 
 /// How far from a pixel, in places of the grid, a line of this width in pixels can lie and still touch the
 /// pixel.
-int reachOf(float width) {
-    return static_cast<int>(std::ceil(0.5f * width * kPerPixel + 1));
+int placeReach(float width) {
+    return static_cast<int>(std::ceil(0.5f * kColouredWidth * width * kPerPixel + 1));
 }
 
-/// Darkness of a pixel: that of the lines within half a line width of its middle, with soft borders.
-float inkAt(const Grid<float>& lines, int x, int y, float width) {
-    const float half = 0.5f * width * kPerPixel;
-    const int reach = reachOf(width);
-    const int left = std::max(0, kPerPixel * x - reach), top = std::max(lines.top, kPerPixel * y - reach);
-    const int right = std::min(lines.width, kPerPixel * (x + 1) + reach);
-    const int bottom = std::min(lines.bottom, kPerPixel * (y + 1) + reach);
+/// Ink of a pixel: that of the lines within half a line width of its middle, with soft borders.
+Ink inkAt(const Grid<Ink>& lines, int x, int y, float width) {
+    const float plainHalf = 0.5f * width * kPerPixel;
+    const PixelArea near = PixelArea{kPerPixel * x, kPerPixel * y, kPerPixel * (x + 1), kPerPixel * (y + 1)}
+                               .grownBy(placeReach(width))
+                               .within(lines.area);
     const float middleX = (static_cast<float>(x) + 0.5f) * kPerPixel,
                 middleY = (static_cast<float>(y) + 0.5f) * kPerPixel;
-    float most = 0;
-    for (int j = top; j < bottom; ++j) {
-        for (int i = left; i < right; ++i) {
-            const float line = lines.at(i, j);
-            if (line <= most) continue;
+    Ink most;
+    for (int j = near.top; j < near.bottom; ++j) {
+        for (int i = near.left; i < near.right; ++i) {
+            const Ink& line = lines.at(i, j);
+            if (line.share <= most.share) continue;
+            const float half = line.pen == Pen::kPlain ? plainHalf : kColouredWidth * plainHalf;
             const float distance =
                 std::hypot(static_cast<float>(i) + 1 - middleX, static_cast<float>(j) + 1 - middleY);
-            most = std::max(most, line * std::clamp(half + 0.5f - 0.6f * distance, 0.0f, 1.0f));
+            const float share = line.share * std::clamp(half + 0.5f - 0.6f * distance, 0.0f, 1.0f);
+            if (share > most.share) most = {share, line.pen};
         }
     }
     return most;
 }
 
-/// Draws the lines in the rows [top, bottom) of pixels.
-void drawBand(const Stages& stages, const Camera& camera, float width, int top, int bottom, Image& image) {
-    const int beside = reachOf(width) + 1;  // a line lies between two rows
-    Grid<Look> looks(kPerPixel * image.width, std::max(0, kPerPixel * top - beside),
-                     std::min(kPerPixel * image.height, kPerPixel * bottom + beside));
+}  // namespace
+
+Colour penColour(Pen pen) {
+    return kPens[static_cast<std::size_t>(pen)];
+}
+
+PixelArea PixelArea::within(const PixelArea& other) const {
+    return {std::max(left, other.left), std::max(top, other.top), std::min(right, other.right),
+            std::min(bottom, other.bottom)};
+}
+
+int outlineReach(float width) {
+    return placeReach(width) / kPerPixel + 1;
+}
+
+std::vector<Ink> outlineInk(const Stages& stages, const Camera& camera, const OutlineOptions& options,
+                            const PixelArea& area) {
+    const auto places = [](const PixelArea& pixels) {
+        return PixelArea{kPerPixel * pixels.left, kPerPixel * pixels.top, kPerPixel * pixels.right,
+                         kPerPixel * pixels.bottom};
+    };
+    const int beside = placeReach(options.width) + 1;  // a line lies between two rows
+    Grid<Look> looks(places(area).grownBy(beside).within(places(options.picture)));
     looks.fill([&](int x, int y) {
         return lookAlong(stages, camera.rayThrough((static_cast<float>(x) + 0.5f) / kPerPixel,
                                                    (static_cast<float>(y) + 0.5f) / kPerPixel));
     });
-    const Grid<float> lines = linesOf(looks);
-    tbb::parallel_for(top, bottom, [&](int y) {
-        for (int x = 0; x < image.width; ++x) {
-            const float ink = inkAt(lines, x, y, width);
-            image.at(x, y) = (1 - ink) * image.at(x, y) + ink * kInk;
-        }
-    });
+    const Grid<Ink> lines = linesOf(stages, looks);
+    Grid<Ink> ink(area);
+    ink.fill([&](int x, int y) { return inkAt(lines, x, y, options.width); });
+    return ink.values;
 }
 
-}  // namespace
+void lay(const Ink& ink, Colour& pixel) {
+    pixel += ink.share * (penColour(ink.pen) - pixel);
+}
 
 void drawOutlines(const Stages& stages, const Camera& camera, float width, Image& image) {
-    const int rows = std::max(64, 8 * reachOf(width));  // a grid over the whole picture would take gigabytes
-    for (int top = 0; top < image.height; top += rows)
-        drawBand(stages, camera, width, top, std::min(top + rows, image.height), image);
+    const int rows =
+        std::max(64, 8 * placeReach(width));  // a grid over a whole large picture would take gigabytes
+    const PixelArea picture{0, 0, image.width, image.height};
+    for (int top = 0; top < image.height; top += rows) {
+        const PixelArea band{0, top, image.width, std::min(top + rows, image.height)};
+        const std::vector<Ink> ink = outlineInk(stages, camera, {width, picture}, band);
+        for (std::size_t i = 0; i < ink.size(); ++i) lay(ink[i], image.pixels[image.indexOf(0, top) + i]);
+    }
 }
 
 }  // namespace clearway::render

@@ -73,6 +73,13 @@ void attachTriangles(RTCDevice device, RTCScene scene, const Surface& surface) {
     rtcReleaseGeometry(geometry);
 }
 
+void placeInstance(RTCGeometry instance, const Placement& placement) {
+    Eigen::Matrix<float, 3, 4> columns;
+    columns << placement.rotation, placement.translation;
+    rtcSetGeometryTransform(instance, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, columns.data());
+    rtcCommitGeometry(instance);
+}
+
 }  // namespace
 
 struct RayScene::State {
@@ -100,6 +107,7 @@ RayScene::RayScene() : state_(std::make_unique<State>()) {
                                  std::to_string(static_cast<int>(rtcGetDeviceError(nullptr))));
     }
     state_->scene = rtcNewScene(state_->device);
+    rtcSetSceneFlags(state_->scene, RTC_SCENE_FLAG_ROBUST);
     state_->requireDone("Embree cannot make a scene");
 }
 
@@ -107,6 +115,7 @@ RayScene::~RayScene() = default;
 
 std::size_t RayScene::addShape(const Surface& surface) {
     const RTCScene shape = rtcNewScene(state_->device);
+    rtcSetSceneFlags(shape, RTC_SCENE_FLAG_ROBUST);  // no ray slips through between two triangles
     state_->shapes.push_back(shape);
     if (!surface.triangles.empty()) attachTriangles(state_->device, shape, surface);
     rtcCommitScene(shape);
@@ -117,13 +126,26 @@ std::size_t RayScene::addShape(const Surface& surface) {
 void RayScene::addBody(std::size_t shape, const Placement& placement) {
     const RTCGeometry instance = rtcNewGeometry(state_->device, RTC_GEOMETRY_TYPE_INSTANCE);
     rtcSetGeometryInstancedScene(instance, state_->shapes[shape]);
-    Eigen::Matrix<float, 3, 4> columns;
-    columns << placement.rotation, placement.translation;
-    rtcSetGeometryTransform(instance, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, columns.data());
-    rtcCommitGeometry(instance);
+    placeInstance(instance, placement);
     rtcAttachGeometry(state_->scene, instance);  // Embree numbers instances in this order
     rtcReleaseGeometry(instance);
     state_->requireDone("Embree cannot place a body");
+}
+
+void RayScene::moveBody(std::size_t body, const Placement& placement) {
+    placeInstance(rtcGetGeometry(state_->scene, static_cast<unsigned>(body)), placement);
+    state_->requireDone("Embree cannot move a body");
+}
+
+void RayScene::showBody(std::size_t body, bool isShown) {
+    const RTCGeometry instance = rtcGetGeometry(state_->scene, static_cast<unsigned>(body));
+    if (isShown) {
+        rtcEnableGeometry(instance);
+    } else {
+        rtcDisableGeometry(instance);
+    }
+    rtcCommitGeometry(instance);
+    state_->requireDone("Embree cannot show or hide a body");
 }
 
 void RayScene::finish() {

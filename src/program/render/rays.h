@@ -42,6 +42,10 @@ class RayScene {
     std::size_t addShape(const Surface& surface);
     /// Adds a copy of a shape. Bodies are numbered from 0 in the order of these calls.
     void addBody(std::size_t shape, const Placement& placement);
+    /// Moves a body. finish() is then to be called again.
+    void moveBody(std::size_t body, const Placement& placement);
+    /// Rays pass through a hidden body. finish() is then to be called again.
+    void showBody(std::size_t body, bool isShown);
     /// Builds Embree's trees. Throws std::runtime_error with Embree's error code on failure.
     void finish();
 

@@ -2,6 +2,7 @@
 // and the path of the part.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,10 +13,15 @@
 
 namespace clearway::render {
 
+/// Which pose of a path it is: the start and the goal have outlines of their own colours.
+enum class PoseRole { kBetween, kStart, kGoal };
+
 struct PosedPart {
     PartState state;
-    double clearance = 0;  ///< environment units
-    bool isGhost = false;  ///< drawn translucent
+    double clearance = 0;      ///< environment units
+    bool isGhost = false;      ///< drawn translucent
+    bool isInContact = false;  ///< collides or is too close: drawn in contactColour() and hatched
+    PoseRole role = PoseRole::kBetween;
 };
 
 struct RenderOptions {
@@ -35,13 +41,22 @@ struct RenderOptions {
     std::optional<CutPlane> cut;
     /// Clearance at the top of the colour scale. Default: see scaleFor().
     std::optional<double> scaleMost;
+    std::string unit;      ///< of lengths in the legend, such as "mm"; empty: unknown
+    bool hasAxes = false;  ///< the directions of x, y and z are drawn in a corner
     /// Places in environment coordinates around which rings are drawn, over all that hides them.
     std::vector<Vector3> marks;
+
+    /// Asked often, by any thread. Once true, the picture is given up.
+    std::function<bool()> isStopped = [] { return false; };
 };
 
 /// poses: the poses the part is shown at, at least one. way: the poses that a line is drawn through, at the
-/// middle of the part's box; empty: no line. Throws std::invalid_argument that names the wrong option.
+/// middle of the part's box; empty: no line. Returns an image without pixels if stopped. Throws
+/// std::invalid_argument that names the wrong option.
 Image render(const Mesh& part, const Mesh& environment, const std::vector<PosedPart>& poses,
              const std::vector<PosedPart>& way, const RenderOptions& options);
+
+/// Throws what render() throws for wrong options.
+void requireOptions(const RenderOptions& options);
 
 }  // namespace clearway::render

@@ -9,7 +9,6 @@ namespace clearway::render {
 
 namespace {
 
-constexpr int kReach = 3;       ///< neighbours to each side, pixels
 constexpr float kNear = 0.13f;  ///< decay of the weight with the squared distance in pixels
 constexpr float kFlat = 40;     ///< decay with 1 - cosine between the normals
 constexpr float kGrain =
@@ -27,17 +26,19 @@ float weightOf(const PixelLight& here, const PixelLight& there, int dx, int dy) 
 
 }  // namespace
 
-void smoothLight(const std::vector<PixelLight>& lights, Image& image) {
-    const auto lightAt = [&](int x, int y) -> const PixelLight& {
-        return lights[std::size_t(y) * std::size_t(image.width) + std::size_t(x)];
-    };
+void smoothLight(const std::vector<PixelLight>& lights, Image& image,
+                 const std::vector<std::uint8_t>& chosen) {
+    const auto lightAt = [&](int x, int y) -> const PixelLight& { return lights[image.indexOf(x, y)]; };
     tbb::parallel_for(0, image.height, [&](int y) {
         for (int x = 0; x < image.width; ++x) {
+            if (!chosen.empty() && chosen[image.indexOf(x, y)] == 0) continue;
             const PixelLight& here = lightAt(x, y);
             if (!here.isPlain || here.light < kLeastLight) continue;
             float sum = 0, weights = 0;
-            for (int j = std::max(0, y - kReach); j <= std::min(image.height - 1, y + kReach); ++j) {
-                for (int i = std::max(0, x - kReach); i <= std::min(image.width - 1, x + kReach); ++i) {
+            for (int j = std::max(0, y - kSmoothReach); j <= std::min(image.height - 1, y + kSmoothReach);
+                 ++j) {
+                for (int i = std::max(0, x - kSmoothReach); i <= std::min(image.width - 1, x + kSmoothReach);
+                     ++i) {
                     const float weight = weightOf(here, lightAt(i, j), i - x, j - y);
                     sum += weight * lightAt(i, j).light;
                     weights += weight;

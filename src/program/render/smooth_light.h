@@ -19,7 +19,11 @@ struct PixelLight {
     bool isPlain = false;    ///< all rays met one body and no ghost; other pixels are not changed
 };
 
-/// lights: one entry for each pixel, in the order of the pixels.
-void smoothLight(const std::vector<PixelLight>& lights, Image& image);
+constexpr int kSmoothReach = 3;  ///< neighbours to each side that share their light, pixels
+
+/// lights: one entry for each pixel, in the order of the pixels. chosen: as many entries, not 0 for the
+/// pixels to smooth; empty: all.
+void smoothLight(const std::vector<PixelLight>& lights, Image& image,
+                 const std::vector<std::uint8_t>& chosen = {});
 
 }  // namespace clearway::render

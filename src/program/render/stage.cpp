@@ -5,6 +5,28 @@
 
 namespace clearway::render {
 
+namespace {
+
+constexpr int kMostWalls = 24;  ///< walls of ghosts that one ray passes
+constexpr float kPast = 1e-5f;  ///< restarts a ray beyond the wall of a ghost; lengths along the ray
+
+}  // namespace
+
+bool GhostWalls::hold(std::uint32_t ghost) const {
+    return std::any_of(begin(), end(), [&](const RayHit& hit) { return hit.body == ghost; });
+}
+
+GhostWalls ghostsAlong(const Stage& ghosts, Ray ray, float most) {
+    GhostWalls walls;
+    for (int wall = 0; wall < kMostWalls && walls.count < GhostWalls::kMost; ++wall) {
+        const RayHit hit = ghosts.rays().nearest(ray);
+        if (!hit.isHit || hit.along > most) break;
+        if (!walls.hold(hit.body)) walls.hits[walls.count++] = hit;
+        ray.least = hit.along + kPast;
+    }
+    return walls;
+}
+
 std::size_t Stage::addShape(Surface surface) {
     shapes_.push_back(std::move(surface));
     return rays_.addShape(shapes_.back());
@@ -13,6 +35,11 @@ std::size_t Stage::addShape(Surface surface) {
 void Stage::addBody(Body body) {
     rays_.addBody(body.shape, body.placement);
     bodies_.push_back(std::move(body));
+}
+
+void Stage::changeBody(std::size_t body, Body changed) {
+    rays_.moveBody(body, changed.placement);
+    bodies_[body] = std::move(changed);
 }
 
 std::uint32_t Stage::componentOf(const RayHit& hit) const {
@@ -42,6 +69,7 @@ SeenPoint Stage::seenAt(const Ray& ray, const RayHit& hit) const {
     }
     if (seen.normal.dot(ray.direction) >= 0)
         seen.normal = seen.facet;  // the smoothed normal points away from the camera
+    seen.isHatched = body.isHatched;
     seen.colour = body.colours[std::min<std::size_t>(componentOf(hit), body.colours.size() - 1)];
     return seen;
 }

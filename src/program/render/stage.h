@@ -1,6 +1,7 @@
 // The scene in front of the camera: surfaces, each at one or more places, with their colours.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <deque>
 #include <vector>
@@ -10,6 +11,9 @@
 
 namespace clearway::render {
 
+/// The colour of a body's outline; it tells the start and the goal from other poses.
+enum class Pen : std::uint8_t { kPlain, kStart, kGoal };
+
 struct Body {
     std::size_t shape = 0;  ///< number of the shape in its stage
     Placement placement;
@@ -17,6 +21,8 @@ struct Body {
         colours;  ///< one for each component of the shape; the last one serves all further components
     bool hasSeams = true;    ///< lines are drawn where two components meet
     bool isOnScale = false;  ///< its colours show clearances, which no other colour may tint
+    bool isHatched = false;  ///< black lines are drawn across it
+    Pen pen = Pen::kPlain;
 };
 
 /// The point at which a ray met a body.
@@ -25,15 +31,21 @@ struct SeenPoint {
     Vector3f normal;  ///< smoothed normal on the side of the camera, unit length
     Vector3f facet;   ///< normal of the triangle on the side of the camera, unit length
     Colour colour;
+    bool isHatched = false;
 };
 
 class Stage {
   public:
     std::size_t addShape(Surface surface);
     void addBody(Body body);
-    void finish() { rays_.finish(); }  ///< to be called before any ray is traced
+    /// Replaces a body by one of the same shape: at another place, in other colours.
+    void changeBody(std::size_t body, Body changed);
+    void showBody(std::size_t body, bool isShown) { rays_.showBody(body, isShown); }
+    void finish() { rays_.finish(); }  ///< to be called after all changes and before any ray is traced
 
     bool isEmpty() const { return bodies_.empty(); }
+    std::size_t bodyCount() const { return bodies_.size(); }
+    Pen penOf(const RayHit& hit) const { return bodies_[hit.body].pen; }
     const RayScene& rays() const { return rays_; }
     SeenPoint seenAt(const Ray& ray, const RayHit& hit) const;
     /// Normal of the triangle, on the side that the order of its corners gives; unit length.
@@ -54,6 +66,20 @@ class Stage {
 /// A ghost this close in front of a solid, in coordinates of the stage, is not drawn: poses of one part often
 /// overlap, and rounding would choose between them.
 constexpr float kGhostGap = 1e-3f;
+
+/// The nearest wall of each ghost that a ray meets; the inside of a ghost plays no part.
+struct GhostWalls {
+    static constexpr int kMost = 4;  ///< ghosts seen one behind another
+    std::array<RayHit, kMost> hits;  ///< the nearest first
+    int count = 0;
+
+    const RayHit* begin() const { return hits.data(); }
+    const RayHit* end() const { return hits.data() + count; }
+    bool hold(std::uint32_t ghost) const;
+};
+
+/// most: walls farther along the ray do not count.
+GhostWalls ghostsAlong(const Stage& ghosts, Ray ray, float most);
 
 /// Ghosts are translucent; they neither shade nor hide anything.
 struct Stages {

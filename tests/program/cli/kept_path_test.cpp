@@ -1,5 +1,3 @@
-#include <csignal>
-
 #include "clearway/problem.h"
 #include "program/cli/run_program.h"
 #include "support/random_meshes.h"
@@ -26,26 +24,10 @@ struct KeptFolder : TemporaryFolder {
 constexpr const char* kFails = "plan window.cfg --path out.path --time 0.2 --margin 12";
 constexpr const char* kOld = "1 2 3 0 0 0 1\n";
 
-/// Runs the program until it is sent SIGINT, after more and more time: on a busy machine it may still be starting.
-Outcome interrupted(const TemporaryFolder& folder, const std::string& arguments) {
-    constexpr int kEndedBySignal = 128 + SIGINT;
-    Outcome outcome;
-    outcome.code = kEndedBySignal;
-    for (int seconds = 2; outcome.code == kEndedBySignal && seconds < 100; seconds *= 2) {
-        const std::string command = "cd '" + folder.path() + "' && timeout --preserve-status -s INT " +
-                                    std::to_string(seconds) + " " CLEARWAY_PROGRAM " " + arguments +
-                                    " > shown 2> errors";
-        const int status = std::system(command.c_str());
-        outcome = {WIFEXITED(status) ? WEXITSTATUS(status) : -1, readText(folder.file("shown")),
-                   readText(folder.file("errors"))};
-    }
-    return outcome;
-}
-
 BOOST_AUTO_TEST_CASE(an_interrupt_keeps_the_best_path_so_far) {
     const KeptFolder folder;
     const Outcome outcome =
-        interrupted(folder, "plan easy.cfg --path out.path --time 300 --objective length --planner RRTstar");
+        interruptIn(folder, "plan easy.cfg --path out.path --time 300 --objective length --planner RRTstar");
     BOOST_TEST(outcome.code == 0, outcome.err);
     BOOST_TEST(row(outcome, "interrupted") == "the path is the best so far");
     BOOST_TEST(row(outcome, "audit") == "valid along the whole path, certified");
@@ -101,7 +83,7 @@ BOOST_AUTO_TEST_CASE(a_plan_that_is_refused_or_interrupted_sets_an_old_path_asid
     BOOST_TEST(row(refused, "old path").find("moved to out.path.old,") == 0);
 
     folder.write("out.path", kOld);
-    const Outcome ended = interrupted(folder, "plan window.cfg --path out.path --time 300 --margin 12");
+    const Outcome ended = interruptIn(folder, "plan window.cfg --path out.path --time 300 --margin 12");
     BOOST_TEST(ended.code == 1);
     BOOST_TEST(row(ended, "path") == "none, interrupted");
     BOOST_TEST(row(ended, "old path").find("moved to out.path.old.2,") == 0);

@@ -1,42 +1,13 @@
-#include "clearway/problem.h"
-#include "program/cli/run_program.h"
-#include "support/window_scene.h"
+#include "program/cli/window_folder.h"
 
 namespace clearway::testing {
 
 namespace {
 
-/// The wall with a window, and a path through it.
-struct WindowFolder : TemporaryFolder {
-    WindowFolder() {
-        WindowScene window = windowScene();
-        saveMesh(window.partMesh, file("plate.obj"));
-        saveMesh(window.wallMesh, file("wall.obj"));
-        window.problem.robot = file("plate.obj");
-        window.problem.world = file("wall.obj");
-        window.problem.asOmplApp = false;
-        writeProblem(window.problem, file("window.cfg"));
-        PartState through = window.problem.start;
-        through.position.x() = 0;
-        writePath({window.problem.start, through, window.problem.goal}, Space::kSe3, file("in.path"));
-    }
-};
-
 constexpr const char* kRender = "render window.cfg in.path --out out.png --size 160x90 --samples 1";
 
 std::string added(const std::string& more) {
     return std::string(kRender) + " " + more;
-}
-
-/// Width and height of a PNG file.
-std::pair<int, int> sizeOf(const std::string& png) {
-    BOOST_TEST_REQUIRE(png.substr(0, 8) == "\x89PNG\r\n\x1a\n");
-    const auto word = [&](std::size_t at) {
-        int value = 0;
-        for (std::size_t i = at; i < at + 4; ++i) value = value << 8 | static_cast<unsigned char>(png[i]);
-        return value;
-    };
-    return {word(16), word(20)};
 }
 
 }  // namespace
@@ -46,7 +17,7 @@ BOOST_AUTO_TEST_CASE(a_picture_of_the_size_asked_for_is_written_and_each_pose_to
     const Outcome outcome = runIn(folder, added("--at 0,0.5,1"));
     BOOST_TEST(outcome.code == 0, outcome.err);
     BOOST_TEST(outcome.err == "");
-    BOOST_TEST((sizeOf(readText(folder.file("out.png"))) == std::pair(160, 90)));
+    BOOST_TEST((sizeOfPng(readText(folder.file("out.png"))) == std::pair(160, 90)));
     BOOST_TEST(row(outcome, "pose at 0").find("clearance 28, between 'plate' and '") == 0, outcome.out);
     BOOST_TEST(row(outcome, "pose at 0.5").find("IN COLLISION, between 'plate' and ") == 0, outcome.out);
     BOOST_TEST(row(outcome, "picture") == "out.png, 160 x 90");
@@ -60,7 +31,7 @@ BOOST_AUTO_TEST_CASE(the_same_bytes_are_written_twice_and_others_for_another_vie
     BOOST_TEST(readText(folder.file("out.png")) == first);
     for (const char* other : {"--view inside", "--view top --cut z=5", "--poses 2", "--eye 100,100,100",
                               "--eye 100,100,100 --look-at 0,50,0 --angle 60", "--close", "--scale 3",
-                              "--cut 1,1,0,5", "--margin 3"}) {
+                              "--cut 1,1,0,5", "--margin 3", "--axes"}) {
         const Outcome outcome = runIn(folder, added(other));
         BOOST_TEST(outcome.code == 0, outcome.err);
         BOOST_TEST(readText(folder.file("out.png")) != first, other);
@@ -73,14 +44,14 @@ BOOST_AUTO_TEST_CASE(without_a_path_start_and_goal_are_drawn) {
     BOOST_TEST(outcome.code == 0, outcome.err);
     row(outcome, "pose at 0");
     row(outcome, "pose at 1");
-    BOOST_TEST((sizeOf(readText(folder.file("out.png"))) == std::pair(64, 64)));
+    BOOST_TEST((sizeOfPng(readText(folder.file("out.png"))) == std::pair(64, 64)));
 }
 
 BOOST_AUTO_TEST_CASE(wrong_usage_is_refused_in_one_line) {
     const WindowFolder folder;
     folder.write("bad.path", "1 2 3\n");
     requireRefused(folder, "render window.cfg in.path", {"--out is missing"});
-    requireRefused(folder, "render", {"PROBLEM.cfg is missing", "[IN.path]"});
+    requireRefused(folder, "render", {"PROBLEM.cfg is missing", "[IN.path]", "--video FILE"});
     requireRefused(folder, "render window.cfg in.path more --out out.png", {"'more'"});
     requireRefused(folder, "render window.cfg nowhere.path --out out.png", {"nowhere.path"});
     requireRefused(folder, "render window.cfg bad.path --out out.png",

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
+#include <csignal>
 #include <cstdlib>
 #include <map>
 #include <string>
@@ -27,6 +28,24 @@ inline Outcome runIn(const TemporaryFolder& folder, const std::string& arguments
     const int status = std::system(command.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, readText(caught.file("out")),
             readText(caught.file("err"))};
+}
+
+/// Runs the program until it is sent SIGINT, after more and more time: on a busy machine it may still be
+/// starting.
+inline Outcome interruptIn(const TemporaryFolder& folder, const std::string& arguments) {
+    constexpr int kEndedBySignal = 128 + SIGINT;
+    const TemporaryFolder caught;
+    Outcome outcome;
+    outcome.code = kEndedBySignal;
+    for (int seconds = 1; outcome.code == kEndedBySignal && seconds < 100; seconds *= 2) {
+        const std::string command = "cd '" + folder.path() + "' && timeout --preserve-status -s INT " +
+                                    std::to_string(seconds) + " " CLEARWAY_PROGRAM " " + arguments + " > '" +
+                                    caught.file("out") + "' 2> '" + caught.file("err") + "'";
+        const int status = std::system(command.c_str());
+        outcome = {WIFEXITED(status) ? WEXITSTATUS(status) : -1, readText(caught.file("out")),
+                   readText(caught.file("err"))};
+    }
+    return outcome;
 }
 
 /// The value of a "label:  value" row; the first row if there are several.

@@ -185,4 +185,13 @@ BOOST_AUTO_TEST_CASE(wrong_usage_is_refused_and_makes_nothing) {
     requireRefused(folder, "scene tunnel-console --out made --colour red", {"--colour"});
 }
 
+BOOST_AUTO_TEST_CASE(an_interrupt_leaves_no_part_of_a_scene) {
+    const TemporaryFolder folder;
+    const Outcome outcome = interruptIn(folder, "scene tunnel-console-3 --out made");
+    BOOST_TEST(outcome.code == 1, outcome.err);
+    BOOST_TEST(outcome.err == "");
+    BOOST_TEST(row(outcome, "scene") == "none, interrupted");
+    BOOST_TEST(folder.names().empty());
+}
+
 }  // namespace clearway::testing

@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "program/render/legend.h"
+#include "program/render/outlines.h"
 #include "support/window_scene.h"
 
 namespace clearway::testing {
@@ -77,7 +78,10 @@ BOOST_AUTO_TEST_CASE(the_legends_figures_are_in_the_picture_however_long) {
     for (const double most : {5.0, 0.00025, 123456.0, 2.5e-8, 1.23456e-30}) {
         for (const auto& [width, height] : {std::pair(1280, 720), std::pair(480, 270), std::pair(100, 400)}) {
             Image image(width, height, Colour::Ones());
-            drawLegend(most, {0}, image);
+            Legend legend;
+            legend.most = most;
+            legend.clearances = {0};
+            drawLegend(legend, image);
             for (int y = 0; y < height; ++y)
                 BOOST_TEST_REQUIRE(isWhite(image.at(width - 1, y)),
                                    most << " in " << width << " x " << height);
@@ -217,6 +221,84 @@ BOOST_AUTO_TEST_CASE(a_mark_is_a_ring_around_its_place_over_what_hides_it) {
         isAbove = isAbove || isRing(image.at(x - 1, y - up)) || isRing(image.at(x, y - up));
     }
     BOOST_TEST(isAbove);
+}
+
+BOOST_AUTO_TEST_CASE(a_pose_in_contact_is_hatched_in_its_own_colour_and_a_free_one_is_not) {
+    const auto isContact = [](const Colour& pixel) {
+        return pixel[1] > 2.5f * pixel[0] && pixel[1] > 1.2f * pixel[2] && pixel[1] > 0.1f;
+    };
+    const auto isBlack = [](const Colour& pixel) { return pixel.maxCoeff() < 0.03f; };
+    Shot shot;
+    shot.options.isClose = true;
+    shot.poses = {{shot.upright(-60), 0}};
+    const int blackWhenFree = count(shot.taken(), isBlack);
+    BOOST_TEST(count(shot.taken(), isContact) == 0);
+    shot.poses[0].isInContact = true;
+    const Image image = shot.taken();
+    BOOST_TEST(count(image, isYellow) == 0);
+    BOOST_TEST(count(image, isContact) > 1000);
+    BOOST_TEST(count(image, isBlack) > blackWhenFree + 500);
+}
+
+BOOST_AUTO_TEST_CASE(the_way_in_contact_has_the_colour_of_contact) {
+    const auto isGreen = [](const Colour& pixel) {
+        return pixel[1] > 2 * pixel[0] && pixel[1] > 1.2f * pixel[2];
+    };
+    Shot shot;
+    shot.options.view = "top";
+    shot.poses = {{shot.upright(60), 5}};
+    std::vector<PosedPart> way = {{shot.upright(-60), 5}, {shot.upright(-10), 5}, {shot.upright(60), 5}};
+    BOOST_TEST(count(shot.taken(way), isGreen) == 0);
+    way[0].isInContact = true;
+    BOOST_TEST(count(shot.taken(way), isGreen) > 20);
+}
+
+BOOST_AUTO_TEST_CASE(start_and_goal_have_outlines_of_their_own_colours) {
+    const auto isLike = [](Pen pen) {
+        return [colour = penColour(pen)](const Colour& pixel) {
+            return (pixel - colour).cwiseAbs().maxCoeff() < 0.08f;
+        };
+    };
+    Shot shot;
+    shot.poses = {{shot.upright(-60), 3}, {shot.upright(60), 3}};
+    for (const bool isGhost : {false, true}) {
+        for (PosedPart& pose : shot.poses) pose.isGhost = isGhost;
+        shot.poses[0].role = shot.poses[1].role = PoseRole::kBetween;
+        const Image plain = shot.taken();
+        BOOST_TEST(count(plain, isLike(Pen::kStart)) + count(plain, isLike(Pen::kGoal)) < 10);
+        shot.poses[0].role = PoseRole::kStart;
+        shot.poses[1].role = PoseRole::kGoal;
+        const Image told = shot.taken();
+        BOOST_TEST(count(told, isLike(Pen::kStart)) > 50);
+        BOOST_TEST(count(told, isLike(Pen::kGoal)) > 20);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(axes_are_drawn_in_the_lower_left_corner) {
+    Shot shot;
+    shot.poses = {{shot.upright(-60), 5}};
+    shot.options.eye = Vector3(-400, -300, 200);
+    shot.options.lookAt = Vector3(0, 0, -2000);  // nothing but background
+    const auto isDark = [](const Colour& pixel) { return pixel.maxCoeff() < 0.3f; };
+    const int without = count(shot.taken(), isDark);
+    shot.options.hasAxes = true;
+    BOOST_TEST(count(shot.taken(), isDark) > without + 30);
+}
+
+BOOST_AUTO_TEST_CASE(a_slot_in_a_grey_plate_is_seen) {
+    Shot shot;  // the wall's window, seen flat on
+    shot.options.view = "left";
+    shot.poses = {{shot.upright(-60), 5}};
+    shot.poses[0].state.position.y() = 300;
+    const auto isLine = [](const Colour& pixel) { return pixel.maxCoeff() < 0.2f; };
+    BOOST_TEST(count(shot.taken(), isLine) > 150);
+}
+
+BOOST_AUTO_TEST_CASE(a_stopped_picture_has_no_pixels) {
+    Shot shot;
+    shot.poses = {{shot.upright(-60), 5}};
+    shot.options.isStopped = [] { return true; };
+    BOOST_TEST(shot.taken().pixels.empty());
 }
 
 BOOST_AUTO_TEST_CASE(a_camera_of_ones_own_sees_what_it_looks_at) {

@@ -1,0 +1,184 @@
+#include "program/cli/film.h"
+
+#include <algorithm>
+#include <boost/algorithm/string/case_conv.hpp>
+#include <cmath>
+#include <filesystem>
+#include <optional>
+#include <stdexcept>
+
+#include "core/replace_file.h"
+#include "program/cli/frames_folder.h"
+#include "program/cli/print.h"
+#include "program/cli/render.h"
+#include "program/render/film.h"
+#include "program/render/video.h"
+
+namespace clearway::cli {
+
+namespace {
+
+constexpr double kMostSeconds = 600;
+constexpr int kMostRate = 60,
+              kMostGifRate = 50;          ///< the time of a GIF's picture is whole hundredths of a second
+constexpr int kLargestFilmSide = 4096;    ///< pixels; common players decode no more
+constexpr double kMostGifBytes = 2e9;     ///< ffmpeg keeps all pictures of a GIF, in 4 bytes a pixel
+constexpr std::size_t kFramedPoses = 25;  ///< poses that the camera keeps in the picture
+
+std::string endingOf(const std::string& file) {
+    return boost::to_lower_copy(std::filesystem::path(file).extension().string());
+}
+
+std::string sizeText(const render::RenderOptions& drawing) {
+    return std::to_string(drawing.width) + " x " + std::to_string(drawing.height);
+}
+
+void requireSize(const FilmChoice& film, const render::RenderOptions& drawing) {
+    if (film.video.empty()) return;
+    if (std::max(drawing.width, drawing.height) > kLargestFilmSide) {
+        throw std::invalid_argument("--size is " + sizeText(drawing) + ", expected at most " +
+                                    std::to_string(kLargestFilmSide) + " pixels a side for --video");
+    }
+    if (endingOf(film.video) != ".gif") return;
+    if (film.rate > kMostGifRate) {
+        throw std::invalid_argument("--fps is " + std::to_string(film.rate) + ", expected at most " +
+                                    std::to_string(kMostGifRate) + " for a GIF");
+    }
+    const double bytes = 4.0 * drawing.width * drawing.height * static_cast<double>(film.pictureCount());
+    if (bytes > kMostGifBytes) {
+        throw std::invalid_argument(
+            counted(film.pictureCount(), "picture") + " of " + sizeText(drawing) +
+            " are too much for a GIF, expected a smaller --size, fewer --seconds, or .mp4");
+    }
+}
+
+/// Refuses a file in the folder of --frames, which is replaced.
+void requireOutside(const std::string& option, const std::string& file, const std::string& folder) {
+    if (file.empty() || folder.empty()) return;
+    namespace fs = std::filesystem;
+    std::error_code failed;
+    const fs::path above = fs::weakly_canonical(fs::absolute(file, failed), failed).parent_path();
+    if (above != fs::weakly_canonical(fs::absolute(folder, failed) / "file", failed).parent_path()) return;
+    throw std::invalid_argument(option + " is '" + file +
+                                "', in the folder of --frames, expected another folder");
+}
+
+/// Poses at even shares of the path, as single pictures of a film show them: neither start nor goal.
+std::vector<render::PosedPart> evenPoses(const FilmScene& scene, std::size_t count) {
+    auto poses = posesAt(scene.line, report::evenShares(count), scene.clearance, false);
+    for (render::PosedPart& pose : poses) pose.role = render::PoseRole::kBetween;
+    return poses;
+}
+
+render::FilmCast castOf(const FilmScene& scene) {
+    render::FilmCast cast{posesAt(scene.line, {0, 1}, scene.clearance, false), evenPoses(scene, kFramedPoses),
+                          scene.way};
+    for (render::PosedPart& end : cast.still) end.isGhost = true;
+    return cast;
+}
+
+void printContacts(const std::vector<render::PosedPart>& poses) {
+    const auto isInContact = [](const render::PosedPart& pose) { return pose.isInContact; };
+    const auto count = std::count_if(poses.begin(), poses.end(), isInContact);
+    if (count == 0) return;
+    const auto first = std::find_if(poses.begin(), poses.end(), isInContact);
+    const double share = double(first - poses.begin()) / double(std::max<std::size_t>(1, poses.size() - 1));
+    printRow("in contact", counted(static_cast<std::size_t>(count), "picture") + " of " +
+                               std::to_string(poses.size()) + ": IN COLLISION or too close, first at " +
+                               readable(std::round(1000 * share) / 1000));
+}
+
+/// Where pictures go; null: no such output.
+struct FilmTargets {
+    const FramesFolder* folder;
+    render::Video* video;
+    ElapsedLine& elapsed;
+};
+
+/// Takes all pictures. Returns false when interrupted.
+bool takePictures(render::Film& film, const std::vector<render::PosedPart>& poses,
+                  const FilmTargets& targets) {
+    const auto& [folder, video, elapsed] = targets;
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+        elapsed.tell("picture " + std::to_string(i + 1) + " of " + std::to_string(poses.size()) + ",");
+        const render::Image picture = film.picture(poses[i]);
+        if (picture.pixels.empty()) return false;
+        if (folder != nullptr) render::writePng(picture, folder->fileOf(i + 1));
+        if (video != nullptr) video->add(picture);
+    }
+    if (video != nullptr) video->finish();
+    return true;
+}
+
+}  // namespace
+
+std::size_t FilmChoice::pictureCount() const {
+    return static_cast<std::size_t>(std::max(2L, std::lround(seconds * rate)));
+}
+
+void FilmChoice::require(const render::RenderOptions& drawing, std::size_t states, const std::string& picture,
+                         OutputFiles& files) const {
+    if (!isWanted()) return;
+    if (frames == "-") throw std::invalid_argument("--frames is '-', expected the name of a folder");
+    files.add("--video", video, render::videoEndings());
+    requireOutside("--video", video, frames);
+    requireOutside("--out", picture, frames);
+    if (states < 2)
+        throw std::invalid_argument("the path has 1 state, expected at least 2 for --frames or --video");
+    requireSize(*this, drawing);
+    if (!frames.empty()) const FramesFolder canBeMade(frames);
+    if (!video.empty()) render::requireFfmpeg();
+}
+
+void addFilm(CommandLine& line, FilmChoice& film, const std::function<bool()>& hasPath) {
+    const auto withPath = [hasPath](std::string& to) {
+        return [&to, hasPath](const std::string& value) {
+            if (!hasPath()) throw Expected{"only with a path file beside the problem"};
+            to = value;
+        };
+    };
+    const auto ofFilm = [&film](const Reader& read) {
+        return [&film, read](const std::string& value) {
+            if (!film.isWanted()) throw Expected{"only with --frames or --video"};
+            read(value);
+        };
+    };
+    line.option("--frames DIR", "a folder of numbered PNG files: the motion, picture by picture",
+                withPath(film.frames));
+    line.option("--video FILE", "the motion as a film, .mp4 or .gif; runs the program ffmpeg",
+                withPath(film.video));
+    line.option("--seconds S", "length of the film (6)", ofFilm([&film](const std::string& text) {
+                    film.seconds = positiveNumber(text);
+                    if (film.seconds > kMostSeconds)
+                        throw Expected{"a number above 0, at most " + readable(kMostSeconds)};
+                }));
+    line.option("--fps N", "pictures of the film in a second (20)",
+                ofFilm(integer<int>(film.rate, 1, kMostRate)));
+}
+
+bool writeFilm(const FilmChoice& film, const FilmScene& scene, const render::RenderOptions& drawing) {
+    std::optional<FramesFolder> folder;
+    if (!film.frames.empty()) folder.emplace(film.frames);
+    const std::vector<render::PosedPart> poses = evenPoses(scene, film.pictureCount());
+    printContacts(poses);
+    render::Film pictures(scene.part, scene.environment, castOf(scene), drawing);
+    const auto take = [&](render::Video* video) {
+        return takePictures(pictures, poses, {folder ? &*folder : nullptr, video, scene.elapsed});
+    };
+    const render::VideoFormat format{endingOf(film.video), drawing.width, drawing.height, film.rate};
+    const bool isDone =
+        film.video.empty() ? take(nullptr) : replaceFileByName(film.video, [&](const std::string& temporary) {
+            render::Video video(temporary, format);
+            return take(&video);
+        });
+    if (isDone && folder) folder->keep();
+    const std::string told = counted(poses.size(), "picture") + " of " + sizeText(drawing);
+    if (folder) printRow("frames", isDone ? film.frames + ", " + told : "none, interrupted");
+    if (!film.video.empty()) {
+        printRow("video", isDone ? film.video + ", " + told + ", " + std::to_string(film.rate) + " a second"
+                                 : "none, interrupted");
+    }
+    return isDone;
+}
+
+}  // namespace clearway::cli

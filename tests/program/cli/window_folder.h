@@ -1,0 +1,39 @@
+// A folder with a small problem: a plate that goes through the window of a wall, and touches it there.
+#pragma once
+
+#include <string>
+
+#include "clearway/problem.h"
+#include "program/cli/run_program.h"
+#include "support/window_scene.h"
+
+namespace clearway::testing {
+
+/// The wall with a window, and a path through it.
+struct WindowFolder : TemporaryFolder {
+    WindowFolder() {
+        WindowScene window = windowScene();
+        saveMesh(window.partMesh, file("plate.obj"));
+        saveMesh(window.wallMesh, file("wall.obj"));
+        window.problem.robot = file("plate.obj");
+        window.problem.world = file("wall.obj");
+        window.problem.asOmplApp = false;
+        writeProblem(window.problem, file("window.cfg"));
+        PartState through = window.problem.start;
+        through.position.x() = 0;
+        writePath({window.problem.start, through, window.problem.goal}, Space::kSe3, file("in.path"));
+    }
+};
+
+/// Width and height of a PNG file.
+inline std::pair<int, int> sizeOfPng(const std::string& png) {
+    BOOST_TEST_REQUIRE(png.substr(0, 8) == "\x89PNG\r\n\x1a\n");
+    const auto word = [&](std::size_t at) {
+        int value = 0;
+        for (std::size_t i = at; i < at + 4; ++i) value = value << 8 | static_cast<unsigned char>(png[i]);
+        return value;
+    };
+    return {word(16), word(20)};
+}
+
+}  // namespace clearway::testing
