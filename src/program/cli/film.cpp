@@ -4,10 +4,12 @@
 #include <boost/algorithm/string/case_conv.hpp>
 #include <cmath>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
 
 #include "core/replace_file.h"
+#include "program/cli/facts.h"
 #include "program/cli/frames_folder.h"
 #include "program/cli/print.h"
 #include "program/cli/render.h"
@@ -173,6 +175,10 @@ bool writeFilm(const FilmChoice& film, const FilmScene& scene, const render::Ren
         });
     if (isDone && folder) folder->keep();
     const std::string told = counted(poses.size(), "picture") + " of " + sizeText(drawing);
+    if (isDone) {
+        facts()["frames"] = film.frames.empty() ? Json() : Json(film.frames);
+        facts()["video"] = film.video.empty() ? Json() : Json(film.video);
+    }
     if (folder) printRow("frames", isDone ? film.frames + ", " + told : "none, interrupted");
     if (!film.video.empty()) {
         printRow("video", isDone ? film.video + ", " + told + ", " + std::to_string(film.rate) + " a second"

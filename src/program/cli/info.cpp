@@ -172,8 +172,8 @@ void describePose(const char* label, const planning::SceneClearance& clearance, 
     const planning::PoseClearance at = clearance.at(X_environmentPart);
     if (at.nearest.partTriangle < 0) return printRow(label, "valid, with nothing near");
     const planning::MeshNames names = planning::meshNames(clearance.scene(), at.nearest);
-    printRow(label, "valid, clearance " + inUnit(shortened(at.lower)) + ", between '" + names.part +
-                        "' and '" + names.environment + "'");
+    printRow(label, "valid, clearance " + shownLength(at.lower) + ", between '" + names.part + "' and '" +
+                        names.environment + "'");
 }
 
 void describeEnds(const Problem& problem) {

@@ -157,23 +157,22 @@ void printFirst(const Question& question, const QueryRun& run, const Model& part
         printRow("", std::to_string(run.answers.size() - shown) + " more poses; --csv or --json writes all");
 }
 
-Json toJson(const Question& question, const Answer& answer) {
+Json answerFacts(const Question& question, const Answer& answer) {
     if (question.kind != Question::Kind::kDistance) return answer.verdict;
     const DistanceResult& found = answer.distance;
-    Json json = {{"distance", cli::toJson(found.distance)},
-                 {"lower", cli::toJson(found.lower)},
-                 {"upper", cli::toJson(found.upper)}};
+    Json json = {
+        {"distance", toJson(found.distance)}, {"lower", toJson(found.lower)}, {"upper", toJson(found.upper)}};
     if (isBeyondCap(found)) return json;
-    json["part"] = {{"triangle", found.partTriangle}, {"point", cli::toJson(found.pointOnPart)}};
+    json["part"] = {{"triangle", found.partTriangle}, {"point", toJson(found.pointOnPart)}};
     json["environment"] = {{"triangle", found.environmentTriangle},
-                           {"point", cli::toJson(found.pointOnEnvironment)}};
+                           {"point", toJson(found.pointOnEnvironment)}};
     return json;
 }
 
 void tellFacts(const Question& question, const QueryRun& run, const Model& part, const Model& environment) {
-    facts()["part"] = cli::toJson(part);
-    facts()["environment"] = cli::toJson(environment);
-    for (const Answer& answer : run.answers) facts()["answers"].push_back(toJson(question, answer));
+    facts()["part"] = toJson(part);
+    facts()["environment"] = toJson(environment);
+    for (const Answer& answer : run.answers) facts()["answers"].push_back(answerFacts(question, answer));
 }
 
 /// Asks at every pose, in the file's order or shuffled, with one workspace.

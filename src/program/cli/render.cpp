@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "clearway/planning/scene_clearance.h"
 #include "clearway/query.h"
+#include "program/cli/facts.h"
 #include "program/cli/film.h"
 #include "program/cli/load_guard.h"
 #include "program/cli/overlaps.h"
@@ -64,6 +66,7 @@ bool readArguments(const Arguments& arguments, RenderArguments& given) {
     line.option("--at T,...", "these poses, in place of --poses: 0 is the start, 1 the end",
                 withPath([&](const std::string& text) { given.shares = sharesOf(text); }));
     line.exclude("--at", "--poses");
+    addJson(line);
     addCache(line, given.trees);
     if (!line.parse(arguments)) return false;
     if (given.out.empty() && !given.film.isWanted())
@@ -86,8 +89,21 @@ void printPose(double share, const Scene& scene, const planning::PoseClearance& 
     printRow("pose at " + readable(share),
              std::isinf(at.lower) ? "nothing to keep clear of"
              : nearest.collides() ? "IN COLLISION" + between
-             : !at.isValid()      ? "NOT valid, too close, clearance " + readable(at.lower) + between
-                                  : "clearance " + readable(at.lower) + between);
+             : !at.isValid()      ? "NOT valid, too close, clearance " + shownLength(at.lower) + between
+                                  : "clearance " + shownLength(at.lower) + between);
+}
+
+Json placeFacts(double share, const PartState& state) {
+    return {{"share", share}, {"pose", toJson(state)}};
+}
+
+void tellPose(double share, const PartState& state, const Scene& scene, const planning::PoseClearance& at) {
+    const planning::MeshNames names = planning::meshNames(scene, at.nearest);
+    Json json = placeFacts(share, state);
+    json["valid"] = at.isValid();
+    json["clearance"] = toJson(at.lower);
+    json["pair"] = closestPair(at.nearest, names.part, names.environment);
+    facts()["poses"].push_back(json);
 }
 
 /// Throws before long work when an output cannot be written.
@@ -97,6 +113,7 @@ void requireOutputs(const RenderArguments& given, const Problem& problem, std::s
     OutputFiles files(inputs);
     files.add("--out", given.out, {".png"});
     given.film.require(given.drawing, states, given.out, files);
+    requireFactsFile(files);
 }
 
 /// Writes the picture of --out and prints a row about each pose and the file. Returns false when interrupted.
@@ -109,6 +126,7 @@ bool writePicture(const RenderArguments& given, const Model& part, const FilmSce
         render::render(scene.part, scene.environment, poses, scene.way, given.drawing);
     if (picture.pixels.empty()) return printRow("picture", "none, interrupted"), false;
     render::writePng(picture, given.out);
+    facts()["picture"] = given.out;
     printRow("picture",
              given.out + ", " + std::to_string(picture.width) + " x " + std::to_string(picture.height));
     return true;
@@ -124,13 +142,17 @@ std::vector<render::PosedPart> posesAt(const report::PathLine& line, const std::
         const Pose X_environmentPart = poseOf(state);
         if (clearance.isOutOfReach(X_environmentPart)) {
             poses.push_back({state, std::numeric_limits<double>::infinity()});
-            if (isPrinted) printRow("pose at " + readable(share), "out of the problem's bounds");
+            if (!isPrinted) continue;
+            printRow("pose at " + readable(share), "out of the problem's bounds");
+            facts()["poses"].push_back(placeFacts(share, state));
             continue;
         }
         const planning::PoseClearance at = clearance.at(X_environmentPart);
         poses.push_back({state, at.lower});
         poses.back().isInContact = !at.isValid();
-        if (isPrinted) printPose(share, clearance.scene(), at);
+        if (!isPrinted) continue;
+        printPose(share, clearance.scene(), at);
+        tellPose(share, state, clearance.scene(), at);
     }
     for (std::size_t i = 0; i < poses.size(); ++i) {
         if (shares[i] == 0) poses[i].role = render::PoseRole::kStart;
@@ -164,6 +186,7 @@ int render(const Arguments& arguments) {
     requireOutputs(given, problem, states.size());
     heedInterrupts();
     given.drawing.isStopped = isInterrupted;
+    given.drawing.unit = problem.unit;
     ElapsedLine elapsed("rendering");
     const Mesh part = loadPart(problem, guardedLoadMesh);
     const Mesh environment = shownEnvironment(problem);
@@ -176,6 +199,7 @@ int render(const Arguments& arguments) {
     if (!isInterrupted()) {
         const std::vector<FoundOverlap> overlaps = overlapsAlong(problem, scene, states);
         printOverlaps(overlaps);
+        facts()["overlaps"] = toJson(overlaps);
         for (const FoundOverlap& found : overlaps) given.drawing.marks.push_back(found.deepest.point);
     }
     const FilmScene shown{part, environment, line, clearance, way, elapsed};

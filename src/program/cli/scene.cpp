@@ -8,11 +8,13 @@
 #include <filesystem>
 #include <iostream>
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "clearway/planning/check_path.h"
 #include "clearway/query.h"
 #include "core/number.h"
 #include "program/cli/command_line.h"
+#include "program/cli/facts.h"
 #include "program/cli/print.h"
 #include "program/cli/render.h"
 
@@ -177,6 +179,7 @@ bool readArguments(const Arguments& arguments, SceneArguments& given) {
     line.option("--clearance D", "least distance along the path that is written",
                 positive(given.options.clearance));
     line.flag("--no-preview", "writes no picture", given.hasNoPreview);
+    addJson(line);
     return line.parse(arguments);
 }
 
@@ -224,6 +227,8 @@ bool recordScene(const SceneOrigin& origin, const scenes::SceneFiles& files, con
                         pathFile + " solves it; least clearance along it: " + kept + "; " + near + "."});
     scenes::addComment(files.path,
                        {"Made by", recorder.command(), "Least clearance: " + kept + "; " + near + "."});
+    facts()["least_clearance"] = toJson(least);
+    facts()["replay"] = files.replay;
     printRow("least clearance", kept);
     printRow("near", near);
     printRow("replay", files.replay + ", " + replay);
@@ -231,6 +236,7 @@ bool recordScene(const SceneOrigin& origin, const scenes::SceneFiles& files, con
     recorder.writePreview();
     if (isInterrupted()) return true;
     printRow("preview", files.preview);
+    facts()["preview"] = files.preview;
     return true;
 }
 
@@ -238,6 +244,8 @@ int scene(const Arguments& arguments) {
     SceneArguments given;
     if (!readArguments(arguments, given)) return kDone;
     const SceneOrigin origin{*given.named, given.options};
+    OutputFiles outputs({});
+    requireFactsFile(outputs);
     heedInterrupts();
     const ElapsedLine elapsed("making the scene");
     const scenes::GeneratedScene made = given.named->make(given.options);
@@ -249,6 +257,11 @@ int scene(const Arguments& arguments) {
     printRow("part", files.part + ", " + counted(made.part.triangles.size(), "triangle"));
     printRow("environment",
              files.environment + ", " + counted(made.environment.triangles.size(), "triangle"));
+    facts()["unit"] = "mm";
+    facts()["part"] = {{"file", files.part}, {"triangles", made.part.triangles.size()}};
+    facts()["environment"] = {{"file", files.environment}, {"triangles", made.environment.triangles.size()}};
+    facts()["problem"] = files.problem;
+    facts()["path"] = {{"file", files.path}, {"states", made.path.size()}};
     printRow("problem", files.problem);
     printRow("path", files.path + ", " + counted(made.path.size(), "state"));
     const bool isKept = recordScene(origin, files, made.environment, !given.hasNoPreview);

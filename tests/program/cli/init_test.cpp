@@ -124,6 +124,12 @@ BOOST_AUTO_TEST_CASE(facts_of_other_subcommands_are_json_too) {
     BOOST_TEST(problem["unit"].is_null());
     BOOST_TEST(problem["environment"]["triangles"] == 24);
     BOOST_TEST(factsOf("info block.obj")["mesh"]["tree"]["triangles"] == 12);
+    const auto drawn = factsOf("render p.cfg --out p.png --size 32x24 --samples 1");
+    BOOST_TEST(drawn["poses"][0]["valid"].get<bool>());
+    BOOST_TEST(drawn["picture"] == "p.png");
+    const auto scene =
+        factsOf("scene puzzle --out s --no-preview --part-triangles 500 --environment-triangles 500");
+    BOOST_TEST(scene["least_clearance"].get<double>() > 0);
     const auto bench = factsOf("bench p.cfg --runs 1 --time 5 --planner RRTConnect --log b.log");
     BOOST_TEST(bench["planners"][0]["runs"].size() == 1u);
 }
