@@ -14,7 +14,7 @@
 #include "core/number.h"
 #include "core/replace_file.h"
 #include "program/cli/command_line.h"
-#include "program/cli/print_audit.h"
+#include "program/cli/print.h"
 #include "support/oracle.h"
 #include "support/path_check.h"
 
