@@ -40,7 +40,7 @@ MotionTally judgeMotions(const CrowdedScene& scene, int motions, int poses, Tall
 }
 
 BOOST_AUTO_TEST_CASE(answers_about_a_motion_are_true_of_its_poses) {
-    const int motions = isFullRun() ? 1620 : 18, poses = isFullRun() ? 1000 : 60;
+    const int motions = isFullRun() ? 1620 : 27, poses = isFullRun() ? 1000 : 60;
     TallyOfKinds kinds;
     MotionTally all;
     for (const CrowdedLayout& layout : crowdedLayouts()) {
