@@ -77,7 +77,7 @@ BOOST_AUTO_TEST_CASE(quaternions_of_six_digits_are_normalised) {
 BOOST_AUTO_TEST_CASE(wrong_lines_are_named) {
     const std::string good = "1 2 3 0 0 0 1\n";
     BOOST_TEST(refusalOf(good + "# comment\n1 2 3 0 0 0\n", Space::kSe3) ==
-               ":3: the line has 6 numbers, expected 7: x y z qx qy qz qw");
+               ":3: the line has 6 numbers, expected 7: x y z qx qy qz qw, w last");
     BOOST_TEST(refusalOf(good, Space::kSe2) == ":1: the line has 7 numbers, expected 3: x y yaw");
     BOOST_TEST(refusalOf(good + "1 2 3 0 0 0 0\n", Space::kSe3) ==
                ":2: the quaternion is 0 0 0 0, expected one of length above 0");

@@ -90,7 +90,8 @@ BOOST_AUTO_TEST_CASE(rotations_that_are_none_are_refused_with_their_line) {
 }
 
 BOOST_AUTO_TEST_CASE(short_long_and_wrong_lines_are_refused_with_their_line) {
-    const std::string expected = ", expected 12 (rotation row-major, translation) or 7 (x y z qx qy qz qw)";
+    const std::string expected =
+        ", expected 12 (rotation row-major, translation) or 7 (x y z qx qy qz qw, w last)";
     BOOST_TEST(refusalOf(kIdentity + "# c\n1 0 0 0 1 0 0 0 1 7 8\n") ==
                ":3: the line has 11 numbers" + expected);
     BOOST_TEST(refusalOf("5\n") == ":1: the line has 1 number" + expected);

@@ -223,13 +223,13 @@ BOOST_AUTO_TEST_CASE(lines_that_are_neither_section_nor_key_are_refused) {
 }
 
 BOOST_AUTO_TEST_CASE(an_unknown_key_is_an_error_in_a_file_of_clearway_for_it_may_decide_what_is_valid) {
-    BOOST_TEST(
-        refusalOf(kSpatial + "[clearway]\nsolids = wall\n") ==
-        ":20: [clearway] solids = 'wall' is an unknown key (did you mean 'solid'?), expected one of "
-        "contact.goal, "
-        "contact.start, fineness, goal, goal.degrees, ignore, margin, margin.NAME, outside, overlap, "
-        "overlap.NAME, "
-        "overlap.thin, overlap.tolerance, reading, robot.scale, solid, start.degrees, step, world.scale");
+    BOOST_TEST(refusalOf(kSpatial + "[clearway]\nsolids = wall\n") ==
+               ":20: [clearway] solids = 'wall' is an unknown key (did you mean 'solid'?), expected one of "
+               "contact.goal, "
+               "contact.start, fineness, goal, goal.degrees, ignore, margin, margin.NAME, outside, overlap, "
+               "overlap.NAME, "
+               "overlap.thin, overlap.tolerance, reading, robot.scale, solid, start.degrees, step, unit, "
+               "world.scale");
     BOOST_TEST(refusalOf(kSpatial + "[Clearway]\nmargin = 2\n") ==
                ":20: the section is [Clearway], expected [clearway]");
     const std::string problem = refusalOf(kSpatial + "voluem.min.x = 0\n[clearway]\nmargin = 0\n");

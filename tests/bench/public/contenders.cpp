@@ -42,7 +42,8 @@ Run planWithClearway(const Problem& problem, const Scene& scene, const std::stri
         options.planner = contender;
         options.threads = 1;
         options.quick = true;
-        if (contender != "PRM") options.parameters = {{"range", "0"}};  // OMPL then chooses the length of edges
+        if (contender != "PRM")
+            options.parameters = {{"range", "0"}};  // OMPL then chooses the length of edges
     }
     const planning::PlanReport report = plan(problem, scene, options);
     Run run;
