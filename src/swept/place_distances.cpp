@@ -99,13 +99,19 @@ LeastDistance PlaceDistances::along(RigidMotion motion, const Vector3& point, do
 }
 
 bool PlaceDistances::isInMaterial(const Vector3& point) const {
-    return solids_->holding(motions_[0].motion.start, pointPiece_, {Matrix3::Identity(), point}).has_value();
+    return std::any_of(motions_.begin(), motions_.end(), [&](const Motion& motion) {
+        return (point - motion.centre).norm() <= motion.radius &&
+               solids_->holding(motion.motion.start, pointPiece_, {Matrix3::Identity(), point});
+    });
 }
 
 bool PlaceDistances::holdsPiece(const Vector3& centre, double radius, Workspace& workspace) const {
-    Pose X_pointPart = motions_[0].motion.start;
-    X_pointPart.translation -= centre;
-    return isWithin(pieces_, point_, X_pointPart, radius, workspace);
+    return std::any_of(motions_.begin(), motions_.end(), [&](const Motion& motion) {
+        Pose X_pointPart = motion.motion.start;
+        X_pointPart.translation -= centre;
+        return (centre - motion.centre).norm() <= motion.radius + radius &&
+               isWithin(pieces_, point_, X_pointPart, radius, workspace);
+    });
 }
 
 bool PlaceDistances::areApart(const SurfaceTriangle& triangle, double distance, Workspace& workspace) const {

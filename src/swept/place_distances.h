@@ -34,8 +34,8 @@ class PlaceDistances {
     /// first: the number of the motion that is asked first, and then of the nearest one.
     PlaceDistance at(const Vector3& point, std::size_t& first, Workspace& workspace) const;
 
-    /// Whether the point, which the part's surface never touches, is in the part's material. It is there at all poses
-    /// or at none.
+    /// Whether the point, which the part's surface never touches, is in the part's material along some motion. It is
+    /// there at all poses of a motion or at none.
     bool isInMaterial(const Vector3& point) const;
 
     /// Whether the part's surface stays further from the triangle than this, at all poses. False if that is too close
@@ -47,8 +47,8 @@ class PlaceDistances {
     bool isWithinOfOnePlace(const SurfaceTriangle& triangle, double distance, const PlaceDistance& place,
                             Workspace& workspace) const;
 
-    /// Whether a chosen point of one of the part's connected pieces is within the ball at the first pose. Each piece has
-    /// one such point.
+    /// Whether a chosen point of one of the part's connected pieces is within the ball where a motion begins. Each piece
+    /// has one such point.
     bool holdsPiece(const Vector3& centre, double radius, Workspace& workspace) const;
 
   private:

@@ -108,6 +108,9 @@ BOOST_AUTO_TEST_CASE(only_rooms_that_the_part_never_enters_are_cavities) {
     for (TriangleIndices& t : hole.triangles) std::swap(t[1], t[2]);
     BOOST_TEST(shellsOf(block) == 1u);
     BOOST_TEST(shellsOf(joined(block, hole)) == 2u);
+    const Pose aside{Matrix3::Identity(), {10, 0, 0}};
+    const std::vector<RigidMotion> twoPlaces = {stays[0], {aside, {0, 0, 0}, {0, 0, 0}}};
+    BOOST_TEST(findShells(sweptVolume(block, twoPlaces, options).triangles).count == 2u);
     const std::vector<RigidMotion> fills = {{{}, {1.9, 0, 0}, {0, 0, 0}}};  // the walls pass all of the hole
     BOOST_TEST(findShells(sweptVolume(joined(block, hole), fills, options).triangles).count == 1u);
 }
