@@ -27,7 +27,7 @@ struct PlaceOnTriangle {
 ///                                            feasible: whether the points lie on the features.  feature: the
 ///                                            number of the pair of features in query/pair_query.h, or -1
 ///                                            where an edge pierces a face
-///   bool done() const
+///   bool done() const                        whether no further pair matters
 template <class Number>
 class TriangleFeatures {
   public:

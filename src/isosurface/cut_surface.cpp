@@ -6,8 +6,7 @@
 namespace clearway {
 namespace {
 
-/// Of an edge's length.
-constexpr double kLeastShare = 1.0 / 64;
+constexpr double kLeastShare = 1.0 / 64;  ///< of an edge: its points keep so far from its ends
 
 using PointOn = std::function<Vector3(std::uint32_t, std::uint32_t)>;
 
@@ -85,9 +84,12 @@ std::vector<std::array<CutEdge, 3>> surfaceIn(const std::array<std::uint32_t, 4>
     return found;
 }
 
+Vector3 pointOnEdge(const Vector3& from, const Vector3& to, double share) {
+    return from + std::clamp(share, kLeastShare, 1 - kLeastShare) * (to - from);
+}
+
 Vector3 cutPoint(const Vector3& inner, double innerHeight, const Vector3& outer, double outerHeight) {
-    const double share = std::clamp(innerHeight / (innerHeight - outerHeight), kLeastShare, 1 - kLeastShare);
-    return inner + share * (outer - inner);
+    return pointOnEdge(inner, outer, innerHeight / (innerHeight - outerHeight));
 }
 
 CutSurface cutSurface(const Tetrahedra& tetrahedra, const std::vector<double>& heights,

@@ -12,9 +12,12 @@
 
 namespace clearway {
 
-/// The point between an inner vertex, with a height of at least 0, and an outer one with a height below 0,
-/// at which the height is 0 if it changes evenly. It keeps a small distance from both, so that points on
+/// The point at a share of the way from one vertex to the other. It keeps a small distance from both, so that points on
 /// different edges differ.
+Vector3 pointOnEdge(const Vector3& from, const Vector3& to, double share);
+
+/// The point between an inner vertex, with a height of at least 0, and an outer one with a height below 0,
+/// at which the height is 0 if it changes evenly. It lies as pointOnEdge() says.
 Vector3 cutPoint(const Vector3& inner, double innerHeight, const Vector3& outer, double outerHeight);
 
 struct CutSurface {

@@ -27,14 +27,12 @@ constexpr std::size_t kBlock = 64;  ///< points between two questions whether to
 // a corner on either side, whose distance to the part is kLevel with an error of a 32nd: it is certain to be off the
 // part, and within the tolerance of it, both with an eighth to spare for the error of poses.
 constexpr double kLevel = 0.5, kEdge = 0.3, kMostPoseError = 0.125;
-constexpr double kCoarsest = 16;  ///< larger tetrahedra are halved without a look at the surface in them
-constexpr double kRoom = 4;       ///< closed rooms that are narrower may be filled
-constexpr double kLeastApart =
-    0.1;  ///< the surface in larger tetrahedra is certified to be so far from the part
+constexpr double kCoarsest = 16;     ///< larger tetrahedra are halved without a look at the surface in them
+constexpr double kRoom = 4;          ///< closed rooms that are narrower may be filled
+constexpr double kLeastApart = 0.1;  ///< of the part from the surface in larger tetrahedra
 constexpr double kLeastStep = 0.05;  ///< of a search along an edge
 constexpr int kMostSteps = 24;
-constexpr int kMostQuarterings = 2;       ///< of a triangle of the surface, to show that it is near the part
-constexpr double kLeastShare = 1.0 / 64;  ///< of an edge: points of the surface keep so far from its ends
+constexpr int kMostQuarterings = 2;  ///< of a triangle of the surface, to show that it is near the part
 
 using Corners = std::array<std::uint32_t, 4>;
 
@@ -163,7 +161,7 @@ class Sweeping {
             if (spare <= step) break;
             way += spare;
         }
-        return from + std::clamp(way / length, kLeastShare, 1 - kLeastShare) * (to - from);
+        return pointOnEdge(from, to, way / length);
     }
 
     std::vector<char> judge() {

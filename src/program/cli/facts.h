@@ -1,4 +1,4 @@
-// What a subcommand found, as JSON: the facts of its rows under stable names, numbers with all digits.
+// The findings of a subcommand as JSON: the facts of its rows under stable names, numbers with all digits.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

@@ -42,7 +42,7 @@ constexpr Topic kTopics[] = {
   margin, margin.NAME          distance to keep from all obstacles, from one (0)
   overlap, overlap.NAME        how deep obstacles may reach into the part (0); overlap.tolerance, overlap.thin
   ignore, solid = NAME, ...    obstacles to leave out; obstacles whose inside is not free
-  contact.start = NAME, D      ignored near the start; contact.goal likewise
+  contact.start = NAME, D      ignored near the start; contact.goal: near the goal
   fineness                     how fine the scene is: planners' edges are 20 times as long
 
 [planner], [benchmark]         as in OMPL.app's files

@@ -1,4 +1,4 @@
-// What `clearway info` shows, as JSON.
+// The findings of `clearway info` as JSON.
 #pragma once
 
 #include "clearway/model.h"
@@ -13,7 +13,7 @@ namespace clearway::cli {
 /// The mesh as it was read, the findings of cleaning, and the tree of the model that was built from it.
 Json meshFacts(const Mesh& mesh, const CleanMesh& cleaned, const Model& model);
 
-/// What the problem states. bounds: of the part's position.
+/// The keys of the problem with their values. bounds: of the part's position.
 Json problemFacts(const Problem& problem, const Box& bounds);
 
 Json obstacleFacts(const ObstacleGroups& obstacles);

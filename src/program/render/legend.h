@@ -11,7 +11,7 @@
 
 namespace clearway::render {
 
-/// What a picture may hold beside the environment.
+/// The things beside the environment that a picture may show.
 enum class Sign { kStart, kGoal, kBetween, kMoving, kWay, kContact, kOverlap };
 
 /// The words beside a sign in the legend.

@@ -13,7 +13,7 @@
 
 namespace clearway::render {
 
-/// Which pose of a path it is: the start and the goal have outlines of their own colours.
+/// The place of a pose in its path. The start and the goal have outlines of their own colours.
 enum class PoseRole { kBetween, kStart, kGoal };
 
 struct PosedPart {

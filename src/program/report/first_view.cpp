@@ -9,7 +9,7 @@ namespace {
 
 using Eigen::Vector3f;
 
-/// What a view from the side, and one from the usual direction, is worth, as a share of the points.
+/// Bonuses of a view from the side and of one from the usual direction, as shares of the points.
 constexpr double kSideWorth = 0.2, kUsualWorth = 0.1;
 constexpr float kOffSurface = 1e-4f;  ///< of the ray: its beginning, so that a point does not hide itself
 

@@ -2,25 +2,16 @@
 #include <sstream>
 
 #include "clearway/problem.h"
-#include "program/cli/run_program.h"
+#include "program/cli/window_folder.h"
 #include "support/random_meshes.h"
-#include "support/window_scene.h"
 
 namespace clearway::testing {
 
 namespace {
 
-/// The wall with a window as files, and a path over the wall's window that keeps clear of it.
-struct CheckFolder : TemporaryFolder {
-    CheckFolder() {
-        saveMesh(window.partMesh, file("plate.obj"));
-        saveMesh(window.wallMesh, file("wall.obj"));
-        window.problem.robot = file("plate.obj");
-        window.problem.world = file("wall.obj");
-        window.problem.asOmplApp = false;
-        writeProblem(window.problem, file("window.cfg"));
-        writePath(free(), Space::kSe3, file("free.path"));
-    }
+/// With a path through the wall's window that keeps clear of it.
+struct CheckFolder : WindowProblemFolder {
+    CheckFolder() { writePath(free(), Space::kSe3, file("free.path")); }
 
     PartState at(double x, double z = 0) const {
         PartState state;
@@ -36,7 +27,6 @@ struct CheckFolder : TemporaryFolder {
     void writeLines(const std::string& name, const std::string& text) const { write(name, text); }
 
     using TemporaryFolder::write;
-    WindowScene window = windowScene();
 };
 
 /// The lines that begin like the table's rows, with the number of a segment.

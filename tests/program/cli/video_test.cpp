@@ -15,7 +15,7 @@ bool hasFfmpeg() {
     return isThere;
 }
 
-/// What ffprobe says about the pictures of a film: "66,42,10/1,5".
+/// Asks ffprobe about the pictures of a film: width, height, rate and number, as in "66,42,10/1,5".
 std::string probed(const std::string& file) {
     const TemporaryFolder caught;
     const std::string command =

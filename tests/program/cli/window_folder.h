@@ -9,16 +9,23 @@
 
 namespace clearway::testing {
 
-/// The wall with a window, and a path through it.
-struct WindowFolder : TemporaryFolder {
-    WindowFolder() {
-        WindowScene window = windowScene();
+/// The wall with a window, as files.
+struct WindowProblemFolder : TemporaryFolder {
+    WindowProblemFolder() {
         saveMesh(window.partMesh, file("plate.obj"));
         saveMesh(window.wallMesh, file("wall.obj"));
         window.problem.robot = file("plate.obj");
         window.problem.world = file("wall.obj");
         window.problem.asOmplApp = false;
         writeProblem(window.problem, file("window.cfg"));
+    }
+
+    WindowScene window = windowScene();
+};
+
+/// With a path through the window.
+struct WindowFolder : WindowProblemFolder {
+    WindowFolder() {
         PartState through = window.problem.start;
         through.position.x() = 0;
         writePath({window.problem.start, through, window.problem.goal}, Space::kSe3, file("in.path"));

@@ -196,7 +196,7 @@ class View {
     this.askRedraw();
   }
 
-  // What is at a place of the view, in CSS pixels: { name, object }; object: index of the obstacle, if any.
+  // Finds the mesh at a place of the view, in CSS pixels: { name, object }; object: index of the obstacle, if any.
   at(x, y) {
     const ray = new THREE.Ray(this.camera.position.clone(), this.pointAt(x, y).sub(this.camera.position).normalize());
     const wall = this.still.opacity.value > 0 &&
