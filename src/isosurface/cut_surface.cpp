@@ -16,12 +16,16 @@ class Cutting {
         : tetrahedra_(tetrahedra), heights_(heights), pointOn_(pointOn) {}
 
     void cut(std::uint32_t number) {
-        const auto& corners = tetrahedra_.all()[number].corners;
-        for (const auto& edges : surfaceIn(corners, heights_)) {
-            TriangleIndices triangle{at(edges[0]), at(edges[1]), at(edges[2])};
-            if (!isRightHanded(corners)) std::swap(triangle[1], triangle[2]);
-            surface_.mesh.triangles.push_back(triangle);
-            surface_.tetrahedra.push_back(number);
+        const Tetrahedron& tetrahedron = tetrahedra_.all()[number];
+        for (const auto& outline : outlinesIn(tetrahedra_, tetrahedron, heights_)) {
+            std::vector<std::uint32_t> corners;
+            for (const CutEdge& edge : outline) corners.push_back(at(edge));
+            const int count = int(corners.size());
+            for (const auto& [a, b, c] : filling(count, tetrahedra_.hasWholeEdges(tetrahedron))) {
+                if (c == count && int(corners.size()) == count) corners.push_back(addMean(corners));
+                surface_.mesh.triangles.push_back({corners[a], corners[b], corners[c]});
+                surface_.tetrahedra.push_back(number);
+            }
         }
     }
 
@@ -36,10 +40,12 @@ class Cutting {
         return entry->second;
     }
 
-    bool isRightHanded(const std::array<std::uint32_t, 4>& corners) const {
-        const auto& v = tetrahedra_.vertices();
-        const Vector3& base = v[corners[0]];
-        return (v[corners[1]] - base).cross(v[corners[2]] - base).dot(v[corners[3]] - base) > 0;
+    std::uint32_t addMean(const std::vector<std::uint32_t>& corners) {
+        auto& vertices = surface_.mesh.vertices;
+        Vector3 sum = Vector3::Zero();
+        for (const std::uint32_t corner : corners) sum += vertices[corner];
+        vertices.push_back(sum / double(corners.size()));
+        return static_cast<std::uint32_t>(vertices.size() - 1);
     }
 
     const Tetrahedra& tetrahedra_;
@@ -49,39 +55,60 @@ class Cutting {
     CutSurface surface_;
 };
 
-/// Whether it takes an odd number of exchanges to bring the first order into the second.
-bool isOddOrder(const std::array<std::uint32_t, 4>& first, std::array<std::uint32_t, 4> second) {
-    bool isOdd = false;
-    for (int i = 0; i < 4; ++i) {
-        const auto place = std::find(second.begin() + i, second.end(), first[i]);
-        if (place == second.begin() + i) continue;
-        std::swap(*place, second[i]);
-        isOdd = !isOdd;
-    }
-    return isOdd;
-}
-
 }  // namespace
 
-std::vector<std::array<CutEdge, 3>> surfaceIn(const std::array<std::uint32_t, 4>& corners,
-                                              const std::vector<double>& heights) {
-    std::array<std::uint32_t, 4> s = corners;  // the inner ones first
-    const auto middle =
-        std::stable_partition(s.begin(), s.end(), [&](std::uint32_t c) { return heights[c] >= 0; });
-    const auto inside = middle - s.begin();
-    std::vector<std::array<CutEdge, 3>> found;
-    if (inside == 1) found = {{{{s[0], s[1]}, {s[0], s[2]}, {s[0], s[3]}}}};
-    if (inside == 3) found = {{{{s[0], s[3]}, {s[1], s[3]}, {s[2], s[3]}}}};
-    if (inside == 2) {
-        const CutEdge a{s[0], s[2]}, b{s[1], s[2]}, c{s[1], s[3]}, d{s[0], s[3]};
-        found = {{{a, b, c}}, {{a, c, d}}};
+std::vector<std::vector<CutEdge>> outlinesIn(const Tetrahedra& tetrahedra, const Tetrahedron& tetrahedron,
+                                             const std::vector<double>& heights) {
+    const bool isUncut = [&] {
+        const auto isInner = [&](std::uint32_t v) { return heights[v] >= 0; };
+        const auto& c = tetrahedron.corners;
+        return std::all_of(c.begin(), c.end(), isInner) || std::none_of(c.begin(), c.end(), isInner);
+    }();
+    if (isUncut && tetrahedra.hasWholeEdges(tetrahedron)) return {};
+    std::vector<std::array<CutEdge, 2>> segments;
+    tetrahedra.eachPiece(tetrahedron, [&](const TriangleIndices& piece) {
+        std::array<CutEdge, 2> segment{};
+        bool isCut = false;
+        for (int k = 0; k < 3; ++k) {
+            const std::uint32_t a = piece[k], b = piece[(k + 1) % 3];
+            const bool isInnerA = heights[a] >= 0, isInnerB = heights[b] >= 0;
+            if (isInnerA == isInnerB) continue;
+            isCut = true;
+            if (isInnerA) {
+                segment[1] = {a, b};
+            } else {
+                segment[0] = {b, a};
+            }
+        }
+        if (isCut) segments.push_back(segment);
+    });
+    std::vector<std::vector<CutEdge>> outlines;
+    const auto isSame = [](const CutEdge& a, const CutEdge& b) {
+        return a.inner == b.inner && a.outer == b.outer;
+    };
+    while (!segments.empty()) {
+        std::vector<CutEdge> outline{segments.back()[0]};
+        CutEdge end = segments.back()[1];
+        segments.pop_back();
+        while (!isSame(end, outline.front())) {
+            const auto next =
+                std::find_if(segments.begin(), segments.end(),
+                             [&](const std::array<CutEdge, 2>& segment) { return isSame(segment[0], end); });
+            outline.push_back(end);
+            end = (*next)[1];
+            segments.erase(next);
+        }
+        outlines.push_back(std::move(outline));
     }
-    // In a right-handed order these face outwards if one corner or three are inside, and inwards if two are.
-    const bool isTurned = isOddOrder(corners, s) != (inside == 2);
-    for (auto& edges : found) {
-        if (isTurned) std::swap(edges[1], edges[2]);
-    }
-    return found;
+    return outlines;
+}
+
+std::vector<std::array<int, 3>> filling(int corners, bool hasWholeEdges) {
+    if (corners == 3) return {{0, 1, 2}};
+    if (corners == 4 && hasWholeEdges) return {{0, 1, 2}, {0, 2, 3}};
+    std::vector<std::array<int, 3>> fan;
+    for (int k = 0; k < corners; ++k) fan.push_back({k, (k + 1) % corners, corners});
+    return fan;
 }
 
 Vector3 pointOnEdge(const Vector3& from, const Vector3& to, double share) {

@@ -1,5 +1,6 @@
 // The surface between the vertices of tetrahedra that are inside a body and those that are not ("marching
-// tetrahedra"; Doi and Koide, IEICE Trans. E74-D, 1991). Where the tetrahedra conform, it is closed.
+// tetrahedra"; Doi and Koide, IEICE Trans. E74-D, 1991). It is closed: a tetrahedron with smaller neighbours is cut along
+// their edges too.
 #pragma once
 
 #include <array>
@@ -30,10 +31,15 @@ struct CutEdge {
     std::uint32_t inner, outer;  ///< vertices
 };
 
-/// The edges that give the corners of a tetrahedron's triangles, of which there are at most two. Triangles of a
-/// right-handed tetrahedron face outwards, those of others inwards.
-std::vector<std::array<CutEdge, 3>> surfaceIn(const std::array<std::uint32_t, 4>& corners,
-                                              const std::vector<double>& heights);
+/// The closed polygons in which the surface leaves a tetrahedron. They turn counter-clockwise, seen from outside the
+/// body. At most one has corners if the tetrahedron's edges are whole.
+std::vector<std::vector<CutEdge>> outlinesIn(const Tetrahedra& tetrahedra, const Tetrahedron& tetrahedron,
+                                             const std::vector<double>& heights);
+
+/// The triangles that fill an outline with so many corners, turned as it is. Corner number `corners` is the mean of all
+/// others. hasWholeEdges: those of the tetrahedron; else a diagonal of the outline might lie in one of its faces, where
+/// a neighbour's surface may have it too.
+std::vector<std::array<int, 3>> filling(int corners, bool hasWholeEdges);
 
 /// heights: one for each vertex, at least 0 inside. pointOn: where the surface crosses the edge between an inner and an
 /// outer vertex; by default cutPoint.

@@ -64,10 +64,7 @@ void Tetrahedra::bisect(std::size_t tetrahedron) {
     const auto& c = whole.corners;
     const auto [entry, isNew] =
         middles_.try_emplace(keyOf(c[0], c[whole.tag]), static_cast<std::uint32_t>(vertices_.size()));
-    if (isNew) {
-        vertices_.push_back(0.5 * (vertices_[c[0]] + vertices_[c[whole.tag]]));
-        newlyHalved_.push_back({c[0], c[whole.tag]});
-    }
+    if (isNew) vertices_.push_back(0.5 * (vertices_[c[0]] + vertices_[c[whole.tag]]));
     Tetrahedron near, far;
     near.tag = far.tag = whole.tag > 1 ? whole.tag - 1 : 3;
     near.isShallow = far.isShallow = whole.isShallow;
@@ -75,47 +72,54 @@ void Tetrahedra::bisect(std::size_t tetrahedron) {
     near.corners[whole.tag] = entry->second;
     for (int k = 0; k < whole.tag; ++k) far.corners[k] = c[k + 1];
     far.corners[whole.tag] = entry->second;
-    changed_.push_back(tetrahedron);
-    changed_.push_back(all_.size());
     all_[tetrahedron] = near;
     all_.push_back(far);
 }
 
-bool Tetrahedra::hasHalvedEdge(const Tetrahedron& tetrahedron) const {
+bool Tetrahedra::hasWholeEdges(const Tetrahedron& tetrahedron) const {
     const auto& c = tetrahedron.corners;
     for (int i = 0; i < 4; ++i) {
         for (int j = i + 1; j < 4; ++j) {
-            if (middles_.count(keyOf(c[i], c[j])) > 0) return true;
+            if (middles_.count(keyOf(c[i], c[j])) > 0) return false;
         }
     }
-    return false;
+    return true;
 }
 
-std::vector<std::size_t> Tetrahedra::makeConforming() {
-    std::vector<std::size_t> open;
-    std::vector<bool> isEnd;  // of an edge that was halved since all tetrahedra were looked at
-    while (!changed_.empty()) {
-        // Bisecting appends to the list.
-        std::size_t old = changed_.size();
-        for (std::size_t i = 0; i < changed_.size(); ++i) {
-            if (hasHalvedEdge(all_[changed_[i]])) bisect(changed_[i]);
+std::vector<std::uint32_t> Tetrahedra::verticesOn(const Tetrahedron& tetrahedron) const {
+    std::vector<std::uint32_t> vertices;
+    if (hasWholeEdges(tetrahedron)) return vertices;
+    const auto& c = tetrahedron.corners;
+    eachPiece(tetrahedron, [&](const TriangleIndices& piece) {
+        for (const std::uint32_t v : piece) {
+            if (std::find(c.begin(), c.end(), v) == c.end()) vertices.push_back(v);
         }
-        open.insert(open.end(), changed_.begin() + old, changed_.end());
-        changed_.clear();
-        isEnd.assign(vertices_.size(), false);
-        for (const auto& edge : newlyHalved_) isEnd[edge[0]] = isEnd[edge[1]] = true;
-        newlyHalved_.clear();
-        const std::size_t count = all_.size();
-        for (std::size_t i = 0; i < count; ++i) {
-            const auto& c = all_[i].corners;
-            const int ends = isEnd[c[0]] + isEnd[c[1]] + isEnd[c[2]] + isEnd[c[3]];
-            if (ends >= 2 && hasHalvedEdge(all_[i])) bisect(i);
-        }
-        open.insert(open.end(), changed_.begin(), changed_.end());
+    });
+    return vertices;
+}
+
+bool Tetrahedra::isRightHanded(const std::array<std::uint32_t, 4>& corners) const {
+    const Vector3& base = vertices_[corners[0]];
+    const Vector3 a = vertices_[corners[1]] - base, b = vertices_[corners[2]] - base;
+    return a.cross(b).dot(vertices_[corners[3]] - base) > 0;
+}
+
+std::optional<Tetrahedra::HalvedEdge> Tetrahedra::halvedEdgeOf(const TriangleIndices& triangle) const {
+    std::optional<HalvedEdge> longest;
+    double most = 0;
+    std::uint64_t mostKey = 0;  // decides between edges of one length alike for both sides of a face
+    for (int k = 0; k < 3; ++k) {
+        const std::uint32_t a = triangle[k], b = triangle[(k + 1) % 3];
+        const std::uint64_t key = keyOf(a, b);
+        const auto found = middles_.find(key);
+        if (found == middles_.end()) continue;
+        const double length = (vertices_[a] - vertices_[b]).squaredNorm();
+        if (longest && (length < most || (length == most && key < mostKey))) continue;
+        longest = {k, found->second};
+        most = length;
+        mostKey = key;
     }
-    std::sort(open.begin(), open.end());
-    open.erase(std::unique(open.begin(), open.end()), open.end());
-    return open;
+    return longest;
 }
 
 }  // namespace clearway

@@ -8,9 +8,11 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <unordered_map>
 #include <vector>
 
+#include "clearway/mesh.h"
 #include "clearway/types.h"
 
 namespace clearway {
@@ -19,7 +21,6 @@ namespace clearway {
 struct Tetrahedron {
     std::array<std::uint32_t, 4> corners;
     std::uint8_t tag = 3;
-    bool isDone = false;     ///< for the caller: nothing is left to do in it
     bool isShallow = false;  ///< for the caller: something true of all its points, so that halves inherit it
 };
 
@@ -33,22 +34,55 @@ class Tetrahedra {
     std::vector<Tetrahedron>& all() { return all_; }
     const std::vector<Tetrahedron>& all() const { return all_; }
 
-    /// Halves one tetrahedron. One half takes its place, the other one is the last of all. Neither is done.
+    /// Halves one tetrahedron. One half takes its place, the other one is the last of all. Its neighbours stay as they
+    /// are: the middle of the halved edge may then lie on their edges and faces.
     void bisect(std::size_t tetrahedron);
 
-    /// Bisects tetrahedra until no vertex lies within an edge of another tetrahedron. Returns the numbers
-    /// of those that this made.
-    std::vector<std::size_t> makeConforming();
+    /// Whether all six edges are whole, so that no vertices but the corners lie on the tetrahedron.
+    bool hasWholeEdges(const Tetrahedron& tetrahedron) const;
+
+    /// Calls visit(piece) for the triangles that make up the surface of a tetrahedron and whose edges are whole. They
+    /// turn counter-clockwise, seen from outside. Two tetrahedra that touch have the same pieces where they do.
+    template <class Visit>
+    void eachPiece(const Tetrahedron& tetrahedron, const Visit& visit) const {
+        const auto& c = tetrahedron.corners;
+        const bool isTurned = !isRightHanded(c);
+        for (const TriangleIndices& face :
+             {TriangleIndices{c[0], c[2], c[1]}, TriangleIndices{c[0], c[1], c[3]},
+              TriangleIndices{c[1], c[2], c[3]}, TriangleIndices{c[2], c[0], c[3]}}) {
+            eachPieceOf(isTurned ? TriangleIndices{face[0], face[2], face[1]} : face, visit);
+        }
+    }
+
+    /// The vertices on a tetrahedron's edges and faces that are none of its corners. Some are listed more than once.
+    std::vector<std::uint32_t> verticesOn(const Tetrahedron& tetrahedron) const;
 
   private:
     static std::uint64_t keyOf(std::uint32_t a, std::uint32_t b);
-    bool hasHalvedEdge(const Tetrahedron& tetrahedron) const;
+    bool isRightHanded(const std::array<std::uint32_t, 4>& corners) const;
+
+    /// A triangle's longest halved edge: number k goes from corner k to the next one. None if all are whole.
+    struct HalvedEdge {
+        int number;
+        std::uint32_t middle;
+    };
+    std::optional<HalvedEdge> halvedEdgeOf(const TriangleIndices& triangle) const;
+
+    /// Cuts the triangle at its longest halved edge. Where a tetrahedron on either side has been bisected across the
+    /// triangle, this is where: bisection halves the longest edge.
+    template <class Visit>
+    void eachPieceOf(const TriangleIndices& triangle, const Visit& visit) const {
+        const std::optional<HalvedEdge> halved = halvedEdgeOf(triangle);
+        if (!halved) return visit(triangle);
+        const std::uint32_t from = triangle[halved->number], to = triangle[(halved->number + 1) % 3],
+                            tip = triangle[(halved->number + 2) % 3];
+        eachPieceOf({from, halved->middle, tip}, visit);
+        eachPieceOf({halved->middle, to, tip}, visit);
+    }
 
     std::vector<Vector3> vertices_;
     std::vector<Tetrahedron> all_;
     std::unordered_map<std::uint64_t, std::uint32_t> middles_;  ///< of the halved edges
-    std::vector<std::array<std::uint32_t, 2>> newlyHalved_;     ///< edges, since makeConforming
-    std::vector<std::size_t> changed_;                          ///< tetrahedra, since makeConforming
 };
 
 }  // namespace clearway

@@ -35,14 +35,14 @@ std::vector<Side> sidesOf(const std::vector<TriangleIndices>& triangles) {
 }
 
 void count(const Side* sides, std::size_t number, EdgeReport& report) {
-    if (number == 1) {
+    const auto reversed =
+        std::size_t(std::count_if(sides, sides + number, [](const Side& side) { return side.isReversed; }));
+    if (2 * reversed == number) {
+        ++(number == 2 ? report.closedEdges : report.touchingEdges);
+    } else if (number == 1) {
         ++report.openEdges;
-    } else if (number > 2) {
-        ++report.overfullEdges;
-    } else if (sides[0].isReversed == sides[1].isReversed) {
-        ++report.twistedEdges;
     } else {
-        ++report.closedEdges;
+        ++(number == 2 ? report.twistedEdges : report.overfullEdges);
     }
 }
 

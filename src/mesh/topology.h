@@ -9,13 +9,15 @@
 
 namespace clearway {
 
-/// Counts of edges by how the triangles meet there. A surface is closed when each edge belongs to exactly two
-/// triangles that run along it in opposite directions.
+/// Counts of edges by how the triangles meet there. A surface is closed when along each edge as many triangles
+/// run one way as the other way; then it winds equally often around all points of a space that it bounds.
 struct EdgeReport {
-    std::size_t closedEdges = 0;    ///< two triangles, opposite directions
-    std::size_t openEdges = 0;      ///< one triangle: a border
-    std::size_t twistedEdges = 0;   ///< two triangles, same direction: one of them is turned over
-    std::size_t overfullEdges = 0;  ///< three triangles or more
+    std::size_t closedEdges = 0;  ///< two triangles, opposite directions
+    std::size_t touchingEdges =
+        0;                         ///< four triangles or more, half of them in each direction: surfaces touch
+    std::size_t openEdges = 0;     ///< one triangle: a border
+    std::size_t twistedEdges = 0;  ///< two triangles, same direction: one of them is turned over
+    std::size_t overfullEdges = 0;  ///< three triangles or more, not half of them in each direction
 
     bool isClosed() const { return openEdges == 0 && twistedEdges == 0 && overfullEdges == 0; }
 };

@@ -9,6 +9,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "core/number.h"
 #include "exact/ball.h"
 #include "exact/integer.h"
 #include "mesh/clean.h"
@@ -29,13 +30,13 @@ constexpr double kPlaceSlack = 8 * kPoseDefect;
     throw std::invalid_argument("'" + name + "' encloses nothing: " + why);
 }
 
-void requireClosed(const std::vector<TriangleIndices>& triangles, const std::string& name) {
+EdgeReport requireClosed(const std::vector<TriangleIndices>& triangles, const std::string& name) {
     const EdgeReport edges = checkEdges(triangles);
-    if (edges.isClosed()) return;
+    if (edges.isClosed()) return edges;
     std::ostringstream why;
     why << edges.openEdges << " open edges, " << edges.twistedEdges
         << " edges where a triangle is turned over and " << edges.overfullEdges
-        << " edges of more than two triangles, expected a closed surface";
+        << " edges of more than two triangles that do not face in pairs, expected a closed surface";
     refuseSolid(name, why.str());
 }
 
@@ -101,6 +102,10 @@ int crossing(const Pose& X_aMesh, const std::array<const Vector3*, 3>& corners, 
     return crossingOf(exact, movedInteger(X_aAxes, z, lastBitOf(X_aAxes, z)), corners).value();
 }
 
+/// Of the solid's diagonal: how far in front of a triangle its surroundings are looked at. Regions that are thinner
+/// enclose nothing of interest.
+constexpr double kInFront = 1e-9;
+
 /// Relative to the lengths involved: far more than rounding and a pose's defect. Used only in tests that save
 /// time.
 constexpr double kEnclosureSlack = 1e-9;
@@ -113,12 +118,27 @@ Solid::Solid(const Mesh& mesh, const std::string& name) {
     std::copy_if(cleaned.triangles.begin(), cleaned.triangles.end(), std::back_inserter(triangles_),
                  hasThreeCorners);
     if (triangles_.empty()) refuseSolid(name, "it has no triangle with three corners");
-    requireClosed(triangles_, name);
+    const EdgeReport edges = requireClosed(triangles_, name);
+    touchesItself_ = edges.touchingEdges > 0;
     for (const Vector3& vertex : vertices_) box_.extend(vertex);
     order_.resize(triangles_.size());
     std::iota(order_.begin(), order_.end(), 0u);
     addNode(0, std::uint32_t(order_.size()), 0);
     orient(name);
+    if (touchesItself_) requireOneInside(name);
+}
+
+/// Where surfaces touch along edges, one connected surface may bound pieces that face different ways.
+void Solid::requireOneInside(const std::string& name) const {
+    const double step = (isTurnedOver_ ? -kInFront : kInFront) * box_.diagonal().norm();
+    for (std::size_t t = 0; t < triangles_.size(); ++t) {
+        const auto& [a, b, c] = triangles_[t];
+        const Vector3 normal = (vertices_[b] - vertices_[a]).cross(vertices_[c] - vertices_[a]).normalized();
+        const Vector3 middle = (vertices_[a] + vertices_[b] + vertices_[c]) / 3;
+        if (winding({}, {}, middle + step * normal) >= 0) continue;
+        refuseSolid(name, "a part of its surface faces the other way than the rest, near " +
+                              roundedPoint(middle) + ", expected all to face one way");
+    }
 }
 
 void Solid::addNode(std::uint32_t first, std::uint32_t last, int axis) {

@@ -21,12 +21,13 @@ class Solid {
   public:
     /// Takes all the mesh's shells together: an inner shell that faces the other way bounds a cavity. A mesh
     /// whose outermost shells all face inwards is turned over. Throws std::invalid_argument that names the
-    /// mesh and why it encloses nothing: its edges are open, twisted or shared by more than two triangles, or
-    /// some of its outermost shells face outwards and some inwards.
+    /// mesh and why it encloses nothing: its edges are open or twisted, more than two triangles share an edge and do
+    /// not face in pairs there, or some of its surface faces outwards and some inwards.
     Solid(const Mesh& mesh, const std::string& name);
 
     bool isTurnedOver() const { return isTurnedOver_; }
-    const Box& box() const { return box_; }  ///< mesh coordinates
+    bool touchesItself() const { return touchesItself_; }  ///< some edges have four triangles or more
+    const Box& box() const { return box_; }                ///< mesh coordinates
 
     /// How often the surface, moved by X_aMesh, winds around the point moved by X_aPoint, in exact arithmetic
     /// of both maps: above 0 inside. For a point on the surface the answer is that of one of its sides.
@@ -52,6 +53,7 @@ class Solid {
                       const Take& take) const;
     bool isOutermost(const Shells& shells, std::uint32_t shell) const;
     void orient(const std::string& name);
+    void requireOneInside(const std::string& name) const;
 
     std::vector<Vector3> vertices_;
     std::vector<TriangleIndices> triangles_;
@@ -59,7 +61,7 @@ class Solid {
     std::vector<Node> nodes_;
     std::vector<Vector3> shellVertices_;
     Box box_;
-    bool isTurnedOver_ = false;
+    bool isTurnedOver_ = false, touchesItself_ = false;
 };
 
 /// The insides of a mesh's closed components, and one vertex of each of its connected pieces.

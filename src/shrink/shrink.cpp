@@ -30,6 +30,8 @@ constexpr double kLeastSize = 0.02;    ///< of the tolerance: the edges of tetra
 constexpr double kMostShallow = 0.15;  ///< of the tolerance: how far above its level the surface may lie
 constexpr double kMostDeep = 0.7;      ///< of the tolerance: how far below
 
+using Outlines = std::vector<std::vector<CutEdge>>;
+
 class Shrinking {
   public:
     Shrinking(const SurfaceDepth& surface, const ShrinkOptions& options)
@@ -44,8 +46,9 @@ class Shrinking {
         open_.resize(tetrahedra_.all().size());
         std::iota(open_.begin(), open_.end(), std::size_t(0));
         for (;;) {
+            const std::size_t known = places_.size();
             refine();
-            open_ = tetrahedra_.makeConforming();
+            open_ = tetrahedraWithVertices(known);
             isDeep_.resize(tetrahedra_.all().size());
             for (const std::size_t i : open_) isDeep_[i] = false;
             if (!open_.empty()) continue;
@@ -76,6 +79,21 @@ class Shrinking {
             open_ = std::move(next);
             if (tetrahedra_.vertices().size() > kMostVertices) refuseSize();
         }
+    }
+
+    /// The tetrahedra with new vertices on their edges or faces, whose numbers begin with `first`.
+    std::vector<std::size_t> tetrahedraWithVertices(std::size_t first) {
+        if (first == places_.size()) return {};
+        const auto& all = tetrahedra_.all();
+        std::vector<std::uint8_t> hasNew(all.size());
+        forBlocks(0, all.size(), [&](std::size_t i, Workspace&) {
+            for (const std::uint32_t v : tetrahedra_.verticesOn(all[i])) hasNew[i] = hasNew[i] || v >= first;
+        });
+        std::vector<std::size_t> found;
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            if (hasNew[i]) found.push_back(i);
+        }
+        return found;
     }
 
     bool isOutside(const Tetrahedron& tetrahedron) const {
@@ -116,16 +134,19 @@ class Shrinking {
     bool settles(const Tetrahedron& tetrahedron, Workspace& workspace) const {
         const auto& c = tetrahedron.corners;
         requireContinuity(c);
-        std::vector<double> below;  // the level, at the corners
-        for (const std::uint32_t v : c) below.push_back(-heights_[v]);
-        const auto inside = std::count_if(below.begin(), below.end(), [](double b) { return b <= 0; });
-        if (inside == 4) return true;
-        const bool isCut = inside > 0;
-        if (tetrahedron.isShallow) return !isCut || isCutNearLevel(c, workspace);
-        if (isShallowBySize(c)) return !isCut || isCutNearLevel(c, workspace);
-        if (isCut && !isCutNearLevel(c, workspace)) return false;
+        const std::vector<std::uint32_t> others = tetrahedra_.verticesOn(tetrahedron);
+        const auto isInside = [&](std::uint32_t v) { return heights_[v] >= 0; };
+        const bool hasInside =
+            std::any_of(c.begin(), c.end(), isInside) || std::any_of(others.begin(), others.end(), isInside);
+        const bool isAllInside =
+            std::all_of(c.begin(), c.end(), isInside) && std::all_of(others.begin(), others.end(), isInside);
+        if (isAllInside) return true;
+        const bool isCut = hasInside;
+        const auto outlines = isCut ? outlinesIn(tetrahedra_, tetrahedron, heights_) : Outlines{};
+        if (isCut && (outlines.size() > 1 || !isCutNearLevel(outlines[0], workspace))) return false;
+        if (tetrahedron.isShallow || isShallowBySize(c)) return true;
         const Polytope whole({vertex(c[0]), vertex(c[1]), vertex(c[2]), vertex(c[3])});
-        const Polytope outside = isCut ? whole.cut(raised(c, below)) : whole;
+        const Polytope outside = isCut ? whole.cut(below(c, outlines[0], others)) : whole;
         if (isCovered(outside, workspace)) return true;
         const bool mayBeOutside =
             std::any_of(c.begin(), c.end(), [&](std::uint32_t v) { return places_[v].depth < 0; });
@@ -145,34 +166,40 @@ class Shrinking {
 
     const Vector3& vertex(std::uint32_t number) const { return tetrahedra_.vertices()[number]; }
 
-    template <class Visit>
-    void eachCut(const std::array<std::uint32_t, 4>& c, const Visit& visit) const {
-        for (const std::uint32_t in : c) {
-            for (const std::uint32_t out : c) {
-                if (heights_[in] < 0 || heights_[out] >= 0) continue;
-                visit(in, out, cutPoint(vertex(in), heights_[in], vertex(out), heights_[out]));
-            }
-        }
+    Vector3 pointOf(const CutEdge& edge) const {
+        return cutPoint(vertex(edge.inner), heights_[edge.inner], vertex(edge.outer), heights_[edge.outer]);
     }
 
-    bool isCutNearLevel(const std::array<std::uint32_t, 4>& c, Workspace& workspace) const {
+    bool isCutNearLevel(const std::vector<CutEdge>& outline, Workspace& workspace) const {
         Vector3 sum = Vector3::Zero();
-        double count = 0;
-        eachCut(c, [&](std::uint32_t, std::uint32_t, const Vector3& point) { sum += point, ++count; });
-        const double depth = surface_.at(sum / count, workspace).depth;
+        for (const CutEdge& edge : outline) sum += pointOf(edge);
+        const double depth = surface_.at(sum / double(outline.size()), workspace).depth;
         return depth >= level_ - kMostShallow * tolerance_ && depth <= level_ + kMostDeep * tolerance_;
     }
 
-    /// The values of `below`, raised so far that all cut points are below: those at the ends of edges lie beside
-    /// the plane of the others.
-    std::vector<double> raised(const std::array<std::uint32_t, 4>& c, std::vector<double> below) const {
+    /// The values at a tetrahedron's corners of a linear function that is at least 0 at all its points outside the cut
+    /// surface. Those lie in the convex hull of the outer vertices on it and of the surface's outline.
+    std::vector<double> below(const std::array<std::uint32_t, 4>& c, const std::vector<CutEdge>& outline,
+                              const std::vector<std::uint32_t>& others) const {
+        Matrix3 edges;
+        Vector3 rises;
+        for (int k = 0; k < 3; ++k) {
+            edges.row(k) = vertex(c[k + 1]) - vertex(c[0]);
+            rises[k] = heights_[c[k + 1]] - heights_[c[0]];
+        }
+        const Vector3 slope = edges.inverse() * rises;
         double most = 0;
-        eachCut(c, [&](std::uint32_t in, std::uint32_t out, const Vector3& point) {
-            const double share = (point - vertex(in)).norm() / (vertex(out) - vertex(in)).norm();
-            most = std::max(most, heights_[in] + share * (heights_[out] - heights_[in]));
-        });
-        for (double& b : below) b += most * (1 + 1e-9);
-        return below;
+        const auto include = [&](const Vector3& point) {
+            most = std::max(most, heights_[c[0]] + slope.dot(point - vertex(c[0])));
+        };
+        for (const CutEdge& edge : outline) include(pointOf(edge));
+        for (const std::uint32_t v : others) {
+            if (heights_[v] < 0) include(vertex(v));
+        }
+        const double rounding = 1e-9 * rises.cwiseAbs().sum();
+        std::vector<double> values;
+        for (const std::uint32_t v : c) values.push_back(most + rounding - heights_[v]);
+        return values;
     }
 
     /// Depths change no faster than places.

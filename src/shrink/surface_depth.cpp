@@ -107,7 +107,9 @@ SurfaceDepth::SurfaceDepth(const Mesh& mesh, double fineness)
         }
     }
     findBodies(shells);
-    if (hasFlatShell_ || doMeet(shells)) join(shells);
+    const bool doTouch =
+        std::any_of(solids_.begin(), solids_.end(), [](const Solid& solid) { return solid.touchesItself(); });
+    if (hasFlatShell_ || doTouch || doMeet(shells)) join(shells);
 }
 
 std::vector<SurfaceShell> SurfaceDepth::findShellsOf(const Component& component, std::size_t number) {

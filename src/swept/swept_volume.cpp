@@ -47,9 +47,11 @@ class Sweeping {
         open_.resize(tetrahedra_.all().size());
         std::iota(open_.begin(), open_.end(), std::size_t(0));
         while (!open_.empty()) {
+            const std::size_t known = places_.size();
             refine();
             if (isStopped_) return {};
-            open_ = tetrahedra_.makeConforming();
+            open_ = tetrahedraWithVertices(known);
+            if (isStopped_) return {};
         }
         const auto pointOn = [&](std::uint32_t inner, std::uint32_t outer) {
             const auto found = cutPoints_.find(keyOf(inner, outer));
@@ -132,12 +134,11 @@ class Sweeping {
     void findCutPoints() {
         std::vector<std::uint64_t> edges;
         for (const std::size_t i : open_) {
-            const Corners& c = tetrahedra_.all()[i].corners;
-            if (isUncut(c) || isSmall(c) || isLarge(c)) continue;
-            for (const std::uint32_t inner : c) {
-                for (const std::uint32_t outer : c) {
-                    if (heights_[inner] >= 0 && heights_[outer] < 0 && !cutPoints_.count(keyOf(inner, outer)))
-                        edges.push_back(keyOf(inner, outer));
+            const Tetrahedron& tetrahedron = tetrahedra_.all()[i];
+            if (isSmall(tetrahedron.corners) || isLarge(tetrahedron.corners)) continue;
+            for (const auto& outline : outlinesIn(tetrahedra_, tetrahedron, heights_)) {
+                for (const auto& [inner, outer] : outline) {
+                    if (!cutPoints_.count(keyOf(inner, outer))) edges.push_back(keyOf(inner, outer));
                 }
             }
         }
@@ -167,15 +168,33 @@ class Sweeping {
     std::vector<char> judge() {
         std::vector<char> isDone(open_.size());
         forEach(open_.size(), [&](std::size_t i, Workspace& workspace) {
-            isDone[i] = isSettled(tetrahedra_.all()[open_[i]].corners, workspace);
+            isDone[i] = isSettled(tetrahedra_.all()[open_[i]], workspace);
         });
         return isDone;
     }
 
-    bool isSettled(const Corners& c, Workspace& workspace) const {
+    bool isSettled(const Tetrahedron& tetrahedron, Workspace& workspace) const {
+        const Corners& c = tetrahedron.corners;
+        const auto outlines = outlinesIn(tetrahedra_, tetrahedron, heights_);
+        if (outlines.size() > 1) return false;  // their fillings might cross
         if (isSmall(c)) return true;
-        if (isUncut(c)) return isSettledWithoutSurface(c);
-        return !isLarge(c) && isSurfaceGood(c, workspace);
+        if (outlines.empty()) return isSettledWithoutSurface(c);
+        return !isLarge(c) && isSurfaceGood(tetrahedron, outlines[0], workspace);
+    }
+
+    /// The tetrahedra with new vertices on their edges or faces, whose numbers begin with `first`.
+    std::vector<std::size_t> tetrahedraWithVertices(std::size_t first) {
+        if (first == places_.size()) return {};
+        const auto& all = tetrahedra_.all();
+        std::vector<std::uint8_t> hasNew(all.size());
+        forEach(all.size(), [&](std::size_t i, Workspace&) {
+            for (const std::uint32_t v : tetrahedra_.verticesOn(all[i])) hasNew[i] = hasNew[i] || v >= first;
+        });
+        std::vector<std::size_t> found;
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            if (hasNew[i]) found.push_back(i);
+        }
+        return found;
     }
 
     double longestEdge(const Corners& c) const {
@@ -188,12 +207,6 @@ class Sweeping {
 
     bool isSmall(const Corners& c) const { return longestEdge(c) <= kEdge * options_.tolerance; }
     bool isLarge(const Corners& c) const { return longestEdge(c) > kCoarsest * options_.tolerance; }
-
-    bool isUncut(const Corners& c) const {
-        const auto inside =
-            std::count_if(c.begin(), c.end(), [&](std::uint32_t v) { return heights_[v] >= 0; });
-        return inside == 0 || inside == 4;
-    }
 
     /// Whether the part's surface never comes into the tetrahedron, or the tetrahedron is all inside and either near the
     /// part or too narrow to hold a room that counts.
@@ -213,15 +226,23 @@ class Sweeping {
     /// Whether the surface in the tetrahedron is off the part at all poses, and near it everywhere. So each connected
     /// piece of the part stays on one side of the surface, and that is the inside: the point of the piece that
     /// holdsPiece() knows is in a small or an uncut tetrahedron.
-    bool isSurfaceGood(const Corners& corners, Workspace& workspace) const {
+    bool isSurfaceGood(const Tetrahedron& tetrahedron, const std::vector<CutEdge>& outline,
+                       Workspace& workspace) const {
         const auto& v = tetrahedra_.vertices();
+        const Corners& corners = tetrahedron.corners;
         const Vector3 centre = 0.25 * (v[corners[0]] + v[corners[1]] + v[corners[2]] + v[corners[3]]);
         double radius = 0;
         for (const std::uint32_t c : corners) radius = std::max(radius, (v[c] - centre).norm());
         if (distances_.holdsPiece(centre, radius, workspace)) return false;
-        for (const auto& edges : surfaceIn(corners, heights_)) {
-            SurfaceTriangle triangle;
-            for (int i = 0; i < 3; ++i) triangle[i] = cutPoints_.at(keyOf(edges[i].inner, edges[i].outer));
+        std::vector<Vector3> points;
+        Vector3 sum = Vector3::Zero();
+        for (const auto& [inner, outer] : outline) {
+            points.push_back(cutPoints_.at(keyOf(inner, outer)));
+            sum += points.back();
+        }
+        points.push_back(sum / double(outline.size()));
+        for (const auto& [a, b, c] : filling(int(outline.size()), tetrahedra_.hasWholeEdges(tetrahedron))) {
+            const SurfaceTriangle triangle{points[a], points[b], points[c]};
             if (!isNear(triangle, kMostQuarterings, workspace) ||
                 !distances_.areApart(triangle, kLeastApart * options_.tolerance, workspace))
                 return false;

@@ -52,14 +52,21 @@ BOOST_AUTO_TEST_CASE(an_edge_of_three_triangles_is_overfull_and_their_borders_ar
     requireCounts(checkEdges({{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}), 0, 6, 0, 1);
 }
 
-BOOST_AUTO_TEST_CASE(two_solids_that_touch_along_an_edge_are_not_closed) {
+BOOST_AUTO_TEST_CASE(solids_that_touch_along_an_edge_are_closed_unless_one_has_a_triangle_turned_over) {
     std::vector<TriangleIndices> both = kTetrahedron;
     for (const TriangleIndices& t : kTetrahedron) {
         TriangleIndices other;  // shares the vertices 0 and 1
         std::transform(t.begin(), t.end(), other.begin(), [](std::uint32_t v) { return v < 2 ? v : v + 2; });
         both.push_back(other);
     }
-    requireCounts(checkEdges(both), 10, 0, 0, 1);
+    requireCounts(checkEdges(both), 10, 0, 0, 0);
+    BOOST_TEST(checkEdges(both).touchingEdges == 1u);
+    std::vector<TriangleIndices> turned = both;  // edge 0 1 is one of its sides
+    std::swap(turned[0][0], turned[0][1]);
+    requireCounts(checkEdges(turned), 8, 0, 2, 1);
+    BOOST_TEST(checkEdges(turned).touchingEdges == 0u);
+    for (TriangleIndices& t : both) std::swap(t[0], t[1]);
+    requireCounts(checkEdges(both), 10, 0, 0, 0);
 }
 
 BOOST_AUTO_TEST_CASE(a_triangle_collapsed_to_an_edge_opens_nothing) {

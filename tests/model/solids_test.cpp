@@ -97,7 +97,7 @@ BOOST_AUTO_TEST_CASE(what_encloses_nothing_is_refused_by_name) {
     open.triangles.pop_back();
     BOOST_TEST(refusalOf(open) ==
                "'bracket' encloses nothing: 3 open edges, 0 edges where a triangle is turned over and "
-               "0 edges of more than two triangles, expected a closed surface");
+               "0 edges of more than two triangles that do not face in pairs, expected a closed surface");
     Mesh twisted = box({1, 1, 1});
     std::swap(twisted.triangles[0][0], twisted.triangles[0][1]);
     BOOST_TEST(refusalOf(twisted).find("3 edges where a triangle is turned over") != std::string::npos);
@@ -105,6 +105,27 @@ BOOST_AUTO_TEST_CASE(what_encloses_nothing_is_refused_by_name) {
     BOOST_TEST(refusalOf(mixed) ==
                "'bracket' encloses nothing: 1 of its outermost shells face outwards and 1 inwards, "
                "expected all to face one way");
+}
+
+BOOST_AUTO_TEST_CASE(boxes_that_touch_along_an_edge_hold_what_each_holds) {
+    const Mesh first = box({1, 1, 1}), second = at(box({1, 1, 1}), {2, 2, 0});
+    for (const bool isReversed : {false, true}) {
+        const Solid solid(isReversed ? reversed(joined(first, second)) : joined(first, second), "two");
+        BOOST_TEST(solid.touchesItself());
+        BOOST_TEST(solid.isTurnedOver() == isReversed);
+        for (double x = -1.5; x <= 4; x += 0.5) {
+            for (double y = -1.5; y <= 4; y += 0.5) {
+                const double inFirst = std::max(std::abs(x), std::abs(y)),
+                             inSecond = std::max(std::abs(x - 2), std::abs(y - 2));
+                if (inFirst == 1 || inSecond == 1) continue;  // on the surface
+                BOOST_TEST(holds(solid, {x, y, 0}) == (inFirst < 1 || inSecond < 1), x << " " << y);
+            }
+        }
+    }
+    for (const Mesh& mixed : {joined(first, reversed(second)), joined(reversed(first), second)}) {
+        BOOST_TEST(refusalOf(mixed).find("a part of its surface faces the other way than the rest, near ") !=
+                   std::string::npos);
+    }
 }
 
 // A point of the surface that is moved by the least step of a double lies on that side, also if the mesh is

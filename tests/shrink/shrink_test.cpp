@@ -365,6 +365,31 @@ BOOST_AUTO_TEST_CASE(a_slot_that_something_fills_is_no_wall_in_the_part) {
     }
 }
 
+BOOST_AUTO_TEST_CASE(a_surface_that_touches_itself_along_edges_shrinks_as_promised) {
+    const Mesh touching = joined(box({1, 1, 1}), at(box({1, 1, 1}), {2, 2, 0}));
+    checkShrunk(touching, {0.2, 0.1});
+    const ShrunkPart shrunk = shrink(touching, {0.2, 0.1});
+    BOOST_TEST(shrunk.leftOut == std::vector<std::string>{"shrinking cuts through 'part'"},
+               boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(a_wall_between_boxes_of_one_surface_is_not_outside) {
+    // Both sides of the wall are in the mesh, with different diagonals, so that they are no duplicates.
+    const Matrix3 turn = Eigen::AngleAxisd(std::acos(-1.0) / 2, Vector3::UnitX()).toRotationMatrix();
+    Mesh turned = transformed(box({1, 1, 1}), {turn, {2, 0, 0}});
+    for (Vector3& vertex : turned.vertices) vertex = vertex.array().round();
+    const Mesh walled = joined(box({1, 1, 1}), turned);
+    const SurfaceDepth surface(walled, 0.05);
+    Workspace workspace;
+    for (const double x : {0.5, 0.9, 1.0, 1.1, 1.5}) {
+        const double depth = surface.at({x, 0.1, 0}, workspace).depth;
+        BOOST_TEST(depth > 0.9 - surface.slack());
+        BOOST_TEST(depth < 0.9 + 1e-9);
+    }
+    checkShrunk(shrink(walled, {0.2, 0.1}), transformed(box({2, 1, 1}), {Matrix3::Identity(), {1, 0, 0}}),
+                100);
+}
+
 BOOST_AUTO_TEST_CASE(a_surface_below_its_own_overhang_stays_outside) {
     // The centre of a floor's triangle lies below the overhang; a bolt makes this a part of components that meet.
     Mesh block = slotted(1e-3);

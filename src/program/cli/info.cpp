@@ -57,9 +57,11 @@ void describeTriangles(const Mesh& mesh, const CleanMesh& cleaned) {
     std::string surface = "closed";
     if (edges.closedEdges == 0 && edges.isClosed()) {
         surface = "none: every triangle is a point or a line";
+    } else if (edges.isClosed() && edges.touchingEdges > 0) {
+        surface += ", and touches itself along " + counted(edges.touchingEdges, "edge");
     } else if (!edges.isClosed()) {
         surface = "open: " + counted(edges.openEdges, "edge") + " of one triangle, " +
-                  std::to_string(edges.overfullEdges) + " of more than two, " +
+                  std::to_string(edges.touchingEdges + edges.overfullEdges) + " of more than two, " +
                   std::to_string(edges.twistedEdges) + " where the two neighbours face different sides";
     }
     printRow("surface", surface);

@@ -65,7 +65,7 @@ Json meshFacts(const Mesh& mesh, const CleanMesh& cleaned, const Model& model) {
             {"closed", edges.closedEdges > 0 && edges.isClosed()},
             {"edges",
              {{"of_one_triangle", edges.openEdges},
-              {"of_more_than_two", edges.overfullEdges},
+              {"of_more_than_two", edges.touchingEdges + edges.overfullEdges},
               {"with_neighbours_facing_apart", edges.twistedEdges}}},
             {"cleaning",
              {{"welded", report.weldedVertices},
