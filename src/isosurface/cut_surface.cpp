@@ -1,6 +1,7 @@
 #include "isosurface/cut_surface.h"
 
 #include <algorithm>
+#include <map>
 #include <unordered_map>
 
 namespace clearway {
@@ -8,21 +9,29 @@ namespace {
 
 constexpr double kLeastShare = 1.0 / 64;  ///< of an edge: its points keep so far from its ends
 
-using PointOn = std::function<Vector3(std::uint32_t, std::uint32_t)>;
+std::uint64_t keyOf(const CutEdge& edge) {
+    return (std::uint64_t(edge.inner) << 32) | edge.outer;
+}
 
 class Cutting {
   public:
-    Cutting(const Tetrahedra& tetrahedra, const std::vector<double>& heights, const PointOn& pointOn)
-        : tetrahedra_(tetrahedra), heights_(heights), pointOn_(pointOn) {}
+    Cutting(const Tetrahedra& tetrahedra, const std::vector<double>& heights, const SurfacePoints& points)
+        : tetrahedra_(tetrahedra), heights_(heights), points_(points) {}
 
     void cut(std::uint32_t number) {
         const Tetrahedron& tetrahedron = tetrahedra_.all()[number];
         for (const auto& outline : outlinesIn(tetrahedra_, tetrahedron, heights_)) {
             std::vector<std::uint32_t> corners;
-            for (const CutEdge& edge : outline) corners.push_back(at(edge));
+            for (std::size_t i = 0; i < outline.size(); ++i) {
+                corners.push_back(at(outline[i]));
+                if (const auto corner = between(outline[i], outline[(i + 1) % outline.size()]))
+                    corners.push_back(*corner);
+            }
             const int count = int(corners.size());
-            for (const auto& [a, b, c] : filling(count, tetrahedra_.hasWholeEdges(tetrahedron))) {
-                if (c == count && int(corners.size()) == count) corners.push_back(addMean(corners));
+            const bool isPlain = corners.size() == outline.size() && tetrahedra_.hasWholeEdges(tetrahedron);
+            for (const auto& [a, b, c] : filling(count, isPlain)) {
+                if (c == count && int(corners.size()) == count)
+                    corners.push_back(add(points_.amid ? points_.amid(number) : mean(corners)));
                 surface_.mesh.triangles.push_back({corners[a], corners[b], corners[c]});
                 surface_.tetrahedra.push_back(number);
             }
@@ -32,26 +41,43 @@ class Cutting {
     CutSurface take() { return std::move(surface_); }
 
   private:
+    std::uint32_t add(const Vector3& point) {
+        surface_.mesh.vertices.push_back(point);
+        return static_cast<std::uint32_t>(surface_.mesh.vertices.size() - 1);
+    }
+
     std::uint32_t at(const CutEdge& edge) {
-        const std::uint64_t key = (std::uint64_t(edge.inner) << 32) | edge.outer;
-        auto& vertices = surface_.mesh.vertices;
-        const auto [entry, isNew] = points_.try_emplace(key, static_cast<std::uint32_t>(vertices.size()));
-        if (isNew) vertices.push_back(pointOn_(edge.inner, edge.outer));
+        const auto [entry, isNew] = onEdges_.try_emplace(keyOf(edge), 0);
+        if (isNew) entry->second = add(pointOn(edge));
         return entry->second;
     }
 
-    std::uint32_t addMean(const std::vector<std::uint32_t>& corners) {
-        auto& vertices = surface_.mesh.vertices;
+    Vector3 pointOn(const CutEdge& edge) const {
+        if (points_.onEdge) return points_.onEdge(edge);
+        const auto& v = tetrahedra_.vertices();
+        return cutPoint(v[edge.inner], heights_[edge.inner], v[edge.outer], heights_[edge.outer]);
+    }
+
+    std::optional<std::uint32_t> between(const CutEdge& from, const CutEdge& to) {
+        if (!points_.between) return std::nullopt;
+        const std::optional<Vector3> point = points_.between(from, to);
+        if (!point) return std::nullopt;
+        const auto [entry, isNew] = corners_.try_emplace(std::minmax(keyOf(from), keyOf(to)), 0);
+        if (isNew) entry->second = add(*point);
+        return entry->second;
+    }
+
+    Vector3 mean(const std::vector<std::uint32_t>& corners) const {
         Vector3 sum = Vector3::Zero();
-        for (const std::uint32_t corner : corners) sum += vertices[corner];
-        vertices.push_back(sum / double(corners.size()));
-        return static_cast<std::uint32_t>(vertices.size() - 1);
+        for (const std::uint32_t corner : corners) sum += surface_.mesh.vertices[corner];
+        return sum / double(corners.size());
     }
 
     const Tetrahedra& tetrahedra_;
     const std::vector<double>& heights_;
-    const PointOn& pointOn_;
-    std::unordered_map<std::uint64_t, std::uint32_t> points_;
+    const SurfacePoints& points_;
+    std::unordered_map<std::uint64_t, std::uint32_t> onEdges_;
+    std::map<std::pair<std::uint64_t, std::uint64_t>, std::uint32_t> corners_;
     CutSurface surface_;
 };
 
@@ -103,9 +129,9 @@ std::vector<std::vector<CutEdge>> outlinesIn(const Tetrahedra& tetrahedra, const
     return outlines;
 }
 
-std::vector<std::array<int, 3>> filling(int corners, bool hasWholeEdges) {
+std::vector<std::array<int, 3>> filling(int corners, bool isPlain) {
     if (corners == 3) return {{0, 1, 2}};
-    if (corners == 4 && hasWholeEdges) return {{0, 1, 2}, {0, 2, 3}};
+    if (corners == 4 && isPlain) return {{0, 1, 2}, {0, 2, 3}};
     std::vector<std::array<int, 3>> fan;
     for (int k = 0; k < corners; ++k) fan.push_back({k, (k + 1) % corners, corners});
     return fan;
@@ -120,12 +146,8 @@ Vector3 cutPoint(const Vector3& inner, double innerHeight, const Vector3& outer,
 }
 
 CutSurface cutSurface(const Tetrahedra& tetrahedra, const std::vector<double>& heights,
-                      const PointOn& pointOn) {
-    const PointOn usual = [&](std::uint32_t inner, std::uint32_t outer) {
-        const auto& v = tetrahedra.vertices();
-        return cutPoint(v[inner], heights[inner], v[outer], heights[outer]);
-    };
-    Cutting cutting(tetrahedra, heights, pointOn ? pointOn : usual);
+                      const SurfacePoints& points) {
+    Cutting cutting(tetrahedra, heights, points);
     for (std::uint32_t i = 0; i < tetrahedra.all().size(); ++i) cutting.cut(i);
     return cutting.take();
 }

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "clearway/mesh.h"
@@ -36,14 +37,25 @@ struct CutEdge {
 std::vector<std::vector<CutEdge>> outlinesIn(const Tetrahedra& tetrahedra, const Tetrahedron& tetrahedron,
                                              const std::vector<double>& heights);
 
-/// The triangles that fill an outline with so many corners, turned as it is. Corner number `corners` is the mean of all
-/// others. hasWholeEdges: those of the tetrahedron; else a diagonal of the outline might lie in one of its faces, where
-/// a neighbour's surface may have it too.
-std::vector<std::array<int, 3>> filling(int corners, bool hasWholeEdges);
+/// The triangles that fill a polygon with so many corners, turned as it is. Corner number `corners` is a point amid it.
+/// isPlain: only outline points of a tetrahedron with whole edges; else a diagonal might lie in one of its faces, where a
+/// neighbour's surface may have it too.
+std::vector<std::array<int, 3>> filling(int corners, bool isPlain);
 
-/// heights: one for each vertex, at least 0 inside. pointOn: where the surface crosses the edge between an inner and an
-/// outer vertex; by default cutPoint.
+/// Where the surface lies; what is not given is as the comments say.
+struct SurfacePoints {
+    /// The point at which it crosses an edge: that of cutPoint().
+    std::function<Vector3(const CutEdge& edge)> onEdge;
+
+    /// A corner between two neighbours in an outline, which lie on two edges of one triangle: none.
+    std::function<std::optional<Vector3>(const CutEdge& from, const CutEdge& to)> between;
+
+    /// The point amid the surface in a tetrahedron: the mean of the outline's points.
+    std::function<Vector3(std::uint32_t tetrahedron)> amid;
+};
+
+/// heights: one for each vertex, at least 0 inside.
 CutSurface cutSurface(const Tetrahedra& tetrahedra, const std::vector<double>& heights,
-                      const std::function<Vector3(std::uint32_t inner, std::uint32_t outer)>& pointOn = {});
+                      const SurfacePoints& points = {});
 
 }  // namespace clearway

@@ -119,25 +119,26 @@ Solid::Solid(const Mesh& mesh, const std::string& name) {
                  hasThreeCorners);
     if (triangles_.empty()) refuseSolid(name, "it has no triangle with three corners");
     const EdgeReport edges = requireClosed(triangles_, name);
-    touchesItself_ = edges.touchingEdges > 0;
     for (const Vector3& vertex : vertices_) box_.extend(vertex);
     order_.resize(triangles_.size());
     std::iota(order_.begin(), order_.end(), 0u);
     addNode(0, std::uint32_t(order_.size()), 0);
     orient(name);
-    if (touchesItself_) requireOneInside(name);
+    if (edges.touchingEdges > 0) lookInFront(name);
 }
 
 /// Where surfaces touch along edges, one connected surface may bound pieces that face different ways.
-void Solid::requireOneInside(const std::string& name) const {
+void Solid::lookInFront(const std::string& name) {
     const double step = (isTurnedOver_ ? -kInFront : kInFront) * box_.diagonal().norm();
-    for (std::size_t t = 0; t < triangles_.size(); ++t) {
-        const auto& [a, b, c] = triangles_[t];
+    for (const auto& [a, b, c] : triangles_) {
         const Vector3 normal = (vertices_[b] - vertices_[a]).cross(vertices_[c] - vertices_[a]).normalized();
         const Vector3 middle = (vertices_[a] + vertices_[b] + vertices_[c]) / 3;
-        if (winding({}, {}, middle + step * normal) >= 0) continue;
-        refuseSolid(name, "a part of its surface faces the other way than the rest, near " +
-                              roundedPoint(middle) + ", expected all to face one way");
+        const int inFront = winding({}, {}, middle + step * normal);
+        hasWallInside_ = hasWallInside_ || inFront > 0;
+        if (inFront < 0) {
+            refuseSolid(name, "a part of its surface faces the other way than the rest, near " +
+                                  roundedPoint(middle) + ", expected all to face one way");
+        }
     }
 }
 

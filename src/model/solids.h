@@ -26,8 +26,10 @@ class Solid {
     Solid(const Mesh& mesh, const std::string& name);
 
     bool isTurnedOver() const { return isTurnedOver_; }
-    bool touchesItself() const { return touchesItself_; }  ///< some edges have four triangles or more
-    const Box& box() const { return box_; }                ///< mesh coordinates
+
+    /// Whether the surface, which touches itself along edges, is also inside of what it bounds.
+    bool hasWallInside() const { return hasWallInside_; }
+    const Box& box() const { return box_; }  ///< mesh coordinates
 
     /// How often the surface, moved by X_aMesh, winds around the point moved by X_aPoint, in exact arithmetic
     /// of both maps: above 0 inside. For a point on the surface the answer is that of one of its sides.
@@ -53,7 +55,7 @@ class Solid {
                       const Take& take) const;
     bool isOutermost(const Shells& shells, std::uint32_t shell) const;
     void orient(const std::string& name);
-    void requireOneInside(const std::string& name) const;
+    void lookInFront(const std::string& name);
 
     std::vector<Vector3> vertices_;
     std::vector<TriangleIndices> triangles_;
@@ -61,7 +63,7 @@ class Solid {
     std::vector<Node> nodes_;
     std::vector<Vector3> shellVertices_;
     Box box_;
-    bool isTurnedOver_ = false, touchesItself_ = false;
+    bool isTurnedOver_ = false, hasWallInside_ = false;
 };
 
 /// The insides of a mesh's closed components, and one vertex of each of its connected pieces.

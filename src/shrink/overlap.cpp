@@ -62,13 +62,14 @@ class DeepestSearch {
         const Vector3 middle = (corners[0] + corners[1] + corners[2]) / 3;
         double radius = 0;
         for (const Vector3& corner : corners) radius = std::max(radius, (corner - middle).norm());
-        const auto [depth, nearest] = surface_.at(middle, workspace_);
+        const SurfaceDepth::Place place = surface_.at(middle, workspace_);
+        const double depth = place.depth;
         if (depth > best_.lower) {
             best_.lower = depth;
             best_.point = middle;
             best_.obstacleTriangle = triangle;
         }
-        const double most = std::min(depth + radius, furthestFrom(nearest, corners));
+        const double most = std::min(depth + radius, furthestFrom(place.triangle, corners));
         if (most <= best_.lower || (depth < 0 && isApart(corners))) return;
         if (most <= enough()) {
             mostLeft_ = std::max(mostLeft_, most);

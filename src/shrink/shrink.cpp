@@ -7,15 +7,20 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <numeric>
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <unordered_map>
 
 #include "core/number.h"
 #include "isosurface/cut_surface.h"
 #include "isosurface/polytope.h"
 #include "isosurface/tetrahedra.h"
+#include "shrink/depth_limit.h"
 #include "shrink/left_out.h"
+#include "shrink/level_points.h"
 #include "shrink/surface_depth.h"
 
 namespace clearway {
@@ -24,13 +29,14 @@ namespace {
 constexpr std::size_t kMostVertices = 8'000'000;
 constexpr std::size_t kBlock =
     256;  ///< items that one thread takes with one warm start, so that threads change nothing
-constexpr double kLevel = 0.2;   ///< of the tolerance, above the overlap: where the surface is meant to be
-constexpr int kMostPieces = 24;  ///< in which the outside part of a tetrahedron is looked at
+constexpr double kLevel = 0.2;  ///< of the tolerance, above the overlap: where the surface is meant to be
 constexpr double kLeastSize = 0.02;    ///< of the tolerance: the edges of tetrahedra
+constexpr double kLevelError = 0.02;   ///< of the tolerance: how far from the level crossings may lie
 constexpr double kMostShallow = 0.15;  ///< of the tolerance: how far above its level the surface may lie
 constexpr double kMostDeep = 0.7;      ///< of the tolerance: how far below
 
-using Outlines = std::vector<std::vector<CutEdge>>;
+using Outline = std::vector<CutEdge>;
+using Corners = std::array<std::uint32_t, 4>;
 
 class Shrinking {
   public:
@@ -38,9 +44,15 @@ class Shrinking {
         : surface_(surface),
           tetrahedra_(surface_.model().box()),
           least_(options.overlap),
-          most_(options.overlap + options.tolerance - surface_.slack() - surface_.rounding()),
-          level_(options.overlap + kLevel * (options.tolerance - surface_.slack())),
-          tolerance_(options.tolerance - surface_.slack()) {}
+          tolerance_(options.tolerance - surface_.slack()),
+          level_(options.overlap + kLevel * tolerance_),
+          limit_(surface, options.overlap + tolerance_ - surface_.rounding(), 0.5 * options.overlap),
+          points_(surface, level_, kLevelError * tolerance_) {
+        Workspace workspace;
+        for (const Vector3& vertex : surface.shellVertices()) {
+            if (surface.at(vertex, workspace).depth < level_) shellPoints_.push_back(vertex);
+        }
+    }
 
     Mesh run() {
         open_.resize(tetrahedra_.all().size());
@@ -49,13 +61,7 @@ class Shrinking {
             const std::size_t known = places_.size();
             refine();
             open_ = tetrahedraWithVertices(known);
-            isDeep_.resize(tetrahedra_.all().size());
-            for (const std::size_t i : open_) isDeep_[i] = false;
-            if (!open_.empty()) continue;
-            CutSurface cut = cutSurface(tetrahedra_, heights_);
-            if (cut.mesh.triangles.empty()) return {};
-            if (bisectWhereShallow(cut)) continue;
-            return std::move(cut.mesh);
+            if (open_.empty()) return std::move(cutThroughLevel().mesh);
         }
     }
 
@@ -65,11 +71,13 @@ class Shrinking {
         std::vector<std::uint8_t> isSettled;
         while (!open_.empty()) {
             measureNewVertices();
+            findOutlines();
             auto& all = tetrahedra_.all();
+            amid_.resize(all.size());
             isSettled.assign(open_.size(), 0);
             forBlocks(0, open_.size(), [&](std::size_t i, Workspace& workspace) {
                 Tetrahedron& tetrahedron = all[open_[i]];
-                isSettled[i] = settles(tetrahedron, workspace);
+                isSettled[i] = settles(open_[i], outlines_[i], workspace);
                 tetrahedron.isShallow = tetrahedron.isShallow || (isSettled[i] && isOutside(tetrahedron));
             });
             std::vector<std::size_t> next;
@@ -129,58 +137,131 @@ class Shrinking {
         });
     }
 
-    /// Whether no point of the tetrahedron outside the cut surface is too deep, and whether the cut is near its
-    /// level.
-    bool settles(const Tetrahedron& tetrahedron, Workspace& workspace) const {
-        const auto& c = tetrahedron.corners;
+    /// Finds the outlines in open tetrahedra, and where they lie.
+    void findOutlines() {
+        outlines_.assign(open_.size(), {});
+        forBlocks(0, open_.size(), [&](std::size_t i, Workspace&) {
+            outlines_[i] = outlinesIn(tetrahedra_, tetrahedra_.all()[open_[i]], heights_);
+        });
+        std::vector<CutEdge> edges;
+        std::vector<std::array<CutEdge, 2>> pairs;
+        for (const auto& found : outlines_) {
+            for (const Outline& outline : found) {
+                for (std::size_t k = 0; k < outline.size(); ++k) {
+                    const CutEdge &edge = outline[k], &next = outline[(k + 1) % outline.size()];
+                    if (crossings_.try_emplace(keyOf(edge)).second) edges.push_back(edge);
+                    if (creases_.try_emplace(keyOf(edge, next)).second) pairs.push_back({edge, next});
+                }
+            }
+        }
+        forBlocks(0, edges.size(), [&](std::size_t i, Workspace& workspace) {
+            const auto end = [&](std::uint32_t v) { return LevelPoints::End{vertex(v), places_[v]}; };
+            crossings_.at(keyOf(edges[i])) =
+                points_.crossing(end(edges[i].outer), end(edges[i].inner), workspace);
+        });
+        forBlocks(0, pairs.size(), [&](std::size_t i, Workspace&) {
+            const auto& [a, b] = pairs[i];
+            creases_.at(keyOf(a, b)) = points_.crease(crossing(a), crossing(b), triangleOf(a, b));
+        });
+    }
+
+    static std::uint64_t keyOf(const CutEdge& edge) { return (std::uint64_t(edge.inner) << 32) | edge.outer; }
+    static std::pair<std::uint64_t, std::uint64_t> keyOf(const CutEdge& a, const CutEdge& b) {
+        return std::minmax(keyOf(a), keyOf(b));
+    }
+
+    const LevelPoint& crossing(const CutEdge& edge) const { return crossings_.at(keyOf(edge)); }
+
+    /// The triangle that has both edges.
+    Corners3 triangleOf(const CutEdge& a, const CutEdge& b) const {
+        return {vertex(a.inner), vertex(a.outer), vertex(a.inner == b.inner ? b.outer : b.inner)};
+    }
+
+    /// Whether certainly no point of the tetrahedron outside the cut surface is too deep, and the surface is near its
+    /// level and nowhere too shallow.
+    bool settles(std::size_t number, const std::vector<Outline>& outlines, Workspace& workspace) {
+        const Tetrahedron& tetrahedron = tetrahedra_.all()[number];
+        const Corners& c = tetrahedron.corners;
         requireContinuity(c);
-        const std::vector<std::uint32_t> others = tetrahedra_.verticesOn(tetrahedron);
-        const auto isInside = [&](std::uint32_t v) { return heights_[v] >= 0; };
-        const bool hasInside =
-            std::any_of(c.begin(), c.end(), isInside) || std::any_of(others.begin(), others.end(), isInside);
-        const bool isAllInside =
-            std::all_of(c.begin(), c.end(), isInside) && std::all_of(others.begin(), others.end(), isInside);
-        if (isAllInside) return true;
-        const bool isCut = hasInside;
-        const auto outlines = isCut ? outlinesIn(tetrahedra_, tetrahedron, heights_) : Outlines{};
-        if (isCut && (outlines.size() > 1 || !isCutNearLevel(outlines[0], workspace))) return false;
+        if (outlines.empty() && heights_[c[0]] >= 0) return !mayHoldShell(c);
+        if (outlines.size() > 1) return false;  // their fillings might cross
+        if (outlines.empty())
+            return isShallow(tetrahedron, {Polytope(cornersOf(c))}, nearestTo(c), workspace);
+        const Outline& outline = outlines[0];
+        std::vector<LevelPoint> points;
+        for (const CutEdge& edge : outline) points.push_back(crossing(edge));
+        amid_[number] = points_.amid(points, cornersOf(c));
+        if (!isNearLevel(amid_[number], workspace)) return false;
+        const Mesh surface = surfaceIn(tetrahedron, outline, amid_[number]);
+        std::vector<std::uint32_t> nearest = nearestTo(c);
+        for (const LevelPoint& point : points) nearest.push_back(point.triangle);
+        return isShallow(tetrahedron, outsideOf(tetrahedron, outline, amid_[number]), nearest, workspace) &&
+               !isWithin(Model::build(surface), surface_.model(), {}, least_, workspace);
+    }
+
+    bool isShallow(const Tetrahedron& tetrahedron, const std::vector<Polytope>& pieces,
+                   const std::vector<std::uint32_t>& nearest, Workspace& workspace) const {
+        const Corners& c = tetrahedron.corners;
         if (tetrahedron.isShallow || isShallowBySize(c)) return true;
-        const Polytope whole({vertex(c[0]), vertex(c[1]), vertex(c[2]), vertex(c[3])});
-        const Polytope outside = isCut ? whole.cut(below(c, outlines[0], others)) : whole;
-        if (isCovered(outside, workspace)) return true;
         const bool mayBeOutside =
             std::any_of(c.begin(), c.end(), [&](std::uint32_t v) { return places_[v].depth < 0; });
-        if (!mayBeOutside) return false;
-        if (!isCut && isOutsideIn(
-                          whole, c, [](const Vector3&) { return 1.0; }, workspace))
-            return true;
-        std::uint32_t last = ~0u;
-        for (const std::uint32_t v : c) {
-            const std::uint32_t triangle = places_[v].triangle;
-            if (triangle == last) continue;
-            last = triangle;
-            if (isShallowBelowPlane(whole, outside, c, triangle, workspace)) return true;
+        const auto planes = mayBeOutside ? limit_.differentPlanes(nearest) : std::vector<std::uint32_t>();
+        return std::all_of(pieces.begin(), pieces.end(),
+                           [&](const Polytope& piece) { return limit_.holdsIn(piece, planes, workspace); });
+    }
+
+    std::vector<std::uint32_t> nearestTo(const Corners& c) const {
+        return {places_[c[0]].triangle, places_[c[1]].triangle, places_[c[2]].triangle,
+                places_[c[3]].triangle};
+    }
+
+    /// The cut surface in a tetrahedron, as cutThroughLevel() makes it.
+    Mesh surfaceIn(const Tetrahedron& tetrahedron, const Outline& outline, const Vector3& amid) const {
+        Mesh mesh;
+        for (std::size_t k = 0; k < outline.size(); ++k) {
+            mesh.vertices.push_back(crossing(outline[k]).point);
+            if (const auto& crease = creaseAfter(outline, k)) mesh.vertices.push_back(*crease);
         }
-        return false;
+        const auto fill = filling(int(mesh.vertices.size()), isPlain(tetrahedron, outline));
+        mesh.vertices.push_back(amid);
+        for (const auto& [a, b, c] : fill)
+            mesh.triangles.push_back({std::uint32_t(a), std::uint32_t(b), std::uint32_t(c)});
+        return mesh;
+    }
+
+    const std::optional<Vector3>& creaseAfter(const Outline& outline, std::size_t k) const {
+        return creases_.at(keyOf(outline[k], outline[(k + 1) % outline.size()]));
+    }
+
+    bool isPlain(const Tetrahedron& tetrahedron, const Outline& outline) const {
+        for (std::size_t k = 0; k < outline.size(); ++k) {
+            if (creaseAfter(outline, k)) return false;
+        }
+        return tetrahedra_.hasWholeEdges(tetrahedron);
     }
 
     const Vector3& vertex(std::uint32_t number) const { return tetrahedra_.vertices()[number]; }
 
-    Vector3 pointOf(const CutEdge& edge) const {
-        return cutPoint(vertex(edge.inner), heights_[edge.inner], vertex(edge.outer), heights_[edge.outer]);
+    std::array<Vector3, 4> cornersOf(const Corners& c) const {
+        return {vertex(c[0]), vertex(c[1]), vertex(c[2]), vertex(c[3])};
     }
 
-    bool isCutNearLevel(const std::vector<CutEdge>& outline, Workspace& workspace) const {
-        Vector3 sum = Vector3::Zero();
-        for (const CutEdge& edge : outline) sum += pointOf(edge);
-        const double depth = surface_.at(sum / double(outline.size()), workspace).depth;
+    /// Whether a vertex of a shell of the part is near, so that the tetrahedron may hold all of a cavity.
+    bool mayHoldShell(const Corners& c) const {
+        Box box;
+        for (const std::uint32_t v : c) box.extend(vertex(v));
+        return std::any_of(shellPoints_.begin(), shellPoints_.end(),
+                           [&](const Vector3& v) { return box.contains(v); });
+    }
+
+    bool isNearLevel(const Vector3& point, Workspace& workspace) const {
+        const double depth = surface_.at(point, workspace).depth;
         return depth >= level_ - kMostShallow * tolerance_ && depth <= level_ + kMostDeep * tolerance_;
     }
 
     /// The values at a tetrahedron's corners of a linear function that is at least 0 at all its points outside the cut
-    /// surface. Those lie in the convex hull of the outer vertices on it and of the surface's outline.
-    std::vector<double> below(const std::array<std::uint32_t, 4>& c, const std::vector<CutEdge>& outline,
-                              const std::vector<std::uint32_t>& others) const {
+    /// surface: those lie in the convex hull of its outer corners and of the surface's outline.
+    std::vector<double> below(const Corners& c, const Outline& outline) const {
         Matrix3 edges;
         Vector3 rises;
         for (int k = 0; k < 3; ++k) {
@@ -189,128 +270,73 @@ class Shrinking {
         }
         const Vector3 slope = edges.inverse() * rises;
         double most = 0;
-        const auto include = [&](const Vector3& point) {
-            most = std::max(most, heights_[c[0]] + slope.dot(point - vertex(c[0])));
-        };
-        for (const CutEdge& edge : outline) include(pointOf(edge));
-        for (const std::uint32_t v : others) {
-            if (heights_[v] < 0) include(vertex(v));
-        }
+        for (const CutEdge& edge : outline)
+            most = std::max(most, heights_[c[0]] + slope.dot(crossing(edge).point - vertex(c[0])));
         const double rounding = 1e-9 * rises.cwiseAbs().sum();
         std::vector<double> values;
         for (const std::uint32_t v : c) values.push_back(most + rounding - heights_[v]);
         return values;
     }
 
+    /// Convex pieces that cover what is outside the cut surface in a tetrahedron. If that consists of triangles around
+    /// one point: the cones from that point over the outside of the tetrahedron's faces.
+    std::vector<Polytope> outsideOf(const Tetrahedron& tetrahedron, const Outline& outline,
+                                    const Vector3& amid) const {
+        if (isPlain(tetrahedron, outline))
+            return {Polytope(cornersOf(tetrahedron.corners)).cut(below(tetrahedron.corners, outline))};
+        std::vector<Polytope> cones;
+        tetrahedra_.eachPiece(tetrahedron, [&](const TriangleIndices& piece) {
+            const std::vector<Vector3> polygon = outsideOf(piece);
+            for (std::size_t k = 1; k + 1 < polygon.size(); ++k)
+                cones.emplace_back(std::array<Vector3, 4>{amid, polygon[0], polygon[k], polygon[k + 1]});
+        });
+        return cones;
+    }
+
+    /// The outside of a triangle: a polygon of which triangles around its first corner make up all.
+    std::vector<Vector3> outsideOf(const TriangleIndices& triangle) const {
+        std::vector<Vector3> polygon;
+        std::size_t first = 0;
+        CutEdge leaving{}, entering{};
+        bool isCut = false;
+        for (int k = 0; k < 3; ++k) {
+            const std::uint32_t from = triangle[k], to = triangle[(k + 1) % 3];
+            const bool isInner = heights_[from] >= 0, isNextInner = heights_[to] >= 0;
+            if (!isInner) polygon.push_back(vertex(from));
+            if (isInner == isNextInner) continue;
+            isCut = true;
+            if (isInner) first = polygon.size();
+            (isInner ? leaving : entering) = isInner ? CutEdge{from, to} : CutEdge{to, from};
+            polygon.push_back(crossing(isInner ? leaving : entering).point);
+        }
+        std::rotate(polygon.begin(), polygon.begin() + first, polygon.end());
+        if (!isCut) return polygon;
+        if (const auto& crease = creases_.at(keyOf(leaving, entering)))
+            polygon.insert(polygon.begin(), *crease);
+        return polygon;
+    }
+
     /// Depths change no faster than places.
-    bool isShallowBySize(const std::array<std::uint32_t, 4>& c) const {
+    bool isShallowBySize(const Corners& c) const {
         for (int i = 0; i < 4; ++i) {
             double reach = 0;
             for (int j = 0; j < 4; ++j) reach = std::max(reach, (vertex(c[j]) - vertex(c[i])).norm());
-            if (places_[c[i]].depth + reach <= most_) return true;
+            if (places_[c[i]].depth + reach <= limit_.limit()) return true;
         }
         return false;
     }
 
-    /// Whether each point is near enough to some triangle. The distance to one triangle is convex, so corners
-    /// decide. Cuts off what is beside the triangle nearest to the centre and looks at it apart.
-    bool isCovered(Polytope piece, Workspace& workspace) const {
-        int pieces = kMostPieces;
-        return isCovered(std::move(piece), workspace, pieces);
-    }
-
-    bool isCovered(Polytope piece, Workspace& workspace, int& pieces) const {
-        if (pieces-- == 0 || !piece.isSimple()) return false;
-        const std::uint32_t triangle = surface_.nearest(piece.centre(), workspace);
-        const Corners3 corners = surface_.corners(triangle);
-        if (distanceToTriangle(piece.centre(), corners) > most_) return false;
-        const auto isNear = [&] {
-            return std::all_of(piece.corners().begin(), piece.corners().end(),
-                               [&](const Polytope::Corner& corner) {
-                                   return distanceToTriangle(corner.point, corners) <= most_;
-                               });
-        };
-        if (isNear()) return true;
-        const Vector3 normal = surface_.outwardNormal(triangle);
-        const double turned =
-            normal.dot((corners[1] - corners[0]).cross(corners[2] - corners[0])) < 0 ? -1 : 1;
-        for (int k = 0; k < 3; ++k) {
-            const Vector3 across = turned * (corners[(k + 1) % 3] - corners[k]).cross(normal).normalized();
-            const auto height = [&](const Vector3& p) {
-                const double exact = across.dot(p - corners[k]);
-                return std::abs(exact) <= surface_.rounding() ? 0.0 : exact;
-            };
-            Polytope beside = piece.above(height);
-            if (beside.isFlat(height)) continue;
-            piece = piece.above([&](const Vector3& p) { return -height(p); });
-            if (piece.isEmpty() || !isCovered(std::move(beside), workspace, pieces)) return false;
-        }
-        return isNear();
-    }
-
-    /// Whether all points of the outside part are near enough to triangles, except for those in front of the
-    /// triangle's plane, which lie outside the part.
-    bool isShallowBelowPlane(const Polytope& whole, const Polytope& outside,
-                             const std::array<std::uint32_t, 4>& c, std::uint32_t triangle,
-                             Workspace& workspace) const {
-        const Vector3 normal = surface_.outwardNormal(triangle).normalized();
-        if (!(normal.squaredNorm() > 0)) return false;
-        const Vector3 base = surface_.corners(triangle)[0];
-        const double front = 0.5 * least_;  // any height from 0 to most_ is right
-        const auto height = [&](const Vector3& p) { return normal.dot(p - base) - front; };
-        Polytope low = outside.above([&](const Vector3& p) { return -height(p); });
-        if (!low.isEmpty() && !isCovered(std::move(low), workspace)) return false;
-        const Polytope high = whole.above(height);
-        return high.isEmpty() || isOutsideIn(high, c, height, workspace);
-    }
-
-    /// Whether a piece of a tetrahedron with the corners c, the one with height >= 0, lies outside the part: some
-    /// corner does, and the surface has no point in the piece.
-    template <class Height>
-    bool isOutsideIn(const Polytope& piece, const std::array<std::uint32_t, 4>& c, const Height& height,
-                     Workspace& workspace) const {
-        const bool hasOutside = std::any_of(c.begin(), c.end(), [&](std::uint32_t v) {
-            return places_[v].depth < 0 && height(vertex(v)) >= 0;
-        });
-        if (!hasOutside) return false;
-        const Mesh mesh = piece.surface();
-        if (mesh.triangles.empty()) return false;
-        const Box box = boundingBox(mesh);
-        for (const Vector3& v : surface_.shellVertices()) {
-            if (box.contains(v)) return false;
-        }
-        return !isWithin(Model::build(mesh), surface_.model(), {}, surface_.rounding(), workspace);
-    }
-
-    /// Bisects the tetrahedra in which the cut surface is too near the part's surface. Only triangles in
-    /// tetrahedra that are new since the last call are looked at.
-    bool bisectWhereShallow(const CutSurface& cut) {
-        isDeep_.resize(tetrahedra_.all().size());
-        std::vector<std::size_t> unknown;
-        for (std::size_t i = 0; i < cut.tetrahedra.size(); ++i) {
-            if (!isDeep_[cut.tetrahedra[i]]) unknown.push_back(i);
-        }
-        std::vector<std::uint8_t> isTooNear(unknown.size());
-        forBlocks(0, unknown.size(), [&](std::size_t i, Workspace& workspace) {
-            Mesh triangle;
-            for (const std::uint32_t v : cut.mesh.triangles[unknown[i]])
-                triangle.vertices.push_back(cut.mesh.vertices[v]);
-            triangle.triangles = {{0, 1, 2}};
-            isTooNear[i] = isWithin(Model::build(triangle), surface_.model(), {}, least_, workspace);
-        });
-        for (const std::size_t i : unknown) isDeep_[cut.tetrahedra[i]] = true;
-        for (std::size_t i = 0; i < unknown.size(); ++i) {
-            const std::uint32_t t = cut.tetrahedra[unknown[i]];
-            if (!isTooNear[i] || !isDeep_[t]) continue;
-            isDeep_[t] = false;
-            bisect(t, open_);
-        }
-        return !open_.empty();
+    CutSurface cutThroughLevel() const {
+        SurfacePoints points;
+        points.onEdge = [&](const CutEdge& edge) { return crossing(edge).point; };
+        points.between = [&](const CutEdge& from, const CutEdge& to) { return creases_.at(keyOf(from, to)); };
+        points.amid = [&](std::uint32_t tetrahedron) { return amid_[tetrahedron]; };
+        return cutSurface(tetrahedra_, heights_, points);
     }
 
     /// Depths change no faster than places, except in gaps that count as filled. So tetrahedra need not be smaller
     /// than a tenth of the tolerance either.
-    void requireContinuity(const std::array<std::uint32_t, 4>& c) const {
+    void requireContinuity(const Corners& c) const {
         const double most = 2 * surface_.slack() + 100 * surface_.rounding();
         double longest = 0;
         for (int i = 0; i < 4; ++i) {
@@ -336,13 +362,22 @@ class Shrinking {
         tetrahedra_.bisect(tetrahedron);
     }
 
+    using EdgePair = std::pair<std::uint64_t, std::uint64_t>;
+
     const SurfaceDepth& surface_;
     Tetrahedra tetrahedra_;
-    double least_, most_, level_, tolerance_;
-    std::vector<std::size_t> open_;  ///< tetrahedra to look at
-    std::vector<bool> isDeep_;       ///< of tetrahedra: the cut in it is deep enough, by exact queries
-    std::vector<SurfaceDepth::Place> places_;  ///< of the vertices
-    std::vector<double> heights_;              ///< of the vertices: depth above the level
+    double least_, tolerance_, level_;
+    DepthLimit limit_;
+    LevelPoints points_;
+    std::vector<Vector3> shellPoints_;            ///< one of each shell of the surface
+    std::vector<std::size_t> open_;               ///< tetrahedra to look at
+    std::vector<std::vector<Outline>> outlines_;  ///< in the open ones
+    std::vector<bool> isDeep_;   ///< of tetrahedra: the cut in it is deep enough, by exact queries
+    std::vector<Vector3> amid_;  ///< of tetrahedra: the point amid the cut surface in it
+    std::vector<SurfaceDepth::Place> places_;                  ///< of the vertices
+    std::vector<double> heights_;                              ///< of the vertices: depth above the level
+    std::unordered_map<std::uint64_t, LevelPoint> crossings_;  ///< of cut edges
+    std::map<EdgePair, std::optional<Vector3>> creases_;       ///< of pairs of cut edges of one triangle
     mutable tbb::enumerable_thread_specific<Workspace> workspaces_;
 };
 

@@ -107,9 +107,9 @@ SurfaceDepth::SurfaceDepth(const Mesh& mesh, double fineness)
         }
     }
     findBodies(shells);
-    const bool doTouch =
-        std::any_of(solids_.begin(), solids_.end(), [](const Solid& solid) { return solid.touchesItself(); });
-    if (hasFlatShell_ || doTouch || doMeet(shells)) join(shells);
+    const bool hasWall =
+        std::any_of(solids_.begin(), solids_.end(), [](const Solid& solid) { return solid.hasWallInside(); });
+    if (hasFlatShell_ || hasWall || doMeet(shells)) join(shells);
 }
 
 std::vector<SurfaceShell> SurfaceDepth::findShellsOf(const Component& component, std::size_t number) {
@@ -247,10 +247,11 @@ SurfaceDepth::Place SurfaceDepth::at(const Vector3& point, Workspace& workspace)
     const auto triangle = static_cast<std::uint32_t>(found.environmentTriangle);
     if (everything_) {
         const bool isIn = isInComponent(point) || isInGap(point, found.distance, workspace);
-        return {isIn ? found.distance : -found.distance, triangle};
+        return {isIn ? found.distance : -found.distance, triangle, found.pointOnEnvironment};
     }
     const std::optional<bool> isBehind = isBehindFace(point, triangle);
-    return {(isBehind ? *isBehind : isInside(point)) ? found.distance : -found.distance, triangle};
+    const bool isIn = isBehind ? *isBehind : isInside(point);
+    return {isIn ? found.distance : -found.distance, triangle, found.pointOnEnvironment};
 }
 
 bool SurfaceDepth::isInComponent(const Vector3& point) const {

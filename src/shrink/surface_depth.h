@@ -56,6 +56,7 @@ class SurfaceDepth {
     struct Place {
         double depth;  ///< the distance to the surface, negative outside; not rounded in one direction
         std::uint32_t triangle;  ///< the nearest one; its position in the mesh
+        Vector3 nearest;         ///< the nearest point of the surface
     };
     Place at(const Vector3& point, Workspace& workspace) const;
 

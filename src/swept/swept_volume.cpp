@@ -53,13 +53,15 @@ class Sweeping {
             open_ = tetrahedraWithVertices(known);
             if (isStopped_) return {};
         }
-        const auto pointOn = [&](std::uint32_t inner, std::uint32_t outer) {
+        SurfacePoints points;
+        points.onEdge = [&](const CutEdge& edge) {
+            const auto& [inner, outer] = edge;
             const auto found = cutPoints_.find(keyOf(inner, outer));
             if (found != cutPoints_.end()) return found->second;
             const auto& v = tetrahedra_.vertices();
             return cutPoint(v[inner], heights_[inner], v[outer], heights_[outer]);
         };
-        return cutSurface(tetrahedra_, heights_, pointOn).mesh;
+        return cutSurface(tetrahedra_, heights_, points).mesh;
     }
 
   private:

@@ -366,10 +366,10 @@ BOOST_AUTO_TEST_CASE(a_slot_that_something_fills_is_no_wall_in_the_part) {
 }
 
 BOOST_AUTO_TEST_CASE(a_surface_that_touches_itself_along_edges_shrinks_as_promised) {
-    const Mesh touching = joined(box({1, 1, 1}), at(box({1, 1, 1}), {2, 2, 0}));
+    const Mesh touching = named(joined(box({1, 1, 1}), at(box({1, 1, 1}), {2, 2, 0})), "two");
     checkShrunk(touching, {0.2, 0.1});
     const ShrunkPart shrunk = shrink(touching, {0.2, 0.1});
-    BOOST_TEST(shrunk.leftOut == std::vector<std::string>{"shrinking cuts through 'part'"},
+    BOOST_TEST(shrunk.leftOut == std::vector<std::string>{"shrinking cuts through 'two'"},
                boost::test_tools::per_element());
 }
 
