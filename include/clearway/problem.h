@@ -140,6 +140,10 @@ Mesh loadEnvironment(const Problem& problem);
 /// loadPart.
 std::string readingNote(const Problem& problem, const Mesh& part);
 
+/// Says when the sizes of part and surroundings suggest that their files have different units; otherwise empty. unit:
+/// of the boxes; empty: unknown.
+std::string unitNote(const Box& part, const Box& environment, const std::string& unit);
+
 /// Groups the environment's files by the problem's margin and rules. Throws as groupObstacles does, naming
 /// the problem's file, and when the goal is outside but has contacts, which lie around a pose.
 ObstacleGroups obstaclesOf(const Problem& problem, const std::vector<Mesh>& worlds);

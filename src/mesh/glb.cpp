@@ -212,6 +212,15 @@ void writeMovingGlb(const GlbMotion& motion, std::ostream& stream) {
         return nodes;
     };
     Json nodes = addParts(motion.still, materialOf("environment", {0.55f, 0.56f, 0.58f, 1}));
+    const auto addRoot = [&] {
+        Json root = Json::array();
+        for (int i = 0; i < 16; ++i) root.push_back(i < 15 ? motion.metres * kUpright[i] : kUpright[i]);
+        document.addRoot(document.add("nodes", {{"name", "scene"}, {"matrix", root}, {"children", nodes}}));
+    };
+    if (motion.moving.empty()) {
+        addRoot();
+        return document.write(stream);
+    }
     const Json movingNodes = addParts(motion.moving, materialOf("part", {0.95f, 0.45f, 0.05f, 1}));
     const GlbKey& first = motion.keys.front();
     const std::size_t mover = document.add("nodes", {{"name", motion.name},
@@ -219,9 +228,7 @@ void writeMovingGlb(const GlbMotion& motion, std::ostream& stream) {
                                                      {"rotation", first.rotation},
                                                      {"children", movingNodes}});
     nodes.push_back(mover);
-    Json root = Json::array();
-    for (int i = 0; i < 16; ++i) root.push_back(i < 15 ? motion.metres * kUpright[i] : kUpright[i]);
-    document.addRoot(document.add("nodes", {{"name", "scene"}, {"matrix", root}, {"children", nodes}}));
+    addRoot();
     const Samples samples(motion.keys);
     const Json span = {{"min", Json::array({0})}, {"max", Json::array({samples.times.back()})}};
     const std::size_t times = document.addAccessor(samples.times, kFloat, "SCALAR", 0, span);

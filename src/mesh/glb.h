@@ -40,12 +40,12 @@ struct GlbMotion {
     std::vector<SavePart> still;
     std::vector<SavePart> moving;  ///< in coordinates of the node that moves
     std::string name;              ///< of the moving node and of the animation
-    std::vector<GlbKey> keys;      ///< at least one, times rising from 0
+    std::vector<GlbKey> keys;      ///< at least one if anything moves, times rising from 0
     double metres = 1;             ///< in one unit of the coordinates
 };
 
-/// Writes the still parts and a node with the moving parts and the animation, under a root that scales to metres and
-/// turns z (up in clearway) to y (up in glTF). Throws as writeGlb does.
+/// Writes the still parts and, if there are any, a node with the moving parts and the animation, under a root that
+/// scales to metres and turns z (up in clearway) to y (up in glTF). Throws as writeGlb does.
 void writeMovingGlb(const GlbMotion& motion, std::ostream& stream);
 
 }  // namespace clearway

@@ -59,8 +59,13 @@ std::optional<std::string> writtenNames(const std::vector<std::string>& names) {
     return joined(all);
 }
 
-std::vector<ConfigEntry> readConfigFile(const std::string& file) {
-    std::vector<ConfigEntry> entries;
+bool ConfigFile::hasSection(const std::string& name) const {
+    return std::any_of(sections.begin(), sections.end(),
+                       [&](const ConfigSection& section) { return section.name == name; });
+}
+
+ConfigFile readConfigFile(const std::string& file) {
+    ConfigFile read;
     std::string prefix;
     int number = 0;
     for (const std::string& whole : readLines(file, "a problem file (.cfg)")) {
@@ -72,7 +77,8 @@ std::vector<ConfigEntry> readConfigFile(const std::string& file) {
         const std::string_view line = trimmed(before(whole, '#'));
         if (line.empty()) continue;
         if (line.front() == '[' && line.back() == ']') {
-            prefix = std::string(trimmed(line.substr(1, line.size() - 2))) + ".";
+            read.sections.push_back({std::string(trimmed(line.substr(1, line.size() - 2))), number});
+            prefix = read.sections.back().name + ".";
             continue;
         }
         const std::size_t equals = before(line, '=').size();
@@ -81,9 +87,10 @@ std::vector<ConfigEntry> readConfigFile(const std::string& file) {
             throw std::invalid_argument(place(file, number) + "the line is " + quote(line) +
                                         ", expected [section] or key = value");
         }
-        entries.push_back({prefix + std::string(key), std::string(trimmed(line.substr(equals + 1))), number});
+        read.entries.push_back(
+            {prefix + std::string(key), std::string(trimmed(line.substr(equals + 1))), number});
     }
-    return entries;
+    return read;
 }
 
 std::string sectionOf(const std::string& name) {

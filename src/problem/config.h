@@ -21,9 +21,21 @@ struct ConfigEntry {
     int line = 0;       ///< counted from 1
 };
 
-/// All entries in the file's order. Throws std::runtime_error when the file cannot be read, and
+struct ConfigSection {
+    std::string name;
+    int line = 0;
+};
+
+struct ConfigFile {
+    std::vector<ConfigEntry> entries;
+    std::vector<ConfigSection> sections;  ///< one for each line in brackets, also where no entry follows
+
+    bool hasSection(const std::string& name) const;
+};
+
+/// All entries and sections in the file's order. Throws std::runtime_error when the file cannot be read, and
 /// std::invalid_argument, naming the line, when a line is neither a section nor key = value.
-std::vector<ConfigEntry> readConfigFile(const std::string& file);
+ConfigFile readConfigFile(const std::string& file);
 
 /// The parts of a name: "problem" and "start.x" for "problem.start.x". A name without a dot is a key in no
 /// section.

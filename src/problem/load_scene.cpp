@@ -10,21 +10,19 @@ namespace clearway {
 namespace {
 
 constexpr double kUsualTolerance = 0.1;  ///< of an overlap
-constexpr double kOtherUnit = 1000;      ///< sizes that differ by this factor may be in different units
-
-/// Says when the sizes of part and surroundings suggest that their files have different units; otherwise empty.
-std::string unitNote(const Problem& problem, const Box& part, const Box& environment) {
-    if (environment.isEmpty()) return "";
-    const double ratio = part.diagonal().norm() / environment.diagonal().norm();
-    if (ratio < kOtherUnit && ratio > 1 / kOtherUnit) return "";
-    return "the part is " + withUnit(roundedNumber(part.diagonal().norm()), problem.unit) +
-           " across and its surroundings are " +
-           withUnit(roundedNumber(environment.diagonal().norm()), problem.unit) +
-           ": are both files in one unit? [clearway] robot.scale and world.scale are factors for their "
-           "coordinates";
-}
+constexpr double kMostSmaller = 1000;    ///< a part that is smaller than its surroundings by this factor, and
+constexpr double kMostLarger = 10;       ///< one that is larger by this factor, may be in another unit
 
 }  // namespace
+
+std::string unitNote(const Box& part, const Box& environment, const std::string& unit) {
+    if (environment.isEmpty()) return "";
+    const double ratio = part.diagonal().norm() / environment.diagonal().norm();
+    if (ratio < kMostLarger && ratio > 1 / kMostSmaller) return "";
+    return "the part is " + withUnit(roundedNumber(part.diagonal().norm()), unit) +
+           " across and its surroundings are " +
+           withUnit(roundedNumber(environment.diagonal().norm()), unit) + ": are both files in one unit?";
+}
 
 ObstacleGroups obstaclesOf(const Problem& problem, const std::vector<Mesh>& worlds) {
     requireNoGoalContact(problem);
@@ -68,8 +66,9 @@ LoadedScene loadScene(const Problem& problem, const BuildOptions& options, const
     if (loading.reach) reach = loading.reach(part, obstacles.environmentBox());
     std::vector<std::string> notes = obstacles.notes;
     if (const std::string note = readingNote(problem, partMesh); !note.empty()) notes.push_back(note);
-    if (const std::string note = unitNote(problem, part.box(), obstacles.environmentBox()); !note.empty())
-        notes.push_back(note);
+    if (const std::string note = unitNote(part.box(), obstacles.environmentBox(), problem.unit);
+        !note.empty())
+        notes.push_back(note + " [clearway] robot.scale and world.scale are factors for their coordinates");
     std::shared_ptr<const Solids> partSolids;
     if (obstacles.hasSolids()) {
         const MadeSolids made = makeSolids(partMesh);

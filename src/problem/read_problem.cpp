@@ -330,39 +330,41 @@ void judgeUnread(const std::string& file, bool isClearways, const ConfigValues& 
     }
 }
 
-void judgeSections(const std::string& file, const std::vector<ConfigEntry>& entries, Problem& problem) {
-    const std::set<std::string> known = {"problem", "benchmark", "planner", "clearway"};
-    std::set<std::string> seen;
-    for (const ConfigEntry& entry : entries) {
-        const std::string section = sectionOf(entry.name);
-        if (known.count(section) || !seen.insert(section).second) continue;
-        const std::string lower = boost::to_lower_copy(section);
-        if (known.count(lower)) {
-            throw std::invalid_argument(place(file, entry.line) + "the section is [" + section +
-                                        "], expected [" + lower + "]");
+/// Judges sections of other names. One that is nearly a known name is an error in any file: all of its keys would be
+/// lost.
+void judgeSections(const std::string& file, const ConfigFile& config, Problem& problem) {
+    const std::vector<std::string> known = {"problem", "benchmark", "planner", "clearway"};
+    for (const ConfigSection& section : config.sections) {
+        if (std::find(known.begin(), known.end(), section.name) != known.end()) continue;
+        const std::string what = place(file, section.line) + "the section is [" + section.name + "]";
+        const std::string meant = didYouMean(boost::to_lower_copy(section.name), known);
+        if (!meant.empty() || config.hasSection("clearway")) {
+            throw std::invalid_argument(what + meant +
+                                        ", expected [problem], [benchmark], [planner] or [clearway]");
         }
-        problem.warnings.push_back(place(file, entry.line) +
-                                   (section.empty() ? "a key before the first section has no effect here"
-                                                    : "the section [" + section + "] has no effect here"));
+        problem.warnings.push_back(what + ", which has no effect here");
     }
+    const auto isBare = [](const ConfigEntry& entry) { return sectionOf(entry.name).empty(); };
+    const auto bare = std::find_if(config.entries.begin(), config.entries.end(), isBare);
+    if (bare == config.entries.end()) return;
+    problem.warnings.push_back(place(file, bare->line) + "a key before the first section has no effect here");
 }
 
 }  // namespace
 
 Problem readProblem(const std::string& file) {
-    const std::vector<ConfigEntry> entries = readConfigFile(file);
+    const ConfigFile config = readConfigFile(file);
+    const std::vector<ConfigEntry>& entries = config.entries;
     ConfigValues values(file, entries, {"problem", "benchmark", "clearway"});
     Problem problem;
     problem.file = file;
-    judgeSections(file, entries, problem);
+    judgeSections(file, config, problem);
     problem.name = values.text("problem.name").value_or("");
     problem.robot =
         meshFile(values.requiredText("problem.robot", "the part's mesh file"), file, problem.warnings);
     readWorlds(values, problem);
     problem.space = spaceOf(values);
-    const bool isClearways = std::any_of(entries.begin(), entries.end(), [](const ConfigEntry& entry) {
-        return sectionOf(entry.name) == "clearway";
-    });
+    const bool isClearways = config.hasSection("clearway");
     problem.start = readState(values, "start", isClearways, problem);
     problem.outside = readOutside(values, problem.space);
     if (!problem.outside) readGoal(values, isClearways, problem);

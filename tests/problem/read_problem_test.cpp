@@ -231,7 +231,14 @@ BOOST_AUTO_TEST_CASE(an_unknown_key_is_an_error_in_a_file_of_clearway_for_it_may
                "overlap.thin, overlap.tolerance, reading, robot.scale, solid, start.degrees, step, unit, "
                "world.scale");
     BOOST_TEST(refusalOf(kSpatial + "[Clearway]\nmargin = 2\n") ==
-               ":20: the section is [Clearway], expected [clearway]");
+               ":19: the section is [Clearway] (did you mean 'clearway'?), expected [problem], [benchmark], "
+               "[planner] or [clearway]");
+    for (const char* wrong : {"[clearwey]\nmargin = 2\n", "[Clearway]\n", "[planer]\n"})
+        BOOST_TEST(refusalOf(kSpatial + wrong).find("did you mean") != std::string::npos, wrong);
+    BOOST_TEST(refusalOf(kSpatial + "[notes]\n[clearway]\n") ==
+               ":19: the section is [notes], expected [problem], [benchmark], [planner] or [clearway]");
+    BOOST_TEST(refusalOf(kSpatial + "volum.min.x = 0\n[clearway]\n# margin = 2\n").find("unknown key") !=
+               std::string::npos);
     const std::string problem = refusalOf(kSpatial + "voluem.min.x = 0\n[clearway]\nmargin = 0\n");
     BOOST_TEST(
         problem.find(":19: [problem] voluem.min.x = '0' is an unknown key (did you mean 'volume.min.x'?), "
@@ -369,7 +376,7 @@ BOOST_AUTO_TEST_CASE(a_goal_outside_that_is_wrong_or_has_a_pose_is_refused_with_
 
 BOOST_AUTO_TEST_CASE(other_unknown_keys_and_sections_are_warned_of_once_each) {
     const std::vector<std::string> expected = {
-        ":22: the section [notes] has no effect here",
+        ":21: the section is [notes], which has no effect here",
         ":25: [planner] problem.range has no effect here",
         ":26: [planner] prm is '5', which has no effect: parameters are set as NAME.PARAMETER = VALUE",
         ":19: [problem] solution_length = '5' has no effect here",

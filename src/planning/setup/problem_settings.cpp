@@ -36,8 +36,10 @@ constexpr const char* kLength = "length";
 std::string curesOf(const ValidityChecker& checker, const ob::State* start) {
     const std::string obstacle = meshNames(checker.scene(), checker.distance(start)).environment;
     const std::string name = writtenNames({obstacle}).value_or(obstacle);
-    const std::string reach = roundedNumber(kUsualContact * checker.scene().part.box().diagonal().norm());
-    return "; if the parts are assembled so, write in [clearway] contact.start = " + name + ", " + reach +
+    const Scene& scene = checker.scene();
+    const double reach = kUsualContact * scene.part.box().diagonal().norm() + 2 * scene.largestMargin();
+    return "; if the parts are assembled so, write in [clearway] contact.start = " + name + ", " +
+           roundedNumber(reach) +
            " (ignored until some point of the part has moved so far), ignore = " + name +
            " (left out), or overlap = X (may reach so deep into the part; clearway info PROBLEM --lift tells "
            "X)";

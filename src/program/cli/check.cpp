@@ -99,9 +99,8 @@ void print(const Problem& problem, const Scene& scene, const planning::PathCheck
     printRow("queries", std::to_string(check.audit.queries));
     printAudit(check.audit);
     if (!check.audit.isValid())
-        printRow("valid", shortened(100 * validShare(scene, check.audit)) +
-                              " % of the length, from each "
-                              "segment's beginning");
+        printRow("valid", "at least " + shortened(100 * validShare(scene, check.audit)) +
+                              " % of the length: each segment counts up to where it is not valid");
     printEnds(problem, check);
     if (isBrief) return;
     std::cout << "\n";

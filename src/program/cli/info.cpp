@@ -11,10 +11,12 @@
 #include "clearway/problem.h"
 #include "mesh/clean.h"
 #include "mesh/topology.h"
+#include "program/cli/enclosure.h"
 #include "program/cli/info_facts.h"
 #include "program/cli/load_guard.h"
 #include "program/cli/overlaps.h"
 #include "program/cli/print.h"
+#include "program/cli/print_audit.h"
 #include "program/cli/shared_options.h"
 
 namespace clearway::cli {
@@ -167,28 +169,31 @@ void describeProblem(const Problem& problem, const Box& environmentBox, const Bo
 }
 
 /// Says whether the part is valid at a pose, and how far it is from what.
-void describePose(const char* label, const planning::SceneClearance& clearance, const PartState& state) {
+void describePose(const char* label, const planning::SceneClearance& clearance, const PartState& state,
+                  const Mesh& part, const std::vector<Mesh>& worlds) {
     const Pose X_environmentPart = poseOf(state);
     const std::string why = clearance.whyInvalid(X_environmentPart);
     if (!why.empty()) return printRow(label, "NOT valid: " + why);
+    if (const std::string note = enclosureNote(part, worlds, X_environmentPart); !note.empty())
+        printWarnings({std::string(label) + " " + note});
     const planning::PoseClearance at = clearance.at(X_environmentPart);
     if (at.nearest.partTriangle < 0) return printRow(label, "valid, with nothing near");
     const planning::MeshNames names = planning::meshNames(clearance.scene(), at.nearest);
     printRow(label, "valid, clearance " + shownLength(at.lower) + ", between '" + names.part + "' and '" +
-                        names.environment + "'");
+                        names.environment + "'" + leftOutAt(at));
 }
 
-void describeEnds(const Problem& problem) {
+void describeEnds(const Problem& problem, const Mesh& part, const std::vector<Mesh>& worlds) {
     SceneLoading loading;
     loading.read = guardedLoadMesh;
     const LoadedScene loaded = loadScene(problem, {}, loading);
     printWarnings(loaded.notes);
     facts()["notes"] = loaded.notes;
     const planning::SceneClearance clearance(loaded.scene);
-    describePose("at the start", clearance, problem.start);
+    describePose("at the start", clearance, problem.start, part, worlds);
     facts()["at_start"] = poseFacts(clearance, problem.start);
     if (problem.outside) return;
-    describePose("at the goal", clearance, problem.goal);
+    describePose("at the goal", clearance, problem.goal, part, worlds);
     facts()["at_goal"] = poseFacts(clearance, problem.goal);
 }
 
@@ -201,7 +206,7 @@ void describeProblemFile(const std::string& file, const BuildOptions& tree) {
     describeProblem(problem, boundingBox(environment), boundingBox(part));
     printObstacles(obstacles);
     facts()["obstacles"] = obstacleFacts(obstacles);
-    describeEnds(problem);
+    describeEnds(problem, part, worlds);
     std::cout << "\nPart\n";
     const Model partModel =
         describeMesh("part", part, problem.asOmplApp ? "as OMPL.app reads a robot" : "as stored", tree);

@@ -15,6 +15,7 @@
 #include "mesh/components.h"
 #include "mesh/topology.h"
 #include "problem/config.h"
+#include "program/cli/enclosure.h"
 #include "program/cli/facts.h"
 #include "program/cli/load_guard.h"
 #include "program/cli/print.h"
@@ -121,9 +122,17 @@ class ProblemText {
     std::ostringstream text_;
 };
 
+/// The file's name as the problem file holds it. Throws if that cannot hold it.
 std::string relativeTo(const std::string& config, const std::string& file) {
     const fs::path folder = fs::absolute(config).parent_path();
-    return fs::absolute(file).lexically_normal().lexically_proximate(folder.lexically_normal()).string();
+    const std::string name =
+        fs::absolute(file).lexically_normal().lexically_proximate(folder.lexically_normal()).string();
+    if (name.find_first_of("#\"\n\r") != std::string::npos || trimmed(name) != name) {
+        throw std::invalid_argument("mesh file is '" + name +
+                                    "', expected a name without # (which begins a comment in problem files), "
+                                    "quotes, line breaks and white space at its ends");
+    }
+    return name;
 }
 
 struct Seen {
@@ -139,13 +148,12 @@ std::string textOf(const InitArguments& given, const Seen& seen) {
     text.comment("A problem for clearway: clearway plan " + fs::path(given.out).filename().string() +
                  " --path out.path");
     text.section("problem");
-    text.line("robot", relativeTo(given.out, given.part), "the part: " + seen.part);
+    const std::string robot = relativeTo(given.out, given.part);
+    text.line("robot", robot, "the part: " + seen.part);
     std::vector<std::string> worlds;
     for (const std::string& file : given.environment) worlds.push_back(relativeTo(given.out, file));
     const std::optional<std::string> written = writtenNames(worlds);
-    if (!written)
-        throw std::invalid_argument("an ENVIRONMENT has a quote in its name, expected another name");
-    text.line("world", *written, "what stands still: " + seen.environment);
+    text.line("world", written.value(), "what stands still: " + seen.environment);
     text.comment(
         "The start: where the files put the part. Its position, and the axis and angle of its rotation.");
     for (const char* axis : kAxisNames) text.line(std::string("start.") + axis, "0", "");
@@ -219,6 +227,9 @@ int init(const Arguments& words) {
     seen.isOutside = !boundingBox(part).intersects(boundingBox(environment));
     seen.touched = touchedBy(part, obstaclesOf(problem, worlds));
 
+    if (const std::string note = unitNote(boundingBox(part), boundingBox(environment), ""); !note.empty())
+        printWarnings(
+            {note + " robot.scale and world.scale in [clearway] are factors for their coordinates"});
     facts()["problem"] = given.out;
     facts()["part"] = factsOf(part);
     facts()["environment"] = factsOf(environment);
@@ -227,6 +238,8 @@ int init(const Arguments& words) {
     printRow("environment", seen.environment);
     if (seen.touched.empty()) {
         printRow("start", clearanceAtStart(problem));
+        if (const std::string note = enclosureNote(part, worlds, {}); !note.empty())
+            printWarnings({"at the start " + note});
     } else {
         std::vector<std::string> names;
         for (std::size_t i = 0; i < seen.touched.size() && i < kMostNamed; ++i)
@@ -237,8 +250,10 @@ int init(const Arguments& words) {
     }
     if (seen.isOutside)
         printRow("goal", "outside, where the part is already: state goal.x ... in place of goal = outside");
-    replaceFile(given.out, [&](std::ostream& stream) { stream << textOf(given, seen); });
-    printRow("problem", given.out);
+    const std::string text = textOf(given, seen);
+    const std::optional<std::string> old = setAside(given.out);
+    replaceFile(given.out, [&](std::ostream& stream) { stream << text; });
+    printRow("problem", given.out + (old ? "; the old one is now " + *old : ""));
     return kDone;
 }
 

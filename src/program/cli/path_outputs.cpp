@@ -1,6 +1,7 @@
 #include "program/cli/path_outputs.h"
 
 #include <algorithm>
+#include <boost/algorithm/string/predicate.hpp>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -49,6 +50,7 @@ Rows pathRows(const std::vector<PartState>& path, const planning::PathAudit& aud
                  {"length", shownLength(audit.length)},
                  {"turned", readable(audit.turned * 180 / M_PI) + " degrees"},
                  {"least clearance", leastClearanceOf(audit)}};
+    for (const auto& row : contactRows(audit)) rows.push_back(row);
     if (!closest.partMesh.empty()) {
         rows.push_back({"there", closest.partMesh + " and " + closest.environmentMesh + ", segment " +
                                      std::to_string(audit.closest + 1)});
@@ -124,21 +126,33 @@ double sweptPoseError(const std::vector<RigidMotion>& motions, double radius) {
     return radius * turn + kSweptRounding * farthest;
 }
 
-void writeSwept(const Mesh& part, const Model& model, const std::vector<PartState>& path,
-                std::optional<double> tolerance, const std::string& file) {
+bool isGlb(const std::string& file) {
+    return boost::iequals(std::filesystem::path(file).extension().string(), ".glb");
+}
+
+void writeSwept(const Problem& problem, const Mesh& part, const Model& model,
+                const std::vector<PartState>& path, std::optional<double> tolerance,
+                const std::string& file) {
     const std::vector<RigidMotion> motions = motionsOf(path);
     SweptVolumeOptions options;
     options.tolerance = tolerance.value_or(kSweptPerDiagonal * model.box().diagonal().norm());
     options.poseError = sweptPoseError(motions, model.radiusAboutOrigin());
     options.isStopped = isInterrupted;
+    heedInterrupts();
     const ElapsedLine elapsed("sweeping");
     const Mesh swept = sweptVolume(part, motions, options);
     if (swept.triangles.empty()) {
-        printRow("swept", "none, interrupted");
+        printRow("swept", "none, interrupted; a larger --swept-tolerance takes less time");
         return;
     }
-    saveMesh(swept, file);
-    printRow("swept", file + ", " + counted(swept.triangles.size(), "triangle") + ", within " +
+    const std::optional<double> metres = metresPerUnit(problem);
+    if (isGlb(file)) {
+        report::exportStill(swept, metres.value_or(1), file);
+    } else {
+        saveMesh(swept, file);
+    }
+    const std::string unit = !metres ? "" : isGlb(file) ? ", in metres" : ", in " + problem.unit;
+    printRow("swept", file + unit + ", " + counted(swept.triangles.size(), "triangle") + ", within " +
                           shownLength(options.tolerance) + " of the part's places");
 }
 
@@ -147,7 +161,7 @@ void writeSwept(const Mesh& part, const Model& model, const std::vector<PartStat
 void PathOutputs::require(OutputFiles& files) const {
     files.add("--report", report, {".html", ".htm"});
     files.add("--export", motion, {".glb"});
-    files.add("--swept", swept, {".stl", ".obj", ".ply", ".glb", ".dae"});
+    files.add("--swept", swept, {".stl", ".obj", ".ply", ".glb"});
     if (swept.empty() && sweptTolerance)
         throw std::invalid_argument("--swept-tolerance is given without --swept, expected both");
 }
@@ -165,7 +179,7 @@ void PathOutputs::write(const Problem& problem, const Scene& scene, const std::v
                              motion);
         printRow("export", motion + (metres ? ", in metres" : ", lengths as they are: no unit is stated"));
     }
-    if (!swept.empty()) writeSwept(part, scene.part, path, sweptTolerance, swept);
+    if (!swept.empty()) writeSwept(problem, part, scene.part, path, sweptTolerance, swept);
 }
 
 void addPathOutputs(CommandLine& commandLine, PathOutputs& outputs) {
@@ -176,7 +190,7 @@ void addPathOutputs(CommandLine& commandLine, PathOutputs& outputs) {
                        to(outputs.motion));
     commandLine.option(
         "--swept FILE",
-        "writes the room that the part takes on its way, as a closed mesh: .stl, .obj, .ply, .glb or .dae",
+        "writes the room that the part takes on its way, as a closed mesh: .stl, .obj, .ply or .glb",
         to(outputs.swept));
     commandLine.option(
         "--swept-tolerance D",

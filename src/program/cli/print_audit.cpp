@@ -60,9 +60,8 @@ void printCells(const std::string& segment, const std::string& verdict, const st
     std::cout << text << (between.empty() ? "" : "  ") << between << "\n";
 }
 
-/// Prints where obstacles were ignored because the part was within a contact zone.
-void printContact(const char* label, const PathAudit& audit,
-                  std::optional<planning::TimeSpan> MotionReport::*contact) {
+/// Where the part was within a contact zone; empty: nowhere.
+std::string contactSpans(const PathAudit& audit, std::optional<planning::TimeSpan> MotionReport::*contact) {
     std::string spans;
     for (std::size_t k = 0; k < audit.segments.size(); ++k) {
         const std::optional<planning::TimeSpan>& span = audit.segments[k].motion.*contact;
@@ -70,7 +69,7 @@ void printContact(const char* label, const PathAudit& audit,
         spans += (spans.empty() ? "in segment " : "; ") + std::to_string(k + 1) +
                  " from t = " + shortened(span->first) + " to " + shortened(span->last);
     }
-    if (!spans.empty()) printRow(label, "used " + spans);
+    return spans.empty() ? "" : "used " + spans;
 }
 
 std::string cellsOf(const Vector3& point) {
@@ -178,6 +177,22 @@ char footOf(const Column& column) {
 
 }  // namespace
 
+Rows contactRows(const PathAudit& audit) {
+    Rows rows;
+    const std::string atStart = contactSpans(audit, &MotionReport::startContact),
+                      atGoal = contactSpans(audit, &MotionReport::goalContact);
+    if (!atStart.empty()) rows.push_back({"start contact", atStart});
+    if (!atGoal.empty()) rows.push_back({"goal contact", atGoal});
+    return rows;
+}
+
+std::string leftOutAt(const planning::PoseClearance& at) {
+    if (at.isInStartContact && at.isInGoalContact)
+        return ", leaving out the obstacles of contact.start and contact.goal";
+    if (at.isInStartContact) return ", leaving out the obstacles of contact.start";
+    return at.isInGoalContact ? ", leaving out the obstacles of contact.goal" : "";
+}
+
 std::string leastClearanceOf(const PathAudit& audit) {
     if (std::isinf(audit.lowerClearance)) return "nothing to keep clear of";
     const std::string least = shortened(audit.lowerClearance);
@@ -196,8 +211,7 @@ void printAudit(const PathAudit& audit) {
         printRow("first", "segment " + std::to_string(audit.notValid[0] + 1) + ", " + validUpTo(first) +
                               ", is " + first.trouble);
     }
-    printContact("start contact", audit, &MotionReport::startContact);
-    printContact("goal contact", audit, &MotionReport::goalContact);
+    printRows(contactRows(audit));
     const SegmentAudit& closest = audit.segments[audit.closest];
     printRow("least clearance", leastClearanceOf(audit));
     if (!closest.partMesh.empty()) printClosest(audit);

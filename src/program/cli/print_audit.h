@@ -5,13 +5,21 @@
 #include <vector>
 
 #include "clearway/planning/audit.h"
+#include "clearway/planning/scene_clearance.h"
 #include "clearway/problem.h"
 #include "clearway/scene.h"
+#include "program/cli/print.h"
 
 namespace clearway::cli {
 
 /// Prints rows about whether the path is valid, and where it is closest: both points, their triangles and the pose.
 void printAudit(const planning::PathAudit& audit);
+
+/// Where on the path obstacles were left out because the part was within a contact zone; no rows if nowhere.
+Rows contactRows(const planning::PathAudit& audit);
+
+/// Says that obstacles are left out at a pose within a contact zone: "" or ", leaving out ...".
+std::string leftOutAt(const planning::PoseClearance& at);
 
 /// The bounds of the least clearance: "1.2 to 1.25".
 std::string leastClearanceOf(const planning::PathAudit& audit);

@@ -312,6 +312,8 @@ int query(const Arguments& arguments) {
     const PoseFile poses = readPoses(given.poses);
     const Model part = given.trees.build(guardedLoadMesh(given.part, given.load));
     const Model environment = given.trees.build(guardedLoadMesh(given.environment, given.load));
+    if (const std::string note = unitNote(part.box(), environment.box(), ""); !note.empty())
+        printWarnings({note});
     const QueryRun run = ask(given.question, part, environment, poses.poses);
 
     describeMesh("part", part);

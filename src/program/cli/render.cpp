@@ -14,6 +14,7 @@
 #include "program/cli/overlaps.h"
 #include "program/cli/path_outputs.h"
 #include "program/cli/print.h"
+#include "program/cli/print_audit.h"
 #include "program/cli/render_options.h"
 #include "program/cli/shared_options.h"
 
@@ -90,7 +91,7 @@ void printPose(double share, const Scene& scene, const planning::PoseClearance& 
              std::isinf(at.lower) ? "nothing to keep clear of"
              : nearest.collides() ? "IN COLLISION" + between
              : !at.isValid()      ? "NOT valid, too close, clearance " + shownLength(at.lower) + between
-                                  : "clearance " + shownLength(at.lower) + between);
+                                  : "clearance " + shownLength(at.lower) + between + leftOutAt(at));
 }
 
 Json placeFacts(double share, const PartState& state) {

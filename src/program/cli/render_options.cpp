@@ -94,7 +94,8 @@ void addDrawing(CommandLine& line, render::RenderOptions& drawing) {
     line.option("--size WxH", "pixels (1280x720)", [&](const std::string& text) { readSize(text, drawing); });
     addCamera(line, drawing);
     line.flag("--axes", "draws the directions of x, y and z in a corner", drawing.hasAxes);
-    line.option("--scale D", "clearance at the top of the colour scale (a round number that holds all)",
+    line.option("--scale D",
+                "clearance at the top of the colour scale (a round number, a few times the least clearance)",
                 positive(drawing.scaleMost));
     line.option("--samples N", "rays for each pixel, 1 to 4096 (16)", integer<int>(drawing.samples, 1, 4096));
 }

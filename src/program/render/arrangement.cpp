@@ -29,17 +29,29 @@ std::vector<Colour> environmentColours(const Mesh& environment) {
     return colours;
 }
 
-/// Poses in contact have a colour of their own, so the scale need not hold them.
-double scaleOf(const Cast& cast) {
+/// The finite clearances of poses without contact.
+struct Clearances {
     double least = std::numeric_limits<double>::infinity(), most = 0;
+    bool hasContact = false;
+};
+
+/// Poses in contact have a colour of their own, so the scale need not hold them.
+Clearances clearancesOf(const Cast& cast) {
+    Clearances found;
     for (const auto* list : {&cast.drawn, &cast.framed, &cast.way}) {
         for (const PosedPart& pose : *list) {
+            found.hasContact = found.hasContact || pose.isInContact;
             if (pose.isInContact || !std::isfinite(pose.clearance)) continue;
-            least = std::min(least, pose.clearance);
-            most = std::max(most, pose.clearance);
+            found.least = std::min(found.least, pose.clearance);
+            found.most = std::max(found.most, pose.clearance);
         }
     }
-    return scaleFor(least, most);
+    return found;
+}
+
+double scaleOf(const Cast& cast) {
+    const Clearances found = clearancesOf(cast);
+    return scaleFor(found.least, found.most, found.hasContact);
 }
 
 /// Looks across the longer horizontal extent of the poses, a little from above and from the side.
@@ -97,6 +109,7 @@ Arrangement::Arrangement(const Mesh& part, const Mesh& environment, const Cast& 
       partBox_(boundingBox(part)),
       frame_(boundingBox(environment)),
       most_(options.scaleMost.value_or(scaleOf(cast))),
+      mostClearance_(clearancesOf(cast).most),
       partSurface_(surfaceOf(part, partBox_.center(), frame_.scale)),
       wall_(surfaceOf(environment, frame_.centre, frame_.scale)) {
     chooseDirection();
@@ -232,6 +245,7 @@ void Arrangement::drawOver(Image& image, const std::vector<PosedPart>& marked) c
     if (options_.hasAxes) drawAxes(camera_, image);
     Legend legend;
     legend.most = most_;
+    legend.isCutOff = mostClearance_ > most_ * (1 + 1e-6);
     legend.unit = options_.unit;
     for (const PosedPart& pose : marked) {
         if (!pose.isInContact) legend.clearances.push_back(pose.clearance);

@@ -65,7 +65,8 @@ class Arrangement {
     const Cast cast_;
     Box partBox_;
     StageFrame frame_;
-    double most_;  ///< clearance at the top of the scale
+    double most_;           ///< clearance at the top of the scale
+    double mostClearance_;  ///< that there is
     Surface partSurface_, wall_;
     std::size_t partShape_ = 0;
     bool isInside_ = false, isClose_ = false, hasMover_ = false;

@@ -72,9 +72,12 @@ double niceCeiling(double value) {
     return 10 * power;
 }
 
-double scaleFor(double least, double most) {
+double scaleFor(double least, double most, bool hasContact) {
     constexpr double kTightShare = 5;  // the scale's top is at most this many times the least clearance
-    return niceCeiling(least > 0 ? std::min(most, kTightShare * least) : most);
+    constexpr double kContactShare = 4;
+    if (!(least > 0)) return niceCeiling(most);
+    const double tight = kTightShare * least;
+    return niceCeiling(std::min(most, hasContact ? std::max(tight, most / kContactShare) : tight));
 }
 
 }  // namespace clearway::render

@@ -31,7 +31,7 @@ double niceCeiling(double value);
 
 /// The clearance at the top of a scale for clearances from `least` to `most`: a round number that is at least
 /// `most`. When `most` is far larger than `least` (or infinite), a smaller number, so that tight places stay
-/// distinguishable.
-double scaleFor(double least, double most);
+/// distinguishable. On a way with contact, near which clearances are as small as can be, a quarter of `most`.
+double scaleFor(double least, double most, bool hasContact);
 
 }  // namespace clearway::render

@@ -55,10 +55,12 @@ double lettersFor(const std::vector<std::string>& texts, double letters, double 
     return letters * std::min(1.0, room / std::max(widest, 1e-9));
 }
 
-void drawTicks(const Layout& layout, double most, double thin, int pictureWidth, InkMask& ink) {
+void drawTicks(const Layout& layout, const Legend& legend, double thin, int pictureWidth, InkMask& ink) {
+    const double most = legend.most;
     const int steps = stepsTo(most);
     std::vector<std::string> ticks;
     for (int i = 0; i <= steps; ++i) ticks.push_back(tickText(most * i / steps));
+    if (legend.isCutOff) ticks.back() = "\u2265 " + ticks.back();
     const double left = layout.right() + 0.9 * layout.letters;
     const double figures = lettersFor(ticks, layout.letters, pictureWidth - left - 0.3 * layout.letters, ink);
     for (int i = 0; i <= steps; ++i) {
@@ -144,7 +146,7 @@ void drawLegend(const Legend& legend, Image& image) {
     fillScale(layout, image);
     InkMask ink(std::max(0, static_cast<int>(layout.left - 2 * letters)), image.width, image.height);
     ink.drawFrame({layout.left, layout.top, layout.right(), layout.bottom}, thin);
-    drawTicks(layout, legend.most, thin, image.width, ink);
+    drawTicks(layout, legend, thin, image.width, ink);
     for (const double clearance : legend.clearances) {
         const double y = layout.yOf(clearance / legend.most), x = layout.left - 0.35 * letters;
         ink.drawLine(x, y, x - 0.45 * letters, y, 0.28 * letters);

@@ -22,6 +22,7 @@ std::vector<Sign> signsOf(const std::vector<PosedPart>& poses, bool hasMover);
 
 struct Legend {
     double most = 1;                 ///< clearance at the top of the scale
+    bool isCutOff = false;           ///< larger clearances have the colour at the top too
     std::string unit;                ///< of the clearances; empty: unknown
     std::vector<double> clearances;  ///< marked beside the scale
     std::vector<Sign> signs;         ///< explained below the scale

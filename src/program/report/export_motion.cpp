@@ -47,4 +47,10 @@ void exportMotion(const Mesh& part, const Mesh& environment, const std::vector<P
     replaceFile(file, [&](std::ostream& stream) { writeMovingGlb(motion, stream); });
 }
 
+void exportStill(const Mesh& mesh, double metres, const std::string& file) {
+    requireMotionFile(file);
+    const GlbMotion still{savePartsOf(mesh, "mesh"), {}, "", {}, metres};
+    replaceFile(file, [&](std::ostream& stream) { writeMovingGlb(still, stream); });
+}
+
 }  // namespace clearway::report

@@ -113,6 +113,11 @@ std::vector<ObstacleClearance> obstacleClearances(const Scene& scene, const Mesh
                      [&](std::size_t a, std::size_t b) { return answers[a].lower < answers[b].lower; });
     nearestFirst.resize(std::min(most, nearestFirst.size()));
     for (const std::size_t i : nearestFirst) measuring.measure(i, components[i], answers[i]);
+    for (std::size_t i = 0; i < answers.size(); ++i) {
+        if (!answers[i].isInScene) continue;
+        answers[i].isLeftOutAtStart = measuring.obstacleOf(components[i])->isIgnoredAtStart;
+        answers[i].isLeftOutAtGoal = measuring.obstacleOf(components[i])->isIgnoredAtGoal;
+    }
     return answers;
 }
 

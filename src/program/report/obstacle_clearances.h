@@ -19,7 +19,8 @@ struct ObstacleClearance {
     std::size_t frame = 0;    ///< of the least clearance, where that is measured
     bool isMeasured = false;  ///< false: `lower` is that of the boxes around part and component
     bool isContact = false;   ///< the component makes the pose of the frame invalid
-    bool isInScene = false;   ///< false: the component is ignored, or the scene has no obstacle of its name
+    bool isLeftOutAtStart = false, isLeftOutAtGoal = false;  ///< it may be touched there
+    bool isInScene = false;  ///< false: the component is ignored, or the scene has no obstacle of its name
 };
 
 /// One entry for each component of the environment's mesh; the scene's obstacles bear the components' names. Measures

@@ -87,6 +87,10 @@ void addClearance(const ObstacleClearance& clearance, Json& object) {
     object[clearance.isMeasured ? "clearance" : "atLeast"] = clearance.lower;
     if (clearance.isMeasured) object["frame"] = clearance.frame;
     if (clearance.isContact) object["isContact"] = true;
+    if (clearance.isLeftOutAtStart || clearance.isLeftOutAtGoal)
+        object["leftOut"] = !clearance.isLeftOutAtGoal    ? "start"
+                            : !clearance.isLeftOutAtStart ? "goal"
+                                                          : "start and goal";
 }
 
 /// Why the pose of a frame is not valid, in a few words.
@@ -143,7 +147,9 @@ class PageMaker {
           frames_(framesAlong(line_, planning::SceneClearance(input.scene), kFrames,
                               tightPlaces(line_, input.audit, kMostTroubles))) {
         for (const ReportFrame& frame : frames_) {
-            if (!frame.isInReach || !std::isfinite(frame.clearance.lower)) continue;
+            const bool isContact = frame.isInReach && !frame.clearance.isValid();
+            hasContact_ = hasContact_ || isContact;
+            if (!frame.isInReach || isContact || !std::isfinite(frame.clearance.lower)) continue;
             least_ = std::min(least_, frame.clearance.lower);
             most_ = std::max(most_, frame.clearance.lower);
         }
@@ -160,7 +166,7 @@ class PageMaker {
                      {"radius", environment_.box.diagonal().norm() / 2},
                      {"scale", colourScale()},
                      {"contact", render::toSRgb(render::contactColour())},
-                     {"scaleMost", render::scaleFor(least_, most_)},
+                     {"scaleMost", render::scaleFor(least_, most_, hasContact_)},
                      {"most", most_},
                      {"margin", input_.scene.largestMargin()},
                      {"tightest", tightest()},
@@ -266,7 +272,9 @@ class PageMaker {
     Vector3 origin_;
     PathLine line_;
     std::vector<ReportFrame> frames_;
-    double least_ = std::numeric_limits<double>::infinity(), most_ = 0;
+    double least_ = std::numeric_limits<double>::infinity(),
+           most_ = 0;  ///< of the clearances without contact
+    bool hasContact_ = false;
 };
 
 }  // namespace

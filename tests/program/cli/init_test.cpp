@@ -47,6 +47,32 @@ BOOST_AUTO_TEST_CASE(init_writes_a_problem_that_plan_solves) {
                std::string::npos);
 }
 
+BOOST_AUTO_TEST_CASE(init_keeps_an_old_problem_and_writes_no_name_that_cannot_be_read_back) {
+    const MeshFolder folder;
+    folder.write("p.cfg", "mine");
+    const Outcome made = runIn(folder, "init block.obj rest.obj --out p.cfg");
+    BOOST_TEST(row(made, "problem") == "p.cfg; the old one is now p.cfg.old");
+    BOOST_TEST(readText(folder.file("p.cfg.old")) == "mine");
+    std::filesystem::copy_file(folder.file("block.obj"), folder.file("a #1.obj"));
+    for (const char* words :
+         {"init \"a #1.obj\" rest.obj --out q.cfg", "init block.obj \"a #1.obj\" --out q.cfg"})
+        requireRefused(folder, words, {"mesh file is 'a #1.obj'", "expected a name without #"});
+    BOOST_TEST(!std::filesystem::exists(folder.file("q.cfg")));
+}
+
+BOOST_AUTO_TEST_CASE(what_may_mislead_about_the_start_is_said) {
+    const MeshFolder folder;
+    saveMesh(named(box({9, 9, 9}), "rock", {20, 0, 1.5}), folder.file("rock.obj"));
+    const Outcome inside = runIn(folder, "init block.obj rock.obj --out r.cfg");
+    BOOST_TEST(inside.err.find("the part is inside 'rock'") != std::string::npos, inside.err);
+    BOOST_TEST(inside.err.find("solid = rock in [clearway]") != std::string::npos, inside.err);
+    BOOST_TEST(runIn(folder, "info r.cfg").err.find("inside 'rock'") != std::string::npos);
+    saveMesh(named(box({1e3, 1e3, 1e3}), "metres", {0, 0, 0}), folder.file("large.obj"));
+    const Outcome units = runIn(folder, "init large.obj rest.obj --out u.cfg");
+    BOOST_TEST(units.err.find("are both files in one unit?") != std::string::npos, units.err);
+    BOOST_TEST(runIn(folder, "init block.obj rest.obj --out p.cfg").err == "");
+}
+
 BOOST_AUTO_TEST_CASE(facts_are_json_with_the_names_of_the_rows) {
     const MeshFolder folder;
     runIn(folder, "init block.obj rest.obj --out p.cfg");
@@ -75,6 +101,12 @@ BOOST_AUTO_TEST_CASE(the_room_that_a_part_takes_is_written) {
     BOOST_TEST(swept.code == 0, swept.err);
     BOOST_TEST(row(swept, "swept").find("room.stl, ") == 0u, swept.out);
     BOOST_TEST(boundingBox(loadMesh(folder.file("room.stl"))).contains(Vector3(20, 0, 1.5)));
+    folder.write("mm.cfg", readText(folder.file("p.cfg")) + "unit = mm\n");
+    const Outcome inMetres = runIn(folder, "check mm.cfg o.path --swept room.glb --swept-tolerance 0.5");
+    BOOST_TEST(row(inMetres, "swept").find("room.glb, in metres, ") == 0u, inMetres.out);
+    const Box box = boundingBox(loadMesh(folder.file("room.glb")));
+    BOOST_TEST(box.contains(Vector3(0.020, 0.0015, 0)));  // y is up in .glb files
+    BOOST_TEST(box.sizes().maxCoeff() < 0.1);
     BOOST_TEST(runIn(folder, "check p.cfg o.path --swept room.txt").code == 2);
     BOOST_TEST(runIn(folder, "check p.cfg o.path --swept-tolerance 1").code == 2);
 }

@@ -74,12 +74,14 @@ BOOST_AUTO_TEST_CASE(a_scale_ends_at_a_round_number_that_holds_the_value) {
 }
 
 BOOST_AUTO_TEST_CASE(a_scale_holds_all_clearances_or_tells_the_tight_ones_apart) {
-    BOOST_TEST(scaleFor(3, 9) == 10);
-    BOOST_TEST(scaleFor(3, 900) == 15);
-    BOOST_TEST(scaleFor(3, INFINITY) == 15);
-    BOOST_TEST(scaleFor(0, 900) == 1000);
-    BOOST_TEST(scaleFor(-2, 0) == 1);
-    BOOST_TEST(scaleFor(INFINITY, 0) == 1);
+    BOOST_TEST(scaleFor(3, 9, false) == 10);
+    BOOST_TEST(scaleFor(3, 900, false) == 15);
+    BOOST_TEST(scaleFor(3, INFINITY, false) == 15);
+    BOOST_TEST(scaleFor(0, 900, false) == 1000);
+    BOOST_TEST(scaleFor(0.001, 80, true) == 20);
+    BOOST_TEST(scaleFor(15, 80, true) == 80);
+    BOOST_TEST(scaleFor(-2, 0, false) == 1);
+    BOOST_TEST(scaleFor(INFINITY, 0, false) == 1);
 }
 
 }  // namespace clearway::testing

@@ -79,7 +79,8 @@ class ObstacleList {
   }
 
   clearanceButton(object) {
-    const words = object.isContact ? this.troubleWords(object) : boundText(object.clearance);
+    const away = object.leftOut ? `, away from its contact at the ${object.leftOut}` : '';
+    const words = (object.isContact ? this.troubleWords(object) : boundText(object.clearance)) + away;
     const button = make('button', { className: 'link', title: 'go there' }, words);
     if (object.isContact) button.prepend(make('span', { className: 'contact' }));
     button.addEventListener('click', () => this.choose(object.frame));
