@@ -79,14 +79,22 @@ bool DepthLimit::isNearSurface(Polytope piece, int& pieces, Workspace& workspace
 
 /// Whether the surface has no point in the piece, and its centre is outside the part.
 bool DepthLimit::isOutside(const Polytope& piece, Workspace& workspace) const {
-    if (surface_.at(piece.centre(), workspace).depth >= 0) return false;
+    const Vector3 centre = piece.centre();
+    const double outside = -surface_.at(centre, workspace).depth;
+    if (outside <= 0) return false;
+    const auto& corners = piece.corners();
+    const bool isFarFromSurface =
+        std::all_of(corners.begin(), corners.end(), [&](const Polytope::Corner& corner) {
+            return (corner.point - centre).norm() + surface_.rounding() < outside;
+        });
+    if (isFarFromSurface) return true;
     const Mesh mesh = piece.surface();
     if (mesh.triangles.empty()) return false;
     const Box box = boundingBox(mesh);
     for (const Vector3& v : surface_.shellVertices()) {
         if (box.contains(v)) return false;
     }
-    return !isWithin(Model::build(mesh), surface_.model(), {}, surface_.rounding(), workspace);
+    return !isWithin(smallModel(mesh), surface_.model(), {}, surface_.rounding(), workspace);
 }
 
 }  // namespace clearway

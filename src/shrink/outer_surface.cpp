@@ -214,7 +214,7 @@ class TriangleCut {
             if (!shells_[i].solid.box().intersects(box)) continue;
             if (std::find(near.begin(), near.end(), i) == near.end()) near.push_back(i);
             if (!isApart) continue;
-            if (!model) model = Model::build(mesh);
+            if (!model) model = smallModel(mesh);
             isApart = !collides(*model, shells_[i].model, {}, workspace_);
         }
         return isApart;
@@ -251,6 +251,15 @@ bool isSliver(const Corners3& triangle, const Vector3& normal) {
     const auto& [a, b, c] = triangle;
     const double longest = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
     return !(normal.norm() > kSliver * longest);
+}
+
+Model smallModel(const Mesh& mesh) {
+    BuildOptions options;
+    options.generalSplit = "mean";
+    options.fit = "covariance";
+    options.leafSize = kLargestLeafSize;
+    options.threads = 1;
+    return Model::build(mesh, options);
 }
 
 OuterSurface outerSurface(const std::vector<SurfaceShell>& shells,

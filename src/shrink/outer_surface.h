@@ -18,6 +18,9 @@ using Corners3 = std::array<Vector3, 3>;
 /// length is twice its area, is too inexact to rely on.
 bool isSliver(const Corners3& triangle, const Vector3& normal);
 
+/// A model of few triangles, made in little time.
+Model smallModel(const Mesh& mesh);
+
 /// A connected closed surface that does not pass through itself.
 struct SurfaceShell {
     std::size_t component;

@@ -91,7 +91,7 @@ class DeepestSearch {
         Mesh piece;
         piece.vertices.assign(corners.begin(), corners.end());
         piece.triangles = {{0, 1, 2}};
-        return !collides(Model::build(piece), surface_.model(), {}, workspace_);
+        return !collides(smallModel(piece), surface_.model(), {}, workspace_);
     }
 
     void halve(const TrianglePiece& piece) {

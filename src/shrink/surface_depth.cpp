@@ -151,7 +151,7 @@ void SurfaceDepth::requireNoSelfCrossing(const SurfaceShell& shell) const {
                                     kCopyHeights * rounding_ * normal.normalized());
         }
         copy.triangles = {{0, 1, 2}};
-        if (!collides(Model::build(copy), shell.model, {}, workspace)) continue;
+        if (!collides(smallModel(copy), shell.model, {}, workspace)) continue;
         throw std::invalid_argument(
             "overlap needs a part of which only the outside is surface, and it passes through itself or "
             "touches itself at triangle " +
