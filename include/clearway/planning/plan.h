@@ -129,6 +129,11 @@ struct PlanReport {
 /// or goal is not valid: then the message names the two closest meshes and triangles.
 PlanReport plan(const Problem& problem, const Scene& scene, const PlanOptions& options);
 
+/// Looks up the names of the problem's objective, samplers, planners and planners' parameters. Throws
+/// std::invalid_argument for an unknown one, with the known names. In a file of OMPL.app's, which has no section
+/// [clearway], an unknown name only gives a warning: such files hold names that OMPL no longer has.
+std::vector<std::string> unknownNames(const Problem& problem);
+
 /// The reach that plan() and checkPath() need of an environment's model: all positions within the problem's
 /// bounds, and distances up to the problem's largest margin plus the step (as plan() chooses it) or, where
 /// that is more, the largest clearance that an objective distinguishes, plus the part's diameter. Nothing
