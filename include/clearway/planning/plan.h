@@ -30,8 +30,8 @@ struct PlanOptions {
     /// PlannerTeam. With an objective of clearance the default is RisingFloor for the least
     /// clearance and AnytimePathShortening of RRTConnect and RRT for the others, or RRTstar with iterations.
     std::string planner;
-    /// Parameters of this planner, on top of the problem's. An unknown parameter here is an error; the
-    /// problem's unknown parameters only give a warning.
+    /// Parameters of this planner, on top of the problem's. An unknown parameter is an error; in a file of
+    /// OMPL.app's it only gives a warning.
     std::vector<std::pair<std::string, std::string>> parameters;
 
     /// The planner ends after `seconds`, or when it has asked `iterations` times whether to end, which most

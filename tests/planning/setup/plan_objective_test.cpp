@@ -87,6 +87,8 @@ BOOST_AUTO_TEST_CASE(the_problem_names_the_objective_unless_the_options_do) {
     BOOST_TEST(wanted.warnings.empty());
 
     gates.problem.objective = "beauty";
+    gates.problem.asOmplApp = true;  // as in OMPL.app's files, which know no [clearway]
+    gates.problem.isReadingStated = false;
     const PlanReport unknown = found(gates.problem, gates.scene, {});
     BOOST_TEST(unknown.objective == "");
     BOOST_REQUIRE(unknown.warnings.size() == 1u);

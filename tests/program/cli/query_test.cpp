@@ -149,7 +149,7 @@ BOOST_AUTO_TEST_CASE(verdicts_are_1_or_0) {
         const Table table = answers(folder, query, kVerdictHeader);
         BOOST_TEST_REQUIRE(table.size() == 4);
         for (std::size_t i = 0; i < 4; ++i) {
-            BOOST_TEST_REQUIRE(table[i].size() == 3);
+            BOOST_TEST_REQUIRE(table[i].size() == 10);
             BOOST_TEST(table[i][0] == std::to_string(i));
             BOOST_TEST(table[i][1] == verdicts[i], query << " at pose " << i);
             BOOST_TEST(std::stol(table[i][2]) > 0);
