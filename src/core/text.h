@@ -28,8 +28,10 @@ std::string quote(std::string_view text);
 /// All texts with the separator between them: "a, b, c".
 std::string joined(const std::vector<std::string>& texts, const std::string& separator = ", ");
 
-/// " (did you mean 'NAME'?)" for the name that takes the fewest letters to change, insert or leave out, if these are at
-/// most a third of the word's; otherwise empty.
+/// " (did you mean 'NAME'?)" for the name that takes the fewest letters to change, insert, leave out or swap, if these are
+/// at most a third of the word's; without one, for a name that the word begins with ("in" for "inch"); otherwise empty.
+/// Upper and lower case are alike. Parts between dots that word and name share do not count: "start.w" is not near
+/// "start.x".
 std::string didYouMean(std::string_view word, const std::vector<std::string>& names);
 
 /// The names of a table's rows, in order.
@@ -41,13 +43,14 @@ std::vector<std::string> namesOf(const Table& table) {
 }
 
 /// The table's row of this name. Otherwise throws std::invalid_argument, which lists the table's names:
-/// "WHAT is 'NAME', expected one of A, B, C".
+/// "WHAT is 'NAME' (did you mean 'A'?), expected one of A, B, C".
 template <class Table>
 const auto& rowNamed(const Table& table, const std::string& what, const std::string& name) {
     for (const auto& row : table) {
         if (name == row.name) return row;
     }
-    throw std::invalid_argument(what + " is " + quote(name) + ", expected one of " + joined(namesOf(table)));
+    throw std::invalid_argument(what + " is " + quote(name) + didYouMean(name, namesOf(table)) +
+                                ", expected one of " + joined(namesOf(table)));
 }
 
 }  // namespace clearway

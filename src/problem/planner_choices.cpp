@@ -41,8 +41,8 @@ void set(NamedTexts& texts, const std::string& key, const std::string& value) {
 class Section {
   public:
     /// hasObjective: whether [problem] names an objective.
-    Section(const std::string& file, Problem& problem, bool hasObjective)
-        : file_(file), problem_(problem), hasObjective_(hasObjective) {}
+    Section(const std::string& file, Problem& problem, bool isClearways, bool hasObjective)
+        : file_(file), problem_(problem), isClearways_(isClearways), hasObjective_(hasObjective) {}
 
     void read(const ConfigEntry& entry) {
         const std::string key = boost::to_lower_copy(keyOf(entry.name));
@@ -92,10 +92,20 @@ class Section {
                                         quote(entry.value) + ", expected a finite number");
         }
         if (key != "sampler" && key != "objective.threshold" && !isSetting(key)) {
-            return warn(entry, " has no effect here");
+            return judgeUnknown(entry, key);
         }
         set(last_ < 0 ? pending_ : problem_.planners[static_cast<std::size_t>(last_)].settings, key,
             entry.value);
+    }
+
+    void judgeUnknown(const ConfigEntry& entry, const std::string& key) {
+        std::vector<std::string> known(std::begin(kSettings), std::end(kSettings));
+        known.insert(known.end(),
+                     {"sampler", "objective", "objective.threshold", "projection.cellsize_factor"});
+        const std::string meant = didYouMean(key, known);
+        if (!isClearways_) return warn(entry, " has no effect here" + meant);
+        throw std::invalid_argument(place(file_, entry.line) + shown(entry.name) + " is an unknown setting" +
+                                    meant + ", expected problem.KEY, KEY one of " + joined(known));
     }
 
     /// There is one objective for all planners: the problem's, or the first that is named for a planner.
@@ -117,7 +127,7 @@ class Section {
     Problem& problem_;
     std::ptrdiff_t last_ = -1;  ///< position of the planner named last
     NamedTexts pending_;        ///< settings before any planner
-    bool hasObjective_;
+    bool isClearways_, hasObjective_;
 };
 
 }  // namespace
@@ -127,11 +137,12 @@ bool isSetting(const std::string& key) {
            std::find(std::begin(kSettings), std::end(kSettings), key) != std::end(kSettings);
 }
 
-void readPlanners(const std::string& file, const std::vector<ConfigEntry>& entries, Problem& problem) {
+void readPlanners(const std::string& file, const std::vector<ConfigEntry>& entries, bool isClearways,
+                  Problem& problem) {
     const bool hasObjective = std::any_of(entries.begin(), entries.end(), [](const ConfigEntry& entry) {
         return entry.name == "problem.objective";
     });
-    Section section(file, problem, hasObjective);
+    Section section(file, problem, isClearways, hasObjective);
     for (const ConfigEntry& entry : entries) {
         if (sectionOf(entry.name) == "planner") section.read(entry);
     }

@@ -86,19 +86,31 @@ void requireRoomOutside(const Problem& problem, const Box& bounds, const Box& en
                                 (expected.empty() ? "a side along x or y" : expected));
 }
 
+void requirePartExtent(const Mesh& part) {
+    const Box box = boundingBox(part);
+    if (box.diagonal().norm() > 0) return;
+    throw std::invalid_argument("the part " + part.origin.file + " has no extent: all of it is at " +
+                                roundedPoint(box.min()) + ", expected a mesh with some length");
+}
+
 std::string boxText(const Box& box) {
     return roundedPoint(box.min()) + " to " + roundedPoint(box.max());
 }
 
-void requireAlike(const Problem& problem, const std::string& file, const Box& stored, const Box& asOmplApp) {
+/// Refuses a file whose readings differ. omplAppMesh: the mesh as OMPL.app reads it.
+void requireAlike(const Problem& problem, const std::string& file, const Box& stored,
+                  const Mesh& omplAppMesh) {
+    const Box asOmplApp = boundingBox(omplAppMesh);
+    const Vector3& shift = omplAppMesh.origin.shift;
     const double size = stored.diagonal().norm();
     const double most = std::max((stored.min() - asOmplApp.min()).cwiseAbs().maxCoeff(),
                                  (stored.max() - asOmplApp.max()).cwiseAbs().maxCoeff());
     if (most <= kSamePlace * size) return;
-    throw std::invalid_argument(named(problem) + "[clearway] does not say how to read " + file +
-                                ": its box is " + boxText(stored) + " as the file stores it, and " +
-                                boxText(asOmplApp) +
-                                " as OMPL.app reads it; expected reading = stored or reading = omplapp");
+    throw std::invalid_argument(
+        named(problem) + "[clearway] does not say how to read " + file + ": its box is " + boxText(stored) +
+        " as the file stores it, and " + boxText(asOmplApp) + " as OMPL.app reads it" +
+        (shift.isZero() ? "" : ", moved by " + withUnit(roundedPoint(shift), problem.unit)) +
+        "; expected reading = stored or reading = omplapp");
 }
 
 Mesh loadAs(const Problem& problem, const std::string& file, double scale, MeshReading omplAppReading,
@@ -109,7 +121,7 @@ Mesh loadAs(const Problem& problem, const std::string& file, double scale, MeshR
     Mesh mesh = read(file, options);
     if (problem.isReadingStated || problem.asOmplApp) return mesh;
     options.reading = omplAppReading;
-    requireAlike(problem, file, boundingBox(mesh), boundingBox(read(file, options)));
+    requireAlike(problem, file, boundingBox(mesh), read(file, options));
     return mesh;
 }
 
@@ -179,8 +191,10 @@ Box boundsOf(const Problem& problem, const Box& environmentBox, const Box& partB
 
 Mesh loadPart(const Problem& problem, const MeshReader& read) {
     const bool isSpatial = problem.space == Space::kSe3;
-    return loadAs(problem, problem.robot, problem.partScale,
-                  isSpatial ? MeshReading::kOmplAppRobot : MeshReading::kOmplAppPlanarRobot, read);
+    const Mesh part = loadAs(problem, problem.robot, problem.partScale,
+                             isSpatial ? MeshReading::kOmplAppRobot : MeshReading::kOmplAppPlanarRobot, read);
+    requirePartExtent(part);
+    return part;
 }
 
 std::vector<Mesh> loadWorlds(const Problem& problem, const MeshReader& read) {

@@ -20,6 +20,10 @@ namespace clearway {
 
 namespace {
 
+constexpr double kTurnRounding = 1e-4;  ///< of a turn: people write 2 pi as 6.2832
+
+constexpr double kLargestCoordinate = 1e30;  ///< of poses and bounds: sums and floats still hold it
+
 struct KnownKeys {
     const char* section;
     std::vector<std::string> keys;  ///< those with a NAME in them stand for many
@@ -134,6 +138,13 @@ Space spaceOf(const ConfigValues& values) {
     return Space::kSe2;
 }
 
+double readCoordinate(ConfigValues& values, const std::string& key, const std::string& expected) {
+    const double value = values.requiredNumber(key, expected);
+    if (std::abs(value) > kLargestCoordinate)
+        values.refuse(key, "a coordinate of at most " + shortNumber(kLargestCoordinate) + " in size");
+    return value;
+}
+
 /// Reads theta, in radians, or its form in degrees. isClearways: the file has a section [clearway].
 double readAngle(ConfigValues& values, const std::string& state, bool isClearways,
                  const std::string& expected, std::vector<std::string>& warnings) {
@@ -142,8 +153,12 @@ double readAngle(ConfigValues& values, const std::string& state, bool isClearway
         if (values.has(theta)) values.refuse(degrees, "it or [problem] " + state + ".theta, not both");
         return *angle * M_PI / 180;
     }
+    const std::string misplaced = "problem." + state + ".degrees";
+    if (!values.has(theta) && values.has(misplaced))
+        values.refuse(misplaced,
+                      "this key in the section [clearway], or [problem] " + state + ".theta in radians");
     const double angle = values.requiredNumber(theta, expected);
-    if (std::abs(angle) <= 2 * M_PI * (1 + 1e-9)) return angle;
+    if (std::abs(angle) <= 2 * M_PI * (1 + kTurnRounding)) return angle;
     const std::string asDegrees = roundedNumber(angle * M_PI / 180);
     if (isClearways) {
         values.refuse(theta, "radians, at most 2 pi (if these are degrees: " + asDegrees +
@@ -162,10 +177,13 @@ PartState readState(ConfigValues& values, const std::string& name, bool isClearw
             ? "x, y, z, axis.x, axis.y, axis.z and theta of start and goal (SE(2): x, y and theta alone)"
             : "x, y and theta of start and goal (SE(3): z, axis.x, axis.y and axis.z too)";
     const auto number = [&](const std::string& key) { return values.requiredNumber(prefix + key, expected); };
+    const auto coordinate = [&](const std::string& key) {
+        return readCoordinate(values, prefix + key, expected);
+    };
     PartState state;
     AxisAngle rotation{Vector3::UnitZ(), 0};
     const int dimensions = space == Space::kSe3 ? 3 : 2;
-    for (int i = 0; i < dimensions; ++i) state.position[i] = number(kAxisNames[i]);
+    for (int i = 0; i < dimensions; ++i) state.position[i] = coordinate(kAxisNames[i]);
     if (space == Space::kSe3) {
         for (int i = 0; i < 3; ++i) rotation.axis[i] = number(std::string("axis.") + kAxisNames[i]);
     }
@@ -199,8 +217,8 @@ std::optional<Box> readVolume(ConfigValues& values, Space space) {
                                      (dimensions == 3 ? "x, y, z" : "x, y") + " or none";
         const std::string low = std::string("problem.volume.min.") + kAxisNames[i];
         const std::string high = std::string("problem.volume.max.") + kAxisNames[i];
-        volume.min()[i] = values.requiredNumber(low, expected);
-        volume.max()[i] = values.requiredNumber(high, expected);
+        volume.min()[i] = readCoordinate(values, low, expected);
+        volume.max()[i] = readCoordinate(values, high, expected);
         if (!(volume.min()[i] < volume.max()[i])) {
             values.refuse(low, "less than " + keyOf(high) + " = " + shortNumber(volume.max()[i]));
         }
@@ -255,7 +273,7 @@ std::string readUnit(ConfigValues& values) {
     std::vector<std::string> names;
     for (const LengthUnit& known : lengthUnits()) names.push_back(known.name);
     if (unit && std::find(names.begin(), names.end(), *unit) == names.end())
-        values.refuse(key, "one of " + joined(names));
+        values.refuse(key, "one of " + joined(names) + didYouMean(*unit, names));
     return unit.value_or("");
 }
 
@@ -303,6 +321,14 @@ std::optional<Outside> readOutside(ConfigValues& values, Space space) {
     return outside;
 }
 
+/// The first section that has the key; empty when none has.
+std::string sectionWith(const std::string& key) {
+    for (const KnownKeys& one : knownKeys()) {
+        if (std::find(one.keys.begin(), one.keys.end(), key) != one.keys.end()) return one.section;
+    }
+    return "";
+}
+
 /// Judges keys that nothing has read. In a file with a section [clearway] they are errors, because such a file may
 /// mean them to decide something. OMPL.app ignores keys that it does not know, so in its files they are only warned of.
 void judgeUnread(const std::string& file, bool isClearways, const ConfigValues& values, Problem& problem) {
@@ -315,10 +341,10 @@ void judgeUnread(const std::string& file, bool isClearways, const ConfigValues& 
         const auto section = std::find_if(knownKeys().begin(), knownKeys().end(), [&](const KnownKeys& one) {
             return one.section == sectionOf(entry.name);
         });
-        const std::string meant = didYouMean(keyOf(entry.name), section->keys);
-        const bool isKnown =
-            std::find(section->keys.begin(), section->keys.end(), keyOf(entry.name)) != section->keys.end();
-        if (isKnown) {
+        const std::string key = keyOf(entry.name), home = sectionWith(key);
+        const std::string meant =
+            home.empty() ? didYouMean(key, section->keys) : "; it belongs in [" + home + "]";
+        if (home == section->section) {
             problem.warnings.push_back(what + " has no effect in this problem");
             continue;
         }
@@ -375,7 +401,7 @@ Problem readProblem(const std::string& file) {
     readSettings(values, problem);
     readBenchmark(values, problem);
     readClearway(values, isClearways, problem);
-    readPlanners(file, entries, problem);
+    readPlanners(file, entries, isClearways, problem);
     judgeUnread(file, isClearways, values, problem);
     return problem;
 }

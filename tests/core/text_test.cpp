@@ -67,4 +67,20 @@ BOOST_AUTO_TEST_CASE(a_row_is_found_by_its_name_or_the_names_are_listed) {
                           });
 }
 
+BOOST_AUTO_TEST_CASE(a_misspelt_word_is_told_the_nearest_name_and_no_far_one) {
+    const auto meant = [](const char* name) { return " (did you mean '" + std::string(name) + "'?)"; };
+    BOOST_TEST(didYouMean("chekc", {"plan", "check"}) == meant("check"));
+    BOOST_TEST(didYouMean("kyes", {"formats", "keys"}) == meant("keys"));
+    BOOST_TEST(didYouMean("rrtconnct", {"RRT", "RRTConnect"}) == meant("RRTConnect"));
+    BOOST_TEST(didYouMean("MM", {"um", "mm"}) == meant("mm"));
+    BOOST_TEST(didYouMean("inch", {"mm", "in"}) == meant("in"));
+    BOOST_TEST(didYouMean("start.thta", {"start.x", "start.theta"}) == meant("start.theta"));
+    BOOST_TEST(didYouMean("strat.x", {"goal.x", "start.x"}) == meant("start.x"));
+    BOOST_TEST(didYouMean("start.w", {"start.x", "start.theta"}) == "");
+    BOOST_TEST(didYouMean("goal.w", {"goal"}) == "");
+    BOOST_TEST(didYouMean("yard", {"mm", "in", "m"}) == "");
+    BOOST_TEST(didYouMean("", {"m", "mm"}) == "");
+    BOOST_TEST(didYouMean("a", {}) == "");
+}
+
 }  // namespace clearway

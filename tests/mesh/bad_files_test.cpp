@@ -191,6 +191,9 @@ BOOST_AUTO_TEST_CASE(files_that_hold_surfaces_are_named_whatever_their_ending) {
     const std::pair<std::string, const char*> cases[] = {
         {"ISO-10303-21;\nHEADER;\nFILE_SCHEMA(('AUTOMOTIVE_DESIGN'));\nENDSEC;\n", "a STEP file"},
         {"\n ISO-10303-21;\n", "a STEP file"},
+        {"\xEF\xBB\xBFISO-10303-21;\n", "a STEP file"},
+        {"700 0 1 0\n@8 unknown 8 ACIS 7.0 24\n", "an ACIS file"},
+        {"20800 0 1 0\r\n16 Autodesk AutoCAD 19 ASM 208.0.4.7009 NT 24 Mon Jan 1\r\n", "an ACIS file"},
         {igesLine, "an IGES file"},
         {"Version 9.5 JT  DM 7.3.1.3" + std::string(60, ' '), "a JT file"},
         {"\xD0\xCF\x11\xE0\xA1\xB1\x1A\xE1"s + std::string(504, '\0'), "SolidWorks"},
@@ -210,6 +213,9 @@ BOOST_AUTO_TEST_CASE(files_that_hold_surfaces_are_named_whatever_their_ending) {
                        refusal);
         }
     }
+    const std::string zip = refusalOf(folder.write("zip.stl", "PK\3\4"));
+    BOOST_TEST(holds(zip, "cannot read mesh"), zip);
+    BOOST_TEST(!holds(zip, "holds surfaces"), zip);
     const std::string ifc =
         folder.write("a.ifc", "ISO-10303-21;\nHEADER;\nFILE_SCHEMA(('IFC2X3'));\nENDSEC;\n");
     BOOST_TEST(!holds(refusalOf(ifc), "holds surfaces"));

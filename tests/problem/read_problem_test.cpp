@@ -250,6 +250,40 @@ BOOST_AUTO_TEST_CASE(an_unknown_key_is_an_error_in_a_file_of_clearway_for_it_may
         benchmark);
 }
 
+BOOST_AUTO_TEST_CASE(a_key_in_another_section_is_told_where_it_belongs) {
+    const std::string degrees = with(kSpatial, "goal.theta", "goal.degrees = 90");
+    const std::string expected =
+        ":18: [problem] goal.degrees is '90', expected this key in the section [clearway], or [problem] "
+        "goal.theta "
+        "in radians";
+    BOOST_TEST(refusalOf(degrees) == expected);
+    BOOST_TEST(refusalOf(degrees + "[clearway]\nmargin = 0\n") == expected);
+    BOOST_TEST(warningsOf(kSpatial + "goal.degrees = 90\n") ==
+                   std::vector<std::string>{
+                       ":19: [problem] goal.degrees = '90' has no effect here; it belongs in [clearway]"},
+               boost::test_tools::per_element());
+    BOOST_TEST(
+        refusalOf(kSpatial + "margin = 2\n[clearway]\nreading = stored\n")
+            .find(":19: [problem] margin = '2' is an unknown key; it belongs in [clearway], expected") == 0u);
+}
+
+BOOST_AUTO_TEST_CASE(a_misspelt_setting_of_a_planner_is_an_error_in_a_file_of_clearway) {
+    const std::string text = kSpatial + "[planner]\nprm =\nproblem.sampelr = gaussian\n";
+    BOOST_TEST(warningsOf(text) ==
+                   std::vector<std::string>{
+                       ":21: [planner] problem.sampelr has no effect here (did you mean 'sampler'?)"},
+               boost::test_tools::per_element());
+    BOOST_TEST(
+        refusalOf(text + "[clearway]\nmargin = 0\n")
+            .find(":21: [planner] problem.sampelr is an unknown setting (did you mean 'sampler'?), expected "
+                  "problem.KEY, KEY one of ") == 0u);
+}
+
+BOOST_AUTO_TEST_CASE(a_coordinate_too_large_for_any_mesh_is_refused_by_its_key) {
+    BOOST_TEST(refusalOf(with(kSpatial, "goal.x", "goal.x = 1e300")) ==
+               ":12: [problem] goal.x is '1e300', expected a coordinate of at most 1e+30 in size");
+}
+
 BOOST_AUTO_TEST_CASE(angles_are_in_radians_or_say_that_they_are_in_degrees) {
     const std::string quarter = with(kSpatial, "start.theta", "");
     const Problem degrees = read(quarter + "[clearway]\nstart.degrees = 90\n");
@@ -264,6 +298,7 @@ BOOST_AUTO_TEST_CASE(angles_are_in_radians_or_say_that_they_are_in_degrees) {
     BOOST_TEST(warningsOf(turns)[0].find(
                    "is in radians, more than a turn; if it is in degrees, write 1.57") != std::string::npos);
     BOOST_TEST(warningsOf(with(kSpatial, "start.theta", "start.theta = -6.2831853071795865")).empty());
+    BOOST_TEST(warningsOf(with(kSpatial, "goal.theta", "goal.theta = 6.2832")).empty());  // people round 2 pi
     BOOST_TEST(refusalOf(with(kSpatial, "goal.theta", "") + "[clearway]\ngoal = outside\ngoal.degrees = 5\n")
                    .find("expected no such key together with") != std::string::npos);
 }
@@ -290,6 +325,19 @@ BOOST_AUTO_TEST_CASE(a_file_of_clearway_reads_meshes_as_stored_and_others_as_omp
                std::string::npos);
 }
 
+BOOST_AUTO_TEST_CASE(a_part_without_extent_is_refused_by_name) {
+    const TemporaryFolder folder;
+    Problem problem;
+    problem.asOmplApp = false;
+    problem.robot = folder.write("point.obj", "v 1 2 3\nv 1 2 3\nv 1 2 3\nf 1 2 3\n");
+    BOOST_CHECK_EXCEPTION(loadPart(problem), std::invalid_argument, [&](const std::invalid_argument& error) {
+        return std::string(error.what()) ==
+               "the part " + problem.robot +
+                   " has no extent: all of it is at (1, 2, 3), expected a mesh with "
+                   "some length";
+    });
+}
+
 BOOST_AUTO_TEST_CASE(a_part_that_the_readings_place_differently_needs_a_stated_reading) {
     const TemporaryFolder folder;
     Mesh off;
@@ -310,6 +358,7 @@ BOOST_AUTO_TEST_CASE(a_part_that_the_readings_place_differently_needs_a_stated_r
     BOOST_CHECK_EXCEPTION(loadPart(problem), std::invalid_argument, [](const std::invalid_argument& error) {
         const std::string message = error.what();
         BOOST_TEST(message.find("p.cfg: [clearway] does not say how to read ") == 0u, message);
+        BOOST_TEST(message.find(" as OMPL.app reads it, moved by (-5.333") != std::string::npos, message);
         BOOST_TEST(message.find("its box is (5, 0, 0) to (6, 1, 0) as the file stores it, and (-0.33") !=
                        std::string::npos,
                    message);

@@ -30,8 +30,8 @@ struct PlanOptions {
     /// PlannerTeam. With an objective of clearance the default is RisingFloor for the least
     /// clearance and AnytimePathShortening of RRTConnect and RRT for the others, or RRTstar with iterations.
     std::string planner;
-    /// Parameters of this planner, on top of the problem's. An unknown parameter here is an error; the
-    /// problem's unknown parameters only give a warning.
+    /// Parameters of this planner, on top of the problem's. An unknown parameter is an error; in a file of
+    /// OMPL.app's it only gives a warning.
     std::vector<std::pair<std::string, std::string>> parameters;
 
     /// The planner ends after `seconds`, or when it has asked `iterations` times whether to end, which most
@@ -128,6 +128,11 @@ struct PlanReport {
 /// leave no room for a goal outside, the environment was built with too small a reach (see planningReach), or start
 /// or goal is not valid: then the message names the two closest meshes and triangles.
 PlanReport plan(const Problem& problem, const Scene& scene, const PlanOptions& options);
+
+/// Looks up the names of the problem's objective, samplers, planners and planners' parameters. Throws
+/// std::invalid_argument for an unknown one, with the known names. In a file of OMPL.app's, which has no section
+/// [clearway], an unknown name only gives a warning: such files hold names that OMPL no longer has.
+std::vector<std::string> unknownNames(const Problem& problem);
 
 /// The reach that plan() and checkPath() need of an environment's model: all positions within the problem's
 /// bounds, and distances up to the problem's largest margin plus the step (as plan() chooses it) or, where

@@ -69,8 +69,9 @@ const NamedObjective& findObjective(const std::string& name) {
     for (const NamedObjective& row : kObjectives) {
         if (boost::iequals(row.name, asked)) return row;
     }
-    throw std::invalid_argument("unknown objective '" + name + "', expected one of " +
-                                joined(namesOf(kObjectives)));
+    const std::vector<std::string> known = namesOf(kObjectives);
+    throw std::invalid_argument("unknown objective '" + name + "'" + didYouMean(name, known) +
+                                ", expected one of " + joined(known));
 }
 
 }  // namespace

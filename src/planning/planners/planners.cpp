@@ -154,7 +154,8 @@ const NamedPlanner& findPlanner(const std::string& name) {
     for (const NamedPlanner& row : kPlanners) {
         if (boost::iequals(row.name, wanted)) return row;
     }
-    throw std::invalid_argument("unknown planner '" + name + "', expected one of " + joined(plannerNames()));
+    throw std::invalid_argument("unknown planner '" + name + "'" + didYouMean(name, plannerNames()) +
+                                ", expected one of " + joined(plannerNames()));
 }
 
 template <class Value>

@@ -111,14 +111,16 @@ std::vector<std::string> choosePlanners(const Problem& problem, const PlanOption
     return std::vector<std::string>(hasThreads ? 1 : planCount(options), name);
 }
 
-void addOnce(std::vector<std::string>& warnings, const std::string& warning) {
-    if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end()) warnings.push_back(warning);
+/// Adds the warnings that the problem does not hold already.
+void warnOfNames(const Problem& problem, std::vector<std::string>& warnings) {
+    const std::vector<std::string>& told = problem.warnings;
+    for (const std::string& warning : unknownNames(problem)) {
+        if (std::find(told.begin(), told.end(), warning) == told.end()) warnings.push_back(warning);
+    }
 }
 
-/// Unknown parameters are refused, as unknown keys are. In a file of OMPL.app's they are only warned of: old files hold
-/// parameters that OMPL no longer has.
-void setFileParameters(ob::Planner& planner, const std::string& plannerName, const Problem& problem,
-                       std::vector<std::string>& warnings) {
+/// Leaves out unknown parameters, of which unknownNames() warns.
+void setFileParameters(ob::Planner& planner, const std::string& plannerName, const Problem& problem) {
     for (const PlannerChoice& choice : problem.planners) {
         if (plannerClassName(choice.name) != plannerName) continue;
         for (const auto& [name, value] : choice.parameters) {
@@ -126,14 +128,6 @@ void setFileParameters(ob::Planner& planner, const std::string& plannerName, con
                 planner.setName(value);
             } else if (hasParameter(planner, name)) {
                 setParameter(planner, name, value);
-            } else {
-                std::vector<std::string> known;
-                planner.params().getParamNames(known);
-                const std::string what = problem.file + ": planner " + plannerName + " has no parameter '" +
-                                         name + "'" + didYouMean(name, known);
-                const bool isOmplApps = problem.asOmplApp && !problem.isReadingStated;
-                if (!isOmplApps) throw std::invalid_argument(what + ", expected one of " + joined(known));
-                addOnce(warnings, what + "; it is left out");
             }
         }
         return;  // a planner named several times is several runs of a benchmark; the first counts
@@ -250,7 +244,7 @@ ob::PlannerPtr setUpPlanner(const PlanSetup& setup, const std::string& name, con
     if (hasParameter(*planner, "planners"))
         setParameter(*planner, "planners", innerPlanners(options, report));
     if (hasParameter(*planner, "threads")) setParameter(*planner, "threads", std::to_string(report.threads));
-    setFileParameters(*planner, name, problem, report.warnings);
+    setFileParameters(*planner, name, problem);
     setGivenParameters(*planner, options);
     planner->setProblemDefinition(setup.definition);
     planner->setup();
@@ -263,16 +257,13 @@ PlanSetup makePlanSetup(const Problem& stated, const Scene& scene, const PlanOpt
                         PlanReport& report, const std::function<bool()>& isOver,
                         const std::function<void(PlanSetup&)>& beforePlanners) {
     requireOptions(stated, options);
+    warnOfNames(stated, report.warnings);
     const std::optional<ObjectiveChoice> objective = chooseObjective(stated, options);
     report.planners = choosePlanners(stated, options, clearancePlanner(objective, options, scene.part));
     const Problem problem = problemFor(report.planners[0], stated);
     report.threads = static_cast<unsigned int>(planCount(options));
     report.isRepeatable = options.iterations && isRepeatable(report.planners[0]);
     if (objective) report.objective = objective->name;
-    if (!objective && problem.objective != "length") {
-        report.warnings.push_back("objective '" + problem.objective +
-                                  "' is not known; paths are judged by length");
-    }
     setRange(report, problem, scene, options);
     setFloor(report, scene, options);
     setSeed(options.seed);

@@ -16,6 +16,7 @@
 #include "clearway/planning/scene_clearance.h"
 #include "clearway/planning/valid_state_samplers.h"
 #include "core/number.h"
+#include "core/text.h"
 #include "planning/motion/motion_search.h"
 #include "problem/config.h"
 
@@ -72,6 +73,15 @@ constexpr NamedSampler kSamplers[] = {
     {"narrow_gap", allocate<NarrowGapSampler>},
 };
 
+const NamedSampler& findSampler(const std::string& name) {
+    for (const NamedSampler& row : kSamplers) {
+        if (name == row.name) return row;
+    }
+    const std::vector<std::string> known = namesOf(kSamplers);
+    throw std::invalid_argument("unknown sampler '" + name + "'" + didYouMean(name, known) +
+                                ", expected one of " + joined(known));
+}
+
 /// Sets the values that belong to the parameters, and returns their names.
 std::set<std::string> apply(ob::ParamSet& parameters, const NamedTexts& settings) {
     std::set<std::string> known;
@@ -122,19 +132,16 @@ bool mayUseSampler(const Problem& problem, const std::string& sampler) {
 void setSampler(ob::SpaceInformation& si, const std::string& name,
                 const std::function<void(ob::ValidStateSampler&)>& adjust) {
     if (name.empty()) return;
-    std::string known;
-    for (const NamedSampler& row : kSamplers) {
-        if (name == row.name) {
-            return si.setValidStateSamplerAllocator(
-                [adjust, allocate = row.allocate](const ob::SpaceInformation* space) {
-                    const ob::ValidStateSamplerPtr sampler = allocate(space);
-                    adjust(*sampler);
-                    return sampler;
-                });
-        }
-        known += (known.empty() ? "" : ", ") + std::string(row.name);
-    }
-    throw std::invalid_argument("unknown sampler '" + name + "', expected one of " + known);
+    si.setValidStateSamplerAllocator(
+        [adjust, allocate = findSampler(name).allocate](const ob::SpaceInformation* space) {
+            const ob::ValidStateSamplerPtr sampler = allocate(space);
+            adjust(*sampler);
+            return sampler;
+        });
+}
+
+void requireSampler(const std::string& name) {
+    findSampler(name);
 }
 
 void applySettings(ob::SpaceInformation& si, const Problem& problem, std::vector<std::string>& warnings) {

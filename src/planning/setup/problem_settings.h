@@ -30,6 +30,9 @@ bool mayUseSampler(const Problem& problem, const std::string& sampler);
 void setSampler(ompl::base::SpaceInformation& si, const std::string& name,
                 const std::function<void(ompl::base::ValidStateSampler&)>& adjust);
 
+/// Throws std::invalid_argument that lists the samplers unless the name is one of them.
+void requireSampler(const std::string& name);
+
 /// Calls si.setup(), with the problem's sampler and settings. Adds a warning for each setting that neither
 /// the space nor the sampler has. Throws std::invalid_argument for an unknown sampler and for a value that
 /// OMPL refuses.

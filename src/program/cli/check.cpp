@@ -2,6 +2,7 @@
 #include <cmath>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
 #include "clearway/planning/check_path.h"
 #include "program/cli/facts.h"
@@ -10,6 +11,7 @@
 #include "program/cli/print.h"
 #include "program/cli/print_audit.h"
 #include "program/cli/shared_options.h"
+#include "program/cli/swept_tolerance.h"
 
 namespace clearway::cli {
 
@@ -60,24 +62,24 @@ void requireFiles(const CheckOptions& options, const Problem& problem) {
     options.outputs.require(files);
 }
 
-std::string offText(double off, double tolerance, const char* end) {
-    return off <= tolerance ? ""
-                            : shownLength(off) + " from the problem's " + end + ", expected at most " +
-                                  shownLength(tolerance);
-}
-
-/// Says where the path begins and ends, if it misses the problem's start or goal.
-void printEnds(const Problem& problem, const planning::PathCheck& check) {
-    const std::string begin = offText(check.offStart, check.tolerance, "start");
-    if (!begin.empty()) printRow("begins", begin);
+/// Says where the path begins and ends, if it misses the problem's start or goal. isAnyEnds: it may miss them.
+void printEnds(const Problem& problem, const planning::PathCheck& check, bool isAnyEnds) {
+    const auto print = [&](const char* label, const std::string& place, const std::string& expected) {
+        printRow(label, place + (isAnyEnds ? "" : ", expected " + expected));
+    };
+    const std::string most = "at most " + shownLength(check.tolerance);
+    if (!check.beginsAtStart())
+        print("begins", shownLength(check.offStart) + " from the problem's start", most);
     if (check.endsAtGoal()) return;
     if (!problem.outside) {
-        printRow("ends", offText(check.offGoal, check.tolerance, "goal"));
+        print("ends", shownLength(check.offGoal) + " from the problem's goal", most);
         return;
     }
     const auto& side = problem.outside->side;
-    printRow("ends", "where the part's box overlaps the environment's by " + shownLength(check.offGoal) +
-                         (side ? " along " + nameOf(*side) : "") + ", expected a goal outside");
+    print("ends",
+          "where the part's box overlaps the environment's by " + shownLength(check.offGoal) +
+              (side ? " along " + nameOf(*side) : ""),
+          "a goal outside");
 }
 
 /// How much of the path's length is known to be valid. Turning counts by the way of the part's furthest point.
@@ -91,7 +93,8 @@ double validShare(const Scene& scene, const planning::PathAudit& audit) {
     return all > 0 ? valid / all : audit.isValid();
 }
 
-void print(const Problem& problem, const Scene& scene, const planning::PathCheck& check, bool isBrief) {
+void print(const Problem& problem, const Scene& scene, const planning::PathCheck& check,
+           const CheckOptions& options) {
     printMesh("part", scene.part);
     printObstacles(scene);
     printRow("length", shownLength(check.audit.length));
@@ -101,8 +104,8 @@ void print(const Problem& problem, const Scene& scene, const planning::PathCheck
     if (!check.audit.isValid())
         printRow("valid", "at least " + shortened(100 * validShare(scene, check.audit)) +
                               " % of the length: each segment counts up to where it is not valid");
-    printEnds(problem, check);
-    if (isBrief) return;
+    printEnds(problem, check, options.isAnyEnds);
+    if (options.isBrief) return;
     std::cout << "\n";
     printSegments(check.audit);
     std::cout << "\n";
@@ -130,13 +133,15 @@ int check(const Arguments& arguments) {
     const std::vector<PartState> path = readPath(options.path, problem.space);
     for (const PartState& state : path) problem.knownWay.extend(state.position);
     const Scene scene = options.trees.load(problem);
+    const std::string tooFine = whySweptIsTooFine(options.outputs, scene, path);
+    if (!tooFine.empty()) throw std::invalid_argument(tooFine);
     planning::PathCheck found;
     {
         const ElapsedLine elapsed("checking");
         found = planning::checkPath(problem, scene, path);
     }
     printWarnings(problem.warnings);
-    print(problem, scene, found, options.isBrief);
+    print(problem, scene, found, options);
     if (!options.csv.empty()) writeProfile(found.audit, scene, path, options.csv);
     const std::vector<FoundOverlap> overlaps = overlapsAlong(problem, scene, path);
     printOverlaps(overlaps);

@@ -1,8 +1,6 @@
 #include "program/cli/command_line.h"
 
 #include <algorithm>
-#include <boost/algorithm/string/case_conv.hpp>
-#include <boost/algorithm/string/replace.hpp>
 #include <csignal>
 #include <filesystem>
 #include <iostream>
@@ -12,6 +10,7 @@
 
 #include "core/number.h"
 #include "core/text.h"
+#include "program/cli/man_page.h"
 
 namespace clearway::cli {
 
@@ -42,23 +41,6 @@ void printOption(const std::string& shown, const std::string& help) {
         line += (line.size() > kHelpColumn ? " " : "") + word;
     }
     std::cout << line << "\n";
-}
-
-/// The text for man: a hyphen is a minus, a line that begins with a dot is no macro.
-std::string roff(std::string text) {
-    boost::replace_all(text, "\\", "\\e");
-    boost::replace_all(text, "-", "\\-");
-    boost::replace_all(text, "\n.", "\n\\&.");
-    return text;
-}
-
-/// Without its full stop, on one line.
-std::string firstSentence(std::string text) {
-    std::replace(text.begin(), text.end(), '\n', ' ');
-    const std::size_t end = text.find(". ");
-    text = text.substr(0, end);
-    if (!text.empty() && text.back() == '.') text.pop_back();
-    return text;
 }
 
 [[noreturn]] void refuseValue(const std::string& name, const std::string& value) {
@@ -108,7 +90,8 @@ std::int64_t integerFrom(const std::string& text, std::int64_t least, std::int64
 }
 
 std::string oneOf(const std::string& text, const std::vector<std::string>& names) {
-    if (std::find(names.begin(), names.end(), text) == names.end()) throw Expected{"one of " + joined(names)};
+    if (std::find(names.begin(), names.end(), text) == names.end())
+        throw Expected{"one of " + joined(names) + didYouMean(text, names)};
     return text;
 }
 
@@ -184,25 +167,14 @@ void CommandLine::printHelp() const {
     for (const Declared& option : options_) printOption(option.shown, option.help);
 }
 
-/// In the macros of man(7). The usage begins with "clearway SUBCOMMAND".
+/// The usage begins with "clearway SUBCOMMAND".
 void CommandLine::printManPage() const {
     std::istringstream usage(usage_);
     std::string program, subcommand;
     usage >> program >> subcommand;
-    const std::string name = program + "-" + subcommand;
-    std::cout << ".TH " << boost::to_upper_copy(name) << " 1 \"\" \"clearway\"\n"
-              << ".SH NAME\n"
-              << roff(name) << " \\- " << roff(firstSentence(purpose_)) << "\n"
-              << ".SH SYNOPSIS\n"
-              << roff(usage_) << "\n"
-              << ".SH DESCRIPTION\n"
-              << roff(purpose_) << "\n";
-    if (!options_.empty()) std::cout << ".SH OPTIONS\n";
-    for (const Declared& option : options_)
-        std::cout << ".TP\n.B " << roff(option.shown) << "\n" << roff(option.help) << "\n";
-    std::cout
-        << ".SH EXIT STATUS\n0: done; 1: the answer is no; 2: bad input or usage, with one line on standard "
-           "error.\n";
+    ManPage page{program + "-" + subcommand, usage_, purpose_, "OPTIONS", {}};
+    for (const Declared& option : options_) page.rows.emplace_back(option.shown, option.help);
+    cli::printManPage(page);
 }
 
 /// Tells options, their values and positional arguments apart. After the word -- all words are arguments.

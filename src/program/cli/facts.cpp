@@ -75,7 +75,7 @@ void tellScene(const Scene& scene) {
 }
 
 Json toJson(double number) {
-    return std::isfinite(number) ? Json(number) : Json();
+    return std::isfinite(number) ? Json(number + 0.0) : Json();  // -0 + 0 is 0
 }
 
 Json toJson(const Vector3& point) {
@@ -88,12 +88,14 @@ Json toJson(const Box& box) {
 
 Json toJson(const PartState& state) {
     const auto& q = state.rotation;
-    return {{"position", toJson(state.position)}, {"quaternion_xyzw", {q.x(), q.y(), q.z(), q.w()}}};
+    return {{"position", toJson(state.position)},
+            {"quaternion_xyzw", {toJson(q.x()), toJson(q.y()), toJson(q.z()), toJson(q.w())}}};
 }
 
 Json toJson(const Pose& pose) {
     const Eigen::Quaterniond q(pose.rotation);
-    return {{"position", toJson(pose.translation)}, {"quaternion_xyzw", {q.x(), q.y(), q.z(), q.w()}}};
+    return {{"position", toJson(pose.translation)},
+            {"quaternion_xyzw", {toJson(q.x()), toJson(q.y()), toJson(q.z()), toJson(q.w())}}};
 }
 
 Json toJson(const Model& model) {

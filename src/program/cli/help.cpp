@@ -90,9 +90,9 @@ _clearway() {
            joined(subcommands, " ") + R"( help"
     COMPREPLY=()
     if [ "$COMP_CWORD" -eq 1 ]; then
-        COMPREPLY=($(compgen -W "$subcommands --help --version" -- "$word"))
+        COMPREPLY=($(compgen -W "$subcommands --help --man --version --completion" -- "$word"))
     elif [[ $word == -* ]]; then
-        COMPREPLY=($(compgen -W "$("${COMP_WORDS[0]}" "${COMP_WORDS[1]}" --list-options 2>/dev/null) --help" -- "$word"))
+        COMPREPLY=($(compgen -W "$("${COMP_WORDS[0]}" "${COMP_WORDS[1]}" --list-options 2>/dev/null) --help --man" -- "$word"))
     elif [ "${COMP_WORDS[1]}" = help ]; then
         COMPREPLY=($(compgen -W "$subcommands )" +
            joined(topicNames(), " ") + R"(" -- "$word"))

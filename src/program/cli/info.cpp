@@ -198,7 +198,7 @@ void describeEnds(const Problem& problem, const Mesh& part, const std::vector<Me
 }
 
 void describeProblemFile(const std::string& file, const BuildOptions& tree) {
-    const Problem problem = readProblem(file);
+    const Problem problem = readJudged(file);
     const Mesh part = loadPart(problem, guardedLoadMesh);
     const std::vector<Mesh> worlds = loadWorlds(problem, guardedLoadMesh);
     const Mesh environment = joinedEnvironment(worlds);
@@ -243,7 +243,7 @@ double roundedUp(double depth) {
 
 /// Says how deep obstacles reach into the part at the start, and which overlap frees the start.
 void describeLift(const std::string& file) {
-    Problem problem = readProblem(file);
+    Problem problem = readJudged(file);
     tellProblem(problem);
     const std::vector<FoundOverlap> overlaps = overlapsAtStart(problem);
     facts()["overlaps"] = toJson(overlaps);

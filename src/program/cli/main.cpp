@@ -12,6 +12,7 @@
 #include "program/cli/command_line.h"
 #include "program/cli/facts.h"
 #include "program/cli/help.h"
+#include "program/cli/man_page.h"
 #include "program/cli/print.h"
 
 namespace clearway::cli {
@@ -38,23 +39,40 @@ std::string names() {
     return joined(all);
 }
 
+constexpr const char* kUsage = "clearway SUBCOMMAND [arguments]";
+constexpr const char* kPurpose = "planning and validity checking for a rigid part in a tight assembly";
+
 void printHelp() {
-    std::cout << "clearway: planning and validity checking for a rigid part in a tight assembly\n\n"
-                 "Usage: clearway SUBCOMMAND [arguments]\n\n";
+    std::cout << "clearway: " << kPurpose << "\n\nUsage: " << kUsage << "\n\n";
     for (const Subcommand& subcommand : kSubcommands) {
         const std::string name = subcommand.name;
         std::cout << "  " << name << std::string(8 - std::min<std::size_t>(name.size(), 7), ' ')
                   << subcommand.purpose << "\n";
     }
-    std::cout << "\n  clearway help SUBCOMMAND     shows its arguments, as clearway SUBCOMMAND --help does\n"
-                 "  clearway help TOPIC          shows a page about "
-              << joined(topicNames(), " or ")
-              << "\n"
-                 "  clearway --version           shows the versions of clearway and its libraries\n"
-                 "  clearway --completion        prints a script that completes words in bash\n\n"
-                 "Exit codes: 0 done; 1 the answer is no (no path found, or the path is not valid); 2 bad "
-                 "input or\n"
-                 "usage, with one line on stderr\n";
+    std::cout
+        << "\n  clearway help SUBCOMMAND     shows its arguments, as clearway SUBCOMMAND --help does\n"
+           "  clearway help TOPIC          shows a page about "
+        << joined(topicNames(), " or ")
+        << "\n"
+           "  clearway --man               prints this page for man, clearway SUBCOMMAND --man that of a "
+           "subcommand\n"
+           "                               (clearway --man | man -l -)\n"
+           "  clearway --version           shows the versions of clearway and its libraries\n"
+           "  clearway --completion        prints a script that completes words in bash\n\n"
+           "Exit codes: 0 done; 1 the answer is no (no path found, or the path is not valid); 2 bad "
+           "input or\n"
+           "usage, with one line on stderr\n";
+}
+
+void printProgramsPage() {
+    ManPage page{"clearway", kUsage, kPurpose, "SUBCOMMANDS", {}};
+    for (const Subcommand& subcommand : kSubcommands)
+        page.rows.emplace_back("clearway " + std::string(subcommand.name), subcommand.purpose);
+    page.rows.emplace_back("clearway help SUBCOMMAND", "shows its arguments");
+    page.rows.emplace_back("clearway help TOPIC", "shows a page about " + joined(topicNames(), " or "));
+    page.rows.emplace_back("clearway --version", "shows the versions of clearway and its libraries");
+    page.rows.emplace_back("clearway --completion", "prints a script that completes words in bash");
+    printManPage(page);
 }
 
 void printVersion() {
@@ -83,14 +101,16 @@ int run(const Arguments& words) {
     const Arguments rest(words.begin() + 1, words.end());
     if (words[0] == "--help" || words[0] == "-h") return printHelp(), kDone;
     if (words[0] == "help") return help(rest);
+    if (words[0] == "--man") return printProgramsPage(), kDone;
     if (words[0] == "--version") return printVersion(), kDone;
     if (words[0] == "--completion") return std::cout << completionScript(namesOf(kSubcommands)), kDone;
     for (const Subcommand& subcommand : kSubcommands) {
         if (words[0] == subcommand.name) return subcommand.run(rest);
     }
-    throw std::invalid_argument("unknown subcommand '" + words[0] + "'" +
-                                didYouMean(words[0], namesOf(kSubcommands)) + ", expected one of " + names() +
-                                ", or --help");
+    std::vector<std::string> known = namesOf(kSubcommands);
+    known.insert(known.end(), {"help", "--help", "--man", "--version", "--completion"});
+    throw std::invalid_argument("unknown subcommand '" + words[0] + "'" + didYouMean(words[0], known) +
+                                ", expected one of " + names() + ", or --help");
 }
 
 }  // namespace

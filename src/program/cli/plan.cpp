@@ -17,6 +17,7 @@
 #include "program/cli/print_audit.h"
 #include "program/cli/print_why_no_path.h"
 #include "program/cli/shared_options.h"
+#include "program/cli/swept_tolerance.h"
 
 namespace clearway::cli {
 
@@ -250,10 +251,22 @@ void tellFacts(const PlanArguments& given, const PlanReport& report, const Scene
     all["overlaps"] = toJson(overlaps);
 }
 
+/// Writes the files about the path. A swept volume that is too fine for this path is refused after the other files.
+void writeOutputs(PathOutputs outputs, const Problem& problem, const Scene& scene,
+                  const std::vector<PartState>& path, const planning::PathAudit& audit, const Rows& figures,
+                  const std::vector<FoundOverlap>& overlaps) {
+    const std::string tooFine = whySweptIsTooFine(outputs, scene, path);
+    if (!tooFine.empty()) outputs.swept.clear();
+    outputs.write(problem, scene, path, audit, figures, overlaps);
+    if (!tooFine.empty()) throw std::invalid_argument(tooFine);
+}
+
 /// Plans, prints and writes. Tells oldPath when there is a new path.
 int planAndWrite(const PlanArguments& given, const Problem& problem, OldPath& oldPath) {
     const Scene scene = given.trees.load(problem, given.plan);
     if (given.explainSeconds) requireExplainable(scene);
+    const std::string tooFine = whySweptIsTooFine(given.outputs, scene, {problem.start});
+    if (!tooFine.empty()) throw planning::RefusedOption(tooFine);
     PlanReport report;
     {
         const ElapsedLine elapsed("planning");
@@ -290,7 +303,7 @@ int planAndWrite(const PlanArguments& given, const Problem& problem, OldPath& ol
     printOverlaps(overlaps);
     if (isValid) requireAllowed(overlaps);
     tellFacts(given, report, scene, overlaps);
-    if (!path.empty()) given.outputs.write(problem, scene, path, report.audit, figures, overlaps);
+    if (!path.empty()) writeOutputs(given.outputs, problem, scene, path, report.audit, figures, overlaps);
     requirePrinted();
     return !path.empty() && isValid ? kDone : kAnswerIsNo;
 }

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <nlohmann/json.hpp>
 #include <numeric>
 #include <optional>
 #include <ostream>
@@ -17,6 +16,7 @@
 #include "program/cli/facts.h"
 #include "program/cli/load_guard.h"
 #include "program/cli/print.h"
+#include "program/cli/query_answers.h"
 #include "program/cli/shared_options.h"
 
 namespace clearway::cli {
@@ -24,26 +24,6 @@ namespace clearway::cli {
 namespace {
 
 constexpr std::size_t kMostShown = 20;  ///< answers on screen
-
-struct Question {
-    enum class Kind { kDistance, kCollide, kWithin };
-    Kind kind = Kind::kDistance;
-    double within = 0;
-    DistanceOptions distance;
-    bool isCold = false;
-    std::optional<std::uint64_t> shuffleSeed;
-};
-
-struct Answer {
-    DistanceResult distance;       ///< the answer of kDistance
-    bool verdict = false;          ///< the answer of the other kinds
-    std::int64_t nanoseconds = 0;  ///< time of the query alone
-};
-
-struct QueryRun {
-    std::vector<Answer> answers;  ///< in the poses' order
-    QueryCounters counters;       ///< summed over all queries
-};
 
 /// Shuffles by Fisher-Yates on the engine itself, because std::shuffle and the standard's distributions
 /// differ between libraries.
@@ -90,49 +70,22 @@ std::string outOf(std::size_t count, const QueryRun& run) {
     return std::to_string(count) + " of " + std::to_string(run.answers.size());
 }
 
-bool isBeyondCap(const DistanceResult& result) {
-    return result.partTriangle < 0;
-}
-
 void printDistances(const QueryRun& run) {
-    std::size_t colliding = 0;
-    std::size_t beyond = 0;
-    const Answer* least = nullptr;
-    const Answer* most = nullptr;
-    double width = 0;
-    for (const Answer& answer : run.answers) {
-        if (isBeyondCap(answer.distance)) {
-            ++beyond;
-            continue;
-        }
-        if (answer.distance.collides()) ++colliding;
-        width = std::max(width, answer.distance.upper - answer.distance.lower);
-        if (!least || answer.distance.distance < least->distance.distance) least = &answer;
-        if (!most || answer.distance.distance > most->distance.distance) most = &answer;
-    }
-    const auto row = [&](const char* label, const Answer& answer) {
-        printRow(label, readable(answer.distance.distance) + " at pose " +
-                            std::to_string(&answer - run.answers.data()));
+    const DistanceStatistics all = statisticsOf(run.answers);
+    const auto row = [&](const char* label, std::size_t pose) {
+        printRow(label, readable(run.answers[pose].distance.distance) + " at pose " + std::to_string(pose));
     };
-    printRow("colliding", outOf(colliding, run));
-    if (beyond > 0) printRow("beyond the cap", outOf(beyond, run));
-    if (!least) return;
-    row("least distance", *least);
-    row("most distance", *most);
-    printRow("widest interval", readable(width));
+    printRow("colliding", outOf(all.colliding, run));
+    if (all.beyond > 0) printRow("beyond the cap", outOf(all.beyond, run));
+    if (!all.least) return;
+    row("least distance", *all.least);
+    row("most distance", *all.most);
+    printRow("widest interval", readable(all.widest));
 }
 
-std::string rowOf(const DistanceResult& result) {
-    return formatNumber(result.distance) + "," + formatNumber(result.lower) + "," +
-           formatNumber(result.upper) + "," + std::to_string(result.partTriangle) + "," +
-           std::to_string(result.environmentTriangle);
-}
-
-std::string nameAt(const Model& model, std::int64_t component) {
-    const auto& components = model.components();
-    return component < 0 || static_cast<std::size_t>(component) >= components.size()
-               ? ""
-               : "'" + components[static_cast<std::size_t>(component)].name + "' ";
+std::string quotedNameAt(const Model& model, std::int64_t component) {
+    const std::string name = nameAt(model, component);
+    return name.empty() ? "" : "'" + name + "' ";
 }
 
 /// The answer in words: the distance, and the two closest points with their triangles.
@@ -141,9 +94,9 @@ std::string describe(const Question& question, const Answer& answer, const Model
     if (question.kind != Question::Kind::kDistance) return answer.verdict ? "yes" : "no";
     const DistanceResult& found = answer.distance;
     if (isBeyondCap(found)) return "beyond the cap";
-    return readable(found.distance) + ", on the part " + nameAt(part, found.partComponent) + "triangle " +
-           std::to_string(found.partTriangle) + " at " + readable(found.pointOnPart) +
-           ", on the environment " + nameAt(environment, found.environmentComponent) + "triangle " +
+    return readable(found.distance) + ", on the part " + quotedNameAt(part, found.partComponent) +
+           "triangle " + std::to_string(found.partTriangle) + " at " + readable(found.pointOnPart) +
+           ", on the environment " + quotedNameAt(environment, found.environmentComponent) + "triangle " +
            std::to_string(found.environmentTriangle) + " at " + readable(found.pointOnEnvironment);
 }
 
@@ -155,24 +108,6 @@ void printFirst(const Question& question, const QueryRun& run, const Model& part
         printRow("", "(closest points in the environment's frame; poses and triangles count from 0)");
     if (shown < run.answers.size())
         printRow("", std::to_string(run.answers.size() - shown) + " more poses; --csv or --json writes all");
-}
-
-Json answerFacts(const Question& question, const Answer& answer) {
-    if (question.kind != Question::Kind::kDistance) return answer.verdict;
-    const DistanceResult& found = answer.distance;
-    Json json = {
-        {"distance", toJson(found.distance)}, {"lower", toJson(found.lower)}, {"upper", toJson(found.upper)}};
-    if (isBeyondCap(found)) return json;
-    json["part"] = {{"triangle", found.partTriangle}, {"point", toJson(found.pointOnPart)}};
-    json["environment"] = {{"triangle", found.environmentTriangle},
-                           {"point", toJson(found.pointOnEnvironment)}};
-    return json;
-}
-
-void tellFacts(const Question& question, const QueryRun& run, const Model& part, const Model& environment) {
-    facts()["part"] = toJson(part);
-    facts()["environment"] = toJson(environment);
-    for (const Answer& answer : run.answers) facts()["answers"].push_back(answerFacts(question, answer));
 }
 
 /// Asks at every pose, in the file's order or shuffled, with one workspace.
@@ -191,21 +126,15 @@ QueryRun ask(const Question& question, const Model& part, const Model& environme
 
 void printSummary(const Question& question, const QueryRun& run) {
     if (question.kind == Question::Kind::kDistance) return printDistances(run);
-    const auto yes = std::count_if(run.answers.begin(), run.answers.end(),
-                                   [](const Answer& answer) { return answer.verdict; });
     const bool isWithin = question.kind == Question::Kind::kWithin;
-    printRow(isWithin ? "within " + readable(question.within) : "colliding",
-             outOf(static_cast<std::size_t>(yes), run));
+    printRow(isWithin ? "within " + readable(question.within) : "colliding", outOf(countYes(run), run));
 }
 
 void printCosts(const QueryRun& run, const Model& part, const Model& environment) {
     const double count = static_cast<double>(run.answers.size());
-    std::int64_t nanoseconds = 0;
-    for (const Answer& answer : run.answers) nanoseconds += answer.nanoseconds;
     const double bytes = static_cast<double>(part.report().tree.bytes + environment.report().tree.bytes);
     const double triangles = static_cast<double>(part.report().triangles + environment.report().triangles);
-    printRow("queries/s",
-             readable(count / (1e-9 * static_cast<double>(std::max<std::int64_t>(nanoseconds, 1)))));
+    printRow("queries/s", readable(queriesPerSecond(run)));
     printRow("volume tests per query", readable(static_cast<double>(run.counters.volumeTests) / count));
     printRow("triangle tests per query", readable(static_cast<double>(run.counters.triangleTests) / count));
     printRow("pairs in double per query", readable(static_cast<double>(run.counters.refinedPairs) / count));
@@ -213,23 +142,6 @@ void printCosts(const QueryRun& run, const Model& part, const Model& environment
     printRow("  exact", readable(static_cast<double>(run.counters.exactPairs) / count));
     printRow("bytes per triangle", readable(bytes / triangles));
     printRow("build seconds", readable(part.report().seconds + environment.report().seconds));
-}
-
-/// Writes a header and one row a pose, with 17 digits.
-void writeCsv(const Question& question, const QueryRun& run, const std::string& file) {
-    const bool isDistance = question.kind == Question::Kind::kDistance;
-    writeOut(file, [&](std::ostream& stream) {
-        stream << (isDistance ? "pose,distance,lower,upper,part_triangle,environment_triangle,nanoseconds\n"
-                              : "pose,verdict,nanoseconds\n");
-        for (std::size_t pose = 0; pose < run.answers.size(); ++pose) {
-            const Answer& answer = run.answers[pose];
-            stream << pose << ","
-                   << (isDistance       ? rowOf(answer.distance)
-                       : answer.verdict ? "1"
-                                        : "0")
-                   << "," << answer.nanoseconds << "\n";
-        }
-    });
 }
 
 struct QueryArguments {
@@ -324,10 +236,10 @@ int query(const Arguments& arguments) {
                           " of them projected to the nearest rotation");
     printFirst(given.question, run, part, environment);
     printSummary(given.question, run);
-    tellFacts(given.question, run, part, environment);
+    tellAnswers(given.question, poses.poses, run, part, environment);
     printCosts(run, part, environment);
     requirePrinted();
-    if (!given.csv.empty()) writeCsv(given.question, run, given.csv);
+    if (!given.csv.empty()) writeAnswers(given.question, poses.poses, run, part, environment, given.csv);
     return kDone;
 }
 

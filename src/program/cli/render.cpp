@@ -192,6 +192,7 @@ int render(const Arguments& arguments) {
     const Mesh part = loadPart(problem, guardedLoadMesh);
     const Mesh environment = shownEnvironment(problem);
     const Scene scene = given.trees.load(problem);
+    printWarnings(problem.warnings);
     const planning::SceneClearance clearance(scene);
     const report::PathLine line(states, scene.part.radiusAboutOrigin());
     const auto way = hasPath && !isInterrupted()

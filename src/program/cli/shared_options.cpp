@@ -37,8 +37,14 @@ Model buildFrom(const std::string& cache, const Mesh& mesh, const BuildOptions& 
 
 }  // namespace
 
-Problem ProblemChoice::read() const {
+Problem readJudged(const std::string& file) {
     Problem problem = readProblem(file);
+    for (const std::string& warning : planning::unknownNames(problem)) problem.warnings.push_back(warning);
+    return problem;
+}
+
+Problem ProblemChoice::read() const {
+    Problem problem = readJudged(file);
     problem.margin = margin.value_or(problem.margin);
     tellProblem(problem);
     return problem;

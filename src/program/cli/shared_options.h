@@ -14,12 +14,16 @@
 
 namespace clearway::cli {
 
+/// Reads a problem file, and looks up the names in it that planning knows. Throws as readProblem and
+/// planning::unknownNames do.
+Problem readJudged(const std::string& file);
+
 /// The problem file, and the margin that replaces the file's.
 struct ProblemChoice {
     std::string file;
     std::optional<double> margin;
 
-    /// Throws what readProblem throws.
+    /// Throws what readJudged throws.
     Problem read() const;
 };
 

@@ -63,8 +63,10 @@ const NamedView& viewNamed(const std::string& name) {
     for (const NamedView& view : namedViews()) {
         if (name == view.name) return view;
     }
-    throw std::invalid_argument("view is '" + name + "', expected one of inside, " +
-                                joined(namesOf(namedViews())));
+    std::vector<std::string> known = namesOf(namedViews());
+    known.insert(known.begin(), "inside");
+    throw std::invalid_argument("view is '" + name + "'" + didYouMean(name, known) + ", expected one of " +
+                                joined(known));
 }
 
 Ray Camera::rayThrough(float x, float y) const {

@@ -1,5 +1,6 @@
 #include "program/report/export_motion.h"
 
+#include <boost/algorithm/string/predicate.hpp>
 #include <filesystem>
 #include <ostream>
 #include <stdexcept>
@@ -33,7 +34,7 @@ std::vector<GlbKey> keysOf(const PathLine& line) {
 
 void requireMotionFile(const std::string& file) {
     const std::string ending = std::filesystem::path(file).extension().string();
-    if (ending == ".glb") return;
+    if (boost::iequals(ending, ".glb")) return;
     throw std::invalid_argument("the ending of '" + file + "' is '" + ending + "', expected .glb");
 }
 

@@ -194,7 +194,7 @@ class PageMaker {
         if (!trouble.empty()) json["trouble"] = trouble;
         if (frame.partMesh.empty()) return json;
         const SceneDistance& nearest = frame.clearance.nearest;
-        json["distance"] = nearest.distance;
+        json["distance"] = (nearest.pointOnPart - nearest.pointOnEnvironment).norm();
         json["pair"] = {pointOf(nearest.pointOnPart - origin_),
                         pointOf(nearest.pointOnEnvironment - origin_)};
         json["between"] = {frame.partMesh, frame.environmentMesh};

@@ -87,10 +87,20 @@ BOOST_AUTO_TEST_CASE(the_problem_names_the_objective_unless_the_options_do) {
     BOOST_TEST(wanted.warnings.empty());
 
     gates.problem.objective = "beauty";
+    gates.problem.asOmplApp = true;  // as in OMPL.app's files, which know no [clearway]
+    gates.problem.isReadingStated = false;
     const PlanReport unknown = found(gates.problem, gates.scene, {});
     BOOST_TEST(unknown.objective == "");
     BOOST_REQUIRE(unknown.warnings.size() == 1u);
-    BOOST_TEST(unknown.warnings[0] == "objective 'beauty' is not known; paths are judged by length");
+    BOOST_TEST(unknown.warnings[0].find("unknown objective 'beauty', expected one of length, ") == 0u);
+    BOOST_TEST(unknown.warnings[0].find("; paths are judged by length") != std::string::npos);
+
+    gates.problem.objective = "lenght";
+    gates.problem.asOmplApp = false;  // as in a file with a section [clearway]
+    BOOST_CHECK_EXCEPTION(
+        plan(gates.problem, gates.scene, {}), std::invalid_argument, [](const std::exception& error) {
+            return std::string(error.what()).find("unknown objective 'lenght' (did you mean 'length'?)") == 0;
+        });
 }
 
 BOOST_AUTO_TEST_CASE(planning_ends_when_no_path_can_have_more_clearance_for_its_ends_have_not) {

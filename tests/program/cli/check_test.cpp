@@ -151,7 +151,19 @@ BOOST_AUTO_TEST_CASE(a_path_that_is_not_from_start_to_goal_is_no_solution) {
     BOOST_TEST(contains(row(outcome, "begins"), "from the problem's start, expected at most 0.0072"),
                outcome.out);
     BOOST_TEST(contains(row(outcome, "ends"), "from the problem's goal, expected at most "), outcome.out);
-    BOOST_TEST(runIn(folder, "check window.cfg off.path --any-ends").code == 0);
+    const Outcome any = runIn(folder, "check window.cfg off.path --any-ends");
+    BOOST_TEST(any.code == 0);
+    BOOST_TEST(contains(row(any, "begins"), "from the problem's start"));
+    BOOST_TEST(!contains(row(any, "begins") + row(any, "ends"), "expected"), any.out);
+}
+
+BOOST_AUTO_TEST_CASE(a_swept_volume_too_fine_for_the_path_is_refused_with_what_is_fine_enough) {
+    const CheckFolder folder;
+    const std::string swept = " --swept swept.stl --swept-tolerance ";
+    const std::vector<std::string> words = {"--swept-tolerance is 1e-07, too fine for ",
+                                            "expected at least "};
+    requireRefused(folder, "check window.cfg free.path" + swept + "1e-7", words);
+    requireRefused(folder, "plan window.cfg --path out.path" + swept + "1e-7", words);
 }
 
 BOOST_AUTO_TEST_CASE(a_path_of_one_state_is_checked) {

@@ -174,6 +174,8 @@ BOOST_AUTO_TEST_CASE(words_that_are_nearly_right_are_told) {
     BOOST_TEST(runIn(folder, "help formats").out.find("qx qy qz qw") != std::string::npos);
     BOOST_TEST(runIn(folder, "plan --list-options").out.find("--seed\n") != std::string::npos);
     BOOST_TEST(runIn(folder, "check --man").out.find(".TH CLEARWAY-CHECK 1") == 0u);
+    BOOST_TEST(runIn(folder, "--man").out.find(".TH CLEARWAY 1") == 0u);
+    BOOST_TEST(runIn(folder, "--man").out.find("\n.B clearway plan\n") != std::string::npos);
     BOOST_TEST(runIn(folder, "--completion").out.find("complete -o default -F _clearway clearway") !=
                std::string::npos);
 }

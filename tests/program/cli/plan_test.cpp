@@ -241,6 +241,20 @@ BOOST_AUTO_TEST_CASE(what_a_problem_file_says_in_vain_is_refused) {
     requireRefused(folder, kPlan,
                    {"window.cfg: planner RRTConnect has no parameter 'max_depth', expected one of"});
 
+    const auto refusesBoth = [&](const std::string& words) {
+        folder.write(problem);
+        requireRefused(folder, "info window.cfg", {"clearway: window.cfg: ", words, "expected one of"});
+        requireRefused(folder, kPlan, {"clearway: window.cfg: ", words, "expected one of"});
+    };
+    problem.planners = {{"prm", {}, {{"sampler", "gausian"}}}};
+    refusesBoth("unknown sampler 'gausian' (did you mean 'gaussian'?)");
+    problem.planners = {{"rrtconnct", {}}};
+    refusesBoth("unknown planner 'rrtconnct' (did you mean 'RRTConnect'?)");
+    problem.planners.clear();
+    problem.objective = "lenght";
+    refusesBoth("unknown objective 'lenght' (did you mean 'length'?)");
+    problem.objective = "length";
+
     problem.planners = {{"nonesuch", {}}};
     folder.write(problem);
     std::filesystem::remove(folder.file("out.path"));  // would be set aside

@@ -38,6 +38,9 @@ BOOST_AUTO_TEST_CASE(wrong_subcommands_are_refused_with_the_known_ones) {
     requireRefused(folder, "", {"no subcommand", "info, query", "--help"});
     requireRefused(folder, "inform", {"'inform'", "info, query"});
     requireRefused(folder, "--verbose", {"'--verbose'", "info, query"});
+    requireRefused(folder, "chekc", {"'chekc' (did you mean 'check'?)"});
+    requireRefused(folder, "--verison", {"'--verison' (did you mean '--version'?)"});
+    requireRefused(folder, "help kyes", {"'kyes' (did you mean 'keys'?)"});
 }
 
 BOOST_AUTO_TEST_CASE(an_empty_argument_is_refused_by_its_name_in_the_usage) {

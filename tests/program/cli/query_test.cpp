@@ -1,6 +1,7 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "program/cli/run_program.h"
@@ -55,8 +56,9 @@ Table answers(const TemporaryFolder& folder, const std::string& query, const std
 }
 
 constexpr const char* kDistanceHeader =
-    "pose,distance,lower,upper,part_triangle,environment_triangle,nanoseconds";
-constexpr const char* kVerdictHeader = "pose,verdict,nanoseconds";
+    "pose,distance,lower,upper,part_triangle,environment_triangle,nanoseconds,x,y,z,qx,qy,qz,qw,"
+    "part_mesh,part_x,part_y,part_z,environment_mesh,environment_x,environment_y,environment_z";
+constexpr const char* kVerdictHeader = "pose,verdict,nanoseconds,x,y,z,qx,qy,qz,qw";
 
 }  // namespace
 
@@ -66,7 +68,8 @@ BOOST_AUTO_TEST_CASE(distances_come_one_row_a_pose_with_their_interval_and_trian
     const Table table = answers(folder, "distance", kDistanceHeader);
     BOOST_TEST_REQUIRE(table.size() == 4);
     for (std::size_t i = 0; i < 4; ++i) {
-        BOOST_TEST_REQUIRE(table[i].size() == 7);
+        BOOST_TEST_REQUIRE(table[i].size() == 22);
+        for (const int column : {14, 18}) BOOST_TEST(table[i][column] == "\"box\"");
         BOOST_TEST(table[i][0] == std::to_string(i));
         BOOST_TEST(std::abs(std::stod(table[i][1]) - kDistances[i]) <= 1e-12);
         BOOST_TEST(std::stod(table[i][2]) <= kDistances[i]);
@@ -85,6 +88,26 @@ BOOST_AUTO_TEST_CASE(numbers_of_the_table_have_17_digits) {
     const std::string distance = answers(folder, "distance", kDistanceHeader)[0][1];
     BOOST_TEST(std::abs(std::stod(distance) - 0.1) <= 1e-14);
     BOOST_TEST(distance.size() >= 18, distance);  // 0. and 16 or 17 digits
+}
+
+BOOST_AUTO_TEST_CASE(json_has_the_facts_that_the_screen_shows) {
+    const BoxesFolder folder;
+    folder.write("poses.txt", kPoses);
+    BOOST_TEST_REQUIRE(runIn(folder, kQuery + std::string("distance --json a.json")).code == 0);
+    const auto facts = nlohmann::json::parse(readText(folder.file("a.json")));
+    BOOST_TEST(facts["poses"].size() == 4u);
+    BOOST_TEST(facts["poses"][0]["position"][0] == 7.5);
+    BOOST_TEST(facts["answers"][0]["part"]["mesh"] == "box");
+    BOOST_TEST(facts["answers"][0]["environment"]["mesh"] == "box");
+    const auto& all = facts["statistics"];
+    BOOST_TEST(all["colliding"] == 2);
+    BOOST_TEST(all["least"]["pose"] == 1);
+    BOOST_TEST(all["most"]["pose"] == 3);
+    BOOST_TEST(all["most"]["distance"] == 7.0);
+    BOOST_TEST(all["queries_per_second"].get<double>() > 0);
+    BOOST_TEST(readText(folder.file("a.json")).find("-0.0") == std::string::npos);
+    BOOST_TEST_REQUIRE(runIn(folder, kQuery + std::string("within=5 --json a.json")).code == 0);
+    BOOST_TEST(nlohmann::json::parse(readText(folder.file("a.json")))["statistics"]["within"] == 3);
 }
 
 BOOST_AUTO_TEST_CASE(the_summary_ends_with_the_costs_one_line_each) {
@@ -126,7 +149,7 @@ BOOST_AUTO_TEST_CASE(verdicts_are_1_or_0) {
         const Table table = answers(folder, query, kVerdictHeader);
         BOOST_TEST_REQUIRE(table.size() == 4);
         for (std::size_t i = 0; i < 4; ++i) {
-            BOOST_TEST_REQUIRE(table[i].size() == 3);
+            BOOST_TEST_REQUIRE(table[i].size() == 10);
             BOOST_TEST(table[i][0] == std::to_string(i));
             BOOST_TEST(table[i][1] == verdicts[i], query << " at pose " << i);
             BOOST_TEST(std::stol(table[i][2]) > 0);

@@ -47,6 +47,15 @@ BOOST_AUTO_TEST_CASE(without_a_path_start_and_goal_are_drawn) {
     BOOST_TEST((sizeOfPng(readText(folder.file("out.png"))) == std::pair(64, 64)));
 }
 
+BOOST_AUTO_TEST_CASE(warnings_about_the_problem_are_told) {
+    const WindowFolder folder;
+    folder.write("noted.cfg", readText(folder.file("window.cfg")) + "[planner]\nprm = 5\n");
+    const Outcome outcome = runIn(folder, "render noted.cfg --out a.png --size 64x32 --samples 1");
+    BOOST_TEST(outcome.code == 0, outcome.err);
+    BOOST_TEST(outcome.err.find("[planner] prm is '5', which has no effect") != std::string::npos,
+               outcome.err);
+}
+
 BOOST_AUTO_TEST_CASE(wrong_usage_is_refused_in_one_line) {
     const WindowFolder folder;
     folder.write("bad.path", "1 2 3\n");

@@ -20,7 +20,7 @@ function closestRows(frame, isExact) {
   if (frame.between) {
     side(0, 'part');
     side(1, 'obstacle');
-    rows.push(['distance', isExact ? `${frame.distance}` : boundText(frame.distance)]);
+    rows.push(['distance', isExact ? `${frame.distance}` : lengthText(frame.distance)]);
   }
   rows.push(['pose: translation', shown(pose.slice(0, 3).join(' '))]);
   rows.push(['quaternion x y z w', shown(pose.slice(3).join(' '))]);

@@ -99,5 +99,5 @@ const marginOf = new Map(objects.map((object) => [object.name, object.margin ?? 
 function distanceWords(frame) {
   const margin = frame.between ? marginOf.get(frame.between[1]) : 0;
   if (!frame.between || frame.trouble === 'in contact' || !(frame.trouble || margin > 0)) return '';
-  return `distance ${boundText(frame.distance)}` + (margin > 0 ? `, margin ${lengthText(margin)}` : '');
+  return `distance ${lengthText(frame.distance)}` + (margin > 0 ? `, margin ${lengthText(margin)}` : '');
 }

@@ -1,0 +1,150 @@
+#include "program/cli/query_answers.h"
+
+#include <algorithm>
+#include <boost/algorithm/string/replace.hpp>
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "core/number.h"
+#include "program/cli/facts.h"
+#include "program/cli/print.h"
+
+namespace clearway::cli {
+
+namespace {
+
+Json answerFacts(const Question& question, const Answer& answer, const Model& part,
+                 const Model& environment) {
+    if (question.kind != Question::Kind::kDistance) return answer.verdict;
+    const DistanceResult& found = answer.distance;
+    Json json = {
+        {"distance", toJson(found.distance)}, {"lower", toJson(found.lower)}, {"upper", toJson(found.upper)}};
+    if (isBeyondCap(found)) return json;
+    json["part"] = {{"mesh", nameAt(part, found.partComponent)},
+                    {"triangle", found.partTriangle},
+                    {"point", toJson(found.pointOnPart)}};
+    json["environment"] = {{"mesh", nameAt(environment, found.environmentComponent)},
+                           {"triangle", found.environmentTriangle},
+                           {"point", toJson(found.pointOnEnvironment)}};
+    return json;
+}
+
+Json distanceFacts(const QueryRun& run) {
+    const DistanceStatistics all = statisticsOf(run.answers);
+    const auto at = [&](const std::optional<std::size_t>& pose) {
+        if (!pose) return Json();
+        return Json{{"distance", toJson(run.answers[*pose].distance.distance)}, {"pose", *pose}};
+    };
+    return {{"colliding", all.colliding},
+            {"beyond_cap", all.beyond},
+            {"least", at(all.least)},
+            {"most", at(all.most)},
+            {"widest_interval", toJson(all.widest)}};
+}
+
+std::string rowOf(const DistanceResult& result) {
+    return formatNumber(result.distance) + "," + formatNumber(result.lower) + "," +
+           formatNumber(result.upper) + "," + std::to_string(result.partTriangle) + "," +
+           std::to_string(result.environmentTriangle);
+}
+
+std::string cell(const std::string& text) {
+    return '"' + boost::replace_all_copy(text, "\"", "\"\"") + '"';
+}
+
+std::string cells(const Vector3& point) {
+    return formatNumber(point.x()) + "," + formatNumber(point.y()) + "," + formatNumber(point.z());
+}
+
+std::string cells(const Pose& pose) {
+    const Eigen::Quaterniond q(pose.rotation);
+    return cells(pose.translation) + "," + cells(Vector3(q.vec())) + "," + formatNumber(q.w());
+}
+
+/// The names and closest points of an answer; empty cells beyond the cap.
+std::string pairCells(const DistanceResult& found, const Model& part, const Model& environment) {
+    if (isBeyondCap(found)) return ",,,,,,,";
+    return cell(nameAt(part, found.partComponent)) + "," + cells(found.pointOnPart) + "," +
+           cell(nameAt(environment, found.environmentComponent)) + "," + cells(found.pointOnEnvironment);
+}
+
+}  // namespace
+
+bool isBeyondCap(const DistanceResult& result) {
+    return result.partTriangle < 0;
+}
+
+DistanceStatistics statisticsOf(const std::vector<Answer>& answers) {
+    DistanceStatistics all;
+    const auto at = [&](std::size_t pose) { return answers[pose].distance.distance; };
+    for (std::size_t pose = 0; pose < answers.size(); ++pose) {
+        const DistanceResult& found = answers[pose].distance;
+        if (isBeyondCap(found)) {
+            ++all.beyond;
+            continue;
+        }
+        if (found.collides()) ++all.colliding;
+        all.widest = std::max(all.widest, found.upper - found.lower);
+        if (!all.least || at(pose) < at(*all.least)) all.least = pose;
+        if (!all.most || at(pose) > at(*all.most)) all.most = pose;
+    }
+    return all;
+}
+
+std::size_t countYes(const QueryRun& run) {
+    return static_cast<std::size_t>(std::count_if(run.answers.begin(), run.answers.end(),
+                                                  [](const Answer& answer) { return answer.verdict; }));
+}
+
+double queriesPerSecond(const QueryRun& run) {
+    std::int64_t nanoseconds = 0;
+    for (const Answer& answer : run.answers) nanoseconds += answer.nanoseconds;
+    return static_cast<double>(run.answers.size()) /
+           (1e-9 * static_cast<double>(std::max<std::int64_t>(nanoseconds, 1)));
+}
+
+std::string nameAt(const Model& model, std::int64_t component) {
+    const auto& components = model.components();
+    return component < 0 || static_cast<std::size_t>(component) >= components.size()
+               ? ""
+               : components[static_cast<std::size_t>(component)].name;
+}
+
+void tellAnswers(const Question& question, const std::vector<Pose>& poses, const QueryRun& run,
+                 const Model& part, const Model& environment) {
+    Json& all = facts();
+    all["part"] = toJson(part);
+    all["environment"] = toJson(environment);
+    for (const Pose& pose : poses) all["poses"].push_back(toJson(pose));
+    for (const Answer& answer : run.answers)
+        all["answers"].push_back(answerFacts(question, answer, part, environment));
+    all["statistics"] = question.kind == Question::Kind::kDistance  ? distanceFacts(run)
+                        : question.kind == Question::Kind::kCollide ? Json{{"colliding", countYes(run)}}
+                                                                    : Json{{"within", countYes(run)}};
+    all["statistics"]["queries_per_second"] = toJson(queriesPerSecond(run));
+}
+
+void writeAnswers(const Question& question, const std::vector<Pose>& poses, const QueryRun& run,
+                  const Model& part, const Model& environment, const std::string& file) {
+    const bool isDistance = question.kind == Question::Kind::kDistance;
+    writeOut(file, [&](std::ostream& stream) {
+        stream << (isDistance ? "pose,distance,lower,upper,part_triangle,environment_triangle,nanoseconds"
+                              : "pose,verdict,nanoseconds")
+               << ",x,y,z,qx,qy,qz,qw"
+               << (isDistance
+                       ? ",part_mesh,part_x,part_y,part_z,environment_mesh,environment_x,environment_y,"
+                         "environment_z\n"
+                       : "\n");
+        for (std::size_t pose = 0; pose < run.answers.size(); ++pose) {
+            const Answer& answer = run.answers[pose];
+            stream << pose << ","
+                   << (isDistance       ? rowOf(answer.distance)
+                       : answer.verdict ? "1"
+                                        : "0")
+                   << "," << answer.nanoseconds << "," << cells(poses[pose])
+                   << (isDistance ? "," + pairCells(answer.distance, part, environment) : "") << "\n";
+        }
+    });
+}
+
+}  // namespace clearway::cli
