@@ -13,16 +13,13 @@
 #include "program/cli/load_guard.h"
 #include "program/cli/print.h"
 #include "program/cli/print_audit.h"
+#include "program/cli/swept_tolerance.h"
 #include "program/report/export_motion.h"
 #include "program/report/report.h"
 
 namespace clearway::cli {
 
 namespace {
-
-constexpr double kSweptPerDiagonal = 0.01;  ///< the usual tolerance of swept volumes, of the part's diagonal
-constexpr double kLeftOutTurn = 2e-4;       ///< radians: OMPL may leave out turns below this
-constexpr double kSweptRounding = 1e-6;     ///< of the largest coordinate, for floats
 
 report::ReportTable tableOf(const std::string& title, const Rows& rows) {
     report::ReportTable table;
@@ -115,28 +112,16 @@ std::vector<RigidMotion> motionsOf(const std::vector<PartState>& path) {
     return motions;
 }
 
-/// How far places of the part may be off these motions, and the file's floats off the mesh: OMPL may leave out small
-/// turns.
-double sweptPoseError(const std::vector<RigidMotion>& motions, double radius) {
-    double turn = 0, farthest = radius;
-    for (const RigidMotion& motion : motions) {
-        if (motion.turn.norm() < kLeftOutTurn) turn = std::max(turn, motion.turn.norm());
-        farthest = std::max(farthest, radius + motion.start.translation.norm() + motion.translation.norm());
-    }
-    return radius * turn + kSweptRounding * farthest;
-}
-
 bool isGlb(const std::string& file) {
     return boost::iequals(std::filesystem::path(file).extension().string(), ".glb");
 }
 
 void writeSwept(const Problem& problem, const Mesh& part, const Model& model,
-                const std::vector<PartState>& path, std::optional<double> tolerance,
-                const std::string& file) {
+                const std::vector<PartState>& path, double tolerance, const std::string& file) {
     const std::vector<RigidMotion> motions = motionsOf(path);
     SweptVolumeOptions options;
-    options.tolerance = tolerance.value_or(kSweptPerDiagonal * model.box().diagonal().norm());
-    options.poseError = sweptPoseError(motions, model.radiusAboutOrigin());
+    options.tolerance = tolerance;
+    options.poseError = sweptPlaceError(path, model.radiusAboutOrigin());
     options.isStopped = isInterrupted;
     heedInterrupts();
     const ElapsedLine elapsed("sweeping");
@@ -179,7 +164,8 @@ void PathOutputs::write(const Problem& problem, const Scene& scene, const std::v
                              motion);
         printRow("export", motion + (metres ? ", in metres" : ", lengths as they are: no unit is stated"));
     }
-    if (!swept.empty()) writeSwept(problem, part, scene.part, path, sweptTolerance, swept);
+    if (!swept.empty())
+        writeSwept(problem, part, scene.part, path, cli::sweptTolerance(*this, scene.part), swept);
 }
 
 void addPathOutputs(CommandLine& commandLine, PathOutputs& outputs) {

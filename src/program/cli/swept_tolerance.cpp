@@ -8,13 +8,18 @@ namespace clearway::cli {
 
 namespace {
 
-constexpr double kUsualTolerance = 0.01;      ///< of the part's diagonal, as --swept takes it
+constexpr double kUsualTolerance = 0.01;      ///< of the part's diagonal
 constexpr double kErrorPerTolerance = 0.125;  ///< that sweptVolume allows
 constexpr double kLeftOut = 2e-4;             ///< radians: OMPL may leave out turns below this
 constexpr double kFloatRounding = 1e-6;       ///< of the largest coordinate, in the file
 
-/// How far places of the part may be off: by turns that OMPL leaves out, and by the file's floats.
-double placeError(const std::vector<PartState>& path, double radius) {
+}  // namespace
+
+double sweptTolerance(const PathOutputs& outputs, const Model& part) {
+    return outputs.sweptTolerance.value_or(kUsualTolerance * part.box().diagonal().norm());
+}
+
+double sweptPlaceError(const std::vector<PartState>& path, double radius) {
     double turn = 0, farthest = 0;
     for (std::size_t i = 0; i < path.size(); ++i) {
         const PartState &from = path[i], &to = path[std::min(i + 1, path.size() - 1)];
@@ -25,14 +30,11 @@ double placeError(const std::vector<PartState>& path, double radius) {
     return radius * turn + kFloatRounding * (radius + farthest);
 }
 
-}  // namespace
-
 std::string whySweptIsTooFine(const PathOutputs& outputs, const Scene& scene,
                               const std::vector<PartState>& path) {
     if (outputs.swept.empty()) return "";
-    const double tolerance =
-        outputs.sweptTolerance.value_or(kUsualTolerance * scene.part.box().diagonal().norm());
-    const double error = placeError(path, scene.part.radiusAboutOrigin());
+    const double tolerance = sweptTolerance(outputs, scene.part);
+    const double error = sweptPlaceError(path, scene.part.radiusAboutOrigin());
     if (error < kErrorPerTolerance * tolerance) return "";
     return "--swept-tolerance is " + shownLength(tolerance) +
            (outputs.sweptTolerance ? "" : ", 1 % of the part's diagonal") +
