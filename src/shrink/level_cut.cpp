@@ -76,7 +76,8 @@ class LevelCut {
             forBlocks(0, open_.size(), [&](std::size_t i, Workspace& workspace) {
                 Tetrahedron& tetrahedron = all[open_[i]];
                 isSettled[i] = settles(open_[i], outlines_[i], workspace);
-                tetrahedron.isShallow = tetrahedron.isShallow || (isSettled[i] && isOutside(tetrahedron));
+                const bool isShallow = isSettled[i] && outlines_[i].empty() && isOutside(tetrahedron);
+                tetrahedron.isShallow = tetrahedron.isShallow || isShallow;
             });
             std::vector<std::size_t> next;
             for (std::size_t i = 0; i < open_.size(); ++i) {
