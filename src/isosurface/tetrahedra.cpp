@@ -1,5 +1,7 @@
 #include "isosurface/tetrahedra.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -96,6 +98,20 @@ std::vector<std::uint32_t> Tetrahedra::verticesOn(const Tetrahedron& tetrahedron
         }
     });
     return vertices;
+}
+
+std::vector<std::size_t> Tetrahedra::withVerticesFrom(std::size_t first) const {
+    std::vector<std::uint8_t> has(all_.size(), false);
+    if (first >= vertices_.size()) return {};
+    tbb::parallel_for(std::size_t(0), all_.size(), [&](std::size_t i) {
+        const std::vector<std::uint32_t> vertices = verticesOn(all_[i]);
+        has[i] = std::any_of(vertices.begin(), vertices.end(), [&](std::uint32_t v) { return v >= first; });
+    });
+    std::vector<std::size_t> found;
+    for (std::size_t i = 0; i < has.size(); ++i) {
+        if (has[i]) found.push_back(i);
+    }
+    return found;
 }
 
 bool Tetrahedra::isRightHanded(const std::array<std::uint32_t, 4>& corners) const {

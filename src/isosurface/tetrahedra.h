@@ -57,6 +57,9 @@ class Tetrahedra {
     /// The vertices on a tetrahedron's edges and faces that are none of its corners. Some are listed more than once.
     std::vector<std::uint32_t> verticesOn(const Tetrahedron& tetrahedron) const;
 
+    /// The positions of the tetrahedra with a vertex on them, as verticesOn() tells, whose number is at least `first`.
+    std::vector<std::size_t> withVerticesFrom(std::size_t first) const;
+
   private:
     static std::uint64_t keyOf(std::uint32_t a, std::uint32_t b);
     bool isRightHanded(const std::array<std::uint32_t, 4>& corners) const;

@@ -102,7 +102,7 @@ int crossing(const Pose& X_aMesh, const std::array<const Vector3*, 3>& corners, 
     return crossingOf(exact, movedInteger(X_aAxes, z, lastBitOf(X_aAxes, z)), corners).value();
 }
 
-/// Of the solid's diagonal: how far in front of a triangle its surroundings are looked at. Regions that are thinner
+/// How far in front of a triangle its surroundings are looked at, relative to the solid's diagonal. Thinner regions
 /// enclose nothing of interest.
 constexpr double kInFront = 1e-9;
 

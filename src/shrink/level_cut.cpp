@@ -58,7 +58,7 @@ class LevelCut {
         for (;;) {
             const std::size_t known = places_.size();
             refine();
-            open_ = tetrahedraWithVertices(known);
+            open_ = tetrahedra_.withVerticesFrom(known);
             if (open_.empty()) return std::move(cutThroughLevel().mesh);
         }
     }
@@ -76,7 +76,8 @@ class LevelCut {
             forBlocks(0, open_.size(), [&](std::size_t i, Workspace& workspace) {
                 Tetrahedron& tetrahedron = all[open_[i]];
                 isSettled[i] = settles(open_[i], outlines_[i], workspace);
-                const bool isShallow = isSettled[i] && outlines_[i].empty() && isOutside(tetrahedron);
+                const bool isShallow =
+                    isSettled[i] && outlines_[i].empty() && heights_[tetrahedron.corners[0]] < 0;
                 tetrahedron.isShallow = tetrahedron.isShallow || isShallow;
             });
             std::vector<std::size_t> next;
@@ -86,26 +87,6 @@ class LevelCut {
             open_ = std::move(next);
             if (tetrahedra_.vertices().size() > kMostVertices) refuseSize();
         }
-    }
-
-    /// The tetrahedra with new vertices on their edges or faces, whose numbers begin with `first`.
-    std::vector<std::size_t> tetrahedraWithVertices(std::size_t first) {
-        if (first == places_.size()) return {};
-        const auto& all = tetrahedra_.all();
-        std::vector<std::uint8_t> hasNew(all.size());
-        forBlocks(0, all.size(), [&](std::size_t i, Workspace&) {
-            for (const std::uint32_t v : tetrahedra_.verticesOn(all[i])) hasNew[i] = hasNew[i] || v >= first;
-        });
-        std::vector<std::size_t> found;
-        for (std::size_t i = 0; i < all.size(); ++i) {
-            if (hasNew[i]) found.push_back(i);
-        }
-        return found;
-    }
-
-    bool isOutside(const Tetrahedron& tetrahedron) const {
-        return std::all_of(tetrahedron.corners.begin(), tetrahedron.corners.end(),
-                           [&](std::uint32_t v) { return heights_[v] < 0; });
     }
 
     [[noreturn]] void refuseSize() const {

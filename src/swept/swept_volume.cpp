@@ -50,8 +50,7 @@ class Sweeping {
             const std::size_t known = places_.size();
             refine();
             if (isStopped_) return {};
-            open_ = tetrahedraWithVertices(known);
-            if (isStopped_) return {};
+            open_ = tetrahedra_.withVerticesFrom(known);
         }
         SurfacePoints points;
         points.onEdge = [&](const CutEdge& edge) {
@@ -182,21 +181,6 @@ class Sweeping {
         if (isSmall(c)) return true;
         if (outlines.empty()) return isSettledWithoutSurface(c);
         return !isLarge(c) && isSurfaceGood(tetrahedron, outlines[0], workspace);
-    }
-
-    /// The tetrahedra with new vertices on their edges or faces, whose numbers begin with `first`.
-    std::vector<std::size_t> tetrahedraWithVertices(std::size_t first) {
-        if (first == places_.size()) return {};
-        const auto& all = tetrahedra_.all();
-        std::vector<std::uint8_t> hasNew(all.size());
-        forEach(all.size(), [&](std::size_t i, Workspace&) {
-            for (const std::uint32_t v : tetrahedra_.verticesOn(all[i])) hasNew[i] = hasNew[i] || v >= first;
-        });
-        std::vector<std::size_t> found;
-        for (std::size_t i = 0; i < all.size(); ++i) {
-            if (hasNew[i]) found.push_back(i);
-        }
-        return found;
     }
 
     double longestEdge(const Corners& c) const {

@@ -174,8 +174,12 @@ void describePose(const char* label, const planning::SceneClearance& clearance, 
     const Pose X_environmentPart = poseOf(state);
     const std::string why = clearance.whyInvalid(X_environmentPart);
     if (!why.empty()) return printRow(label, "NOT valid: " + why);
-    if (const std::string note = enclosureNote(part, worlds, X_environmentPart); !note.empty())
-        printWarnings({std::string(label) + " " + note});
+    const auto& obstacles = clearance.scene().obstacles;
+    const bool mayTouch = clearance.distance(X_environmentPart).collides() ||
+                          std::any_of(obstacles.begin(), obstacles.end(),
+                                      [](const Obstacle& obstacle) { return obstacle.shrunk != nullptr; });
+    const std::string note = mayTouch ? "" : enclosureNote(part, worlds, X_environmentPart);
+    if (!note.empty()) printWarnings({std::string(label) + " " + note});
     const planning::PoseClearance at = clearance.at(X_environmentPart);
     if (at.nearest.partTriangle < 0) return printRow(label, "valid, with nothing near");
     const planning::MeshNames names = planning::meshNames(clearance.scene(), at.nearest);

@@ -1,7 +1,6 @@
 #include "program/cli/print_audit.h"
 
 #include <algorithm>
-#include <boost/algorithm/string/replace.hpp>
 #include <cmath>
 #include <cstdio>
 #include <iostream>
@@ -13,6 +12,7 @@
 
 #include "clearway/planning/scene_clearance.h"
 #include "core/number.h"
+#include "program/cli/csv_cells.h"
 #include "program/cli/print.h"
 #include "program/report/frames.h"
 
@@ -72,31 +72,15 @@ std::string contactSpans(const PathAudit& audit, std::optional<planning::TimeSpa
     return spans.empty() ? "" : "used " + spans;
 }
 
-std::string cellsOf(const Vector3& point) {
-    return formatNumber(point.x()) + "," + formatNumber(point.y()) + "," + formatNumber(point.z());
-}
-
-std::string cellsOf(const PartState& state) {
-    const auto& q = state.rotation;
-    return cellsOf(state.position) + "," + formatNumber(q.x()) + "," + formatNumber(q.y()) + "," +
-           formatNumber(q.z()) + "," + formatNumber(q.w());
-}
-
-/// A text as a cell of a CSV file (RFC 4180).
-std::string cellOf(const std::string& text) {
-    if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-    return '"' + boost::replace_all_copy(text, "\"", "\"\"") + '"';
-}
-
 /// The closest pair at a pose: mesh, triangle and point of the part, then those of the environment.
-std::string cellsOf(const planning::SceneClearance& clearance, const Pose& X_environmentPart) {
+std::string pairCells(const planning::SceneClearance& clearance, const Pose& X_environmentPart) {
     SceneDistance nearest;
     if (!clearance.isOutOfReach(X_environmentPart)) nearest = clearance.at(X_environmentPart).nearest;
     if (nearest.partTriangle < 0) return ",,,,,,,,,";
     const planning::MeshNames names = planning::meshNames(clearance.scene(), nearest);
-    return cellOf(names.part) + "," + std::to_string(nearest.partTriangle) + "," +
-           cellsOf(nearest.pointOnPart) + "," + cellOf(names.environment) + "," +
-           std::to_string(nearest.environmentTriangle) + "," + cellsOf(nearest.pointOnEnvironment);
+    return textCell(names.part) + "," + std::to_string(nearest.partTriangle) + "," +
+           numberCells(nearest.pointOnPart) + "," + textCell(names.environment) + "," +
+           std::to_string(nearest.environmentTriangle) + "," + numberCells(nearest.pointOnEnvironment);
 }
 
 /// Says where the path is closest. Points are in the environment's frame, as the pose is.
@@ -272,8 +256,8 @@ void writeProfile(const PathAudit& audit, const Scene& scene, const std::vector<
             const PartState state = line.at(report::shareIn(line, point.segment, point.time));
             stream << point.segment + 1 << "," << formatNumber(point.time) << ","
                    << formatNumber(point.travel) << "," << formatNumber(point.clearance) << ","
-                   << formatNumber(point.lowerToNext) << "," << cellsOf(state) << ","
-                   << cellsOf(clearance, poseOf(state)) << "\n";
+                   << formatNumber(point.lowerToNext) << "," << numberCells(state) << ","
+                   << pairCells(clearance, poseOf(state)) << "\n";
         }
     });
 }

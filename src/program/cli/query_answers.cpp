@@ -1,11 +1,11 @@
 #include "program/cli/query_answers.h"
 
 #include <algorithm>
-#include <boost/algorithm/string/replace.hpp>
 #include <nlohmann/json.hpp>
 #include <ostream>
 
 #include "core/number.h"
+#include "program/cli/csv_cells.h"
 #include "program/cli/facts.h"
 #include "program/cli/print.h"
 
@@ -48,24 +48,12 @@ std::string rowOf(const DistanceResult& result) {
            std::to_string(result.environmentTriangle);
 }
 
-std::string cell(const std::string& text) {
-    return '"' + boost::replace_all_copy(text, "\"", "\"\"") + '"';
-}
-
-std::string cells(const Vector3& point) {
-    return formatNumber(point.x()) + "," + formatNumber(point.y()) + "," + formatNumber(point.z());
-}
-
-std::string cells(const Pose& pose) {
-    const Eigen::Quaterniond q(pose.rotation);
-    return cells(pose.translation) + "," + cells(Vector3(q.vec())) + "," + formatNumber(q.w());
-}
-
 /// The names and closest points of an answer; empty cells beyond the cap.
 std::string pairCells(const DistanceResult& found, const Model& part, const Model& environment) {
     if (isBeyondCap(found)) return ",,,,,,,";
-    return cell(nameAt(part, found.partComponent)) + "," + cells(found.pointOnPart) + "," +
-           cell(nameAt(environment, found.environmentComponent)) + "," + cells(found.pointOnEnvironment);
+    return textCell(nameAt(part, found.partComponent)) + "," + numberCells(found.pointOnPart) + "," +
+           textCell(nameAt(environment, found.environmentComponent)) + "," +
+           numberCells(found.pointOnEnvironment);
 }
 
 }  // namespace
@@ -141,7 +129,7 @@ void writeAnswers(const Question& question, const std::vector<Pose>& poses, cons
                    << (isDistance       ? rowOf(answer.distance)
                        : answer.verdict ? "1"
                                         : "0")
-                   << "," << answer.nanoseconds << "," << cells(poses[pose])
+                   << "," << answer.nanoseconds << "," << numberCells(poses[pose])
                    << (isDistance ? "," + pairCells(answer.distance, part, environment) : "") << "\n";
         }
     });
