@@ -4,6 +4,8 @@
 #include <boost/test/unit_test.hpp>
 #include <limits>
 
+BOOST_AUTO_TEST_SUITE(error_report_test)
+
 using namespace clearway;
 using namespace clearway::testing;
 
@@ -99,3 +101,5 @@ BOOST_AUTO_TEST_CASE(table_has_a_field_for_every_column) {
     BOOST_TEST(row.find(",1,2,") != std::string::npos);
     BOOST_TEST(row.find(",3,4\n") != std::string::npos);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

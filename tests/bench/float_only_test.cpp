@@ -7,6 +7,8 @@
 #include "support/each_target.h"
 #include "support/query_cases.h"
 
+BOOST_AUTO_TEST_SUITE(float_only_test)
+
 using namespace clearway;
 using namespace clearway::testing;
 
@@ -48,3 +50,5 @@ BOOST_AUTO_TEST_CASE(answer_of_a_warm_query_is_that_of_a_cold_one_but_for_ties) 
         if (a.value > 0) BOOST_TEST(a.upper == b.upper, boost::test_tools::tolerance(1e-5));
     }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

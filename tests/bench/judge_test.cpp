@@ -3,6 +3,8 @@
 #include <boost/test/unit_test.hpp>
 #include <limits>
 
+BOOST_AUTO_TEST_SUITE(judge_test)
+
 using namespace clearway::testing;
 
 namespace {
@@ -106,3 +108,5 @@ BOOST_AUTO_TEST_CASE(verdicts_of_clearway_must_agree_with_its_distance_even_with
     court.all[0].answers[0] = {kTolerance / 10, kTolerance / 10, kTolerance / 10, {}};  // not quite contact
     BOOST_TEST(court.verdict().wrong == wrongOnly(2), boost::test_tools::per_element());
 }
+
+BOOST_AUTO_TEST_SUITE_END()

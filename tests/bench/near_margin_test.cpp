@@ -5,6 +5,8 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
+BOOST_AUTO_TEST_SUITE(near_margin_test)
+
 using namespace clearway;
 using namespace clearway::testing;
 
@@ -42,3 +44,5 @@ BOOST_DATA_TEST_CASE(poses_lie_on_both_sides_of_the_margin_at_every_nearness,
         BOOST_TEST(invalid > 0);
     }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

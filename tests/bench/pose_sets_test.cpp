@@ -8,6 +8,8 @@
 #include "bench/bench_scenes.h"
 #include "support/oracle.h"
 
+BOOST_AUTO_TEST_SUITE(pose_sets_test)
+
 using namespace clearway;
 using namespace clearway::testing;
 
@@ -89,3 +91,5 @@ BOOST_AUTO_TEST_CASE(a_shuffled_order_holds_every_pose_once) {
     std::sort(order.begin(), order.end());
     for (std::size_t i = 0; i < order.size(); ++i) BOOST_TEST(order[i] == i);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -6,6 +6,8 @@
 
 #include "support/query_cases.h"
 
+BOOST_AUTO_TEST_SUITE(scalar_double_test)
+
 using namespace clearway;
 using namespace clearway::testing;
 
@@ -49,3 +51,5 @@ BOOST_AUTO_TEST_CASE(trees_of_two_children_are_refused_by_name) {
                               return std::string(error.what()) == "nodeWidth is 2, expected 8";
                           });
 }
+
+BOOST_AUTO_TEST_SUITE_END()

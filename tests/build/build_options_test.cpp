@@ -4,6 +4,9 @@
 #include <stdexcept>
 
 namespace clearway::testing {
+
+BOOST_AUTO_TEST_SUITE(build_options_test)
+
 namespace {
 
 std::string refusal(const BuildOptions& options) {
@@ -66,4 +69,6 @@ BOOST_AUTO_TEST_CASE(presets_are_options_to_start_from) {
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::testing

@@ -11,6 +11,9 @@
 #include "build/top_down.h"
 
 namespace clearway::testing {
+
+BOOST_AUTO_TEST_SUITE(build_test)
+
 namespace {
 
 namespace data = boost::unit_test::data;
@@ -128,4 +131,6 @@ BOOST_AUTO_TEST_CASE(one_triangle_is_a_root_volume_over_one_leaf) {
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::testing

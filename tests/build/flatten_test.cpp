@@ -8,6 +8,9 @@
 #include "build/sample_meshes.h"
 
 namespace clearway::testing {
+
+BOOST_AUTO_TEST_SUITE(flatten_test)
+
 namespace {
 
 CleanMesh rowOfTriangles() {
@@ -99,4 +102,6 @@ BOOST_AUTO_TEST_CASE(another_width_is_refused) {
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::testing

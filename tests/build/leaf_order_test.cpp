@@ -7,6 +7,9 @@
 #include "build/sample_meshes.h"
 
 namespace clearway::testing {
+
+BOOST_AUTO_TEST_SUITE(leaf_order_test)
+
 namespace {
 
 using Point = std::array<double, 3>;
@@ -43,4 +46,6 @@ BOOST_AUTO_TEST_CASE(each_run_has_its_distinct_vertices_once) {
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::testing

@@ -2,6 +2,8 @@
 // is told not to vectorise them (see CMakeLists.txt).
 #include <boost/test/unit_test.hpp>
 
+BOOST_AUTO_TEST_SUITE(float_rounding_test)
+
 namespace {
 
 // The compiler does not know these values, so that it cannot compute the answers itself.
@@ -43,3 +45,5 @@ BOOST_AUTO_TEST_CASE(neighbouring_stored_floats_are_what_is_read_back) {
     BOOST_TEST(isFloat(widened[0]));
     BOOST_TEST(isFloat(widened[1]));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

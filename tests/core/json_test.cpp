@@ -6,6 +6,8 @@
 
 namespace clearway::testing {
 
+BOOST_AUTO_TEST_SUITE(json_test)
+
 BOOST_AUTO_TEST_CASE(no_text_can_end_the_script_it_stands_in) {
     const std::string text = "</script><!-- \"quoted\" \\ \n";
     const std::string json = jsonText({{"a", {text}}});
@@ -35,5 +37,7 @@ BOOST_AUTO_TEST_CASE(numbers_read_back_to_the_same_float_and_what_is_none_is_nul
     BOOST_TEST(jsonText(0.1) == "0.1");
     BOOST_TEST(jsonText({1, -2.5, NAN, INFINITY}) == "[1,-2.5,null,null]");
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace clearway::testing

@@ -7,6 +7,8 @@
 
 namespace clearway {
 
+BOOST_AUTO_TEST_SUITE(number_test)
+
 BOOST_AUTO_TEST_CASE(only_a_whole_finite_decimal_number_is_one) {
     for (const char* text : {"",    " ",     "abc", "1 ",  " 1",  "1 2", "1,5", "0x10", "inf", "-inf",
                              "nan", "1e999", "--1", "+-1", "-+1", "+",   "-",   ".",    "1e",  "1.0mm"}) {
@@ -52,5 +54,7 @@ BOOST_AUTO_TEST_CASE(written_numbers_have_the_digits_promised) {
     BOOST_TEST(formatNumber(-infinity) == "-inf");
     BOOST_TEST(formatNumber(-std::numeric_limits<double>::quiet_NaN()) == "nan");
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace clearway

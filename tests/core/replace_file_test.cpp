@@ -13,6 +13,8 @@
 
 namespace clearway {
 
+BOOST_AUTO_TEST_SUITE(replace_file_test)
+
 using testing::readText;
 using testing::TemporaryFolder;
 
@@ -125,5 +127,7 @@ BOOST_AUTO_TEST_CASE(a_file_set_aside_never_overwrites_another) {
     BOOST_TEST(readText(folder.file("b.path")) == "there");
     BOOST_TEST(!setAside(folder.path()));  // a folder stays
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace clearway

@@ -7,6 +7,8 @@
 
 namespace clearway {
 
+BOOST_AUTO_TEST_SUITE(text_test)
+
 using testing::TemporaryFolder;
 
 BOOST_AUTO_TEST_CASE(lines_come_without_ends_and_byte_order_mark) {
@@ -82,5 +84,7 @@ BOOST_AUTO_TEST_CASE(a_misspelt_word_is_told_the_nearest_name_and_no_far_one) {
     BOOST_TEST(didYouMean("", {"m", "mm"}) == "");
     BOOST_TEST(didYouMean("a", {}) == "");
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace clearway

@@ -10,6 +10,8 @@
 
 namespace clearway::testing {
 
+BOOST_AUTO_TEST_SUITE(smallest_checker_test)
+
 /// Returns the path that the demo prints; an empty one when its ten seconds are over.
 std::vector<PartState> runDemo(const std::string& part, const std::string& wall) {
     const TemporaryFolder folder;
@@ -46,5 +48,7 @@ BOOST_AUTO_TEST_CASE(the_readme_example_runs_and_its_path_keeps_clear) {
     const MeshOracle oracle(loadMesh(part), loadMesh(wall));
     BOOST_TEST(leastDistance(oracle, path, Problem(), 1000) > 0.999);  // margin 1, less printed digits
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace clearway::testing

@@ -15,6 +15,9 @@
 #include "support/temporary_folder.h"
 
 namespace clearway::testing {
+
+BOOST_AUTO_TEST_SUITE(stories_test)
+
 namespace {
 
 const std::string kGates = CLEARWAY_DATA_DIR "/gates/gates.cfg";
@@ -208,5 +211,7 @@ BOOST_AUTO_TEST_CASE(the_runner_lists_every_demo_and_refuses_others) {
     }
     BOOST_TEST(demos == std::count(help.out.begin(), help.out.end(), '\n') - 2);
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace clearway::testing

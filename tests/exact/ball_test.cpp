@@ -8,6 +8,8 @@
 #include "support/exact_triangle.h"
 #include "support/random_meshes.h"
 
+BOOST_AUTO_TEST_SUITE(ball_test)
+
 using namespace clearway;
 using namespace clearway::testing;
 
@@ -148,3 +150,5 @@ BOOST_AUTO_TEST_CASE(products_whose_tails_underflow_are_not_called_exact) {
         }
     }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -9,6 +9,8 @@
 #include "support/exact_triangle.h"
 #include "support/random_meshes.h"
 
+BOOST_AUTO_TEST_SUITE(integer_test)
+
 using namespace clearway;
 using namespace clearway::testing;
 
@@ -101,3 +103,5 @@ BOOST_AUTO_TEST_CASE(moved_points_are_exact) {
         }
     }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -10,6 +10,8 @@
 #include "support/exact_triangle.h"
 #include "support/random_meshes.h"
 
+BOOST_AUTO_TEST_SUITE(triangle_features_test)
+
 using namespace clearway;
 using namespace clearway::testing;
 
@@ -117,3 +119,5 @@ BOOST_AUTO_TEST_CASE(triangles_on_a_grid_have_their_exact_distance) {
         BOOST_TEST(contacts > (cells < 10 ? 100 : 10));
     }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

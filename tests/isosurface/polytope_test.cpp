@@ -8,6 +8,9 @@
 #include "support/random_meshes.h"
 
 namespace clearway::testing {
+
+BOOST_AUTO_TEST_SUITE(polytope_test)
+
 namespace {
 
 struct Plane {
@@ -99,4 +102,6 @@ BOOST_AUTO_TEST_CASE(a_plane_that_misses_leaves_all_or_nothing) {
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::testing

@@ -11,6 +11,9 @@
 #include "support/winding.h"
 
 namespace clearway::testing {
+
+BOOST_AUTO_TEST_SUITE(tetrahedra_test)
+
 namespace {
 
 double volumeOf(const Tetrahedra& tetrahedra, const Tetrahedron& t) {
@@ -131,4 +134,6 @@ BOOST_AUTO_TEST_CASE(halves_keep_what_is_true_of_all_points) {
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::testing

@@ -144,6 +144,8 @@ float shareOf(const FramedPair<float>& pair, double share) {
 
 }  // namespace
 
+BOOST_AUTO_TEST_SUITE(certificate_test)
+
 BOOST_DATA_TEST_CASE(what_a_walk_proves_is_true_but_for_the_width_of_slabs, eachTarget(), target) {
     const UsingTarget using_(target);
     long proofs = 0;
@@ -206,6 +208,8 @@ BOOST_DATA_TEST_CASE(pairs_clearly_apart_are_proved_within_few_steps, eachTarget
     BOOST_TEST(shares[1] >= 0.9);
     BOOST_TEST(shares[3] >= 0.99);
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace testing
 }  // namespace clearway

@@ -192,6 +192,8 @@ QueryCase smallCase(Random& random, const Mesh& part, const Mesh& environment) {
 
 }  // namespace
 
+BOOST_AUTO_TEST_SUITE(rss_lower_bound_test)
+
 BOOST_DATA_TEST_CASE(lower_bound_never_exceeds_true_distance, eachTarget() * eachWidth(), target, width) {
     const UsingTarget using_(target);
     Random random(71);
@@ -208,6 +210,8 @@ BOOST_DATA_TEST_CASE(lower_bound_never_exceeds_true_distance, eachTarget() * eac
     BOOST_TEST(tightness.unused == 0);
     BOOST_TEST(tightness.half > 0.9 * static_cast<double>(tightness.farApart));
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace testing
 }  // namespace clearway

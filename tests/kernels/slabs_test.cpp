@@ -99,6 +99,8 @@ void useChosenTarget() {
 
 }  // namespace
 
+BOOST_AUTO_TEST_SUITE(slabs_test)
+
 BOOST_DATA_TEST_CASE(slabs_are_judged_by_their_width_across_the_direction, eachTarget(), target) {
     const UsingTarget using_(target);
     Random random(kSeed);
@@ -182,6 +184,8 @@ BOOST_DATA_TEST_CASE(supports_are_the_extreme_corners, eachTarget(), target) {
         }
     }
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace testing
 }  // namespace clearway

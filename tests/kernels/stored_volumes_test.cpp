@@ -142,6 +142,8 @@ long double reachOf(const VolumeCase& volumes) {
 
 }  // namespace
 
+BOOST_AUTO_TEST_SUITE(stored_volumes_test)
+
 BOOST_AUTO_TEST_CASE(the_cases_hold_volumes_apart_and_overlapping) {
     int apart = 0, overlapping = 0, close = 0;
     for (const VolumeCase& volumes : cases()) {
@@ -238,6 +240,8 @@ BOOST_DATA_TEST_CASE(bounds_of_volumes_apart_are_of_use, eachTarget() * eachWidt
     BOOST_TEST(apart > 5000);
     BOOST_TEST(useful > 0.99 * apart);
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace testing
 }  // namespace clearway

@@ -177,6 +177,8 @@ void checkPower() {
 
 }  // namespace
 
+BOOST_AUTO_TEST_SUITE(tri_tri_distance_test)
+
 BOOST_DATA_TEST_CASE(float_bounds_hold_the_distance_but_for_rounding, eachTarget(), target) {
     const UsingTarget using_(target);
     checkBounds<float>();
@@ -192,6 +194,8 @@ BOOST_DATA_TEST_CASE(plain_pairs_are_separated_and_their_bounds_are_tight, eachT
     checkPower<float>();
     checkPower<double>();
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace testing
 }  // namespace clearway

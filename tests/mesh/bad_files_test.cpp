@@ -10,6 +10,8 @@
 
 namespace clearway {
 
+BOOST_AUTO_TEST_SUITE(bad_files_test)
+
 using namespace testing;
 
 namespace {
@@ -222,4 +224,6 @@ BOOST_AUTO_TEST_CASE(files_that_hold_surfaces_are_named_whatever_their_ending) {
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway

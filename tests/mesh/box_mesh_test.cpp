@@ -7,6 +7,8 @@
 
 namespace clearway {
 
+BOOST_AUTO_TEST_SUITE(box_mesh_test)
+
 BOOST_AUTO_TEST_CASE(a_box_is_closed_faces_outwards_and_fills_its_corners) {
     const Box box(Vector3(-1, 2, 0.5), Vector3(3, 2.5, 7));
     const Mesh mesh = boxMesh(box, "keep out");
@@ -40,5 +42,7 @@ BOOST_AUTO_TEST_CASE(a_box_that_is_none_is_refused_by_name) {
         });
     }
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace clearway

@@ -14,6 +14,8 @@
 
 namespace clearway {
 
+BOOST_AUTO_TEST_SUITE(clean_test)
+
 using testing::Random;
 
 namespace {
@@ -252,5 +254,7 @@ BOOST_AUTO_TEST_CASE(unshared_vertices_of_a_large_mesh_are_welded_without_quadra
     BOOST_TEST(cleaned.triangles.size() == mesh.triangles.size());
     BOOST_TEST(seconds < 10);  // usually 0.03; with one long chain of collisions it takes minutes
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace clearway

@@ -4,6 +4,8 @@
 
 namespace clearway {
 
+BOOST_AUTO_TEST_SUITE(components_test)
+
 using Names = std::vector<std::string>;
 
 namespace {
@@ -40,5 +42,7 @@ BOOST_AUTO_TEST_CASE(repeated_names_are_numbered_and_a_name_the_file_gives_is_ke
     BOOST_TEST(madeDistinct({"rib#2", "rib#2", "rib", "rib"}) == (Names{"rib#2", "rib#2#2", "rib", "rib#3"}));
     BOOST_TEST(madeDistinct({"", "a", ""}) == (Names{"part", "a", "part#2"}));
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace clearway

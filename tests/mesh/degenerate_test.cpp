@@ -7,6 +7,8 @@
 
 namespace clearway {
 
+BOOST_AUTO_TEST_SUITE(degenerate_test)
+
 using testing::Random;
 
 namespace {
@@ -76,5 +78,7 @@ BOOST_AUTO_TEST_CASE(a_line_is_told_from_a_needle_of_one_unit_in_the_last_place)
         }
     }
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace clearway

@@ -12,6 +12,8 @@
 
 namespace clearway {
 
+BOOST_AUTO_TEST_SUITE(formats_test)
+
 using namespace testing;
 
 namespace {
@@ -142,5 +144,7 @@ BOOST_AUTO_TEST_CASE(gltf_1_is_refused) {
         BOOST_CHECK_THROW(loadMesh(file), std::runtime_error);
     }
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace clearway

@@ -9,6 +9,8 @@
 
 namespace clearway {
 
+BOOST_AUTO_TEST_SUITE(load_test)
+
 using namespace testing;
 
 namespace {
@@ -224,5 +226,7 @@ BOOST_AUTO_TEST_CASE(a_transform_of_the_root_node_is_said) {
     BOOST_TEST(mesh.origin.notes[0] ==
                "transform of the root node applied: x' = 2 x + 0.5, y' = y, z' = z - 7");
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace clearway

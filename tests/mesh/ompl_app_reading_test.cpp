@@ -13,6 +13,8 @@
 // these floats directly: assimp's defaults, OMPL.app's steps, one recursion.
 namespace clearway {
 
+BOOST_AUTO_TEST_SUITE(ompl_app_reading_test)
+
 using namespace testing;
 
 namespace {
@@ -132,5 +134,7 @@ BOOST_AUTO_TEST_CASE(a_shared_corner_counts_once_in_the_mean_and_an_unshared_one
     BOOST_REQUIRE(robot.origin.notes.size() == 1u);
     BOOST_TEST(robot.origin.notes[0] == "moved so that the mean of its vertices is the origin");
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace clearway

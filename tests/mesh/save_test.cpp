@@ -12,6 +12,8 @@
 
 namespace clearway {
 
+BOOST_AUTO_TEST_SUITE(save_test)
+
 using namespace testing;
 namespace data = boost::unit_test::data;
 
@@ -205,5 +207,7 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_written_is_refused_and_leaves_nothing) {
     }
     BOOST_TEST(folder.names().empty());
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace clearway

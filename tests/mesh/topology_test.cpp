@@ -6,6 +6,8 @@
 
 namespace clearway {
 
+BOOST_AUTO_TEST_SUITE(topology_test)
+
 namespace {
 
 /// Counter-clockwise seen from outside.
@@ -79,5 +81,7 @@ BOOST_AUTO_TEST_CASE(a_triangle_collapsed_to_an_edge_opens_nothing) {
 BOOST_AUTO_TEST_CASE(no_triangles_have_no_open_edges) {
     requireCounts(checkEdges({}), 0, 0, 0, 0);
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace clearway

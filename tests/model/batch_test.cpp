@@ -9,6 +9,9 @@
 #include "support/random_meshes.h"
 
 namespace clearway {
+
+BOOST_AUTO_TEST_SUITE(batch_test)
+
 namespace {
 
 using testing::Random;
@@ -62,4 +65,6 @@ BOOST_FIXTURE_TEST_CASE(a_bad_pose_or_option_is_refused, Fixture) {
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway

@@ -8,6 +8,9 @@
 #include "support/random_meshes.h"
 
 namespace clearway::testing {
+
+BOOST_AUTO_TEST_SUITE(displacement_test)
+
 namespace {
 
 double largestVertexDistance(const Mesh& mesh, const Vector3& axis) {
@@ -127,4 +130,6 @@ BOOST_AUTO_TEST_CASE(a_pose_is_not_away_from_itself) {
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::testing

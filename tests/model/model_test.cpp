@@ -8,6 +8,8 @@
 #include "support/each_target.h"
 #include "support/random_meshes.h"
 
+BOOST_AUTO_TEST_SUITE(model_test)
+
 using namespace clearway;
 using namespace clearway::testing;
 
@@ -118,3 +120,5 @@ BOOST_AUTO_TEST_CASE(wrong_options_are_refused_with_the_known_ones) {
     options.nodeWidth = 4;
     checkRefused(mesh, options, {"nodeWidth", "4", "8"});
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -9,6 +9,9 @@
 #include "support/winding.h"
 
 namespace clearway::testing {
+
+BOOST_AUTO_TEST_SUITE(obstacle_groups_test)
+
 namespace {
 
 Mesh file(const std::string& name, const std::vector<std::string>& components) {
@@ -247,4 +250,6 @@ BOOST_AUTO_TEST_CASE(obstacles_are_grouped_by_overlap_and_made_solid) {
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::testing

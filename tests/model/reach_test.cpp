@@ -14,6 +14,9 @@
 #include "support/temporary_folder.h"
 
 namespace clearway {
+
+BOOST_AUTO_TEST_SUITE(reach_test)
+
 namespace {
 
 using testing::Random;
@@ -312,4 +315,6 @@ BOOST_AUTO_TEST_CASE(the_cache_keeps_models_of_different_reaches_apart) {
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway

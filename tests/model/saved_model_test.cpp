@@ -10,6 +10,9 @@
 #include "tree/flat_tree.h"
 
 namespace clearway {
+
+BOOST_AUTO_TEST_SUITE(saved_model_test)
+
 namespace {
 
 using testing::Random;
@@ -124,4 +127,6 @@ BOOST_FIXTURE_TEST_CASE(the_cache_builds_once_and_replaces_what_is_damaged, Fixt
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway

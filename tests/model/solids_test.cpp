@@ -8,6 +8,8 @@
 #include "support/random_meshes.h"
 #include "support/winding.h"
 
+BOOST_AUTO_TEST_SUITE(solids_test)
+
 using namespace clearway;
 using namespace clearway::testing;
 
@@ -182,3 +184,5 @@ BOOST_AUTO_TEST_CASE(windings_are_those_of_the_solid_angles_wherever_mesh_and_po
     BOOST_TEST(inside > 40);
     BOOST_TEST(inside < 300);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

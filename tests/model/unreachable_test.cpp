@@ -11,6 +11,9 @@
 #include "support/triangle_distance.h"
 
 namespace clearway {
+
+BOOST_AUTO_TEST_SUITE(unreachable_test)
+
 namespace {
 
 using testing::Random;
@@ -172,4 +175,6 @@ BOOST_AUTO_TEST_CASE(a_reach_that_is_none_is_refused_by_name) {
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway

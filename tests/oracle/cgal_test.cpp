@@ -9,6 +9,8 @@
 #include "support/exact_triangle.h"
 #include "support/hard_triangles.h"
 
+BOOST_AUTO_TEST_SUITE(cgal_test)
+
 using namespace clearway;
 using namespace clearway::testing;
 
@@ -52,3 +54,5 @@ BOOST_AUTO_TEST_CASE(rationals_equal_cgal_on_every_pair_that_it_takes) {
     BOOST_TEST(compared > 1500);
     BOOST_TEST(touching > 300);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+BOOST_AUTO_TEST_SUITE(convex_hull_test)
+
 using namespace clearway;
 using namespace clearway::testing;
 
@@ -30,3 +32,5 @@ BOOST_AUTO_TEST_CASE(points_in_a_plane_have_no_hull) {
     BOOST_CHECK_THROW(convexHull({{0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}}), std::invalid_argument);
     BOOST_CHECK_THROW(convexHull({}), std::invalid_argument);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

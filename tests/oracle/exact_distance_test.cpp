@@ -8,6 +8,9 @@
 #include "support/hard_triangles.h"
 
 namespace clearway::testing {
+
+BOOST_AUTO_TEST_SUITE(exact_distance_test)
+
 namespace {
 
 Rational squareOf(const ExactDistance& distance) {
@@ -73,4 +76,6 @@ BOOST_AUTO_TEST_CASE(exact_distances_of_other_exponents_are_ordered) {
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::testing

@@ -5,6 +5,8 @@
 #include "support/oracle.h"
 #include "support/random_meshes.h"
 
+BOOST_AUTO_TEST_SUITE(mesh_oracle_test)
+
 using namespace clearway;
 using namespace clearway::testing;
 
@@ -78,3 +80,5 @@ BOOST_AUTO_TEST_CASE(the_pose_counts_as_it_is_rounded) {
     BOOST_TEST(answer.distance < 1e-16);
     BOOST_TEST(!MeshOracle(point, wall).collides(pose));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -7,6 +7,8 @@
 #include "support/random_meshes.h"
 #include "support/triangle_distance.h"
 
+BOOST_AUTO_TEST_SUITE(triangle_distance_test)
+
 using namespace clearway;
 using namespace clearway::testing;
 
@@ -145,3 +147,5 @@ BOOST_AUTO_TEST_CASE(all_vertex_orders_agree) {
         }
     }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -5,6 +5,8 @@
 
 namespace clearway::testing {
 
+BOOST_AUTO_TEST_SUITE(load_scene_test)
+
 namespace {
 
 /// A box between two others, one of which is ignored.
@@ -59,4 +61,6 @@ BOOST_AUTO_TEST_CASE(by_default_the_whole_environment_is_built) {
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::testing

@@ -10,6 +10,8 @@
 
 namespace clearway {
 
+BOOST_AUTO_TEST_SUITE(mutated_files_test)
+
 using testing::TemporaryFolder;
 
 namespace {
@@ -150,5 +152,7 @@ BOOST_AUTO_TEST_CASE(mutated_ppl_scenes_are_taken_with_sound_states_or_refused) 
         requireFinite(scene.goal);
     });
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace clearway

@@ -7,6 +7,9 @@
 #include "support/temporary_folder.h"
 
 namespace clearway::testing {
+
+BOOST_AUTO_TEST_SUITE(obstacle_rules_test)
+
 namespace {
 
 using Names = std::vector<std::string>;
@@ -187,4 +190,6 @@ BOOST_AUTO_TEST_CASE(wrong_overlaps_are_refused_with_what_was_expected) {
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::testing

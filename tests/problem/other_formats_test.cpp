@@ -7,6 +7,9 @@
 #include "support/temporary_folder.h"
 
 namespace clearway::testing {
+
+BOOST_AUTO_TEST_SUITE(other_formats_test)
+
 namespace {
 
 const std::string kTwoParts = "2 4 2 7\n1 1\n2 2\n1 1 1 2 1 1\n1 2 1 1 1 3\n1 2 -3\n1 2 3 -4\n";
@@ -109,4 +112,6 @@ BOOST_AUTO_TEST_CASE(ppl_meshes_are_centred_on_the_mean_of_their_files_vertices)
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::testing

@@ -8,6 +8,9 @@
 #include "clearway/problem.h"
 
 namespace clearway {
+
+BOOST_AUTO_TEST_SUITE(outside_test)
+
 namespace {
 
 const Box kUnitBox(Vector3(0, 0, 0), Vector3(1, 1, 1));
@@ -131,4 +134,6 @@ BOOST_AUTO_TEST_CASE(a_goal_outside_that_has_contacts_is_refused) {
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway

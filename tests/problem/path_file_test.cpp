@@ -8,6 +8,8 @@
 
 namespace clearway {
 
+BOOST_AUTO_TEST_SUITE(path_file_test)
+
 using testing::readText;
 using testing::TemporaryFolder;
 
@@ -94,5 +96,7 @@ BOOST_AUTO_TEST_CASE(a_path_that_cannot_be_written_leaves_nothing) {
     BOOST_CHECK_THROW(writePath({PartState{}}, Space::kSe3, folder.file("none/a.path")), std::runtime_error);
     BOOST_TEST(folder.names().empty());
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace clearway

@@ -6,6 +6,8 @@
 
 namespace clearway {
 
+BOOST_AUTO_TEST_SUITE(pose_file_test)
+
 using testing::TemporaryFolder;
 
 namespace {
@@ -109,4 +111,6 @@ BOOST_AUTO_TEST_CASE(a_file_that_cannot_be_read_is_named) {
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway

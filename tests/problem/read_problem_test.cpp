@@ -7,6 +7,8 @@
 
 namespace clearway {
 
+BOOST_AUTO_TEST_SUITE(read_problem_test)
+
 using testing::TemporaryFolder;
 
 namespace {
@@ -568,5 +570,7 @@ BOOST_AUTO_TEST_CASE(a_file_that_cannot_be_read_is_named) {
                "cannot read '" + missing + "': No such file or directory, expected a problem file (.cfg)";
     });
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace clearway

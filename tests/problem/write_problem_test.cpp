@@ -9,6 +9,8 @@
 
 namespace clearway {
 
+BOOST_AUTO_TEST_SUITE(write_problem_test)
+
 using testing::readText;
 using testing::TemporaryFolder;
 
@@ -192,5 +194,7 @@ BOOST_AUTO_TEST_CASE(what_could_not_be_read_back_is_refused_and_leaves_nothing) 
     BOOST_CHECK_THROW(writeProblem(problem, folder.file("none/a.cfg")), std::runtime_error);
     BOOST_TEST(folder.names().empty());
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace clearway

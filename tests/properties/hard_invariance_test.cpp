@@ -9,6 +9,8 @@
 #include "support/exact_check.h"
 #include "support/hard_triangles.h"
 
+BOOST_AUTO_TEST_SUITE(hard_invariance_test)
+
 using namespace clearway;
 using namespace clearway::testing;
 
@@ -224,3 +226,5 @@ BOOST_DATA_TEST_CASE(a_million_away_the_interval_holds_the_distance_of_what_is_s
 }
 
 }  // namespace
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -8,6 +8,8 @@
 #include "support/exact_check.h"
 #include "support/hard_triangles.h"
 
+BOOST_AUTO_TEST_SUITE(hard_meshes_test)
+
 using namespace clearway;
 using namespace clearway::testing;
 
@@ -286,3 +288,5 @@ BOOST_AUTO_TEST_CASE(case_48_shared_coordinates_far_from_the_origin) {
         BOOST_TEST(checkAt("touching far away", part, part, shiftedBy(2, 0, 0)) <= 8 * kUnitRoundoff * away);
     }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -12,6 +12,8 @@
 #include "support/exact_check.h"
 #include "support/hard_triangles.h"
 
+BOOST_AUTO_TEST_SUITE(hard_triangles_test)
+
 using namespace clearway;
 using namespace clearway::testing;
 
@@ -139,3 +141,5 @@ BOOST_AUTO_TEST_CASE(case_34_all_36_orders_of_corners_agree) {
         }
     }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

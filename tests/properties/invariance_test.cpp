@@ -6,6 +6,8 @@
 #include "support/each_target.h"
 #include "support/query_cases.h"
 
+BOOST_AUTO_TEST_SUITE(invariance_test)
+
 using namespace clearway;
 using namespace clearway::testing;
 
@@ -230,3 +232,5 @@ BOOST_AUTO_TEST_CASE(distance_changes_by_no_more_than_the_part_moves) {
         }
     }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -60,6 +60,8 @@ void* aligned_alloc(std::size_t alignment, std::size_t size) {
 
 #endif
 
+BOOST_AUTO_TEST_SUITE(allocation_test)
+
 using namespace clearway;
 using namespace clearway::testing;
 
@@ -117,3 +119,5 @@ BOOST_DATA_TEST_CASE(a_warmed_query_allocates_nothing, eachTarget() * eachWidth(
         BOOST_TEST(made == 0, queryCase.name << ": " << made << " allocations");
     }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -166,6 +166,8 @@ std::vector<double> boundsOf(const PairQuery& query, const std::vector<Candidate
 
 }  // namespace
 
+BOOST_AUTO_TEST_SUITE(bound_pairs_test)
+
 BOOST_AUTO_TEST_CASE(the_cases_hold_contact_near_and_plain_pairs) {
     int touching = 0, near = 0, plain = 0;
     for (const PairsCase& pairs : cases()) {
@@ -200,6 +202,8 @@ BOOST_DATA_TEST_CASE(no_bound_exceeds_the_distance_or_is_far_from_that_of_a_plai
         }
     }
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace testing
 }  // namespace clearway

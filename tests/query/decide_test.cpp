@@ -10,6 +10,8 @@
 #include "support/hard_triangles.h"
 #include "support/query_cases.h"
 
+BOOST_AUTO_TEST_SUITE(decide_test)
+
 using namespace clearway;
 using namespace clearway::testing;
 
@@ -148,3 +150,5 @@ BOOST_DATA_TEST_CASE(within_turns_at_the_exact_distance, eachTarget(), target) {
                    (draw.distanceSquared == 0));
     }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -7,6 +7,8 @@
 #include "support/each_target.h"
 #include "support/query_cases.h"
 
+BOOST_AUTO_TEST_SUITE(distance_test)
+
 using namespace clearway;
 using namespace clearway::testing;
 
@@ -80,3 +82,5 @@ BOOST_AUTO_TEST_CASE(components_are_those_that_hold_the_triangles) {
                    static_cast<std::int64_t>(componentOf(environmentMesh, result.environmentTriangle)));
     }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -200,6 +200,8 @@ long double reachOf(const LeafCase& leaves, const PairQuery& query) {
 
 }  // namespace
 
+BOOST_AUTO_TEST_SUITE(leaf_pairs_test)
+
 BOOST_AUTO_TEST_CASE(the_cases_hold_leaves_of_1_to_16_triangles) {
     std::vector<int> leaves(17);
     for (const LeafCase& pair : cases()) {
@@ -288,6 +290,8 @@ BOOST_DATA_TEST_CASE(most_pairs_that_are_not_near_are_left_out, eachTarget(), ta
     BOOST_TEST(beyond > 10000);
     BOOST_TEST(leftOut > 0.95 * double(beyond));
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace testing
 }  // namespace clearway

@@ -7,6 +7,8 @@
 #include "support/each_target.h"
 #include "support/query_cases.h"
 
+BOOST_AUTO_TEST_SUITE(options_test)
+
 using namespace clearway;
 using namespace clearway::testing;
 
@@ -259,3 +261,5 @@ BOOST_AUTO_TEST_CASE(coordinates_that_would_overflow_are_refused_by_name) {
     const Model large = Model::build(scaledBy(box({1, 1, 1}), 0x1p980));
     BOOST_TEST(distance(large, large, Pose{}, {}, workspace).pointOnPart.allFinite());
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -5,6 +5,8 @@
 #include "support/each_target.h"
 #include "support/query_cases.h"
 
+BOOST_AUTO_TEST_SUITE(shared_models_test)
+
 using namespace clearway;
 using namespace clearway::testing;
 
@@ -73,3 +75,5 @@ BOOST_AUTO_TEST_CASE(a_moved_workspace_goes_on_serving) {
     checkDistance(distance(models.part, models.environment, queryCase.poses[2], {}, third), queryCase,
                   queryCase.poses[2], queryCase.answers[2]);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

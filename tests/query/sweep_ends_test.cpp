@@ -10,6 +10,9 @@
 #include "support/swept_pairs.h"
 
 namespace clearway::testing {
+
+BOOST_AUTO_TEST_SUITE(sweep_ends_test)
+
 namespace {
 
 BOOST_AUTO_TEST_CASE(a_stop_is_asked_for_at_once_and_after_at_most_256_steps) {
@@ -198,4 +201,6 @@ BOOST_AUTO_TEST_CASE(wrong_arguments_are_refused_by_name) {
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::testing

@@ -12,6 +12,9 @@
 #include "support/swept_pairs.h"
 
 namespace clearway::testing {
+
+BOOST_AUTO_TEST_SUITE(sweep_test)
+
 namespace {
 
 struct Tally {
@@ -238,4 +241,6 @@ BOOST_DATA_TEST_CASE(a_pipe_rolls_a_millionth_above_a_plate, eachWidth(), width)
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::testing

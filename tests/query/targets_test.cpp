@@ -7,6 +7,8 @@
 #include "clearway/targets.h"
 #include "support/query_cases.h"
 
+BOOST_AUTO_TEST_SUITE(targets_test)
+
 using namespace clearway;
 using namespace clearway::testing;
 
@@ -72,3 +74,5 @@ BOOST_AUTO_TEST_CASE(instruction_sets_differ_by_rounding_only) {
         }
     }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

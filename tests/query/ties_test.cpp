@@ -10,6 +10,8 @@
 #include "support/each_target.h"
 #include "support/query_cases.h"
 
+BOOST_AUTO_TEST_SUITE(ties_test)
+
 using namespace clearway;
 using namespace clearway::testing;
 
@@ -115,3 +117,5 @@ BOOST_DATA_TEST_CASE(parallel_faces_keep_a_narrow_interval_about_their_gap, each
         for (const QueryCase& queryCase : boxesAtGaps()) checkTies(queryCase, build);
     }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

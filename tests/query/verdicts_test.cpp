@@ -6,6 +6,8 @@
 #include "support/each_target.h"
 #include "support/query_cases.h"
 
+BOOST_AUTO_TEST_SUITE(verdicts_test)
+
 using namespace clearway;
 using namespace clearway::testing;
 
@@ -118,3 +120,5 @@ BOOST_AUTO_TEST_CASE(boxes_a_hair_apart_are_free_and_touching_ones_are_not) {
         }
     }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

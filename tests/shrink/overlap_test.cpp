@@ -8,6 +8,9 @@
 #include "support/winding.h"
 
 namespace clearway::testing {
+
+BOOST_AUTO_TEST_SUITE(overlap_test)
+
 namespace {
 
 double depthOf(const Mesh& part, const Vector3& point) {
@@ -67,4 +70,6 @@ BOOST_AUTO_TEST_CASE(the_deepest_point_is_within_its_bounds_at_random_poses) {
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::testing

@@ -14,6 +14,9 @@
 #include "support/winding.h"
 
 namespace clearway::testing {
+
+BOOST_AUTO_TEST_SUITE(shrink_test)
+
 namespace {
 
 Mesh named(Mesh mesh, const std::string& name) {
@@ -528,4 +531,6 @@ BOOST_AUTO_TEST_CASE(depths_are_those_of_brute_force) {
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::testing

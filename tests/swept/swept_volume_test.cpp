@@ -14,6 +14,9 @@
 #include "support/random_meshes.h"
 
 namespace clearway::testing {
+
+BOOST_AUTO_TEST_SUITE(swept_volume_test)
+
 namespace {
 
 /// The pose at a time, by the definition of RigidMotion.
@@ -137,4 +140,6 @@ BOOST_AUTO_TEST_CASE(wrong_options_are_refused_and_work_can_be_stopped) {
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::testing

@@ -5,6 +5,9 @@
 #include "torture/truth.h"
 
 namespace clearway::testing {
+
+BOOST_AUTO_TEST_SUITE(meshes_test)
+
 namespace {
 
 constexpr std::uint64_t kSeed = 20261121;
@@ -45,4 +48,6 @@ BOOST_AUTO_TEST_CASE(the_mesh_oracle_sees_contact_behind_a_pair_that_nearly_touc
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::testing

@@ -4,6 +4,9 @@
 #include "torture/runs.h"
 
 namespace clearway::testing {
+
+BOOST_AUTO_TEST_SUITE(pairs_test)
+
 namespace {
 
 constexpr std::uint64_t kSeed = 20261121;
@@ -28,4 +31,6 @@ BOOST_AUTO_TEST_CASE(hard_pairs_are_answered_as_exact_arithmetic_does) {
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::testing

@@ -9,6 +9,9 @@
 #include "build/sample_meshes.h"
 
 namespace clearway::testing {
+
+BOOST_AUTO_TEST_SUITE(flat_tree_test)
+
 namespace {
 
 /// Node 0 above node 1, which has two leaves and node 2, which has one leaf.
@@ -61,4 +64,6 @@ BOOST_DATA_TEST_CASE(counts_of_a_built_tree_add_up, boost::unit_test::data::make
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::testing

@@ -7,6 +7,9 @@
 #include "tree/stored_volume.h"
 
 namespace clearway::testing {
+
+BOOST_AUTO_TEST_SUITE(round_outward_test)
+
 namespace {
 
 std::vector<Vector3> cloud(Random& random, double spread0, double spread1, double spread2) {
@@ -99,4 +102,6 @@ BOOST_AUTO_TEST_CASE(no_stored_number_is_a_denormal_float) {
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::testing

@@ -3,6 +3,9 @@
 #include <boost/test/unit_test.hpp>
 
 namespace clearway::testing {
+
+BOOST_AUTO_TEST_SUITE(round_test)
+
 namespace {
 
 BOOST_AUTO_TEST_CASE(rounding_up_gives_the_least_float_not_below) {
@@ -15,4 +18,6 @@ BOOST_AUTO_TEST_CASE(rounding_up_gives_the_least_float_not_below) {
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::testing

@@ -7,6 +7,9 @@
 #include "tree/stored_volume.h"
 
 namespace clearway::testing {
+
+BOOST_AUTO_TEST_SUITE(rss_test)
+
 namespace {
 
 Rss sample() {
@@ -54,4 +57,6 @@ BOOST_AUTO_TEST_CASE(volume_grows_with_the_radius_by_the_area) {
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::testing

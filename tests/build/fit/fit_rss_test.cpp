@@ -7,6 +7,9 @@
 #include "tree/stored_volume.h"
 
 namespace clearway::testing {
+
+BOOST_AUTO_TEST_SUITE(fit_rss_test)
+
 namespace {
 
 /// Largest distance of a point beyond the swept surface; at most rounding when the volume holds them all.
@@ -152,4 +155,6 @@ BOOST_AUTO_TEST_CASE(scaling_by_a_power_of_two_scales_the_fit_exactly) {
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::testing

@@ -6,6 +6,9 @@
 #include "tree/stored_volume.h"
 
 namespace clearway::testing {
+
+BOOST_AUTO_TEST_SUITE(frame_search_test)
+
 namespace {
 
 constexpr double kFloatRounding = 1e-5;  // relative: candidates are compared in float
@@ -108,4 +111,6 @@ BOOST_AUTO_TEST_CASE(one_point_or_equal_points_have_no_size) {
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::testing

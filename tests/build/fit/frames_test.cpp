@@ -6,6 +6,9 @@
 #include "build/sample_meshes.h"
 
 namespace clearway::testing {
+
+BOOST_AUTO_TEST_SUITE(frames_test)
+
 namespace {
 
 constexpr double kFloatRounding = 1e-5;    // relative: frames are compared in float
@@ -75,4 +78,6 @@ BOOST_AUTO_TEST_CASE(one_triangle_is_fitted_flat_along_an_edge) {
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::testing

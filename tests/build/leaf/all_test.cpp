@@ -6,6 +6,9 @@
 #include "support/processor_time.h"
 
 namespace clearway::testing {
+
+BOOST_AUTO_TEST_SUITE(all_test)
+
 namespace {
 
 BOOST_AUTO_TEST_CASE(the_general_split_goes_on_to_single_triangles) {
@@ -40,4 +43,6 @@ BOOST_AUTO_TEST_CASE(a_group_costs_no_more_in_a_large_mesh_than_in_a_small_one) 
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::testing

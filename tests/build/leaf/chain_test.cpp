@@ -5,6 +5,9 @@
 #include "build/leaf/groups.h"
 
 namespace clearway::testing {
+
+BOOST_AUTO_TEST_SUITE(chain_test)
+
 namespace {
 
 Leaves chains(const std::vector<TriangleIndices>& triangles) {
@@ -50,4 +53,6 @@ BOOST_AUTO_TEST_CASE(many_chains_hang_under_a_balanced_subtree) {
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::testing

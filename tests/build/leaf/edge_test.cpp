@@ -5,6 +5,9 @@
 #include "build/leaf/groups.h"
 
 namespace clearway::testing {
+
+BOOST_AUTO_TEST_SUITE(edge_test)
+
 namespace {
 
 Leaves chains(const std::vector<TriangleIndices>& triangles) {
@@ -34,4 +37,6 @@ BOOST_AUTO_TEST_CASE(a_vertex_that_a_degenerate_triangle_repeats_counts_once) {
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::testing

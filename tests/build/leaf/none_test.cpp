@@ -5,6 +5,9 @@
 #include "build/leaf/groups.h"
 
 namespace clearway::testing {
+
+BOOST_AUTO_TEST_SUITE(none_test)
+
 namespace {
 
 BOOST_AUTO_TEST_CASE(the_group_stays_one_leaf_whatever_its_triangles_share) {
@@ -13,4 +16,6 @@ BOOST_AUTO_TEST_CASE(the_group_stays_one_leaf_whatever_its_triangles_share) {
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::testing

@@ -8,6 +8,9 @@
 #include "tree/rss.h"
 
 namespace clearway::testing {
+
+BOOST_AUTO_TEST_SUITE(axis_test)
+
 namespace {
 
 /// Two long plates, one above the other: the spread is greatest along them.
@@ -71,4 +74,6 @@ BOOST_AUTO_TEST_CASE(no_other_principal_axis_would_have_given_less_area) {
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::testing

@@ -10,6 +10,9 @@
 #include "build/split/children.h"
 
 namespace clearway::testing {
+
+BOOST_AUTO_TEST_SUITE(embree_test)
+
 namespace {
 
 BOOST_AUTO_TEST_CASE(two_clusters_are_parted) {
@@ -40,4 +43,6 @@ BOOST_AUTO_TEST_CASE(two_threads_may_build_at_once) {
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::testing

@@ -7,6 +7,9 @@
 #include "build/split/children.h"
 
 namespace clearway::testing {
+
+BOOST_AUTO_TEST_SUITE(halves_test)
+
 namespace {
 
 TriangleSet leftHalf(const CleanMesh& mesh) {
@@ -35,4 +38,6 @@ BOOST_AUTO_TEST_CASE(coinciding_centroids_are_parted_by_position) {
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::testing

@@ -6,6 +6,9 @@
 #include "build/split/children.h"
 
 namespace clearway::testing {
+
+BOOST_AUTO_TEST_SUITE(mean_test)
+
 namespace {
 
 Corners smallAt(const Vector3& at) {
@@ -46,4 +49,6 @@ BOOST_AUTO_TEST_CASE(the_normal_is_the_direction_of_greatest_spread) {
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::testing

@@ -6,6 +6,9 @@
 #include "build/split/children.h"
 
 namespace clearway::testing {
+
+BOOST_AUTO_TEST_SUITE(sah_test)
+
 namespace {
 
 /// A patch of n x n cells in the plane of u and v.
@@ -80,4 +83,6 @@ BOOST_AUTO_TEST_CASE(triangles_that_coincide_as_floats_are_still_parted_by_place
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::testing

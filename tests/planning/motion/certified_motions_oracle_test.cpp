@@ -9,6 +9,9 @@
 #include "support/motion_judge.h"
 
 namespace clearway::testing {
+
+BOOST_AUTO_TEST_SUITE(certified_motions_oracle_test)
+
 namespace {
 
 namespace ob = ompl::base;
@@ -70,4 +73,6 @@ BOOST_AUTO_TEST_CASE(answers_about_a_motion_are_true_of_its_poses) {
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::testing

@@ -14,6 +14,9 @@
 #include "support/random_meshes.h"
 
 namespace clearway::planning {
+
+BOOST_AUTO_TEST_SUITE(discrete_motion_validator_test)
+
 namespace {
 
 namespace ob = ompl::base;
@@ -309,4 +312,6 @@ BOOST_AUTO_TEST_CASE(an_empty_bound_is_refused) {
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::planning

@@ -9,6 +9,9 @@
 #include "support/random_motion.h"
 
 namespace clearway::testing {
+
+BOOST_AUTO_TEST_SUITE(motion_oracle_test)
+
 namespace {
 
 namespace ob = ompl::base;
@@ -79,4 +82,6 @@ BOOST_AUTO_TEST_CASE(no_motion_called_valid_touches_by_the_oracle_and_none_calle
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::testing

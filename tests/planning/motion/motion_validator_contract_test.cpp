@@ -10,6 +10,9 @@
 #include "support/window_scene.h"
 
 namespace clearway::planning {
+
+BOOST_AUTO_TEST_SUITE(motion_validator_contract_test)
+
 namespace {
 
 namespace ob = ompl::base;
@@ -63,4 +66,6 @@ BOOST_AUTO_TEST_CASE(the_certified_validator_keeps_the_contract_through_callback
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::planning

@@ -11,6 +11,9 @@
 #include "support/motion_window.h"
 
 namespace clearway::planning {
+
+BOOST_AUTO_TEST_SUITE(motion_validator_test)
+
 namespace {
 
 namespace ob = ompl::base;
@@ -219,4 +222,6 @@ BOOST_AUTO_TEST_CASE(the_bounds_end_a_motion_where_they_are) {
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::planning

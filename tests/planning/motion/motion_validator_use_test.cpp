@@ -20,6 +20,9 @@
 #include "support/window_scene.h"
 
 namespace clearway::planning {
+
+BOOST_AUTO_TEST_SUITE(motion_validator_use_test)
+
 namespace {
 
 namespace ob = ompl::base;
@@ -388,4 +391,6 @@ BOOST_AUTO_TEST_CASE(wrong_options_and_empty_callbacks_are_refused) {
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::planning

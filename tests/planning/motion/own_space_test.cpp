@@ -14,6 +14,9 @@
 #include "support/window_scene.h"
 
 namespace clearway::planning {
+
+BOOST_AUTO_TEST_SUITE(own_space_test)
+
 namespace {
 
 namespace ob = ompl::base;
@@ -152,4 +155,6 @@ BOOST_AUTO_TEST_CASE(a_deviation_that_is_too_small_is_believed_and_caught_by_loo
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::planning

@@ -21,6 +21,9 @@
 #include "support/random_meshes.h"
 
 namespace clearway::planning {
+
+BOOST_AUTO_TEST_SUITE(clearance_objectives_test)
+
 namespace {
 
 namespace ob = ompl::base;
@@ -369,4 +372,6 @@ BOOST_AUTO_TEST_CASE(wrong_options_and_a_missing_scene_are_refused) {
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::planning

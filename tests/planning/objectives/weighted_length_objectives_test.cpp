@@ -9,6 +9,9 @@
 #include "support/random_meshes.h"
 
 namespace clearway::planning {
+
+BOOST_AUTO_TEST_SUITE(weighted_length_objectives_test)
+
 namespace {
 
 namespace ob = ompl::base;
@@ -151,4 +154,6 @@ BOOST_AUTO_TEST_CASE(a_motion_of_no_length_and_one_without_obstacles_have_their_
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::planning

@@ -7,6 +7,9 @@
 #include "support/motion_window.h"
 
 namespace clearway::planning {
+
+BOOST_AUTO_TEST_SUITE(audit_test)
+
 namespace {
 
 namespace ob = ompl::base;
@@ -173,4 +176,6 @@ BOOST_AUTO_TEST_CASE(no_pose_of_a_path_has_less_clearance_than_its_audit_says) {
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::planning

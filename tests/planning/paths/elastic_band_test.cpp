@@ -18,6 +18,9 @@
 #include "support/random_meshes.h"
 
 namespace clearway::planning {
+
+BOOST_AUTO_TEST_SUITE(elastic_band_test)
+
 namespace {
 
 namespace ob = ompl::base;
@@ -228,4 +231,6 @@ BOOST_AUTO_TEST_CASE(wrong_options_and_spaces_are_refused) {
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::planning

@@ -12,6 +12,9 @@
 #include "support/motion_window.h"
 
 namespace clearway::planning {
+
+BOOST_AUTO_TEST_SUITE(simplify_test)
+
 namespace {
 
 namespace ob = ompl::base;
@@ -185,4 +188,6 @@ BOOST_AUTO_TEST_CASE(wrong_floors_and_paths_are_refused) {
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::planning

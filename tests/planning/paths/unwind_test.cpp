@@ -10,6 +10,9 @@
 #include "support/motion_window.h"
 
 namespace clearway::planning {
+
+BOOST_AUTO_TEST_SUITE(unwind_test)
+
 namespace {
 
 namespace ob = ompl::base;
@@ -86,4 +89,6 @@ BOOST_AUTO_TEST_CASE(of_two_ways_the_wider_one_is_better_or_else_the_one_that_wi
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::planning

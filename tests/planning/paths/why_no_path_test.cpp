@@ -9,6 +9,9 @@
 #include "support/random_meshes.h"
 
 namespace clearway::planning {
+
+BOOST_AUTO_TEST_SUITE(why_no_path_test)
+
 namespace {
 
 using testing::doorScene;
@@ -154,4 +157,6 @@ BOOST_AUTO_TEST_CASE(trees_that_a_valid_motion_joins_are_a_path) {
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::planning

@@ -9,6 +9,9 @@
 #include "support/posts_scene.h"
 
 namespace clearway::testing {
+
+BOOST_AUTO_TEST_SUITE(anytime_clearance_test)
+
 namespace {
 
 constexpr std::uint32_t kSeeds = 2;
@@ -102,4 +105,6 @@ BOOST_AUTO_TEST_CASE(fmt_finds_paths_with_a_bottleneck_for_a_cost) {
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::testing

@@ -15,6 +15,9 @@
 #include "support/motion_window.h"
 
 namespace clearway::planning {
+
+BOOST_AUTO_TEST_SUITE(planners_test)
+
 namespace {
 
 namespace ob = ompl::base;
@@ -121,4 +124,6 @@ BOOST_AUTO_TEST_CASE(rising_floor_ends_at_once_without_a_valid_start) {
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::planning

@@ -15,6 +15,9 @@
 #include "support/processor_time.h"
 
 namespace clearway::planning {
+
+BOOST_AUTO_TEST_SUITE(rising_floor_test)
+
 namespace {
 
 namespace ob = ompl::base;
@@ -98,4 +101,6 @@ BOOST_AUTO_TEST_CASE(the_clearance_told_while_it_plans_never_falls_and_its_data_
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::planning

@@ -6,6 +6,9 @@
 #include "support/motion_window.h"
 
 namespace clearway::planning {
+
+BOOST_AUTO_TEST_SUITE(slide_contacts_test)
+
 namespace {
 
 using Fixture = testing::MotionWindow;
@@ -61,4 +64,6 @@ BOOST_AUTO_TEST_CASE(a_contact_left_behind_is_forgotten) {
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::planning

@@ -16,6 +16,9 @@
 #include "support/random_meshes.h"
 
 namespace clearway::planning {
+
+BOOST_AUTO_TEST_SUITE(sliding_rrt_connect_test)
+
 namespace {
 
 namespace ob = ompl::base;
@@ -173,4 +176,6 @@ BOOST_AUTO_TEST_CASE(a_space_or_a_checker_of_another_kind_is_refused_by_name) {
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::planning

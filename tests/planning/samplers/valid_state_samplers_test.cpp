@@ -15,6 +15,9 @@
 #include "support/motion_window.h"
 
 namespace clearway::planning {
+
+BOOST_AUTO_TEST_SUITE(valid_state_samplers_test)
+
 namespace {
 
 namespace ob = ompl::base;
@@ -156,4 +159,6 @@ BOOST_AUTO_TEST_CASE(a_problem_names_them_as_it_names_those_of_ompl) {
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::planning

@@ -7,6 +7,9 @@
 #include "clearway/problem.h"
 
 namespace clearway::planning {
+
+BOOST_AUTO_TEST_SUITE(data_problems_test)
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -51,4 +54,6 @@ BOOST_AUTO_TEST_CASE(the_bracket_turns_its_way_through_the_window) {
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::planning

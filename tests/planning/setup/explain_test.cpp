@@ -7,6 +7,9 @@
 #include "support/door_scene.h"
 
 namespace clearway::planning {
+
+BOOST_AUTO_TEST_SUITE(explain_test)
+
 namespace {
 
 using Outcome = PlanReport::Outcome;
@@ -105,4 +108,6 @@ BOOST_AUTO_TEST_CASE(one_obstacle_is_nothing_to_choose_from) {
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::planning

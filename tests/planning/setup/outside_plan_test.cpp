@@ -14,6 +14,9 @@
 #include "support/window_scene.h"
 
 namespace clearway::planning {
+
+BOOST_AUTO_TEST_SUITE(outside_plan_test)
+
 namespace {
 
 using Outcome = PlanReport::Outcome;
@@ -151,4 +154,6 @@ BOOST_AUTO_TEST_CASE(ompls_setup_of_a_problem_takes_a_goal_outside) {
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::planning

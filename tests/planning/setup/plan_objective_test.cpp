@@ -10,6 +10,9 @@
 #include "support/processor_time.h"
 
 namespace clearway::planning {
+
+BOOST_AUTO_TEST_SUITE(plan_objective_test)
+
 namespace {
 
 using testing::gatesScene;
@@ -149,4 +152,6 @@ BOOST_AUTO_TEST_CASE(objectives_are_known_by_name_in_any_case) {
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::planning

@@ -18,6 +18,9 @@
 #include "support/window_scene.h"
 
 namespace clearway::planning {
+
+BOOST_AUTO_TEST_SUITE(plan_test)
+
 namespace {
 
 using testing::windowScene;
@@ -457,4 +460,6 @@ BOOST_AUTO_TEST_CASE(options_that_contradict_are_refused) {
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::planning

@@ -17,6 +17,9 @@
 #include "support/window_scene.h"
 
 namespace clearway::planning {
+
+BOOST_AUTO_TEST_SUITE(planning_reach_test)
+
 namespace {
 
 namespace ob = ompl::base;
@@ -240,4 +243,6 @@ BOOST_AUTO_TEST_CASE(positions_may_lie_anywhere_off_the_origin) {
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::planning

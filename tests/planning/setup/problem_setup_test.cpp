@@ -16,6 +16,9 @@
 #include "support/window_scene.h"
 
 namespace clearway::planning {
+
+BOOST_AUTO_TEST_SUITE(problem_setup_test)
+
 namespace {
 
 namespace ob = ompl::base;
@@ -169,4 +172,6 @@ BOOST_AUTO_TEST_CASE(a_rule_without_an_obstacle_is_refused_with_the_problems_fil
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::planning

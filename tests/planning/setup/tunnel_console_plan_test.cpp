@@ -7,6 +7,8 @@
 
 namespace clearway::testing {
 
+BOOST_AUTO_TEST_SUITE(tunnel_console_plan_test)
+
 using planning::PlanReport;
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
@@ -42,5 +44,7 @@ BOOST_AUTO_TEST_CASE(the_small_tunnel_console_is_solved_in_30_seconds_and_the_pa
         BOOST_TEST(closest.environmentMesh != "");
     }
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace clearway::testing

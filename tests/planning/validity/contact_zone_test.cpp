@@ -12,6 +12,9 @@
 #include "support/random_meshes.h"
 
 namespace clearway::testing {
+
+BOOST_AUTO_TEST_SUITE(contact_zone_test)
+
 namespace {
 
 namespace ob = ompl::base;
@@ -349,4 +352,6 @@ BOOST_AUTO_TEST_CASE(zones_that_are_none_are_refused) {
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::testing

@@ -8,6 +8,9 @@
 #include "support/winding.h"
 
 namespace clearway::testing {
+
+BOOST_AUTO_TEST_SUITE(containment_test)
+
 namespace {
 
 namespace ob = ompl::base;
@@ -231,4 +234,6 @@ BOOST_AUTO_TEST_CASE(solids_without_the_parts_are_refused) {
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::testing

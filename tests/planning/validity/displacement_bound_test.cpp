@@ -12,6 +12,9 @@
 #include "support/random_meshes.h"
 
 namespace clearway::planning {
+
+BOOST_AUTO_TEST_SUITE(displacement_bound_test)
+
 namespace {
 
 namespace ob = ompl::base;
@@ -167,4 +170,6 @@ BOOST_AUTO_TEST_CASE(a_space_that_may_interpolate_in_its_own_way_is_refused_by_i
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::planning

@@ -14,6 +14,9 @@
 #include "support/window_scene.h"
 
 namespace clearway::planning {
+
+BOOST_AUTO_TEST_SUITE(outside_goal_test)
+
 namespace {
 
 namespace ob = ompl::base;
@@ -147,4 +150,6 @@ BOOST_AUTO_TEST_CASE(a_goal_in_another_space_is_refused) {
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::planning

@@ -7,6 +7,9 @@
 #include "support/random_meshes.h"
 
 namespace clearway::testing {
+
+BOOST_AUTO_TEST_SUITE(overlap_scene_test)
+
 namespace {
 
 using planning::MotionReport;
@@ -116,4 +119,6 @@ BOOST_AUTO_TEST_CASE(a_margin_is_kept_from_the_shrunk_part) {
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::testing

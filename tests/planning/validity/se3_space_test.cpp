@@ -14,6 +14,9 @@
 #include "support/window_scene.h"
 
 namespace clearway::planning {
+
+BOOST_AUTO_TEST_SUITE(se3_space_test)
+
 namespace {
 
 namespace ob = ompl::base;
@@ -86,4 +89,6 @@ BOOST_AUTO_TEST_CASE(a_motion_validator_takes_it_for_se3) {
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::planning

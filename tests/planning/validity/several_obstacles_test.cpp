@@ -10,6 +10,9 @@
 #include "support/random_meshes.h"
 
 namespace clearway::testing {
+
+BOOST_AUTO_TEST_SUITE(several_obstacles_test)
+
 namespace {
 
 constexpr double kMargins[] = {0, 2, 0.5, 6};
@@ -185,4 +188,6 @@ BOOST_AUTO_TEST_CASE(a_wrong_margin_of_any_obstacle_is_refused) {
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::testing

@@ -14,6 +14,9 @@
 #include "support/random_meshes.h"
 
 namespace clearway::planning {
+
+BOOST_AUTO_TEST_SUITE(state_to_pose_test)
+
 namespace {
 
 namespace ob = ompl::base;
@@ -97,4 +100,6 @@ BOOST_AUTO_TEST_CASE(another_space_is_refused_by_its_name) {
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::planning

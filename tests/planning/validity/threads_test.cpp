@@ -20,6 +20,9 @@
 #include "support/random_meshes.h"
 
 namespace clearway::planning {
+
+BOOST_AUTO_TEST_SUITE(threads_test)
+
 namespace {
 
 namespace ob = ompl::base;
@@ -203,4 +206,6 @@ BOOST_AUTO_TEST_CASE(planners_of_eight_threads_find_valid_paths) {
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::planning

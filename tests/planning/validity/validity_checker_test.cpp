@@ -17,6 +17,9 @@
 #include "support/window_scene.h"
 
 namespace clearway::planning {
+
+BOOST_AUTO_TEST_SUITE(validity_checker_test)
+
 namespace {
 
 namespace ob = ompl::base;
@@ -268,4 +271,6 @@ BOOST_AUTO_TEST_CASE(an_empty_callback_is_refused) {
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::planning

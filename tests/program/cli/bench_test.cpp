@@ -5,6 +5,8 @@
 
 namespace clearway::testing {
 
+BOOST_AUTO_TEST_SUITE(bench_test)
+
 namespace {
 
 /// The wall with a window as files; two planners, one run each.
@@ -132,4 +134,6 @@ BOOST_AUTO_TEST_CASE(bad_input_is_one_line_and_exit_code_2) {
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::testing

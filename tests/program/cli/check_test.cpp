@@ -7,6 +7,8 @@
 
 namespace clearway::testing {
 
+BOOST_AUTO_TEST_SUITE(check_test)
+
 namespace {
 
 /// With a path through the wall's window that keeps clear of it.
@@ -249,5 +251,7 @@ BOOST_AUTO_TEST_CASE(states_too_far_for_any_query_are_refused_in_one_line) {
     folder.writeLines("far.path", "-60 0 0 0 0 0 1\n1e9 0 0 0 0 0 1\n");
     BOOST_TEST(runIn(folder, "check window.cfg far.path").code == 1);  // outside
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace clearway::testing

@@ -9,6 +9,8 @@
 
 namespace clearway::testing {
 
+BOOST_AUTO_TEST_SUITE(command_line_test)
+
 using namespace cli;
 
 namespace {
@@ -104,5 +106,7 @@ BOOST_AUTO_TEST_CASE(the_second_interrupt_ends_the_program_at_once) {
     BOOST_TEST(WIFSIGNALED(status));  // a shell's exit code is then 130
     BOOST_TEST(WTERMSIG(status) == SIGINT);
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace clearway::testing

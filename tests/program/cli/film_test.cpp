@@ -4,6 +4,8 @@
 
 namespace clearway::testing {
 
+BOOST_AUTO_TEST_SUITE(film_test)
+
 namespace {
 
 constexpr const char* kFrames =
@@ -107,5 +109,7 @@ BOOST_AUTO_TEST_CASE(an_interrupt_leaves_no_picture_and_no_frames) {
         BOOST_TEST(folder.names() == before, boost::test_tools::per_element());
     }
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace clearway::testing

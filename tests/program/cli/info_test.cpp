@@ -2,6 +2,8 @@
 
 namespace clearway::testing {
 
+BOOST_AUTO_TEST_SUITE(info_test)
+
 namespace {
 
 const std::string kProblem = R"([problem]
@@ -229,4 +231,6 @@ BOOST_AUTO_TEST_CASE(wrong_usage_is_refused) {
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::testing

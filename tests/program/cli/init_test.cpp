@@ -6,6 +6,9 @@
 #include "support/random_meshes.h"
 
 namespace clearway::testing {
+
+BOOST_AUTO_TEST_SUITE(init_test)
+
 namespace {
 
 Mesh named(Mesh mesh, const std::string& name, const Vector3& place) {
@@ -181,4 +184,6 @@ BOOST_AUTO_TEST_CASE(words_that_are_nearly_right_are_told) {
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::testing

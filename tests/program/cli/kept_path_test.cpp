@@ -4,6 +4,9 @@
 #include "support/window_scene.h"
 
 namespace clearway::testing {
+
+BOOST_AUTO_TEST_SUITE(kept_path_test)
+
 namespace {
 
 struct KeptFolder : TemporaryFolder {
@@ -107,4 +110,6 @@ BOOST_AUTO_TEST_CASE(a_new_path_replaces_the_old_one_and_wrong_usage_leaves_it) 
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::testing

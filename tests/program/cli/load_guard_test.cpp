@@ -13,6 +13,8 @@
 
 namespace clearway::testing {
 
+BOOST_AUTO_TEST_SUITE(load_guard_test)
+
 using namespace cli;
 
 namespace {
@@ -119,5 +121,7 @@ BOOST_AUTO_TEST_CASE(large_files_are_given_more_time) {
     BOOST_TEST(secondsToLoad(folder.file("none")) == 20);
     BOOST_TEST(secondsToLoad(folder.write("a", std::string(1000000, ' '))) == 30);
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace clearway::testing

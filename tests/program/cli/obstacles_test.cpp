@@ -5,6 +5,9 @@
 #include "support/window_scene.h"
 
 namespace clearway::testing {
+
+BOOST_AUTO_TEST_SUITE(obstacles_test)
+
 namespace {
 
 /// The plate rests on a block before the wall with the window. The goal is a block behind the wall.
@@ -161,4 +164,6 @@ BOOST_AUTO_TEST_CASE(names_that_are_none_are_refused_with_those_there_are) {
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::testing

@@ -4,6 +4,9 @@
 #include "support/window_scene.h"
 
 namespace clearway::testing {
+
+BOOST_AUTO_TEST_SUITE(outside_test)
+
 namespace {
 
 /// The window's plate, to be brought beyond the wall. The file states no bounds.
@@ -87,4 +90,6 @@ BOOST_AUTO_TEST_CASE(bounds_without_room_and_contradictions_are_refused_in_one_l
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::testing

@@ -4,6 +4,9 @@
 #include "support/random_meshes.h"
 
 namespace clearway::testing {
+
+BOOST_AUTO_TEST_SUITE(overlap_program_test)
+
 namespace {
 
 Mesh named(Mesh mesh, const std::string& name) {
@@ -116,4 +119,6 @@ BOOST_AUTO_TEST_CASE(what_an_overlap_would_leave_out_is_refused_unless_allowed) 
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::testing

@@ -10,6 +10,8 @@
 
 namespace clearway::testing {
 
+BOOST_AUTO_TEST_SUITE(plan_test)
+
 namespace {
 
 /// The wall with a window as files, and these files as they are read back.
@@ -272,4 +274,6 @@ BOOST_AUTO_TEST_CASE(where_nothing_counts_there_is_nothing_to_keep_clear_of) {
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::testing

@@ -2,6 +2,8 @@
 
 namespace clearway::testing {
 
+BOOST_AUTO_TEST_SUITE(program_test)
+
 BOOST_AUTO_TEST_CASE(help_and_version_are_printed_and_done) {
     const TemporaryFolder folder;
     for (const char* help : {"--help", "-h"}) {
@@ -65,5 +67,7 @@ BOOST_AUTO_TEST_CASE(a_reader_that_has_gone_is_an_error_and_not_a_signal) {
     BOOST_TEST(readText(folder.file("code")) == "2\n");
     BOOST_TEST(readText(folder.file("err")).find("standard output") != std::string::npos);
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace clearway::testing

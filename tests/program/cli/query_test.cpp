@@ -8,6 +8,8 @@
 
 namespace clearway::testing {
 
+BOOST_AUTO_TEST_SUITE(query_test)
+
 namespace {
 
 /// Boxes: the part from -1 to 1, the environment from -2 to 2.
@@ -383,5 +385,7 @@ BOOST_FIXTURE_TEST_CASE(a_cache_holds_the_trees_and_changes_no_answer, BoxesFold
     requireRefused(*this, kQuery + std::string("distance --cache part.obj"),
                    {"--cache", "part.obj", "folder"});
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace clearway::testing

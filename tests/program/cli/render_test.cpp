@@ -2,6 +2,8 @@
 
 namespace clearway::testing {
 
+BOOST_AUTO_TEST_SUITE(render_test)
+
 namespace {
 
 constexpr const char* kRender = "render window.cfg in.path --out out.png --size 160x90 --samples 1";
@@ -93,5 +95,7 @@ BOOST_AUTO_TEST_CASE(a_picture_never_replaces_a_file_that_is_read) {
         requireRefused(folder, "render window.cfg in.path --out ./" + input, {"--out is './" + input + "'"});
     }
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace clearway::testing

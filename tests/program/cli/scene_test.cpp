@@ -8,6 +8,8 @@
 
 namespace clearway::testing {
 
+BOOST_AUTO_TEST_SUITE(scene_test)
+
 namespace {
 
 constexpr const char* kScene =
@@ -193,5 +195,7 @@ BOOST_AUTO_TEST_CASE(an_interrupt_leaves_no_part_of_a_scene) {
     BOOST_TEST(row(outcome, "scene") == "none, interrupted");
     BOOST_TEST(folder.names().empty());
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace clearway::testing

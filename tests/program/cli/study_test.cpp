@@ -10,6 +10,8 @@
 
 namespace clearway::testing {
 
+BOOST_AUTO_TEST_SUITE(study_test)
+
 namespace {
 
 /// Eight runs: two planners, two strategies, two seeds. RRTstar takes all of its time.
@@ -251,5 +253,7 @@ BOOST_AUTO_TEST_CASE(bad_input_is_one_line_and_exit_code_2) {
     refused("leaf-strategies window.cfg --out study --leaf-split all",
             {"one leaf split, expected at least two"});
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace clearway::testing

@@ -5,6 +5,8 @@
 
 namespace clearway::testing {
 
+BOOST_AUTO_TEST_SUITE(video_test)
+
 namespace {
 
 constexpr const char* kFilm = "render window.cfg in.path --seconds 0.5 --fps 10 --size 65x41 --samples 1";
@@ -77,5 +79,7 @@ BOOST_AUTO_TEST_CASE(what_ffmpeg_says_when_it_fails_is_told) {
     BOOST_TEST(said.find("ffmpeg cannot write the film: no room left") != std::string::npos, said);
     BOOST_TEST(folder.names() == before, boost::test_tools::per_element());
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace clearway::testing

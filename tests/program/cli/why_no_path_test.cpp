@@ -5,6 +5,8 @@
 
 namespace clearway::testing {
 
+BOOST_AUTO_TEST_SUITE(why_no_path_test)
+
 namespace {
 
 /// The closed box as files.
@@ -122,4 +124,6 @@ BOOST_AUTO_TEST_CASE(an_end_at_a_derived_bound_is_told_with_the_key_that_moves_t
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::testing

@@ -6,6 +6,8 @@
 
 namespace clearway::testing {
 
+BOOST_AUTO_TEST_SUITE(colour_test)
+
 using namespace render;
 
 namespace {
@@ -83,5 +85,7 @@ BOOST_AUTO_TEST_CASE(a_scale_holds_all_clearances_or_tells_the_tight_ones_apart)
     BOOST_TEST(scaleFor(-2, 0, false) == 1);
     BOOST_TEST(scaleFor(INFINITY, 0, false) == 1);
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace clearway::testing

@@ -7,6 +7,8 @@
 
 namespace clearway::testing {
 
+BOOST_AUTO_TEST_SUITE(film_test)
+
 using namespace render;
 
 namespace {
@@ -71,5 +73,7 @@ BOOST_AUTO_TEST_CASE(a_film_without_poses_is_refused) {
     motion.cast.framed.clear();
     BOOST_CHECK_THROW(motion.film(), std::invalid_argument);
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace clearway::testing

@@ -5,6 +5,8 @@
 
 namespace clearway::testing {
 
+BOOST_AUTO_TEST_SUITE(legend_test)
+
 using namespace render;
 
 namespace {
@@ -76,5 +78,7 @@ BOOST_AUTO_TEST_CASE(the_legend_stays_right_of_the_scene_and_in_the_picture) {
         }
     }
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace clearway::testing

@@ -7,6 +7,8 @@
 
 namespace clearway::testing {
 
+BOOST_AUTO_TEST_SUITE(plate_test)
+
 using namespace render;
 
 /// A plate reuses the rays of what stands still. The light and shade of the body that moves must be there all
@@ -53,5 +55,7 @@ BOOST_AUTO_TEST_CASE(a_plate_is_refused_when_its_rays_would_fill_the_memory) {
     exposure.samples = 4096;
     BOOST_TEST(!Plate::canHold(exposure));
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace clearway::testing

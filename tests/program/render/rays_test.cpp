@@ -8,6 +8,8 @@
 
 namespace clearway::testing {
 
+BOOST_AUTO_TEST_SUITE(rays_test)
+
 using namespace render;
 
 namespace {
@@ -93,5 +95,7 @@ BOOST_AUTO_TEST_CASE(a_camera_takes_all_points_in_and_stands_no_farther_off_than
         BOOST_TEST(fills, view.name);
     }
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace clearway::testing

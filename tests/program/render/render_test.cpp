@@ -9,6 +9,8 @@
 
 namespace clearway::testing {
 
+BOOST_AUTO_TEST_SUITE(render_test)
+
 using namespace render;
 
 namespace {
@@ -353,5 +355,7 @@ BOOST_AUTO_TEST_CASE(wrong_options_are_refused_by_name) {
     shot.options.eye = shot.options.lookAt = Vector3(1, 2, 3);
     refuses("stands at the point it looks at");
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace clearway::testing

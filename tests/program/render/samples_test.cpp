@@ -5,6 +5,8 @@
 
 namespace clearway::testing {
 
+BOOST_AUTO_TEST_SUITE(samples_test)
+
 using namespace render;
 
 BOOST_AUTO_TEST_CASE(so_many_samples_have_one_in_each_cell_however_the_square_is_divided) {
@@ -29,5 +31,7 @@ BOOST_AUTO_TEST_CASE(pixels_have_samples_of_their_own) {
     for (std::uint32_t seed = 0; seed < 1000; ++seed) first.insert(SquareSamples(mixed(seed), 15)(0));
     BOOST_TEST(first.size() > 990u);
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace clearway::testing

@@ -6,6 +6,8 @@
 
 namespace clearway::testing {
 
+BOOST_AUTO_TEST_SUITE(smooth_light_test)
+
 using namespace render;
 
 namespace {
@@ -83,5 +85,7 @@ BOOST_AUTO_TEST_CASE(light_does_not_cross_an_edge_or_a_shadow) {
     BOOST_TEST(std::abs(wall.image.at(kSide / 2 - 1, 9)[0] - 0.8f) < 0.1f);
     BOOST_TEST((wall.image.at(kSide / 2, 9) != before));
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace clearway::testing

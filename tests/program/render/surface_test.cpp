@@ -7,6 +7,8 @@
 
 namespace clearway::testing {
 
+BOOST_AUTO_TEST_SUITE(surface_test)
+
 using namespace render;
 
 namespace {
@@ -57,5 +59,7 @@ BOOST_AUTO_TEST_CASE(a_cut_leaves_what_is_on_its_other_side_and_no_more) {
     BOOST_TEST(areaOf(cutBy({Vector3::UnitX(), 31}, whole)) == kPlateArea,
                boost::test_tools::tolerance(1e-5));
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace clearway::testing

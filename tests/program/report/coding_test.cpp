@@ -4,6 +4,8 @@
 
 namespace clearway::testing {
 
+BOOST_AUTO_TEST_SUITE(coding_test)
+
 using namespace report;
 
 BOOST_AUTO_TEST_CASE(base64_is_that_of_the_standard) {
@@ -23,5 +25,7 @@ BOOST_AUTO_TEST_CASE(base64_is_that_of_the_standard) {
 BOOST_AUTO_TEST_CASE(html_has_no_markup_of_the_texts_own) {
     BOOST_TEST(htmlText("a <b> & \"c\"") == "a &lt;b&gt; &amp; &quot;c&quot;");
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace clearway::testing

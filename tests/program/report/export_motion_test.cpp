@@ -15,6 +15,8 @@
 
 namespace clearway::testing {
 
+BOOST_AUTO_TEST_SUITE(export_motion_test)
+
 using namespace report;
 
 namespace {
@@ -214,5 +216,7 @@ BOOST_AUTO_TEST_CASE(other_endings_are_refused) {
                               });
     }
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace clearway::testing

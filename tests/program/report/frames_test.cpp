@@ -8,6 +8,8 @@
 
 namespace clearway::testing {
 
+BOOST_AUTO_TEST_SUITE(frames_test)
+
 using namespace report;
 
 namespace {
@@ -113,5 +115,7 @@ BOOST_AUTO_TEST_CASE(a_pose_out_of_the_environments_reach_is_a_frame_of_which_no
     }
     BOOST_TEST(unknown > 3u);
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace clearway::testing

@@ -8,6 +8,8 @@
 
 namespace clearway::testing {
 
+BOOST_AUTO_TEST_SUITE(obstacle_clearances_test)
+
 using namespace report;
 
 namespace {
@@ -91,5 +93,7 @@ BOOST_AUTO_TEST_CASE(inside_a_solid_there_is_no_clearance) {
     BOOST_TEST_REQUIRE(clearances.size() == 1u);
     BOOST_TEST(clearances[0].isContact);
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace clearway::testing

@@ -7,6 +7,8 @@
 
 namespace clearway::testing {
 
+BOOST_AUTO_TEST_SUITE(page_edges_test)
+
 using namespace report;
 
 namespace {
@@ -82,5 +84,7 @@ BOOST_AUTO_TEST_CASE(the_longest_edges_are_kept) {
     for (const OwnedEdge& edge : edges)
         BOOST_TEST((box.vertices[edge.ends[1]] - box.vertices[edge.ends[0]]).norm() == 3);
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace clearway::testing

@@ -8,6 +8,8 @@
 
 namespace clearway::testing {
 
+BOOST_AUTO_TEST_SUITE(page_mesh_test)
+
 using namespace report;
 
 namespace {
@@ -93,5 +95,7 @@ BOOST_AUTO_TEST_CASE(a_flat_mesh_has_a_place_in_its_plane) {
     BOOST_TEST(page.triangles.size() == 1u);
     for (std::size_t i = 0; i < 3; ++i) BOOST_TEST(vertexOf(page, i).z() == 7);
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace clearway::testing

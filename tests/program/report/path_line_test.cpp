@@ -5,6 +5,8 @@
 
 namespace clearway::testing {
 
+BOOST_AUTO_TEST_SUITE(path_line_test)
+
 using namespace report;
 
 namespace {
@@ -59,5 +61,7 @@ BOOST_AUTO_TEST_CASE(even_shares_go_from_0_to_1) {
     BOOST_TEST(evenShares(1) == (std::vector<double>{0}), boost::test_tools::per_element());
     BOOST_TEST(evenShares(3) == (std::vector<double>{0, 0.5, 1}), boost::test_tools::per_element());
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace clearway::testing

@@ -11,6 +11,8 @@
 
 namespace clearway::testing {
 
+BOOST_AUTO_TEST_SUITE(report_test)
+
 using namespace report;
 
 namespace {
@@ -123,5 +125,7 @@ BOOST_AUTO_TEST_CASE(a_folder_that_is_not_there_is_told_by_name) {
                               return std::string(error.what()).find("nowhere/out.html") != std::string::npos;
                           });
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace clearway::testing

@@ -7,6 +7,8 @@
 #include "support/convex_hull.h"
 #include "support/oracle.h"
 
+BOOST_AUTO_TEST_SUITE(boxes_test)
+
 using namespace clearway;
 using namespace clearway::scenes;
 using namespace clearway::testing;
@@ -115,3 +117,5 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_made_is_refused_by_name) {
 }
 
 }  // namespace
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -7,6 +7,8 @@
 #include "program/scenes/scenes.h"
 #include "support/full_run.h"
 
+BOOST_AUTO_TEST_SUITE(cembox2_test)
+
 using namespace clearway;
 using namespace clearway::scenes;
 using namespace clearway::testing;
@@ -103,3 +105,5 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_made_is_refused_by_name) {
 }
 
 }  // namespace
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -4,6 +4,8 @@
 
 #include "program/scenes/solids.h"
 
+BOOST_AUTO_TEST_SUITE(cembox_bay_test)
+
 using namespace clearway;
 using namespace clearway::scenes;
 
@@ -66,3 +68,5 @@ BOOST_AUTO_TEST_CASE(a_large_triangle_through_the_room_is_found) {
 }
 
 }  // namespace
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -21,6 +21,8 @@ std::ostream& operator<<(std::ostream& out, const SceneOptions& options) {
 
 }  // namespace clearway::scenes
 
+BOOST_AUTO_TEST_SUITE(cembox_path_test)
+
 using namespace clearway;
 using namespace clearway::scenes;
 using namespace clearway::testing;
@@ -61,8 +63,6 @@ Mesh besideTheSlot(const Mesh& mesh) {
     }
     return rest;
 }
-
-BOOST_AUTO_TEST_SUITE(cembox_path)  // its cases share names with other scenes' cases
 
 /// The clearance is proven along the whole way, also between the samples.
 BOOST_DATA_TEST_CASE(the_constructed_path_keeps_the_clearance_and_is_tight_for_three_tenths, cases(),
@@ -174,6 +174,6 @@ BOOST_DATA_TEST_CASE(neither_the_straight_motion_nor_a_straight_pull_takes_the_m
     BOOST_TEST(pulled >= kSamples / 4);
 }
 
-BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -11,6 +11,8 @@
 #include "support/full_run.h"
 #include "support/oracle.h"
 
+BOOST_AUTO_TEST_SUITE(cembox_test)
+
 using namespace clearway;
 using namespace clearway::scenes;
 using namespace clearway::testing;
@@ -49,8 +51,6 @@ std::vector<std::pair<std::size_t, std::size_t>> sizes() {
     if (isFullRun()) all.push_back({30000, 500000});
     return all;
 }
-
-BOOST_AUTO_TEST_SUITE(cembox)  // its cases share names with other scenes' cases
 
 BOOST_AUTO_TEST_CASE(triangle_counts_are_reached_within_five_percent) {
     for (const auto& [part, environment] : sizes()) {
@@ -169,6 +169,6 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_made_is_refused_by_name) {
     }
 }
 
-BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -12,6 +12,8 @@
 #include "program/scenes/scenes.h"
 #include "support/temporary_folder.h"
 
+BOOST_AUTO_TEST_SUITE(classics_test)
+
 using namespace clearway;
 using namespace clearway::scenes;
 using namespace clearway::testing;
@@ -127,3 +129,5 @@ BOOST_DATA_TEST_CASE(triangles_and_clearance_are_what_was_asked_for_or_refused_b
 }
 
 }  // namespace
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -11,6 +11,8 @@
 #include "support/full_run.h"
 #include "support/oracle.h"
 
+BOOST_AUTO_TEST_SUITE(large_environment2_test)
+
 using namespace clearway;
 using namespace clearway::scenes;
 using namespace clearway::testing;
@@ -234,3 +236,5 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_made_is_refused_by_name) {
 }
 
 }  // namespace
+
+BOOST_AUTO_TEST_SUITE_END()

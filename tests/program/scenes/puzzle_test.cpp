@@ -9,6 +9,8 @@
 #include "support/convex_hull.h"
 #include "support/oracle.h"
 
+BOOST_AUTO_TEST_SUITE(puzzle_test)
+
 using namespace clearway;
 using namespace clearway::scenes;
 using namespace clearway::testing;
@@ -55,8 +57,6 @@ std::string refusal(int version, const SceneOptions& options) {
 bool begins(const std::string& text, const std::string& with) {
     return text.rfind(with, 0) == 0;
 }
-
-BOOST_AUTO_TEST_SUITE(puzzle)  // its cases share names with other scenes' cases
 
 BOOST_DATA_TEST_CASE(triangle_counts_are_reached_within_five_percent,
                      kVersions* data::make<std::size_t>({800, 1000, 2000, 2777, 10000, 200000}), version,
@@ -172,6 +172,6 @@ BOOST_DATA_TEST_CASE(what_cannot_be_made_is_refused_by_name, kVersions, version)
     }
 }
 
-BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -7,6 +7,8 @@
 #include <set>
 #include <stdexcept>
 
+BOOST_AUTO_TEST_SUITE(scenes_test)
+
 using namespace clearway;
 using namespace clearway::scenes;
 
@@ -127,3 +129,5 @@ BOOST_AUTO_TEST_CASE(what_a_version_makes_stays_what_it_was) {
 }
 
 }  // namespace
+
+BOOST_AUTO_TEST_SUITE_END()

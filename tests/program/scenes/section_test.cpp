@@ -2,6 +2,8 @@
 
 #include <boost/test/unit_test.hpp>
 
+BOOST_AUTO_TEST_SUITE(section_test)
+
 using namespace clearway;
 using namespace clearway::scenes;
 
@@ -90,3 +92,5 @@ BOOST_AUTO_TEST_CASE(a_square_around_a_circle_has_its_corners) {
 }
 
 }  // namespace
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -5,6 +5,8 @@
 #include "program/scenes/scene_checks.h"
 #include "support/convex_hull.h"
 
+BOOST_AUTO_TEST_SUITE(sheet_metal_test)
+
 using namespace clearway;
 using namespace clearway::scenes;
 using namespace clearway::testing;
@@ -152,3 +154,5 @@ BOOST_AUTO_TEST_CASE(both_sides_are_solids_that_mirror_each_other) {
 }
 
 }  // namespace
+
+BOOST_AUTO_TEST_SUITE_END()

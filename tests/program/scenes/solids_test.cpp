@@ -7,6 +7,8 @@
 #include "program/scenes/tunnel_console.h"
 #include "support/convex_hull.h"
 
+BOOST_AUTO_TEST_SUITE(solids_test)
+
 using namespace clearway;
 using namespace clearway::scenes;
 using namespace clearway::testing;
@@ -277,3 +279,5 @@ BOOST_AUTO_TEST_CASE(every_triangle_lies_in_a_face_exactly_and_none_is_degenerat
 }
 
 }  // namespace
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -7,6 +7,8 @@
 #include "program/scenes/solids.h"
 #include "support/convex_hull.h"
 
+BOOST_AUTO_TEST_SUITE(spine_test)
+
 using namespace clearway;
 using namespace clearway::scenes;
 using namespace clearway::testing;
@@ -136,3 +138,5 @@ BOOST_AUTO_TEST_CASE(a_radius_that_does_not_fit_is_lessened) {
 }
 
 }  // namespace
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -9,6 +9,8 @@
 #include "program/scenes/scene_checks.h"
 #include "program/scenes/scenes.h"
 
+BOOST_AUTO_TEST_SUITE(tunnel_console_3_test)
+
 using namespace clearway;
 using namespace clearway::scenes;
 using namespace clearway::testing;
@@ -55,8 +57,6 @@ std::string stem(const std::string& name) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(tunnel_console_3)  // its cases share names with other scenes' cases
 
 BOOST_DATA_TEST_CASE(it_has_the_triangles_and_the_components_of_a_real_one,
                      boost::unit_test::data::make({10.0, 2.0}), clearance) {

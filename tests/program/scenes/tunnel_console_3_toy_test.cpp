@@ -11,6 +11,8 @@
 #include "program/scenes/scenes.h"
 #include "program/scenes/toy_checks.h"
 
+BOOST_AUTO_TEST_SUITE(tunnel_console_3_toy_test)
+
 using namespace clearway;
 using namespace clearway::scenes;
 using namespace clearway::testing;
@@ -50,8 +52,6 @@ struct Quiet {
 };
 
 BOOST_TEST_GLOBAL_FIXTURE(Quiet);
-
-BOOST_AUTO_TEST_SUITE(tunnel_console_3_toy)  // its cases share names with other scenes' cases
 
 BOOST_DATA_TEST_CASE(the_straight_motion_collides_over_half_its_length_with_three_components, kClearances,
                      clearance) {
@@ -120,6 +120,6 @@ BOOST_AUTO_TEST_CASE(a_toy_is_told_by_its_first_100_motions) {
     }
 }
 
-BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -6,6 +6,8 @@
 #include "program/scenes/scenes.h"
 #include "support/temporary_folder.h"
 
+BOOST_AUTO_TEST_SUITE(write_scene_test)
+
 using namespace clearway;
 using namespace clearway::scenes;
 using namespace clearway::testing;
@@ -101,3 +103,5 @@ BOOST_AUTO_TEST_CASE(a_folder_that_cannot_be_made_is_named) {
 }
 
 }  // namespace
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -10,6 +10,9 @@
 #include "support/window_scene.h"
 
 namespace clearway::study {
+
+BOOST_AUTO_TEST_SUITE(benchmark_test)
+
 namespace {
 
 using testing::readBenchmarkLog;
@@ -246,4 +249,6 @@ BOOST_AUTO_TEST_CASE(the_log_keeps_its_form_whatever_values_hold) {
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::study

@@ -7,6 +7,8 @@
 
 namespace clearway::testing {
 
+BOOST_AUTO_TEST_SUITE(calls_test)
+
 using namespace study;
 namespace {
 
@@ -41,4 +43,6 @@ BOOST_AUTO_TEST_CASE(calls_and_answers_read_back_as_they_were) {
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::testing

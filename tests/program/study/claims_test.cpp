@@ -5,6 +5,8 @@
 
 namespace clearway::testing {
 
+BOOST_AUTO_TEST_SUITE(claims_test)
+
 using namespace study;
 namespace {
 
@@ -94,4 +96,6 @@ BOOST_AUTO_TEST_CASE(thesis_values_are_looked_up_by_scene_and_strategy) {
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::testing

@@ -4,6 +4,8 @@
 
 namespace clearway::testing {
 
+BOOST_AUTO_TEST_SUITE(replay_test)
+
 using namespace study;
 namespace {
 
@@ -41,4 +43,6 @@ BOOST_AUTO_TEST_CASE(a_planner_is_as_slow_as_its_middle_run_with_the_seed) {
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::testing

@@ -12,6 +12,9 @@
 #include "support/window_scene.h"
 
 namespace clearway::study {
+
+BOOST_AUTO_TEST_SUITE(replayer_test)
+
 namespace {
 
 using testing::windowScene;
@@ -162,4 +165,6 @@ BOOST_AUTO_TEST_CASE(states_of_another_space_are_refused) {
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::study

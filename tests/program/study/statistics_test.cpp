@@ -6,6 +6,8 @@
 
 namespace clearway::testing {
 
+BOOST_AUTO_TEST_SUITE(statistics_test)
+
 using namespace study;
 namespace {
 
@@ -236,4 +238,6 @@ BOOST_AUTO_TEST_CASE(replays_are_compared_block_by_block_within_one_tree) {
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::testing

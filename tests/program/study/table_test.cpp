@@ -13,6 +13,8 @@
 
 namespace clearway::testing {
 
+BOOST_AUTO_TEST_SUITE(table_test)
+
 using namespace study;
 namespace {
 
@@ -171,4 +173,6 @@ BOOST_AUTO_TEST_CASE(another_table_is_refused_and_left_as_it_is) {
 }
 
 }  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace clearway::testing
