@@ -17,6 +17,10 @@ namespace {
 /// radius lets any rotation be outside, the rest is room to draw poses from.
 constexpr double kRoomInRadii = 1.25;
 
+/// Bounds reach at most this many sizes of the scene beyond the environment. Farther away the rounding of positions hides what a
+/// motion comes close to, and certifying it has no end.
+constexpr double kFarthestInSizes = 1e6;
+
 constexpr double kSamePlace = 1e-6;  ///< of a mesh's size: readings that differ by less are alike
 
 std::string named(const Problem& problem) {
@@ -47,6 +51,23 @@ void requireExtent(const Problem& problem, const Box& bounds) {
                                     shortNumber(bounds.min()[i]) + " to " + shortNumber(bounds.max()[i]) +
                                     ", expected an extent above 0: state volume.min." + axis +
                                     " and volume.max." + axis);
+    }
+}
+
+void requireNear(const Problem& problem, const Box& bounds, const Box& environmentBox, const Box& partBox) {
+    const double partSize = partBox.isEmpty() ? 0 : partBox.diagonal().norm();
+    const double farthest = kFarthestInSizes * (environmentBox.diagonal().norm() + partSize);
+    if (environmentBox.isEmpty() || farthest == 0) return;
+    for (int i = 0; i < dimensionsOf(problem); ++i) {
+        const double least = environmentBox.min()[i] - farthest;
+        const double most = environmentBox.max()[i] + farthest;
+        if (bounds.min()[i] >= least && bounds.max()[i] <= most) continue;
+        const std::string axis = kAxisNames[i];
+        throw std::invalid_argument(
+            named(problem) + "the bounds along " + axis + " are " + shortNumber(bounds.min()[i]) + " to " +
+            shortNumber(bounds.max()[i]) +
+            ", more than a million times the scene's size from the environment: start." + axis + ", goal." +
+            axis + " or volume; expected from " + roundedNumber(least) + " to " + roundedNumber(most));
     }
 }
 
@@ -180,6 +201,7 @@ Box boundsOf(const Problem& problem, const Box& environmentBox, const Box& partB
     }
     if (problem.space == Space::kSe2) bounds.min().z() = bounds.max().z() = 0;
     requireExtent(problem, bounds);
+    requireNear(problem, bounds, environmentBox, partBox);
     requireInside(problem, bounds, "start", problem.start);
     if (problem.outside) {
         requireRoomOutside(problem, bounds, environmentBox, partBox);

@@ -25,6 +25,8 @@ std::vector<Vector3f> triedDirections() {
     return directions;
 }
 
+}  // namespace
+
 double visibleShare(const render::RayScene& obstacles, const ViewRequest& request,
                     const Vector3f& direction) {
     const Vector3f camera = request.centre + request.distance * direction;
@@ -33,8 +35,6 @@ double visibleShare(const render::RayScene& obstacles, const ViewRequest& reques
         seen += !obstacles.isBlocked({point, camera - point, kOffSurface}, 1);
     return double(seen) / double(std::max<std::size_t>(1, request.points.size()));
 }
-
-}  // namespace
 
 ChosenView chooseView(const render::RayScene& obstacles, const ViewRequest& request) {
     const Vector3f along = request.along.stableNormalized();

@@ -20,6 +20,10 @@ struct ChosenView {
     double visible = 0;         ///< share of the points that nothing hides
 };
 
+/// The share of the points that a camera in this direction sees.
+double visibleShare(const render::RayScene& obstacles, const ViewRequest& request,
+                    const Eigen::Vector3f& direction);
+
 /// Tries directions all around, and prefers the usual one, from the front, above and the right, where others show
 /// hardly more.
 ChosenView chooseView(const render::RayScene& obstacles, const ViewRequest& request);

@@ -218,6 +218,15 @@ class PageMaker {
                                         frames_.begin());
     }
 
+    /// Some of the part's vertices at a pose.
+    std::vector<Vector3> viewPoints(const Pose& X) const {
+        const std::size_t step = std::max<std::size_t>(1, part_.positions.size() / kViewVertices);
+        std::vector<Vector3> points;
+        for (std::size_t i = 0; i < part_.positions.size(); i += step)
+            points.push_back(X * part_.placeOf(part_.positions[i]));
+        return points;
+    }
+
     void addViews(Json& json) const {
         const auto onPage = [&](const Vector3& point) {
             return Eigen::Vector3f((point - origin_).cast<float>());
@@ -232,12 +241,11 @@ class PageMaker {
 
         ViewRequest way;
         Box box;
-        const std::size_t vertexStep = std::max<std::size_t>(1, part_.positions.size() / kViewVertices);
         for (const double share : evenShares(kViewPlaces)) {
             const Pose X = poseOf(line_.at(share));
-            for (std::size_t i = 0; i < part_.positions.size(); i += vertexStep) {
-                box.extend(X * part_.placeOf(part_.positions[i]));
-                way.points.push_back(onPage(X * part_.placeOf(part_.positions[i])));
+            for (const Vector3& point : viewPoints(X)) {
+                box.extend(point);
+                way.points.push_back(onPage(point));
             }
         }
         way.centre = onPage(box.center());
@@ -248,6 +256,11 @@ class PageMaker {
 
         const ReportFrame& tight = frames_[tightest()];
         if (tight.partMesh.empty()) return;
+        ViewRequest tightPart = way;
+        tightPart.points.clear();
+        for (const Vector3& point : viewPoints(tight.X_environmentPart))
+            tightPart.points.push_back(onPage(point));
+        json["view"]["tightVisible"] = visibleShare(rays, tightPart, chosen.direction);
         const SceneDistance& pair = tight.clearance.nearest;
         const Vector3 middle = 0.5 * (pair.pointOnPart + pair.pointOnEnvironment);
         const Vector3 gap = pair.pointOnEnvironment - pair.pointOnPart;

@@ -6,6 +6,8 @@
 
 namespace clearway::testing {
 
+BOOST_AUTO_TEST_SUITE(first_view_test)
+
 using namespace report;
 using Eigen::Vector3f;
 
@@ -49,6 +51,7 @@ BOOST_AUTO_TEST_CASE(the_view_is_on_the_side_of_a_wall_on_which_the_part_is) {
 BOOST_AUTO_TEST_CASE(in_a_closed_box_little_is_visible) {
     const Plates closed({Box(Vector3(-3, -3, -3), Vector3(3, 3, 3))});
     BOOST_TEST(chooseView(closed.rays, requestAlong(Vector3f::UnitX())).visible == 0);
+    BOOST_TEST(visibleShare(closed.rays, requestAlong(Vector3f::UnitX()), Vector3f::UnitZ()) == 0);
 }
 
 BOOST_AUTO_TEST_CASE(a_way_is_seen_from_its_side) {
@@ -57,5 +60,7 @@ BOOST_AUTO_TEST_CASE(a_way_is_seen_from_its_side) {
         BOOST_TEST(std::abs(chooseView(none.rays, requestAlong(along)).direction.dot(along.normalized())) <
                    0.6f);
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace clearway::testing

@@ -202,8 +202,8 @@ drawLegend();
 fillTables((i) => { play(false); choose(i); });
 choose(0);
 if (view) {
-  // Where the surroundings hide much of the way, they begin see-through.
-  setOpacity(data.view.visible < 0.8 ? kSeeThrough : 100);
+  // Where the surroundings hide much of the way, or of the part where it is tightest, they begin see-through.
+  setOpacity(data.view.visible < 0.8 || data.view.tightVisible < 0.5 ? kSeeThrough : 100);
   view.showWay();
   cut();
 }
