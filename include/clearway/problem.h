@@ -181,9 +181,9 @@ LoadedScene loadScene(const Problem& problem, const BuildOptions& options = {},
 /// problem.volume, or else OMPL.app's rule: the environment's box grown to hold start and goal, and problem.knownWay. For a goal
 /// outside it is grown by so much on each of the goal's sides that the part fits there however it is turned.
 /// In SE(2) z is 0 to 0. partBox: the part's box in its own coordinates, needed for a goal outside. Throws
-/// std::invalid_argument when the bounds leave out the start or the goal, reach more than a million sizes of the scene beyond the
-/// environment, leave no room for the part outside
-/// even when it is turned to need least, or have no extent along an axis.
+/// std::invalid_argument when the bounds leave out the start or the goal, leave no room for the part outside
+/// even when it is turned to need least, or have no extent along an axis, and when the start, the goal, the volume or the known
+/// way is more than a million sizes of the scene from the environment.
 Box boundsOf(const Problem& problem, const Box& environmentBox, const Box& partBox = Box());
 
 /// Writes one state a line with 17 digits: x y z qx qy qz qw, or x y yaw in SE(2). The file is written under

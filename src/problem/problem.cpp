@@ -17,8 +17,8 @@ namespace {
 /// radius lets any rotation be outside, the rest is room to draw poses from.
 constexpr double kRoomInRadii = 1.25;
 
-/// Bounds reach at most this many sizes of the scene beyond the environment. Farther away the rounding of positions hides what a
-/// motion comes close to, and certifying it has no end.
+/// Poses and bounds lie at most this many sizes of the scene beyond the environment. The farther away, the more the rounding of
+/// positions hides clearances: a motion that was tried at 1e13 sizes was not decided within minutes.
 constexpr double kFarthestInSizes = 1e6;
 
 constexpr double kSamePlace = 1e-6;  ///< of a mesh's size: readings that differ by less are alike
@@ -54,20 +54,30 @@ void requireExtent(const Problem& problem, const Box& bounds) {
     }
 }
 
-void requireNear(const Problem& problem, const Box& bounds, const Box& environmentBox, const Box& partBox) {
+void requireNear(const Problem& problem, const Box& environmentBox, const Box& partBox) {
     const double partSize = partBox.isEmpty() ? 0 : partBox.diagonal().norm();
     const double farthest = kFarthestInSizes * (environmentBox.diagonal().norm() + partSize);
     if (environmentBox.isEmpty() || farthest == 0) return;
-    for (int i = 0; i < dimensionsOf(problem); ++i) {
-        const double least = environmentBox.min()[i] - farthest;
-        const double most = environmentBox.max()[i] + farthest;
-        if (bounds.min()[i] >= least && bounds.max()[i] <= most) continue;
-        const std::string axis = kAxisNames[i];
-        throw std::invalid_argument(
-            named(problem) + "the bounds along " + axis + " are " + shortNumber(bounds.min()[i]) + " to " +
-            shortNumber(bounds.max()[i]) +
-            ", more than a million times the scene's size from the environment: start." + axis + ", goal." +
-            axis + " or volume; expected from " + roundedNumber(least) + " to " + roundedNumber(most));
+    const auto require = [&](const std::string& name, const Vector3& point) {
+        for (int i = 0; i < dimensionsOf(problem); ++i) {
+            const double least = environmentBox.min()[i] - farthest,
+                         most = environmentBox.max()[i] + farthest;
+            if (point[i] >= least && point[i] <= most) continue;
+            throw std::invalid_argument(
+                named(problem) + name + kAxisNames[i] + " is " + shortNumber(point[i]) +
+                ", more than a million times the scene's size from the environment, expected from " +
+                roundedNumber(least) + " to " + roundedNumber(most));
+        }
+    };
+    require("start.", problem.start.position);
+    if (!problem.outside) require("goal.", problem.goal.position);
+    if (problem.volume) {
+        require("volume.min.", problem.volume->min());
+        require("volume.max.", problem.volume->max());
+    }
+    if (!problem.knownWay.isEmpty()) {
+        require("the path's least ", problem.knownWay.min());
+        require("the path's greatest ", problem.knownWay.max());
     }
 }
 
@@ -201,7 +211,7 @@ Box boundsOf(const Problem& problem, const Box& environmentBox, const Box& partB
     }
     if (problem.space == Space::kSe2) bounds.min().z() = bounds.max().z() = 0;
     requireExtent(problem, bounds);
-    requireNear(problem, bounds, environmentBox, partBox);
+    requireNear(problem, environmentBox, partBox);
     requireInside(problem, bounds, "start", problem.start);
     if (problem.outside) {
         requireRoomOutside(problem, bounds, environmentBox, partBox);
