@@ -157,6 +157,7 @@ struct SceneLoading {
     /// Says how much of the environment the obstacles' models need to hold; null: all of it. environmentBox
     /// holds the whole environment, ignored obstacles included.
     std::function<std::optional<Reach>(const Model& part, const Box& environmentBox)> reach = nullptr;
+    std::function<ShrunkPart(const Mesh& part, const ShrinkOptions& options)> shrink = clearway::shrink;
 };
 
 /// A problem's scene, and notes for its user, one line each: components turned over because all their
@@ -166,11 +167,11 @@ struct LoadedScene {
     std::vector<std::string> notes;
 };
 
-/// The part shrunk by each overlap of the obstacles. Adds a note for each thing that shrinking leaves out.
-/// Throws as shrink() does, naming the problem's file, and when something is left out although the problem
+/// The part shrunk by each overlap of the obstacles, with loading.shrink. Adds a note for each thing that shrinking leaves
+/// out. Throws as shrink() does, naming the problem's file, and when something is left out although the problem
 /// does not allow it.
 std::vector<ShrunkPart> shrinkPart(const Problem& problem, const Mesh& part, const ObstacleGroups& obstacles,
-                                   std::vector<std::string>& notes);
+                                   std::vector<std::string>& notes, const SceneLoading& loading = {});
 
 /// Loads the meshes and builds their models: the part, and the obstacles with their margins, solids and
 /// contact zones as the problem has them. Throws as loadPart, obstaclesOf and Model::build do, and what the
@@ -182,8 +183,8 @@ LoadedScene loadScene(const Problem& problem, const BuildOptions& options = {},
 /// outside it is grown by so much on each of the goal's sides that the part fits there however it is turned.
 /// In SE(2) z is 0 to 0. partBox: the part's box in its own coordinates, needed for a goal outside. Throws
 /// std::invalid_argument when the bounds leave out the start or the goal, leave no room for the part outside
-/// even when it is turned to need least, or have no extent along an axis, and when the start, the goal, the volume or the known
-/// way is more than a million sizes of the scene from the environment.
+/// even when it is turned to need least, or have no extent along an axis, and when the start, the goal or the volume is
+/// more than a million sizes of the scene from the environment.
 Box boundsOf(const Problem& problem, const Box& environmentBox, const Box& partBox = Box());
 
 /// Writes one state a line with 17 digits: x y z qx qy qz qw, or x y yaw in SE(2). The file is written under

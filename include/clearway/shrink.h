@@ -6,7 +6,9 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -17,8 +19,15 @@
 namespace clearway {
 
 struct ShrinkOptions {
-    double overlap = 0;    ///< mesh units, > 0: how deep obstacles may reach
-    double tolerance = 0;  ///< mesh units, > 0: how much deeper they may reach unnoticed
+    double overlap = 0;                         ///< mesh units, > 0: how deep obstacles may reach
+    double tolerance = 0;                       ///< mesh units, > 0: how much deeper they may reach unnoticed
+    std::function<bool()> isStopped = nullptr;  ///< asked often, from several threads; null: never stopped
+};
+
+/// What shrink() throws when options.isStopped returns true.
+class ShrinkStopped : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
 };
 
 /// A part shrunk by an overlap. Certified by exact queries: its surface lies inside the part, nowhere less than
@@ -39,7 +48,8 @@ struct ShrunkPart {
 
 /// Shrinks the part. Throws std::invalid_argument, naming what is wrong, if an option is not a finite number above
 /// 0, if a component of the part is not closed, if a connected piece of its surface passes through itself, if nothing of
-/// the part is left, or if the tolerance is too small for the part's size. Something is left where a point of the
+/// the part is left, or if the tolerance is too small for the part's size (before the work where its concave
+/// edges alone show it). Throws ShrinkStopped when stopped. Something is left where a point of the
 /// part lies deeper than overlap + tolerance.
 ///
 /// The surface is cut through tetrahedra that are bisected where a bound on depths fails, as in isosurface

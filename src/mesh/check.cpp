@@ -2,6 +2,7 @@
 #include "mesh/check.h"
 
 #include <algorithm>
+#include <boost/algorithm/string/predicate.hpp>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -39,6 +40,24 @@ void requireOffCounts(const std::string& file, std::istream& stream, std::uintma
                                      std::to_string(bytes) + " bytes");
         }
     }
+}
+
+/// Refuses a binary STL file that ends too soon, for which assimp says only that it is no STL.
+void requireWholeStl(const std::string& file, std::istream& stream, std::uintmax_t bytes) {
+    constexpr std::uintmax_t kHeader = 84, kPerTriangle = 50;
+    unsigned char header[kHeader] = {};
+    stream.read(reinterpret_cast<char*>(header), kHeader);
+    if (std::none_of(header, header + std::min(bytes, kHeader),
+                     [](unsigned char c) { return c < 9 || c > 126; }))
+        return;  // a text
+    const std::string isCut = "it ends after " + std::to_string(bytes) + " bytes of ";
+    if (bytes < kHeader) refuseMeshFile(file, isCut + "the 84 with which a binary STL file begins");
+    const std::uintmax_t triangles =
+        header[80] + 256u * header[81] + 65536u * header[82] + 16777216u * std::uintmax_t(header[83]);
+    const std::uintmax_t whole = kHeader + kPerTriangle * triangles;
+    if (bytes >= whole) return;
+    refuseMeshFile(
+        file, isCut + std::to_string(whole) + ", which its " + std::to_string(triangles) + " triangles take");
 }
 
 /// assimp searches for the end of a PLY header forever, and allocates as many vertices and faces as an OFF
@@ -88,8 +107,12 @@ void requireReadableMeshFile(const std::string& file) {
             ", which holds surfaces, not triangles, expected a mesh: export STL, OBJ, 3MF or "
             "glTF from the CAD program");
     }
+    stream.clear();
     stream.seekg(0);
     requireSoundHeader(file, stream, bytes);
+    stream.clear();
+    stream.seekg(0);
+    if (boost::iends_with(file, ".stl")) requireWholeStl(file, stream, bytes);
 }
 
 namespace {

@@ -148,7 +148,8 @@ std::vector<std::size_t> ObstacleNames::find(const std::string& rule, const std:
         }
     }
     throw std::invalid_argument(rule + " names '" + name + "', " +
-                                (found.empty() ? "which is no obstacle" : "which is in several files") +
+                                (found.empty() ? "which is no obstacle" + didYouMean(name, names)
+                                               : std::string("which is in several files")) +
                                 ", expected one of " + listed(names));
 }
 

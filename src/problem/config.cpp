@@ -167,8 +167,21 @@ void ConfigValues::refuse(const std::string& name, const std::string& expected) 
                                 expected);
 }
 
+/// Names an entry that is probably meant to be a missing one: in another section, or misspelt.
+std::string ConfigValues::insteadOf(const std::string& name) const {
+    for (const ConfigEntry& entry : unread()) {
+        const bool isSameKey = keyOf(entry.name) == keyOf(name);
+        const bool isNear =
+            sectionOf(entry.name) == sectionOf(name) && !didYouMean(keyOf(entry.name), {keyOf(name)}).empty();
+        if (isSameKey || isNear)
+            return " (is " + shown(entry.name) + " in line " + std::to_string(entry.line) + " meant?)";
+    }
+    return "";
+}
+
 void ConfigValues::refuseMissing(const std::string& name, const std::string& expected) const {
-    throw std::invalid_argument(file_ + ": " + shown(name) + " is missing, expected " + expected);
+    throw std::invalid_argument(file_ + ": " + shown(name) + " is missing" + insteadOf(name) + ", expected " +
+                                expected);
 }
 
 std::vector<ConfigEntry> ConfigValues::unread() const {

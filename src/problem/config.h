@@ -78,6 +78,7 @@ class ConfigValues {
     std::vector<ConfigEntry> unread() const;
 
   private:
+    std::string insteadOf(const std::string& name) const;
     [[noreturn]] void refuseMissing(const std::string& name, const std::string& expected) const;
 
     std::string file_;

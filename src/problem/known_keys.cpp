@@ -58,6 +58,19 @@ const std::vector<KnownKeys>& knownKeys() {
     return all;
 }
 
+/// " (did you mean ...?)" for a key near one of its own section or, shown with its section, near one of another section.
+std::string nearKey(const std::string& key, const KnownKeys& own) {
+    const std::string meant = didYouMean(key, own.keys);
+    if (!meant.empty()) return meant;
+    for (const KnownKeys& other : knownKeys()) {
+        for (const std::string& known : other.keys) {
+            if (!didYouMean(key, {known}).empty())
+                return " (did you mean '" + known + "' of [" + other.section + "]?)";
+        }
+    }
+    return "";
+}
+
 /// The first section that has the key; empty when none has.
 std::string sectionWith(const std::string& key) {
     for (const KnownKeys& one : knownKeys()) {
@@ -79,8 +92,7 @@ void judgeUnread(const std::string& file, bool isClearways, const ConfigValues& 
             return one.section == sectionOf(entry.name);
         });
         const std::string key = keyOf(entry.name), home = sectionWith(key);
-        const std::string meant =
-            home.empty() ? didYouMean(key, section->keys) : "; it belongs in [" + home + "]";
+        const std::string meant = home.empty() ? nearKey(key, *section) : "; it belongs in [" + home + "]";
         if (home == section->section) {
             problem.warnings.push_back(what + " has no effect in this problem");
             continue;

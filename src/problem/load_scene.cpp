@@ -34,14 +34,14 @@ ObstacleGroups obstaclesOf(const Problem& problem, const std::vector<Mesh>& worl
 }
 
 std::vector<ShrunkPart> shrinkPart(const Problem& problem, const Mesh& part, const ObstacleGroups& obstacles,
-                                   std::vector<std::string>& notes) {
+                                   std::vector<std::string>& notes, const SceneLoading& loading) {
     std::vector<ShrunkPart> all;
     const OverlapRules& rules = problem.rules.overlap;
     const std::string prefix = problem.file + ": [clearway] ";
     for (const double overlap : obstacles.overlaps()) {
         const ShrinkOptions options{overlap, rules.tolerance.value_or(kUsualTolerance * overlap)};
         try {
-            all.push_back(shrink(part, options));
+            all.push_back(loading.shrink(part, options));
         } catch (const std::invalid_argument& error) {
             throw std::invalid_argument(prefix + error.what());
         }
@@ -78,7 +78,7 @@ LoadedScene loadScene(const Problem& problem, const BuildOptions& options, const
         partSolids = made.solids;
     }
     std::vector<std::shared_ptr<const ShrunkModel>> shrunk;
-    for (const ShrunkPart& each : shrinkPart(problem, partMesh, obstacles, notes)) {
+    for (const ShrunkPart& each : shrinkPart(problem, partMesh, obstacles, notes, loading)) {
         shrunk.push_back(shrunkModel(each, loading.build(each.mesh, options, std::nullopt)));
     }
     Scene scene = makeScene(

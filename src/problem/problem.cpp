@@ -75,10 +75,6 @@ void requireNear(const Problem& problem, const Box& environmentBox, const Box& p
         require("volume.min.", problem.volume->min());
         require("volume.max.", problem.volume->max());
     }
-    if (!problem.knownWay.isEmpty()) {
-        require("the path's least ", problem.knownWay.min());
-        require("the path's greatest ", problem.knownWay.max());
-    }
 }
 
 /// Makes room for the part beyond the goal's sides, whatever its rotation.

@@ -125,9 +125,12 @@ PartState readState(ConfigValues& values, const std::string& name, bool isClearw
     const Space space = problem.space;
     const std::string prefix = "problem." + name + ".";
     const std::string expected =
-        space == Space::kSe3
-            ? "x, y, z, axis.x, axis.y, axis.z and theta of start and goal (SE(2): x, y and theta alone)"
-            : "x, y and theta of start and goal (SE(3): z, axis.x, axis.y and axis.z too)";
+        std::string(space == Space::kSe3
+                        ? "x, y, z, axis.x, axis.y, axis.z and theta of start and goal (SE(2): "
+                          "x, y and theta alone)"
+                        : "x, y and theta of start and goal (SE(3): z, axis.x, axis.y and axis.z "
+                          "too)") +
+        (name == "goal" ? ", or [clearway] goal = outside" : "");
     const auto number = [&](const std::string& key) { return values.requiredNumber(prefix + key, expected); };
     const auto coordinate = [&](const std::string& key) {
         return readCoordinate(values, prefix + key, expected);

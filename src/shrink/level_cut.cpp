@@ -18,6 +18,7 @@
 #include "isosurface/cut_surface.h"
 #include "isosurface/polytope.h"
 #include "isosurface/tetrahedra.h"
+#include "shrink/concave_edges.h"
 #include "shrink/depth_limit.h"
 #include "shrink/level_points.h"
 
@@ -25,6 +26,8 @@ namespace clearway {
 namespace {
 
 constexpr std::size_t kMostVertices = 8'000'000;
+constexpr double kMostEstimated = 1e6;  ///< points: minutes of work
+constexpr double kPointsPerTurn = 0.5;  ///< per radian and tolerance of concave edge; 0.6 were counted
 constexpr std::size_t kBlock =
     256;  ///< items that one thread takes with one warm start, so that threads change nothing
 constexpr double kLevel = 0.2;  ///< of the tolerance, above the overlap: where the surface is meant to be
@@ -45,7 +48,9 @@ class LevelCut {
           tolerance_(options.tolerance - surface_.slack()),
           level_(options.overlap + kLevel * tolerance_),
           limit_(surface, options.overlap + tolerance_ - surface_.rounding(), 0.5 * options.overlap),
-          points_(surface, level_, kLevelError * tolerance_) {
+          points_(surface, level_, kLevelError * tolerance_),
+          isStopped_(options.isStopped) {
+        requireFewPoints();
         Workspace workspace;
         for (const Vector3& vertex : surface.shellVertices()) {
             if (surface.at(vertex, workspace).depth < level_) shellPoints_.push_back(vertex);
@@ -85,20 +90,32 @@ class LevelCut {
                 if (!isSettled[i]) bisect(open_[i], next);
             }
             open_ = std::move(next);
-            if (tetrahedra_.vertices().size() > kMostVertices) refuseSize();
+            if (tetrahedra_.vertices().size() > kMostVertices)
+                refuseSize("more than " + std::to_string(kMostVertices),
+                           "a larger overlap or overlap.tolerance");
         }
     }
 
-    [[noreturn]] void refuseSize() const {
+    /// Refuses before the work what concave edges alone make too much of.
+    void requireFewPoints() const {
+        if (surface_.slack() > 0) return;  // edges of a component may lie within another one
+        const double points =
+            kPointsPerTurn * concaveLength(surface_, least_, kMostDeep * tolerance_) / tolerance_;
+        if (points <= kMostEstimated) return;
+        refuseSize("about " + roundedNumber(std::round(points / kMostEstimated)) + " million",
+                   "an overlap.tolerance of at least " + roundedNumber(tolerance_ * points / kMostEstimated));
+    }
+
+    [[noreturn]] void refuseSize(const std::string& points, const std::string& expected) const {
         throw std::invalid_argument("overlap is " + roundedNumber(least_) + " with the tolerance " +
-                                    roundedNumber(tolerance_) + ", which takes more than " +
-                                    std::to_string(kMostVertices) +
-                                    " points in the part, expected a larger overlap or overlap.tolerance");
+                                    roundedNumber(tolerance_) + ", which takes " + points +
+                                    " points in the part, expected " + expected);
     }
 
     template <class Work>
     void forBlocks(std::size_t first, std::size_t end, const Work& work) {
         tbb::parallel_for(std::size_t(0), (end - first + kBlock - 1) / kBlock, [&](std::size_t block) {
+            if (isStopped_ && isStopped_()) throw ShrinkStopped("shrinking the part was stopped");
             Workspace& workspace = workspaces_.local();
             workspace.forgetWarmStart();
             const std::size_t from = first + block * kBlock, to = std::min(end, from + kBlock);
@@ -349,6 +366,7 @@ class LevelCut {
     double least_, tolerance_, level_;
     DepthLimit limit_;
     LevelPoints points_;
+    const std::function<bool()>& isStopped_;
     std::vector<Vector3> shellPoints_;            ///< one of each shell of the surface
     std::vector<std::size_t> open_;               ///< tetrahedra to look at
     std::vector<std::vector<Outline>> outlines_;  ///< in the open ones

@@ -54,7 +54,7 @@ ShrunkPart shrink(const Mesh& part, const ShrinkOptions& options) {
     requirePositive(options.tolerance, "overlap.tolerance");
     const SurfaceDepth surface(part, kJoinFineness * options.tolerance);
     ShrunkPart shrunk;
-    shrunk.options = options;
+    shrunk.options = {options.overlap, options.tolerance};
     shrunk.mesh = cutAtDepth(surface, options);
     if (shrunk.mesh.triangles.empty()) {
         throw std::invalid_argument("overlap is " + roundedNumber(options.overlap) + " with the tolerance " +

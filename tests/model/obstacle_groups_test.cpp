@@ -133,12 +133,13 @@ BOOST_AUTO_TEST_CASE(equal_names_of_several_files_stay_apart) {
 BOOST_AUTO_TEST_CASE(unknown_names_are_refused_with_the_known_ones) {
     const std::vector<Mesh> files = {file("car.glb", {"door", "floor"})};
     const std::string known = ", which is no obstacle, expected one of 'door', 'floor'";
+    const std::string near = ", which is no obstacle (did you mean 'door'?), expected one of 'door', 'floor'";
     ObstacleRules rules;
     rules.ignored = {"doo"};
-    BOOST_TEST(refusal(files, rules) == "ignore names 'doo'" + known);
+    BOOST_TEST(refusal(files, rules) == "ignore names 'doo'" + near);
     rules = {};
     rules.solid = {"floor", "Door"};
-    BOOST_TEST(refusal(files, rules) == "solid names 'Door'" + known);
+    BOOST_TEST(refusal(files, rules) == "solid names 'Door'" + near);
     rules = {};
     rules.goalContact = ContactRule{{"roof"}, 1};
     BOOST_TEST(refusal(files, rules) == "contact.goal names 'roof'" + known);

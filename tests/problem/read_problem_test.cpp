@@ -82,6 +82,10 @@ std::vector<std::string> warningsOf(const std::string& text) {
 constexpr const char* kSpatialKeys =
     "x, y, z, axis.x, axis.y, axis.z and theta of start and goal (SE(2): x, y and theta alone)";
 
+std::string orOutside(const std::string& state) {
+    return state == "goal." ? ", or [clearway] goal = outside" : "";
+}
+
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(states_in_space_are_position_axis_and_angle) {
@@ -154,17 +158,30 @@ BOOST_AUTO_TEST_CASE(missing_keys_are_named) {
         for (const char* key : {"x", "y", "z", "axis.x", "axis.y", "axis.z", "theta"}) {
             const std::string name = std::string(state) + key;
             BOOST_TEST(refusalOf(with(kSpatial, name, "")) ==
-                       ": [problem] " + name + " is missing, expected " + kSpatialKeys);
+                       ": [problem] " + name + " is missing, expected " + kSpatialKeys + orOutside(state));
         }
         for (const char* key : {"x", "y", "theta"}) {
             const std::string name = std::string(state) + key;
             BOOST_TEST(refusalOf(with(kPlanar, name, "")) ==
                        ": [problem] " + name +
                            " is missing, expected x, y and theta of start and goal (SE(3): z, axis.x, axis.y "
-                           "and axis.z too)");
+                           "and axis.z too)" +
+                           orOutside(state));
         }
     }
     BOOST_TEST(refusalOf("") == ": [problem] robot is missing, expected the part's mesh file");
+}
+
+BOOST_AUTO_TEST_CASE(a_key_that_is_probably_meant_is_named_beside_the_missing_one) {
+    const std::string misspelt = with(kSpatial, "start.theta", "strat.theta = 0");
+    BOOST_TEST(refusalOf(misspelt).find("start.theta is missing (is [problem] strat.theta in line ") !=
+                   std::string::npos,
+               refusalOf(misspelt));
+    const std::string elsewhere = with(kSpatial, "goal.x", "") + "[clearway]\nreading = stored\ngoal.x = 1\n";
+    BOOST_TEST(
+        refusalOf(elsewhere).find("goal.x is missing (is [clearway] goal.x in line ") != std::string::npos,
+        refusalOf(elsewhere));
+    BOOST_TEST(refusalOf(elsewhere).find(", or [clearway] goal = outside") != std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(one_key_of_space_in_a_planar_problem_asks_for_the_others) {

@@ -507,6 +507,26 @@ BOOST_AUTO_TEST_CASE(depths_in_scenes_whose_parts_have_components_that_meet_end_
     }
 }
 
+BOOST_AUTO_TEST_CASE(what_would_take_too_long_is_refused_before_the_work) {
+    const Mesh part = torus(4, 1, 8);  // concave within
+    BOOST_TEST(refusal(part, {0.1, 1e-7})
+                   .find("million points in the part, expected an overlap.tolerance of at least") !=
+               std::string::npos);
+    Mesh inwards = part;
+    for (auto& triangle : inwards.triangles) std::swap(triangle[0], triangle[1]);
+    BOOST_TEST(refusal(inwards, {0.1, 1e-7}) == refusal(part, {0.1, 1e-7}));
+    BOOST_TEST(shrink(box({1, 1, 1}), {0.1, 1e-7}).mesh.triangles.size() >
+               0u);  // nothing of a box is round within
+}
+
+BOOST_AUTO_TEST_CASE(shrinking_ends_when_stopped) {
+    int asked = 0;
+    ShrinkOptions options{0.3, 0.05};
+    options.isStopped = [&] { return ++asked > 3; };
+    BOOST_CHECK_THROW(shrink(torus(4, 1, 8), options), ShrinkStopped);
+    BOOST_TEST(asked < 10);
+}
+
 BOOST_AUTO_TEST_CASE(a_shrunk_part_is_the_same_each_time) {
     const Mesh part = torus(4, 1, 8);
     const ShrunkPart a = shrink(part, {0.3, 0.2}), b = shrink(part, {0.3, 0.2});

@@ -160,7 +160,8 @@ class MotionJudge {
                 here.lowerToNext >= promised - scene_.rounding || way <= answer.leastInterval;
             if (!isClose)
                 BOOST_ERROR("only " << here.lowerToNext << " of " << least << " from " << here.time);
-            if (way > 0.0201 * scene_.diagonal) BOOST_ERROR("no point for long after " << here.time);
+            if (way > std::max(0.0201 * scene_.diagonal, 0.101 * least))
+                BOOST_ERROR("no point for long after " << here.time);
         }
     }
 

@@ -245,10 +245,14 @@ void Motion::lookAtReported(double certifiedTime, double blockedTime) {
     if (blockedTime == 1) look(s2_, 1, kFully, true);
 }
 
-double Motion::longestProfiled() const {
+double Motion::longestProfiled(double clearance) const {
     constexpr double kShare =
         0.02;  // of the part's diagonal: a curve through the points then shows what happens
-    return kShare * posed_.scene().part.box().diagonal().norm();
+    constexpr double kClearanceShare = 0.1;  // of the clearance, which changes no faster than the pose
+    const double least = kShare * posed_.scene().part.box().diagonal().norm();
+    // Obstacles that count at neither end may count between them.
+    if (std::isinf(clearance) && zoneCount() > 0) return least;
+    return std::max(least, kClearanceShare * clearance);
 }
 
 double Motion::profileWidth() const {

@@ -104,8 +104,8 @@ class Motion {
     /// Looks at the poses that a report is about, where a sweep asked for no distance.
     void lookAtReported(double certifiedTime, double blockedTime);
 
-    /// The longest move between two points of a profile.
-    double longestProfiled() const;
+    /// The longest move between two points of a profile, both of which have this clearance.
+    double longestProfiled(double clearance) const;
 
     /// Bounds between two points of a profile need not be closer than this.
     double profileWidth() const;

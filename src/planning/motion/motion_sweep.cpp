@@ -117,7 +117,20 @@ MotionVerdict MotionSweep::goForwardToReport(const ClearanceResolution& resoluti
             return MotionVerdict::kValid;
         }
     }
-    return goForward();
+    const MotionVerdict verdict = goForward();
+    return verdict == MotionVerdict::kUndecided ? lookBehindUndecided() : verdict;
+}
+
+/// Looks at poses behind a stretch that is too close to tell, at distances that double: where faces meet all at once, a pose
+/// is in contact soon, but not so soon that a sweep sees both as one.
+MotionVerdict MotionSweep::lookBehindUndecided() {
+    const double least = options_.leastInterval / motion_.length();
+    for (double beyond = least; certifiedTime_ + beyond <= options_.until; beyond *= 2) {
+        if (motion_.isFreeAt(certifiedTime_ + beyond)) continue;
+        blockedTime_ = certifiedTime_ + beyond;
+        return MotionVerdict::kInvalid;
+    }
+    return MotionVerdict::kUndecided;
 }
 
 std::optional<double> MotionSweep::leastClearance(double cap, const ClearanceResolution& resolution,
@@ -139,7 +152,6 @@ std::vector<MotionInterval> MotionSweep::profile(double share) {
     std::vector<MotionInterval> settled;
     if (certifiedTime_ == 0) return settled;
     constexpr double kFully = std::numeric_limits<double>::infinity();
-    const double longest = motion_.longestProfiled();
     std::vector<MotionSample> ahead{reached()};
     MotionSample from = motion_.atStart(kFully);
     SceneSweepOptions options = options_;
@@ -150,6 +162,7 @@ std::vector<MotionInterval> MotionSweep::profile(double share) {
         const double atEnds = std::min(from.room.lower, to.room.lower);
         const double wanted =
             std::isfinite(atEnds) ? atEnds - std::max((1 - share) * atEnds, motion_.profileWidth()) : 0;
+        const double longest = motion_.longestProfiled(atEnds);
         const bool isShort =
             motion_.length() * step <= options.leastInterval || !(middle > from.time && middle < to.time);
         options.from = from.time;

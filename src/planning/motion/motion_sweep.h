@@ -46,6 +46,7 @@ class MotionSweep {
     std::vector<MotionInterval> profile(double share);
 
   private:
+    MotionVerdict lookBehindUndecided();
     MotionVerdict invalidStart();
 
     Motion& motion_;

@@ -133,7 +133,7 @@ double MotionValidator::validUntil(const ob::State* s1, const ob::State* s2,
 }
 
 std::string MotionValidator::whyInvalid(const ob::State* state) const {
-    if (!si_->satisfiesBounds(state)) return "outside of the bounds of the state space";
+    if (!si_->satisfiesBounds(state)) return whyOutOfBounds(*si_->getStateSpace(), state);
     return posed_->clearance().whyInvalid(pose(state));
 }
 

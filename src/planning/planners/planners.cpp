@@ -219,8 +219,9 @@ void setParameter(ob::Planner& planner, const std::string& parameter, const std:
     if (found == known.end()) {
         std::vector<std::string> names;
         for (const auto& entry : known) names.push_back(entry.first);
-        throw std::invalid_argument("planner " + planner.getName() + " has no parameter '" + parameter +
-                                    "', expected one of " + (names.empty() ? "none" : joined(names)));
+        throw std::invalid_argument("planner " + planner.getName() + " has no parameter '" + parameter + "'" +
+                                    didYouMean(parameter, names) + ", expected one of " +
+                                    (names.empty() ? "none" : joined(names)));
     }
     const std::string problem =
         "parameter " + parameter + " of planner " + planner.getName() + " is '" + value + "'";

@@ -276,7 +276,7 @@ PlanSetup makePlanSetup(const Problem& stated, const Scene& scene, const PlanOpt
     setup.truth = makeChecker(setup.si, scene, 0);
     const auto spare = [&](const PartState& state, const char* what) {
         const auto omplState = toOmpl(setup.si->getStateSpace(), problem.space, state);
-        return requireValid(*setup.truth, omplState.get(), what);
+        return requireValid(problem, *setup.truth, omplState.get(), what);
     };
     const double startSpare = spare(problem.start, "start");  // the start is refused before the goal
     const double leastSpare =

@@ -18,6 +18,7 @@
 #include "core/number.h"
 #include "core/text.h"
 #include "planning/motion/motion_search.h"
+#include "planning/setup/start_cures.h"
 #include "problem/config.h"
 
 namespace clearway::planning {
@@ -25,26 +26,12 @@ namespace {
 
 constexpr const char* kStart = "start";
 constexpr const char* kCollision = "in collision";
-constexpr double kUsualContact = 0.02;  ///< of the part's diagonal
 
 namespace ob = ompl::base;
 
 constexpr double kDefaultStepPerDiagonal = 1.0 / 500;
 
 constexpr const char* kLength = "length";
-
-/// The keys that let a problem begin with parts that touch.
-std::string curesOf(const ValidityChecker& checker, const ob::State* start) {
-    const std::string obstacle = meshNames(checker.scene(), checker.distance(start)).environment;
-    const std::string name = writtenNames({obstacle}).value_or(obstacle);
-    const Scene& scene = checker.scene();
-    const double reach = kUsualContact * scene.part.box().diagonal().norm() + 2 * scene.largestMargin();
-    return "; if the parts are assembled so, write in [clearway] contact.start = " + name + ", " +
-           roundedNumber(reach) +
-           " (ignored until some point of the part has moved so far), ignore = " + name +
-           " (left out), or overlap = X (may reach so deep into the part; clearway info PROBLEM --lift tells "
-           "X)";
-}
 
 /// The least cost that the best path can be given: the resolution of costs below its clearance.
 double attainable(const MinClearanceObjective& objective, double clearanceOfEnds) {
@@ -160,12 +147,14 @@ void applySettings(ob::SpaceInformation& si, const Problem& problem, std::vector
     }
 }
 
-double requireValid(const ValidityChecker& checker, const ob::State* state, const std::string& what) {
+double requireValid(const Problem& problem, const ValidityChecker& checker, const ob::State* state,
+                    const std::string& what) {
     double clearance = 0;
     if (checker.isValid(state, clearance)) return clearance;
     const std::string why = checker.whyInvalid(state);
     const bool isCollision = why.find(kCollision) == 0 && what == kStart;
-    throw std::invalid_argument(what + " is " + why + (isCollision ? curesOf(checker, state) : ""));
+    throw std::invalid_argument(what + " is " + why +
+                                (isCollision ? startCures(problem, checker, state) : ""));
 }
 
 double stepOf(const Problem& problem, const PlanOptions& options, const Model& part) {

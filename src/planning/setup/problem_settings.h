@@ -39,9 +39,10 @@ void requireSampler(const std::string& name);
 void applySettings(ompl::base::SpaceInformation& si, const Problem& problem,
                    std::vector<std::string>& warnings);
 
-/// Returns the clearance of a state. Throws std::invalid_argument, naming the two closest meshes and
-/// triangles, unless the state is valid. what: "start".
-double requireValid(const ValidityChecker& checker, const ompl::base::State* state, const std::string& what);
+/// Returns the clearance of a state of the problem. Throws std::invalid_argument, naming the two closest meshes and
+/// triangles, unless the state is valid. what: "start", for which it names cures too, or "goal".
+double requireValid(const Problem& problem, const ValidityChecker& checker, const ompl::base::State* state,
+                    const std::string& what);
 
 /// The step of the options or of the problem, else 1/500 of the part's diagonal.
 double stepOf(const Problem& problem, const PlanOptions& options, const Model& part);

@@ -11,6 +11,7 @@
 #include <typeinfo>
 
 #include "clearway/planning/se3_space.h"
+#include "core/number.h"
 
 #if OMPL_VERSION_VALUE < 1005000
 #error "clearway needs OMPL 1.5 or later"
@@ -54,6 +55,22 @@ ob::StateSpacePtr makeSpace(Space kind, const Box& bounds, double turnWeight) {
 const ob::RealVectorBounds& positionBounds(Space kind, const ob::StateSpace& space) {
     return kind == Space::kSe2 ? space.as<ob::SE2StateSpace>()->getBounds()
                                : space.as<ob::SE3StateSpace>()->getBounds();
+}
+
+std::string whyOutOfBounds(const ob::StateSpace& space, const ob::State* state) {
+    const std::string why = "outside of the bounds of the state space";
+    const bool isSpatial = dynamic_cast<const ob::SE3StateSpace*>(&space) != nullptr;
+    if (!isSpatial && dynamic_cast<const ob::SE2StateSpace*>(&space) == nullptr) return why;
+    const Space kind = isSpatial ? Space::kSe3 : Space::kSe2;
+    const ob::RealVectorBounds& bounds = positionBounds(kind, space);
+    const PartState at = fromOmpl(kind, state);
+    for (unsigned i = 0; i < bounds.low.size(); ++i) {
+        const double value = at.position[i];
+        if (value >= bounds.low[i] && value <= bounds.high[i]) continue;
+        return why + ": " + std::string(1, "xyz"[i]) + " is " + roundedNumber(value) + ", expected from " +
+               roundedNumber(bounds.low[i]) + " to " + roundedNumber(bounds.high[i]);
+    }
+    return why;
 }
 
 void setUpOnSharedSpace(ob::SpaceInformation& si) {

@@ -25,6 +25,9 @@ ompl::base::StateSpacePtr makeSpace(Space kind, const Box& bounds, double turnWe
 /// Returns the bounds of positions in a space of the kinds that makeSpace makes.
 const ompl::base::RealVectorBounds& positionBounds(Space kind, const ompl::base::StateSpace& space);
 
+/// Why a state is outside of its space's bounds: names the coordinate of SE(3) and SE(2), its value and the bounds.
+std::string whyOutOfBounds(const ompl::base::StateSpace& space, const ompl::base::State* state);
+
 /// Sets up a space information whose space others use, too. OMPL's setup writes to the space, as if no other thread could
 /// set up another space information on it.
 void setUpOnSharedSpace(ompl::base::SpaceInformation& si);

@@ -76,7 +76,7 @@ SceneDistance ValidityChecker::distance(const ob::State* state) const {
 std::string ValidityChecker::whyInvalid(const ob::State* state) const {
     const std::string why = posed_->clearance().whyInvalid(pose(state));
     if (!why.empty()) return why;
-    return si_->satisfiesBounds(state) ? "" : "outside of the bounds of the state space";
+    return si_->satisfiesBounds(state) ? "" : whyOutOfBounds(*si_->getStateSpace(), state);
 }
 
 CheckCounters ValidityChecker::counters() const {

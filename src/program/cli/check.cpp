@@ -147,10 +147,10 @@ int check(const Arguments& arguments) {
     printOverlaps(overlaps);
     if (found.audit.isValid()) requireAllowed(overlaps);
     tellFacts(scene, found, overlaps);
-    options.outputs.write(problem, scene, path, found.audit, {}, overlaps);
+    const bool isWhole = options.outputs.write(problem, scene, path, found.audit, {}, overlaps);
     requirePrinted();
     const bool hasEnds = options.isAnyEnds || (found.beginsAtStart() && found.endsAtGoal());
-    return found.audit.isValid() && hasEnds ? kDone : kAnswerIsNo;
+    return found.audit.isValid() && hasEnds && isWhole ? kDone : kAnswerIsNo;
 }
 
 }  // namespace clearway::cli

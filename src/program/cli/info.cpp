@@ -25,6 +25,7 @@ namespace {
 
 constexpr int kMostDoublings = 8;
 constexpr double kLiftError = 0.02;     ///< of the least overlap that frees a start
+constexpr double kSmallLift = 1e-3;     ///< of the diagonal of a part that is only touched
 constexpr double kLiftTolerance = 0.5;  ///< of the overlap, unless the problem states one
 
 Box inFileUnits(const Box& box, const MeshOrigin& origin) {
@@ -188,9 +189,7 @@ void describePose(const char* label, const planning::SceneClearance& clearance, 
 }
 
 void describeEnds(const Problem& problem, const Mesh& part, const std::vector<Mesh>& worlds) {
-    SceneLoading loading;
-    loading.read = guardedLoadMesh;
-    const LoadedScene loaded = loadScene(problem, {}, loading);
+    const LoadedScene loaded = loadScene(problem, {}, guardedLoading());
     printWarnings(loaded.notes);
     facts()["notes"] = loaded.notes;
     const planning::SceneClearance clearance(loaded.scene);
@@ -228,10 +227,8 @@ std::string whyStartIsInvalid(Problem problem, double overlap) {
     OverlapRules& rules = problem.rules.overlap;
     rules.common = overlap;
     rules.tolerance = liftTolerance(problem, overlap);
-    SceneLoading loading;
-    loading.read = guardedLoadMesh;
     try {
-        const planning::SceneClearance clearance(loadScene(problem, {}, loading).scene);
+        const planning::SceneClearance clearance(loadScene(problem, {}, guardedLoading()).scene);
         return clearance.whyInvalid(poseOf(problem.start));
     } catch (const std::invalid_argument& error) {
         throw std::invalid_argument("no overlap is found that frees the start; tried: " +
@@ -243,6 +240,17 @@ std::string whyStartIsInvalid(Problem problem, double overlap) {
 double roundedUp(double depth) {
     const double unit = std::pow(10, std::floor(std::log10(depth)) - 2);
     return std::ceil(depth / unit) * unit;
+}
+
+/// For a start at which surfaces only touch.
+void printSmallLift(const Problem& problem, double partSize) {
+    const double overlap = roundedUp(kSmallLift * partSize);
+    const std::string why = whyStartIsInvalid(problem, overlap);
+    if (!why.empty())
+        return printRow("lift", "overlap = " + depthText(overlap) + " does not free the start: " + why);
+    facts()["lift"] = {{"overlap", toJson(overlap)}};
+    printRow("lift", "overlap = " + depthText(overlap) +
+                         " frees the start, as every other one does: parts only touch");
 }
 
 /// Says how deep obstacles reach into the part at the start, and which overlap frees the start.
@@ -258,11 +266,11 @@ void describeLift(const std::string& file) {
     problem.rules.overlap.byName.clear();
     problem.rules.overlap.isThinAllowed = true;
     if (overlaps.empty()) {
-        SceneLoading loading;
-        loading.read = guardedLoadMesh;
-        const planning::SceneClearance clearance(loadScene(problem, {}, loading).scene);
+        const planning::SceneClearance clearance(loadScene(problem, {}, guardedLoading()).scene);
         const std::string why = clearance.whyInvalid(poseOf(problem.start));
         printRow("start", "no obstacle reaches into the part" + (why.empty() ? "" : ", but " + why));
+        if (!why.empty() && !clearance.distance(poseOf(problem.start)).collides()) return;  // inside a solid
+        if (!why.empty()) printSmallLift(problem, clearance.scene().part.box().diagonal().norm());
         return;
     }
     double least = 0, enough = 0;

@@ -15,6 +15,7 @@
 #include "mesh/components.h"
 #include "mesh/topology.h"
 #include "problem/config.h"
+#include "problem/touched.h"
 #include "program/cli/enclosure.h"
 #include "program/cli/facts.h"
 #include "program/cli/load_guard.h"
@@ -29,7 +30,6 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMostNamed = 6;  ///< obstacles in one row
 constexpr double kRoom = 1.25;         ///< of the part's diagonal, around both meshes: so it can turn outside
-constexpr double kUsualContact = 0.02;    ///< of the part's diagonal
 constexpr std::size_t kValueColumn = 34;  ///< where the comments begin
 
 struct InitArguments {
@@ -71,22 +71,6 @@ std::string describe(const Mesh& mesh) {
            " x " + rounded(size.y(), true) + " x " + rounded(size.z(), true);
 }
 
-/// Names of the obstacles that the part touches at its start.
-std::vector<std::string> touchedBy(const Mesh& part, const ObstacleGroups& obstacles) {
-    const Model model = Model::build(part);
-    Workspace workspace;
-    std::vector<std::string> names;
-    for (const ObstacleGroup& group : obstacles.groups) {
-        const std::vector<Component> components = componentsOf(group.mesh);
-        for (std::size_t i = 0; i < components.size(); ++i) {
-            if (components[i].triangleCount == 0) continue;
-            if (collides(model, Model::build(meshOfComponents(group.mesh, {i})), {}, workspace))
-                names.push_back(components[i].name);
-        }
-    }
-    return names;
-}
-
 Json factsOf(const Mesh& mesh) {
     const EdgeReport edges = checkEdges(clean(mesh).triangles);
     return {{"triangles", mesh.triangles.size()},
@@ -95,9 +79,7 @@ Json factsOf(const Mesh& mesh) {
 }
 
 std::string clearanceAtStart(const Problem& problem) {
-    SceneLoading loading;
-    loading.read = guardedLoadMesh;
-    const Scene scene = loadScene(problem, {}, loading).scene;
+    const Scene scene = loadScene(problem, {}, guardedLoading()).scene;
     const planning::SceneClearance clearance(scene);
     const SceneDistance nearest = clearance.distance({});
     facts()["clearance_at_start"] = toJson(nearest.lower);
@@ -178,17 +160,13 @@ std::string textOf(const InitArguments& given, const Seen& seen) {
     text.comment("outside = +z: on this side only; +x, -x, +y, -y, +z or -z");
     text.line("margin", "0", "distance to keep from everything");
     if (!seen.touched.empty()) {
-        std::vector<std::string> names(
-            seen.touched.begin(),
-            seen.touched.begin() + std::ptrdiff_t(std::min(seen.touched.size(), kMostNamed)));
-        const std::optional<std::string> list = writtenNames(names);
+        const std::optional<std::string> list = writtenNames(seen.touched);
         text.comment("The part touches other meshes at its start. Choose one of these:");
         text.comment("contact.start = " + list.value_or("NAME") + ", " +
                      rounded(kUsualContact * seen.partSize, true) +
                      ": ignores them until some point of the part has moved so far");
         text.comment(
-            "overlap = X: lets obstacles reach so deep into the part (clearway info PROBLEM --lift tells how "
-            "deep)");
+            "overlap = X: lets obstacles reach so deep into the part (clearway info PROBLEM --lift tells X)");
     }
     return text.str();
 }
@@ -200,6 +178,7 @@ int init(const Arguments& words) {
     if (!readArguments(words, given)) return kDone;
     std::vector<std::string> inputs = given.environment;
     inputs.push_back(given.part);
+    for (const std::string& file : inputs) relativeTo(given.out, file);  // refused before anything is said
     OutputFiles files(inputs);
     files.add("--out", given.out, {".cfg"});
     requireFactsFile(files);
@@ -225,7 +204,7 @@ int init(const Arguments& words) {
     const Vector3 room = Vector3::Constant(kRoom * farthest.norm());
     seen.bounds = Box(seen.bounds.min() - room, seen.bounds.max() + room);
     seen.isOutside = !boundingBox(part).intersects(boundingBox(environment));
-    seen.touched = touchedBy(part, obstaclesOf(problem, worlds));
+    seen.touched = touchedAtStart(problem, part, obstaclesOf(problem, worlds));
 
     if (const std::string note = unitNote(boundingBox(part), boundingBox(environment), ""); !note.empty())
         printWarnings(

@@ -3,10 +3,12 @@
 #include <csignal>
 #include <exception>
 #include <iostream>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "clearway/shrink.h"
 #include "clearway/targets.h"
 #include "core/text.h"
 #include "program/cli/command_line.h"
@@ -126,6 +128,12 @@ int main(int argc, char** argv) {
         clearway::cli::writeFacts();
         clearway::cli::requirePrinted();
         return code;
+    } catch (const clearway::ShrinkStopped& stopped) {
+        clearway::cli::printRow("interrupted", std::string(stopped.what()) + "; nothing is written");
+        clearway::cli::facts()["interrupted"] = true;
+        clearway::cli::writeFacts();
+        clearway::cli::requirePrinted();
+        return clearway::cli::kAnswerIsNo;
     } catch (const std::exception& error) {
         std::cout.flush();
         std::cerr << "clearway: " << clearway::cli::oneLine(error.what()) << "\n";

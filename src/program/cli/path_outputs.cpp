@@ -116,7 +116,8 @@ bool isGlb(const std::string& file) {
     return boost::iequals(std::filesystem::path(file).extension().string(), ".glb");
 }
 
-void writeSwept(const Problem& problem, const Mesh& part, const Model& model,
+/// Returns false when interrupted.
+bool writeSwept(const Problem& problem, const Mesh& part, const Model& model,
                 const std::vector<PartState>& path, double tolerance, const std::string& file) {
     const std::vector<RigidMotion> motions = motionsOf(path);
     SweptVolumeOptions options;
@@ -128,7 +129,8 @@ void writeSwept(const Problem& problem, const Mesh& part, const Model& model,
     const Mesh swept = sweptVolume(part, motions, options);
     if (swept.triangles.empty()) {
         printRow("swept", "none, interrupted; a larger --swept-tolerance takes less time");
-        return;
+        facts()["interrupted"] = true;
+        return false;
     }
     const std::optional<double> metres = metresPerUnit(problem);
     if (isGlb(file)) {
@@ -139,6 +141,7 @@ void writeSwept(const Problem& problem, const Mesh& part, const Model& model,
     const std::string unit = !metres ? "" : isGlb(file) ? ", in metres" : ", in " + problem.unit;
     printRow("swept", file + unit + ", " + counted(swept.triangles.size(), "triangle") + ", within " +
                           shownLength(options.tolerance) + " of the part's places");
+    return true;
 }
 
 }  // namespace
@@ -151,10 +154,10 @@ void PathOutputs::require(OutputFiles& files) const {
         throw std::invalid_argument("--swept-tolerance is given without --swept, expected both");
 }
 
-void PathOutputs::write(const Problem& problem, const Scene& scene, const std::vector<PartState>& path,
+bool PathOutputs::write(const Problem& problem, const Scene& scene, const std::vector<PartState>& path,
                         const planning::PathAudit& audit, const Rows& planner,
                         const std::vector<FoundOverlap>& overlaps) const {
-    if (isEmpty()) return;
+    if (isEmpty()) return true;
     const Mesh part = loadPart(problem, guardedLoadMesh);
     const Mesh environment = shownEnvironment(problem);
     if (!report.empty()) writePage(problem, part, environment, scene, path, audit, planner, overlaps, report);
@@ -164,8 +167,8 @@ void PathOutputs::write(const Problem& problem, const Scene& scene, const std::v
                              motion);
         printRow("export", motion + (metres ? ", in metres" : ", lengths as they are: no unit is stated"));
     }
-    if (!swept.empty())
-        writeSwept(problem, part, scene.part, path, cli::sweptTolerance(*this, scene.part), swept);
+    return swept.empty() ||
+           writeSwept(problem, part, scene.part, path, cli::sweptTolerance(*this, scene.part), swept);
 }
 
 void addPathOutputs(CommandLine& commandLine, PathOutputs& outputs) {

@@ -22,10 +22,10 @@ struct PathOutputs {
     bool isEmpty() const { return report.empty() && motion.empty() && swept.empty(); }
     void require(OutputFiles& files) const;
 
-    /// Writes the files and prints a row about each. planner: figures of the planner that found the path; may
-    /// be empty. audit: the path's audit, with its profile.
-    /// overlaps: those along the path.
-    void write(const Problem& problem, const Scene& scene, const std::vector<PartState>& path,
+    /// Writes the files and prints a row about each. Returns false when Ctrl-C left one out. planner: figures of the
+    /// planner that found the path; may be empty. audit: the path's audit, with its profile. overlaps: those along the
+    /// path.
+    bool write(const Problem& problem, const Scene& scene, const std::vector<PartState>& path,
                const planning::PathAudit& audit, const Rows& planner,
                const std::vector<FoundOverlap>& overlaps) const;
 };

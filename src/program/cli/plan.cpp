@@ -251,14 +251,15 @@ void tellFacts(const PlanArguments& given, const PlanReport& report, const Scene
     all["overlaps"] = toJson(overlaps);
 }
 
-/// Writes the files about the path. A swept volume that is too fine for this path is refused after the other files.
-void writeOutputs(PathOutputs outputs, const Problem& problem, const Scene& scene,
+/// Writes the files about the path; returns false when interrupted. A swept volume that is too fine for this path is refused after the other files.
+bool writeOutputs(PathOutputs outputs, const Problem& problem, const Scene& scene,
                   const std::vector<PartState>& path, const planning::PathAudit& audit, const Rows& figures,
                   const std::vector<FoundOverlap>& overlaps) {
     const std::string tooFine = whySweptIsTooFine(outputs, scene, path);
     if (!tooFine.empty()) outputs.swept.clear();
-    outputs.write(problem, scene, path, audit, figures, overlaps);
+    const bool isWhole = outputs.write(problem, scene, path, audit, figures, overlaps);
     if (!tooFine.empty()) throw std::invalid_argument(tooFine);
+    return isWhole;
 }
 
 /// Plans, prints and writes. Tells oldPath when there is a new path.
@@ -303,9 +304,10 @@ int planAndWrite(const PlanArguments& given, const Problem& problem, OldPath& ol
     printOverlaps(overlaps);
     if (isValid) requireAllowed(overlaps);
     tellFacts(given, report, scene, overlaps);
-    if (!path.empty()) writeOutputs(given.outputs, problem, scene, path, report.audit, figures, overlaps);
+    const bool isWhole =
+        path.empty() || writeOutputs(given.outputs, problem, scene, path, report.audit, figures, overlaps);
     requirePrinted();
-    return !path.empty() && isValid ? kDone : kAnswerIsNo;
+    return !path.empty() && isValid && isWhole ? kDone : kAnswerIsNo;
 }
 
 }  // namespace

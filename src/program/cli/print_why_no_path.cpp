@@ -21,6 +21,9 @@ constexpr std::size_t kMostBlockers = 5;
 /// From this share of the stopped motions on, the bounds are worth a hint.
 constexpr double kManyAtBounds = 0.2;
 
+/// Up to this multiple of the length of contact.start, the part counts as held where its obstacles count again.
+constexpr double kLittleBeyond = 1.25;
+
 std::string nameOf(const Blocker& blocker) {
     if (blocker.isBounds()) return "the bounds";
     return "'" + blocker.name + "'" +
@@ -106,6 +109,16 @@ void printHintOfBounds(const WhyNoPath& why, const Problem& problem) {
                                        "box, which are the bounds without them"));
 }
 
+/// The part may be held by an obstacle that counts again although it has not left it.
+void printHintOfContact(const WhyNoPath& why, const Problem& problem) {
+    if (!problem.rules.startContact || !why.start.hasTree) return;
+    const double length = problem.rules.startContact->distance;
+    if (why.start.farthest > kLittleBeyond * length) return;
+    printRow("hint",
+             "contact.start may need a length above " + statedLength(length) +
+                 ": its obstacles count from there on, and no state reached is farther from the start");
+}
+
 std::string quoted(const std::vector<std::string>& names) {
     std::vector<std::string> all;
     for (const std::string& name : names) all.push_back("'" + name + "'");
@@ -155,6 +168,7 @@ void printExplanation(const planning::Explanation& explanation, double largestMa
 }
 
 void printHints(const WhyNoPath& why, const Problem& problem, const Scene& scene, const AskedFor& asked) {
+    printHintOfContact(why, problem);
     printHintOfBounds(why, problem);
     if (problem.margin > 0) {
         printRow("hint", "--margin may be smaller than " + statedLength(problem.margin));

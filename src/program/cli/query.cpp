@@ -161,7 +161,8 @@ void readQuestion(const std::string& text, Question& question) {
         question.kind = Question::Kind::kCollide;
     }
     if (isWithin ? question.within < 0 : text != "distance" && text != "collide") {
-        throw Expected{"distance, collide or within=D with a number D of at least 0"};
+        throw Expected{"distance, collide or within=D with a number D of at least 0" +
+                       didYouMean(text.substr(0, text.find('=')), {"distance", "collide", "within"})};
     }
 }
 

@@ -43,6 +43,17 @@ Problem readJudged(const std::string& file) {
     return problem;
 }
 
+SceneLoading guardedLoading() {
+    SceneLoading loading;
+    loading.read = guardedLoadMesh;
+    loading.shrink = [](const Mesh& part, ShrinkOptions options) {
+        const ElapsedLine elapsed("shrinking the part by " + shownLength(options.overlap));
+        options.isStopped = isInterrupted;
+        return shrink(part, options);
+    };
+    return loading;
+}
+
 Problem ProblemChoice::read() const {
     Problem problem = readJudged(file);
     problem.margin = margin.value_or(problem.margin);
@@ -76,8 +87,7 @@ Model TreeChoice::build(const Mesh& mesh) const {
 }
 
 LoadedScene TreeChoice::loadWithNotes(const Problem& problem, const planning::PlanOptions& plan) const {
-    SceneLoading loading;
-    loading.read = guardedLoadMesh;
+    SceneLoading loading = guardedLoading();
     loading.build = [&](const Mesh& mesh, const BuildOptions& build, const std::optional<Reach>& reach) {
         return buildFrom(cache, mesh, build, reach);
     };

@@ -18,6 +18,10 @@ namespace clearway::cli {
 /// planning::unknownNames do.
 Problem readJudged(const std::string& file);
 
+/// How the program loads scenes: behind the load guard, with a line that counts the seconds of shrinking, which Ctrl-C stops
+/// where heedInterrupts() was called: loadScene then throws ShrinkStopped.
+SceneLoading guardedLoading();
+
 /// The problem file, and the margin that replaces the file's.
 struct ProblemChoice {
     std::string file;

@@ -158,7 +158,7 @@ study::StudyProblem loadProblem(const std::string& file) {
     study.obstacles = obstaclesOf(study.problem, loadWorlds(study.problem, guardedLoadMesh));
     if (study.obstacles.hasSolids()) study.partSolids = makeSolids(study.part).solids;
     std::vector<std::string> notes;
-    study.shrunk = shrinkPart(study.problem, study.part, study.obstacles, notes);
+    study.shrunk = shrinkPart(study.problem, study.part, study.obstacles, notes, guardedLoading());
     printWarnings(notes);
     const fs::path poses = fs::path(file).parent_path() / (fs::path(file).stem().string() + "_replay.poses");
     if (fs::exists(poses)) study.replayPoses = readPoses(poses.string()).poses;

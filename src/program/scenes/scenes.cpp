@@ -63,7 +63,8 @@ const NamedScene& sceneNamed(const std::string& name) {
         if (name == withoutVersion(scene.name)) newest = &scene;
     }
     if (newest != nullptr) return *newest;
-    throw std::invalid_argument("the scene is '" + name + "', expected one of " + allNames());
+    throw std::invalid_argument("the scene is '" + name + "'" + didYouMean(name, namesOf(kScenes)) +
+                                ", expected one of " + allNames());
 }
 
 void requireClearance(double clearance, double least, double most) {

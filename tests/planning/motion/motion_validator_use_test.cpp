@@ -371,6 +371,42 @@ BOOST_AUTO_TEST_CASE(eight_threads_with_one_validator_agree_with_one) {
     BOOST_TEST(counters.valid + counters.invalid == 39 * 17u);
 }
 
+Mesh sheet(double halfSide) {
+    Mesh mesh;
+    mesh.vertices = {{-halfSide, -halfSide, 0},
+                     {halfSide, -halfSide, 0},
+                     {halfSide, halfSide, 0},
+                     {-halfSide, halfSide, 0}};
+    mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+    return mesh;
+}
+
+BOOST_AUTO_TEST_CASE(a_face_that_meets_a_sheet_all_at_once_is_told_as_a_collision) {
+    const testing::PartInSpace space(
+        Scene(Model::build(testing::box({0.005, 0.005, 0.005})), Model::build(sheet(1))));
+    const MotionReport report =
+        space.validator->report(space.at({0, 0, 0.2}).get(), space.at({0, 0, -0.2}, 2e-4).get());
+    BOOST_TEST((report.verdict == MotionVerdict::kInvalid));
+    BOOST_TEST(report.certifiedTime == 0.195 / 0.4, boost::test_tools::tolerance(1e-3));
+    BOOST_TEST(report.blockedTime < report.certifiedTime + 1e-4);
+    BOOST_TEST(report.upperClearance == 0);
+}
+
+BOOST_AUTO_TEST_CASE(a_long_way_far_from_everything_takes_few_queries) {
+    const testing::PartInSpace space(
+        Scene(Model::build(testing::box({1, 1, 1})), Model::build(testing::box({5, 5, 5}))), 1e9);
+    const MotionProfile profile =
+        space.validator->profile(space.at({0, 0, 20}).get(), space.at({0, 0, 1e8}, 1).get());
+    BOOST_TEST((profile.report.verdict == MotionVerdict::kValid));
+    BOOST_TEST(profile.report.queries < 1000u);
+    for (const ProfilePoint& point : profile.points) {
+        const double height = 20 + point.time * (1e8 - 20);
+        if (point.time == 1) continue;
+        BOOST_TEST(point.lowerToNext <= height - 6);
+        BOOST_TEST(point.lowerToNext > 0.5 * (height - 7));
+    }
+}
+
 BOOST_AUTO_TEST_CASE(wrong_options_and_empty_callbacks_are_refused) {
     const Fixture f;
     for (const double length : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {

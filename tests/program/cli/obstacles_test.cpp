@@ -67,6 +67,22 @@ BOOST_AUTO_TEST_CASE(without_its_contact_the_start_touches_by_name_and_triangle)
     BOOST_TEST(runIn(folder, kPlan).code == 0);
 }
 
+BOOST_AUTO_TEST_CASE(the_cure_of_a_start_in_contact_names_all_that_is_touched) {
+    AssemblyFolder folder;
+    folder.problem.rules.goalContact.reset();
+    folder.problem.goal = folder.problem.start;
+    const Mesh flag = transformed(box({1, 1, 30}), {Matrix3::Identity(), folder.problem.start.position});
+    saveMesh(flag, folder.file("flag.obj"));
+    folder.problem.furtherWorlds.push_back(folder.file("flag.obj"));
+    folder.write(folder.problem);
+    const std::string& err = runIn(folder, kPlan).err;
+    BOOST_TEST(err.find("contact.start = tray, flag, ") != std::string::npos, err);
+    BOOST_TEST(err.find("in place of the contact.start that is there") != std::string::npos, err);
+    folder.problem.rules.startContact.reset();
+    folder.write(folder.problem);
+    BOOST_TEST(runIn(folder, kPlan).err.find("contact.start = blocks/tray, flag, ") != std::string::npos);
+}
+
 BOOST_AUTO_TEST_CASE(a_triangle_is_named_by_its_place_in_its_own_file) {
     AssemblyFolder folder;
     folder.problem.rules.goalContact.reset();

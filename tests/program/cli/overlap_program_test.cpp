@@ -79,6 +79,27 @@ BOOST_AUTO_TEST_CASE(a_sunk_part_is_planned_checked_and_drawn_with_its_overlap) 
     BOOST_TEST(runIn(folder, "check p.cfg o.path").code == 0);
 }
 
+BOOST_AUTO_TEST_CASE(a_start_that_only_touches_is_freed_by_every_overlap) {
+    const SunkFolder folder;
+    folder.problem("", "block.obj", 2);
+    const std::string lift = row(runIn(folder, "info p.cfg --lift"), "lift");
+    BOOST_TEST(lift.find("frees the start, as every other one does: parts only touch") != std::string::npos,
+               lift);
+    folder.problem(lift.substr(0, lift.find(" frees")) + "\n", "block.obj", 2);
+    const Outcome planned = runIn(folder, "plan p.cfg --quick --path o.path");
+    BOOST_TEST(planned.code == 0, planned.err);
+}
+
+BOOST_AUTO_TEST_CASE(shrinking_heeds_an_interrupt) {
+    const SunkFolder folder;
+    saveMesh(named(torus(4, 1, 24), "ring"), folder.file("ring.obj"));
+    folder.problem("overlap = 0.01\n", "ring.obj", 2);
+    const Outcome outcome = interruptIn(folder, "plan p.cfg --path o.path --json f.json");
+    BOOST_TEST(outcome.code == 1, outcome.err);
+    BOOST_TEST(row(outcome, "interrupted") == "shrinking the part was stopped; nothing is written");
+    BOOST_TEST(readText(folder.file("f.json")).find("\"interrupted\": true") != std::string::npos);
+}
+
 BOOST_AUTO_TEST_CASE(what_an_overlap_would_leave_out_is_refused_unless_allowed) {
     const SunkFolder folder;
     folder.problem("overlap = 0.2\n", "plate.obj");

@@ -1,0 +1,19 @@
+// Which obstacles a problem's part touches at its start.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "clearway/problem.h"
+
+namespace clearway {
+
+/// Of the part's diagonal: the length to suggest for contact.start.
+constexpr double kUsualContact = 0.02;
+
+/// Names of the obstacles that are no farther from the part than their margins at problem.start. Leaves out those that
+/// contact.start names, and those with an overlap.
+std::vector<std::string> touchedAtStart(const Problem& problem, const Mesh& part,
+                                        const ObstacleGroups& obstacles);
+
+}  // namespace clearway
