@@ -24,7 +24,7 @@ struct ShrinkOptions {
     std::function<bool()> isStopped = nullptr;  ///< asked often, from several threads; null: never stopped
 };
 
-/// What shrink() throws when options.isStopped returns true.
+/// Thrown by shrink() when options.isStopped returns true.
 class ShrinkStopped : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;

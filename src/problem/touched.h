@@ -8,7 +8,7 @@
 
 namespace clearway {
 
-/// Of the part's diagonal: the length to suggest for contact.start.
+/// The length to suggest for contact.start, as a share of the part's diagonal.
 constexpr double kUsualContact = 0.02;
 
 /// Names of the obstacles that are no farther from the part than their margins at problem.start. Leaves out those that

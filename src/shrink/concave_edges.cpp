@@ -10,7 +10,7 @@ namespace {
 
 struct EdgeSide {
     int faces = 0;
-    Vector3 normal, tip;  ///< of the first face: its tip is the corner that is not on the edge
+    Vector3 normal;  ///< of the first face
 };
 
 }  // namespace
@@ -25,15 +25,13 @@ double concaveLength(const SurfaceDepth& surface, double depth, double tolerance
         const Vector3 normal = surface.outwardNormal(cleaned.triangleIds[t]).normalized();
         for (int k = 0; k < 3; ++k) {
             EdgeSide& side = edges[std::minmax(triangle[k], triangle[(k + 1) % 3])];
-            const Vector3 tip = corner(k + 2);
             if (++side.faces == 1) {
                 side.normal = normal;
-                side.tip = tip;
                 continue;
             }
             const Vector3 along = corner(k + 1) - corner(k);
             const double turn = std::atan2(side.normal.cross(normal).norm(), side.normal.dot(normal));
-            const bool isConcave = side.faces == 2 && side.normal.dot(tip - corner(k)) > 0;
+            const bool isConcave = side.faces == 2 && side.normal.dot(corner(k + 2) - corner(k)) > 0;
             if (isConcave && depth * (1 - std::cos(0.5 * turn)) > tolerance) sum += along.norm() * turn;
         }
     }

@@ -246,8 +246,7 @@ void Motion::lookAtReported(double certifiedTime, double blockedTime) {
 }
 
 double Motion::longestProfiled(double clearance) const {
-    constexpr double kShare =
-        0.02;  // of the part's diagonal: a curve through the points then shows what happens
+    constexpr double kShare = 0.02;  // of the part's diagonal: a curve through the points shows what happens
     constexpr double kClearanceShare = 0.1;  // of the clearance, which changes no faster than the pose
     const double least = kShare * posed_.scene().part.box().diagonal().norm();
     // Obstacles that count at neither end may count between them.

@@ -121,8 +121,8 @@ MotionVerdict MotionSweep::goForwardToReport(const ClearanceResolution& resoluti
     return verdict == MotionVerdict::kUndecided ? lookBehindUndecided() : verdict;
 }
 
-/// Looks at poses behind a stretch that is too close to tell, at distances that double: where faces meet all at once, a pose
-/// is in contact soon, but not so soon that a sweep sees both as one.
+/// Looks at poses behind a stretch that is too close to tell, at distances from it that double. A pose in contact makes the
+/// motion invalid, however far behind it is. Where faces meet all at once, the first one is near.
 MotionVerdict MotionSweep::lookBehindUndecided() {
     const double least = options_.leastInterval / motion_.length();
     for (double beyond = least; certifiedTime_ + beyond <= options_.until; beyond *= 2) {

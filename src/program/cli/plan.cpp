@@ -251,7 +251,8 @@ void tellFacts(const PlanArguments& given, const PlanReport& report, const Scene
     all["overlaps"] = toJson(overlaps);
 }
 
-/// Writes the files about the path; returns false when interrupted. A swept volume that is too fine for this path is refused after the other files.
+/// Writes the files about the path; returns false when interrupted. A swept volume that is too fine for this path is
+/// refused after the other files.
 bool writeOutputs(PathOutputs outputs, const Problem& problem, const Scene& scene,
                   const std::vector<PartState>& path, const planning::PathAudit& audit, const Rows& figures,
                   const std::vector<FoundOverlap>& overlaps) {

@@ -116,7 +116,7 @@ void printHintOfContact(const WhyNoPath& why, const Problem& problem) {
     if (why.start.farthest > kLittleBeyond * length) return;
     printRow("hint",
              "contact.start may need a length above " + statedLength(length) +
-                 ": its obstacles count from there on, and no state reached is farther from the start");
+                 ": its obstacles count from there on, and no state reached is much farther from the start");
 }
 
 std::string quoted(const std::vector<std::string>& names) {
