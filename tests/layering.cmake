@@ -14,11 +14,12 @@ set(build_may_include core mesh tree)
 set(exact_may_include core)
 set(query_may_include core tree kernels exact)
 set(model_may_include core mesh build tree query exact)
+set(scene_may_include core model)
 set(isosurface_may_include core mesh)
 set(shrink_may_include core mesh model isosurface)
 set(swept_may_include core mesh model isosurface)
 set(problem_may_include core mesh model)
-set(library core mesh tree build kernels exact query model isosurface shrink swept problem)
+set(library core mesh tree build kernels exact query model scene isosurface shrink swept problem)
 
 # The rooms of planning, each above those it may include.
 set(planning/validity_may_include core model problem)
@@ -43,7 +44,7 @@ set(program program/scenes program/render program/report program/study program/c
 set(layers ${library} ${planning} ${program})
 
 # The room of planning that holds each public planning header's source: including the header counts as including the room.
-set(validity_headers validity_checker.h scene_clearance.h state_to_pose.h displacement_bound.h outside_goal.h)
+set(validity_headers validity_checker.h state_to_pose.h displacement_bound.h outside_goal.h)
 set(motion_headers motion_validator.h discrete_motion_validator.h)
 set(objectives_headers clearance_objectives.h objectives.h)
 set(samplers_headers valid_state_samplers.h)
@@ -185,5 +186,15 @@ foreach(file IN LISTS files)
   endif()
   check_file("${file}")
 endforeach()
+# Shared libraries show what the public headers declare, because these say so. A forward declaration outside of those lines
+# would hide the class.
+file(GLOB_RECURSE public_headers RELATIVE "${ROOT}" "${ROOT}/include/*.h")
+foreach(file IN LISTS public_headers)
+  file(READ "${ROOT}/${file}" text)
+  if(NOT text MATCHES "\n#pragma GCC visibility push\\(default\\)\n\nnamespace .*\n#pragma GCC visibility pop\n$")
+    message(SEND_ERROR "${file}: its namespace is not between the lines #pragma GCC visibility push(default) and pop")
+  endif()
+endforeach()
+
 list(LENGTH files count)
 message(STATUS "layering: ${count} files read, ${violations} includes refused")

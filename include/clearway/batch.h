@@ -6,6 +6,8 @@
 
 #include "clearway/query.h"
 
+#pragma GCC visibility push(default)
+
 namespace clearway {
 
 /// Number of poses that one thread answers one after the other. Each block begins without a warm start, so
@@ -26,3 +28,5 @@ std::vector<std::uint8_t> isWithinBatch(const Model& part, const Model& environm
                                         const std::vector<Pose>& X_environmentPart, double d);
 
 }  // namespace clearway
+
+#pragma GCC visibility pop

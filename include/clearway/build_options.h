@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#pragma GCC visibility push(default)
+
 namespace clearway {
 
 constexpr int kLargestLeafSize = 16;  ///< triangles
@@ -26,6 +28,7 @@ BuildOptions buildPreset(const std::string& name);
 
 /// The names of all presets ("best", "fast"), general splits ("sah", "embree", "axis", ...), leaf splits
 /// ("none", "chain", "edge", "all") and fits ("frames", "covariance"), and all node widths, the widest first.
+/// A build without Embree has neither "fast" nor "embree".
 std::vector<std::string> buildPresetNames();
 std::vector<std::string> generalSplitNames();
 std::vector<std::string> leafSplitNames();
@@ -36,3 +39,5 @@ std::vector<int> nodeWidths();
 void requireBuildOptions(const BuildOptions& options);
 
 }  // namespace clearway
+
+#pragma GCC visibility pop

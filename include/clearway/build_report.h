@@ -6,6 +6,8 @@
 
 #include "clearway/build_options.h"
 
+#pragma GCC visibility push(default)
+
 namespace clearway {
 
 /// The findings of cleaning. Cleaning removes no part of the surface, only repetitions of it.
@@ -36,3 +38,5 @@ struct BuildReport {
 };
 
 }  // namespace clearway
+
+#pragma GCC visibility pop

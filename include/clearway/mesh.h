@@ -8,6 +8,8 @@
 
 #include "clearway/types.h"
 
+#pragma GCC visibility push(default)
+
 namespace clearway {
 
 using TriangleIndices = std::array<std::uint32_t, 3>;
@@ -96,3 +98,5 @@ Box boundingBox(const Mesh& mesh);
 std::size_t componentOf(const Mesh& mesh, std::size_t triangle);
 
 }  // namespace clearway
+
+#pragma GCC visibility pop

@@ -13,6 +13,8 @@
 #include "clearway/mesh.h"
 #include "clearway/types.h"
 
+#pragma GCC visibility push(default)
+
 namespace clearway {
 
 struct FlatTree;
@@ -111,3 +113,5 @@ CachedModel buildCached(const Mesh& mesh, const BuildOptions& options, const std
                         const std::optional<Reach>& reach = std::nullopt);
 
 }  // namespace clearway
+
+#pragma GCC visibility pop

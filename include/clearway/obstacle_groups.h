@@ -11,6 +11,8 @@
 #include "clearway/obstacle_rules.h"
 #include "clearway/scene.h"
 
+#pragma GCC visibility push(default)
+
 namespace clearway {
 
 /// Joins the meshes of several files. With more than one file, components are called FILE/NAME. FILE is the
@@ -54,3 +56,5 @@ Scene makeScene(Model part, std::shared_ptr<const Solids> partSolids, const Obst
                 const std::vector<std::shared_ptr<const ShrunkModel>>& shrunk = {});
 
 }  // namespace clearway
+
+#pragma GCC visibility pop

@@ -12,6 +12,8 @@
 #include <string>
 #include <vector>
 
+#pragma GCC visibility push(default)
+
 namespace clearway {
 
 /// Obstacles that the assembled part may touch; see ContactZone.
@@ -45,3 +47,5 @@ struct ObstacleRules {
 };
 
 }  // namespace clearway
+
+#pragma GCC visibility pop

@@ -7,6 +7,8 @@
 
 #include "clearway/types.h"
 
+#pragma GCC visibility push(default)
+
 namespace clearway {
 
 /// One of the six sides of a box along the axes.
@@ -48,3 +50,5 @@ Vector3 flattestDirection(const Box& box, int dimensions);
 double reachAlong(const Vector3& direction, const Box& box);
 
 }  // namespace clearway
+
+#pragma GCC visibility pop

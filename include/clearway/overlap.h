@@ -7,6 +7,8 @@
 #include "clearway/mesh.h"
 #include "clearway/types.h"
 
+#pragma GCC visibility push(default)
+
 namespace clearway {
 
 class SurfaceDepth;
@@ -46,3 +48,5 @@ class OverlapMeter {
 };
 
 }  // namespace clearway
+
+#pragma GCC visibility pop

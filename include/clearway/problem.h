@@ -17,6 +17,8 @@
 #include "clearway/shrink.h"
 #include "clearway/types.h"
 
+#pragma GCC visibility push(default)
+
 namespace clearway {
 
 enum class Space { kSe3, kSe2 };
@@ -215,3 +217,5 @@ PoseFile readPoses(const std::string& file);
 void writePoses(const std::vector<Pose>& poses, const std::string& file);
 
 }  // namespace clearway
+
+#pragma GCC visibility pop

@@ -8,6 +8,8 @@
 
 #include "clearway/types.h"
 
+#pragma GCC visibility push(default)
+
 namespace clearway {
 
 class Model;
@@ -122,4 +124,12 @@ bool collides(const Model& part, const Model& environment, const Pose& X_environ
 bool isWithin(const Model& part, const Model& environment, const Pose& X_environmentPart, double d,
               Workspace& workspace);
 
+/// The same queries with a workspace of the calling thread, which lives as long as the thread.
+DistanceResult distance(const Model& part, const Model& environment, const Pose& X_environmentPart,
+                        const DistanceOptions& options = {});
+bool collides(const Model& part, const Model& environment, const Pose& X_environmentPart);
+bool isWithin(const Model& part, const Model& environment, const Pose& X_environmentPart, double d);
+
 }  // namespace clearway
+
+#pragma GCC visibility pop

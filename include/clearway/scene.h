@@ -12,6 +12,8 @@
 #include "clearway/model.h"
 #include "clearway/query.h"
 
+#pragma GCC visibility push(default)
+
 namespace clearway {
 
 /// The insides of the closed components of a mesh. Immutable, shared by copies of a scene.
@@ -117,3 +119,5 @@ struct SceneDistance : DistanceResult {
 };
 
 }  // namespace clearway
+
+#pragma GCC visibility pop

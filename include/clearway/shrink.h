@@ -16,6 +16,8 @@
 #include "clearway/scene.h"
 #include "clearway/types.h"
 
+#pragma GCC visibility push(default)
+
 namespace clearway {
 
 struct ShrinkOptions {
@@ -61,3 +63,5 @@ ShrunkPart shrink(const Mesh& part, const ShrinkOptions& options);
 std::shared_ptr<const ShrunkModel> shrunkModel(const ShrunkPart& shrunk, Model model);
 
 }  // namespace clearway
+
+#pragma GCC visibility pop

@@ -10,6 +10,8 @@
 #include "clearway/query.h"
 #include "clearway/types.h"
 
+#pragma GCC visibility push(default)
+
 namespace clearway {
 
 /// A straight motion with a turn at a constant rate: at time t from 0 to 1 the pose is x -> R exp(t [turn]) x + p + t
@@ -136,3 +138,5 @@ LeastDistance leastDistance(const Model& part, const Model& environment, const M
                             const LeastDistanceOptions& options, Workspace& workspace);
 
 }  // namespace clearway
+
+#pragma GCC visibility pop

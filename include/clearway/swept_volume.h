@@ -7,6 +7,8 @@
 #include "clearway/mesh.h"
 #include "clearway/sweep.h"
 
+#pragma GCC visibility push(default)
+
 namespace clearway {
 
 struct SweptVolumeOptions {
@@ -35,3 +37,5 @@ Mesh sweptVolume(const Mesh& part, const std::vector<RigidMotion>& motions,
                  const SweptVolumeOptions& options);
 
 }  // namespace clearway
+
+#pragma GCC visibility pop

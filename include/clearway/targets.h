@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#pragma GCC visibility push(default)
+
 namespace clearway {
 
 /// The instruction sets that this build contains and this machine can run, best first. Possible names:
@@ -20,3 +22,5 @@ void useTarget(const std::string& name);
 std::string currentTarget();
 
 }  // namespace clearway
+
+#pragma GCC visibility pop

@@ -3,6 +3,11 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+#pragma GCC visibility push(default)
 
 namespace clearway {
 
@@ -38,6 +43,39 @@ inline Pose inverse(const Pose& X_ab) {
     return {X_ab.rotation.transpose(), -(X_ab.rotation.transpose() * X_ab.translation)};
 }
 
+/// Poses from and to Eigen's types. They are inline, and no compiled function takes or returns such a type: their alignment
+/// depends on the options of the compiler that uses them.
+inline Pose toPose(const Eigen::Isometry3d& X_ab) {
+    return {X_ab.linear(), X_ab.translation()};
+}
+
+/// The quaternion is normalised first. Throws std::invalid_argument when its length is 0 or not finite.
+inline Pose toPose(const Eigen::Quaterniond& rotation, const Vector3& translation) {
+    const Eigen::Matrix<double, 4, 1, Eigen::DontAlign> coefficients = rotation.coeffs();
+    const double length = coefficients.stableNorm();
+    if (!(length > 0 && length < std::numeric_limits<double>::infinity())) {
+        throw std::invalid_argument("the quaternion's length is " + std::to_string(length) +
+                                    ", expected above 0 and finite");
+    }
+    // Squares of very small entries would vanish, those of very large ones overflow.
+    Eigen::Quaterniond unit(coefficients / length);
+    unit.normalize();
+    return {unit.toRotationMatrix(), translation};
+}
+
+inline Eigen::Isometry3d toIsometry(const Pose& X_ab) {
+    Eigen::Isometry3d isometry;
+    isometry.linear() = X_ab.rotation;
+    isometry.translation() = X_ab.translation;
+    isometry.makeAffine();
+    return isometry;
+}
+
+/// The rotation as a quaternion of unit length.
+inline Eigen::Quaterniond toQuaternion(const Pose& X_ab) {
+    return Eigen::Quaterniond(X_ab.rotation).normalized();
+}
+
 /// max |R^T R - I|, or infinity if an entry of the pose is not finite or det R <= 0.
 double rotationDefect(const Pose& pose);
 
@@ -50,3 +88,5 @@ void requirePose(const Pose& pose);
 Pose nearestPose(const Pose& pose);
 
 }  // namespace clearway
+
+#pragma GCC visibility pop

@@ -22,15 +22,19 @@ struct NamedPreset {
     BuildOptions (*options)();
 };
 
+#ifndef CLEARWAY_WITHOUT_EMBREE
 BuildOptions fastBuild() {
     BuildOptions options;
     options.generalSplit = "embree";
     return options;
 }
+#endif
 
 constexpr NamedPreset kPresets[] = {
     {"best", [] { return BuildOptions(); }},
+#ifndef CLEARWAY_WITHOUT_EMBREE
     {"fast", fastBuild},
+#endif
 };
 
 template <int... kWidths>

@@ -49,7 +49,9 @@ struct NamedGeneralSplit {
 
 constexpr NamedGeneralSplit kGeneralSplits[] = {
     {"sah", buildBySah},
+#ifndef CLEARWAY_WITHOUT_EMBREE
     {"embree", buildByEmbree},
+#endif
     {"axis", buildByAxisSplit},
     {"mean", buildByMeanSplit},
 };

@@ -8,6 +8,9 @@
 
 #include "clearway/types.h"
 
+// clearway::planning uses it too, from another shared library.
+#pragma GCC visibility push(default)
+
 namespace clearway {
 
 /// The finite decimal number that the whole text states. Empty for every other text: "", "1 2", "0x10",
@@ -33,3 +36,5 @@ std::string roundedPoint(const Vector3& point);  ///< "(1.5, 2, 0.1)", numbers a
 std::string withUnit(const std::string& text, const std::string& unit);
 
 }  // namespace clearway
+
+#pragma GCC visibility pop

@@ -6,6 +6,9 @@
 #include <string_view>
 #include <vector>
 
+// clearway::planning uses it too, from another shared library.
+#pragma GCC visibility push(default)
+
 namespace clearway {
 
 /// The lines of a file without their ends ("\n" or "\r\n") and without a byte order mark. Throws
@@ -54,3 +57,5 @@ const auto& rowNamed(const Table& table, const std::string& what, const std::str
 }
 
 }  // namespace clearway
+
+#pragma GCC visibility pop

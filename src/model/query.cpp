@@ -71,6 +71,11 @@ bool answerWithin(const Model& part, const Model& environment, const Pose& X_env
     return answer.within;
 }
 
+Workspace& workspaceOfThread() {
+    thread_local Workspace workspace;
+    return workspace;
+}
+
 }  // namespace
 
 DistanceResult distance(const Model& part, const Model& environment, const Pose& X_environmentPart,
@@ -124,6 +129,19 @@ bool isWithin(const Model& part, const Model& environment, const Pose& X_environ
               Workspace& workspace) {
     requireNotNegative(d, "d");
     return answerWithin(part, environment, X_environmentPart, d, workspace);
+}
+
+DistanceResult distance(const Model& part, const Model& environment, const Pose& X_environmentPart,
+                        const DistanceOptions& options) {
+    return distance(part, environment, X_environmentPart, options, workspaceOfThread());
+}
+
+bool collides(const Model& part, const Model& environment, const Pose& X_environmentPart) {
+    return collides(part, environment, X_environmentPart, workspaceOfThread());
+}
+
+bool isWithin(const Model& part, const Model& environment, const Pose& X_environmentPart, double d) {
+    return isWithin(part, environment, X_environmentPart, d, workspaceOfThread());
 }
 
 }  // namespace clearway

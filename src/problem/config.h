@@ -10,6 +10,9 @@
 #include <string_view>
 #include <vector>
 
+// clearway::planning uses it too, from another shared library.
+#pragma GCC visibility push(default)
+
 namespace clearway {
 
 /// The names of the coordinates in keys such as "start.x".
@@ -95,3 +98,5 @@ std::optional<std::vector<std::string>> splitNames(std::string_view text);
 std::optional<std::string> writtenNames(const std::vector<std::string>& names);
 
 }  // namespace clearway
+
+#pragma GCC visibility pop

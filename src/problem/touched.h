@@ -6,6 +6,9 @@
 
 #include "clearway/problem.h"
 
+// clearway::planning uses it too, from another shared library.
+#pragma GCC visibility push(default)
+
 namespace clearway {
 
 /// The length to suggest for contact.start, as a share of the part's diagonal.
@@ -17,3 +20,5 @@ std::vector<std::string> touchedAtStart(const Problem& problem, const Mesh& part
                                         const ObstacleGroups& obstacles);
 
 }  // namespace clearway
+
+#pragma GCC visibility pop

@@ -24,9 +24,9 @@
 #include "clearway/planning/clearance_objectives.h"
 #include "clearway/planning/motion_validator.h"
 #include "clearway/planning/planners.h"
-#include "clearway/planning/scene_clearance.h"
 #include "clearway/planning/validity_checker.h"
 #include "clearway/problem.h"
+#include "clearway/scene_clearance.h"
 #include "core/number.h"
 #include "planning/validity/ompl_states.h"
 
@@ -198,7 +198,7 @@ class Comparison {
     Answer ask(const MotionValidator& validator, const RecordedMotion& motion, const Answer& sofar) const {
         Answer answer;
         const auto undecided = validator.counters().undecided;
-        planning::takeQueryTally();
+        takeQueryTally();
         std::pair<ob::State*, double> lastValid(nullptr, 1);
         const auto begin = Clock::now();
         answer.isValid = motion.isForward
@@ -207,7 +207,7 @@ class Comparison {
         answer.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
         if (sofar.seconds > 0) answer.seconds = std::min(answer.seconds, sofar.seconds);
         answer.certifiedTime = answer.isValid ? 1 : lastValid.second;
-        const planning::QueryTally tally = planning::takeQueryTally();
+        const QueryTally tally = takeQueryTally();
         answer.visits = tally.work.nodeVisits;
         answer.triangleTests = tally.work.kernelPairs;
         answer.refined = tally.work.refinedPairs;

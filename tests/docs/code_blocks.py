@@ -76,8 +76,9 @@ def compile_documents(root, build, documents, report):
             report.refuse(document, line, "the C++ does not compile:\n" + done.stderr)
 
 
-def configure(root, block):
-    """Configures a project that has the repository as its folder clearway, as the document's reader would."""
+def configure(root, build, block):
+    """Configures a project that has the repository as its folder clearway, as the document's reader would, and finds an
+    installation of the build."""
     with tempfile.TemporaryDirectory() as scratch:
         folder = pathlib.Path(scratch)
         (folder / "clearway").symlink_to(root)
@@ -85,9 +86,13 @@ def configure(root, block):
         lines = ["cmake_minimum_required(VERSION 3.25)", "project(reader LANGUAGES CXX)"]
         lines += [text for _, text in before(block)]
         (folder / "CMakeLists.txt").write_text("\n".join(lines) + "\n" + block.text)
+        prefix = scratch + "/prefix"
+        if "find_package(clearway" in block.text:
+            subprocess.run(["cmake", "--install", build, "--prefix", prefix], check=True, capture_output=True)
         environment = {name: value for name, value in os.environ.items() if name != "CXXFLAGS"}
         return subprocess.run(
-            ["cmake", "-Wno-dev", "-S", scratch, "-B", scratch + "/build"], capture_output=True, text=True, env=environment
+            ["cmake", "-Wno-dev", "-S", scratch, "-B", scratch + "/build", "-DCMAKE_PREFIX_PATH=" + prefix],
+            capture_output=True, text=True, env=environment,
         )
 
 
@@ -97,6 +102,6 @@ def check_code(root, build, documents, report):
         for block in document.blocks:
             if block.language != "cmake":
                 continue
-            done = configure(root, block)
+            done = configure(root, build, block)
             if done.returncode != 0:
                 report.refuse(document, block.line, "CMake refuses the block:\n" + done.stderr)

@@ -41,10 +41,30 @@ Answers answersOf(const std::vector<ModelPair>& models, int repetitions) {
     return answers;
 }
 
-std::vector<Answers> answersOfFourThreads(const std::vector<ModelPair>& models, int repetitions) {
+Answers answersWithoutWorkspace(const std::vector<ModelPair>& models, int repetitions) {
+    Answers answers;
+    for (int repetition = 0; repetition < repetitions; ++repetition) {
+        for (std::size_t c = 0; c < models.size(); ++c) {
+            for (const Pose& pose : queryCases()[c].poses) {
+                const auto& [part, environment] = models[c];
+                const DistanceResult result = distance(part, environment, pose);
+                answers.lower.push_back(result.lower);
+                answers.upper.push_back(result.upper);
+                answers.distance.push_back(result.distance);
+                answers.touching.push_back(collides(part, environment, pose));
+                answers.near.push_back(isWithin(part, environment, pose, 1));
+            }
+        }
+    }
+    return answers;
+}
+
+template <class Work>
+std::vector<Answers> answersOfFourThreads(const std::vector<ModelPair>& models, int repetitions,
+                                          const Work& work) {
     std::vector<Answers> together(4);
     std::vector<std::thread> threads;
-    for (Answers& answers : together) threads.emplace_back([&] { answers = answersOf(models, repetitions); });
+    for (Answers& answers : together) threads.emplace_back([&] { answers = work(models, repetitions); });
     for (std::thread& thread : threads) thread.join();
     return together;
 }
@@ -58,8 +78,10 @@ BOOST_DATA_TEST_CASE(four_threads_get_the_answers_of_one, eachWidth(), width) {
     for (const QueryCase& queryCase : queryCases()) models.push_back(buildPair(queryCase, options));
     constexpr int kRepetitions = 20;
     const Answers alone = answersOf(models, kRepetitions);
-    const std::vector<Answers> together = answersOfFourThreads(models, kRepetitions);
-    for (const Answers& answers : together) BOOST_TEST((answers == alone));
+    for (const auto& work : {answersOf, answersWithoutWorkspace}) {
+        const std::vector<Answers> together = answersOfFourThreads(models, kRepetitions, work);
+        for (const Answers& answers : together) BOOST_TEST((answers == alone));
+    }
 }
 
 BOOST_AUTO_TEST_CASE(a_moved_workspace_goes_on_serving) {

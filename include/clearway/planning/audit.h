@@ -9,6 +9,8 @@
 
 #include "clearway/planning/motion_validator.h"
 
+#pragma GCC visibility push(default)
+
 namespace clearway::planning {
 
 /// One motion of a path, from one of its states to the next one.
@@ -64,3 +66,5 @@ PathAudit audit(const ompl::geometric::PathGeometric& path, const MotionValidato
                 const AuditOptions& options = {});
 
 }  // namespace clearway::planning
+
+#pragma GCC visibility pop

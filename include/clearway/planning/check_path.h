@@ -7,6 +7,8 @@
 #include "clearway/problem.h"
 #include "clearway/scene.h"
 
+#pragma GCC visibility push(default)
+
 namespace clearway::planning {
 
 struct PathCheck {
@@ -28,3 +30,5 @@ PathCheck checkPath(const Problem& problem, const Scene& scene, const std::vecto
                     const AuditOptions& options = {/*profile*/ true});
 
 }  // namespace clearway::planning
+
+#pragma GCC visibility pop

@@ -13,6 +13,8 @@
 #include "clearway/planning/state_to_pose.h"
 #include "clearway/scene.h"
 
+#pragma GCC visibility push(default)
+
 namespace clearway::planning {
 
 class ObjectiveMotions;
@@ -199,3 +201,5 @@ class LengthWithClearanceObjective : public WeightedLengthObjective {
 };
 
 }  // namespace clearway::planning
+
+#pragma GCC visibility pop

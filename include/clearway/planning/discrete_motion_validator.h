@@ -12,6 +12,8 @@
 #include "clearway/model.h"
 #include "clearway/planning/displacement_bound.h"
 
+#pragma GCC visibility push(default)
+
 namespace clearway::planning {
 
 class PosedScene;
@@ -60,3 +62,5 @@ class DiscreteMotionValidator : public ompl::base::MotionValidator {
 };
 
 }  // namespace clearway::planning
+
+#pragma GCC visibility pop

@@ -7,6 +7,8 @@
 
 #include "clearway/model.h"
 
+#pragma GCC visibility push(default)
+
 namespace clearway::planning {
 
 /// Returns L for the motion from one state to another, in environment units: no point of the part moves
@@ -28,3 +30,5 @@ DisplacementBound displacementBound(const ompl::base::StateSpace& space, double 
 DisplacementBound displacementBound(const ompl::base::StateSpace& space, const Model& part);
 
 }  // namespace clearway::planning
+
+#pragma GCC visibility pop

@@ -9,6 +9,8 @@
 
 #include "clearway/planning/plan.h"
 
+#pragma GCC visibility push(default)
+
 namespace clearway::planning {
 
 struct ExplainOptions {
@@ -51,3 +53,5 @@ void requireExplainable(const Scene& scene);
 Explanation explain(const Problem& problem, const WhyNoPath& why, const ExplainOptions& options);
 
 }  // namespace clearway::planning
+
+#pragma GCC visibility pop

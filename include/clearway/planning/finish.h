@@ -10,6 +10,8 @@
 #include "clearway/planning/audit.h"
 #include "clearway/planning/plan_setup.h"
 
+#pragma GCC visibility push(default)
+
 namespace clearway::planning {
 
 /// The exact solution that costs least by the definition's objective, else OMPL's first one. (OMPL puts the
@@ -44,3 +46,5 @@ PathAudit finish(const PlanSetup& setup, ompl::geometric::PathGeometric& path,
                  const std::function<bool()>& isSpent, double kept = 0);
 
 }  // namespace clearway::planning
+
+#pragma GCC visibility pop

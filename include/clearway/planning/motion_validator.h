@@ -21,6 +21,8 @@
 #include "clearway/query.h"
 #include "clearway/scene.h"
 
+#pragma GCC visibility push(default)
+
 namespace clearway::planning {
 
 class PosedScene;
@@ -201,3 +203,5 @@ class MotionValidator : public ompl::base::MotionValidator {
 };
 
 }  // namespace clearway::planning
+
+#pragma GCC visibility pop

@@ -10,6 +10,8 @@
 
 #include "clearway/scene.h"
 
+#pragma GCC visibility push(default)
+
 namespace clearway::planning {
 
 struct ObjectiveChoice {
@@ -35,3 +37,5 @@ ompl::base::OptimizationObjectivePtr makeObjective(const ompl::base::SpaceInform
 double largestClearance(const ObjectiveChoice& choice, const Model& part);
 
 }  // namespace clearway::planning
+
+#pragma GCC visibility pop

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#pragma GCC visibility push(default)
+
 namespace clearway::planning {
 
 /// While an object lives, OMPL's messages go to it instead of to the terminal. Objects must be destroyed in
@@ -30,3 +32,5 @@ class OmplMessages : public ompl::msg::OutputHandler {
 };
 
 }  // namespace clearway::planning
+
+#pragma GCC visibility pop

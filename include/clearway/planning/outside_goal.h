@@ -13,6 +13,8 @@
 #include "clearway/problem.h"
 #include "clearway/scene.h"
 
+#pragma GCC visibility push(default)
+
 namespace clearway::planning {
 
 /// A state satisfies the goal when the part's box and the environment's are apart there (see Outside). The part's box is its
@@ -63,3 +65,5 @@ class OutsideGoal : public ompl::base::GoalSampleableRegion {
 };
 
 }  // namespace clearway::planning
+
+#pragma GCC visibility pop

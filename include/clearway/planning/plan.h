@@ -15,6 +15,8 @@
 #include "clearway/problem.h"
 #include "clearway/scene.h"
 
+#pragma GCC visibility push(default)
+
 namespace clearway::planning {
 
 constexpr double kDefaultSeconds = 30;
@@ -143,3 +145,5 @@ std::optional<Reach> planningReach(const Problem& problem, const PlanOptions& op
                                    const Box& environmentBox);
 
 }  // namespace clearway::planning
+
+#pragma GCC visibility pop

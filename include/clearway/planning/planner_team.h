@@ -6,6 +6,8 @@
 #include <memory>
 #include <vector>
 
+#pragma GCC visibility push(default)
+
 namespace clearway::planning {
 
 /// Runs RRTConnect, which is quick where passages are wide, and two SlidingRRTConnect, one with standoffs of its
@@ -50,3 +52,5 @@ class PlannerTeam : public ompl::base::Planner {
 };
 
 }  // namespace clearway::planning
+
+#pragma GCC visibility pop

@@ -11,6 +11,8 @@
 
 #include "clearway/problem.h"
 
+#pragma GCC visibility push(default)
+
 namespace clearway::planning {
 
 /// OMPL's class names ("RRTConnect", "BITstar", ...), and clearway's own, in alphabetical order: SlidingRRTConnect and
@@ -48,3 +50,5 @@ ompl::base::PlannerStatus solveSideBySide(const std::vector<ompl::base::PlannerP
                                           const std::function<void()>& onFound);
 
 }  // namespace clearway::planning
+
+#pragma GCC visibility pop

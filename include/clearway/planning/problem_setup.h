@@ -10,6 +10,8 @@
 #include "clearway/problem.h"
 #include "clearway/scene.h"
 
+#pragma GCC visibility push(default)
+
 namespace clearway::planning {
 
 /// Makes OMPL's setup of a problem in a scene: SE(3) or SE(2) within the problem's bounds, the problem's
@@ -35,3 +37,5 @@ ompl::geometric::PathGeometric pathThrough(const ompl::base::SpaceInformationPtr
                                            const std::vector<PartState>& states);
 
 }  // namespace clearway::planning
+
+#pragma GCC visibility pop

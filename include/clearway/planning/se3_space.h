@@ -3,6 +3,8 @@
 
 #include <ompl/base/spaces/SE3StateSpace.h>
 
+#pragma GCC visibility push(default)
+
 namespace clearway::planning {
 
 /// OMPL's SE(3) in all it does, to the last digit, and faster where planners spend most of their time outside of queries:
@@ -16,3 +18,5 @@ class Se3Space final : public ompl::base::SE3StateSpace {
 };
 
 }  // namespace clearway::planning
+
+#pragma GCC visibility pop

@@ -8,6 +8,8 @@
 
 #include "clearway/planning/audit.h"
 
+#pragma GCC visibility push(default)
+
 namespace clearway::planning {
 
 struct SimplifyOptions {
@@ -34,3 +36,5 @@ PathAudit simplify(ompl::geometric::PathGeometric& path, const MotionValidator& 
 void shorten(ompl::geometric::PathGeometric& path, const std::function<bool()>& isSpent);
 
 }  // namespace clearway::planning
+
+#pragma GCC visibility pop

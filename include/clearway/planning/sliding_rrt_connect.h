@@ -9,6 +9,8 @@
 #include <memory>
 #include <vector>
 
+#pragma GCC visibility push(default)
+
 namespace clearway::planning {
 
 /// Grows one tree from the start and one from the goal, as RRT-Connect does (Kuffner and LaValle, RRT-Connect: An
@@ -69,3 +71,5 @@ class SlidingRRTConnect : public ompl::base::Planner {
 };
 
 }  // namespace clearway::planning
+
+#pragma GCC visibility pop

@@ -4,24 +4,13 @@
 #include <ompl/base/StateSpace.h>
 
 #include <functional>
-#include <limits>
 
 #include "clearway/model.h"
-#include "clearway/sweep.h"
+#include "clearway/scene_clearance.h"
+
+#pragma GCC visibility push(default)
 
 namespace clearway::planning {
-
-/// The motion of the part from one state to another.
-struct PartMotion {
-    /// The poses are those of the states that the space interpolates, but for rounding: 2^-47 of the lengths involved.
-    MotionPieces pieces;
-    /// No point of the part moves further than length |b - a| between the times a and b. Not finite when the states make
-    /// no motion.
-    double length = 0;
-    /// No point of the part is further than this, and rounding, from where the interpolation ends when it is at the second
-    /// state. 0: the interpolation ends there.
-    double endJump = std::numeric_limits<double>::infinity();
-};
 
 /// Returns the motion between two states, which outlive it; one thread uses the motion. It is called from several threads at
 /// once.
@@ -33,3 +22,5 @@ using StateMotion = std::function<PartMotion(const ompl::base::State* from, cons
 StateMotion stateMotion(const ompl::base::StateSpacePtr& space, const Model& part);
 
 }  // namespace clearway::planning
+
+#pragma GCC visibility pop

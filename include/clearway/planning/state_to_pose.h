@@ -7,6 +7,8 @@
 
 #include "clearway/types.h"
 
+#pragma GCC visibility push(default)
+
 namespace clearway::planning {
 
 /// Returns X_environmentPart at a state. It is called from several threads at once. For a state without a
@@ -21,3 +23,5 @@ using StateToPose = std::function<Pose(const ompl::base::State*)>;
 StateToPose stateToPose(const ompl::base::StateSpace& space);
 
 }  // namespace clearway::planning
+
+#pragma GCC visibility pop

@@ -11,6 +11,8 @@
 #include "clearway/planning/validity_checker.h"
 #include "clearway/types.h"
 
+#pragma GCC visibility push(default)
+
 namespace clearway::planning {
 
 /// The base of samplers that move the part along the witness normal of its nearest obstacle. Like OMPL's
@@ -88,3 +90,5 @@ class NarrowGapSampler : public WitnessSampler {
 };
 
 }  // namespace clearway::planning
+
+#pragma GCC visibility pop

@@ -12,6 +12,8 @@
 #include "clearway/query.h"
 #include "clearway/scene.h"
 
+#pragma GCC visibility push(default)
+
 namespace clearway::planning {
 
 class PosedScene;
@@ -82,3 +84,5 @@ class ValidityChecker : public ompl::base::StateValidityChecker {
 };
 
 }  // namespace clearway::planning
+
+#pragma GCC visibility pop

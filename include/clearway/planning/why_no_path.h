@@ -16,6 +16,8 @@
 #include "clearway/planning/motion_validator.h"
 #include "clearway/problem.h"
 
+#pragma GCC visibility push(default)
+
 namespace clearway::planning {
 
 /// Planners that found no path.
@@ -89,3 +91,5 @@ WhyNoPath whyNoPath(const FailedPlanning& failed, const Problem& problem,
                     const WhyNoPathOptions& options = {});
 
 }  // namespace clearway::planning
+
+#pragma GCC visibility pop

@@ -3,9 +3,9 @@
 
 #include <ompl/base/SpaceInformation.h>
 
-namespace clearway::planning {
+#include "clearway/planning/motion_validator.h"
 
-class MotionValidator;
+namespace clearway::planning {
 
 /// How far motions are valid. Validators of clearway are asked no more closely than the caller needs.
 class ForwardCheck {

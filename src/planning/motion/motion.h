@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "clearway/planning/motion_validator.h"
-#include "clearway/planning/scene_clearance.h"
+#include "clearway/scene_clearance.h"
 #include "planning/validity/ompl_states.h"
 #include "planning/validity/posed_scene.h"
 

@@ -4,7 +4,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "clearway/planning/scene_clearance.h"
+#include "clearway/scene_clearance.h"
 #include "planning/validity/ompl_states.h"
 
 namespace clearway::planning {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "clearway/planning/scene_clearance.h"
+#include "clearway/scene_clearance.h"
 #include "planning/paths/part_moves.h"
 
 namespace clearway::planning {

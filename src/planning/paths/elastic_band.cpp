@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "clearway/planning/scene_clearance.h"
+#include "clearway/scene_clearance.h"
 #include "core/number.h"
 #include "planning/paths/band_states.h"
 #include "planning/paths/kept_clearance.h"

@@ -8,7 +8,7 @@
 #include <map>
 #include <optional>
 
-#include "clearway/planning/scene_clearance.h"
+#include "clearway/scene_clearance.h"
 #include "planning/validity/ompl_states.h"
 
 namespace clearway::planning {

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "clearway/planning/scene_clearance.h"
+#include "clearway/scene_clearance.h"
 #include "planning/paths/contact_planes.h"
 
 namespace clearway::planning {

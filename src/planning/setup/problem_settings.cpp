@@ -13,8 +13,8 @@
 
 #include "clearway/planning/clearance_objectives.h"
 #include "clearway/planning/planners.h"
-#include "clearway/planning/scene_clearance.h"
 #include "clearway/planning/valid_state_samplers.h"
+#include "clearway/scene_clearance.h"
 #include "core/number.h"
 #include "core/text.h"
 #include "planning/motion/motion_search.h"

@@ -9,10 +9,10 @@
 #include <optional>
 
 #include "clearway/planning/displacement_bound.h"
-#include "clearway/planning/scene_clearance.h"
 #include "clearway/planning/state_motion.h"
 #include "clearway/planning/state_to_pose.h"
 #include "clearway/scene.h"
+#include "clearway/scene_clearance.h"
 
 namespace clearway::planning {
 

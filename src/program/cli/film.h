@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "clearway/planning/scene_clearance.h"
+#include "clearway/scene_clearance.h"
 #include "program/cli/command_line.h"
 #include "program/cli/print.h"
 #include "program/cli/shared_options.h"
@@ -37,7 +37,7 @@ struct FilmScene {
     const Mesh& part;
     const Mesh& environment;
     const report::PathLine& line;
-    const planning::SceneClearance& clearance;
+    const SceneClearance& clearance;
     const std::vector<render::PosedPart>& way;
     ElapsedLine& elapsed;  ///< tells which picture is taken
 };

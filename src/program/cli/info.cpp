@@ -7,8 +7,8 @@
 #include <stdexcept>
 
 #include "clearway/planning/plan.h"
-#include "clearway/planning/scene_clearance.h"
 #include "clearway/problem.h"
+#include "clearway/scene_clearance.h"
 #include "mesh/clean.h"
 #include "mesh/topology.h"
 #include "program/cli/enclosure.h"
@@ -170,7 +170,7 @@ void describeProblem(const Problem& problem, const Box& environmentBox, const Bo
 }
 
 /// Says whether the part is valid at a pose, and how far it is from what.
-void describePose(const char* label, const planning::SceneClearance& clearance, const PartState& state,
+void describePose(const char* label, const SceneClearance& clearance, const PartState& state,
                   const Mesh& part, const std::vector<Mesh>& worlds) {
     const Pose X_environmentPart = poseOf(state);
     const std::string why = clearance.whyInvalid(X_environmentPart);
@@ -181,9 +181,9 @@ void describePose(const char* label, const planning::SceneClearance& clearance, 
                                       [](const Obstacle& obstacle) { return obstacle.shrunk != nullptr; });
     const std::string note = mayTouch ? "" : enclosureNote(part, worlds, X_environmentPart);
     if (!note.empty()) printWarnings({std::string(label) + " " + note});
-    const planning::PoseClearance at = clearance.at(X_environmentPart);
+    const PoseClearance at = clearance.at(X_environmentPart);
     if (at.nearest.partTriangle < 0) return printRow(label, "valid, with nothing near");
-    const planning::MeshNames names = planning::meshNames(clearance.scene(), at.nearest);
+    const MeshNames names = meshNames(clearance.scene(), at.nearest);
     printRow(label, "valid, clearance " + shownLength(at.lower) + ", between '" + names.part + "' and '" +
                         names.environment + "'" + leftOutAt(at));
 }
@@ -192,7 +192,7 @@ void describeEnds(const Problem& problem, const Mesh& part, const std::vector<Me
     const LoadedScene loaded = loadScene(problem, {}, guardedLoading());
     printWarnings(loaded.notes);
     facts()["notes"] = loaded.notes;
-    const planning::SceneClearance clearance(loaded.scene);
+    const SceneClearance clearance(loaded.scene);
     describePose("at the start", clearance, problem.start, part, worlds);
     facts()["at_start"] = poseFacts(clearance, problem.start);
     if (problem.outside) return;
@@ -228,7 +228,7 @@ std::string whyStartIsInvalid(Problem problem, double overlap) {
     rules.common = overlap;
     rules.tolerance = liftTolerance(problem, overlap);
     try {
-        const planning::SceneClearance clearance(loadScene(problem, {}, guardedLoading()).scene);
+        const SceneClearance clearance(loadScene(problem, {}, guardedLoading()).scene);
         return clearance.whyInvalid(poseOf(problem.start));
     } catch (const std::invalid_argument& error) {
         throw std::invalid_argument("no overlap is found that frees the start; tried: " +
@@ -266,7 +266,7 @@ void describeLift(const std::string& file) {
     problem.rules.overlap.byName.clear();
     problem.rules.overlap.isThinAllowed = true;
     if (overlaps.empty()) {
-        const planning::SceneClearance clearance(loadScene(problem, {}, guardedLoading()).scene);
+        const SceneClearance clearance(loadScene(problem, {}, guardedLoading()).scene);
         const std::string why = clearance.whyInvalid(poseOf(problem.start));
         printRow("start", "no obstacle reaches into the part" + (why.empty() ? "" : ", but " + why));
         if (!why.empty() && !clearance.distance(poseOf(problem.start)).collides()) return;  // inside a solid

@@ -118,11 +118,11 @@ Json obstacleFacts(const ObstacleGroups& obstacles) {
     return json;
 }
 
-Json poseFacts(const planning::SceneClearance& clearance, const PartState& state) {
+Json poseFacts(const SceneClearance& clearance, const PartState& state) {
     const Pose X_environmentPart = poseOf(state);
     const std::string why = clearance.whyInvalid(X_environmentPart);
-    const planning::PoseClearance at = clearance.at(X_environmentPart);
-    const planning::MeshNames names = planning::meshNames(clearance.scene(), at.nearest);
+    const PoseClearance at = clearance.at(X_environmentPart);
+    const MeshNames names = meshNames(clearance.scene(), at.nearest);
     return {{"valid", why.empty()},
             {"why_not", why.empty() ? Json() : Json(why)},
             {"clearance", toJson(at.lower)},

@@ -3,8 +3,8 @@
 
 #include "clearway/model.h"
 #include "clearway/obstacle_groups.h"
-#include "clearway/planning/scene_clearance.h"
 #include "clearway/problem.h"
+#include "clearway/scene_clearance.h"
 #include "mesh/clean.h"
 #include "program/cli/facts.h"
 
@@ -19,6 +19,6 @@ Json problemFacts(const Problem& problem, const Box& bounds);
 Json obstacleFacts(const ObstacleGroups& obstacles);
 
 /// Whether the part is valid there; if not, why; if so, how far from what.
-Json poseFacts(const planning::SceneClearance& clearance, const PartState& state);
+Json poseFacts(const SceneClearance& clearance, const PartState& state);
 
 }  // namespace clearway::cli

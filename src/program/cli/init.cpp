@@ -6,8 +6,8 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "clearway/planning/scene_clearance.h"
 #include "clearway/problem.h"
+#include "clearway/scene_clearance.h"
 #include "core/number.h"
 #include "core/replace_file.h"
 #include "core/text.h"
@@ -80,11 +80,10 @@ Json factsOf(const Mesh& mesh) {
 
 std::string clearanceAtStart(const Problem& problem) {
     const Scene scene = loadScene(problem, {}, guardedLoading()).scene;
-    const planning::SceneClearance clearance(scene);
+    const SceneClearance clearance(scene);
     const SceneDistance nearest = clearance.distance({});
     facts()["clearance_at_start"] = toJson(nearest.lower);
-    return "free, " + readable(nearest.distance) + " from '" +
-           planning::meshNames(scene, nearest).environment + "'";
+    return "free, " + readable(nearest.distance) + " from '" + meshNames(scene, nearest).environment + "'";
 }
 
 class ProblemText {

@@ -10,6 +10,7 @@
 
 #include "clearway/shrink.h"
 #include "clearway/targets.h"
+#include "clearway/version.h"
 #include "core/text.h"
 #include "program/cli/command_line.h"
 #include "program/cli/facts.h"

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "clearway/planning/scene_clearance.h"
+#include "clearway/scene_clearance.h"
 #include "core/number.h"
 #include "program/cli/csv_cells.h"
 #include "program/cli/print.h"
@@ -73,11 +73,11 @@ std::string contactSpans(const PathAudit& audit, std::optional<planning::TimeSpa
 }
 
 /// The closest pair at a pose: mesh, triangle and point of the part, then those of the environment.
-std::string pairCells(const planning::SceneClearance& clearance, const Pose& X_environmentPart) {
+std::string pairCells(const SceneClearance& clearance, const Pose& X_environmentPart) {
     SceneDistance nearest;
     if (!clearance.isOutOfReach(X_environmentPart)) nearest = clearance.at(X_environmentPart).nearest;
     if (nearest.partTriangle < 0) return ",,,,,,,,,";
-    const planning::MeshNames names = planning::meshNames(clearance.scene(), nearest);
+    const MeshNames names = meshNames(clearance.scene(), nearest);
     return textCell(names.part) + "," + std::to_string(nearest.partTriangle) + "," +
            numberCells(nearest.pointOnPart) + "," + textCell(names.environment) + "," +
            std::to_string(nearest.environmentTriangle) + "," + numberCells(nearest.pointOnEnvironment);
@@ -170,7 +170,7 @@ Rows contactRows(const PathAudit& audit) {
     return rows;
 }
 
-std::string leftOutAt(const planning::PoseClearance& at) {
+std::string leftOutAt(const PoseClearance& at) {
     if (at.isInStartContact && at.isInGoalContact)
         return ", leaving out the obstacles of contact.start and contact.goal";
     if (at.isInStartContact) return ", leaving out the obstacles of contact.start";
@@ -245,7 +245,7 @@ void printProfile(const PathAudit& audit) {
 
 void writeProfile(const PathAudit& audit, const Scene& scene, const std::vector<PartState>& path,
                   const std::string& file) {
-    const planning::SceneClearance clearance(scene);
+    const SceneClearance clearance(scene);
     const report::PathLine line(path, scene.part.radiusAboutOrigin());
     writeOut(file, [&](std::ostream& stream) {
         stream << "segment,t,travel,clearance,clearance_to_next,x,y,z,qx,qy,qz,qw,part_mesh,part_triangle,"

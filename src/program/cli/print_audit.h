@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "clearway/planning/audit.h"
-#include "clearway/planning/scene_clearance.h"
 #include "clearway/problem.h"
 #include "clearway/scene.h"
+#include "clearway/scene_clearance.h"
 #include "program/cli/print.h"
 
 namespace clearway::cli {
@@ -19,7 +19,7 @@ void printAudit(const planning::PathAudit& audit);
 Rows contactRows(const planning::PathAudit& audit);
 
 /// Says that obstacles are left out at a pose within a contact zone: "" or ", leaving out ...".
-std::string leftOutAt(const planning::PoseClearance& at);
+std::string leftOutAt(const PoseClearance& at);
 
 /// The bounds of the least clearance: "1.2 to 1.25".
 std::string leastClearanceOf(const planning::PathAudit& audit);

@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "clearway/planning/scene_clearance.h"
 #include "clearway/query.h"
+#include "clearway/scene_clearance.h"
 #include "program/cli/facts.h"
 #include "program/cli/film.h"
 #include "program/cli/load_guard.h"
@@ -81,9 +81,9 @@ std::vector<PartState> endsOf(const Problem& problem) {
     return {problem.start, problem.goal};
 }
 
-void printPose(double share, const Scene& scene, const planning::PoseClearance& at) {
+void printPose(double share, const Scene& scene, const PoseClearance& at) {
     const SceneDistance& nearest = at.nearest;
-    const planning::MeshNames names = planning::meshNames(scene, nearest);
+    const MeshNames names = meshNames(scene, nearest);
     const std::string between = nearest.partTriangle < 0
                                     ? " or more"
                                     : ", between '" + names.part + "' and '" + names.environment + "'";
@@ -98,8 +98,8 @@ Json placeFacts(double share, const PartState& state) {
     return {{"share", share}, {"pose", toJson(state)}};
 }
 
-void tellPose(double share, const PartState& state, const Scene& scene, const planning::PoseClearance& at) {
-    const planning::MeshNames names = planning::meshNames(scene, at.nearest);
+void tellPose(double share, const PartState& state, const Scene& scene, const PoseClearance& at) {
+    const MeshNames names = meshNames(scene, at.nearest);
     Json json = placeFacts(share, state);
     json["valid"] = at.isValid();
     json["clearance"] = toJson(at.lower);
@@ -136,7 +136,7 @@ bool writePicture(const RenderArguments& given, const Model& part, const FilmSce
 }  // namespace
 
 std::vector<render::PosedPart> posesAt(const report::PathLine& line, const std::vector<double>& shares,
-                                       const planning::SceneClearance& clearance, bool isPrinted) {
+                                       const SceneClearance& clearance, bool isPrinted) {
     std::vector<render::PosedPart> poses;
     for (const double share : shares) {
         const PartState state = line.at(share);
@@ -148,7 +148,7 @@ std::vector<render::PosedPart> posesAt(const report::PathLine& line, const std::
             facts()["poses"].push_back(placeFacts(share, state));
             continue;
         }
-        const planning::PoseClearance at = clearance.at(X_environmentPart);
+        const PoseClearance at = clearance.at(X_environmentPart);
         poses.push_back({state, at.lower});
         poses.back().isInContact = !at.isValid();
         if (!isPrinted) continue;
@@ -193,7 +193,7 @@ int render(const Arguments& arguments) {
     const Mesh environment = shownEnvironment(problem);
     const Scene scene = given.trees.load(problem);
     printWarnings(problem.warnings);
-    const planning::SceneClearance clearance(scene);
+    const SceneClearance clearance(scene);
     const report::PathLine line(states, scene.part.radiusAboutOrigin());
     const auto way = hasPath && !isInterrupted()
                          ? posesAt(line, report::evenShares(kWayPoses), clearance, false)

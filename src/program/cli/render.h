@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "clearway/planning/scene_clearance.h"
+#include "clearway/scene_clearance.h"
 #include "program/render/render.h"
 #include "program/report/path_line.h"
 
@@ -16,7 +16,7 @@ constexpr std::size_t kWayPoses = 240;  ///< poses of the line drawn along the p
 /// Poses the part at these shares of the path. A pose outside the problem's bounds has infinite clearance.
 /// isPrinted: also prints a row for each pose.
 std::vector<render::PosedPart> posesAt(const report::PathLine& line, const std::vector<double>& shares,
-                                       const planning::SceneClearance& clearance, bool isPrinted);
+                                       const SceneClearance& clearance, bool isPrinted);
 
 /// Draws the pose of least clearance solid, and each other pose unless it intersects a solid one.
 void chooseGhosts(const Model& part, std::vector<render::PosedPart>& poses);

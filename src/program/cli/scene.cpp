@@ -52,7 +52,7 @@ struct Recorder {
     // The environment's whole tree, because replayed poses may leave the problem's bounds.
     Model part = Model::build(partMesh, buildPreset("fast")),
           environment = Model::build(environmentMesh, buildPreset("fast"));
-    planning::SceneClearance clearance{Scene(part, environment)};
+    SceneClearance clearance{Scene(part, environment)};
 
     double stated() const { return origin.options.clearance; }
     std::string command() const;

@@ -8,14 +8,14 @@ namespace clearway::report {
 
 namespace {
 
-ReportFrame frameAt(double share, const PartState& state, const planning::SceneClearance& clearance) {
+ReportFrame frameAt(double share, const PartState& state, const SceneClearance& clearance) {
     ReportFrame frame;
     frame.share = share;
     frame.X_environmentPart = poseOf(state);
     frame.isInReach = !clearance.isOutOfReach(frame.X_environmentPart);
     if (!frame.isInReach) return frame;
     frame.clearance = clearance.at(frame.X_environmentPart);
-    const planning::MeshNames names = planning::meshNames(clearance.scene(), frame.clearance.nearest);
+    const MeshNames names = meshNames(clearance.scene(), frame.clearance.nearest);
     frame.partMesh = names.part;
     frame.environmentMesh = names.environment;
     return frame;
@@ -23,8 +23,8 @@ ReportFrame frameAt(double share, const PartState& state, const planning::SceneC
 
 }  // namespace
 
-std::vector<ReportFrame> framesAlong(const PathLine& line, const planning::SceneClearance& clearance,
-                                     std::size_t count, const std::vector<double>& places) {
+std::vector<ReportFrame> framesAlong(const PathLine& line, const SceneClearance& clearance, std::size_t count,
+                                     const std::vector<double>& places) {
     std::vector<double> shares = evenShares(count);
     shares.insert(shares.end(), line.shares().begin(), line.shares().end());
     shares.insert(shares.end(), places.begin(), places.end());

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "clearway/planning/audit.h"
-#include "clearway/planning/scene_clearance.h"
+#include "clearway/scene_clearance.h"
 #include "program/report/path_line.h"
 
 namespace clearway::report {
@@ -14,13 +14,13 @@ struct ReportFrame {
     double share = 0;  ///< share of the path, see PathLine
     Pose X_environmentPart;
     bool isInReach = true;  ///< when false, only the share and the pose are known
-    planning::PoseClearance clearance;
+    PoseClearance clearance;
     std::string partMesh, environmentMesh;  ///< the closest pair; empty when unknown
 };
 
 /// Frames at every state of the path, at the given places, and at `count` evenly spaced shares.
-std::vector<ReportFrame> framesAlong(const PathLine& line, const planning::SceneClearance& clearance,
-                                     std::size_t count, const std::vector<double>& places = {});
+std::vector<ReportFrame> framesAlong(const PathLine& line, const SceneClearance& clearance, std::size_t count,
+                                     const std::vector<double>& places = {});
 
 /// The share of the path at time 0 to 1 of a segment.
 double shareIn(const PathLine& line, std::size_t segment, double time);

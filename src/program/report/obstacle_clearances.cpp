@@ -52,15 +52,15 @@ class Measuring {
     }
 
     void measure(std::size_t index, const Component& component, ObstacleClearance& answer) const {
-        const planning::SceneClearance clearance(sceneOf(index, *obstacleOf(component)));
+        const SceneClearance clearance(sceneOf(index, *obstacleOf(component)));
         answer = {};
         answer.margin = clearance.scene().obstacles[0].margin;
         answer.isMeasured = answer.isInScene = true;
         for (const auto& [boxDistance, frame] : boxDistances(component)) {
             if (boxDistance - answer.margin >= answer.lower) break;
-            planning::ClearanceOptions options;
+            ClearanceOptions options;
             options.cap = answer.lower;
-            const planning::PoseClearance found = clearance.at(frames_[frame].X_environmentPart, options);
+            const PoseClearance found = clearance.at(frames_[frame].X_environmentPart, options);
             if (!(found.lower < answer.lower)) continue;
             answer.lower = found.lower;
             answer.frame = frame;

@@ -144,7 +144,7 @@ class PageMaker {
           environment_(pageMeshOf(input.environment, kEnvironmentLimits)),
           origin_(environment_.box.center()),
           line_(input.path, input.scene.part.radiusAboutOrigin()),
-          frames_(framesAlong(line_, planning::SceneClearance(input.scene), kFrames,
+          frames_(framesAlong(line_, SceneClearance(input.scene), kFrames,
                               tightPlaces(line_, input.audit, kMostTroubles))) {
         for (const ReportFrame& frame : frames_) {
             const bool isContact = frame.isInReach && !frame.clearance.isValid();

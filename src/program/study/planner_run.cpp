@@ -230,7 +230,7 @@ void describeSolution(const PlanSetup& setup, bool simplify, const RunEnd& end, 
 
 }  // namespace
 
-Work::Work(const planning::QueryTally& tally)
+Work::Work(const QueryTally& tally)
     : distanceQueries(tally.distances),
       withinQueries(tally.withins),
       volumeTests(tally.work.volumeTests),

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "clearway/planning/plan.h"
-#include "clearway/planning/scene_clearance.h"
 #include "clearway/problem.h"
 #include "clearway/scene.h"
+#include "clearway/scene_clearance.h"
 #include "program/study/calls.h"
 #include "program/study/table.h"
 
@@ -35,7 +35,7 @@ struct Work {
     Count volumeTests, triangleTests, triangleLanes, kernelPairs, kernelLanes;
 
     Work() = default;
-    explicit Work(const planning::QueryTally& tally);
+    explicit Work(const QueryTally& tally);
     double queries() const;
 };
 

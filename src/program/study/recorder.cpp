@@ -98,13 +98,13 @@ Recorder::Recorder(const ob::StateSpacePtr& space, const CallSampling& sampling)
 }
 
 void Recorder::begin() {
-    planning::takeQueryTally();
+    takeQueryTally();
     thread_ = std::this_thread::get_id();
 }
 
 void Recorder::end() {
     thread_ = {};
-    tally_ = planning::takeQueryTally();
+    tally_ = takeQueryTally();
 }
 
 void Recorder::note(CallKind kind, const ob::State* s1, const ob::State* s2) {

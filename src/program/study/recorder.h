@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "clearway/planning/plan_setup.h"
-#include "clearway/planning/scene_clearance.h"
 #include "clearway/scene.h"
+#include "clearway/scene_clearance.h"
 #include "program/study/calls.h"
 
 namespace clearway::study {
@@ -47,7 +47,7 @@ class Recorder {
     }
 
     /// The work of the thread's queries from begin() to end().
-    const planning::QueryTally& tally() const { return tally_; }
+    const QueryTally& tally() const { return tally_; }
 
     /// The time spent in calls: their queries, and the poses between them.
     double seconds() const { return seconds_; }
@@ -76,7 +76,7 @@ class Recorder {
     std::uint64_t calls_[5] = {};
     std::uint64_t allCalls_ = 0;
     double seconds_ = 0;
-    planning::QueryTally tally_;
+    QueryTally tally_;
 };
 
 /// Puts recording decorators in place of the setup's checker, certified validator and clearance objective.

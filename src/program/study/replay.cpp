@@ -130,7 +130,7 @@ class Replay {
 
     /// Returns false when the study was stopped.
     bool replay(Sample& sample, std::vector<ReplayRow>& rows) {
-        std::vector<std::vector<planning::QueryTally>> tallies;
+        std::vector<std::vector<QueryTally>> tallies;
         for (BuiltEngine& each : built_) {
             if (options_.mustStop()) return false;
             ReplayedCalls replayed = each.replayer->replay(sample.blocks);

@@ -124,13 +124,13 @@ Replayer::Replayer(Replayer&&) noexcept = default;
 ReplayedCalls Replayer::replay(const std::vector<CallBlock>& blocks) {
     ReplayedCalls result;
     for (const CallBlock& block : blocks) {
-        planning::takeQueryTally();
+        takeQueryTally();
         result.answers.emplace_back();
         for (const Call& call : block) {
             tools_->set(call);
             result.answers.back().push_back(tools_->ask(call.kind));
         }
-        result.tallies.push_back(planning::takeQueryTally());
+        result.tallies.push_back(takeQueryTally());
     }
     return result;
 }

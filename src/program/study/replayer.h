@@ -5,16 +5,16 @@
 #include <memory>
 #include <vector>
 
-#include "clearway/planning/scene_clearance.h"
 #include "clearway/problem.h"
 #include "clearway/scene.h"
+#include "clearway/scene_clearance.h"
 #include "program/study/calls.h"
 
 namespace clearway::study {
 
 struct ReplayedCalls {
     Answers answers;
-    std::vector<planning::QueryTally> tallies;  ///< of each block
+    std::vector<QueryTally> tallies;  ///< of each block
 };
 
 /// X_environmentPart at the states of the calls, in order. Throws std::invalid_argument when a state has not

@@ -12,7 +12,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "clearway/planning/scene_clearance.h"
+#include "clearway/scene_clearance.h"
 #include "planning/validity/ompl_states.h"
 #include "support/motion_window.h"
 #include "support/part_in_space.h"

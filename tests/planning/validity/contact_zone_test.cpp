@@ -6,7 +6,7 @@
 #include <limits>
 #include <memory>
 
-#include "clearway/planning/scene_clearance.h"
+#include "clearway/scene_clearance.h"
 #include "support/oracle.h"
 #include "support/part_in_space.h"
 #include "support/random_meshes.h"
@@ -269,9 +269,9 @@ BOOST_AUTO_TEST_CASE(a_motion_of_less_than_a_least_interval_at_a_zones_border_is
     const PartInSpace space(assembly.scene);
     const double near = kStartLength * (1 - 1e-6);  // too close to the border to be sure
     const auto s1 = space.at({near, 0, 5}), s2 = space.at({near - 1e-7, 0, 5});
-    planning::takeQueryTally();
+    takeQueryTally();
     BOOST_TEST((space.validator->report(s1.get(), s2.get()).verdict == MotionVerdict::kUndecided));
-    BOOST_TEST(planning::takeQueryTally().work.triangleTests < 100000u);
+    BOOST_TEST(takeQueryTally().work.triangleTests < 100000u);
 }
 
 // The part is far from its own origin: a turn that OMPL leaves out until the end brings it from 9 to 1 from the block.

@@ -32,7 +32,7 @@ struct Way {
 BOOST_AUTO_TEST_CASE(every_state_of_the_path_is_a_frame_and_frames_are_in_order) {
     const Way way;
     const PathLine line = way.line();
-    const auto frames = framesAlong(line, planning::SceneClearance(way.window.scene), 20);
+    const auto frames = framesAlong(line, SceneClearance(way.window.scene), 20);
     BOOST_TEST(frames.size() >= 20u);
     BOOST_TEST(frames.size() <= 23u);
     std::size_t states = 0;
@@ -46,7 +46,7 @@ BOOST_AUTO_TEST_CASE(every_state_of_the_path_is_a_frame_and_frames_are_in_order)
 
 BOOST_AUTO_TEST_CASE(where_a_path_is_tightest_and_where_it_collides_are_frames) {
     Way way;
-    const planning::SceneClearance clearance(way.window.scene);
+    const SceneClearance clearance(way.window.scene);
     const auto leastOf = [&](const std::vector<ReportFrame>& frames) {
         double least = std::numeric_limits<double>::infinity();
         for (const ReportFrame& frame : frames) least = std::min(least, frame.clearance.lower);
@@ -70,7 +70,7 @@ BOOST_AUTO_TEST_CASE(where_a_path_is_tightest_and_where_it_collides_are_frames) 
 
 BOOST_AUTO_TEST_CASE(a_frame_knows_the_clearance_and_the_pair_of_its_pose) {
     const Way way;
-    const auto frames = framesAlong(way.line(), planning::SceneClearance(way.window.scene), 20);
+    const auto frames = framesAlong(way.line(), SceneClearance(way.window.scene), 20);
     Workspace workspace;
     for (const ReportFrame& frame : frames) {
         const DistanceResult d = distance(way.window.scene.part, way.window.scene.obstacles[0].model,
@@ -92,8 +92,7 @@ BOOST_AUTO_TEST_CASE(what_is_certified_of_a_stretch_is_never_more_than_the_clear
     constexpr std::size_t kCount = 50;
     const auto certified = certifiedStretches(way.line(), audit, kCount);
     BOOST_TEST_REQUIRE(certified.size() == kCount);
-    for (const ReportFrame& frame :
-         framesAlong(way.line(), planning::SceneClearance(way.window.scene), 777)) {
+    for (const ReportFrame& frame : framesAlong(way.line(), SceneClearance(way.window.scene), 777)) {
         const auto stretch =
             std::min<std::size_t>(kCount - 1, static_cast<std::size_t>(frame.share * kCount));
         BOOST_TEST(certified[stretch] > 0);
@@ -109,7 +108,7 @@ BOOST_AUTO_TEST_CASE(a_pose_out_of_the_environments_reach_is_a_frame_of_which_no
     const Model near = Model::build(joined(way.window.wallMesh, far), {}, Reach{positions, 50, 30});
     const Scene scene(way.window.scene.part, near);
     std::size_t unknown = 0;
-    for (const ReportFrame& frame : framesAlong(way.line(), planning::SceneClearance(scene), 20)) {
+    for (const ReportFrame& frame : framesAlong(way.line(), SceneClearance(scene), 20)) {
         BOOST_TEST(frame.isInReach == (frame.X_environmentPart.translation.x() <= 20));
         unknown += !frame.isInReach;
     }

@@ -25,7 +25,7 @@ struct StraightWay {
             state.rotation.setIdentity();  // flat, to fit through the window
             state.position.y() += shift;
         }
-        frames = framesAlong(PathLine(path, 1), planning::SceneClearance(window.scene), 30);
+        frames = framesAlong(PathLine(path, 1), SceneClearance(window.scene), 30);
     }
     std::vector<ObstacleClearance> clearances(std::size_t most) const {
         return obstacleClearances(window.scene, window.wallMesh, frames, most);

@@ -103,8 +103,7 @@ BOOST_AUTO_TEST_CASE(recorded_calls_answer_alike_with_all_trees) {
                 BOOST_TEST((replayed.answers == first), planner << ", " << leafSplit << ", width " << width);
                 BOOST_TEST_REQUIRE(replayed.tallies.size() == run.calls.size());
                 std::uint64_t queries = 0;
-                for (const planning::QueryTally& tally : replayed.tallies)
-                    queries += tally.distances + tally.withins;
+                for (const QueryTally& tally : replayed.tallies) queries += tally.distances + tally.withins;
                 BOOST_TEST(queries > 0u);
                 BOOST_TEST(replayer.time(run.calls).size() == run.calls.size());
             }

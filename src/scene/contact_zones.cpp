@@ -1,4 +1,4 @@
-#include "planning/validity/contact_zones.h"
+#include "scene/contact_zones.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 
 #include "core/number.h"
 
-namespace clearway::planning {
+namespace clearway {
 namespace {
 
 /// Model::displacement may be too large by its excess (a share of the zone's distance) and its rounding (a
@@ -88,4 +88,4 @@ bool ContactZones::countsAround(const Scene& scene, std::size_t obstacle, const 
     return isOutside(zone.atStart, scene.startContact) && isOutside(zone.atGoal, scene.goalContact);
 }
 
-}  // namespace clearway::planning
+}  // namespace clearway

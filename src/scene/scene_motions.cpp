@@ -4,10 +4,10 @@
 #include <utility>
 #include <vector>
 
-#include "planning/validity/contact_zones.h"
-#include "planning/validity/scene_scratch.h"
+#include "scene/contact_zones.h"
+#include "scene/scene_scratch.h"
 
-namespace clearway::planning {
+namespace clearway {
 
 /// No point of the part moves further than this from the middle of a piece to either end. PartMotion::length tells more
 /// where the part is far from its own origin and turns.
@@ -173,4 +173,4 @@ LeastClearance SceneClearance::leastClearance(const PartMotion& motion,
     return answer;
 }
 
-}  // namespace clearway::planning
+}  // namespace clearway

@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "clearway/planning/scene_clearance.h"
+#include "clearway/scene_clearance.h"
 
-namespace clearway::planning {
+namespace clearway {
 
 /// Visits the obstacles until `visit` returns false. The obstacle that was nearest last time comes first: it
 /// blocks most often, and it caps what the others are asked for.
@@ -73,4 +73,4 @@ struct SceneClearance::Enclosure {
 /// Counts the queries of the calling thread; see takeQueryTally.
 QueryTally& tallyOfThisThread();
 
-}  // namespace clearway::planning
+}  // namespace clearway

@@ -1,4 +1,4 @@
-#include "clearway/planning/scene_clearance.h"
+#include "clearway/scene_clearance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,10 +7,10 @@
 
 #include "core/number.h"
 #include "model/solids.h"
-#include "planning/validity/contact_zones.h"
-#include "planning/validity/scene_scratch.h"
+#include "scene/contact_zones.h"
+#include "scene/scene_scratch.h"
 
-namespace clearway::planning {
+namespace clearway {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -296,4 +296,4 @@ QueryTally takeQueryTally() {
     return std::exchange(tallyOfThisThread(), {});
 }
 
-}  // namespace clearway::planning
+}  // namespace clearway

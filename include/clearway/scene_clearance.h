@@ -10,14 +10,27 @@
 #include <string>
 #include <vector>
 
-#include "clearway/planning/state_motion.h"
 #include "clearway/query.h"
 #include "clearway/scene.h"
 #include "clearway/sweep.h"
 
-namespace clearway::planning {
+#pragma GCC visibility push(default)
+
+namespace clearway {
 
 class ContactZones;
+
+/// A motion of the part, such as that between two states of a planner.
+struct PartMotion {
+    /// The poses are those that the planner interpolates, but for rounding: 2^-47 of the lengths involved.
+    MotionPieces pieces;
+    /// No point of the part moves further than length |b - a| between the times a and b. Not finite when the states make
+    /// no motion.
+    double length = 0;
+    /// No point of the part is further than this, and rounding, from where the motion ends when it is at the second
+    /// state. 0: the motion ends there.
+    double endJump = std::numeric_limits<double>::infinity();
+};
 
 /// Bounds of one length, in environment units.
 struct Bounds {
@@ -226,4 +239,6 @@ struct MeshNames {
 };
 MeshNames meshNames(const Scene& scene, const SceneDistance& nearest);
 
-}  // namespace clearway::planning
+}  // namespace clearway
+
+#pragma GCC visibility pop

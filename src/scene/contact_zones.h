@@ -4,10 +4,10 @@
 #include <cstddef>
 #include <vector>
 
-#include "clearway/planning/scene_clearance.h"
 #include "clearway/scene.h"
+#include "clearway/scene_clearance.h"
 
-namespace clearway::planning {
+namespace clearway {
 
 class ContactZones {
   public:
@@ -43,4 +43,4 @@ class ContactZones {
     std::vector<int> zoneOf_;  ///< of each obstacle; -1: it always counts
 };
 
-}  // namespace clearway::planning
+}  // namespace clearway

@@ -3,10 +3,10 @@
 #include <string>
 
 #include "core/number.h"
-#include "planning/validity/contact_zones.h"
-#include "planning/validity/scene_scratch.h"
+#include "scene/contact_zones.h"
+#include "scene/scene_scratch.h"
 
-namespace clearway::planning {
+namespace clearway {
 namespace {
 
 std::string meshName(const Model& model, std::int64_t component) {
@@ -85,4 +85,4 @@ MeshNames meshNames(const Scene& scene, const SceneDistance& nearest) {
     return {meshName(scene.part, nearest.partComponent), meshName(environment, nearest.environmentComponent)};
 }
 
-}  // namespace clearway::planning
+}  // namespace clearway

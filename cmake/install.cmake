@@ -1,0 +1,82 @@
+# What `cmake --install` installs, and the files through which find_package and pkg-config find it.
+
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+set(config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/clearway)
+set(generated ${PROJECT_BINARY_DIR}/generated)
+
+# The libraries, each in an export set of its own. A static library and its shared twin, if there is one, bear one name:
+# clearwayConfig.cmake chooses between them.
+function(install_library target name kind)
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
+  install(TARGETS ${target} EXPORT ${name}_${kind}
+          LIBRARY COMPONENT libclearway NAMELINK_COMPONENT libclearway-dev
+          ARCHIVE COMPONENT libclearway-dev)
+  install(EXPORT ${name}_${kind} NAMESPACE clearway:: DESTINATION ${config_dir} COMPONENT libclearway-dev)
+endfunction()
+install_library(clearway clearway static)
+if(BUILD_SHARED_LIBS)
+  install_library(clearway_shared clearway shared)
+endif()
+if(CLEARWAY_PLANNING)
+  install_library(clearway_planning planning static)
+  if(BUILD_SHARED_LIBS)
+    install_library(clearway_planning_shared planning shared)
+  endif()
+endif()
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT libclearway)
+
+# Headers.
+set(without_planning "")
+if(NOT CLEARWAY_PLANNING)
+  set(without_planning PATTERN planning EXCLUDE)
+endif()
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/clearway DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT libclearway-dev
+        FILES_MATCHING PATTERN *.h ${without_planning})
+install(FILES ${generated}/include/clearway/version.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/clearway COMPONENT libclearway-dev)
+
+# find_package(clearway).
+configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/clearwayConfig.cmake.in ${generated}/clearwayConfig.cmake
+                              INSTALL_DESTINATION ${config_dir})
+write_basic_package_version_file(${generated}/clearwayConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${generated}/clearwayConfig.cmake ${generated}/clearwayConfigVersion.cmake ${CMAKE_CURRENT_LIST_DIR}/find_ompl.cmake
+        DESTINATION ${config_dir} COMPONENT libclearway-dev)
+
+# pkg-config. Who links the static libraries also links what these need: everybody where there are no others.
+set(pc_required_privately assimp libhwy tbb)
+set(pc_libraries_privately "")
+if(CLEARWAY_EMBREE)
+  set(pc_libraries_privately -lembree${EMBREE_VERSION_MAJOR})
+endif()
+set(pc_required eigen3)
+set(pc_libraries -lclearway)
+if(NOT BUILD_SHARED_LIBS)
+  list(APPEND pc_required ${pc_required_privately})
+  list(APPEND pc_libraries ${pc_libraries_privately})
+endif()
+foreach(list pc_required pc_required_privately pc_libraries pc_libraries_privately)
+  list(JOIN ${list} " " ${list})
+endforeach()
+file(RELATIVE_PATH pc_prefix /x/${CMAKE_INSTALL_LIBDIR}/pkgconfig /x)  # from where the files are, so that the tree can be moved
+set(pc_files clearway)
+if(CLEARWAY_PLANNING)
+  list(APPEND pc_files clearway-planning)
+endif()
+foreach(name IN LISTS pc_files)
+  configure_file(${CMAKE_CURRENT_LIST_DIR}/${name}.pc.in ${generated}/${name}.pc @ONLY)
+  install(FILES ${generated}/${name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT libclearway-dev)
+endforeach()
+
+# The program, with the man pages and the completion script that it prints.
+if(CLEARWAY_PROGRAM)
+  install(TARGETS clearway_program COMPONENT clearway-tools)
+  set(manual ${PROJECT_BINARY_DIR}/manual)
+  add_custom_command(OUTPUT ${manual}/done VERBATIM
+                     COMMAND ${CMAKE_COMMAND} -DPROGRAM=$<TARGET_FILE:clearway_program> -DOUT=${manual}
+                             -P ${CMAKE_CURRENT_LIST_DIR}/write_manual.cmake
+                     DEPENDS clearway_program ${CMAKE_CURRENT_LIST_DIR}/write_manual.cmake)
+  add_custom_target(clearway_manual ALL DEPENDS ${manual}/done)
+  install(DIRECTORY ${manual}/man1 DESTINATION ${CMAKE_INSTALL_MANDIR} COMPONENT clearway-tools)
+  install(FILES ${manual}/completion RENAME clearway DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
+          COMPONENT clearway-tools)
+endif()

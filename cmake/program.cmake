@@ -1,0 +1,70 @@
+# The program clearway, and the libraries that only it needs: demo scenes, pictures, the report page, studies, subcommands.
+
+# The demo scenes.
+file(GLOB scenes_sources CONFIGURE_DEPENDS src/program/scenes/*.cpp)
+add_library(clearway_scenes STATIC ${scenes_sources})
+target_include_directories(clearway_scenes PRIVATE src)
+target_link_libraries(clearway_scenes PUBLIC clearway PRIVATE clearway_warnings)
+target_precompile_headers(clearway_scenes PRIVATE <Eigen/Geometry>)
+
+# Pictures.
+set(font_bytes ${PROJECT_BINARY_DIR}/generated/font_bytes.cpp)
+add_custom_command(OUTPUT ${font_bytes} VERBATIM
+                   COMMAND ${CMAKE_COMMAND} -DOUT=${font_bytes} -DFONT=${CLEARWAY_FONT}
+                           -P ${PROJECT_SOURCE_DIR}/cmake/embed_font.cmake
+                   DEPENDS ${CLEARWAY_FONT} ${PROJECT_SOURCE_DIR}/cmake/embed_font.cmake)
+file(GLOB render_sources CONFIGURE_DEPENDS src/program/render/*.cpp)
+add_library(clearway_render STATIC ${render_sources} ${font_bytes})
+target_include_directories(clearway_render PRIVATE src)
+target_link_libraries(clearway_render PUBLIC clearway PRIVATE clearway_warnings embree PkgConfig::CAIRO PNG::PNG TBB::tbb)
+target_compile_definitions(clearway_render PRIVATE CLEARWAY_EMBREE_MAJOR=${EMBREE_VERSION_MAJOR})
+target_precompile_headers(clearway_render REUSE_FROM clearway_scenes)
+compile_together(clearway_render ${render_sources})
+
+# The report page. Its texts become part of the program, so that a page needs no other file and no network.
+set(page_texts ${PROJECT_BINARY_DIR}/generated/page_texts.cpp)
+set(page_folder ${PROJECT_SOURCE_DIR}/src/program/report)
+set(page_files page/page.html page/page.css page/shared.js page/meshes.js page/layers.js page/eye.js page/view.js page/profile.js
+               page/panels.js page/main.js vendor/three/three.module.min.js vendor/three/OrbitControls.js)
+list(TRANSFORM page_files PREPEND ${page_folder}/)
+set(page_names kPageHtml kPageStyle kPageShared kPageMeshes kPageLayers kPageEye kPageView kPageProfile kPagePanels kPageMain
+               kThreeModule kOrbitControls)
+set(page_pairs "")
+foreach(name file IN ZIP_LISTS page_names page_files)
+  list(APPEND page_pairs "${name}=${file}")
+endforeach()
+add_custom_command(OUTPUT ${page_texts} VERBATIM
+                   COMMAND ${CMAKE_COMMAND} -DOUT=${page_texts} "-DTEXTS=${page_pairs}"
+                           -P ${PROJECT_SOURCE_DIR}/cmake/embed.cmake
+                   DEPENDS ${page_files} ${PROJECT_SOURCE_DIR}/cmake/embed.cmake)
+file(GLOB report_sources CONFIGURE_DEPENDS src/program/report/*.cpp)
+add_library(clearway_report STATIC ${report_sources} ${page_texts})
+target_include_directories(clearway_report PRIVATE src)
+target_link_libraries(clearway_report PUBLIC clearway clearway_planning clearway_render
+                      PRIVATE clearway_warnings Boost::headers nlohmann_json::nlohmann_json)
+target_precompile_headers(clearway_report REUSE_FROM clearway_planning)
+compile_together(clearway_report ${report_sources})
+
+# Studies: planner runs and replays by the hundred, and what comes of them.
+file(GLOB study_sources CONFIGURE_DEPENDS src/program/study/*.cpp)
+add_library(clearway_study STATIC ${study_sources})
+target_include_directories(clearway_study PRIVATE src)
+target_link_libraries(clearway_study PUBLIC clearway clearway_planning PRIVATE clearway_warnings)
+target_precompile_headers(clearway_study REUSE_FROM clearway_planning)
+compile_together(clearway_study ${study_sources})
+
+# The program: its subcommands as a library, which tests link too, and main.
+file(GLOB cli_sources CONFIGURE_DEPENDS src/program/cli/*.cpp)
+list(FILTER cli_sources EXCLUDE REGEX "/main\\.cpp$")
+add_library(clearway_cli STATIC ${cli_sources})
+target_include_directories(clearway_cli PRIVATE src)
+target_link_libraries(clearway_cli PUBLIC clearway clearway_planning
+                      PRIVATE clearway_scenes clearway_render clearway_report clearway_study clearway_warnings Boost::headers
+                              nlohmann_json::nlohmann_json TBB::tbb)
+target_precompile_headers(clearway_cli REUSE_FROM clearway_planning)
+compile_together(clearway_cli ${cli_sources})
+
+add_executable(clearway_program src/program/cli/main.cpp)
+set_target_properties(clearway_program PROPERTIES OUTPUT_NAME clearway)
+target_include_directories(clearway_program PRIVATE src)
+target_link_libraries(clearway_program PRIVATE clearway_cli clearway_warnings)

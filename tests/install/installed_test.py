@@ -1,0 +1,155 @@
+"""Installs clearway and builds users' projects with it: installed_test.py BUILD SOURCE WORK
+
+Through find_package (shared and static), pkg-config, add_subdirectory and FetchContent; every program must print the same
+distance. With CLEARWAY_FULL in the environment the last two also build, which compiles the library; otherwise they only
+configure. Fails with a line that says what was expected."""
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+
+kFullRun = bool(os.environ.get("CLEARWAY_FULL"))
+
+
+def fail(message):
+    sys.exit("installed_test: " + message)
+
+
+def output_of(*command, expected=0, **keywords):
+    result = subprocess.run([str(word) for word in command], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                            **keywords)
+    if result.returncode != expected:
+        fail("%s ended with %d, expected %d:\n%s" % (" ".join(map(str, command)), result.returncode, expected, result.stdout))
+    return result.stdout
+
+
+def lines_of_programs(folder, kinds=("distance_plain", "distance_avx512", "distance_cxx20")):
+    """What the programs print: one line, the same for all of them."""
+    kinds = [kind for kind in kinds if "avx512" not in kind or " avx512f " in open("/proc/cpuinfo").read()]
+    lines = {kind: output_of(os.path.join(folder, kind)) for kind in kinds}
+    if len(set(lines.values())) != 1:
+        fail("the programs of %s print different distances: %s" % (folder, lines))
+    return lines["distance_plain"]
+
+
+def libraries_of(program):
+    """The names of the shared libraries that a program is linked with."""
+    return re.findall(r"\[(.*)\]", "\n".join(
+        line for line in output_of("readelf", "-d", program).splitlines() if "NEEDED" in line))
+
+
+def configure(consumer, folder, *options, expected=0):
+    return output_of("cmake", "-S", consumer, "-B", folder, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", *options,
+                     expected=expected)
+
+
+def check_find_package(consumer, prefix, work):
+    printed = []
+    for kind, components in (("shared", "planning"), ("static", "static;planning")):
+        folder = os.path.join(work, kind)
+        configure(consumer, folder, "-DCMAKE_PREFIX_PATH=" + prefix, "-DCLEARWAY_COMPONENTS=" + components)
+        output_of("cmake", "--build", folder)
+        printed.append(lines_of_programs(folder))
+        clearance, valid = output_of(os.path.join(folder, "planning")).split()
+        if not 1.5 - 1e-12 < float(clearance) <= 1.5 or valid != "1":  # the clearance is a lower bound
+            fail("a part 2 away with a margin of 0.5 has clearance and validity %s %s, expected 1.5 1" % (clearance, valid))
+        for program in ("distance_plain", "planning"):
+            ours = [name for name in libraries_of(os.path.join(folder, program)) if "clearway" in name]
+            if bool(ours) != (kind == "shared"):
+                fail("%s linked as %s needs the libraries %s" % (program, kind, ours))
+            if any(not re.search(r"\.so\.\d+\.\d+$", name) for name in ours):
+                fail("the libraries' names are %s, expected names with a version" % ours)
+    wrong = configure(consumer, os.path.join(work, "wrong"), "-DCMAKE_PREFIX_PATH=" + prefix, "-DCLEARWAY_COMPONENTS=plannign",
+                      expected=1)
+    if "there is no component 'plannign', expected planning or static" not in re.sub(r"\s+", " ", wrong):
+        fail("a component 'plannign' is refused with: " + wrong)
+    return printed
+
+
+def check_pkg_config(consumer, prefix, work):
+    environment = dict(os.environ, PKG_CONFIG_PATH=os.path.join(prefix, "lib", "pkgconfig"),
+                       LD_LIBRARY_PATH=os.path.join(prefix, "lib"))
+    for name in ("clearway", "clearway-planning"):
+        output_of("pkg-config", "--exists", "--print-errors", name, env=environment)
+    flags = output_of("pkg-config", "--cflags", "--libs", "clearway", env=environment).split()
+    program = os.path.join(work, "by_pkg_config")
+    output_of("c++", "-std=c++17", os.path.join(consumer, "distance.cpp"), "-o", program, *flags)
+    return output_of(program, env=environment)
+
+
+def check_part_of_a_build(consumer, source, work, way, own_line):
+    folder = os.path.join(work, way)
+    options = ["-DCLEARWAY_FROM=" + way, "-DCLEARWAY_SOURCE=" + source, "-DCLEARWAY_SCALAR_ONLY=ON"]
+    told = configure(consumer, folder, *options)
+    if "CGAL" in told or os.path.exists(os.path.join(folder, "clearway", "tests")):
+        fail("as a part of another build (%s) clearway configures its tests:\n%s" % (way, told))
+    if kFullRun:
+        output_of("cmake", "--build", folder, "--target", "distance_plain", "distance_avx512", "distance_cxx20")
+        # An instruction set may change the last digits.
+        if abs(float(lines_of_programs(folder)) - float(own_line)) > 1e-14:
+            fail("built as a part of another build (%s), the distance differs" % way)
+
+
+def check_without(source, work):
+    """The library alone needs neither OMPL nor libpng, cairo and Embree; a target that cannot be had is named."""
+    missing = ["-DCMAKE_DISABLE_FIND_PACKAGE_%s=ON" % name for name in ("ompl", "PNG", "PkgConfig", "embree")]
+    only = ["-DCLEARWAY_%s=OFF" % name for name in ("PLANNING", "PROGRAM", "EMBREE", "TESTS", "DEMOS")]
+    configure(source, os.path.join(work, "library_alone"), *missing, *only)
+    for options, named in ((only[1:], "clearway::planning needs OMPL 1.5 or later"),
+                           (only[:2] + only[3:], "clearway::clearway needs Embree 3 or 4"),
+                           (only[:1] + only[2:], "CLEARWAY_PROGRAM is ON and CLEARWAY_PLANNING is OFF")):
+        told = re.sub(r"\s+", " ", configure(source, os.path.join(work, "refused"), *missing, *options, expected=1))
+        if named not in told:
+            fail("expected '%s' in: %s" % (named, told))
+        shutil.rmtree(os.path.join(work, "refused"))
+
+
+def check_symbols(prefix):
+    """A shared library shows what the public headers declare, and no type whose alignment depends on compiler options."""
+    for name, internal in (("clearway", r"clearway::buildBySah|clearway::Solid::|nlohmann::|Assimp::"),
+                           ("clearway-planning", r"clearway::planning::MotionSweep|nlohmann::")):
+        library = os.path.join(prefix, "lib", "lib%s.so" % name)
+        symbols = output_of("nm", "--dynamic", "--defined-only", "--demangle", library)
+        if "clearway::" not in symbols:
+            fail("%s shows no symbol" % library)
+        for line in symbols.splitlines():
+            if re.search(internal, line):
+                fail("%s shows an internal symbol: %s" % (library, line))
+            if re.search(r"Eigen::(Transform|Quaternion|Translation)<", line):
+                fail("%s shows a symbol that names a type of Eigen's with uncertain alignment: %s" % (library, line))
+
+
+def check_program(prefix):
+    program = os.path.join(prefix, "bin", "clearway")
+    version = output_of(program, "--version").splitlines()[0]
+    subcommands = re.findall(r"^  ([a-z]+)  +", output_of(program, "--help"), re.M)
+    pages = {"clearway.1"} | {"clearway-%s.1" % name for name in subcommands}
+    installed = set(os.listdir(os.path.join(prefix, "share", "man", "man1")))
+    if len(pages) < 8 or installed != pages:
+        fail("man pages are %s, expected %s" % (sorted(installed), sorted(pages)))
+    completion = open(os.path.join(prefix, "share", "bash-completion", "completions", "clearway")).read()
+    if "complete -o default -F _clearway clearway" not in completion or not re.match(r"clearway \d+\.\d+\.\d+$", version):
+        fail("the completion or the version (%s) is not the program's" % version)
+
+
+def main():
+    build, source, work = sys.argv[1:]
+    shutil.rmtree(work, ignore_errors=True)
+    os.makedirs(work)
+    prefix = os.path.join(work, "prefix")
+    consumer = os.path.join(source, "tests", "install", "consumer")
+    output_of("cmake", "--install", build, "--prefix", prefix)
+    printed = check_find_package(consumer, prefix, work)
+    printed.append(check_pkg_config(consumer, prefix, work))
+    if len(set(printed)) != 1:
+        fail("the installed libraries' distances differ: %s" % printed)
+    for way in ("add_subdirectory", "FetchContent"):
+        check_part_of_a_build(consumer, source, work, way, printed[0])
+    check_without(source, work)
+    check_symbols(prefix)
+    check_program(prefix)
+
+
+main()
