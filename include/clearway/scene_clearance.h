@@ -116,6 +116,14 @@ struct SceneSweep {
     std::uint64_t queries = 0;
 };
 
+/// What is known about a rigid motion.
+struct MotionAnswer {
+    /// kCertified: free all along. kUndecided: so close to a margin somewhere that it cannot be told.
+    SweepVerdict verdict = SweepVerdict::kUndecided;
+    double certifiedUntil = 0;  ///< free from time 0 to this one, unless the start is not free
+    double contactTime = std::numeric_limits<double>::infinity();  ///< of a pose that is not free
+};
+
 struct LeastClearanceOptions {
     double poseError = 0;
     double cap = std::numeric_limits<
@@ -160,6 +168,11 @@ class SceneClearance {
 
     /// Which of the scene's contact zones hold a pose.
     ContactsAt contactsAt(const Pose& X_environmentPart) const;
+
+    /// Checks that the part is free all along a rigid motion, however thin an obstacle is. Undecided where it comes within
+    /// 1e-5 of the part's diagonal of a margin. poseError: the poses in question may be off the motion by so much, on top
+    /// of rounding; environment units, >= 0.
+    MotionAnswer check(const RigidMotion& motion, double poseError = 0) const;
 
     /// Sweeps the part along a motion past all obstacles, whatever the solids.
     SceneSweep sweep(const PartMotion& motion, const SceneSweepOptions& options) const;

@@ -22,6 +22,10 @@ struct RigidMotion {
     Vector3 turn;         ///< an axis fixed in the part, times the angle in radians; part's frame
 };
 
+/// The motion from one pose to another, straight and with the shorter turn. Between rotations half a turn apart it is one of
+/// the two turns.
+RigidMotion motionBetween(const Pose& from, const Pose& to);
+
 /// A motion over an interval of time, as seen from the middle of the interval.
 struct MotionPiece {
     Pose middle;       ///< X_environmentPart

@@ -14,6 +14,11 @@
 
 namespace clearway {
 
+RigidMotion motionBetween(const Pose& from, const Pose& to) {
+    const Eigen::AngleAxisd turn(Matrix3(from.rotation.transpose() * to.rotation));
+    return {from, to.translation - from.translation, turn.angle() * turn.axis()};
+}
+
 MotionPieces piecesOf(const RigidMotion& motion, const Model& part) {
     const double angle = motion.turn.norm();
     const Vector3 axis = angle > 0 ? Vector3(motion.turn / angle) : Vector3::UnitZ();

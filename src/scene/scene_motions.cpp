@@ -141,6 +141,32 @@ SceneSweep SceneClearance::sweep(const PartMotion& motion, const SceneSweepOptio
     return answer;
 }
 
+MotionAnswer SceneClearance::check(const RigidMotion& motion, double poseError) const {
+    constexpr double kLeastInterval = 1e-5;  // of the part's diagonal
+    constexpr double kRounding = 0x1p-47;    // of the lengths involved, see piecesOf
+    if (!isFree(motion.start)) return {SweepVerdict::kContact, 0, 0};
+
+    const double radius = scene_.part.radiusAboutOrigin(), angle = motion.turn.norm();
+    const double moved = motion.translation.norm() + angle * radius;
+    const PartMotion whole{piecesOf(motion, scene_.part), moved, /*endJump*/ 0};
+    SceneSweepOptions options;
+    options.poseError = poseError + kRounding * (motion.start.translation.norm() + radius + moved);
+    options.leastInterval =
+        std::max(kLeastInterval * scene_.part.box().diagonal().norm(), 4 * options.poseError);
+    options.contactInterval = options.leastInterval;
+    options.isForward = true;
+    const SceneSweep surfaces = sweep(whole, options);
+    const SolidsAlong solids =
+        stayOutsideSolids(whole, surfaces.certifiedUntil, options.poseError, options.leastInterval);
+
+    MotionAnswer answer{surfaces.verdict, std::min(surfaces.certifiedUntil, solids.until),
+                        std::min(surfaces.contactTime, solids.contactTime)};
+    const bool isWorse =
+        answer.verdict == SweepVerdict::kCertified || solids.verdict == SweepVerdict::kContact;
+    if (solids.verdict != SweepVerdict::kCertified && isWorse) answer.verdict = solids.verdict;
+    return answer;
+}
+
 LeastClearance SceneClearance::leastClearance(const PartMotion& motion,
                                               const LeastClearanceOptions& options) const {
     LeastClearance answer;

@@ -1,0 +1,458 @@
+// The module clearway: meshes, models and queries for Python, without OMPL. python/clearway/_core.pyi has the types.
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "clearway/batch.h"
+#include "clearway/mesh.h"
+#include "clearway/model.h"
+#include "clearway/query.h"
+#include "clearway/scene_clearance.h"
+#include "clearway/targets.h"
+#include "clearway/version.h"
+#include "python/arrays.h"
+
+namespace clearway::python {
+namespace {
+
+using ReleasedGil = py::gil_scoped_release;
+
+Mesh makeMesh(const py::object& vertices, const py::object& triangles, const std::string& name) {
+    const auto points = numbersOf(vertices, "vertices", 2);
+    const py::array indices = py::module_::import("numpy").attr("asarray")(triangles);
+    const std::string kind = py::str(indices.dtype().attr("kind"));
+    if (points.shape(1) != 3) {
+        throw std::invalid_argument("vertices has shape " + shapeOf(points) + ", expected (N, 3)");
+    }
+    if (indices.ndim() != 2 || indices.shape(1) != 3 || (kind != "i" && kind != "u")) {
+        throw std::invalid_argument("triangles has shape " + shapeOf(indices) + " and dtype " +
+                                    std::string(py::str(indices.dtype())) +
+                                    ", expected (N, 3) whole numbers");
+    }
+    Mesh mesh;
+    for (py::ssize_t i = 0; i < points.shape(0); ++i) {
+        mesh.vertices.emplace_back(points.at(i, 0), points.at(i, 1), points.at(i, 2));
+    }
+    const py::array_t<std::int64_t, py::array::c_style | py::array::forcecast> rows(indices);
+    for (py::ssize_t i = 0; i < rows.shape(0); ++i) {
+        TriangleIndices triangle;
+        for (int corner = 0; corner < 3; ++corner) {
+            const std::int64_t index = rows.at(i, corner);
+            if (index < 0 || index >= points.shape(0)) {
+                throw std::invalid_argument("triangles[" + std::to_string(i) + "] names vertex " +
+                                            std::to_string(index) + ", expected 0 to " +
+                                            std::to_string(points.shape(0) - 1));
+            }
+            triangle[corner] = static_cast<std::uint32_t>(index);
+        }
+        mesh.triangles.push_back(triangle);
+    }
+    if (!name.empty()) mesh.components = {{name, 0, static_cast<std::uint32_t>(mesh.triangles.size())}};
+    return mesh;
+}
+
+py::array_t<double> verticesOf(const Mesh& mesh) {
+    py::array_t<double> points({static_cast<py::ssize_t>(mesh.vertices.size()), py::ssize_t{3}});
+    for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+        for (int axis = 0; axis < 3; ++axis) points.mutable_at(i, axis) = mesh.vertices[i][axis];
+    }
+    return points;
+}
+
+py::array_t<std::uint32_t> trianglesOf(const Mesh& mesh) {
+    py::array_t<std::uint32_t> rows({static_cast<py::ssize_t>(mesh.triangles.size()), py::ssize_t{3}});
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        for (int corner = 0; corner < 3; ++corner) rows.mutable_at(i, corner) = mesh.triangles[i][corner];
+    }
+    return rows;
+}
+
+/// A workspace that remembers its thread. Queries run without Python's lock, so two threads could use it at once.
+class OwnedWorkspace {
+  public:
+    Workspace& mine() {
+        if (owner_ != std::this_thread::get_id()) {
+            throw std::invalid_argument(
+                "the workspace belongs to another thread, expected one for each thread");
+        }
+        return workspace_;
+    }
+
+  private:
+    const std::thread::id owner_ = std::this_thread::get_id();
+    Workspace workspace_;
+};
+
+/// Answers a query with the given workspace or, for None, with one of the calling thread.
+template <class Query>
+auto answer(OwnedWorkspace* workspace, const Query& query) {
+    thread_local Workspace workspaceOfThread;
+    Workspace& chosen = workspace ? workspace->mine() : workspaceOfThread;
+    const ReleasedGil released;
+    return query(chosen);
+}
+
+DistanceOptions optionsOf(double relativeError, double absoluteError, double cap) {
+    DistanceOptions options;
+    options.relativeError = relativeError;
+    options.absoluteError = absoluteError;
+    options.cap = cap;
+    return options;
+}
+
+std::string describe(const DistanceResult& result) {
+    std::ostringstream text;
+    text.precision(17);
+    text << "DistanceResult(lower=" << result.lower << ", upper=" << result.upper
+         << ", part_triangle=" << result.partTriangle
+         << ", environment_triangle=" << result.environmentTriangle << ")";
+    return text.str();
+}
+
+/// The results of many poses, as arrays.
+py::dict arraysOf(const std::vector<DistanceResult>& results) {
+    const auto count = static_cast<py::ssize_t>(results.size());
+    const std::pair<const char*, double DistanceResult::*> lengths[] = {
+        {"lower", &DistanceResult::lower},
+        {"upper", &DistanceResult::upper},
+        {"distance", &DistanceResult::distance}};
+    const std::pair<const char*, Vector3 DistanceResult::*> points[] = {
+        {"point_on_part", &DistanceResult::pointOnPart},
+        {"point_on_environment", &DistanceResult::pointOnEnvironment}};
+    const std::pair<const char*, std::int64_t DistanceResult::*> ids[] = {
+        {"part_triangle", &DistanceResult::partTriangle},
+        {"environment_triangle", &DistanceResult::environmentTriangle}};
+    py::dict arrays;
+    for (const auto& [name, member] : lengths) {
+        py::array_t<double> column(count);
+        for (py::ssize_t i = 0; i < count; ++i) column.mutable_at(i) = results[i].*member;
+        arrays[name] = column;
+    }
+    for (const auto& [name, member] : points) {
+        py::array_t<double> column({count, py::ssize_t{3}});
+        for (py::ssize_t i = 0; i < count; ++i) {
+            for (int axis = 0; axis < 3; ++axis) column.mutable_at(i, axis) = (results[i].*member)[axis];
+        }
+        arrays[name] = column;
+    }
+    for (const auto& [name, member] : ids) {
+        py::array_t<std::int64_t> column(count);
+        for (py::ssize_t i = 0; i < count; ++i) column.mutable_at(i) = results[i].*member;
+        arrays[name] = column;
+    }
+    return arrays;
+}
+
+py::array_t<bool> flagsOf(const std::vector<std::uint8_t>& flags) {
+    py::array_t<bool> column(static_cast<py::ssize_t>(flags.size()));
+    for (std::size_t i = 0; i < flags.size(); ++i) column.mutable_at(i) = flags[i] != 0;
+    return column;
+}
+
+Model buildModel(const Mesh& mesh, const std::string& preset, const std::optional<std::string>& generalSplit,
+                 const std::optional<std::string>& leafSplit, const std::optional<int>& leafSize,
+                 const std::optional<int>& nodeWidth, const std::optional<std::string>& fit, int threads) {
+    BuildOptions options = buildPreset(preset);
+    options.generalSplit = generalSplit.value_or(options.generalSplit);
+    options.leafSplit = leafSplit.value_or(options.leafSplit);
+    options.leafSize = leafSize.value_or(options.leafSize);
+    options.nodeWidth = nodeWidth.value_or(options.nodeWidth);
+    options.fit = fit.value_or(options.fit);
+    options.threads = threads;
+    const ReleasedGil released;
+    return Model::build(mesh, options);
+}
+
+struct PyObstacle {
+    Obstacle obstacle;
+};
+
+PyObstacle makeObstacle(const Model& model, double margin, const Mesh* solid) {
+    PyObstacle made{{model, margin}};
+    if (!solid) return made;
+    const MadeSolids solids = makeSolids(*solid);
+    if (!solids.refusals.empty()) throw std::invalid_argument("solid: " + solids.refusals.front());
+    made.obstacle.solids = solids.solids;
+    return made;
+}
+
+std::unique_ptr<SceneClearance> makeScene(const Model& part, const std::vector<PyObstacle>& obstacles,
+                                          const Mesh* partMesh) {
+    Scene scene(part);
+    for (const PyObstacle& made : obstacles) scene.obstacles.push_back(made.obstacle);
+    if (partMesh) scene.partSolids = makeSolids(*partMesh).solids;
+    return std::make_unique<SceneClearance>(std::move(scene));
+}
+
+py::tuple checkMotion(const SceneClearance& scene, const py::object& from, const py::object& to) {
+    const RigidMotion motion = motionBetween(poseOf(from, "start"), poseOf(to, "end"));
+    MotionAnswer found;
+    {
+        const ReleasedGil released;
+        found = scene.check(motion);
+    }
+    const char* names[] = {"certified", "contact", "undecided"};
+    return py::make_tuple(names[static_cast<int>(found.verdict)], found.certifiedUntil, found.contactTime);
+}
+
+void bindMeshesAndModels(py::module_& module) {
+    py::class_<Mesh>(module, "Mesh")
+        .def(
+            py::init(&makeMesh), py::arg("vertices"), py::arg("triangles"), py::kw_only(),
+            py::arg("name") = "",
+            R"(vertices: (V, 3) numbers, kept as doubles. triangles: (T, 3) whole numbers, rows of vertices.)")
+        .def_static(
+            "load",
+            [](const std::string& file, double scale) {
+                LoadOptions options;
+                options.scale = scale;
+                const ReleasedGil released;
+                return loadMesh(file, options);
+            },
+            py::arg("file"), py::kw_only(), py::arg("scale") = 1.0,
+            R"(Reads a file of any format that assimp reads: stl, obj, ply, glb and more. scale: a factor for its coordinates.)")
+        .def("save", &saveMesh, py::arg("file"), py::call_guard<ReleasedGil>(),
+             R"(Writes .glb, .obj, .ply, .stl or .dae; coordinates are rounded to float.)")
+        .def_property_readonly("vertices", &verticesOf, R"((V, 3) doubles, a copy.)")
+        .def_property_readonly("triangles", &trianglesOf, R"((T, 3) uint32, a copy.)")
+        .def_property_readonly("components",
+                               [](const Mesh& mesh) {
+                                   std::vector<std::string> names;
+                                   for (const Component& component : mesh.components)
+                                       names.push_back(component.name);
+                                   return names;
+                               })
+        .def("__repr__", [](const Mesh& mesh) {
+            return "Mesh(" + std::to_string(mesh.vertices.size()) + " vertices, " +
+                   std::to_string(mesh.triangles.size()) + " triangles)";
+        });
+    py::class_<Model>(module, "Model")
+        .def(
+            py::init(&buildModel), py::arg("mesh"), py::kw_only(), py::arg("preset") = "best",
+            py::arg("general_split") = py::none(), py::arg("leaf_split") = py::none(),
+            py::arg("leaf_size") = py::none(), py::arg("node_width") = py::none(),
+            py::arg("fit") = py::none(), py::arg("threads") = 0,
+            R"(A mesh prepared for queries, with its own copy of it; any number of threads may query one model. The names of
+strategies are those of C++'s BuildOptions. threads: 0 for all cores.)")
+        .def_static("load", &Model::load, py::arg("file"), py::call_guard<ReleasedGil>(),
+                    R"(Reads a file written by save.)")
+        .def("save", &Model::save, py::arg("file"), py::call_guard<ReleasedGil>())
+        .def_property_readonly(
+            "box", [](const Model& model) { return arrayOf(model.box()); },
+            R"((2, 3): the least and the greatest corner, mesh coordinates.)")
+        .def_property_readonly("radius_about_origin", &Model::radiusAboutOrigin,
+                               R"(No rotation about the origin of mesh coordinates reaches further.)")
+        .def_property_readonly("triangle_count", [](const Model& model) { return model.report().triangles; })
+        .def("__repr__", [](const Model& model) {
+            return "Model(" + std::to_string(model.report().triangles) + " triangles)";
+        });
+}
+
+void bindQueries(py::module_& module) {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    py::class_<OwnedWorkspace>(
+        module, "Workspace",
+        R"(The scratch memory and the warm start of the thread that makes it. Other threads are refused.)")
+        .def(py::init<>())
+        .def("forget_warm_start", [](OwnedWorkspace& workspace) { workspace.mine().forgetWarmStart(); });
+    py::class_<DistanceResult>(
+        module, "DistanceResult",
+        R"(lower <= true distance <= upper; both are 0 on contact. Lengths are in environment units, points (3,) in the
+environment's frame; triangles count as in the mesh. Beyond the cap upper and distance are inf, triangles -1, points nan.)")
+        .def_readonly("lower", &DistanceResult::lower)
+        .def_readonly("upper", &DistanceResult::upper)
+        .def_readonly("distance", &DistanceResult::distance)
+        .def_property_readonly("point_on_part",
+                               [](const DistanceResult& result) { return arrayOf(result.pointOnPart); })
+        .def_property_readonly(
+            "point_on_environment",
+            [](const DistanceResult& result) { return arrayOf(result.pointOnEnvironment); })
+        .def_readonly("part_triangle", &DistanceResult::partTriangle)
+        .def_readonly("environment_triangle", &DistanceResult::environmentTriangle)
+        .def_property_readonly("collides", &DistanceResult::collides)
+        .def("__repr__", &describe);
+    module.def(
+        "distance",
+        [](const Model& part, const Model& environment, const py::object& pose, OwnedWorkspace* workspace,
+           double relativeError, double absoluteError, double cap) {
+            const Pose X = poseOf(pose);
+            const DistanceOptions options = optionsOf(relativeError, absoluteError, cap);
+            return answer(workspace, [&](Workspace& scratch) {
+                return distance(part, environment, X, options, scratch);
+            });
+        },
+        py::arg("part"), py::arg("environment"), py::arg("pose"), py::arg("workspace") = py::none(),
+        py::kw_only(), py::arg("relative_error") = 0.0, py::arg("absolute_error") = 0.0,
+        py::arg("cap") = kInfinity,
+        R"(The distance of the part at the pose from the environment. pose: (4, 4), X_environment_part. The interval may be as
+wide as the larger of absolute_error, relative_error * lower and rounding; distances above the cap do not matter.)");
+    module.def(
+        "collides",
+        [](const Model& part, const Model& environment, const py::object& pose, OwnedWorkspace* workspace) {
+            const Pose X = poseOf(pose);
+            return answer(workspace,
+                          [&](Workspace& scratch) { return collides(part, environment, X, scratch); });
+        },
+        py::arg("part"), py::arg("environment"), py::arg("pose"), py::arg("workspace") = py::none(),
+        R"(Whether the part at the pose and the environment share a point, exactly. pose: (4, 4).)");
+    module.def(
+        "is_within",
+        [](const Model& part, const Model& environment, const py::object& pose, double d,
+           OwnedWorkspace* workspace) {
+            const Pose X = poseOf(pose);
+            return answer(workspace,
+                          [&](Workspace& scratch) { return isWithin(part, environment, X, d, scratch); });
+        },
+        py::arg("part"), py::arg("environment"), py::arg("pose"), py::arg("d"),
+        py::arg("workspace") = py::none(),
+        R"(Whether the distance is <= d, exactly. pose: (4, 4). d: environment units, >= 0.)");
+    module.def(
+        "distance_batch",
+        [](const Model& part, const Model& environment, const py::object& poses, double relativeError,
+           double absoluteError, double cap) {
+            const std::vector<Pose> X = posesOf(poses);
+            const DistanceOptions options = optionsOf(relativeError, absoluteError, cap);
+            std::vector<DistanceResult> results;
+            {
+                const ReleasedGil released;
+                results = distanceBatch(part, environment, X, options);
+            }
+            return arraysOf(results);
+        },
+        py::arg("part"), py::arg("environment"), py::arg("poses"), py::kw_only(),
+        py::arg("relative_error") = 0.0, py::arg("absolute_error") = 0.0, py::arg("cap") = kInfinity,
+        R"(distance() for poses (N, 4, 4), on all cores. Returns a dict of arrays, named as DistanceResult's attributes: lengths
+and ids (N,), points (N, 3). Order the poses as along a path.)");
+    module.def(
+        "is_within_batch",
+        [](const Model& part, const Model& environment, const py::object& poses, double d) {
+            const std::vector<Pose> X = posesOf(poses);
+            std::vector<std::uint8_t> flags;
+            {
+                const ReleasedGil released;
+                flags = isWithinBatch(part, environment, X, d);
+            }
+            return flagsOf(flags);
+        },
+        py::arg("part"), py::arg("environment"), py::arg("poses"), py::arg("d"),
+        R"(is_within() for poses (N, 4, 4), on all cores; d = 0 asks for contact. Returns (N,) bools.)");
+    module.def(
+        "pose_from",
+        [](const std::vector<double>& position, const std::vector<double>& quaternion) {
+            if (position.size() != 3 || quaternion.size() != 4) {
+                throw std::invalid_argument("position and quaternion have " +
+                                            std::to_string(position.size()) + " and " +
+                                            std::to_string(quaternion.size()) + " numbers, expected 3 and 4");
+            }
+            return arrayOf(
+                toPose(Eigen::Quaterniond(quaternion[3], quaternion[0], quaternion[1], quaternion[2]),
+                       Vector3(position[0], position[1], position[2])));
+        },
+        py::arg("position"), py::arg("quaternion"),
+        R"(The (4, 4) pose of a position (x, y, z) and a quaternion (x, y, z, w), which is normalised first.)");
+    module.def(
+        "nearest_pose",
+        [](const py::object& matrix) {
+            const auto numbers = numbersOf(matrix, "matrix", 2);
+            if (numbers.shape(0) != 4 || numbers.shape(1) != 4) {
+                throw std::invalid_argument("matrix has shape " + shapeOf(numbers) + ", expected (4, 4)");
+            }
+            Pose pose;
+            for (int row = 0; row < 3; ++row) {
+                for (int column = 0; column < 3; ++column)
+                    pose.rotation(row, column) = numbers.at(row, column);
+                pose.translation[row] = numbers.at(row, 3);
+            }
+            return arrayOf(nearestPose(pose));
+        },
+        py::arg("matrix"),
+        R"(The pose whose rotation is nearest to the matrix's, for rotations with few digits: off by at most 1e-5. (4, 4) to (4, 4).)");
+    module.def("available_targets", &availableTargets,
+               R"(The instruction sets that queries can run on here, best first.)");
+    module.def("current_target", &currentTarget, R"(The instruction set that queries run on.)");
+    module.def("use_target", &useTarget, py::arg("name"),
+               R"(Runs later queries on this instruction set; "best" returns to the default.)");
+}
+
+void bindScenes(py::module_& module) {
+    py::class_<PyObstacle>(module, "Obstacle")
+        .def(
+            py::init(&makeObstacle), py::arg("model"), py::arg("margin") = 0.0, py::kw_only(),
+            py::arg("solid") = py::none(),
+            R"(Must stay farther from the part than the margin (environment units). solid: the model's closed mesh; the part is then
+not free inside of it either.)");
+    py::class_<SceneClearance>(module, "Scene")
+        .def(
+            py::init(&makeScene), py::arg("part"), py::arg("obstacles"), py::kw_only(),
+            py::arg("part_mesh") = py::none(),
+            R"(One part among obstacles. part_mesh: the part's closed mesh, needed when an obstacle is solid.)")
+        .def(
+            "is_free",
+            [](const SceneClearance& scene, const py::object& pose) {
+                const Pose X = poseOf(pose);
+                const ReleasedGil released;
+                return scene.isFree(X);
+            },
+            py::arg("pose"),
+            R"(Whether all distances are larger than the margins, and the part is in no solid. pose: (4, 4).)")
+        .def(
+            "clearance",
+            [](const SceneClearance& scene, const py::object& pose) {
+                const Pose X = poseOf(pose);
+                const ReleasedGil released;
+                return scene.at(X).lower;
+            },
+            py::arg("pose"),
+            R"(The least distance less margin, a lower bound; above 0 exactly when the pose is free; inf without obstacles.)")
+        .def(
+            "why_not_free",
+            [](const SceneClearance& scene, const py::object& pose) {
+                const Pose X = poseOf(pose);
+                const ReleasedGil released;
+                return scene.whyInvalid(X);
+            },
+            py::arg("pose"), R"(Why the pose is not free, as words after "is"; empty when it is.)")
+        .def(
+            "check_motion", &checkMotion, py::arg("start"), py::arg("end"),
+            R"(Checks the straight motion with the shorter turn between two poses (4, 4), however thin an obstacle is. Returns
+(verdict, certified_until, contact_time): "certified", "contact" or "undecided" (too close to a margin to tell), the time up
+to which it is free, of 0 to 1, and that of a pose that is not (inf for none). A half turn is taken either way.)");
+}
+
+}  // namespace
+}  // namespace clearway::python
+
+PYBIND11_MODULE(_core, module) {
+    namespace py = pybind11;
+    module.attr("__version__") = CLEARWAY_VERSION;
+    // As for io.UnsupportedOperation, a file that cannot be used is wrong as a value and as a file.
+    const py::object bases = py::make_tuple(py::reinterpret_borrow<py::object>(PyExc_OSError),
+                                            py::reinterpret_borrow<py::object>(PyExc_ValueError));
+    static py::handle fileError = PyErr_NewException("clearway.FileError", bases.ptr(), nullptr);
+    module.attr("FileError") = fileError;
+    py::register_exception_translator([](std::exception_ptr thrown) {
+        try {
+            if (thrown) std::rethrow_exception(thrown);
+        } catch (const py::builtin_exception&) {
+            throw;
+        } catch (const py::error_already_set&) {
+            throw;
+        } catch (const std::bad_alloc&) {
+            throw;
+        } catch (const std::runtime_error& error) {
+            PyErr_SetString(fileError.ptr(), error.what());
+        }
+    });
+    clearway::python::bindMeshesAndModels(module);
+    clearway::python::bindQueries(module);
+    clearway::python::bindScenes(module);
+}

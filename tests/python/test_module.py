@@ -1,0 +1,228 @@
+"""The Python module: its answers are the library's, and whatever is not as it should be is refused by name."""
+
+import math
+import pathlib
+import re
+import threading
+
+import numpy as np
+import pytest
+
+import clearway
+
+ROOT = pathlib.Path(__file__).parents[2]
+
+
+def triangle(z):
+    return clearway.Mesh([[0.1, 0, z], [1.3, 0, z], [0.1, 1.7, z]], [[0, 1, 2]])
+
+
+def cube(size):
+    corners = [[x, y, z] for x in (-size, size) for y in (-size, size) for z in (-size, size)]
+    faces = [[0, 1, 3], [0, 3, 2], [4, 6, 7], [4, 7, 5], [0, 4, 5], [0, 5, 1]]
+    faces += [[2, 3, 7], [2, 7, 6], [0, 2, 6], [0, 6, 4], [1, 5, 7], [1, 7, 3]]
+    return clearway.Mesh(np.array(corners, dtype=float), np.array(faces), name="cube")
+
+
+def place(x=0.0, y=0.0, z=0.0):
+    pose = np.eye(4)
+    pose[:3, 3] = x, y, z
+    return pose
+
+
+@pytest.fixture(scope="module")
+def models():
+    return clearway.Model(triangle(0.25)), clearway.Model(triangle(-0.75))  # the queries are exact: sums without rounding
+
+
+def test_distance_of_two_triangles(models):
+    result = clearway.distance(*models, place(z=2))
+    assert result.lower <= 3 <= result.upper
+    assert result.upper - result.lower < 1e-10
+    assert math.isclose(result.distance, np.linalg.norm(result.point_on_part - result.point_on_environment))
+    assert (result.part_triangle, result.environment_triangle, result.collides) == (0, 0, False)
+    assert clearway.is_within(*models, place(z=2), 3.001) and not clearway.is_within(*models, place(z=2), 2.999)
+    assert clearway.collides(*models, place(z=-1)) and not clearway.collides(*models, place(z=-1.01))
+    beyond = clearway.distance(*models, place(z=2), cap=1)
+    assert beyond.lower >= 1 and math.isinf(beyond.upper) and beyond.part_triangle == -1
+
+
+def test_batches_answer_as_single_queries(models):
+    poses = np.array([place(0.01 * i, 0, math.sin(i)) for i in range(200)])
+    batch = clearway.distance_batch(*models, poses)
+    assert batch["point_on_part"].shape == (200, 3) and batch["lower"].dtype == np.float64
+    for i, pose in enumerate(poses):
+        single = clearway.distance(*models, pose)
+        assert batch["lower"][i] <= single.upper and single.lower <= batch["upper"][i]
+    flags = clearway.is_within_batch(*models, poses, 1.0)
+    assert flags.dtype == bool and list(flags) == [clearway.is_within(*models, pose, 1.0) for pose in poses]
+    assert clearway.is_within_batch(*models, np.empty((0, 4, 4)), 1.0).shape == (0,)
+
+
+def test_arrays_of_any_layout_and_of_whole_numbers(models):
+    expected = clearway.distance(*models, place(z=2)).distance
+    frozen = place(z=2)
+    frozen.setflags(write=False)
+    strided = np.zeros((8, 8))
+    strided[::2, ::2] = place(z=2)
+    for pose in (frozen, np.asfortranarray(place(z=2)), strided[::2, ::2], place(z=2).astype(int), place(z=2).tolist(),
+                 place(z=2).astype(">f8"), place(z=2).astype(np.float32)):
+        assert clearway.distance(*models, pose).distance == expected
+
+
+@pytest.mark.parametrize(
+    "pose, words",
+    [
+        (np.eye(3), r"shape \(3, 3\), expected \(4, 4\)"),
+        (np.eye(4)[0], "expected 2 dimensions"),
+        (np.eye(4).astype(complex), "dtype complex128, expected numbers"),
+        (np.eye(4).astype(str), "expected numbers"),
+        (np.eye(4, dtype=bool), "dtype bool"),
+        (None, "expected numbers"),
+        (np.diag([1.0, 1, 1, 2]), "last row"),
+        (np.diag([1.0, 1, 2, 1]), "pose"),
+        (np.diag([1.0, 1, -1, 1]), "pose"),
+        (np.diag([1.0, 1, np.nan, 1]), "pose"),
+        (place(z=np.inf), "pose"),
+    ],
+)
+def test_what_is_no_pose_is_refused(models, pose, words):
+    for query in (clearway.distance, clearway.collides):
+        with pytest.raises(ValueError, match=words):
+            query(*models, pose)
+
+
+def test_the_first_wrong_pose_of_a_batch_is_named(models):
+    poses = np.array([np.eye(4)] * 3)
+    poses[2, 0, 0] = 5
+    with pytest.raises(ValueError, match=re.escape("poses[2]")):
+        clearway.distance_batch(*models, poses)
+    with pytest.raises(ValueError, match=re.escape("expected (N, 4, 4)")):
+        clearway.is_within_batch(*models, np.zeros((2, 3, 4)), 1)
+
+
+def test_what_is_no_mesh_is_refused(tmp_path):
+    with pytest.raises(ValueError, match="names vertex 3, expected 0 to 2"):
+        clearway.Mesh(np.zeros((3, 3)), [[0, 1, 3]])
+    with pytest.raises(ValueError, match="names vertex -1"):
+        clearway.Mesh(np.zeros((3, 3)), [[0, 1, -1]])
+    with pytest.raises(ValueError, match="dtype float64, expected"):
+        clearway.Mesh(np.zeros((3, 3)), [[0.0, 1.0, 2.0]])
+    with pytest.raises(ValueError, match=re.escape("expected (N, 3)")):
+        clearway.Mesh(np.zeros((3, 2)), [[0, 1, 2]])
+    with pytest.raises(ValueError, match="triangle"):
+        clearway.Model(clearway.Mesh(np.zeros((3, 3)), np.zeros((0, 3), dtype=int)))
+    with pytest.raises(clearway.FileError, match="missing.stl") as caught:
+        clearway.Mesh.load(str(tmp_path / "missing.stl"))
+    assert isinstance(caught.value, OSError) and isinstance(caught.value, ValueError)
+    with pytest.raises(ValueError, match="general"):
+        clearway.Model(triangle(0), general_split="best")
+    with pytest.raises(ValueError):
+        clearway.use_target("avx9")
+
+
+def test_meshes_and_models_come_back_from_files(tmp_path, models):
+    cube(0.5).save(str(tmp_path / "cube.glb"))
+    mesh = clearway.Mesh.load(str(tmp_path / "cube.glb"), scale=2)
+    assert mesh.components == ["cube"] and np.array_equal(mesh.vertices.max(axis=0), [1, 1, 1])
+    model = clearway.Model(mesh)
+    model.save(str(tmp_path / "cube.model"))
+    again = clearway.Model.load(str(tmp_path / "cube.model"))
+    assert np.array_equal(again.box, [[-1, -1, -1], [1, 1, 1]]) and again.triangle_count == 12
+    with pytest.raises(clearway.FileError):
+        clearway.Model.load(str(tmp_path / "cube.glb"))
+
+
+def test_a_workspace_serves_one_thread(models):
+    workspace = clearway.Workspace()
+    assert clearway.distance(*models, place(z=2), workspace).lower > 2
+    raised = []
+
+    def elsewhere():
+        try:
+            clearway.distance(*models, place(z=2), workspace)
+        except ValueError as error:
+            raised.append(str(error))
+
+    thread = threading.Thread(target=elsewhere)
+    thread.start()
+    thread.join()
+    assert raised == ["the workspace belongs to another thread, expected one for each thread"]
+
+
+def test_threads_share_models(models):
+    answers = []
+    ask = lambda: answers.append([clearway.distance(*models, place(z=0.01 * i)).distance for i in range(300)])  # noqa: E731
+    threads = [threading.Thread(target=ask) for _ in range(4)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert len(answers) == 4 and all(answer == answers[0] for answer in answers)
+
+
+def test_poses():
+    assert np.array_equal(clearway.pose_from([1, 2, 3], [0, 0, 0, 4]), place(1, 2, 3))
+    with pytest.raises(ValueError, match="expected above 0 and finite"):
+        clearway.pose_from([1, 2, 3], [0, 0, 0, 0])
+    with pytest.raises(ValueError, match="expected 3 and 4"):
+        clearway.pose_from([1, 2], [0, 0, 0, 1])
+    rough = place(1, 2, 3)
+    rough[0, 0] = 1 + 1e-7
+    assert abs(clearway.nearest_pose(rough) - place(1, 2, 3)).max() < 1e-15
+
+
+def test_scenes():
+    part, wall = clearway.Model(cube(0.5)), clearway.Model(cube(1))
+    scene = clearway.Scene(part, [clearway.Obstacle(wall, 0.25)])
+    assert scene.is_free(place(2)) and not scene.is_free(place(1.7))
+    assert scene.clearance(place(2)) <= 0.25 < scene.clearance(place(2)) + 1e-10
+    assert scene.why_not_free(place(2)) == "" and "in collision" in scene.why_not_free(place(1.2))
+    verdict, until, contact = scene.check_motion(place(-4), place(4))
+    assert verdict == "contact" and abs(until - 2.25 / 8) < 1e-3 and until < contact < 1
+    assert scene.check_motion(place(-4, 3), place(4, 3)) == ("certified", 1.0, math.inf)
+    with pytest.raises(ValueError, match="start"):
+        scene.check_motion(np.eye(3), place())
+    with pytest.raises(ValueError, match="margin"):
+        clearway.Scene(part, [clearway.Obstacle(wall, -1)])
+
+
+def test_inside_of_a_solid_nothing_is_free():
+    part, block = cube(0.5), cube(5)
+    surfaces = clearway.Scene(clearway.Model(part), [clearway.Obstacle(clearway.Model(block))])
+    solid = clearway.Scene(
+        clearway.Model(part), [clearway.Obstacle(clearway.Model(block), solid=block)], part_mesh=part
+    )
+    assert surfaces.is_free(place()) and not solid.is_free(place())
+    assert solid.check_motion(place(), place(1))[0] == "contact"
+    with pytest.raises(ValueError, match="solid: "):
+        clearway.Obstacle(clearway.Model(triangle(0)), solid=triangle(0))
+
+
+def test_targets():
+    for target in clearway.available_targets():
+        clearway.use_target(target)
+        assert clearway.current_target() == target
+    clearway.use_target("best")
+
+
+def test_every_name_has_words():
+    for name in clearway.__all__:
+        if name not in ("__version__", "FileError", "Mesh", "Model", "Obstacle", "Scene"):
+            assert getattr(clearway, name).__doc__, name
+
+
+def test_the_version_is_the_same_everywhere():
+    project = (ROOT / "pyproject.toml").read_text()
+    assert 'version = "%s"' % clearway.__version__ in project
+    assert "VERSION %s " % clearway.__version__ in (ROOT / "CMakeLists.txt").read_text()
+
+
+def test_the_documents_code_runs(tmp_path, monkeypatch):
+    """The pieces of docs/python.md, one after the other, beside two meshes."""
+    monkeypatch.chdir(tmp_path)
+    cube(0.5).save("part.stl")
+    cube(1).save("environment.stl")
+    pieces = re.findall(r"```python\n(.*?)```", (ROOT / "docs" / "python.md").read_text(), re.S)
+    assert pieces
+    exec("\n".join(pieces), {})
