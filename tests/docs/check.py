@@ -37,7 +37,7 @@ from code_blocks import check_code
 from commands import check_commands
 from markdown import read_document
 
-LANGUAGES = {"sh", "cpp", "ini", "cmake", "text", "indented"}
+LANGUAGES = {"sh", "cpp", "ini", "cmake", "python", "text", "indented"}
 DIRECTIVES = re.compile(
     r'options only|full|".+?" becomes ".*"|exits with \d+|before\s.+|file \S+( begins as \S+( up to .+)?)?|layering', re.S
 )
