@@ -1,4 +1,4 @@
-# What `cmake --install` installs, and the files through which find_package and pkg-config find it.
+# The install target installs the libraries, the headers, the program and its manual, and the files through which find_package and pkg-config find it.
 
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)

@@ -1,11 +1,9 @@
-// The module clearway: meshes, models and queries for Python, without OMPL. python/clearway/_core.pyi has the types.
+// The module clearway for Python, without OMPL: its queries, and what the other sources bind. python/clearway/_core.pyi has the types.
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
 #include <cstdint>
 #include <limits>
-#include <memory>
-#include <optional>
 #include <sstream>
 #include <string>
 #include <thread>
@@ -13,68 +11,17 @@
 #include <vector>
 
 #include "clearway/batch.h"
-#include "clearway/mesh.h"
 #include "clearway/model.h"
 #include "clearway/query.h"
-#include "clearway/scene_clearance.h"
 #include "clearway/targets.h"
 #include "clearway/version.h"
 #include "python/arrays.h"
+#include "python/bindings.h"
 
 namespace clearway::python {
 namespace {
 
 using ReleasedGil = py::gil_scoped_release;
-
-Mesh makeMesh(const py::object& vertices, const py::object& triangles, const std::string& name) {
-    const auto points = numbersOf(vertices, "vertices", 2);
-    const py::array indices = py::module_::import("numpy").attr("asarray")(triangles);
-    const std::string kind = py::str(indices.dtype().attr("kind"));
-    if (points.shape(1) != 3) {
-        throw std::invalid_argument("vertices has shape " + shapeOf(points) + ", expected (N, 3)");
-    }
-    if (indices.ndim() != 2 || indices.shape(1) != 3 || (kind != "i" && kind != "u")) {
-        throw std::invalid_argument("triangles has shape " + shapeOf(indices) + " and dtype " +
-                                    std::string(py::str(indices.dtype())) +
-                                    ", expected (N, 3) whole numbers");
-    }
-    Mesh mesh;
-    for (py::ssize_t i = 0; i < points.shape(0); ++i) {
-        mesh.vertices.emplace_back(points.at(i, 0), points.at(i, 1), points.at(i, 2));
-    }
-    const py::array_t<std::int64_t, py::array::c_style | py::array::forcecast> rows(indices);
-    for (py::ssize_t i = 0; i < rows.shape(0); ++i) {
-        TriangleIndices triangle;
-        for (int corner = 0; corner < 3; ++corner) {
-            const std::int64_t index = rows.at(i, corner);
-            if (index < 0 || index >= points.shape(0)) {
-                throw std::invalid_argument("triangles[" + std::to_string(i) + "] names vertex " +
-                                            std::to_string(index) + ", expected 0 to " +
-                                            std::to_string(points.shape(0) - 1));
-            }
-            triangle[corner] = static_cast<std::uint32_t>(index);
-        }
-        mesh.triangles.push_back(triangle);
-    }
-    if (!name.empty()) mesh.components = {{name, 0, static_cast<std::uint32_t>(mesh.triangles.size())}};
-    return mesh;
-}
-
-py::array_t<double> verticesOf(const Mesh& mesh) {
-    py::array_t<double> points({static_cast<py::ssize_t>(mesh.vertices.size()), py::ssize_t{3}});
-    for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
-        for (int axis = 0; axis < 3; ++axis) points.mutable_at(i, axis) = mesh.vertices[i][axis];
-    }
-    return points;
-}
-
-py::array_t<std::uint32_t> trianglesOf(const Mesh& mesh) {
-    py::array_t<std::uint32_t> rows({static_cast<py::ssize_t>(mesh.triangles.size()), py::ssize_t{3}});
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-        for (int corner = 0; corner < 3; ++corner) rows.mutable_at(i, corner) = mesh.triangles[i][corner];
-    }
-    return rows;
-}
 
 /// A workspace that remembers its thread. Queries run without Python's lock, so two threads could use it at once.
 class OwnedWorkspace {
@@ -92,11 +39,15 @@ class OwnedWorkspace {
     Workspace workspace_;
 };
 
+Workspace& workspaceOfThread() {
+    thread_local Workspace workspace;
+    return workspace;
+}
+
 /// Answers a query with the given workspace or, for None, with one of the calling thread.
 template <class Query>
 auto answer(OwnedWorkspace* workspace, const Query& query) {
-    thread_local Workspace workspaceOfThread;
-    Workspace& chosen = workspace ? workspace->mine() : workspaceOfThread;
+    Workspace& chosen = workspace ? workspace->mine() : workspaceOfThread();
     const ReleasedGil released;
     return query(chosen);
 }
@@ -156,105 +107,6 @@ py::array_t<bool> flagsOf(const std::vector<std::uint8_t>& flags) {
     py::array_t<bool> column(static_cast<py::ssize_t>(flags.size()));
     for (std::size_t i = 0; i < flags.size(); ++i) column.mutable_at(i) = flags[i] != 0;
     return column;
-}
-
-Model buildModel(const Mesh& mesh, const std::string& preset, const std::optional<std::string>& generalSplit,
-                 const std::optional<std::string>& leafSplit, const std::optional<int>& leafSize,
-                 const std::optional<int>& nodeWidth, const std::optional<std::string>& fit, int threads) {
-    BuildOptions options = buildPreset(preset);
-    options.generalSplit = generalSplit.value_or(options.generalSplit);
-    options.leafSplit = leafSplit.value_or(options.leafSplit);
-    options.leafSize = leafSize.value_or(options.leafSize);
-    options.nodeWidth = nodeWidth.value_or(options.nodeWidth);
-    options.fit = fit.value_or(options.fit);
-    options.threads = threads;
-    const ReleasedGil released;
-    return Model::build(mesh, options);
-}
-
-struct PyObstacle {
-    Obstacle obstacle;
-};
-
-PyObstacle makeObstacle(const Model& model, double margin, const Mesh* solid) {
-    PyObstacle made{{model, margin}};
-    if (!solid) return made;
-    const MadeSolids solids = makeSolids(*solid);
-    if (!solids.refusals.empty()) throw std::invalid_argument("solid: " + solids.refusals.front());
-    made.obstacle.solids = solids.solids;
-    return made;
-}
-
-std::unique_ptr<SceneClearance> makeScene(const Model& part, const std::vector<PyObstacle>& obstacles,
-                                          const Mesh* partMesh) {
-    Scene scene(part);
-    for (const PyObstacle& made : obstacles) scene.obstacles.push_back(made.obstacle);
-    if (partMesh) scene.partSolids = makeSolids(*partMesh).solids;
-    return std::make_unique<SceneClearance>(std::move(scene));
-}
-
-py::tuple checkMotion(const SceneClearance& scene, const py::object& from, const py::object& to) {
-    const RigidMotion motion = motionBetween(poseOf(from, "start"), poseOf(to, "end"));
-    MotionAnswer found;
-    {
-        const ReleasedGil released;
-        found = scene.check(motion);
-    }
-    const char* names[] = {"certified", "contact", "undecided"};
-    return py::make_tuple(names[static_cast<int>(found.verdict)], found.certifiedUntil, found.contactTime);
-}
-
-void bindMeshesAndModels(py::module_& module) {
-    py::class_<Mesh>(module, "Mesh")
-        .def(
-            py::init(&makeMesh), py::arg("vertices"), py::arg("triangles"), py::kw_only(),
-            py::arg("name") = "",
-            R"(vertices: (V, 3) numbers, kept as doubles. triangles: (T, 3) whole numbers, rows of vertices.)")
-        .def_static(
-            "load",
-            [](const std::string& file, double scale) {
-                LoadOptions options;
-                options.scale = scale;
-                const ReleasedGil released;
-                return loadMesh(file, options);
-            },
-            py::arg("file"), py::kw_only(), py::arg("scale") = 1.0,
-            R"(Reads a file of any format that assimp reads: stl, obj, ply, glb and more. scale: a factor for its coordinates.)")
-        .def("save", &saveMesh, py::arg("file"), py::call_guard<ReleasedGil>(),
-             R"(Writes .glb, .obj, .ply, .stl or .dae; coordinates are rounded to float.)")
-        .def_property_readonly("vertices", &verticesOf, R"((V, 3) doubles, a copy.)")
-        .def_property_readonly("triangles", &trianglesOf, R"((T, 3) uint32, a copy.)")
-        .def_property_readonly("components",
-                               [](const Mesh& mesh) {
-                                   std::vector<std::string> names;
-                                   for (const Component& component : mesh.components)
-                                       names.push_back(component.name);
-                                   return names;
-                               })
-        .def("__repr__", [](const Mesh& mesh) {
-            return "Mesh(" + std::to_string(mesh.vertices.size()) + " vertices, " +
-                   std::to_string(mesh.triangles.size()) + " triangles)";
-        });
-    py::class_<Model>(module, "Model")
-        .def(
-            py::init(&buildModel), py::arg("mesh"), py::kw_only(), py::arg("preset") = "best",
-            py::arg("general_split") = py::none(), py::arg("leaf_split") = py::none(),
-            py::arg("leaf_size") = py::none(), py::arg("node_width") = py::none(),
-            py::arg("fit") = py::none(), py::arg("threads") = 0,
-            R"(A mesh prepared for queries, with its own copy of it; any number of threads may query one model. The names of
-strategies are those of C++'s BuildOptions. threads: 0 for all cores.)")
-        .def_static("load", &Model::load, py::arg("file"), py::call_guard<ReleasedGil>(),
-                    R"(Reads a file written by save.)")
-        .def("save", &Model::save, py::arg("file"), py::call_guard<ReleasedGil>())
-        .def_property_readonly(
-            "box", [](const Model& model) { return arrayOf(model.box()); },
-            R"((2, 3): the least and the greatest corner, mesh coordinates.)")
-        .def_property_readonly("radius_about_origin", &Model::radiusAboutOrigin,
-                               R"(No rotation about the origin of mesh coordinates reaches further.)")
-        .def_property_readonly("triangle_count", [](const Model& model) { return model.report().triangles; })
-        .def("__repr__", [](const Model& model) {
-            return "Model(" + std::to_string(model.report().triangles) + " triangles)";
-        });
 }
 
 void bindQueries(py::module_& module) {
@@ -381,51 +233,6 @@ and ids (N,), points (N, 3). Order the poses as along a path.)");
     module.def("current_target", &currentTarget, R"(The instruction set that queries run on.)");
     module.def("use_target", &useTarget, py::arg("name"),
                R"(Runs later queries on this instruction set; "best" returns to the default.)");
-}
-
-void bindScenes(py::module_& module) {
-    py::class_<PyObstacle>(module, "Obstacle")
-        .def(
-            py::init(&makeObstacle), py::arg("model"), py::arg("margin") = 0.0, py::kw_only(),
-            py::arg("solid") = py::none(),
-            R"(Must stay farther from the part than the margin (environment units). solid: the model's closed mesh; the part is then
-not free inside of it either.)");
-    py::class_<SceneClearance>(module, "Scene")
-        .def(
-            py::init(&makeScene), py::arg("part"), py::arg("obstacles"), py::kw_only(),
-            py::arg("part_mesh") = py::none(),
-            R"(One part among obstacles. part_mesh: the part's closed mesh, needed when an obstacle is solid.)")
-        .def(
-            "is_free",
-            [](const SceneClearance& scene, const py::object& pose) {
-                const Pose X = poseOf(pose);
-                const ReleasedGil released;
-                return scene.isFree(X);
-            },
-            py::arg("pose"),
-            R"(Whether all distances are larger than the margins, and the part is in no solid. pose: (4, 4).)")
-        .def(
-            "clearance",
-            [](const SceneClearance& scene, const py::object& pose) {
-                const Pose X = poseOf(pose);
-                const ReleasedGil released;
-                return scene.at(X).lower;
-            },
-            py::arg("pose"),
-            R"(The least distance less margin, a lower bound; above 0 exactly when the pose is free; inf without obstacles.)")
-        .def(
-            "why_not_free",
-            [](const SceneClearance& scene, const py::object& pose) {
-                const Pose X = poseOf(pose);
-                const ReleasedGil released;
-                return scene.whyInvalid(X);
-            },
-            py::arg("pose"), R"(Why the pose is not free, as words after "is"; empty when it is.)")
-        .def(
-            "check_motion", &checkMotion, py::arg("start"), py::arg("end"),
-            R"(Checks the straight motion with the shorter turn between two poses (4, 4), however thin an obstacle is. Returns
-(verdict, certified_until, contact_time): "certified", "contact" or "undecided" (too close to a margin to tell), the time up
-to which it is free, of 0 to 1, and that of a pose that is not (inf for none). A half turn is taken either way.)");
 }
 
 }  // namespace

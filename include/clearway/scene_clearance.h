@@ -116,7 +116,7 @@ struct SceneSweep {
     std::uint64_t queries = 0;
 };
 
-/// What is known about a rigid motion.
+/// The answer about a rigid motion.
 struct MotionAnswer {
     /// kCertified: free all along. kUndecided: so close to a margin somewhere that it cannot be told.
     SweepVerdict verdict = SweepVerdict::kUndecided;
@@ -171,7 +171,7 @@ class SceneClearance {
 
     /// Checks that the part is free all along a rigid motion, however thin an obstacle is. Undecided where it comes within
     /// 1e-5 of the part's diagonal of a margin. poseError: the poses in question may be off the motion by so much, on top
-    /// of rounding; environment units, >= 0.
+    /// of rounding; environment units, >= 0. Throws what queries throw.
     MotionAnswer check(const RigidMotion& motion, double poseError = 0) const;
 
     /// Sweeps the part along a motion past all obstacles, whatever the solids.

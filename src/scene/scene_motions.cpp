@@ -1,9 +1,11 @@
 // The scene's answers about motions: every obstacle is swept past, with its margin and as far as contact zones let it count.
 #include <algorithm>
 #include <limits>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
+#include "core/number.h"
 #include "scene/contact_zones.h"
 #include "scene/scene_scratch.h"
 
@@ -144,6 +146,9 @@ SceneSweep SceneClearance::sweep(const PartMotion& motion, const SceneSweepOptio
 MotionAnswer SceneClearance::check(const RigidMotion& motion, double poseError) const {
     constexpr double kLeastInterval = 1e-5;  // of the part's diagonal
     constexpr double kRounding = 0x1p-47;    // of the lengths involved, see piecesOf
+    if (!(poseError >= 0)) {
+        throw std::invalid_argument("poseError is " + shortNumber(poseError) + ", expected 0 or more");
+    }
     if (!isFree(motion.start)) return {SweepVerdict::kContact, 0, 0};
 
     const double radius = scene_.part.radiusAboutOrigin(), angle = motion.turn.norm();
@@ -151,8 +156,9 @@ MotionAnswer SceneClearance::check(const RigidMotion& motion, double poseError) 
     const PartMotion whole{piecesOf(motion, scene_.part), moved, /*endJump*/ 0};
     SceneSweepOptions options;
     options.poseError = poseError + kRounding * (motion.start.translation.norm() + radius + moved);
-    options.leastInterval =
-        std::max(kLeastInterval * scene_.part.box().diagonal().norm(), 4 * options.poseError);
+    // A part of one point has no diagonal.
+    options.leastInterval = std::max({kLeastInterval * scene_.part.box().diagonal().norm(),
+                                      4 * options.poseError, std::numeric_limits<double>::min()});
     options.contactInterval = options.leastInterval;
     options.isForward = true;
     const SceneSweep surfaces = sweep(whole, options);

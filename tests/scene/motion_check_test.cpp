@@ -2,6 +2,7 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <random>
+#include <stdexcept>
 
 #include "clearway/scene_clearance.h"
 
@@ -74,6 +75,23 @@ BOOST_AUTO_TEST_CASE(the_motion_between_two_poses_ends_at_the_second) {
         const Pose end = piecesOf(motion, kCube)(1, 1).middle;
         BOOST_TEST((end.rotation - to.rotation).norm() < 1e-14);
         BOOST_TEST((end.translation - to.translation).norm() < 1e-15);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(a_part_of_one_point_and_a_motion_that_rests_are_answered) {
+    Mesh point;
+    point.vertices = {{0, 0, 0}};
+    point.triangles = {{0, 0, 0}};
+    const SceneClearance room(Scene(Model::build(point), boxModel({1, -1, -1}, {2, 1, 1})));
+    const RigidMotion rest = motionBetween(at(0, 0, 0), at(0, 0, 0));
+    BOOST_TEST((room.check(rest).verdict == SweepVerdict::kCertified));
+    // A point passes a surface at one time of its motion, which no double need be: it is undecided there.
+    const MotionAnswer through = room.check(motionBetween(at(0, 0, 0), at(3, 0, 0)));
+    BOOST_TEST((through.verdict != SweepVerdict::kCertified));
+    BOOST_TEST(through.certifiedUntil <= 1 / 3.0);
+    BOOST_TEST(through.certifiedUntil > 0.333);
+    for (const double poseError : {-1.0, -1e-30, std::nan("")}) {
+        BOOST_CHECK_THROW(room.check(rest, poseError), std::invalid_argument);
     }
 }
 

@@ -1,0 +1,141 @@
+// Meshes and models for Python.
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "clearway/mesh.h"
+#include "clearway/model.h"
+#include "python/arrays.h"
+#include "python/bindings.h"
+
+namespace clearway::python {
+namespace {
+
+using ReleasedGil = py::gil_scoped_release;
+
+Mesh makeMesh(const py::object& vertices, const py::object& triangles, const std::string& name) {
+    const auto points = numbersOf(vertices, "vertices", 2);
+    const py::array indices = py::module_::import("numpy").attr("asarray")(triangles);
+    const std::string kind = py::str(indices.dtype().attr("kind"));
+    if (points.shape(1) != 3) {
+        throw std::invalid_argument("vertices has shape " + shapeOf(points) + ", expected (N, 3)");
+    }
+    if (indices.ndim() != 2 || indices.shape(1) != 3 || (kind != "i" && kind != "u")) {
+        throw std::invalid_argument("triangles has shape " + shapeOf(indices) + " and dtype " +
+                                    std::string(py::str(indices.dtype())) +
+                                    ", expected (N, 3) whole numbers");
+    }
+    Mesh mesh;
+    for (py::ssize_t i = 0; i < points.shape(0); ++i) {
+        mesh.vertices.emplace_back(points.at(i, 0), points.at(i, 1), points.at(i, 2));
+    }
+    const py::array_t<std::int64_t, py::array::c_style | py::array::forcecast> rows(indices);
+    for (py::ssize_t i = 0; i < rows.shape(0); ++i) {
+        TriangleIndices triangle;
+        for (int corner = 0; corner < 3; ++corner) {
+            const std::int64_t index = rows.at(i, corner);
+            if (index < 0 || index >= points.shape(0)) {
+                throw std::invalid_argument("triangles[" + std::to_string(i) + "] names vertex " +
+                                            std::to_string(index) + ", expected 0 to " +
+                                            std::to_string(points.shape(0) - 1));
+            }
+            triangle[corner] = static_cast<std::uint32_t>(index);
+        }
+        mesh.triangles.push_back(triangle);
+    }
+    if (!name.empty()) mesh.components = {{name, 0, static_cast<std::uint32_t>(mesh.triangles.size())}};
+    return mesh;
+}
+
+py::array_t<double> verticesOf(const Mesh& mesh) {
+    py::array_t<double> points({static_cast<py::ssize_t>(mesh.vertices.size()), py::ssize_t{3}});
+    for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+        for (int axis = 0; axis < 3; ++axis) points.mutable_at(i, axis) = mesh.vertices[i][axis];
+    }
+    return points;
+}
+
+py::array_t<std::uint32_t> trianglesOf(const Mesh& mesh) {
+    py::array_t<std::uint32_t> rows({static_cast<py::ssize_t>(mesh.triangles.size()), py::ssize_t{3}});
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        for (int corner = 0; corner < 3; ++corner) rows.mutable_at(i, corner) = mesh.triangles[i][corner];
+    }
+    return rows;
+}
+
+Model buildModel(const Mesh& mesh, const std::string& preset, const std::optional<std::string>& generalSplit,
+                 const std::optional<std::string>& leafSplit, const std::optional<int>& leafSize,
+                 const std::optional<int>& nodeWidth, const std::optional<std::string>& fit, int threads) {
+    BuildOptions options = buildPreset(preset);
+    options.generalSplit = generalSplit.value_or(options.generalSplit);
+    options.leafSplit = leafSplit.value_or(options.leafSplit);
+    options.leafSize = leafSize.value_or(options.leafSize);
+    options.nodeWidth = nodeWidth.value_or(options.nodeWidth);
+    options.fit = fit.value_or(options.fit);
+    options.threads = threads;
+    const ReleasedGil released;
+    return Model::build(mesh, options);
+}
+
+}  // namespace
+
+void bindMeshesAndModels(py::module_& module) {
+    py::class_<Mesh>(module, "Mesh")
+        .def(
+            py::init(&makeMesh), py::arg("vertices"), py::arg("triangles"), py::kw_only(),
+            py::arg("name") = "",
+            R"(vertices: (V, 3) numbers, kept as doubles. triangles: (T, 3) whole numbers, rows of vertices.)")
+        .def_static(
+            "load",
+            [](const std::string& file, double scale) {
+                LoadOptions options;
+                options.scale = scale;
+                const ReleasedGil released;
+                return loadMesh(file, options);
+            },
+            py::arg("file"), py::kw_only(), py::arg("scale") = 1.0,
+            R"(Reads a file of any format that assimp reads: stl, obj, ply, glb and more. scale: a factor for its coordinates.)")
+        .def("save", &saveMesh, py::arg("file"), py::call_guard<ReleasedGil>(),
+             R"(Writes .glb, .obj, .ply, .stl or .dae; coordinates are rounded to float.)")
+        .def_property_readonly("vertices", &verticesOf, R"((V, 3) doubles, a copy.)")
+        .def_property_readonly("triangles", &trianglesOf, R"((T, 3) uint32, a copy.)")
+        .def_property_readonly("components",
+                               [](const Mesh& mesh) {
+                                   std::vector<std::string> names;
+                                   for (const Component& component : mesh.components)
+                                       names.push_back(component.name);
+                                   return names;
+                               })
+        .def("__repr__", [](const Mesh& mesh) {
+            return "Mesh(" + std::to_string(mesh.vertices.size()) + " vertices, " +
+                   std::to_string(mesh.triangles.size()) + " triangles)";
+        });
+    py::class_<Model>(module, "Model")
+        .def(
+            py::init(&buildModel), py::arg("mesh"), py::kw_only(), py::arg("preset") = "best",
+            py::arg("general_split") = py::none(), py::arg("leaf_split") = py::none(),
+            py::arg("leaf_size") = py::none(), py::arg("node_width") = py::none(),
+            py::arg("fit") = py::none(), py::arg("threads") = 0,
+            R"(A mesh prepared for queries, with its own copy of it; any number of threads may query one model. The names of
+strategies are those of C++'s BuildOptions. threads: 0 for all cores.)")
+        .def_static("load", &Model::load, py::arg("file"), py::call_guard<ReleasedGil>(),
+                    R"(Reads a file written by save.)")
+        .def("save", &Model::save, py::arg("file"), py::call_guard<ReleasedGil>())
+        .def_property_readonly(
+            "box", [](const Model& model) { return arrayOf(model.box()); },
+            R"((2, 3): the least and the greatest corner, mesh coordinates.)")
+        .def_property_readonly("radius_about_origin", &Model::radiusAboutOrigin,
+                               R"(No rotation about the origin of mesh coordinates reaches further.)")
+        .def_property_readonly("triangle_count", [](const Model& model) { return model.report().triangles; })
+        .def("__repr__", [](const Model& model) {
+            return "Model(" + std::to_string(model.report().triangles) + " triangles)";
+        });
+}
+
+}  // namespace clearway::python
