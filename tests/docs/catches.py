@@ -77,7 +77,7 @@ CASES = [
     ("links", "see `src/gone/file.cpp`", "`src/gone/file.cpp` is not there"),
     ("links", "<!-- test: layering -->\n| room | may |\n|---|---|\n| `core` | `mesh` |\n", "core may include no other"),
     ("links", "<!-- test: layering -->\n| room | may |\n|---|---|\n| `core` | |\n", "mesh may include core"),
-    ("links", fenced("python", "print()"), "the block's language is 'python'"),
+    ("links", fenced("yaml", "a: b"), "the block's language is 'yaml'"),
     ("links", "<!-- test: ful -->\n" + fenced("sh", "clearway --help"), "unknown directive 'ful'"),
     ("links", "<!-- test: full -->\ntext", "stands before no block"),
     ("code", fenced("cpp", "#include <clearway/mesh.h>\nclearway::Mash mesh;"), "docs/page.md:3"),
