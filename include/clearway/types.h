@@ -7,6 +7,9 @@
 #include <stdexcept>
 #include <string>
 
+/// @namespace clearway
+/// The library without OMPL: meshes, models, queries, motions, scenes and problem files.
+
 #pragma GCC visibility push(default)
 
 namespace clearway {
