@@ -29,10 +29,13 @@ def anchor_of(heading):
 
 
 def heading(page, marks, text):
+    if page == "reference" and marks == "#":
+        text = "clearway"  # a landing page of another title than the project's has no guides below it in Doxygen's tree
     return f"{marks} {text} {{#{page if marks == '#' else page + '_' + anchor_of(text)}}}"
 
 
 def link(folder, page, shown, target):
+    shown = shown.replace("`", "")  # Doxygen shows these marks within a link
     path, _, anchor = target.partition("#")
     file = os.path.normpath(os.path.join(folder, path))
     if "://" in target:

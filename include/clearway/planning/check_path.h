@@ -14,7 +14,7 @@ namespace clearway::planning {
 /// The answer of checkPath. Lengths in environment units.
 struct PathCheck {
     PathAudit audit;  ///< of the path in the problem's space and scene
-    /// At the path's begin no point of the part is farther than this from its place at the problem's start.
+    /// At the path's beginning no point of the part is farther than this from its place at the problem's start.
     double offStart = 0;
     /// At the path's end no point of the part is farther than this from its place at the problem's goal. For
     /// a goal outside it is OutsideGoal::distanceGoal at the path's end.

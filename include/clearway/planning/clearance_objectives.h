@@ -116,8 +116,8 @@ class MinClearanceObjective : public ClearanceObjective {
     /// the cap unless it is set: planners then go on until their time is up.
     bool isSatisfied(ompl::base::Cost cost) const override;
 
-    /// A lower bound of the clearance at a state, but at most the cap; -kInvalidMotionCost for an unusable
-    /// state.
+    /// A lower bound of the clearance at a state, but at most the cap; -kInvalidMotionCost for an invalid
+    /// or unusable state.
     ompl::base::Cost stateCost(const ompl::base::State* state) const override;
     ompl::base::Cost initialCost(const ompl::base::State* state) const override;   ///< stateCost
     ompl::base::Cost terminalCost(const ompl::base::State* state) const override;  ///< stateCost
@@ -153,7 +153,8 @@ class WeightedLengthObjective : public ClearanceObjective {
   public:
     ~WeightedLengthObjective() override;
 
-    ompl::base::Cost stateCost(const ompl::base::State* state) const override;  ///< 1 + extra
+    /// 1 + extra at a state; kInvalidMotionCost for an invalid or unusable state.
+    ompl::base::Cost stateCost(const ompl::base::State* state) const override;
 
     /// The weighted length of a motion, to the resolution; kInvalidMotionCost for an invalid motion.
     ompl::base::Cost motionCost(const ompl::base::State* s1, const ompl::base::State* s2) const override;

@@ -28,7 +28,7 @@ class RefusedOption : public std::invalid_argument {
     using std::invalid_argument::invalid_argument;  ///< takes the message
 };
 
-/// How plan() plans. The defaults are good for most problems.
+/// How plan() plans: the planner, its limits, and how motions are checked.
 struct PlanOptions {
     /// OMPL's class name in any case. Empty: the problem's planner when it names exactly one, else
     /// PlannerTeam. With an objective of clearance the default is RisingFloor for the least

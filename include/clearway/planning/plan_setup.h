@@ -29,7 +29,7 @@ struct PlanSetup {
     /// Audits the final path, with and without a step. Without a step it also certifies the shortening.
     std::shared_ptr<MotionValidator> auditor;
     double floor = 0;  ///< clearance that shortening keeps, without a step; environment units
-    ompl::base::ProblemDefinitionPtr definition;   ///< with start, goal and objective
+    ompl::base::ProblemDefinitionPtr definition;   ///< with start and goal, and the objective if one is named
     std::vector<ompl::base::PlannerPtr> planners;  ///< set up, in the order of report.planners
 };
 
