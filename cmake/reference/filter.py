@@ -13,7 +13,7 @@ LINK = re.compile(r"`[^`]*`|(?<!!)\[(?P<shown>(?:`[^`]*`|[^\[\]`])*)\]\((?P<targ
 
 
 def header(path, text):
-    name = "/".join(path.split(os.sep)[path.split(os.sep).index("include") + 1 :])
+    name = path.rsplit("/include/", 1)[1]
     first, rest = re.match(r"((?://.*\n)*)(.*)", text, re.S).groups()
     return re.sub(r"^///? ?", "/// ", first, flags=re.M).replace("/// ", f"/// @file {name} ", 1) + rest
 
@@ -31,7 +31,8 @@ def anchor_of(heading):
 def heading(page, marks, text):
     if page == "reference" and marks == "#":
         text = "clearway"  # a landing page of another title than the project's has no guides below it in Doxygen's tree
-    return f"{marks} {text} {{#{page if marks == '#' else page + '_' + anchor_of(text)}}}"
+    shown = text.replace("`", "")  # Doxygen shows the marks of code within headings
+    return f"{marks} {shown} {{#{page if marks == '#' else page + '_' + anchor_of(text)}}}"
 
 
 def link(folder, page, shown, target):
@@ -46,7 +47,7 @@ def link(folder, page, shown, target):
         page = page_of(path) if path else page
         return f"[{shown}](@ref {page + '_' + anchor if anchor else page})"
     if "/include/" in file and file.endswith((".h", ".h.in")):
-        return f"[{shown}](@ref {file.split('/include/')[1].removesuffix('.in')})"
+        return f"[{shown}](@ref {file.rsplit('/include/', 1)[1].removesuffix('.in')})"
     return shown
 
 
@@ -55,8 +56,9 @@ def guide(path, text):
     text = re.sub(r"^<!--.*?-->", lambda comment: "\n" * comment.group().count("\n"), text, flags=re.S | re.M)
     pieces = re.split(r"(^ *```.*?^ *```$)", text, flags=re.S | re.M)  # blocks of code stand at odd places
     for at in range(0, len(pieces), 2):
-        pieces[at] = LINK.sub(lambda found: link(folder, page, *found.groups()) if found["target"] else found[0], pieces[at])
-    return re.sub(r"^(#+) (.*)$", lambda found: heading(page, *found.groups()), "".join(pieces), flags=re.M)
+        text = LINK.sub(lambda found: link(folder, page, *found.groups()) if found["target"] else found[0], pieces[at])
+        pieces[at] = re.sub(r"^(#+) (.*)$", lambda found: heading(page, *found.groups()), text, flags=re.M)
+    return "".join(pieces)
 
 
 if __name__ == "__main__":

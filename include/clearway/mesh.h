@@ -94,7 +94,8 @@ void saveMesh(const Mesh& mesh, const std::string& file);
 /// region. Throws std::invalid_argument, naming the box, when it is empty, flat or not finite.
 Mesh boxMesh(const Box& box, const std::string& name = "box");
 
-/// The smallest box that holds every vertex of a triangle; empty for a mesh without triangles.
+/// The smallest box that holds every vertex of a triangle, in mesh coordinates; empty for a mesh without
+/// triangles.
 Box boundingBox(const Mesh& mesh);
 
 /// The index into mesh.components of the component with this triangle; 0 if there are no components.
