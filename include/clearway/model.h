@@ -13,6 +13,9 @@
 #include "clearway/mesh.h"
 #include "clearway/types.h"
 
+/// @namespace clearway
+/// The library without OMPL: meshes, models, queries, motions, scenes and problem files.
+
 #pragma GCC visibility push(default)
 
 namespace clearway {

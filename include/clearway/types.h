@@ -7,9 +7,6 @@
 #include <stdexcept>
 #include <string>
 
-/// @namespace clearway
-/// The library without OMPL: meshes, models, queries, motions, scenes and problem files.
-
 #pragma GCC visibility push(default)
 
 namespace clearway {

@@ -61,9 +61,9 @@ struct PathAudit {
     bool isValid() const { return verdict == MotionVerdict::kValid; }
 };
 
-/// What audit() tells besides the verdict.
+/// What audit() tells besides the verdict: with `profile`, also PathAudit::profile.
 struct AuditOptions {
-    bool profile = false;  ///< whether to fill PathAudit::profile; costs a few times as many queries
+    bool profile = false;  ///< costs a few times as many queries
 };
 
 /// Judges every motion of the path, also those after a motion that is not valid. Throws std::invalid_argument
