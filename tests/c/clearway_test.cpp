@@ -212,7 +212,7 @@ BOOST_AUTO_TEST_CASE(bad_input_is_refused_in_the_words_of_cpp) {
     clearway_handle model = 77;
     Mesh notFinite = boxes.mesh, outOfRange = boxes.mesh, empty;
     notFinite.vertices[3].y() = nan;
-    outOfRange.triangles[5][1] = 8;
+    outOfRange.triangles[5][1] = std::uint32_t(outOfRange.vertices.size());
     for (const Mesh& mesh : {notFinite, outOfRange, empty}) {
         expectWordsOfCpp<std::invalid_argument>(build(arraysOf(mesh), model), [&] { Model::build(mesh); });
     }
