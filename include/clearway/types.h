@@ -7,6 +7,10 @@
 #include <stdexcept>
 #include <string>
 
+#if defined(__BYTE_ORDER__) && __BYTE_ORDER__ != __ORDER_LITTLE_ENDIAN__
+#error "this processor is big-endian, clearway expects a little-endian one: it was not tried on others"
+#endif
+
 #pragma GCC visibility push(default)
 
 namespace clearway {
