@@ -262,4 +262,5 @@ PYBIND11_MODULE(_core, module) {
     clearway::python::bindMeshesAndModels(module);
     clearway::python::bindQueries(module);
     clearway::python::bindScenes(module);
+    clearway::python::bindStates(module);
 }
