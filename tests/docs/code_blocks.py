@@ -1,4 +1,4 @@
-"""Compiles the C++ of documents and configures their CMake."""
+"""Compiles the C++ and C of documents and configures their CMake."""
 
 import json
 import os
@@ -49,6 +49,14 @@ def program_of_pieces(document, blocks):
     return "".join(includes) + "void pieces() {\n" + "".join(body) + "}\n"
 
 
+def compile_c(root, build, document, block):
+    """A block of C is a whole file, of a program that is as strict as C99 permits."""
+    command = ["cc", "-std=c99", "-pedantic", "-Wall", "-Wextra", "-Werror", "-fsyntax-only", "-x", "c", "-"]
+    folders = ["-I", root / "include", "-I", build / "generated/include"]
+    source = place(document, block.line) + block.text
+    return subprocess.run(command + folders, input=source, capture_output=True, text=True)
+
+
 def programs_of(root, document):
     """The sources to compile, each with the line it begins at. A demo is compiled as what it is."""
     demos = {path.read_text() for path in (root / "demos").glob("*.cpp")}
@@ -66,6 +74,11 @@ def programs_of(root, document):
 
 
 def compile_documents(root, build, documents, report):
+    for document in documents:
+        for block in document.blocks:
+            done = compile_c(root, build, document, block) if block.language == "c" else None
+            if done and done.returncode != 0:
+                report.refuse(document, block.line, "the C does not compile:\n" + done.stderr)
     programs = [(document, line, source) for document in documents for line, source in programs_of(root, document)]
     if not programs:
         return
