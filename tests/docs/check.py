@@ -23,6 +23,7 @@ HTML comments before a block state exceptions:
     <!-- test: file NAME -->                 the block is written to a file of the scratch folder; then
     <!-- test: file NAME begins as BASE -->  ... after the text of BASE,
     <!-- test: file NAME begins as BASE up to TEXT -->  ... or what BASE holds before TEXT
+    <!-- test: prints the distance -->       tests/install runs the block among the files before it (text)
     <!-- test: layering -->                  the table repeats the include rules of tests/layering.cmake
 """
 
@@ -39,7 +40,7 @@ from markdown import read_document
 
 LANGUAGES = {"sh", "cpp", "c", "ini", "cmake", "python", "text", "indented"}
 DIRECTIVES = re.compile(
-    r'options only|full|".+?" becomes ".*"|exits with \d+|before\s.+|file \S+( begins as \S+( up to .+)?)?|layering', re.S
+    r'options only|full|".+?" becomes ".*"|exits with \d+|before\s.+|file \S+( begins as \S+( up to .+)?)?|prints the distance|layering', re.S
 )
 SKIPPED_FOLDERS = {".git", "build", "out", "vendor"}
 
