@@ -27,6 +27,10 @@ class RefusedOption : public std::invalid_argument {
     using std::invalid_argument::invalid_argument;
 };
 
+/// What plan() is doing: it plans, widens the path where that is wanted, then shortens and audits it; or it finds out why
+/// there is no path.
+enum class PlanPhase { kPlanning, kMakingRoom, kFinishing, kAskingWhy };
+
 struct PlanOptions {
     /// OMPL's class name in any case. Empty: the problem's planner when it names exactly one, else
     /// PlannerTeam. With an objective of clearance the default is RisingFloor for the least
@@ -67,6 +71,8 @@ struct PlanOptions {
     /// Called often, also from other threads and within motions. True ends planning and shortening: the best path
     /// so far, if there is one, is audited and returned.
     std::function<bool()> isStopped;
+    /// Called when a phase begins, in the thread that called plan().
+    std::function<void(PlanPhase)> onPhase;
 };
 
 /// What became of a path's clearance between planning and shortening.
