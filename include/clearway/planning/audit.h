@@ -4,6 +4,7 @@
 #include <ompl/geometric/PathGeometric.h>
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -64,6 +65,9 @@ struct PathAudit {
 /// What audit() tells besides the verdict: with `profile`, also PathAudit::profile.
 struct AuditOptions {
     bool profile = false;  ///< costs a few times as many queries
+    /// For checkPath: called often; true leaves motions that are not judged yet undecided. audit() heeds what its
+    /// validator was made with (MotionOptions::isStopped).
+    std::function<bool()> isStopped = nullptr;
 };
 
 /// Judges every motion of the path, also those after a motion that is not valid. Throws std::invalid_argument

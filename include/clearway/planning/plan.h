@@ -28,6 +28,14 @@ class RefusedOption : public std::invalid_argument {
     using std::invalid_argument::invalid_argument;  ///< takes the message
 };
 
+/// The phases of plan(), in order.
+enum class PlanPhase {
+    kPlanning,    ///< the planners look for a path
+    kMakingRoom,  ///< the path is widened, where that is wanted
+    kFinishing,   ///< the path is shortened and audited
+    kAskingWhy    ///< there is no path, and the reason is looked for
+};
+
 /// How plan() plans: the planner, its limits, and how motions are checked.
 struct PlanOptions {
     /// OMPL's class name in any case. Empty: the problem's planner when it names exactly one, else
@@ -69,6 +77,8 @@ struct PlanOptions {
     /// Called often, also from other threads and within motions. True ends planning and shortening: the best path
     /// so far, if there is one, is audited and returned.
     std::function<bool()> isStopped;
+    /// Called when a phase begins, in the thread that called plan().
+    std::function<void(PlanPhase)> onPhase;
 };
 
 /// What became of a path's clearance between planning and shortening.
