@@ -131,9 +131,9 @@ class LeafPairs {
     ///   take(lower, upper, triangles)   takes a pair with proved bounds of its distance
     template <class Visitor>
     HWY_INLINE void visit(Visitor& visitor) {
-        visitRegisters([&](const KernelTag& d, const TrianglePair<hn::Vec<KernelTag>>& pair,
-                           const RegisterPlace& place)
-                           HWY_ATTR { return takeNear(d, pair, place, visitor); });
+        visitRegisters(
+            [&](const KernelTag& d, const TrianglePair<hn::Vec<KernelTag>>& pair, const RegisterPlace& place)
+                HWY_ATTR { return takeNear(d, pair, place, visitor); });
     }
 
     /// The place of a register among the pairs of two leaves: its blocks begin with the part's triangle i and
