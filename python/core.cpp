@@ -115,7 +115,9 @@ void bindQueries(py::module_& module) {
         module, "Workspace",
         R"(The scratch memory and the warm start of the thread that makes it. Other threads are refused.)")
         .def(py::init<>())
-        .def("forget_warm_start", [](OwnedWorkspace& workspace) { workspace.mine().forgetWarmStart(); });
+        .def(
+            "forget_warm_start", [](OwnedWorkspace& workspace) { workspace.mine().forgetWarmStart(); },
+            R"(Makes the next answer independent, to the last digit, of what was asked before.)");
     py::class_<DistanceResult>(
         module, "DistanceResult",
         R"(lower <= true distance <= upper; both are 0 on contact. Lengths are in environment units, points (3,) in the
@@ -261,6 +263,7 @@ PYBIND11_MODULE(_core, module) {
     });
     clearway::python::bindMeshesAndModels(module);
     clearway::python::bindQueries(module);
+    clearway::python::bindProblems(module);
     clearway::python::bindScenes(module);
     clearway::python::bindStates(module);
 }
