@@ -42,7 +42,7 @@ class ValidityChecker(_base.StateValidityChecker):  # type: ignore[misc]
         super().__init__(si)
         space = si.getStateSpace()
         self._satisfies_bounds = _satisfies_bounds(space)
-        self._scene = scene
+        self._scene = _require_scene(scene)
         self._pose = state_to_pose
         self._numbers = None if state_to_pose is not None else _pose_numbers(space)
         self.checks = self.invalid = self.out_of_bounds = self.unusable = 0
@@ -102,7 +102,7 @@ class MotionValidator(_base.MotionValidator):  # type: ignore[misc]
         super().__init__(si)
         space = si.getStateSpace()
         self._satisfies_bounds = _satisfies_bounds(space)
-        self._scene = scene
+        self._scene = _require_scene(scene)
         bound = _class_of_bindings(space)
         if bound is _base.SE3StateSpace:
             self._numbers, self._certify = _numbers_of_se3, _core.certify_se3_motion
@@ -176,6 +176,12 @@ def _pose_numbers(space: Any) -> Callable[[Any], _Numbers]:
         "state space '%s' (%s) is neither SE(3) nor SE(2), expected state_to_pose, a function from its states to poses"
         % (space.getName(), type(space).__name__)
     )
+
+
+def _require_scene(scene: Any) -> Scene:
+    if isinstance(scene, Scene):
+        return scene
+    raise TypeError("scene is of type %s, expected clearway.Scene" % type(scene).__name__)
 
 
 def _class_of_bindings(space: Any) -> Any:

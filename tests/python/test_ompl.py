@@ -229,6 +229,10 @@ def test_other_spaces_are_refused_by_name_or_need_a_callback(bindings):
     with pytest.raises(ValueError, match="DubinsStateSpace.*expected SE3StateSpace or SE2StateSpace"):
         bindings.clearway.MotionValidator(bindings.base.SpaceInformation(bindings.space("Dubins")), scene)
 
+    for adaptor in (bindings.clearway.ValidityChecker, bindings.clearway.MotionValidator):
+        with pytest.raises(TypeError, match="scene is of type Model, expected clearway.Scene"):
+            adaptor(bindings.base.SpaceInformation(bindings.space()), box(1, 1, 1))
+
     checker = bindings.clearway.ValidityChecker(si, scene, lambda s: clearway.pose_from([s[0], s[1], 0], UPRIGHT))
     si.setStateValidityChecker(checker)
     state = plane.allocState()
