@@ -69,7 +69,6 @@ class ValidityChecker(_base.StateValidityChecker):  # type: ignore[misc]
         """A lower bound of distance - margin, the least over the obstacles, in environment units. Above 0 exactly when the
         state is valid; it is no depth of penetration. Infinite without obstacles."""
         self.checks += 1
-        clearance = 0.0
         try:
             if self._numbers is None:
                 clearance = self._scene.clearance(self._pose(state))  # type: ignore[misc]
@@ -79,6 +78,7 @@ class ValidityChecker(_base.StateValidityChecker):  # type: ignore[misc]
                 self.out_of_bounds += 1
                 clearance = min(clearance, 0.0)
         except Exception as error:
+            clearance = 0.0
             self.unusable += 1
             self.first_error = self.first_error or _warn("a state", error)
         if clearance <= 0:
