@@ -219,10 +219,11 @@ def test_the_version_is_the_same_everywhere():
 
 
 def test_the_documents_code_runs(tmp_path, monkeypatch):
-    """The pieces of docs/python.md, one after the other, beside two meshes."""
+    """The pieces of docs/python.md, one after the other, beside two meshes. test_ompl.py runs those that need OMPL's bindings."""
     monkeypatch.chdir(tmp_path)
     cube(0.5).save("part.stl")
     cube(1).save("environment.stl")
     pieces = re.findall(r"```python\n(.*?)```", (ROOT / "docs" / "python.md").read_text(), re.S)
+    pieces = [piece for piece in pieces if "from ompl import" not in piece]
     assert pieces
     exec("\n".join(pieces), {})
