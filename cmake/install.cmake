@@ -5,23 +5,24 @@ include(CMakePackageConfigHelpers)
 set(config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/clearway)
 set(generated ${PROJECT_BINARY_DIR}/generated)
 
-# The libraries, each in an export set of its own. A static library and its shared twin, if there is one, bear one name:
+# install_library(TARGET NAME KIND PACKAGE): each library in an export set of its own. A static library and its shared twin, if there is one, bear one name:
 # clearwayConfig.cmake chooses between them.
-function(install_library target name kind)
+function(install_library target name kind package)
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
   install(TARGETS ${target} EXPORT ${name}_${kind}
-          LIBRARY COMPONENT libclearway NAMELINK_COMPONENT libclearway-dev
+          LIBRARY COMPONENT ${package} NAMELINK_COMPONENT libclearway-dev
           ARCHIVE COMPONENT libclearway-dev)
   install(EXPORT ${name}_${kind} NAMESPACE clearway:: DESTINATION ${config_dir} COMPONENT libclearway-dev)
 endfunction()
-install_library(clearway clearway static)
+install_library(clearway clearway static libclearway)
 if(BUILD_SHARED_LIBS)
-  install_library(clearway_shared clearway shared)
+  install_library(clearway_shared clearway shared libclearway)
 endif()
 if(CLEARWAY_PLANNING)
-  install_library(clearway_planning planning static)
+  install_library(clearway_planning planning static libclearway-planning)
   if(BUILD_SHARED_LIBS)
-    install_library(clearway_planning_shared planning shared)
+    install_library(clearway_planning_shared planning shared libclearway-planning)
+    set_target_properties(clearway_planning_shared PROPERTIES INSTALL_RPATH $ORIGIN)  # libclearway lies beside it
   endif()
 endif()
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT libclearway)
@@ -48,6 +49,11 @@ set(pc_libraries_privately "")
 if(CLEARWAY_EMBREE)
   set(pc_libraries_privately -lembree${EMBREE_VERSION_MAJOR})
 endif()
+foreach(library IN LISTS CMAKE_CXX_IMPLICIT_LINK_LIBRARIES)
+  if(library MATCHES "^(stdc[+][+]|c[+][+]|m)$")  # for programs in C
+    list(APPEND pc_libraries_privately -l${library})
+  endif()
+endforeach()
 set(pc_required eigen3)
 set(pc_libraries -lclearway)
 if(NOT BUILD_SHARED_LIBS)

@@ -272,4 +272,5 @@ PYBIND11_MODULE(_core, module) {
     clearway::python::bindQueries(module);
     clearway::python::bindProblems(module);
     clearway::python::bindScenes(module);
+    clearway::python::bindStates(module);
 }

@@ -6,11 +6,7 @@
 #include "clearway/types.h"
 #include "exact/numbers.h"
 
-// g++ 12 reports the storage of small numbers as uninitialised where it inlines them.
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #include <boost/multiprecision/cpp_int.hpp>
-#pragma GCC diagnostic pop
 
 namespace clearway {
 

@@ -8,12 +8,7 @@
 #include <cstring>
 #include <limits>
 
-// g++ 12 warns of an uninitialised limb in Boost's constructor of a zero, wherever the constructor is
-// inlined.
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #include <boost/multiprecision/cpp_int.hpp>
-#pragma GCC diagnostic pop
 
 #include "core/hash.h"
 #include "mesh/check.h"

@@ -63,6 +63,7 @@ bool answerWithin(const Model& part, const Model& environment, const Pose& X_env
                   Workspace& workspace) {
     requireWithinCap(environment, d);
     Workspace::State& state = workspace.state();
+    const WorkspaceUse use(state);
     const PairQuery query = beginQuery(part, environment, X_environmentPart, state);
     const WithinAnswer answer = anyPairWithin(query, d, warmStartFor(part, environment, state), state);
     if (answer.within) {
@@ -85,6 +86,7 @@ DistanceResult distance(const Model& part, const Model& environment, const Pose&
     requireNotNegative(options.cap, "cap");
     const double cap = cappedByReach(environment, options.cap);
     Workspace::State& state = workspace.state();
+    const WorkspaceUse use(state);
     const PairQuery query = beginQuery(part, environment, X_environmentPart, state);
     const double toMeshUnits = std::ldexp(1.0, query.unitExponent);
     const ClosestRequest request{options.relativeError, options.absoluteError * query.perMeshUnit,

@@ -87,6 +87,7 @@ SweepAnswer answerTo(const SweepRequest& request, const Model& part, const Model
 SweepResult sweep(const Model& part, const Model& environment, const MotionPieces& motion,
                   const SweepOptions& options, Workspace& workspace) {
     Workspace::State& state = workspace.state();
+    const WorkspaceUse use(state);
     SweepRequest request =
         beginSweep(part, environment, motion, options.margin, options.poseError, options.isStopped, state);
     requireInRange(options.leastInterval, "leastInterval", options.leastInterval > 0, "a length above 0");
@@ -155,6 +156,7 @@ PairAtTime nearAtEnds(const Model& part, const Model& environment, const MotionP
 LeastDistance leastDistance(const Model& part, const Model& environment, const MotionPieces& motion,
                             const LeastDistanceOptions& options, Workspace& workspace) {
     Workspace::State& state = workspace.state();
+    const WorkspaceUse use(state);
     SweepRequest request =
         beginSweep(part, environment, motion, options.margin, options.poseError, options.isStopped, state);
     const ClearanceResolution& resolution = options.resolution;

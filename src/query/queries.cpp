@@ -258,6 +258,7 @@ Workspace::Workspace(Workspace&&) noexcept = default;
 Workspace& Workspace::operator=(Workspace&&) noexcept = default;
 
 void Workspace::forgetWarmStart() {
+    const WorkspaceUse use(*state_);
     state_->warmStart = {};
 }
 
@@ -270,11 +271,13 @@ HWY_EXPORT(FindWithin);
 
 ClosestAnswer closestPair(const PairQuery& query, const ClosestRequest& request, const WarmStart* warmStart,
                           Workspace::State& state) {
+    settleTarget();
     return HWY_DYNAMIC_DISPATCH(FindClosest)(query, request, warmStart, state);
 }
 
 WithinAnswer anyPairWithin(const PairQuery& query, double distance, const WarmStart* warmStart,
                            Workspace::State& state) {
+    settleTarget();
     return HWY_DYNAMIC_DISPATCH(FindWithin)(query, distance, warmStart, state);
 }
 

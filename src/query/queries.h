@@ -2,8 +2,11 @@
 // in use.
 #pragma once
 
+#include <atomic>
+#include <cassert>
 #include <cstdint>
 #include <memory>
+#include <thread>
 
 #include "clearway/query.h"
 #include "core/pile.h"
@@ -51,7 +54,37 @@ struct Workspace::State {
     std::unique_ptr<PieceCache> pieces;  ///< made by the first sweep
     WarmStart warmStart;
     QueryCounters counters;
+    std::atomic<std::thread::id> user{};  ///< the thread that uses the workspace now; see WorkspaceUse
 };
+
+/// The use of a workspace by one query. In builds with assertions it fails if another thread uses the workspace meanwhile;
+/// in others it does nothing. A query within a query of the same thread is one use.
+#ifdef NDEBUG
+struct WorkspaceUse {
+    explicit WorkspaceUse(Workspace::State&) {}
+};
+#else
+class WorkspaceUse {
+  public:
+    // The order is relaxed, so that ThreadSanitizer still sees the races of threads that share a workspace.
+    explicit WorkspaceUse(Workspace::State& state) : state_(state) {
+        const std::thread::id self = std::this_thread::get_id();
+        std::thread::id user;
+        isOutermost_ = state_.user.compare_exchange_strong(user, self, std::memory_order_relaxed);
+        assert((isOutermost_ || user == self) &&
+               "two threads use a workspace at once, expected one for each thread");
+    }
+    ~WorkspaceUse() {
+        if (isOutermost_) state_.user.store({}, std::memory_order_relaxed);
+    }
+    WorkspaceUse(const WorkspaceUse&) = delete;
+    WorkspaceUse& operator=(const WorkspaceUse&) = delete;
+
+  private:
+    Workspace::State& state_;
+    bool isOutermost_;
+};
+#endif
 
 /// DistanceOptions in query units.
 struct ClosestRequest {
@@ -74,6 +107,10 @@ struct WithinAnswer {
     bool within = false;
     TrianglesAt triangles{0, 0, kNoFeature};  ///< if within: such a pair
 };
+
+/// Chooses the instruction set that CLEARWAY_TARGET names, unless a set is chosen already. Every query calls this before it
+/// dispatches. Throws as currentTarget() does.
+void settleTarget();
 
 /// Finds the closest pair. warmStart: a pair of triangles to begin with, or null.
 ClosestAnswer closestPair(const PairQuery& query, const ClosestRequest& request, const WarmStart* warmStart,

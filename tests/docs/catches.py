@@ -84,6 +84,7 @@ CASES = [
     ("code", fenced("cpp", "int a = 1;") + "\n" + fenced("cpp", "int b = c;"), "docs/page.md:6"),
     ("code", fenced("cpp", '#include "clearway/gone.h"'), "clearway/gone.h"),
     ("code", fenced("cpp", "int main() { return gone; }"), "docs/page.md:2"),
+    ("code", fenced("c", "int main(void) { return gone; }"), "docs/page.md:2"),
     ("code", fenced("cmake", "target_link_libraries(reader PRIVATE clearway::planning)"), "CMake refuses"),
     ("commands", fenced("sh", "clearway plan data/gates/gates.cfg --paths a.path"), "has no option '--paths'"),
     ("commands", "<!-- test: options only -->\n" + fenced("sh", "clearway plan --paths=a"), "has no option '--paths'"),

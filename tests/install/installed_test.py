@@ -25,7 +25,7 @@ def output_of(*command, expected=0, **keywords):
     return result.stdout
 
 
-def lines_of_programs(folder, kinds=("distance_plain", "distance_avx512", "distance_cxx20")):
+def lines_of_programs(folder, kinds=("distance_plain", "distance_avx512", "distance_cxx20", "distance_c")):
     """What the programs print: one line, the same for all of them."""
     kinds = [kind for kind in kinds if "avx512" not in kind or " avx512f " in open("/proc/cpuinfo").read()]
     lines = {kind: output_of(os.path.join(folder, kind)) for kind in kinds}
@@ -76,7 +76,22 @@ def check_pkg_config(consumer, prefix, work):
     flags = output_of("pkg-config", "--cflags", "--libs", "clearway", env=environment).split()
     program = os.path.join(work, "by_pkg_config")
     output_of("c++", "-std=c++17", os.path.join(consumer, "distance.cpp"), "-o", program, *flags)
-    return output_of(program, env=environment)
+    printed = [output_of(program, env=environment)]
+    output_of("cc", "-std=c99", os.path.join(consumer, "distance.c"), "-o", program + "_in_c", *flags)
+    return printed + [output_of(program + "_in_c", env=environment)]
+
+
+def check_pkg_config_static(consumer, prefix, work):
+    """Where there is no shared library, pkg-config names what the static one needs, for C programs too."""
+    alone = os.path.join(work, "static_alone")
+    shutil.copytree(prefix, alone, ignore=lambda folder, names: [name for name in names if ".so" in name], symlinks=True)
+    environment = dict(os.environ, PKG_CONFIG_PATH=os.path.join(alone, "lib", "pkgconfig"))
+    flags = output_of("pkg-config", "--static", "--cflags", "--libs", "clearway", env=environment).split()
+    program = os.path.join(work, "in_c_static")
+    output_of("cc", "-std=c99", os.path.join(consumer, "distance.c"), "-o", program, *flags)
+    if any("clearway" in name for name in libraries_of(program)):
+        fail("linked without shared libraries a program needs %s" % libraries_of(program))
+    return output_of(program)
 
 
 def check_part_of_a_build(consumer, source, work, way, own_line):
@@ -86,7 +101,8 @@ def check_part_of_a_build(consumer, source, work, way, own_line):
     if "CGAL" in told or os.path.exists(os.path.join(folder, "clearway", "tests")):
         fail("as a part of another build (%s) clearway configures its tests:\n%s" % (way, told))
     if kFullRun:
-        output_of("cmake", "--build", folder, "--target", "distance_plain", "distance_avx512", "distance_cxx20")
+        output_of("cmake", "--build", folder, "--target", "distance_plain", "distance_avx512", "distance_cxx20",
+                  "distance_c")
         # An instruction set may change the last digits.
         if abs(float(lines_of_programs(folder)) - float(own_line)) > 1e-14:
             fail("built as a part of another build (%s), the distance differs" % way)
@@ -107,13 +123,17 @@ def check_without(source, work):
 
 
 def check_symbols(prefix):
-    """A shared library shows what the public headers declare, and no type whose alignment depends on compiler options."""
+    """A shared library shows what the public headers declare, the header for C among them, and no type whose alignment depends on compiler options."""
     for name, internal in (("clearway", r"clearway::buildBySah|clearway::Solid::|nlohmann::"),
                            ("clearway-planning", r"clearway::planning::MotionSweep|nlohmann::")):
         library = os.path.join(prefix, "lib", "lib%s.so" % name)
         symbols = output_of("nm", "--dynamic", "--defined-only", "--demangle", library)
         if "clearway::" not in symbols:
             fail("%s shows no symbol" % library)
+        declared = set(re.findall(r"\bclearway_\w+(?=\()", open(os.path.join(prefix, "include/clearway/clearway.h")).read()))
+        shown = set(re.findall(r" T (clearway_\w+)$", symbols, re.M))
+        if name == "clearway" and (len(declared) < 10 or shown != declared):
+            fail("%s shows to C %s, expected what clearway.h declares: %s" % (library, sorted(shown), sorted(declared)))
         for line in symbols.splitlines():
             if re.search(internal, line):
                 fail("%s shows an internal symbol: %s" % (library, line))
@@ -142,7 +162,8 @@ def main():
     consumer = os.path.join(source, "tests", "install", "consumer")
     output_of("cmake", "--install", build, "--prefix", prefix)
     printed = check_find_package(consumer, prefix, work)
-    printed.append(check_pkg_config(consumer, prefix, work))
+    printed += check_pkg_config(consumer, prefix, work)
+    printed.append(check_pkg_config_static(consumer, prefix, work))
     if len(set(printed)) != 1:
         fail("the installed libraries' distances differ: %s" % printed)
     for way in ("add_subdirectory", "FetchContent"):

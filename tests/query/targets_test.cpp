@@ -1,11 +1,17 @@
 // Which instruction sets queries run on, and how one is chosen.
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <set>
 #include <stdexcept>
+#include <thread>
 
+#include "clearway/sweep.h"
 #include "clearway/targets.h"
 #include "support/query_cases.h"
+#include "support/temporary_folder.h"
 
 BOOST_AUTO_TEST_SUITE(targets_test)
 
@@ -72,6 +78,102 @@ BOOST_AUTO_TEST_CASE(instruction_sets_differ_by_rounding_only) {
                        queryCase.name);
             BOOST_TEST(touching.size() == 1u, queryCase.name);
         }
+    }
+}
+
+namespace {
+
+/// The first questions of a process. Their lanes depend on the instruction set that the kernels ran on.
+std::string lanesOfEveryQuery() {
+    Random random(1);
+    const Model part = Model::build(randomSoup(random, 300, 5, 1));
+    const Pose apart{Matrix3::Identity(), {13, 0, 0}};
+    const MotionPieces motion = piecesOf({apart, {-2, 5, 0}, {0, 0, 0.3}}, part);
+    std::vector<std::uint64_t> lanes;
+    const auto ask = [&](auto query) {
+        Workspace workspace;
+        query(workspace);
+        lanes.push_back(workspace.counters().kernelLanes);
+    };
+    ask([&](Workspace& w) { distance(part, part, apart, {}, w); });
+    ask([&](Workspace& w) { isWithin(part, part, apart, 3, w); });
+    ask([&](Workspace& w) { sweep(part, part, motion, {}, w); });
+    ask([&](Workspace& w) { leastDistance(part, part, motion, {}, w); });
+    std::string text;
+    for (const std::uint64_t count : lanes) text += std::to_string(count) + " ";
+    return text;
+}
+
+/// What the case below tells from a child process of this program, with the variable set.
+std::string toldByChild(const std::string& value, const std::string& question) {
+    const TemporaryFolder folder;
+    const std::string program = std::filesystem::read_symlink("/proc/self/exe").string();
+    const std::string command = "CLEARWAY_TARGET='" + value + "' CLEARWAY_TEST_QUESTION=" + question +
+                                " CLEARWAY_TEST_ANSWER='" + folder.file("answer") + "' '" + program +
+                                "' --run_test=targets_test/child_process > '" + folder.file("log") + "' 2>&1";
+    BOOST_TEST(std::system(command.c_str()) == 0, readText(folder.file("log")));
+    return readText(folder.file("answer"));
+}
+
+}  // namespace
+
+/// Not a test by itself: the cases after it run it.
+BOOST_AUTO_TEST_CASE(child_process, *boost::unit_test::disabled()) {
+    const char *question = std::getenv("CLEARWAY_TEST_QUESTION"), *file = std::getenv("CLEARWAY_TEST_ANSWER");
+    BOOST_TEST_REQUIRE((question != nullptr && file != nullptr));
+    const std::string asked = question;
+    std::ofstream answer(file);
+    const auto tell = [&](const auto& work) {
+        try {
+            answer << work() << "\n";
+        } catch (const std::invalid_argument& error) {
+            answer << error.what() << "\n";
+        }
+    };
+    if (asked == "lanes") tell(lanesOfEveryQuery), tell(currentTarget);
+    if (asked == "again") tell(lanesOfEveryQuery), tell(lanesOfEveryQuery), tell(currentTarget);
+    if (asked == "override")
+        tell([] { return useTarget("scalar"), lanesOfEveryQuery(); }), tell(currentTarget);
+    if (asked == "available") tell([] { return availableTargets().front(); });
+    if (asked == "threads") {
+        std::vector<std::string> told(8);
+        std::vector<std::thread> threads;
+        for (std::string& mine : told) threads.emplace_back([&] { mine = lanesOfEveryQuery(); });
+        for (std::thread& thread : threads) thread.join();
+        answer << *std::min_element(told.begin(), told.end()) << "\n"
+               << *std::max_element(told.begin(), told.end()) << "\n";
+    }
+}
+
+BOOST_AUTO_TEST_CASE(the_environment_names_the_set_from_the_first_query_on) {
+    std::vector<std::string> names = availableTargets();
+    std::set<std::string> distinct;
+    for (const std::string& name : names) {
+        useTarget(name);
+        const std::string lanes = lanesOfEveryQuery();
+        distinct.insert(lanes);
+        BOOST_TEST(toldByChild(name, "lanes") == lanes + "\n" + name + "\n");
+        BOOST_TEST(toldByChild(name, "threads") == lanes + "\n" + lanes + "\n");
+    }
+    BOOST_TEST(distinct.size() > (names.size() > 1 ? 1u : 0u));  // so the lanes do tell the sets apart
+    useTarget("best");
+    for (const std::string value : {"", "best"}) {
+        BOOST_TEST(toldByChild(value, "lanes") == lanesOfEveryQuery() + "\n" + names.front() + "\n");
+    }
+    useTarget("scalar");
+    BOOST_TEST(toldByChild(names.front(), "override") == lanesOfEveryQuery() + "\nscalar\n");
+    BOOST_TEST(toldByChild("nonsense", "override") == lanesOfEveryQuery() + "\nscalar\n");
+    useTarget("best");
+}
+
+BOOST_AUTO_TEST_CASE(a_set_that_the_environment_names_wrongly_is_refused_by_every_query) {
+    for (const std::string wrong : {"avx9", "AVX2", "neon,", " "}) {
+        std::string refusal = "CLEARWAY_TARGET is '" + wrong + "', expected best or one this machine runs: ";
+        for (const std::string& name : availableTargets())
+            refusal += (name == availableTargets().front() ? "" : ", ") + name;
+        refusal += "\n";
+        BOOST_TEST(toldByChild(wrong, "again") == refusal + refusal + refusal);
+        BOOST_TEST(toldByChild(wrong, "available") == availableTargets().front() + "\n");
     }
 }
 

@@ -7,9 +7,8 @@
 
 #include "clearway/types.h"
 
-// g++ 12 reports the storage of small numbers as uninitialised where it inlines them.
+// g++ 12 reports accesses beyond the storage of small numbers where it inlines them.
 #pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #pragma GCC diagnostic ignored "-Warray-bounds"
 #include <boost/multiprecision/cpp_int.hpp>
 #pragma GCC diagnostic pop

@@ -7,11 +7,7 @@
 
 #include "clearway/types.h"
 
-// g++ 12 reports the storage of small numbers as uninitialised where it inlines them.
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #include <boost/multiprecision/cpp_int.hpp>
-#pragma GCC diagnostic pop
 
 namespace clearway::testing {
 
