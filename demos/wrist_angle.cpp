@@ -101,8 +101,9 @@ class Carriage {
     };
     const cp::StateMotion motion = [this](const ob::State* from, const ob::State* to) {
         const Values start = valuesOf(from), way = wayBetween(start, valuesOf(to));
-        return clearway::PartMotion{[=](double begin, double end) { return pieceOf(start, way, begin, end); },
-                                    lengthOf(way), /*endJump*/ 0};
+        return clearway::PartMotion{
+            [this, start, way](double begin, double end) { return pieceOf(start, way, begin, end); },
+            lengthOf(way), /*endJump*/ 0};
     };
     const std::shared_ptr<ob::CompoundStateSpace> space = std::make_shared<ob::CompoundStateSpace>();
 

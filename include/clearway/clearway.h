@@ -18,12 +18,13 @@
 extern "C" {
 #endif
 
+/// What became of a call.
 typedef enum clearway_status {
-    CLEARWAY_OK = 0,
+    CLEARWAY_OK = 0,                ///< done
     CLEARWAY_INVALID_ARGUMENT = 1,  ///< an argument is not what was expected; in C++ std::invalid_argument
     CLEARWAY_FILE_ERROR = 2,        ///< a file cannot be used; in C++ std::runtime_error
-    CLEARWAY_OUT_OF_MEMORY = 3,
-    CLEARWAY_INTERNAL_ERROR = 4  ///< a bug of clearway's own
+    CLEARWAY_OUT_OF_MEMORY = 3,     ///< in C++ std::bad_alloc
+    CLEARWAY_INTERNAL_ERROR = 4     ///< a bug of clearway's own
 } clearway_status;
 
 /// A model or a workspace; 0 is none.
@@ -39,13 +40,13 @@ typedef struct clearway_distance_options {
 /// lower <= true distance <= upper; both are 0 on contact. If the distance is proved to be above the cap, upper and distance are
 /// infinite, the triangles -1 and the points NaN.
 typedef struct clearway_distance_result {
-    double lower;
-    double upper;
+    double lower;                    ///< the true distance is at least this
+    double upper;                    ///< and at most this
     double distance;                 ///< between the two points
     double point_on_part[3];         ///< in the environment's frame
     double point_on_environment[3];  ///< in the environment's frame
     int64_t part_triangle;           ///< position in the mesh, from 0
-    int64_t environment_triangle;
+    int64_t environment_triangle;    ///< position in the mesh, from 0
 } clearway_distance_result;
 
 /// Makes a model of a mesh file (.stl, .obj, .ply, .glb and what else assimp reads), whose coordinates are multiplied by `scale`,

@@ -184,10 +184,12 @@ class SceneClearance {
     /// The clearance at a pose, and the pair of triangles that it belongs to. Throws what queries throw.
     PoseClearance at(const Pose& X_environmentPart, const ClearanceOptions& options = {}) const;
 
-    /// isFree() for every pose, 1 for true, and at().lower for every pose, in the given order. Blocks of kBatchBlock
-    /// poses run on as many threads as oneTBB gives the caller, each without a warm start. Throw what the first pose of
-    /// the list that is refused makes isFree() throw.
+    /// Answers isFree() for every pose, in the given order; 1 for true. Blocks of kBatchBlock poses run on as many threads
+    /// as oneTBB gives the caller, each without a warm start. Throws what the first pose that is refused makes isFree()
+    /// throw.
     std::vector<std::uint8_t> isFreeBatch(const std::vector<Pose>& X_environmentPart) const;
+
+    /// Answers at().lower for every pose, in the given order, as isFreeBatch() does.
     std::vector<double> clearanceBatch(const std::vector<Pose>& X_environmentPart) const;
 
     /// Which of the scene's contact zones hold a pose.

@@ -1,18 +1,15 @@
 // The library for C gives C++'s answers and C++'s words, and survives whatever it is handed.
 #include "clearway/clearway.h"
 
-#include <array>
-#include <atomic>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
-#include <fstream>
 #include <functional>
 #include <limits>
 #include <stdexcept>
 #include <string>
-#include <thread>
 #include <vector>
 
+#include "c/c_models.h"
 #include "clearway/version.h"
 #include "support/query_cases.h"
 #include "support/temporary_folder.h"
@@ -21,63 +18,9 @@ BOOST_AUTO_TEST_SUITE(clearway_test)
 
 using namespace clearway;
 using namespace clearway::testing;
+using namespace clearway::testing::c;
 
 namespace {
-
-using Rows = std::array<double, 16>;
-
-Rows rowsOf(const Pose& pose) {
-    Rows rows{};
-    for (int row = 0; row < 3; ++row) {
-        for (int column = 0; column < 3; ++column) rows[4 * row + column] = pose.rotation(row, column);
-        rows[4 * row + 3] = pose.translation[row];
-    }
-    rows[15] = 1;
-    return rows;
-}
-
-const Rows kAtOrigin = rowsOf(Pose());
-
-struct Arrays {
-    std::vector<double> vertices;
-    std::vector<std::uint32_t> triangles;
-};
-
-Arrays arraysOf(const Mesh& mesh) {
-    Arrays arrays;
-    for (const Vector3& vertex : mesh.vertices) {
-        arrays.vertices.insert(arrays.vertices.end(), {vertex.x(), vertex.y(), vertex.z()});
-    }
-    for (const TriangleIndices& triangle : mesh.triangles) {
-        arrays.triangles.insert(arrays.triangles.end(), triangle.begin(), triangle.end());
-    }
-    return arrays;
-}
-
-clearway_status build(const Arrays& arrays, clearway_handle& model) {
-    return clearway_build(arrays.vertices.data(), arrays.vertices.size() / 3, arrays.triangles.data(),
-                          arrays.triangles.size() / 3, &model);
-}
-
-clearway_handle built(const Mesh& mesh) {
-    clearway_handle model = 0;
-    BOOST_TEST_REQUIRE(build(arraysOf(mesh), model) == CLEARWAY_OK, clearway_last_error());
-    BOOST_TEST(model != 0u);
-    return model;
-}
-
-clearway_handle newWorkspace() {
-    clearway_handle workspace = 0;
-    BOOST_TEST_REQUIRE(clearway_new_workspace(&workspace) == CLEARWAY_OK);
-    return workspace;
-}
-
-/// Expects a failing call with a text that holds all of the words.
-void expectRefusal(clearway_status status, clearway_status expected, const std::vector<std::string>& words) {
-    const std::string text = clearway_last_error();
-    BOOST_TEST(status == expected, text);
-    for (const std::string& word : words) BOOST_TEST(text.find(word) != std::string::npos, text);
-}
 
 /// Expects that the call fails with the text with which the C++ function throws an Exception.
 template <class Exception>
@@ -109,27 +52,6 @@ void checkEqual(const clearway_distance_result& found, const DistanceResult& exp
     BOOST_TEST(found.part_triangle == expected.partTriangle);
     BOOST_TEST(found.environment_triangle == expected.environmentTriangle);
 }
-
-/// Two boxes of side 2, and the pose at which their faces are 1 apart.
-struct Boxes {
-    Mesh mesh = box({1, 1, 1});
-    Model model = Model::build(mesh);
-    clearway_handle part = built(mesh), environment = built(mesh);
-    Pose apart{Matrix3::Identity(), {3, 0, 0}};
-    Rows rows = rowsOf(apart);
-    clearway_distance_result result{};
-    int flag = -1;
-
-    ~Boxes() { clearway_free(part), clearway_free(environment); }
-
-    clearway_status distance(const double* pose, const clearway_distance_options* options = nullptr,
-                             clearway_handle workspace = 0) {
-        return clearway_distance(part, environment, pose, options, workspace, &result);
-    }
-    clearway_status collides(const double* pose, clearway_handle workspace = 0) {
-        return clearway_collides(part, environment, pose, workspace, &flag);
-    }
-};
 
 }  // namespace
 
@@ -315,145 +237,6 @@ BOOST_AUTO_TEST_CASE(counts_beyond_any_memory_are_refused_before_anything_is_rea
     BOOST_TEST(clearway_build(vertex, many, triangle, 1, &model) == CLEARWAY_OUT_OF_MEMORY);
     BOOST_TEST(clearway_build(vertex, 1, triangle, many / 2, &model) == CLEARWAY_OUT_OF_MEMORY);
     BOOST_TEST(clearway_last_error() == std::string("out of memory"));
-}
-
-/// Every function with one handle that is none, in each place that takes a handle.
-void expectNoHandle(Boxes& boxes, clearway_handle none, const std::string& word) {
-    const double* const rows = boxes.rows.data();
-    const clearway_handle part = boxes.part;
-    const auto expect = [&](clearway_status status, const std::string& name) {
-        expectRefusal(status, CLEARWAY_INVALID_ARGUMENT, {name + " is " + word, "expected a "});
-    };
-    expect(clearway_distance(none, part, rows, nullptr, 0, &boxes.result), "part");
-    expect(clearway_distance(part, none, rows, nullptr, 0, &boxes.result), "environment");
-    expect(clearway_collides(none, part, rows, 0, &boxes.flag), "part");
-    expect(clearway_collides(part, none, rows, 0, &boxes.flag), "environment");
-    expect(clearway_within(none, part, rows, 1, 0, &boxes.flag), "part");
-    expect(clearway_within(part, none, rows, 1, 0, &boxes.flag), "environment");
-    expect(clearway_save(none, "never_written"), "model");
-}
-
-BOOST_AUTO_TEST_CASE(handles_that_are_stale_of_the_other_kind_or_zero_are_refused) {
-    Boxes boxes;
-    const clearway_handle workspace = newWorkspace(), stale = built(boxes.mesh), staleSpace = newWorkspace();
-    BOOST_TEST(clearway_free(stale) == CLEARWAY_OK);
-    BOOST_TEST(clearway_free(staleSpace) == CLEARWAY_OK);
-    expectNoHandle(boxes, workspace, "a workspace");
-    expectNoHandle(boxes, 0, "0");
-    for (const clearway_handle none : {stale, staleSpace}) {
-        expectNoHandle(boxes, none, std::to_string(none));
-        expectRefusal(boxes.distance(boxes.rows.data(), nullptr, none), CLEARWAY_INVALID_ARGUMENT,
-                      {"workspace is " + std::to_string(none)});
-        expectRefusal(clearway_free(none), CLEARWAY_INVALID_ARGUMENT, {std::to_string(none), "freed"});
-    }
-    expectRefusal(boxes.collides(boxes.rows.data(), boxes.part), CLEARWAY_INVALID_ARGUMENT,
-                  {"workspace is a model"});
-    BOOST_TEST(clearway_free(0) == CLEARWAY_OK);
-    BOOST_TEST(clearway_free(workspace) == CLEARWAY_OK);
-}
-
-BOOST_AUTO_TEST_CASE(ten_thousand_invented_handles_are_refused) {
-    Boxes boxes;
-    Random random(1);
-    for (int i = 0; i < 10000; ++i) {
-        // All bits, and small numbers as of a user who counts.
-        const clearway_handle none = i % 2 ? random.bits() : clearway_handle(i / 2);
-        if (none == boxes.part || none == boxes.environment) continue;
-        BOOST_TEST_REQUIRE(clearway_distance(none, boxes.environment, boxes.rows.data(), nullptr, 0,
-                                             &boxes.result) == CLEARWAY_INVALID_ARGUMENT);
-        BOOST_TEST_REQUIRE(clearway_collides(boxes.part, none, boxes.rows.data(), 0, &boxes.flag) ==
-                           CLEARWAY_INVALID_ARGUMENT);
-        if (none == 0) continue;
-        BOOST_TEST_REQUIRE(boxes.collides(boxes.rows.data(), none) == CLEARWAY_INVALID_ARGUMENT);
-        BOOST_TEST_REQUIRE(clearway_free(none) == CLEARWAY_INVALID_ARGUMENT);
-    }
-    BOOST_TEST(boxes.distance(boxes.rows.data()) == CLEARWAY_OK);
-}
-
-BOOST_AUTO_TEST_CASE(handles_are_never_given_out_again) {
-    Boxes boxes;
-    std::vector<clearway_handle> given;
-    for (int i = 0; i < 2000; ++i) {
-        given.push_back(newWorkspace());
-        if (i % 3) clearway_free(given.back());
-    }
-    std::vector<clearway_handle> sorted = given;
-    std::sort(sorted.begin(), sorted.end());
-    BOOST_TEST((std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end()));
-    for (std::size_t i = 0; i < given.size(); ++i) {
-        BOOST_TEST(clearway_free(given[i]) == (i % 3 ? CLEARWAY_INVALID_ARGUMENT : CLEARWAY_OK));
-    }
-}
-
-BOOST_AUTO_TEST_CASE(a_workspace_is_refused_to_other_threads) {
-    Boxes boxes;
-    const clearway_handle mine = newWorkspace();
-    std::thread([&] {
-        int flag = -1;
-        BOOST_TEST(clearway_collides(boxes.part, boxes.environment, boxes.rows.data(), mine, &flag) ==
-                   CLEARWAY_INVALID_ARGUMENT);
-        BOOST_TEST(clearway_last_error() ==
-                   std::string("the workspace belongs to another thread, expected one for each thread"));
-        BOOST_TEST(flag == -1);
-    }).join();
-    BOOST_TEST(boxes.collides(boxes.rows.data(), mine) == CLEARWAY_OK);
-    std::thread([&] { clearway_free(mine); }).join();  // giving up is not using
-    BOOST_TEST(boxes.collides(boxes.rows.data(), mine) == CLEARWAY_INVALID_ARGUMENT);
-}
-
-BOOST_AUTO_TEST_CASE(each_thread_has_its_own_last_error) {
-    std::thread([] {
-        BOOST_TEST(clearway_last_error() == std::string());
-        clearway_free(12345);
-        BOOST_TEST(clearway_last_error() != std::string());
-    }).join();
-    clearway_load(nullptr, 1, nullptr);
-    const std::string mine = clearway_last_error();
-    std::thread([] { clearway_free(54321); }).join();
-    BOOST_TEST(clearway_last_error() == mine);
-    BOOST_TEST(clearway_free(0) == CLEARWAY_OK);
-    BOOST_TEST(clearway_last_error() == mine);  // what succeeds leaves it
-}
-
-/// Threads query models and workspaces that another thread frees: an answer is right or refused.
-BOOST_AUTO_TEST_CASE(freeing_what_other_threads_use_is_safe) {
-    Random random(3);
-    const Mesh mesh = randomSoup(random, 300, 5, 1);
-    const Rows pose = rowsOf({Matrix3::Identity(), {14, 0, 0}});
-    const clearway_handle environment = built(mesh);
-    clearway_distance_result expected{};
-    BOOST_TEST_REQUIRE(clearway_distance(environment, environment, pose.data(), nullptr, newWorkspace(),
-                                         &expected) == CLEARWAY_OK);
-    std::atomic<clearway_handle> part{built(mesh)};
-    std::atomic<bool> isOver{false};
-    std::atomic<int> answered{0}, wrong{0};
-    std::vector<std::thread> threads;
-    for (int k = 0; k < 3; ++k) {
-        threads.emplace_back([&] {
-            clearway_handle mine = 0;
-            clearway_new_workspace(&mine);
-            while (!isOver) {
-                clearway_distance_result found{};
-                const clearway_status status =
-                    clearway_distance(part, environment, pose.data(), nullptr, mine, &found);
-                if (status == CLEARWAY_OK) {
-                    ++answered;
-                    if (!(found.lower <= expected.upper && expected.lower <= found.upper)) ++wrong;
-                } else if (status != CLEARWAY_INVALID_ARGUMENT) {
-                    ++wrong;
-                }
-            }
-            clearway_free(mine);
-        });
-    }
-    for (int i = 0; i < 50 || answered < 100; ++i) {
-        const clearway_handle old = part.exchange(built(mesh));
-        BOOST_TEST(clearway_free(old) == CLEARWAY_OK);
-    }
-    isOver = true;
-    for (std::thread& thread : threads) thread.join();
-    BOOST_TEST(wrong == 0);
-    clearway_free(part), clearway_free(environment);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -68,6 +68,24 @@ def check_find_package(consumer, prefix, work):
     return printed
 
 
+def check_project_in_c(consumer, prefix, work):
+    """A CMake project in C alone links the shared library; the static one needs C++'s linker."""
+    source = os.path.join(work, "in_c_alone")
+    os.makedirs(source)
+    with open(os.path.join(source, "CMakeLists.txt"), "w") as file:
+        file.write("cmake_minimum_required(VERSION 3.25)\nproject(in_c_alone LANGUAGES C)\n"
+                   "find_package(clearway 0.1 CONFIG REQUIRED COMPONENTS ${CLEARWAY_COMPONENTS})\n"
+                   "add_executable(distance %s/distance.c)\n"
+                   "target_link_libraries(distance PRIVATE clearway::clearway)\n" % consumer)
+    folder = os.path.join(source, "build")
+    configure(source, folder, "-DCMAKE_PREFIX_PATH=" + prefix)
+    output_of("cmake", "--build", folder)
+    told = configure(source, folder, "-DCMAKE_PREFIX_PATH=" + prefix, "-DCLEARWAY_COMPONENTS=static", expected=1)
+    if "the project's languages are C, expected CXX among them" not in re.sub(r"\s+", " ", told):
+        fail("in a project in C alone the static library is refused with: " + told)
+    return output_of(os.path.join(folder, "distance"))
+
+
 def check_pkg_config(consumer, prefix, work):
     environment = dict(os.environ, PKG_CONFIG_PATH=os.path.join(prefix, "lib", "pkgconfig"),
                        LD_LIBRARY_PATH=os.path.join(prefix, "lib"))
@@ -162,6 +180,7 @@ def main():
     consumer = os.path.join(source, "tests", "install", "consumer")
     output_of("cmake", "--install", build, "--prefix", prefix)
     printed = check_find_package(consumer, prefix, work)
+    printed.append(check_project_in_c(consumer, prefix, work))
     printed += check_pkg_config(consumer, prefix, work)
     printed.append(check_pkg_config_static(consumer, prefix, work))
     if len(set(printed)) != 1:

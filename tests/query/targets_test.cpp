@@ -117,10 +117,10 @@ std::string toldByChild(const std::string& value, const std::string& question) {
 
 }  // namespace
 
-/// Not a test by itself: the cases after it run it.
-BOOST_AUTO_TEST_CASE(child_process, *boost::unit_test::disabled()) {
+/// Does nothing by itself: the cases after it run it in a process of its own.
+BOOST_AUTO_TEST_CASE(child_process) {
     const char *question = std::getenv("CLEARWAY_TEST_QUESTION"), *file = std::getenv("CLEARWAY_TEST_ANSWER");
-    BOOST_TEST_REQUIRE((question != nullptr && file != nullptr));
+    if (question == nullptr || file == nullptr) return;
     const std::string asked = question;
     std::ofstream answer(file);
     const auto tell = [&](const auto& work) {

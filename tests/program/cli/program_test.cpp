@@ -53,8 +53,8 @@ BOOST_AUTO_TEST_CASE(an_instruction_set_that_the_environment_names_is_used_or_re
     const TemporaryFolder folder;
     for (const std::string& name : availableTargets()) {
         setenv("CLEARWAY_TARGET", name.c_str(), 1);
-        BOOST_TEST(
-            std::regex_search(runIn(folder, "--version").out, std::regex("instruction set +" + name + "\n")));
+        BOOST_TEST(std::regex_search(runIn(folder, "--version").out,
+                                     std::regex("instruction set: +" + name + "\n")));
     }
     setenv("CLEARWAY_TARGET", "avx9", 1);
     const std::string expected = "CLEARWAY_TARGET is 'avx9', expected best or one this machine runs: ";
