@@ -159,7 +159,7 @@ are those of C++'s BuildOptions. threads: 0 for all cores.)")
                                R"(No rotation about the origin of mesh coordinates reaches further.)")
         .def_property_readonly(
             "triangle_count", [](const Model& model) { return model.report().triangles; },
-            R"(The number of triangles that queries see: those of the mesh without degenerate ones.)")
+            R"(The number of triangles that queries see: those of the mesh without duplicates.)")
         .def("__repr__", [](const Model& model) {
             return "Model(" + std::to_string(model.report().triangles) + " triangles)";
         });

@@ -2,6 +2,7 @@
 // its results of the dicts that come from here.
 #include "clearway/planning/plan.h"
 
+#include <dlfcn.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
@@ -332,6 +333,13 @@ py::tuple check(const py::object& given, const py::object& path, const PyScene* 
     return py::make_tuple(result, raised);
 }
 
+/// The file of the OMPL that clearway is bound to in this process.
+std::string omplLibrary() {
+    Dl_info found{};
+    const auto function = reinterpret_cast<void*>(&ompl::msg::useOutputHandler);
+    return dladdr(function, &found) != 0 && found.dli_fname ? found.dli_fname : "";
+}
+
 }  // namespace
 }  // namespace clearway::python
 
@@ -354,5 +362,6 @@ PYBIND11_MODULE(_planning, module) {
                R"(The names that plan's planner takes, in any case.)");
     module.def("objective_names", &clearway::planning::objectiveNames,
                R"(The names that plan's objective takes.)");
+    module.def("ompl_library", &omplLibrary, R"(The file of the OMPL that clearway is bound to in this process.)");
     py::module_::import("atexit").attr("register")(py::cpp_function(&Waiting::endAll));
 }

@@ -6,6 +6,7 @@ radians, times along a segment from 0 to 1. Wrong arguments raise ValueError, fi
 """
 
 import os
+import sys
 from dataclasses import dataclass
 from typing import Any, Callable, Dict, List, Mapping, Optional, Tuple, Union
 
@@ -23,6 +24,19 @@ except ModuleNotFoundError as error:
     ) from error
 except ImportError as error:
     raise ImportError("clearway.planning could not load OMPL or another library: %s" % error) from error
+
+
+
+def _refuse_other_ompl() -> None:
+    """A process has one library of a name: the package ompl may have loaded its own in place of the one that clearway needs."""
+    package = getattr(sys.modules.get("ompl"), "__file__", None)
+    library = os.path.realpath(_planning.ompl_library())
+    if package and library.startswith(os.path.dirname(os.path.realpath(package)) + os.sep):
+        raise ImportError("clearway.planning would use the package ompl's own library, %s, because that bears the name of the one that"
+                          " clearway was built with; expected a process that imports only one of the two" % library)
+
+
+_refuse_other_ompl()
 
 __all__ = [
     "Audit",
@@ -251,7 +265,7 @@ class WhyNoPath:
         return "\n".join(lines)
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class PlanResult:
     """What plan() found. bool(result) says whether there is a valid path."""
 
@@ -299,6 +313,13 @@ class PlanResult:
     """Number of states that were asked about."""
     warnings: Tuple[str, ...]
     """About the problem file, the meshes and the planning, one line each."""
+
+    def __repr__(self) -> str:
+        """The outcome, and what is certain about the path."""
+        if self.audit is None:
+            return "PlanResult(%s)" % self.outcome
+        return "PlanResult(%s, %d states, %s, clearance %.6g to %.6g)" % (
+            self.outcome, len(self.states), self.audit.verdict, self.audit.lower_clearance, self.audit.upper_clearance)
 
     @property
     def is_found(self) -> bool:

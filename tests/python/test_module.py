@@ -1,34 +1,14 @@
 """The Python module: its answers are the library's, and whatever is not as it should be is refused by name."""
 
 import math
-import pathlib
 import re
 import threading
 
 import numpy as np
 import pytest
+from support import ROOT, cube, place, triangle
 
 import clearway
-
-ROOT = pathlib.Path(__file__).parents[2]
-
-
-def triangle(z):
-    return clearway.Mesh([[0.1, 0, z], [1.3, 0, z], [0.1, 1.7, z]], [[0, 1, 2]])
-
-
-def cube(size):
-    corners = [[x, y, z] for x in (-size, size) for y in (-size, size) for z in (-size, size)]
-    faces = [[0, 1, 3], [0, 3, 2], [4, 6, 7], [4, 7, 5], [0, 4, 5], [0, 5, 1]]
-    faces += [[2, 3, 7], [2, 7, 6], [0, 2, 6], [0, 6, 4], [1, 5, 7], [1, 7, 3]]
-    return clearway.Mesh(np.array(corners, dtype=float), np.array(faces), name="cube")
-
-
-def place(x=0.0, y=0.0, z=0.0):
-    pose = np.eye(4)
-    pose[:3, 3] = x, y, z
-    return pose
-
 
 @pytest.fixture(scope="module")
 def models():
@@ -204,12 +184,6 @@ def test_targets():
         clearway.use_target(target)
         assert clearway.current_target() == target
     clearway.use_target("best")
-
-
-def test_every_name_has_words():
-    for name in clearway.__all__:
-        if name not in ("__version__", "FileError", "Mesh", "Model", "Obstacle", "Scene"):
-            assert getattr(clearway, name).__doc__, name
 
 
 def test_the_version_is_the_same_everywhere():
