@@ -1,5 +1,5 @@
-// Plain numbers of OMPL's states for python/clearway/ompl.py, whose own types no other extension can take: a state at a pose,
-// and a motion certified as OMPL's SE(3) and SE(2) interpolate it.
+// Answers about the plain numbers of OMPL's states, for python/clearway/ompl.py: no other extension can take
+// the types of OMPL's Python bindings. Motions are certified as OMPL's SE(3) and SE(2) interpolate them.
 #include <pybind11/pybind11.h>
 
 #include <algorithm>
@@ -11,6 +11,7 @@
 #include "clearway/scene_clearance.h"
 #include "python/arrays.h"
 #include "python/bindings.h"
+#include "python/scenes.h"
 
 namespace clearway::python {
 namespace {
@@ -18,16 +19,17 @@ namespace {
 using ReleasedGil = py::gil_scoped_release;
 using Vector4 = Eigen::Matrix<double, 4, 1, Eigen::DontAlign>;
 
-/// OMPL's: a quaternion's length may be off 1 by less. Rotations whose quaternions have a product nearer to 1 count as equal,
-/// and their interpolation keeps the first one.
+/// OMPL's: a quaternion's length may be off 1 by less. Two rotations whose quaternions have a product nearer
+/// to 1 count as equal, and their interpolation keeps the first one.
 constexpr double kOmplNormError = 1e-9;
 
-/// How far OMPL's rates are off constant ones, as a share, because its slerp takes an acos of quaternions that have unit length
-/// only to 1e-9.
+/// How far OMPL's rates are off constant ones, as a share, because its slerp takes an acos of quaternions
+/// that have unit length only to 1e-9.
 constexpr double kRateError = 1e-7;
 
-/// How far a pose is off the motion in exact arithmetic, as a share of the lengths involved: six roundings of 2^-47, OMPL's
-/// own, those of the poses here, and a third one where the second state stands for the end of the interpolation.
+/// How far OMPL's poses are off those of the pieces here, as a share of the lengths involved. Either is off
+/// exact arithmetic by 2^-47 (Motion derives it), at each end of an interval; where the second state stands
+/// for the end of the interpolation, a third one adds to it.
 constexpr double kPoseError = 6 * 0x1p-47;
 
 constexpr double kLeastInterval = 1e-5;  ///< of the part's diagonal, as MotionValidator has it
@@ -45,7 +47,7 @@ Pose poseOf(const State& state) {
     return poseOf(state.position, state.quaternion);
 }
 
-/// Sets the pieces and the length of a motion with constant velocities. `poseAt`: the pose at a time as OMPL interpolates it.
+/// Makes a motion with constant velocities. `poseAt`: the pose at a time as OMPL interpolates it.
 template <class PoseAt>
 PartMotion steadyMotion(const Model& part, const Vector3& velocity, const Vector3& turn,
                         const Vector3& axisInPart, const PoseAt& poseAt) {
@@ -71,11 +73,12 @@ PartMotion steadyMotion(const Model& part, const Vector3& velocity, const Vector
     return {pieces, velocity.norm() + angle * radius + doubtful, /*endJump*/ 0};
 }
 
-/// The motion of which OMPL's slerp is made that goes from a quaternion to `sign` times the other one.
+/// OMPL's slerp from a quaternion to `sign` times the other one.
 PartMotion turningMotion(const Model& part, const State& s1, const State& s2, double sign) {
     const Vector4 a = s1.quaternion.normalized(), b = sign * s2.quaternion.normalized();
     const double angle = 4 * std::atan2((a - b).norm(), (a + b).norm());
-    // The axis of the rotation b * conjugate(a) is in the environment's frame; that of conjugate(a) * b in the part's.
+    // The axis of the rotation b * conjugate(a), in the environment's frame; that of conjugate(a) * b is in the
+    // part's.
     const Vector3 crossed = b.head<3>().cross(a.head<3>());
     const Vector3 difference = a.w() * b.head<3>() - b.w() * a.head<3>();
     const Vector3 velocity = s2.position - s1.position, turn = angle * (difference - crossed).normalized();
@@ -115,7 +118,8 @@ PartMotion planarMotion(const Model& part, const Vector3& s1, const Vector3& s2)
 SweepVerdict certify(const SceneClearance& clearance, const PartMotion& motion, const Pose& start,
                      const Pose& end) {
     const Scene& scene = clearance.scene();
-    if (motion.length == 0) return clearance.isFree(start) ? SweepVerdict::kCertified : SweepVerdict::kContact;
+    if (motion.length == 0)
+        return clearance.isFree(start) ? SweepVerdict::kCertified : SweepVerdict::kContact;
     const double part = scene.part.box().diagonal().norm();
     const double size = part > 0 ? part : scene.environmentBox().diagonal().norm();
     SceneSweepOptions options;
@@ -135,8 +139,8 @@ void requireUnitLength(const State& state, const char* name) {
                                 std::to_string(length) + ", expected 1 to within 1e-9");
 }
 
-/// Whether OMPL leaves the turn out, and which way it turns otherwise, depends on the sign of differences that OMPL rounds: where
-/// they are as small as rounding, all that OMPL may do must be free.
+/// Whether OMPL leaves the turn out, and which way it turns otherwise, depends on the signs of two numbers
+/// that OMPL rounds. Where one is as small as its rounding, all that OMPL may do must be free.
 SweepVerdict certifySe3(const SceneClearance& clearance, const State& s1, const State& s2) {
     requireUnitLength(s1, "the first state");
     requireUnitLength(s2, "the second state");
@@ -145,14 +149,14 @@ SweepVerdict certifySe3(const SceneClearance& clearance, const State& s1, const 
 
     const Vector4 products = s1.quaternion.cwiseProduct(s2.quaternion);
     const double product = products.sum(), rounding = 8 * 0x1p-53 * products.cwiseAbs().sum();
-    const double turns = std::abs(product) - (1 - kOmplNormError);  // below 0: OMPL turns the part
+    const double nearness = std::abs(product) - (1 - kOmplNormError);  // above 0: OMPL leaves the turn out
     const Model& part = clearance.scene().part;
     SweepVerdict worst = SweepVerdict::kCertified;
     const auto add = [&](const PartMotion& motion) {
         if (worst == SweepVerdict::kCertified) worst = certify(clearance, motion, start, end);
     };
-    if (turns > -rounding) add(straightMotion(part, s1, s2));
-    if (turns > rounding) return worst;
+    if (nearness > -rounding) add(straightMotion(part, s1, s2));
+    if (nearness > rounding) return worst;
     if (product >= -rounding) add(turningMotion(part, s1, s2, 1));
     if (product < 0 || (product <= rounding && rounding > 0)) add(turningMotion(part, s1, s2, -1));
     return worst;
@@ -182,37 +186,36 @@ const char* nameOf(SweepVerdict verdict) {
 void bindStates(py::module_& module) {
     module.def(
         "is_free_at_state",
-        [](const SceneClearance& scene, double x, double y, double z, double qx, double qy, double qz,
-           double qw) {
+        [](const PyScene& scene, double x, double y, double z, double qx, double qy, double qz, double qw) {
             const ReleasedGil released;
-            return scene.isFree(poseOf({x, y, z}, {qx, qy, qz, qw}));
+            return scene.clearance.isFree(poseOf({x, y, z}, {qx, qy, qz, qw}));
         },
         R"(Scene.is_free at a position and a quaternion, which is normalised first.)");
     module.def(
         "clearance_at_state",
-        [](const SceneClearance& scene, double x, double y, double z, double qx, double qy, double qz,
-           double qw) {
+        [](const PyScene& scene, double x, double y, double z, double qx, double qy, double qz, double qw) {
             const ReleasedGil released;
-            return scene.at(poseOf({x, y, z}, {qx, qy, qz, qw})).lower;
+            return scene.clearance.at(poseOf({x, y, z}, {qx, qy, qz, qw})).lower;
         },
         R"(Scene.clearance at a position and a quaternion, which is normalised first.)");
     module.def(
         "certify_se3_motion",
-        [](const SceneClearance& scene, double x1, double y1, double z1, double qx1, double qy1, double qz1,
+        [](const PyScene& scene, double x1, double y1, double z1, double qx1, double qy1, double qz1,
            double qw1, double x2, double y2, double z2, double qx2, double qy2, double qz2, double qw2) {
             const ReleasedGil released;
-            return nameOf(certifySe3(scene, {{x1, y1, z1}, {qx1, qy1, qz1, qw1}},
+            return nameOf(certifySe3(scene.clearance, {{x1, y1, z1}, {qx1, qy1, qz1, qw1}},
                                      {{x2, y2, z2}, {qx2, qy2, qz2, qw2}}));
         },
-        R"(Certifies both states and all poses that OMPL's SE(3) interpolates between them: "certified", "contact" or "undecided".)");
+        R"(Certifies both states and all poses that OMPL's SE(3) interpolates between them. Returns "certified", "contact" or
+"undecided".)");
     module.def(
         "certify_se2_motion",
-        [](const SceneClearance& scene, double x1, double y1, double yaw1, double x2, double y2,
-           double yaw2) {
+        [](const PyScene& scene, double x1, double y1, double yaw1, double x2, double y2, double yaw2) {
             const ReleasedGil released;
-            return nameOf(certifySe2(scene, {x1, y1, yaw1}, {x2, y2, yaw2}));
+            return nameOf(certifySe2(scene.clearance, {x1, y1, yaw1}, {x2, y2, yaw2}));
         },
-        R"(Certifies both states and all poses that OMPL's SE(2) interpolates between them: "certified", "contact" or "undecided".)");
+        R"(Certifies both states and all poses that OMPL's SE(2) interpolates between them. Returns "certified", "contact" or
+"undecided".)");
 }
 
 }  // namespace clearway::python

@@ -5,11 +5,13 @@ OMPL that clearway was built with. States of SE(3) and SE(2) are poses X_environ
 environment's units, the quaternion or the yaw (radians, about z) turns the part, which keeps z = 0 in SE(2).
 
 OMPL's planners may run Python in threads that they cannot unwind, so nothing but KeyboardInterrupt and its like is raised out of
-a planner's calls: a state or motion that cannot be judged counts as invalid, `unusable` counts it, `first_error` keeps the
-first exception, and OMPL's console shows it.
+a planner's calls: a state or motion that cannot be judged counts as invalid, `unusable` counts it, `first_error` is the first
+one's traceback, as text, and OMPL's console shows its last line.
 """
 
+import importlib
 import math
+import traceback
 from typing import Any, Callable, Optional, Tuple
 
 import numpy.typing as npt
@@ -17,8 +19,8 @@ import numpy.typing as npt
 from . import Scene, _core
 
 try:
-    from ompl import base as _base  # type: ignore[import]
-    from ompl import util as _util
+    _base: Any = importlib.import_module("ompl.base")
+    _util: Any = importlib.import_module("ompl.util")
 except ImportError as error:
     raise ImportError("clearway.ompl needs OMPL's Python bindings, the package ompl 2.x: %s" % error) from error
 
@@ -40,11 +42,11 @@ class ValidityChecker(_base.StateValidityChecker):  # type: ignore[misc]
         super().__init__(si)
         space = si.getStateSpace()
         self._satisfies_bounds = _satisfies_bounds(space)
-        self._scene = scene
+        self._scene = _require_scene(scene)
         self._pose = state_to_pose
         self._numbers = None if state_to_pose is not None else _pose_numbers(space)
         self.checks = self.invalid = self.out_of_bounds = self.unusable = 0
-        self.first_error: Optional[Exception] = None
+        self.first_error = ""
 
     def isValid(self, state: Any) -> bool:
         """Whether the state is valid."""
@@ -58,7 +60,8 @@ class ValidityChecker(_base.StateValidityChecker):  # type: ignore[misc]
             elif _core.is_free_at_state(self._scene, *self._numbers(state)):
                 return True
         except Exception as error:
-            self._keep(error)
+            self.unusable += 1
+            self.first_error = self.first_error or _warn("a state", error)
         self.invalid += 1
         return False
 
@@ -66,7 +69,6 @@ class ValidityChecker(_base.StateValidityChecker):  # type: ignore[misc]
         """A lower bound of distance - margin, the least over the obstacles, in environment units. Above 0 exactly when the
         state is valid; it is no depth of penetration. Infinite without obstacles."""
         self.checks += 1
-        clearance = 0.0
         try:
             if self._numbers is None:
                 clearance = self._scene.clearance(self._pose(state))  # type: ignore[misc]
@@ -76,16 +78,12 @@ class ValidityChecker(_base.StateValidityChecker):  # type: ignore[misc]
                 self.out_of_bounds += 1
                 clearance = min(clearance, 0.0)
         except Exception as error:
-            self._keep(error)
+            clearance = 0.0
+            self.unusable += 1
+            self.first_error = self.first_error or _warn("a state", error)
         if clearance <= 0:
             self.invalid += 1
         return clearance
-
-    def _keep(self, error: Exception) -> None:
-        self.unusable += 1
-        if self.first_error is None:
-            self.first_error = error
-            _warn("a state was answered invalid", error)
 
 
 class MotionValidator(_base.MotionValidator):  # type: ignore[misc]
@@ -104,7 +102,7 @@ class MotionValidator(_base.MotionValidator):  # type: ignore[misc]
         super().__init__(si)
         space = si.getStateSpace()
         self._satisfies_bounds = _satisfies_bounds(space)
-        self._scene = scene
+        self._scene = _require_scene(scene)
         bound = _class_of_bindings(space)
         if bound is _base.SE3StateSpace:
             self._numbers, self._certify = _numbers_of_se3, _core.certify_se3_motion
@@ -116,7 +114,7 @@ class MotionValidator(_base.MotionValidator):  # type: ignore[misc]
                 % (space.getName(), bound.__name__)
             )
         self._valid = self._invalid = self.undecided = self.unusable = 0
-        self.first_error: Optional[Exception] = None
+        self.first_error = ""
 
     def checkMotion(self, s1: Any, s2: Any) -> bool:
         """Whether the motion from s1 to s2 is certified."""
@@ -130,9 +128,7 @@ class MotionValidator(_base.MotionValidator):  # type: ignore[misc]
                     self.undecided += 1
         except Exception as error:
             self.unusable += 1
-            if self.first_error is None:
-                self.first_error = error
-                _warn("a motion was answered invalid", error)
+            self.first_error = self.first_error or _warn("a motion", error)
         self._invalid += 1
         return False
 
@@ -182,6 +178,12 @@ def _pose_numbers(space: Any) -> Callable[[Any], _Numbers]:
     )
 
 
+def _require_scene(scene: Any) -> Scene:
+    if isinstance(scene, Scene):
+        return scene
+    raise TypeError("scene is of type %s, expected clearway.Scene" % type(scene).__name__)
+
+
 def _class_of_bindings(space: Any) -> Any:
     """The class that OMPL itself gave the space. A class of Python's that derives from it cannot change its interpolation."""
     bindings = _base.StateSpace.__module__
@@ -200,5 +202,8 @@ def _satisfies_bounds(space: Any) -> Callable[[Any], bool]:
     return satisfies
 
 
-def _warn(what: str, error: Exception) -> None:
-    _util.OMPL_WARN("clearway: %s: %s: %s. Further ones are only counted." % (what, type(error).__name__, error))
+def _warn(what: str, error: Exception) -> str:
+    """Shows the error and returns it as text: its frames would keep everything alive that OMPL and Python hold together."""
+    text = "".join(traceback.format_exception(type(error), error, error.__traceback__))
+    _util.OMPL_WARN("clearway: %s was answered invalid: %s. Further ones are only counted." % (what, text.splitlines()[-1]))
+    return text

@@ -144,7 +144,8 @@ PairAtTime nearAtEnds(const Model& part, const Model& environment, const MotionP
         const DistanceResult found = distance(part, environment, piece.middle, options, workspace);
         counters += found.counters;
         if (found.upper - margin < known.clearance) {
-            known = {found.upper - margin, end, workspace.state().warmStart.triangles};
+            const Witnesses& witnesses = workspace.state().witnesses;
+            known = {found.upper - margin, end, witnesses.triangles[witnesses.last]};
         }
     }
     workspace.state().counters = counters;
@@ -187,7 +188,8 @@ LeastDistance leastDistance(const Model& part, const Model& environment, const M
         result.environmentTriangle = environment.tree().triangleIds[triangles.environment];
         result.pointOnPart = nearest.pointOnPart / query.perMeshUnit;
         result.pointOnEnvironment = nearest.pointOnEnvironment / query.perMeshUnit;
-        state.warmStart = {part.id(), environment.id(), triangles};
+        state.witnesses.serve(part.id(), environment.id());
+        state.witnesses.keep(query, triangles, nearest.pointOnPart, nearest.pointOnEnvironment);
     }
     result.isStopped = answer.isStopped || answer.isUndecided;
     if (result.isStopped) result.lower = -options.margin;

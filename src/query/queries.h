@@ -13,6 +13,7 @@
 #include "query/motion_pieces.h"
 #include "query/pair_query.h"
 #include "query/refine.h"
+#include "query/witnesses.h"
 #include "tree/flat_tree.h"
 
 namespace clearway {
@@ -30,13 +31,6 @@ struct Candidate {
     TrianglesAt triangles;
 };
 
-/// The pair that answered the last query. It helps the next query of the two models it came from.
-struct WarmStart {
-    std::uint64_t partId = 0;  ///< Model::id(), which is never 0; 0: no warm start
-    std::uint64_t environmentId = 0;
-    TrianglesAt triangles{0, 0, kNoFeature};
-};
-
 /// A pair of volumes over an interval of time.
 struct SweepEntry {
     float gap;    ///< orders the descent; of the interval that the pair was looked at in
@@ -52,7 +46,7 @@ struct Workspace::State {
     Pile<Candidate> candidates;
     Pile<SweepEntry> sweepStack;
     std::unique_ptr<PieceCache> pieces;  ///< made by the first sweep
-    WarmStart warmStart;
+    Witnesses witnesses;
     QueryCounters counters;
     std::atomic<std::thread::id> user{};  ///< the thread that uses the workspace now; see WorkspaceUse
 };
@@ -112,14 +106,11 @@ struct WithinAnswer {
 /// dispatches. Throws as currentTarget() does.
 void settleTarget();
 
-/// Finds the closest pair. warmStart: a pair of triangles to begin with, or null.
-ClosestAnswer closestPair(const PairQuery& query, const ClosestRequest& request, const WarmStart* warmStart,
-                          Workspace::State& state);
+/// Finds the closest pair. Begins with a witness of the state's, which must be of these two models.
+ClosestAnswer closestPair(const PairQuery& query, const ClosestRequest& request, Workspace::State& state);
 
-/// Decides exactly whether any pair is within the distance. distance: environment units, >= 0. warmStart: as
-/// above.
-WithinAnswer anyPairWithin(const PairQuery& query, double distance, const WarmStart* warmStart,
-                           Workspace::State& state);
+/// Decides exactly whether any pair is within the distance. distance: environment units, >= 0. Begins as closestPair does.
+WithinAnswer anyPairWithin(const PairQuery& query, double distance, Workspace::State& state);
 
 /// Sorts by lower bounds, the least first.
 void sortByLower(Pile<Candidate>& candidates);

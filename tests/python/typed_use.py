@@ -1,8 +1,11 @@
 """A user's program, for mypy: every call has a type."""
 
+from typing import Any
+
 import numpy as np
 
 import clearway
+import clearway.ompl
 import clearway.planning
 
 
@@ -33,3 +36,11 @@ def clearance_of_a_plan(file: str) -> float:
     checked: clearway.planning.CheckResult = clearway.planning.check(problem, planned)
     faults = [fault.why for fault in checked.audit.faults]
     return checked.audit.lower_clearance if not faults else float(scene.clearance_batch(planned.path).min())
+
+
+def plug_in(si: Any, scene: clearway.Scene) -> int:
+    checker = clearway.ompl.ValidityChecker(si, scene, lambda state: np.eye(4))
+    validator = clearway.ompl.MotionValidator(si, scene)
+    si.setStateValidityChecker(checker)
+    si.setMotionValidator(validator)
+    return checker.unusable + validator.getValidMotionCount()
