@@ -5,6 +5,7 @@ to those of the environment. States are (7,): x y z, then a quaternion qx qy qz 
 radians, times along a segment from 0 to 1. Wrong arguments raise ValueError, files FileError, OMPL's own errors RuntimeError.
 """
 
+import importlib.util
 import os
 import sys
 from dataclasses import dataclass
@@ -15,13 +16,11 @@ import numpy.typing as npt
 
 from ._core import Problem, Scene, write_path
 
+if importlib.util.find_spec("clearway._planning") is None:
+    raise ImportError("clearway.planning needs OMPL, and this clearway was built without it. Build clearway where OMPL 1.5 or later is"
+                      " installed (Debian's libompl-dev), or use the module clearway alone")
 try:
     from . import _planning
-except ModuleNotFoundError as error:
-    raise ImportError(
-        "clearway.planning needs OMPL, and this clearway was built without it. Build clearway where OMPL 1.5 or later is installed"
-        " (Debian's libompl-dev), or use the module clearway alone"
-    ) from error
 except ImportError as error:
     raise ImportError("clearway.planning could not load OMPL or another library: %s" % error) from error
 

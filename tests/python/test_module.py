@@ -2,6 +2,8 @@
 
 import math
 import re
+import subprocess
+import sys
 import threading
 
 import numpy as np
@@ -9,6 +11,7 @@ import pytest
 from support import ROOT, cube, place, triangle
 
 import clearway
+
 
 @pytest.fixture(scope="module")
 def models():
@@ -192,12 +195,26 @@ def test_the_version_is_the_same_everywhere():
     assert "VERSION %s " % clearway.__version__ in (ROOT / "CMakeLists.txt").read_text()
 
 
-def test_the_documents_code_runs(tmp_path, monkeypatch):
-    """The pieces of docs/python.md, one after the other, beside two meshes. test_ompl.py runs those that need OMPL's bindings."""
+def test_the_documents_code_runs(tmp_path, monkeypatch, capsys):
+    """The pieces of docs/python.md, one after the other, beside two meshes and a problem. test_ompl.py runs those that
+    need OMPL's bindings."""
+    pytest.importorskip("clearway.planning", reason="clearway was built without OMPL")
     monkeypatch.chdir(tmp_path)
     cube(0.5).save("part.stl")
     cube(1).save("environment.stl")
+    clearway.Problem(place(-4), place(4), bounds=[[-5] * 3, [5] * 3], robot="part.stl", worlds=["environment.stl"]).save("problem.cfg")
     pieces = re.findall(r"```python\n(.*?)```", (ROOT / "docs" / "python.md").read_text(), re.S)
     pieces = [piece for piece in pieces if "from ompl import" not in piece]
-    assert pieces
+    assert len(pieces) > 4
     exec("\n".join(pieces), {})
+    assert "True True True" in capsys.readouterr().out  # what the piece about `check` prints
+
+
+def test_the_example_draws_a_picture(tmp_path):
+    pytest.importorskip("matplotlib", reason="matplotlib is not installed")
+    pytest.importorskip("clearway.planning", reason="clearway was built without OMPL")
+    console = ROOT / "data" / "tunnel-console-small" / "tunnel-console"
+    example = ROOT / "python" / "examples" / "clearance_profile.py"
+    words = [sys.executable, "-B", str(example), "%s.cfg" % console, "%s.path" % console, str(tmp_path / "profile.png")]
+    out = subprocess.run(words, check=True, stdout=subprocess.PIPE, text=True).stdout
+    assert out.startswith("valid, clearance 11.") and (tmp_path / "profile.png").read_bytes()[:4] == b"\x89PNG"

@@ -16,7 +16,7 @@ CONSOLE = DATA / "tunnel-console-small" / "tunnel-console.cfg"
 
 def test_a_problem_file_is_read():
     problem = clearway.Problem.load(CONSOLE)
-    assert (problem.file, problem.space, problem.name) == (str(CONSOLE), "SE3", "tunnel-console")
+    assert (problem.file, problem.space, problem.name) == (str(CONSOLE), "SE3", "tunnel-console v1")
     assert problem.robot.endswith("tunnel-console_part.obj") and len(problem.worlds) == 1
     assert problem.start.shape == problem.goal.shape == (4, 4) and problem.outside is None
     path = clearway.read_path(CONSOLE.with_suffix(".path"))
@@ -82,16 +82,11 @@ def test_problems_in_the_plane():
         clearway.Problem(place(), place(), space="SE4")
 
 
-def test_a_goal_outside():
-    text = CONSOLE.read_text()
-    outside = CONSOLE.parent / "outside.cfg"
-    lines = [line for line in text.splitlines() if not line.startswith("goal.")]
-    lines = [line + "\ngoal = outside +x" if line.startswith("[clearway]") else line for line in lines]
-    try:
-        outside.write_text("\n".join(lines) + "\n")
-        problem = clearway.Problem.load(outside)
-    finally:
-        outside.unlink()
+def test_a_goal_outside(tmp_path):
+    lines = [line for line in CONSOLE.read_text().splitlines() if not line.startswith("goal.")]
+    lines = [line + "\ngoal = outside\noutside = +x" if line.startswith("[clearway]") else line for line in lines]
+    (tmp_path / "outside.cfg").write_text("\n".join(lines) + "\n")
+    problem = clearway.Problem.load(tmp_path / "outside.cfg")
     assert problem.goal is None and problem.outside == "+x"
     problem.goal = place(5)
     assert problem.outside is None and np.array_equal(problem.goal, place(5))
