@@ -23,7 +23,7 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${PROJECT_BINARY_DIR})  # clearw
 set(CPACK_DEBIAN_ENABLE_COMPONENT_DEPENDS ON)                           # with the packages' exact version
 # Debian's convention: the environment names who makes the packages.
 set(CPACK_DEBIAN_PACKAGE_MAINTAINER "The clearway authors <authors@clearway.invalid>")
-if(DEFINED ENV{DEBEMAIL})
+if(DEFINED ENV{DEBFULLNAME} AND DEFINED ENV{DEBEMAIL})
   set(CPACK_DEBIAN_PACKAGE_MAINTAINER "$ENV{DEBFULLNAME} <$ENV{DEBEMAIL}>")
 endif()
 
@@ -58,7 +58,6 @@ clearway answers distance, contact and tolerance queries between rigid
 parts given as triangle meshes, and certifies whole motions of a part.
 It searches SIMD trees of rectangle swept spheres.")
 
-
 # OMPL stays away from who has no use for it: its classes are in a package of their own, and libclearway-dev only suggests it.
 if(CLEARWAY_PLANNING)
   add_library_package(libclearway-planning "Validity checks and certified motions of clearway for OMPL
@@ -92,7 +91,7 @@ if(CLEARWAY_PYTHON)
   add_package(python3-clearway python "Exact distance and contact queries for triangle meshes (Python)
 The Python module clearway answers distance, contact and tolerance
 queries between triangle meshes, on numpy arrays of poses, and certifies
-motions." ${libraries})
+motions. clearway.planning plans and checks paths with OMPL." ${libraries})
   set(CPACK_DEBIAN_PYTHON3-CLEARWAY_PACKAGE_DEPENDS
       "python3 (>= ${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR}), python3 (<< ${Python3_VERSION_MAJOR}.${next_minor}), python3-numpy")
   set(CPACK_DEBIAN_PYTHON3-CLEARWAY_PACKAGE_CONTROL_EXTRA ${debian}/postinst ${debian}/prerm)

@@ -144,9 +144,10 @@ def check_where_libraries_look(prefix):
     module = os.path.join(prefix, "lib", "python3", "dist-packages", "clearway")
     extensions = [os.path.join(module, name) for name in os.listdir(module) if name.endswith(".so")]
     for library in [os.path.join(prefix, "lib", "libclearway-planning.so")] + extensions:
-        if os.path.realpath(os.path.join(prefix, "lib")) + "/libclearway.so." not in "".join(
-                os.path.realpath(path) for path in re.findall(r"libclearway\.so\S* => (\S+)", output_of("ldd", library))):
-            fail("%s does not find libclearway beside it:\n%s" % (library, output_of("ldd", library)))
+        told = output_of("ldd", library)
+        found = [os.path.dirname(os.path.realpath(path)) for path in re.findall(r"libclearway\.so\S* => (\S+)", told)]
+        if found != [os.path.realpath(os.path.join(prefix, "lib"))]:
+            fail("%s does not find libclearway in its own installation:\n%s" % (library, told))
         for path in re.findall(r"R(?:UN)?PATH.*\[(.*)\]", output_of("readelf", "-d", library)):
             if not path.startswith("$ORIGIN"):
                 fail("%s looks for libraries in %s, expected a path that begins with $ORIGIN" % (library, path))
