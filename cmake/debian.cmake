@@ -6,6 +6,7 @@ if(NOT BUILD_SHARED_LIBS OR NOT CMAKE_INSTALL_PREFIX STREQUAL "/usr")
 endif()
 
 set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_DIRECTORY ${PROJECT_BINARY_DIR}/packages)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")  # each package has a summary of its own
 set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
@@ -21,7 +22,7 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${PROJECT_BINARY_DIR})  # clearway's own libraries; ENABLE_COMPONENT_DEPENDS names them
 set(CPACK_DEBIAN_ENABLE_COMPONENT_DEPENDS ON)                           # with the packages' exact version
 # Debian's convention: the environment names who makes the packages.
-set(CPACK_DEBIAN_PACKAGE_MAINTAINER "The clearway authors <clearway@localhost>")
+set(CPACK_DEBIAN_PACKAGE_MAINTAINER "The clearway authors <authors@clearway.invalid>")
 if(DEFINED ENV{DEBEMAIL})
   set(CPACK_DEBIAN_PACKAGE_MAINTAINER "$ENV{DEBFULLNAME} <$ENV{DEBEMAIL}>")
 endif()
@@ -37,25 +38,32 @@ macro(add_package name section description)
   set(CPACK_COMPONENT_${upper_name}_DEPENDS ${ARGN})
 endmacro()
 
-# The control files that make dpkg update the linker's cache, and Python's compiled modules.
+# add_library_package(NAME ...): add_package of a shared library. Its control files make dpkg update the linker's cache, and tell
+# packages of programs that link the library what to depend on.
 set(debian ${generated}/debian)
-file(WRITE ${debian}/triggers "activate-noawait ldconfig\n")
+macro(add_library_package name)
+  add_package(${name} libs ${ARGN})
+  file(WRITE ${debian}/${name}/triggers "activate-noawait ldconfig\n")
+  file(WRITE ${debian}/${name}/shlibs
+       "${name} ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR} ${name} (= ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE})\n")
+  set(CPACK_DEBIAN_${upper_name}_PACKAGE_CONTROL_EXTRA ${debian}/${name}/triggers ${debian}/${name}/shlibs)
+endmacro()
+
+# Python's compiled modules come and go with the package.
 file(WRITE ${debian}/postinst "#!/bin/sh\nset -e\nif [ \"$1\" = configure ]; then py3compile -p python3-clearway; fi\n")
 file(WRITE ${debian}/prerm "#!/bin/sh\nset -e\npy3clean -p python3-clearway\n")
 
-add_package(libclearway libs "Exact distance and contact queries for triangle meshes
+add_library_package(libclearway "Exact distance and contact queries for triangle meshes
 clearway answers distance, contact and tolerance queries between rigid
 parts given as triangle meshes, and certifies whole motions of a part.
 It searches SIMD trees of rectangle swept spheres.")
-set(CPACK_DEBIAN_LIBCLEARWAY_PACKAGE_GENERATE_SHLIBS ON)
-set(CPACK_DEBIAN_LIBCLEARWAY_PACKAGE_CONTROL_EXTRA ${debian}/triggers)
+
 
 # OMPL stays away from who has no use for it: its classes are in a package of their own, and libclearway-dev only suggests it.
 if(CLEARWAY_PLANNING)
-  add_package(libclearway-planning libs "Validity checks and certified motions of clearway for OMPL
+  add_library_package(libclearway-planning "Validity checks and certified motions of clearway for OMPL
 This library holds a validity checker, a certifying motion validator,
 clearance objectives and planners for the Open Motion Planning Library." libclearway)
-  set(CPACK_DEBIAN_LIBCLEARWAY-PLANNING_PACKAGE_CONTROL_EXTRA ${debian}/triggers)
 endif()
 
 add_package(libclearway-dev libdevel "Exact distance and contact queries (development files)
@@ -76,11 +84,15 @@ endif()
 
 if(CLEARWAY_PYTHON)
   find_package(Python3 COMPONENTS Interpreter QUIET)
+  set(libraries libclearway)
+  if(TARGET clearway_python_planning)
+    list(APPEND libraries libclearway-planning)
+  endif()
   math(EXPR next_minor "${Python3_VERSION_MINOR} + 1")
   add_package(python3-clearway python "Exact distance and contact queries for triangle meshes (Python)
 The Python module clearway answers distance, contact and tolerance
 queries between triangle meshes, on numpy arrays of poses, and certifies
-motions." libclearway)
+motions." ${libraries})
   set(CPACK_DEBIAN_PYTHON3-CLEARWAY_PACKAGE_DEPENDS
       "python3 (>= ${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR}), python3 (<< ${Python3_VERSION_MAJOR}.${next_minor}), python3-numpy")
   set(CPACK_DEBIAN_PYTHON3-CLEARWAY_PACKAGE_CONTROL_EXTRA ${debian}/postinst ${debian}/prerm)
@@ -88,7 +100,7 @@ endif()
 
 # What Debian asks of each package and an installation elsewhere has no use for.
 string(TIMESTAMP today "%a, %d %b %Y %H:%M:%S +0000" UTC)
-file(WRITE ${debian}/changelog "clearway (${PROJECT_VERSION}-1) unstable; urgency=medium
+file(WRITE ${debian}/changelog "clearway (${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE}) unstable; urgency=medium
 
   * The packages of clearway ${PROJECT_VERSION}.
 

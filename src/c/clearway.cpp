@@ -161,7 +161,7 @@ Model loadModel(const std::string& file, double scale) {
 Mesh meshOf(const double* vertices, std::size_t vertexCount, const std::uint32_t* triangles,
             std::size_t triangleCount) {
     if (vertexCount > 0) requirePointer(vertices, "vertices", "3 doubles for each vertex");
-    if (triangleCount > 0) requirePointer(triangles, "triangles", "3 places of vertices for each triangle");
+    if (triangleCount > 0) requirePointer(triangles, "triangles", "3 indices of vertices for each triangle");
     Mesh mesh;
     // A count that memory cannot hold fails here, before anything is read.
     mesh.vertices.reserve(vertexCount);

@@ -141,7 +141,8 @@ def check_without(source, work):
 
 
 def check_symbols(prefix):
-    """A shared library shows what the public headers declare, the header for C among them, and no type whose alignment depends on compiler options."""
+    """A shared library shows what the public headers declare, in C++ and in C, and no type whose alignment depends on
+    compiler options."""
     for name, internal in (("clearway", r"clearway::buildBySah|clearway::Solid::|nlohmann::"),
                            ("clearway-planning", r"clearway::planning::MotionSweep|nlohmann::")):
         library = os.path.join(prefix, "lib", "lib%s.so" % name)

@@ -32,7 +32,7 @@ struct Scenery {
         motion = piecesOf({apart, {0, 3, 0}, {0, 0, 0.3}}, *part);
     }
 
-    /// The motion; the function is called while a sweep looks at it.
+    /// The motion; the function is called when a query first looks at it.
     MotionPieces motionThatCalls(const std::function<void()>& interrupt) const {
         return [=, called = std::make_shared<bool>(false)](double from, double to) {
             if (!*called) *called = true, interrupt();
@@ -81,7 +81,7 @@ Ending endOfChild(const std::function<void()>& work) {
     return ending;
 }
 
-void expectAssertion(const Ending& ending) {
+[[maybe_unused]] void expectAssertion(const Ending& ending) {
     BOOST_TEST((WIFSIGNALED(ending.status) && WTERMSIG(ending.status) == SIGABRT));
     BOOST_TEST(ending.err.find("two threads use a workspace at once, expected one for each thread") !=
                    std::string::npos,
@@ -95,6 +95,7 @@ void expectNone(const Ending& ending) {
 
 }  // namespace
 
+#ifndef NDEBUG
 BOOST_AUTO_TEST_CASE(a_question_of_another_thread_during_a_sweep_fails_an_assertion) {
     const Scenery scenery;
     for (const auto& [name, ask] : everyQuestion(scenery)) {
@@ -110,17 +111,12 @@ BOOST_AUTO_TEST_CASE(a_question_of_another_thread_during_a_sweep_fails_an_assert
                         leastDistance(*scenery.part, *scenery.part, motion, {}, shared);
                     }
                 });
-#ifdef NDEBUG
-                expectNone(ending);  // nothing is checked; and here one thread waits for the other
-#else
                 expectAssertion(ending);
-#endif
             }
         }
     }
 }
 
-#ifndef NDEBUG
 BOOST_AUTO_TEST_CASE(two_threads_that_ask_again_and_again_fail_an_assertion) {
     const Scenery scenery;
     for (const auto& [name, ask] : everyQuestion(scenery)) {
@@ -147,7 +143,7 @@ BOOST_AUTO_TEST_CASE(a_thread_may_ask_within_its_question_and_threads_may_take_t
                 Workspace workspace;
                 for (int turn = 0; turn < 3; ++turn) std::thread([&] { ask(workspace); }).join();
                 const MotionPieces motion = scenery.motionThatCalls([&] {
-                    if (name.find("istance") != std::string::npos) ask(workspace);
+                    if (name == "distance") ask(workspace);
                 });
                 leastDistance(*scenery.part, *scenery.part, motion, {}, workspace);
                 std::thread([&] { ask(workspace); }).join();
