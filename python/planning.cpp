@@ -57,6 +57,8 @@ template <class Work>
 auto withOmplErrors(const Work& work) {
     try {
         return work();
+    } catch (const planning::AuditStopped&) {
+        throw;
     } catch (const std::runtime_error& error) {
         throw OmplError{error.what()};
     }
@@ -290,7 +292,7 @@ planning::PlanOptions optionsOf(const py::dict& given) {
     return options;
 }
 
-/// Returns (report, raised): a dict, or None when stopped before the planning, and what runStoppable returns.
+/// Returns (report, raised): a dict, and what runStoppable returns.
 py::tuple plan(const py::object& given, const PyScene* scene, const std::optional<double>& margin,
                const py::dict& how, const py::object& callback) {
     Problem problem = problemOf(given);
@@ -311,14 +313,18 @@ py::tuple plan(const py::object& given, const PyScene* scene, const std::optiona
         }
     };
     const py::object raised = runStoppable(work, [&] { return progress.tell(); });
-    if (!report) return py::make_tuple(py::none(), raised);
+    if (!report) {  // stopped while the scene was loaded
+        report.emplace();
+        report->outcome = PlanReport::Outcome::kStopped;
+        report->isStopped = true;
+    }
     py::dict result = dictOf(*report);
     result["space"] = problem.space == Space::kSe3 ? "SE3" : "SE2";
     result["warnings"] = joined(joined(problem.warnings, chosen.notes), report->warnings);
     return py::make_tuple(result, raised);
 }
 
-/// Returns (check, raised), as plan does. path: a file's name, poses or states.
+/// Returns (check, raised), as plan does; no check when it was stopped. path: a file's name, poses or states.
 py::tuple check(const py::object& given, const py::object& path, const PyScene* scene,
                 const std::optional<double>& margin, bool hasProfile) {
     Problem problem = problemOf(given);
@@ -336,10 +342,11 @@ py::tuple check(const py::object& given, const py::object& path, const PyScene* 
             planning::AuditOptions options{hasProfile, [&] { return worker.isStopped(); }};
             found = withOmplErrors([&] { return planning::checkPath(problem, loaded, states, options); });
         } catch (const Stopped&) {
+        } catch (const planning::AuditStopped&) {
         }
     };
     const py::object raised = runStoppable(work, [] { return true; });
-    if (!found || !raised.is_none()) return py::make_tuple(py::none(), raised);
+    if (!found) return py::make_tuple(py::none(), raised);
     py::dict result = dictOf(found->audit);
     result["off_start"] = found->offStart;
     result["off_goal"] = found->offGoal;

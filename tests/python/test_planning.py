@@ -200,6 +200,19 @@ def test_progress_is_told_and_can_stop_the_planning():
     assert told[0][0].seconds <= told[1][0].seconds <= told[2][0].seconds and told[2][0].phase == "planning"
 
 
+def test_planning_can_be_stopped_while_the_scene_is_loaded(tmp_path):
+    x, y = np.meshgrid(np.arange(120.0), np.arange(120.0))
+    corner = np.arange(119 * 120).reshape(119, 120)[:, :-1].ravel()
+    triangles = np.concatenate([np.stack([corner, corner + 1, corner + 120], 1), np.stack([corner + 1, corner + 121, corner + 120], 1)])
+    clearway.Mesh(np.stack([x, y, np.sin(x * y)], -1).reshape(-1, 3), triangles).save(tmp_path / "hills.ply")
+    hills = tmp_path / "hills.ply"
+    problem = clearway.Problem(place(z=9), place(z=19), bounds=[[-9] * 3, [99] * 3], robot=hills, worlds=[hills])
+    phases = []
+    found = planning.plan(problem, progress=lambda now: phases.append(now.phase) or False)
+    assert not found and found.is_stopped and found.outcome == "stopped" and found.states.shape == (0, 7)
+    assert phases == ["loading"]
+
+
 def test_an_exception_of_the_callback_ends_the_planning():
     problem, scene = endless()
 

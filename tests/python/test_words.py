@@ -60,7 +60,7 @@ def test_every_public_name_has_words():
 
 def test_every_field_of_a_result_has_words():
     """Python keeps no docstrings of fields: they are read from the source."""
-    source = ast.parse((FOLDER / "planning.py").read_text())
+    source = ast.parse((FOLDER / "_results.py").read_text())
     count = 0
     for node in source.body:
         if isinstance(node, ast.ClassDef):
