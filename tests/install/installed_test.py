@@ -10,6 +10,8 @@ import shutil
 import subprocess
 import sys
 
+from snippets import require_one_distance, write_snippets
+
 kFullRun = bool(os.environ.get("CLEARWAY_FULL"))
 
 
@@ -126,11 +128,60 @@ def check_part_of_a_build(consumer, source, work, way, own_line):
             fail("built as a part of another build (%s), the distance differs" % way)
 
 
+def check_snippets(source, prefix, work):
+    """The complete programs of docs/coming_from.md run, and agree."""
+    folder = os.path.join(work, "snippets")
+    os.makedirs(folder)
+    environment = dict(os.environ, PATH="/usr/bin:" + os.environ["PATH"], CMAKE_PREFIX_PATH=prefix, CMAKE_GENERATOR="Ninja",
+                       PKG_CONFIG_PATH=os.path.join(prefix, "lib", "pkgconfig"), LD_LIBRARY_PATH=os.path.join(prefix, "lib"),
+                       PYTHONPATH=os.path.join(prefix, "lib", "python3", "dist-packages"))
+    require_one_distance([output_of("bash", "-c", command, cwd=folder, env=environment)
+                          for command in write_snippets(source, folder)])
+
+
+def check_where_libraries_look(prefix):
+    """Libraries find each other beside themselves, wherever the tree lies, and hold no path of the build."""
+    module = os.path.join(prefix, "lib", "python3", "dist-packages", "clearway")
+    extensions = [os.path.join(module, name) for name in os.listdir(module) if name.endswith(".so")]
+    for library in [os.path.join(prefix, "lib", "libclearway-planning.so")] + extensions:
+        if os.path.realpath(os.path.join(prefix, "lib")) + "/libclearway.so." not in "".join(
+                os.path.realpath(path) for path in re.findall(r"libclearway\.so\S* => (\S+)", output_of("ldd", library))):
+            fail("%s does not find libclearway beside it:\n%s" % (library, output_of("ldd", library)))
+        for path in re.findall(r"R(?:UN)?PATH.*\[(.*)\]", output_of("readelf", "-d", library)):
+            if not path.startswith("$ORIGIN"):
+                fail("%s looks for libraries in %s, expected a path that begins with $ORIGIN" % (library, path))
+
+
+def files_below(folder):
+    return {os.path.relpath(os.path.join(at, name), folder) for at, _, names in os.walk(folder) for name in names}
+
+
+def check_components(build, prefix, work):
+    """Each file belongs to one component; programs that use the library alone need one library."""
+    names = ("libclearway", "libclearway-planning", "libclearway-dev", "clearway-tools", "python3-clearway")
+    files = {}
+    for name in names:
+        folder = os.path.join(work, "components", name)
+        output_of("cmake", "--install", build, "--component", name, "--prefix", folder)
+        files[name] = files_below(folder)
+    missing = files_below(prefix).symmetric_difference(set().union(*files.values()))
+    if missing or sum(map(len, files.values())) != len(files_below(prefix)):
+        fail("components differ from the whole installation by %s, or hold a file twice" % sorted(missing))
+    for name in names[:2]:
+        if any("lib/%s.so." % name not in file and "LICENSE" not in file for file in files[name]):
+            fail("the component %s holds %s, expected its library alone" % (name, sorted(files[name])))
+
+
 def check_without(source, work):
     """The library alone needs neither OMPL nor libpng, cairo and Embree; a target that cannot be had is named."""
     missing = ["-DCMAKE_DISABLE_FIND_PACKAGE_%s=ON" % name for name in ("ompl", "PNG", "PkgConfig", "embree")]
     only = ["-DCLEARWAY_%s=OFF" % name for name in ("PLANNING", "PROGRAM", "EMBREE", "TESTS", "DEMOS")]
-    configure(source, os.path.join(work, "library_alone"), *missing, *only)
+    alone = os.path.join(work, "library_alone")
+    configure(source, alone, *missing, *only)
+    told = configure(os.path.join(source, "tests", "install", "consumer"), os.path.join(work, "planning_left_out"),
+                     "-Dclearway_DIR=" + os.path.join(alone, "generated"), "-DCLEARWAY_COMPONENTS=planning", expected=1)
+    if "this clearway was built without its component planning (CLEARWAY_PLANNING=OFF)" not in re.sub(r"\s+", " ", told):
+        fail("a component that was left out is refused with: " + told)
     for options, named in ((only[1:], "clearway::planning needs OMPL 1.5 or later"),
                            (only[:2] + only[3:], "clearway::clearway needs Embree 3 or 4"),
                            (only[:1] + only[2:], "CLEARWAY_PROGRAM is ON and CLEARWAY_PLANNING is OFF")):
@@ -143,7 +194,7 @@ def check_without(source, work):
 def check_symbols(prefix):
     """A shared library shows what the public headers declare, in C++ and in C, and no type whose alignment depends on
     compiler options."""
-    for name, internal in (("clearway", r"clearway::buildBySah|clearway::Solid::|nlohmann::"),
+    for name, internal in (("clearway", r"clearway::buildBySah|clearway::Solid::|nlohmann::|[Aa]ssimp|hwy::"),
                            ("clearway-planning", r"clearway::planning::MotionSweep|nlohmann::")):
         library = os.path.join(prefix, "lib", "lib%s.so" % name)
         symbols = output_of("nm", "--dynamic", "--defined-only", "--demangle", library)
@@ -179,7 +230,10 @@ def main():
     os.makedirs(work)
     prefix = os.path.join(work, "prefix")
     consumer = os.path.join(source, "tests", "install", "consumer")
-    output_of("cmake", "--install", build, "--prefix", prefix)
+    # Packages are made so: installed for one place, staged in another. The tree works wherever it lies.
+    stage = os.path.join(work, "stage")
+    output_of("cmake", "--install", build, "--prefix", "/opt/clearway", env=dict(os.environ, DESTDIR=stage))
+    os.rename(stage + "/opt/clearway", prefix)
     printed = check_find_package(consumer, prefix, work)
     printed.append(check_project_in_c(consumer, prefix, work))
     printed += check_pkg_config(consumer, prefix, work)
@@ -189,6 +243,9 @@ def main():
     for way in ("add_subdirectory", "FetchContent"):
         check_part_of_a_build(consumer, source, work, way, printed[0])
     check_without(source, work)
+    check_snippets(source, prefix, work)
+    check_where_libraries_look(prefix)
+    check_components(build, prefix, work)
     check_symbols(prefix)
     check_program(prefix)
 
