@@ -57,6 +57,8 @@ template <class Work>
 auto withOmplErrors(const Work& work) {
     try {
         return work();
+    } catch (const planning::AuditStopped&) {
+        throw;
     } catch (const std::runtime_error& error) {
         throw OmplError{error.what()};
     }
@@ -223,6 +225,20 @@ std::int64_t wholeNumber(const py::object& given, const char* name, std::int64_t
     return number;
 }
 
+std::optional<double> numberOrNone(const py::object& given) {
+    if (given.is_none()) return std::nullopt;
+    const double number = PyFloat_AsDouble(given.ptr());
+    if (number == -1 && PyErr_Occurred()) throw py::error_already_set();
+    return number;
+}
+
+std::string textOf(const py::handle& given) {
+    py::ssize_t size = 0;
+    const char* text = PyUnicode_AsUTF8AndSize(given.ptr(), &size);
+    if (!text) throw py::error_already_set();
+    return {text, static_cast<std::size_t>(size)};
+}
+
 /// Takes the margin for the problem's.
 void setMargin(Problem& problem, const std::optional<double>& margin, const PyScene* scene) {
     if (!margin) return;
@@ -254,9 +270,12 @@ class Progress {
 
 planning::PlanOptions optionsOf(const py::dict& given) {
     planning::PlanOptions options;
-    options.planner = given["planner"].cast<std::string>();
-    options.parameters = given["parameters"].cast<std::vector<std::pair<std::string, std::string>>>();
-    options.seconds = given["seconds"].cast<std::optional<double>>();
+    options.planner = textOf(given["planner"]);
+    for (const py::handle pair : given["parameters"]) {
+        const auto both = py::reinterpret_borrow<py::tuple>(pair);
+        options.parameters.emplace_back(textOf(both[0]), textOf(both[1]));
+    }
+    options.seconds = numberOrNone(given["seconds"]);
     if (!given["iterations"].is_none()) {
         options.iterations =
             wholeNumber(given["iterations"], "iterations", 1, std::numeric_limits<std::int64_t>::max());
@@ -264,16 +283,16 @@ planning::PlanOptions optionsOf(const py::dict& given) {
     options.threads = static_cast<int>(wholeNumber(given["threads"], "threads", 0, 256));
     options.seed = static_cast<std::uint32_t>(
         wholeNumber(given["seed"], "seed", 1, std::numeric_limits<std::uint32_t>::max()));
-    options.step = given["step"].cast<std::optional<double>>();
-    options.floor = given["floor"].cast<std::optional<double>>();
-    options.objective = given["objective"].cast<std::string>();
-    options.wantedClearance = given["wanted_clearance"].cast<std::optional<double>>();
-    options.quick = given["quick"].cast<bool>();
-    options.omplWeights = given["ompl_weights"].cast<bool>();
+    options.step = numberOrNone(given["step"]);
+    options.floor = numberOrNone(given["floor"]);
+    options.objective = textOf(given["objective"]);
+    options.wantedClearance = numberOrNone(given["wanted_clearance"]);
+    options.quick = py::bool_(given["quick"]);
+    options.omplWeights = py::bool_(given["ompl_weights"]);
     return options;
 }
 
-/// Returns (report, raised): a dict, or None when stopped before the planning, and what runStoppable returns.
+/// Returns (report, raised): a dict, and what runStoppable returns.
 py::tuple plan(const py::object& given, const PyScene* scene, const std::optional<double>& margin,
                const py::dict& how, const py::object& callback) {
     Problem problem = problemOf(given);
@@ -294,22 +313,25 @@ py::tuple plan(const py::object& given, const PyScene* scene, const std::optiona
         }
     };
     const py::object raised = runStoppable(work, [&] { return progress.tell(); });
-    if (!report) return py::make_tuple(py::none(), raised);
+    if (!report) {  // stopped while the scene was loaded
+        report.emplace();
+        report->outcome = PlanReport::Outcome::kStopped;
+        report->isStopped = true;
+    }
     py::dict result = dictOf(*report);
     result["space"] = problem.space == Space::kSe3 ? "SE3" : "SE2";
     result["warnings"] = joined(joined(problem.warnings, chosen.notes), report->warnings);
     return py::make_tuple(result, raised);
 }
 
-/// Returns (check, raised), as plan does. path: a file's name, poses or states.
+/// Returns (check, raised), as plan does; no check when it was stopped. path: a file's name, poses or states.
 py::tuple check(const py::object& given, const py::object& path, const PyScene* scene,
                 const std::optional<double>& margin, bool hasProfile) {
     Problem problem = problemOf(given);
     setMargin(problem, margin, scene);
     const bool isFile = py::isinstance<py::str>(path) || py::hasattr(path, "__fspath__");
     const std::vector<PartState> states =
-        isFile ? readPath(py::module_::import("os").attr("fspath")(path).cast<std::string>(), problem.space)
-               : statesOf(path, problem.space);
+        isFile ? readPath(fileName(path), problem.space) : statesOf(path, problem.space);
     for (const PartState& state : states) problem.knownWay.extend(state.position);
     ChosenScene chosen(scene);
     std::optional<planning::PathCheck> found;
@@ -320,10 +342,11 @@ py::tuple check(const py::object& given, const py::object& path, const PyScene* 
             planning::AuditOptions options{hasProfile, [&] { return worker.isStopped(); }};
             found = withOmplErrors([&] { return planning::checkPath(problem, loaded, states, options); });
         } catch (const Stopped&) {
+        } catch (const planning::AuditStopped&) {
         }
     };
     const py::object raised = runStoppable(work, [] { return true; });
-    if (!found || !raised.is_none()) return py::make_tuple(py::none(), raised);
+    if (!found) return py::make_tuple(py::none(), raised);
     py::dict result = dictOf(found->audit);
     result["off_start"] = found->offStart;
     result["off_goal"] = found->offGoal;
@@ -362,6 +385,7 @@ PYBIND11_MODULE(_planning, module) {
                R"(The names that plan's planner takes, in any case.)");
     module.def("objective_names", &clearway::planning::objectiveNames,
                R"(The names that plan's objective takes.)");
-    module.def("ompl_library", &omplLibrary, R"(The file of the OMPL that clearway is bound to in this process.)");
+    module.def("ompl_library", &omplLibrary,
+               R"(The file of the OMPL that clearway is bound to in this process.)");
     py::module_::import("atexit").attr("register")(py::cpp_function(&Waiting::endAll));
 }

@@ -22,11 +22,17 @@ struct PyScene {
     const std::vector<std::string> notes;  ///< from loading; see LoadedScene
 };
 
+/// The name of a file: text, bytes or a path. Raises TypeError for anything else, ValueError for a name with a 0 in it.
+inline std::string fileName(const pybind11::object& given) {
+    PyObject* bytes = nullptr;
+    if (!PyUnicode_FSConverter(given.ptr(), &bytes)) throw pybind11::error_already_set();
+    return pybind11::reinterpret_steal<pybind11::bytes>(bytes);
+}
+
 /// A problem that is given as such or as a file's name.
 inline Problem problemOf(const pybind11::object& given) {
-    namespace py = pybind11;
-    if (py::isinstance<Problem>(given)) return given.cast<Problem>();
-    return readProblem(py::module_::import("os").attr("fspath")(given).cast<std::string>());
+    if (pybind11::isinstance<Problem>(given)) return given.cast<Problem>();
+    return readProblem(fileName(given));
 }
 
 /// Throws std::invalid_argument when the problem has no mesh files.

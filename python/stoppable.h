@@ -128,7 +128,7 @@ py::object runStoppable(const Work& work, const Look& look) {
     while (!worker.wait()) {
         try {
             if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-            if (raised.is_none() && !look()) worker.stop();
+            if (!worker.isStopped() && !look()) worker.stop();
         } catch (py::error_already_set& error) {
             if (raised.is_none()) raised = error.value();  // a second Ctrl-C adds nothing to the first
             worker.stop();

@@ -32,6 +32,14 @@ def turned(angle, x=0.0, y=0.0, z=0.0):
     return clearway.pose_from([x, y, z], [0, 0, np.sin(angle / 2), np.cos(angle / 2)])
 
 
+def prepare_documents(folder):
+    """The files that the pieces of docs/python.md read."""
+    cube(0.5).save(folder / "part.stl")
+    cube(1).save(folder / "environment.stl")
+    problem = clearway.Problem(place(-4), place(4), bounds=[[-5] * 3, [5] * 3], robot=folder / "part.stl", worlds=[folder / "environment.stl"])
+    problem.save(folder / "problem.cfg")
+
+
 def scene_of_cubes(margin=0.25):
     """A cube of side 1 beside one of side 2 around the origin."""
     return clearway.Scene(clearway.Model(cube(0.5)), [clearway.Obstacle(clearway.Model(cube(1)), margin)])

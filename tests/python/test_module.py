@@ -8,7 +8,7 @@ import threading
 
 import numpy as np
 import pytest
-from support import ROOT, cube, place, triangle
+from support import ROOT, cube, place, prepare_documents, triangle
 
 import clearway
 
@@ -200,9 +200,7 @@ def test_the_documents_code_runs(tmp_path, monkeypatch, capsys):
     need OMPL's bindings."""
     pytest.importorskip("clearway.planning", reason="clearway was built without OMPL")
     monkeypatch.chdir(tmp_path)
-    cube(0.5).save("part.stl")
-    cube(1).save("environment.stl")
-    clearway.Problem(place(-4), place(4), bounds=[[-5] * 3, [5] * 3], robot="part.stl", worlds=["environment.stl"]).save("problem.cfg")
+    prepare_documents(tmp_path)
     pieces = re.findall(r"```python\n(.*?)```", (ROOT / "docs" / "python.md").read_text(), re.S)
     pieces = [piece for piece in pieces if "from ompl import" not in piece]
     assert len(pieces) > 4

@@ -32,7 +32,7 @@ def clearance_of_a_plan(file: str) -> float:
     try:
         planned = clearway.planning.plan(problem, scene=scene, seconds=5, parameters={"range": 2.5}, progress=tell)
     except clearway.planning.PlanningInterrupted as stop:
-        return stop.result.length if stop.result else 0.0
+        return stop.result.length
     checked: clearway.planning.CheckResult = clearway.planning.check(problem, planned)
     faults = [fault.why for fault in checked.audit.faults]
     return checked.audit.lower_clearance if not faults else float(scene.clearance_batch(planned.path).min())

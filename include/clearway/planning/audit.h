@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -65,13 +66,18 @@ struct PathAudit {
 /// What audit() tells besides the verdict: with `profile`, also PathAudit::profile.
 struct AuditOptions {
     bool profile = false;  ///< costs a few times as many queries
-    /// For checkPath: called often; true leaves motions that are not judged yet undecided. audit() heeds what its
-    /// validator was made with (MotionOptions::isStopped).
+    /// Called before each motion, and by checkPath also within motions. True ends the audit: it throws AuditStopped.
     std::function<bool()> isStopped = nullptr;
 };
 
+/// Thrown when AuditOptions::isStopped returns true.
+class AuditStopped : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
 /// Judges every motion of the path, also those after a motion that is not valid. Throws std::invalid_argument
-/// when the path has no state, or is in another space than the validator's. Nothing else is thrown: a motion
+/// when the path has no state, or is in another space than the validator's, and AuditStopped. Nothing else is thrown: a motion
 /// that cannot be judged is invalid, and its report says why.
 PathAudit audit(const ompl::geometric::PathGeometric& path, const MotionValidator& validator,
                 const AuditOptions& options = {});

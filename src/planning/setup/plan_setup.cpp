@@ -49,9 +49,6 @@ void requireOptions(const Problem& problem, const PlanOptions& options) {
     if (options.floor && !(*options.floor >= 0 && std::isfinite(*options.floor))) {
         throw RefusedOption("floor is " + shortNumber(*options.floor) + ", expected a finite number >= 0");
     }
-    if (options.step && !(*options.step > 0 && std::isfinite(*options.step))) {
-        throw RefusedOption("step is " + shortNumber(*options.step) + ", expected a finite number above 0");
-    }
     if (options.quick && (options.step || !options.objective.empty())) {
         throw RefusedOption(std::string("both quick and ") + (options.step ? "a step" : "an objective") +
                             " are given, expected one of them");
