@@ -158,12 +158,13 @@ StateMotion steadyMotion(const ob::StateSpacePtr& space, const Set& set) {
 
 StateMotion stateMotion(const ob::StateSpacePtr& space, const Model& part) {
     const PartReach reach(part);
-    if (isOmplSe3(*space)) {
+    const ob::StateSpace& omplSpace = *space;
+    if (isOmplSe3(omplSpace)) {
         return steadyMotion(space, [reach](const ob::State* from, const ob::State* to, SteadyMotion& motion) {
             return setSe3(from, to, reach, motion);
         });
     }
-    if (typeid(*space) == typeid(ob::SE2StateSpace)) {
+    if (typeid(omplSpace) == typeid(ob::SE2StateSpace)) {
         return steadyMotion(space, [reach, radius = part.radiusAboutAxis(Vector3::UnitZ())](
                                        const ob::State* from, const ob::State* to, SteadyMotion& motion) {
             return setSe2(from, to, reach, radius, motion);

@@ -107,14 +107,13 @@ BOOST_AUTO_TEST_CASE(an_obstacle_is_ignored_while_no_vertex_is_further_from_the_
     const Assembly assembly;
     const PartInSpace space(assembly.scene);
     Random random(71);
-    int ignored = 0, border = 0, valid = 0;
+    int ignored = 0, valid = 0;
     for (int i = 0; i < 600; ++i) {
         PartState state = randomState(assembly, random);
         if (i % 2 == 0) {  // to the border of the zone
             state.rotation = Eigen::Quaterniond::Identity();
             const double length = kStartLength * (1 + (i % 4 - 1) * 1e-5);
             state.position = assembly.start.translation + random.direction() * length;
-            ++border;
         }
         const auto omplState = space.at(state);
         const Pose X = space.checker->pose(omplState.get());
