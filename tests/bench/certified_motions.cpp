@@ -67,7 +67,7 @@ class MotionRecorder : public ob::MotionValidator {
 struct Answer {
     bool isValid = false;
     double certifiedTime = 0, seconds = 0;
-    std::uint64_t visits = 0, triangleTests = 0, refined = 0, undecided = 0;
+    std::uint64_t visits = 0, triangleTests = 0, undecided = 0;
 };
 
 class Comparison {
@@ -210,7 +210,6 @@ class Comparison {
         const QueryTally tally = takeQueryTally();
         answer.visits = tally.work.nodeVisits;
         answer.triangleTests = tally.work.kernelPairs;
-        answer.refined = tally.work.refinedPairs;
         answer.undecided = validator.counters().undecided - undecided;
         return answer;
     }
@@ -231,7 +230,7 @@ class Comparison {
     void print(const char* what, const std::vector<Answer>& before, const std::vector<Answer>& after,
                const Counts& counts, const Rows& rows) const {
         double beforeSeconds = 0, afterSeconds = 0, beforeVisits = 0, afterVisits = 0, beforePairs = 0,
-               afterPairs = 0, beforeRefined = 0, afterRefined = 0;
+               afterPairs = 0;
         std::size_t count = 0;
         for (std::size_t i = 0; i < motions_.size(); ++i) {
             if (!counts(before[i], after[i])) continue;
@@ -242,8 +241,6 @@ class Comparison {
             afterVisits += double(after[i].visits);
             beforePairs += double(before[i].triangleTests);
             afterPairs += double(after[i].triangleTests);
-            beforeRefined += double(before[i].refined);
-            afterRefined += double(after[i].refined);
         }
         const double n = std::max<double>(1, double(count));
         std::cout << what << ": " << count << " motions; us a motion " << beforeSeconds / n * 1e6 << " -> "

@@ -42,7 +42,8 @@ void requireSaid(const Outcome& outcome, const std::string& fault) {
 }
 
 // Must not be optimised into a loop, because the stack must run out.
-__attribute__((noinline)) int deeper(volatile int depth) {
+__attribute__((noinline)) int deeper(int level) {
+    const volatile int depth = level;
     volatile char frame[256] = {};
     frame[0] = static_cast<char>(depth);
     return depth < 0 ? frame[0] : deeper(depth + 1) + frame[0];
