@@ -97,7 +97,7 @@ motions. clearway.planning plans and checks paths with OMPL." ${libraries})
   set(CPACK_DEBIAN_PYTHON3-CLEARWAY_PACKAGE_CONTROL_EXTRA ${debian}/postinst ${debian}/prerm)
 endif()
 
-# What Debian asks of each package and an installation elsewhere has no use for.
+# Debian wants a changelog and a copyright file of each package; an installation elsewhere has no use for them.
 string(TIMESTAMP today "%a, %d %b %Y %H:%M:%S +0000" UTC)
 file(WRITE ${debian}/changelog "clearway (${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE}) unstable; urgency=medium
 

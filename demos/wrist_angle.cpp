@@ -76,7 +76,7 @@ class Carriage {
         return length * (1 + 1e-12);  // rounding
     }
 
-    /// What a stretch of the way looks like from its middle. Velocities are per unit of time, from 0 to 1.
+    /// Returns a stretch of the way as seen from its middle. Velocities are per unit of time, from 0 to 1.
     clearway::MotionPiece pieceOf(const Values& start, const Values& way, double from, double to) const {
         const double t = from + (to - from) / 2, half = (to - from) / 2;
         const Values middle = {start.x + t * way.x, start.y + t * way.y, start.yaw + t * way.yaw,

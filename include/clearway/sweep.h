@@ -57,14 +57,14 @@ using MotionPieces = std::function<MotionPiece(double from, double to)>;
 /// translation and of the turn's angle times the part's radius about its origin; SweepOptions::poseError can cover that.
 MotionPieces piecesOf(const RigidMotion& motion, const Model& part);
 
-/// What a sweep found out about a motion.
+/// The answer of a sweep about a motion.
 enum class SweepVerdict {
     kCertified,  ///< the part keeps more than the margin at all times asked about
     kContact,    ///< at some time the part comes as close as the margin, or the motion forbids its pose
     kUndecided   ///< neither is known: too close to the margin to tell, or stopped
 };
 
-/// What a sweep is to find out, and how closely.
+/// The question of a sweep, and how closely it is to be answered.
 struct SweepOptions {
     double margin = 0;  ///< distances up to this count as contact; environment units, >= 0
 
@@ -129,7 +129,7 @@ struct ClearanceResolution {
     }
 };
 
-/// What leastDistance() is to find out, and how closely.
+/// The question of leastDistance(), and how closely it is to be answered.
 struct LeastDistanceOptions {
     double margin = 0;     ///< the resolution is that of the distance less this; environment units, >= 0
     double poseError = 0;  ///< how far poses may be off the motion, because they are rounded; >= 0

@@ -38,7 +38,7 @@ class OwnedWorkspace {
     Workspace workspace_;
 };
 
-/// What a handle stands for: one of the two.
+/// A handle stands for one of the two.
 struct Entry {
     std::optional<Model> model;
     std::shared_ptr<OwnedWorkspace> workspace;

@@ -104,7 +104,7 @@ std::string lanesOfEveryQuery(int first = 0) {
     return lanes[0] + lanes[1] + lanes[2] + lanes[3];
 }
 
-/// What the case below tells from a child process of this program, with the variable set.
+/// Returns the text that the case below writes in a child process of this program, with the variable set.
 std::string toldByChild(const std::string& value, const std::string& question) {
     const TemporaryFolder folder;
     const std::string program = std::filesystem::read_symlink("/proc/self/exe").string();

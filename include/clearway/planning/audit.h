@@ -63,7 +63,7 @@ struct PathAudit {
     bool isValid() const { return verdict == MotionVerdict::kValid; }
 };
 
-/// What audit() tells besides the verdict: with `profile`, also PathAudit::profile.
+/// Options of audit(): with `profile`, it also fills PathAudit::profile.
 struct AuditOptions {
     bool profile = false;  ///< costs a few times as many queries
     /// Called before each motion, and by checkPath also within motions. True ends the audit: it throws AuditStopped.

@@ -51,7 +51,7 @@ class ClearanceObjective : public ompl::base::OptimizationObjective {
     /// The scene that clearances are measured in.
     const Scene& scene() const;
 
-    /// What was asked of the objective so far, by all threads.
+    /// Counts of what all threads have asked of the objective.
     ObjectiveCounters counters() const;
 
   protected:

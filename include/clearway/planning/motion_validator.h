@@ -182,7 +182,7 @@ class MotionValidator : public ompl::base::MotionValidator {
     virtual bool keepsClearance(const ompl::base::State* s1, const ompl::base::State* s2, double more,
                                 const std::function<bool()>& isStopped = {}) const;
 
-    /// What was asked of the validator so far, by all threads.
+    /// Counts of what all threads have asked of the validator.
     MotionCounters counters() const;
 
     /// MotionOptions::leastInterval or its default, in environment units.

@@ -12,7 +12,7 @@
 
 namespace clearway::planning {
 
-/// What simplify() keeps, and when it ends.
+/// Options of simplify(): the clearance that it keeps, and when it ends.
 struct SimplifyOptions {
     /// The clearance (distance - margin) that new motions keep, in environment units.
     double floor = 0;

@@ -74,7 +74,7 @@ class ValidityChecker : public ompl::base::StateValidityChecker {
     /// The scene that states are judged in.
     const Scene& scene() const;
 
-    /// What was asked of the checker so far, by all threads.
+    /// Counts of what all threads have asked of the checker.
     CheckCounters counters() const;
 
   private:
