@@ -28,7 +28,9 @@ const int hooksInstalled = __sanitizer_install_malloc_and_free_hooks(
 
 #else
 
-// glibc lets a program put its own functions in front of the allocator's. operator new calls them too.
+// glibc lets a program put its own functions in front of the allocator's. operator new calls them too, if the
+// program shows them to libraries.
+#pragma GCC visibility push(default)
 extern "C" {
 
 void* __libc_malloc(std::size_t size);
@@ -57,6 +59,7 @@ void* aligned_alloc(std::size_t alignment, std::size_t size) {
 }
 
 }  // extern "C"
+#pragma GCC visibility pop
 
 #endif
 
