@@ -150,7 +150,7 @@ class LeafPairs {
     HWY_INLINE void visitRegisters(const Look& look) {
         const KernelTag d;
         constexpr int kLanes = int(hn::MaxLanes(KernelTag()));
-        alignas(64) std::int32_t pairs[2 * kBlockPairs];
+        alignas(64) std::int32_t pairs[2 * kBlockPairs] = {};
         int block = 0;
         for (std::uint32_t i = 0; i < part_->triangleCount; i += kBlock) {
             for (std::uint32_t j = 0; j < environment_->triangleCount; j += kBlock) {
@@ -277,8 +277,8 @@ class LeafPairs {
         }
     }
 
-    /// Writes the numbers of the bits that are set, in ascending order, and returns how many there are. The entries up to the next
-    /// whole register are numbers of pairs, too. pairs: room for two blocks.
+    /// Writes the numbers of the bits that are set, in ascending order, and returns how many there are. Entries after these have no
+    /// meaning. pairs: room for two blocks.
     static HWY_INLINE int listLanes(std::uint32_t near, std::int32_t* pairs) {
 #if HWY_TARGET == HWY_SCALAR
         int count = 0;
