@@ -8,5 +8,6 @@ setup(
     package_data={"clearway": ["py.typed", "*.pyi"]},
     cmake_install_dir="python/clearway",
     cmake_args=["-DCMAKE_BUILD_TYPE=Release", "-DCLEARWAY_PYTHON=ON", "-DCLEARWAY_PYTHON_DIR=.", "-DCLEARWAY_INSTALL=OFF"]
-    + ["-DCLEARWAY_%s=OFF" % name for name in ("PLANNING", "PROGRAM", "DEMOS", "TESTS")],
+    + ["-DBUILD_SHARED_LIBS=ON", "-DCLEARWAY_PLANNING=AUTO"]
+    + ["-DCLEARWAY_%s=OFF" % name for name in ("PROGRAM", "DEMOS", "TESTS")],
 )

@@ -5,7 +5,10 @@
 set(clearway_ompl_fault "")
 find_package(ompl QUIET CONFIG)  # without a version, because OMPL's version file says that 2.0 does not satisfy 1.5
 find_package(Threads QUIET)
-set(clearway_ompl_FOUND ${ompl_FOUND})
+set(clearway_ompl_FOUND FALSE)
+if(ompl_FOUND)
+  set(clearway_ompl_FOUND TRUE)
+endif()
 if(ompl_FOUND AND ompl_VERSION VERSION_LESS 1.5)
   set(clearway_ompl_FOUND FALSE)
   set(clearway_ompl_fault "the one in ${ompl_DIR} is ${ompl_VERSION}; ")

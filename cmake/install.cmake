@@ -5,23 +5,24 @@ include(CMakePackageConfigHelpers)
 set(config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/clearway)
 set(generated ${PROJECT_BINARY_DIR}/generated)
 
-# The libraries, each in an export set of its own. A static library and its shared twin, if there is one, bear one name:
-# clearwayConfig.cmake chooses between them.
-function(install_library target name kind)
+# install_library(TARGET NAME KIND PACKAGE): installs a library in an export set of its own. A static library and its shared twin,
+# if there is one, bear one name: clearwayConfig.cmake chooses between them. PACKAGE is the component of what programs need.
+function(install_library target name kind package)
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
   install(TARGETS ${target} EXPORT ${name}_${kind}
-          LIBRARY COMPONENT libclearway NAMELINK_COMPONENT libclearway-dev
+          LIBRARY COMPONENT ${package} NAMELINK_COMPONENT libclearway-dev
           ARCHIVE COMPONENT libclearway-dev)
   install(EXPORT ${name}_${kind} NAMESPACE clearway:: DESTINATION ${config_dir} COMPONENT libclearway-dev)
 endfunction()
-install_library(clearway clearway static)
+install_library(clearway clearway static libclearway)
 if(BUILD_SHARED_LIBS)
-  install_library(clearway_shared clearway shared)
+  install_library(clearway_shared clearway shared libclearway)
 endif()
 if(CLEARWAY_PLANNING)
-  install_library(clearway_planning planning static)
+  install_library(clearway_planning planning static libclearway-planning)
   if(BUILD_SHARED_LIBS)
-    install_library(clearway_planning_shared planning shared)
+    install_library(clearway_planning_shared planning shared libclearway-planning)
+    set_target_properties(clearway_planning_shared PROPERTIES INSTALL_RPATH $ORIGIN)  # libclearway lies beside it
   endif()
 endif()
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT libclearway)
@@ -42,19 +43,22 @@ write_basic_package_version_file(${generated}/clearwayConfigVersion.cmake COMPAT
 install(FILES ${generated}/clearwayConfig.cmake ${generated}/clearwayConfigVersion.cmake ${CMAKE_CURRENT_LIST_DIR}/find_ompl.cmake
         DESTINATION ${config_dir} COMPONENT libclearway-dev)
 
-# pkg-config. Who links the static libraries also links what these need: everybody where there are no others.
-set(pc_required_privately assimp libhwy tbb)
-set(pc_libraries_privately "")
-if(CLEARWAY_EMBREE)
-  set(pc_libraries_privately -lembree${EMBREE_VERSION_MAJOR})
-endif()
-set(pc_required eigen3)
+# pkg-config. Who links the static libraries also links what these need: everybody where there are no others. Where there are, these
+# are named as libraries: pkg-config refuses a package whose Requires.private is not installed even to users of the shared libraries.
 set(pc_libraries -lclearway)
+set(pc_libraries_privately -lassimp -lhwy -ltbb)
+if(CLEARWAY_EMBREE)
+  list(APPEND pc_libraries_privately -lembree${EMBREE_VERSION_MAJOR})
+endif()
+foreach(library IN LISTS CMAKE_CXX_IMPLICIT_LINK_LIBRARIES)
+  if(library MATCHES "^(stdc[+][+]|c[+][+]|m)$")  # for programs in C
+    list(APPEND pc_libraries_privately -l${library})
+  endif()
+endforeach()
 if(NOT BUILD_SHARED_LIBS)
-  list(APPEND pc_required ${pc_required_privately})
   list(APPEND pc_libraries ${pc_libraries_privately})
 endif()
-foreach(list pc_required pc_required_privately pc_libraries pc_libraries_privately)
+foreach(list pc_libraries pc_libraries_privately)
   list(JOIN ${list} " " ${list})
 endforeach()
 file(RELATIVE_PATH pc_prefix /x/${CMAKE_INSTALL_LIBDIR}/pkgconfig /x)  # from where the files are, so that the tree can be moved

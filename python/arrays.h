@@ -32,7 +32,8 @@ inline py::array_t<double, py::array::c_style> numbersOf(const py::handle& objec
         throw std::invalid_argument(name + " has shape " + shapeOf(given) + ", expected " +
                                     std::to_string(dimensions) + " dimensions");
     }
-    return py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(given);
+    // A broadcast array may stand for more numbers than fit into memory; NumPy then raises MemoryError.
+    return py::array_t<double, py::array::c_style | py::array::forcecast>(given);
 }
 
 /// The pose of 16 doubles in row-major order, whose last row must be 0 0 0 1.
@@ -71,6 +72,20 @@ inline std::vector<Pose> posesOf(const py::handle& object) {
         poses.push_back(poseOfRows(matrices.data(i, 0, 0), "poses[" + std::to_string(i) + "]"));
     }
     return poses;
+}
+
+/// (N, 4, 4).
+inline py::array_t<double> arrayOf(const std::vector<Pose>& poses) {
+    py::array_t<double> matrices({static_cast<py::ssize_t>(poses.size()), py::ssize_t{4}, py::ssize_t{4}});
+    auto entries = matrices.mutable_unchecked<3>();
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+        for (int row = 0; row < 4; ++row) {
+            for (int column = 0; column < 3; ++column)
+                entries(i, row, column) = row < 3 ? poses[i].rotation(row, column) : 0;
+            entries(i, row, 3) = row < 3 ? poses[i].translation[row] : 1;
+        }
+    }
+    return matrices;
 }
 
 inline py::array_t<double> arrayOf(const Vector3& point) {

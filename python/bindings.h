@@ -6,6 +6,8 @@
 namespace clearway::python {
 
 void bindMeshesAndModels(pybind11::module_& module);
+void bindProblems(pybind11::module_& module);
 void bindScenes(pybind11::module_& module);
+void bindStates(pybind11::module_& module);
 
 }  // namespace clearway::python

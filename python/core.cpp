@@ -115,22 +115,31 @@ void bindQueries(py::module_& module) {
         module, "Workspace",
         R"(The scratch memory and the warm start of the thread that makes it. Other threads are refused.)")
         .def(py::init<>())
-        .def("forget_warm_start", [](OwnedWorkspace& workspace) { workspace.mine().forgetWarmStart(); });
+        .def(
+            "forget_warm_start", [](OwnedWorkspace& workspace) { workspace.mine().forgetWarmStart(); },
+            R"(Makes the next answer independent, to the last digit, of what was asked before.)");
     py::class_<DistanceResult>(
         module, "DistanceResult",
         R"(lower <= true distance <= upper; both are 0 on contact. Lengths are in environment units, points (3,) in the
 environment's frame; triangles count as in the mesh. Beyond the cap upper and distance are inf, triangles -1, points nan.)")
-        .def_readonly("lower", &DistanceResult::lower)
-        .def_readonly("upper", &DistanceResult::upper)
-        .def_readonly("distance", &DistanceResult::distance)
-        .def_property_readonly("point_on_part",
-                               [](const DistanceResult& result) { return arrayOf(result.pointOnPart); })
+        .def_readonly("lower", &DistanceResult::lower, R"(No more than the true distance.)")
+        .def_readonly("upper", &DistanceResult::upper,
+                      R"(No less than the true distance; inf beyond the cap.)")
+        .def_readonly("distance", &DistanceResult::distance,
+                      R"(The distance of the two points; 0 on contact.)")
+        .def_property_readonly(
+            "point_on_part", [](const DistanceResult& result) { return arrayOf(result.pointOnPart); },
+            R"((3,): the part's point of the closest pair, environment frame.)")
         .def_property_readonly(
             "point_on_environment",
-            [](const DistanceResult& result) { return arrayOf(result.pointOnEnvironment); })
-        .def_readonly("part_triangle", &DistanceResult::partTriangle)
-        .def_readonly("environment_triangle", &DistanceResult::environmentTriangle)
-        .def_property_readonly("collides", &DistanceResult::collides)
+            [](const DistanceResult& result) { return arrayOf(result.pointOnEnvironment); },
+            R"((3,): the environment's point of the closest pair, environment frame.)")
+        .def_readonly("part_triangle", &DistanceResult::partTriangle,
+                      R"(The row of the part's triangles that has the point; -1 beyond the cap.)")
+        .def_readonly("environment_triangle", &DistanceResult::environmentTriangle,
+                      R"(The row of the environment's triangles that has the point; -1 beyond the cap.)")
+        .def_property_readonly("collides", &DistanceResult::collides,
+                               R"(Whether the two share a point, exactly.)")
         .def("__repr__", &describe);
     module.def(
         "distance",
@@ -261,5 +270,7 @@ PYBIND11_MODULE(_core, module) {
     });
     clearway::python::bindMeshesAndModels(module);
     clearway::python::bindQueries(module);
+    clearway::python::bindProblems(module);
     clearway::python::bindScenes(module);
+    clearway::python::bindStates(module);
 }

@@ -1,8 +1,10 @@
 // Meshes and models for Python.
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -18,6 +20,7 @@ namespace clearway::python {
 namespace {
 
 using ReleasedGil = py::gil_scoped_release;
+using FileName = std::filesystem::path;
 
 Mesh makeMesh(const py::object& vertices, const py::object& triangles, const std::string& name) {
     const auto points = numbersOf(vertices, "vertices", 2);
@@ -86,53 +89,77 @@ Model buildModel(const Mesh& mesh, const std::string& preset, const std::optiona
 }  // namespace
 
 void bindMeshesAndModels(py::module_& module) {
-    py::class_<Mesh>(module, "Mesh")
+    py::class_<Mesh>(
+        module, "Mesh",
+        R"(Triangles over shared vertices. The doubles are exact by definition: every query answers for them. Immutable.)")
         .def(
             py::init(&makeMesh), py::arg("vertices"), py::arg("triangles"), py::kw_only(),
             py::arg("name") = "",
             R"(vertices: (V, 3) numbers, kept as doubles. triangles: (T, 3) whole numbers, rows of vertices.)")
         .def_static(
             "load",
-            [](const std::string& file, double scale) {
+            [](const FileName& file, double scale) {
                 LoadOptions options;
                 options.scale = scale;
                 const ReleasedGil released;
-                return loadMesh(file, options);
+                return loadMesh(file.string(), options);
             },
             py::arg("file"), py::kw_only(), py::arg("scale") = 1.0,
             R"(Reads a file of any format that assimp reads: stl, obj, ply, glb and more. scale: a factor for its coordinates.)")
-        .def("save", &saveMesh, py::arg("file"), py::call_guard<ReleasedGil>(),
-             R"(Writes .glb, .obj, .ply, .stl or .dae; coordinates are rounded to float.)")
+        .def(
+            "save",
+            [](const Mesh& mesh, const FileName& file) {
+                const ReleasedGil released;
+                saveMesh(mesh, file.string());
+            },
+            py::arg("file"), R"(Writes .glb, .obj, .ply, .stl or .dae; coordinates are rounded to float.)")
         .def_property_readonly("vertices", &verticesOf, R"((V, 3) doubles, a copy.)")
         .def_property_readonly("triangles", &trianglesOf, R"((T, 3) uint32, a copy.)")
-        .def_property_readonly("components",
-                               [](const Mesh& mesh) {
-                                   std::vector<std::string> names;
-                                   for (const Component& component : mesh.components)
-                                       names.push_back(component.name);
-                                   return names;
-                               })
+        .def_property_readonly(
+            "components",
+            [](const Mesh& mesh) {
+                std::vector<std::string> names;
+                for (const Component& component : mesh.components) names.push_back(component.name);
+                return names;
+            },
+            R"(The names of the components, which are runs of triangles.)")
         .def("__repr__", [](const Mesh& mesh) {
             return "Mesh(" + std::to_string(mesh.vertices.size()) + " vertices, " +
                    std::to_string(mesh.triangles.size()) + " triangles)";
         });
-    py::class_<Model>(module, "Model")
+    py::class_<Model>(
+        module, "Model",
+        R"(A mesh prepared for queries, with its own copy of it. Immutable; any number of threads may query one model.)")
         .def(
             py::init(&buildModel), py::arg("mesh"), py::kw_only(), py::arg("preset") = "best",
             py::arg("general_split") = py::none(), py::arg("leaf_split") = py::none(),
             py::arg("leaf_size") = py::none(), py::arg("node_width") = py::none(),
             py::arg("fit") = py::none(), py::arg("threads") = 0,
-            R"(A mesh prepared for queries, with its own copy of it; any number of threads may query one model. The names of
-strategies are those of C++'s BuildOptions. threads: 0 for all cores.)")
-        .def_static("load", &Model::load, py::arg("file"), py::call_guard<ReleasedGil>(),
-                    R"(Reads a file written by save.)")
-        .def("save", &Model::save, py::arg("file"), py::call_guard<ReleasedGil>())
+            R"(Builds the model of a mesh. preset: "best" for the fastest queries, "fast" for a quick build. The names of strategies
+are those of C++'s BuildOptions. threads: 0 for all cores.)")
+        .def_static(
+            "load",
+            [](const FileName& file) {
+                const ReleasedGil released;
+                return Model::load(file.string());
+            },
+            py::arg("file"), R"(Reads a file written by save. Raises FileError for any other file.)")
+        .def(
+            "save",
+            [](const Model& model, const FileName& file) {
+                const ReleasedGil released;
+                model.save(file.string());
+            },
+            py::arg("file"),
+            R"(Writes the model, for load; queries of the one that is read answer to the same bit.)")
         .def_property_readonly(
             "box", [](const Model& model) { return arrayOf(model.box()); },
             R"((2, 3): the least and the greatest corner, mesh coordinates.)")
         .def_property_readonly("radius_about_origin", &Model::radiusAboutOrigin,
                                R"(No rotation about the origin of mesh coordinates reaches further.)")
-        .def_property_readonly("triangle_count", [](const Model& model) { return model.report().triangles; })
+        .def_property_readonly(
+            "triangle_count", [](const Model& model) { return model.report().triangles; },
+            R"(The number of triangles that queries see: those of the mesh without duplicates.)")
         .def("__repr__", [](const Model& model) {
             return "Model(" + std::to_string(model.report().triangles) + " triangles)";
         });

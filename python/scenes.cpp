@@ -9,9 +9,12 @@
 #include <utility>
 #include <vector>
 
+#include "clearway/build_options.h"
+#include "clearway/problem.h"
 #include "clearway/scene_clearance.h"
 #include "python/arrays.h"
 #include "python/bindings.h"
+#include "python/scenes.h"
 
 namespace clearway::python {
 namespace {
@@ -31,70 +34,149 @@ PyObstacle makeObstacle(const Model& model, double margin, const Mesh* solid) {
     return made;
 }
 
-std::unique_ptr<SceneClearance> makeScene(const Model& part, const std::vector<PyObstacle>& obstacles,
-                                          const Mesh* partMesh) {
+std::unique_ptr<PyScene> makeScene(const Model& part, const std::vector<PyObstacle>& obstacles,
+                                   const Mesh* partMesh) {
     Scene scene(part);
     for (const PyObstacle& made : obstacles) scene.obstacles.push_back(made.obstacle);
     if (partMesh) scene.partSolids = makeSolids(*partMesh).solids;
-    return std::make_unique<SceneClearance>(std::move(scene));
+    return std::make_unique<PyScene>(std::move(scene));
 }
 
-py::tuple checkMotion(const SceneClearance& scene, const py::object& from, const py::object& to) {
+std::unique_ptr<PyScene> loadSceneOf(const py::object& given, const std::string& preset, int threads) {
+    const Problem problem = problemOf(given);
+    requireMeshFiles(problem);
+    BuildOptions options = buildPreset(preset);
+    options.threads = threads;
+    const ReleasedGil released;
+    LoadedScene loaded = loadScene(problem, options);
+    return std::make_unique<PyScene>(std::move(loaded.scene), std::move(loaded.notes));
+}
+
+std::vector<PyObstacle> obstaclesOf(const PyScene& scene) {
+    std::vector<PyObstacle> obstacles;
+    for (const Obstacle& obstacle : scene.clearance.scene().obstacles) obstacles.push_back({obstacle});
+    return obstacles;
+}
+
+py::tuple checkMotion(const PyScene& scene, const py::object& from, const py::object& to) {
     const RigidMotion motion = motionBetween(poseOf(from, "start"), poseOf(to, "end"));
     MotionAnswer found;
     {
         const ReleasedGil released;
-        found = scene.check(motion);
+        found = scene.clearance.check(motion);
     }
     const char* names[] = {"certified", "contact", "undecided"};
     return py::make_tuple(names[static_cast<int>(found.verdict)], found.certifiedUntil, found.contactTime);
 }
 
-}  // namespace
+/// Answers a question about poses without Python's lock, as an array.
+template <class Question>
+auto arrayOfAnswers(const py::object& poses, const Question& question) {
+    const std::vector<Pose> X = posesOf(poses);
+    const auto answers = [&] {
+        const ReleasedGil released;
+        return question(X);
+    }();
+    return py::array(static_cast<py::ssize_t>(answers.size()), answers.data());
+}
 
-void bindScenes(py::module_& module) {
-    py::class_<PyObstacle>(module, "Obstacle")
+void bindObstacle(py::module_& module) {
+    py::class_<PyObstacle>(module, "Obstacle",
+                           R"(A model that the part of a scene must stay away from. Immutable.)")
         .def(
             py::init(&makeObstacle), py::arg("model"), py::arg("margin") = 0.0, py::kw_only(),
             py::arg("solid") = py::none(),
             R"(Must stay farther from the part than the margin (environment units). solid: the model's closed mesh; the part is then
-not free inside of it either.)");
-    py::class_<SceneClearance>(module, "Scene")
+not free inside of it either.)")
+        .def_property_readonly(
+            "model", [](const PyObstacle& obstacle) { return obstacle.obstacle.model; },
+            R"(The obstacle's model, in the environment's frame.)")
+        .def_property_readonly(
+            "margin", [](const PyObstacle& obstacle) { return obstacle.obstacle.margin; },
+            R"(The distance that the part must exceed, environment units.)")
+        .def_property_readonly(
+            "is_solid", [](const PyObstacle& obstacle) { return obstacle.obstacle.solids != nullptr; },
+            R"(Whether the inside of the obstacle counts too.)")
+        .def("__repr__", [](const PyObstacle& obstacle) {
+            return "Obstacle(" + std::to_string(obstacle.obstacle.model.report().triangles) +
+                   " triangles, margin " + std::string(py::repr(py::float_(obstacle.obstacle.margin))) + ")";
+        });
+}
+
+}  // namespace
+
+void bindScenes(py::module_& module) {
+    bindObstacle(module);
+    py::class_<PyScene>(
+        module, "Scene",
+        R"(One part among obstacles with margins. Immutable; any number of threads may ask one scene. Poses are (4, 4),
+X_environment_part; lengths are in the environment's unit.)")
         .def(
             py::init(&makeScene), py::arg("part"), py::arg("obstacles"), py::kw_only(),
             py::arg("part_mesh") = py::none(),
             R"(One part among obstacles. part_mesh: the part's closed mesh, needed when an obstacle is solid.)")
+        .def_static(
+            "load", &loadSceneOf, py::arg("problem"), py::kw_only(), py::arg("preset") = "best",
+            py::arg("threads") = 0,
+            R"(Loads the meshes of a Problem, or of a problem file, and builds their models, with the problem's margins and rules.
+preset: as for Model. threads: 0 for all cores.)")
+        .def_property_readonly(
+            "part", [](const PyScene& scene) { return scene.clearance.scene().part; }, R"(The part's model.)")
+        .def_property_readonly("obstacles", &obstaclesOf,
+                               R"(The obstacles; each has components that share a margin.)")
+        .def_readonly("notes", &PyScene::notes,
+                      R"(What loading did to the meshes, and what looks wrong about them, one line each.)")
         .def(
             "is_free",
-            [](const SceneClearance& scene, const py::object& pose) {
+            [](const PyScene& scene, const py::object& pose) {
                 const Pose X = poseOf(pose);
                 const ReleasedGil released;
-                return scene.isFree(X);
+                return scene.clearance.isFree(X);
             },
             py::arg("pose"),
             R"(Whether all distances are larger than the margins, and the part is in no solid. pose: (4, 4).)")
         .def(
+            "is_free_batch",
+            [](const PyScene& scene, const py::object& poses) {
+                const auto flags = arrayOfAnswers(
+                    poses, [&](const std::vector<Pose>& X) { return scene.clearance.isFreeBatch(X); });
+                return flags.attr("astype")("bool");
+            },
+            py::arg("poses"),
+            R"(is_free() for poses (N, 4, 4), on all cores. Returns (N,) bools. Order the poses as along a path.)")
+        .def(
             "clearance",
-            [](const SceneClearance& scene, const py::object& pose) {
+            [](const PyScene& scene, const py::object& pose) {
                 const Pose X = poseOf(pose);
                 const ReleasedGil released;
-                return scene.at(X).lower;
+                return scene.clearance.at(X).lower;
             },
             py::arg("pose"),
             R"(The least distance less margin, a lower bound; above 0 exactly when the pose is free; inf without obstacles.)")
         .def(
+            "clearance_batch",
+            [](const PyScene& scene, const py::object& poses) {
+                return arrayOfAnswers(
+                    poses, [&](const std::vector<Pose>& X) { return scene.clearance.clearanceBatch(X); });
+            },
+            py::arg("poses"),
+            R"(clearance() for poses (N, 4, 4), on all cores. Returns (N,) doubles. Order the poses as along a path.)")
+        .def(
             "why_not_free",
-            [](const SceneClearance& scene, const py::object& pose) {
+            [](const PyScene& scene, const py::object& pose) {
                 const Pose X = poseOf(pose);
                 const ReleasedGil released;
-                return scene.whyInvalid(X);
+                return scene.clearance.whyInvalid(X);
             },
             py::arg("pose"), R"(Why the pose is not free, as words after "is"; empty when it is.)")
         .def(
             "check_motion", &checkMotion, py::arg("start"), py::arg("end"),
             R"(Checks the straight motion with the shorter turn between two poses (4, 4), however thin an obstacle is. Returns
 (verdict, certified_until, contact_time): "certified", "contact" or "undecided" (too close to a margin to tell), the time up
-to which it is free, of 0 to 1, and that of a pose that is not (inf for none). A half turn is taken either way.)");
+to which it is free, of 0 to 1, and that of a pose that is not (inf for none). A half turn is taken either way.)")
+        .def("__repr__", [](const PyScene& scene) {
+            return "Scene(" + std::to_string(scene.clearance.scene().obstacles.size()) + " obstacles)";
+        });
 }
 
 }  // namespace clearway::python

@@ -2,7 +2,7 @@
 cmake_minimum_required(VERSION 3.25)
 
 file(GLOB_RECURSE files "${ROOT}/src/*.h" "${ROOT}/src/*.cpp" "${ROOT}/include/*.h" "${ROOT}/demos/*.h" "${ROOT}/demos/*.cpp"
-     "${ROOT}/tests/*.h" "${ROOT}/tests/*.cpp")
+     "${ROOT}/demos/*.c" "${ROOT}/tests/*.h" "${ROOT}/tests/*.cpp" "${ROOT}/tests/*.c")
 list(LENGTH files count)
 if(count EQUAL 0)
   message(FATAL_ERROR "ROOT is '${ROOT}', expected a folder with source files under src, include, demos or tests")

@@ -60,6 +60,8 @@ expect_refusal(include/clearway/x.h "#include <nlohmann/json_fwd.hpp>" "only fil
 expect_refusal(include/clearway/planning/x.h "#include <assimp/scene.h>" "only files that match")
 expect_refusal(include/clearway/x.h "#include \"tree/flat_tree.h\"" "public headers include only public headers")
 expect_refusal(include/clearway/x.h "#include \"clearway/planning/c.h\"" "only the planning headers")
+expect_refusal(src/c/x.cpp "#include \"model/model_data.h\"" "src/c may include only c")
+expect_refusal(demos/x.c "#include \"model/model.h\"" "demos include only public headers")
 expect_refusal(demos/x.cpp "#include \"model/model.h\"" "demos include only public headers")
 expect_refusal(src/tree/x.cpp "#include \"flat_tree.h\"" "headers are named by their path")
 expect_refusal(src/tree/x.cpp "#include \"../core/x.h\"" "headers are named by their path")

@@ -8,7 +8,8 @@
 
 namespace clearway {
 
-constexpr int kLargestLeafSize = 16;  ///< triangles
+/// The largest BuildOptions::leafSize, in triangles.
+constexpr int kLargestLeafSize = 16;
 
 /// The options of a build. Their default values are those of the preset "best".
 struct BuildOptions {
@@ -26,16 +27,24 @@ struct BuildOptions {
 /// std::invalid_argument that lists the known names.
 BuildOptions buildPreset(const std::string& name);
 
-/// The names of all presets ("best", "fast"), general splits ("sah", "embree", "axis", ...), leaf splits
-/// ("none", "chain", "edge", "all") and fits ("frames", "covariance"), and all node widths, the widest first.
-/// A build without Embree has neither "fast" nor "embree".
+/// The names of all presets: "best" and, unless clearway was built without Embree, "fast".
 std::vector<std::string> buildPresetNames();
+
+/// The names of all general splits, which divide a mesh into groups of triangles: "mean", "axis", "sah" and,
+/// unless clearway was built without Embree, "embree".
 std::vector<std::string> generalSplitNames();
+
+/// The names of all leaf splits, which divide a group of triangles further: "none", "chain", "edge", "all".
 std::vector<std::string> leafSplitNames();
+
+/// The names of all fits, which place a volume around its triangles: "frames", "covariance".
 std::vector<std::string> fitNames();
+
+/// All node widths, that is, numbers of children of a node; the widest first.
 std::vector<int> nodeWidths();
 
-/// Throws std::invalid_argument that names the wrong option, its value and the possible values.
+/// Checks the options. Throws std::invalid_argument that names the wrong option, its value and the possible
+/// values.
 void requireBuildOptions(const BuildOptions& options);
 
 }  // namespace clearway

@@ -20,18 +20,19 @@ struct CleanReport {
 
 /// The shape of a tree.
 struct TreeStatistics {
-    std::size_t nodes = 0;  ///< wide nodes
-    std::size_t leaves = 0;
+    std::size_t nodes = 0;                  ///< wide nodes
+    std::size_t leaves = 0;                 ///< groups of triangles at the ends of the tree
     std::vector<std::size_t> leavesBySize;  ///< [k] = leaves that hold k triangles; [0] unused
     int depth = 0;                          ///< wide nodes on the longest way from the root to a leaf
     double meanChildren = 0;                ///< used lanes per node
     std::size_t bytes = 0;                  ///< all memory of the tree, including exact vertices and ids
 };
 
+/// How a model was built, and what came out of it.
 struct BuildReport {
-    BuildOptions options;
-    CleanReport clean;
-    TreeStatistics tree;
+    BuildOptions options;                  ///< as given
+    CleanReport clean;                     ///< about the mesh as given
+    TreeStatistics tree;                   ///< about the tree that queries use
     std::size_t triangles = 0;             ///< in the tree, without duplicates and unreachable ones
     std::size_t unreachableTriangles = 0;  ///< left out because no pose within the reach comes near them
     double seconds = 0;                    ///< cleaning, fitting, splitting and flattening

@@ -12,21 +12,23 @@
 
 namespace clearway {
 
+/// The positions of a triangle's three corners in Mesh::vertices: counter-clockwise as seen from its front,
+/// which faces outwards on the surface of a solid.
 using TriangleIndices = std::array<std::uint32_t, 3>;
 
 /// A named run of triangles, such as one mesh of one node of a file. Results refer to triangles by component.
 struct Component {
-    std::string name;
-    std::uint32_t firstTriangle = 0;
-    std::uint32_t triangleCount = 0;
+    std::string name;                 ///< empty for a nameless component
+    std::uint32_t firstTriangle = 0;  ///< position in Mesh::triangles
+    std::uint32_t triangleCount = 0;  ///< may be 0
 };
 
 /// How the loader made the stored coordinates: stored = scale * (file coordinates) + shift, where the file
 /// coordinates are those after the file's node transforms, in file units.
 struct MeshOrigin {
-    std::string file;  ///< empty for a mesh made in memory
-    double scale = 1.0;
-    Vector3 shift = Vector3::Zero();  ///< applied after the scale
+    std::string file;                 ///< empty for a mesh made in memory
+    double scale = 1.0;               ///< LoadOptions::scale
+    Vector3 shift = Vector3::Zero();  ///< applied after the scale, in stored units
     std::size_t ignoredFaces = 0;     ///< points, lines and faces that could not be triangulated
     /// One line for each other conversion that was applied or left out: units, up axis, assimp's own
     /// conversions, re-centring.
@@ -36,11 +38,11 @@ struct MeshOrigin {
 /// Triangles over shared vertices. The stored doubles are exact by definition: every query answers for them.
 /// A triangle's id is its position in `triangles`.
 struct Mesh {
-    std::vector<Vector3> vertices;
-    std::vector<TriangleIndices> triangles;
+    std::vector<Vector3> vertices;           ///< mesh coordinates; finite where a triangle uses them
+    std::vector<TriangleIndices> triangles;  ///< into `vertices`; at least one for Model::build
     /// Consecutive runs that cover `triangles` in order; empty means one nameless component.
     std::vector<Component> components;
-    MeshOrigin origin;
+    MeshOrigin origin;  ///< only names of meshes and reports depend on it, no distance
 };
 
 /// The ways to read a file.
@@ -51,9 +53,10 @@ enum class MeshReading {
     kOmplAppPlanarRobot,  ///< as OMPL.app reads an SE(2) robot: shifted like kOmplAppRobot, but not in z
 };
 
+/// How loadMesh reads a file.
 struct LoadOptions {
-    MeshReading reading = MeshReading::kAsStored;
-    double scale = 1.0;  ///< > 0; stored = scale * file coordinates
+    MeshReading reading = MeshReading::kAsStored;  ///< which conversions are applied, see loadMesh
+    double scale = 1.0;                            ///< > 0; stored = scale * file coordinates
 };
 
 /// Reads a mesh in any format that assimp reads. Node transforms are applied and polygons triangulated;
@@ -91,7 +94,8 @@ void saveMesh(const Mesh& mesh, const std::string& file);
 /// region. Throws std::invalid_argument, naming the box, when it is empty, flat or not finite.
 Mesh boxMesh(const Box& box, const std::string& name = "box");
 
-/// The smallest box that holds every vertex of a triangle; empty for a mesh without triangles.
+/// The smallest box that holds every vertex of a triangle, in mesh coordinates; empty for a mesh without
+/// triangles.
 Box boundingBox(const Mesh& mesh);
 
 /// The index into mesh.components of the component with this triangle; 0 if there are no components.

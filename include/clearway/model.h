@@ -13,6 +13,9 @@
 #include "clearway/mesh.h"
 #include "clearway/types.h"
 
+/// @namespace clearway
+/// The library without OMPL: meshes, models, queries, motions, scenes and problem files.
+
 #pragma GCC visibility push(default)
 
 namespace clearway {
@@ -53,10 +56,11 @@ class Model {
     /// std::runtime_error when the file cannot be written.
     void save(const std::string& file) const;
 
+    /// How the model was built; for a loaded model, how the saved one was.
     const BuildReport& report() const;
     const Box& box() const;  ///< of all triangles, including those left out; mesh coordinates
     const std::vector<Component>& components() const;  ///< at least one
-    const MeshOrigin& origin() const;
+    const MeshOrigin& origin() const;                  ///< that of the mesh which the model was built from
 
     /// Largest distance of a vertex in the tree from the origin of mesh coordinates: no rotation about the
     /// origin reaches further.
@@ -86,7 +90,7 @@ class Model {
     /// modelKey of the mesh, options and reach that the model was built from, also for a loaded model.
     std::uint64_t key() const;
 
-    /// For the query layer only.
+    /// The tree, for the query layer only.
     const FlatTree& tree() const;
 
   private:
@@ -101,8 +105,9 @@ class Model {
 std::uint64_t modelKey(const Mesh& mesh, const BuildOptions& options,
                        const std::optional<Reach>& reach = std::nullopt);
 
+/// The result of buildCached.
 struct CachedModel {
-    Model model;
+    Model model;            ///< answers as a model built from the mesh, options and reach
     bool isLoaded = false;  ///< false: built, and saved for the next time
     std::string warning;    ///< why an existing file could not be used; empty otherwise
 };

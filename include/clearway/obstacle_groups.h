@@ -22,23 +22,26 @@ Mesh joinedEnvironment(const std::vector<Mesh>& files);
 
 /// Components that share a margin and count alike. One Obstacle is built from each group.
 struct ObstacleGroup {
-    Mesh mesh;
-    double margin = 0, overlap = 0;        ///< at most one of them above 0
-    std::shared_ptr<const Solids> solids;  ///< null unless solid or with an overlap
-    bool isIgnoredAtStart = false, isIgnoredAtGoal = false;
+    Mesh mesh;                                 ///< the components, in the environment's frame
+    double margin = 0;                         ///< environment units, >= 0
+    double overlap = 0;                        ///< environment units, >= 0; 0 if the margin is above 0
+    std::shared_ptr<const Solids> solids;      ///< null unless solid or with an overlap
+    bool isIgnoredAtStart = false;             ///< see Obstacle
+    bool isIgnoredAtGoal = false;              ///< see Obstacle
     std::vector<std::uint32_t> fileTriangles;  ///< see Obstacle
 };
 
+/// All groups of an environment, and what the rules leave out. Lengths in environment units.
 struct ObstacleGroups {
-    std::vector<ObstacleGroup> groups;
-    std::vector<std::string> ignored;  ///< names of the components left out
-    Box ignoredBox;                    ///< of the ignored components
-    std::vector<std::string> notes;    ///< one line for each solid that was turned over
+    std::vector<ObstacleGroup> groups;  ///< none without triangles
+    std::vector<std::string> ignored;   ///< names of the components left out
+    Box ignoredBox;                     ///< box of the ignored components; environment's frame
+    std::vector<std::string> notes;     ///< one line for each solid that was turned over
 
-    double largestMargin() const;  ///< 0 without groups
-    bool hasSolids() const;
+    double largestMargin() const;          ///< the groups' largest margin; 0 without groups
+    bool hasSolids() const;                ///< whether any group has solids
     std::vector<double> overlaps() const;  ///< those above 0, each once, rising
-    Box environmentBox() const;  ///< of all groups and ignoredBox: where a problem's bounds come from
+    Box environmentBox() const;  ///< box of all groups and ignoredBox: where a problem's bounds come from
 };
 
 /// Puts each component of the files into one group, or among the ignored ones. margin: for components that no

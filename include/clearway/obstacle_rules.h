@@ -18,14 +18,15 @@ namespace clearway {
 
 /// Obstacles that the assembled part may touch; see ContactZone.
 struct ContactRule {
-    std::vector<std::string> names;
-    double distance = 0;  ///< environment units, > 0
+    std::vector<std::string> names;  ///< of the obstacles; a name as above may stand for several
+    double distance = 0;             ///< ContactZone::distance: environment units, > 0
 };
 
 /// How deep obstacles may reach below the part's surface; see shrink().
 struct OverlapRules {
     double common = 0;  ///< of obstacles that no name stands for, environment units, >= 0
-    /// By name; environment units, >= 0. If two names stand for one obstacle, as for margins.
+    /// Overlaps that replace the common one, by name; environment units, >= 0. If two names stand for one
+    /// obstacle, the name that stands for fewer components counts.
     std::map<std::string, double> byName;
     std::optional<double> tolerance;  ///< environment units, > 0; without it a tenth of each overlap
     bool isThinAllowed = false;       ///< whether shrinking may remove or cut off pieces of the part
@@ -36,11 +37,12 @@ struct ObstacleRules {
     /// Margins that replace the common margin, by name; environment units, >= 0. If two names stand for one
     /// obstacle, the name that stands for fewer components counts.
     std::map<std::string, double> margins;
-    std::vector<std::string> ignored;  ///< names of obstacles to leave out
-    bool isAllSolid = false;
-    std::vector<std::string> solid;  ///< names of solid obstacles; see Obstacle::solids
-    std::optional<ContactRule> startContact, goalContact;
-    OverlapRules overlap;
+    std::vector<std::string> ignored;         ///< names of obstacles to leave out
+    bool isAllSolid = false;                  ///< whether all obstacles are solid, also those not in `solid`
+    std::vector<std::string> solid;           ///< names of solid obstacles; see Obstacle::solids
+    std::optional<ContactRule> startContact;  ///< obstacles that the part may touch around the start
+    std::optional<ContactRule> goalContact;   ///< obstacles that the part may touch around the goal
+    OverlapRules overlap;                     ///< for obstacles that may reach into the part
     /// Names of components that become an obstacle of their own each, so that a scene can be looked at without them.
     /// Problem files have no key for it.
     std::vector<std::string> apart;

@@ -17,7 +17,7 @@ struct BoxSide {
     bool isUpper = true;  ///< the side of the larger coordinates
 };
 
-/// "+x", "-x", ... "-z".
+/// The name of a side: "+x", "-x", ... "-z".
 std::string nameOf(const BoxSide& side);
 
 /// The side of that name; empty for every other text.
@@ -26,7 +26,7 @@ std::optional<BoxSide> sideNamed(const std::string& name);
 /// The part is outside where its box and that of its surroundings are apart or, with a side, where its box is
 /// beyond that side of the other one. Both boxes are along the environment's axes.
 struct Outside {
-    std::optional<BoxSide> side;
+    std::optional<BoxSide> side;  ///< the side to leave by; without it any side will do
 };
 
 /// The sides beyond which the part may be: the one of the goal, or all six.

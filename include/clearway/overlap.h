@@ -15,8 +15,9 @@ class SurfaceDepth;
 
 /// The point of an obstacle that lies deepest below the part's surface.
 struct DeepestPoint {
-    double lower = 0, upper = 0;         ///< bounds of its depth, environment units
-    Vector3 point = Vector3::Zero();     ///< one of depth `lower`, environment frame
+    double lower = 0;                    ///< its depth is at least this; environment units
+    double upper = 0;                    ///< its depth is at most this; environment units
+    Vector3 point = Vector3::Zero();     ///< a point of depth `lower`; environment's frame
     std::int64_t obstacleTriangle = -1;  ///< position in its mesh; -1 when no point inside was found
 };
 
@@ -28,7 +29,8 @@ class OverlapMeter {
     /// not closed or passes through itself.
     explicit OverlapMeter(const Mesh& part);
 
-    /// Gaps of less than an eighth of the tolerance count as filled, as they do in shrink().
+    /// Measures as a part that shrink() has shrunk with this tolerance (mesh units, > 0). Gaps of less than
+    /// an eighth of the tolerance count as filled, as they do in shrink().
     OverlapMeter(const Mesh& part, double tolerance);
 
     /// The deepest point of the obstacle's triangles inside the part at the pose; upper is above lower by at

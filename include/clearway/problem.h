@@ -21,11 +21,15 @@
 
 namespace clearway {
 
-enum class Space { kSe3, kSe2 };
+/// The space of the part's poses.
+enum class Space {
+    kSe3,  ///< any position and rotation
+    kSe2   ///< positions in the plane z = 0 and turns about z
+};
 
 /// Position and rotation of the part in the environment's frame. In SE(2) z is 0 and the rotation is about z.
 struct PartState {
-    Vector3 position = Vector3::Zero();
+    Vector3 position = Vector3::Zero();  ///< of the origin of the part's coordinates; environment units
     /// Unit length; the constructor's order is (w, x, y, z).
     Eigen::Quaternion<double, Eigen::DontAlign> rotation{1, 0, 0, 0};
 };
@@ -34,35 +38,44 @@ struct PartState {
 /// is only rounding. Throws std::invalid_argument when the quaternion has length 0 or is not finite.
 Pose poseOf(const PartState& state);
 
+/// Keys and values as texts, in the order of the file.
 using NamedTexts = std::vector<std::pair<std::string, std::string>>;
 
 /// A planner by OMPL's class name in upper or lower case ("RRTConnect", "rrtconnect"), with parameters for
 /// OMPL's ParamSet. The parameter "name" is not one of OMPL's: OMPL.app uses it as the planner's label.
 struct PlannerChoice {
-    std::string name;
-    NamedTexts parameters{};
+    std::string name;         ///< OMPL's class name, or one of clearway's planners
+    NamedTexts parameters{};  ///< checked when the planner is made, see planning::makePlanner
     /// Settings of the problem for this planner only (`problem.KEY` in [planner]): those of
     /// Problem::settings, and "sampler" and "objective.threshold".
     NamedTexts settings{};
 };
 
-enum class SavedPaths { kNone, kAll, kShortest };
+/// Which paths of a benchmark are written to files.
+enum class SavedPaths {
+    kNone,     ///< none
+    kAll,      ///< those of all runs
+    kShortest  ///< the shortest one
+};
 
+/// A planning problem: the meshes, start and goal, the rules for obstacles, and how to plan. Lengths in
+/// environment units, unless `unit` is about their display alone.
 struct Problem {
     std::string file;  ///< the .cfg; empty when made in memory
-    std::string name;
+    std::string name;  ///< what reports and logs call the problem; may be empty
     /// Mesh file of the part, with its path: in the .cfg's folder or, if it is not there, in the current
     /// folder.
     std::string robot;
     std::string world;                       ///< mesh file of the environment, found like robot
     std::vector<std::string> furtherWorlds;  ///< further mesh files of the environment; see readProblem
-    Space space = Space::kSe3;
-    PartState start;
-    PartState goal;             ///< has no meaning when the goal is `outside`
-    std::optional<Box> volume;  ///< bounds of the part's position; without them see boundsOf()
-    std::string objective = "length";
-    std::optional<double> objectiveThreshold;
-    std::string sampler;
+    Space space = Space::kSe3;               ///< what part states may be
+    PartState start;                         ///< where the path begins
+    PartState goal;                          ///< has no meaning when the goal is `outside`
+    std::optional<Box> volume;               ///< bounds of the part's position; without them see boundsOf()
+    std::string objective = "length";  ///< the cost to improve, by its name; see planning::makeObjective
+    std::optional<double>
+        objectiveThreshold;  ///< a cost that is good enough to stop, in the objective's unit
+    std::string sampler;     ///< how planners draw valid states, by its name; empty: OMPL's default
     std::optional<double> goalThreshold;  ///< OMPL's distance from the goal within which a path may end
     /// Parameters of OMPL's space ("longest_valid_segment_fraction", "projection.cellsize_factor") and of the
     /// sampler ("standard_deviation"). They never decide validity.
@@ -78,8 +91,8 @@ struct Problem {
     bool simplify = true;                       ///< whether paths are simplified after each run
 
     // [clearway]
-    double margin = 0;  ///< of obstacles that no rule names, environment units
-    ObstacleRules rules;
+    double margin = 0;               ///< of obstacles that no rule names, environment units
+    ObstacleRules rules;             ///< margins, solids, contacts and overlaps by the obstacles' names
     std::optional<Outside> outside;  ///< the goal is any pose outside of the environment's box, not `goal`
     std::optional<double>
         fineness;           ///< of the scene, environment units: planners' edges are 20 times as long
@@ -87,8 +100,9 @@ struct Problem {
     /// False for a file without the key `reading`. Without a section [clearway] it is then read as OMPL.app reads
     /// it; otherwise as stored, and a mesh that OMPL.app would place differently is refused when it is loaded.
     bool isReadingStated = true;
-    Box knownWay;  ///< positions of a known path, which derived bounds hold too; no key of the file
-    double partScale = 1, worldScale = 1;  ///< `robot.scale` and `world.scale`, for the meshes' coordinates
+    Box knownWay;           ///< positions of a known path, which derived bounds hold too; no key of the file
+    double partScale = 1;   ///< `robot.scale`: LoadOptions::scale of the part's mesh
+    double worldScale = 1;  ///< `world.scale`: LoadOptions::scale of the environment's meshes
     std::string unit;  ///< of all lengths, one of lengthUnits(), to be shown beside them; empty: not stated
 
     /// One line for each key that has no effect, to be shown once.
@@ -114,9 +128,11 @@ void writeProblem(const Problem& problem, const std::string& file);
 
 /// A unit of length that a problem may state.
 struct LengthUnit {
-    const char* name;
-    double metres;  ///< in one of the unit
+    const char* name;  ///< as the key `unit` has it
+    double metres;     ///< in one of the unit
 };
+
+/// All units that a problem may state: um, mm, cm, m, km, in, ft.
 const std::vector<LengthUnit>& lengthUnits();
 
 /// Metres in one of the problem's unit; empty without a unit.
@@ -131,11 +147,15 @@ double largestMargin(const Problem& problem);
 /// Reads a mesh file as loadMesh does, which is the default wherever a MeshReader is taken.
 using MeshReader = std::function<Mesh(const std::string& file, const LoadOptions& options)>;
 
-/// Loads the meshes of the part and of the environment with the MeshReading and the scale that fit the problem.
-/// loadEnvironment joins the meshes of several files (joinedEnvironment). Throws std::invalid_argument when the
-/// problem does not state its reading and the readings differ (see Problem::isReadingStated).
+/// Loads the mesh of the part with the MeshReading and the scale that fit the problem. Throws what `read`
+/// throws, and std::invalid_argument when the problem does not state its reading and the readings differ (see
+/// Problem::isReadingStated).
 Mesh loadPart(const Problem& problem, const MeshReader& read = loadMesh);
+
+/// Loads the meshes of the environment, one for each of worldFiles(). Reads and throws as loadPart does.
 std::vector<Mesh> loadWorlds(const Problem& problem, const MeshReader& read = loadMesh);
+
+/// Loads the meshes of the environment and joins them (joinedEnvironment). Throws as loadWorlds does.
 Mesh loadEnvironment(const Problem& problem);
 
 /// How far the part was moved on reading, if the problem does not say that it wants that; otherwise empty. part: from
@@ -152,21 +172,23 @@ ObstacleGroups obstaclesOf(const Problem& problem, const std::vector<Mesh>& worl
 
 /// The steps of loadScene that a caller may replace.
 struct SceneLoading {
-    MeshReader read = loadMesh;
+    MeshReader read = loadMesh;  ///< reads each mesh file
     /// Builds the part's model (without a reach) and each obstacle's. A cache calls buildCached here.
     std::function<Model(const Mesh& mesh, const BuildOptions& options, const std::optional<Reach>& reach)>
         build = Model::build;
     /// Says how much of the environment the obstacles' models need to hold; null: all of it. environmentBox
     /// holds the whole environment, ignored obstacles included.
     std::function<std::optional<Reach>(const Model& part, const Box& environmentBox)> reach = nullptr;
+    /// Shrinks the part by each overlap of the rules. A caller may keep results, or show how the work goes
+    /// on.
     std::function<ShrunkPart(const Mesh& part, const ShrinkOptions& options)> shrink = clearway::shrink;
 };
 
 /// A problem's scene, and notes for its user, one line each: components turned over because all their
 /// triangles faced inwards, and components of the part that enclose nothing.
 struct LoadedScene {
-    Scene scene;
-    std::vector<std::string> notes;
+    Scene scene;                     ///< in the environment's frame and unit
+    std::vector<std::string> notes;  ///< empty in most cases
 };
 
 /// The part shrunk by each overlap of the obstacles, with loading.shrink. Adds a note for each thing that shrinking leaves
@@ -181,18 +203,20 @@ std::vector<ShrunkPart> shrinkPart(const Problem& problem, const Mesh& part, con
 LoadedScene loadScene(const Problem& problem, const BuildOptions& options = {},
                       const SceneLoading& loading = {});
 
-/// problem.volume, or else OMPL.app's rule: the environment's box grown to hold start and goal, and problem.knownWay. For a goal
-/// outside it is grown by so much on each of the goal's sides that the part fits there however it is turned.
-/// In SE(2) z is 0 to 0. partBox: the part's box in its own coordinates, needed for a goal outside. Throws
-/// std::invalid_argument when the bounds leave out the start or the goal, leave no room for the part outside
-/// even when it is turned to need least, or have no extent along an axis, and when the start, the goal or the volume is
-/// more than a million sizes of the scene from the environment.
+/// Bounds of the part's position, in the environment's frame: problem.volume, or else OMPL.app's rule: the
+/// environment's box grown to hold start and goal, and problem.knownWay. For a goal outside it is grown by so
+/// much on each of the goal's sides that the part fits there however it is turned. In SE(2) z is 0 to 0.
+/// partBox: the part's box in its own coordinates, needed for a goal outside. Throws std::invalid_argument
+/// when the bounds leave out the start or the goal, leave no room for the part outside even when it is turned
+/// to need least, or have no extent along an axis, and when the start, the goal or the volume is more than a
+/// million sizes of the scene from the environment.
 Box boundsOf(const Problem& problem, const Box& environmentBox, const Box& partBox = Box());
 
 /// Writes one state a line with 17 digits: x y z qx qy qz qw, or x y yaw in SE(2). The file is written under
-/// a temporary name, then renamed. Throws std::runtime_error when it cannot be written. With a stream, writes the same
-/// lines there.
+/// a temporary name, then renamed. Throws std::runtime_error when it cannot be written.
 void writePath(const std::vector<PartState>& path, Space space, const std::string& file);
+
+/// Writes the lines of a path file to a stream.
 void writePath(const std::vector<PartState>& path, Space space, std::ostream& stream);
 
 /// Reads a file with one state a line, as writePath writes it. Quaternions are normalised, because files with
@@ -203,7 +227,7 @@ std::vector<PartState> readPath(const std::string& file, Space space);
 
 /// The poses X_environmentPart of a file.
 struct PoseFile {
-    std::vector<Pose> poses;
+    std::vector<Pose> poses;    ///< in the order of the lines
     std::size_t projected = 0;  ///< number of rotations that were projected to the nearest rotation
 };
 

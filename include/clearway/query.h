@@ -28,6 +28,7 @@ struct QueryCounters {
     std::uint64_t kernelPairs = 0;  ///< triangleTests that cheap bounds left to the full kernel
     std::uint64_t kernelLanes = 0;  ///< lanes of these pairs' registers; depends on the instruction set
 
+    /// Adds the counts of other queries.
     QueryCounters& operator+=(const QueryCounters& other) {
         nodeVisits += other.nodeVisits;
         volumeTests += other.volumeTests;
@@ -42,15 +43,19 @@ struct QueryCounters {
     }
 };
 
-/// The scratch memory of one thread, and its warm start: the closest pair of the last query, with which the
-/// next query of the same two models begins. The contents of a workspace never change verdicts, and intervals
+/// The scratch memory of one thread, and its warm start: the closest pairs of the last 64 queries of two models, of
+/// which the nearest one begins the next query of these models. The contents of a workspace never change verdicts, and intervals
 /// only in last digits; they may change which of several equally close pairs is named. Threads must not share
-/// a workspace. A moved-from workspace may only be assigned to or destroyed.
+/// a workspace: a library that was built with assertions fails one when two threads use a workspace at once.
+/// A moved-from workspace may only be assigned to or destroyed.
 class Workspace {
   public:
+    /// A workspace without a warm start. Queries allocate the memory that they need, and keep it.
     Workspace();
     ~Workspace();
+    /// Takes over the other workspace's memory and warm start.
     Workspace(Workspace&&) noexcept;
+    /// Takes over the other workspace's memory and warm start, and drops its own.
     Workspace& operator=(Workspace&&) noexcept;
 
     /// Drops the warm start: the next query starts cold.
@@ -60,7 +65,7 @@ class Workspace {
     const QueryCounters& counters() const;
 
     struct State;
-    State& state() { return *state_; }  ///< for the query layer only
+    State& state() { return *state_; }  ///< the memory, for the query layer only
 
   private:
     std::unique_ptr<State> state_;
@@ -73,7 +78,7 @@ struct DistanceOptions {
     /// meshes' boxes) plus 32 * 2^-53 of the largest coordinate among both meshes, the moved part and the
     /// pose's translation. Both options must be >= 0.
     double relativeError = 0;
-    double absoluteError = 0;
+    double absoluteError = 0;  ///< environment units; see relativeError
     /// Distances above the cap do not matter. If the distance is proved larger, then lower >= cap, upper and
     /// distance are infinite, ids are -1 and witness points are NaN. An interval that contains the cap is
     /// answered as if there were no cap; isWithin(cap) decides such a case. Must be >= 0. An environment with
@@ -81,22 +86,23 @@ struct DistanceOptions {
     double cap = std::numeric_limits<double>::infinity();
 };
 
-/// lower <= true distance <= upper. The true distance is the exact distance between the stored doubles of the
-/// environment and those of the part as moved by the pose, which is taken as an affine map. On contact lower
-/// and upper are 0, otherwise upper is above 0. Lengths are in environment units, points in the environment's
-/// frame.
+/// A distance as an interval: lower <= true distance <= upper. The true distance is the exact distance
+/// between the stored doubles of the environment and those of the part as moved by the pose, which is taken
+/// as an affine map. On contact lower and upper are 0, otherwise upper is above 0. Lengths are in environment
+/// units, points in the environment's frame.
 struct DistanceResult {
-    double lower = 0;
-    double upper = 0;
-    double distance = 0;  ///< between the two witness points; 0 on contact
-    Vector3 pointOnPart = Vector3::Zero();
-    Vector3 pointOnEnvironment = Vector3::Zero();
-    std::int64_t partTriangle = -1;  ///< position in the mesh as loaded, before cleaning
-    std::int64_t environmentTriangle = -1;
-    std::int64_t partComponent = -1;  ///< index into Model::components()
-    std::int64_t environmentComponent = -1;
-    QueryCounters counters;
+    double lower = 0;                              ///< never above the true distance; 0 on contact
+    double upper = 0;                              ///< never below the true distance; 0 exactly on contact
+    double distance = 0;                           ///< between the two witness points; 0 on contact
+    Vector3 pointOnPart = Vector3::Zero();         ///< the witness point of the part
+    Vector3 pointOnEnvironment = Vector3::Zero();  ///< the witness point of the environment
+    std::int64_t partTriangle = -1;                ///< position in the mesh as loaded, before cleaning
+    std::int64_t environmentTriangle = -1;         ///< position in the mesh as loaded, before cleaning
+    std::int64_t partComponent = -1;               ///< index into the part's Model::components()
+    std::int64_t environmentComponent = -1;        ///< index into the environment's Model::components()
+    QueryCounters counters;                        ///< the work that the answer took
 
+    /// Whether part and environment share a point.
     bool collides() const { return upper == 0; }
 };
 
@@ -124,10 +130,14 @@ bool collides(const Model& part, const Model& environment, const Pose& X_environ
 bool isWithin(const Model& part, const Model& environment, const Pose& X_environmentPart, double d,
               Workspace& workspace);
 
-/// The same queries with a workspace of the calling thread, which lives as long as the thread.
+/// distance() with a workspace of the calling thread, which lives as long as the thread.
 DistanceResult distance(const Model& part, const Model& environment, const Pose& X_environmentPart,
                         const DistanceOptions& options = {});
+
+/// collides() with the workspace of the calling thread.
 bool collides(const Model& part, const Model& environment, const Pose& X_environmentPart);
+
+/// isWithin() with the workspace of the calling thread.
 bool isWithin(const Model& part, const Model& environment, const Pose& X_environmentPart, double d);
 
 }  // namespace clearway

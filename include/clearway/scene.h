@@ -21,7 +21,7 @@ class Solids;
 
 /// The result of makeSolids.
 struct MadeSolids {
-    std::shared_ptr<const Solids> solids;
+    std::shared_ptr<const Solids> solids;  ///< never null; without closed components it holds nothing
     std::vector<std::string>
         refusals;  ///< one line for each component that encloses nothing, with the reason
     std::vector<std::string> turnedOver;  ///< names of components whose triangles all faced inwards
@@ -34,9 +34,10 @@ MadeSolids makeSolids(const Mesh& mesh);
 
 /// A part that is shrunk so that obstacles may reach a little way into it (see shrink()).
 struct ShrunkModel {
-    Model model;  ///< in the part's mesh coordinates
-    std::shared_ptr<const Solids> solids;
-    double overlap = 0, tolerance = 0;  ///< as in ShrinkOptions
+    Model model;                           ///< in the part's mesh coordinates
+    std::shared_ptr<const Solids> solids;  ///< the insides of the model's mesh
+    double overlap = 0;                    ///< ShrinkOptions::overlap; mesh units
+    double tolerance = 0;                  ///< ShrinkOptions::tolerance; mesh units
 
     /// For each triangle of the model the nearest triangle of the part's mesh. Reports name these.
     std::vector<std::uint32_t> partTriangles;
@@ -44,7 +45,7 @@ struct ShrunkModel {
 
 /// Meshes that share a margin and count at equal poses, as one model.
 struct Obstacle {
-    Model model;
+    Model model;        ///< its mesh coordinates are the environment's frame
     double margin = 0;  ///< environment units, >= 0; a pose is valid when the distance is larger
 
     /// For each of the model's components, the position of its first triangle in the component's file.
@@ -76,14 +77,17 @@ struct ContactZone {
 /// One part among obstacles. Obstacles may be added, changed and removed one by one without building the
 /// others again. Without obstacles every pose is valid and clearances are infinite.
 struct Scene {
+    /// A part without obstacles.
     explicit Scene(Model thePart) : part(std::move(thePart)) {}
+    /// A part and one obstacle. The margin is in environment units and is checked when the scene is used.
     Scene(Model thePart, Model environment, double margin = 0)
         : part(std::move(thePart)), obstacles{{std::move(environment), margin}} {}
 
-    Model part;
-    std::vector<Obstacle> obstacles;
+    Model part;                                ///< the moving part; built without a reach
+    std::vector<Obstacle> obstacles;           ///< reports name an obstacle by its position here
     std::shared_ptr<const Solids> partSolids;  ///< needed when an obstacle has solids
-    std::optional<ContactZone> startContact, goalContact;
+    std::optional<ContactZone> startContact;   ///< needed when an obstacle is ignored at the start
+    std::optional<ContactZone> goalContact;    ///< needed when an obstacle is ignored at the goal
 
     /// The box of obstacles that were left out. It counts only for environmentBox(), from which a problem's
     /// bounds are taken.
@@ -97,7 +101,7 @@ struct Scene {
         return obstacle.shrunk ? obstacle.shrunk->model : part;
     }
 
-    /// 0 without obstacles.
+    /// The obstacles' largest margin, in environment units; 0 without obstacles.
     double largestMargin() const {
         double largest = 0;
         for (const Obstacle& obstacle : obstacles) largest = std::max(largest, obstacle.margin);

@@ -34,15 +34,16 @@ struct PartMotion {
 
 /// Bounds of one length, in environment units.
 struct Bounds {
-    double lower = std::numeric_limits<double>::infinity();
-    double upper = std::numeric_limits<double>::infinity();
+    double lower = std::numeric_limits<double>::infinity();  ///< the length is at least this
+    double upper = std::numeric_limits<double>::infinity();  ///< the length is at most this
 };
 
-/// The lower bound of a clearance that was not asked for.
+/// The lower bound of a clearance that was not asked for; environment units.
 constexpr double kUnknownClearance = -1e300;
 
-/// A zone is the set of obstacles that share one pair of the flags isIgnoredAtStart and isIgnoredAtGoal.
-/// Obstacles with neither flag count at every pose and belong to no zone.
+/// The most zones that a scene can have. A zone is the set of obstacles that share one pair of the flags
+/// isIgnoredAtStart and isIgnoredAtGoal. Obstacles with neither flag count at every pose and belong to no
+/// zone.
 constexpr std::size_t kMostZones = 3;
 
 /// How much room the obstacles of one zone leave at a pose.
@@ -51,29 +52,35 @@ struct ZoneClearance {
     Bounds clearance{0, std::numeric_limits<double>::infinity()};
     /// How far any vertex of the part may move while the obstacles stay ignored. Below 0 they count.
     Bounds spare{-1, -1};
+    /// Whether the obstacles of the zone are ignored at the pose.
     bool isIgnored() const { return spare.lower >= 0; }
 };
 
 /// Clearances at a pose: distance - margin, the least over some obstacles, in environment units. An upper
 /// bound is infinite where the clearance is beyond the cap that was asked for.
 struct Clearances {
-    /// Over the obstacles that count at the pose; infinite without any.
+    /// Lower bound over the obstacles that count at the pose; infinite without any.
     double lower = std::numeric_limits<double>::infinity();
+    /// Upper bound over the obstacles that count at the pose; infinite without any.
     double upper = std::numeric_limits<double>::infinity();
     Bounds always;                                ///< over the obstacles that count at every pose
     std::array<ZoneClearance, kMostZones> zones;  ///< of the others; only the first zoneCount() are used
 };
 
+/// The answer of SceneClearance::at about a pose.
 struct PoseClearance : Clearances {
     SceneDistance nearest;      ///< the pair that lower and upper belong to; its ids are -1 beyond the cap
     std::uint64_t queries = 0;  ///< that the answer took
-    bool isInStartContact = false, isInGoalContact = false;  ///< within the scene's contact zones
+    bool isInStartContact = false;  ///< the pose is within Scene::startContact
+    bool isInGoalContact = false;   ///< the pose is within Scene::goalContact
 
-    /// lower is above 0 exactly when all distances are larger than the margins and no solid holds the other
-    /// body: it is raised to the least positive double then, and lowered to at most 0 otherwise.
+    /// Whether the pose is free. lower is above 0 exactly when all distances are larger than the margins and
+    /// no solid holds the other body: it is raised to the least positive double then, and lowered to at most
+    /// 0 otherwise.
     bool isValid() const { return lower > 0; }
 };
 
+/// How well SceneClearance::at must know a clearance. Lengths in environment units.
 struct ClearanceOptions {
     /// A clearance above the cap need not be known closer: lower is then at least the cap, but for the
     /// rounding of lower + margin.
@@ -87,33 +94,38 @@ struct ClearanceOptions {
     double leastSpare = 0;
 };
 
+/// The answer of SceneClearance::stayOutsideSolids. Times are those of the motion, from 0 to 1.
 struct SolidsAlong {
-    SweepVerdict verdict = SweepVerdict::kCertified;
+    SweepVerdict verdict = SweepVerdict::kCertified;               ///< kCertified: outside all along
     double until = 1;                                              ///< the part is outside up to this time
     double contactTime = std::numeric_limits<double>::infinity();  ///< of a pose inside a solid that counts
 };
 
+/// Which contact zones hold a pose.
 struct ContactsAt {
-    bool isInStart = false, isInGoal = false;
+    bool isInStart = false;  ///< Scene::startContact
+    bool isInGoal = false;   ///< Scene::goalContact
 };
 
+/// How SceneClearance::sweep looks at a motion; see SweepOptions. Lengths in environment units.
 struct SceneSweepOptions {
-    double floor = 0;          ///< clearance that is asked for on top of the margins
-    double poseError = 0;      ///< how far the poses in question may be off the motion
-    double leastInterval = 0;  ///< see SweepOptions
-    bool isForward = false;
-    double contactInterval = 0;  ///< SweepOptions::contactTime as a length
-    double from = 0, until = 1;
-    bool isContactAtEnd = false;
-    std::function<bool()> isStopped;
+    double floor = 0;                 ///< clearance that is asked for on top of the margins
+    double poseError = 0;             ///< how far the poses in question may be off the motion
+    double leastInterval = 0;         ///< see SweepOptions
+    bool isForward = false;           ///< whether to find how far the motion is certified from its start
+    double contactInterval = 0;       ///< SweepOptions::contactTime as a length
+    double from = 0;                  ///< earlier times do not matter; >= 0
+    double until = 1;                 ///< later times do not matter; at most 1
+    bool isContactAtEnd = false;      ///< the pose at `until` is known to be in contact with something
+    std::function<bool()> isStopped;  ///< true ends the sweep as undecided; empty: never stopped
 };
 
 /// The worst of all obstacles' sweeps.
 struct SceneSweep {
-    SweepVerdict verdict = SweepVerdict::kCertified;
-    double certifiedUntil = 1;  ///< when going forward
-    double contactTime = std::numeric_limits<double>::infinity();
-    std::uint64_t queries = 0;
+    SweepVerdict verdict = SweepVerdict::kCertified;  ///< kCertified: all clearances stay above the floor
+    double certifiedUntil = 1;                        ///< when going forward
+    double contactTime = std::numeric_limits<double>::infinity();  ///< of a pose in contact; infinite without
+    std::uint64_t queries = 0;                                     ///< sweeps of one obstacle each
 };
 
 /// The answer about a rigid motion.
@@ -124,25 +136,27 @@ struct MotionAnswer {
     double contactTime = std::numeric_limits<double>::infinity();  ///< of a pose that is not free
 };
 
+/// How well SceneClearance::leastClearance must know a clearance. Lengths in environment units.
 struct LeastClearanceOptions {
-    double poseError = 0;
+    double poseError = 0;  ///< how far the poses in question may be off the motion
     double cap = std::numeric_limits<
-        double>::infinity();  ///< larger clearances do not matter, e.g. than those found already
-    ClearanceResolution resolution{};
-    std::function<bool()> isStopped;
+        double>::infinity();           ///< larger clearances do not matter, e.g. than those found already
+    ClearanceResolution resolution{};  ///< how close the bounds must be; `least` must be set above 0
+    std::function<bool()> isStopped;   ///< true ends the search; empty: never stopped
 };
 
 /// Bounds of the least clearance along a motion, over the obstacles that count at each pose.
 struct LeastClearance {
-    double lower = 0;
-    double upper = 0;  ///< the cap when no pose has less
+    double lower = 0;  ///< no pose of the motion has less; environment units
+    double upper = 0;  ///< some pose has no more; the cap when no pose has less
     std::optional<double>
-        time;  ///< of a pose with no more than `upper`; none when no pose has less than the cap
-    bool isStopped = false;
-    std::uint64_t queries = 0;
+        time;                ///< of a pose with no more than `upper`; none when no pose has less than the cap
+    bool isStopped = false;  ///< the search ended early, so lower may be far below upper
+    std::uint64_t queries = 0;  ///< searches of one obstacle each
 };
 
-/// Any number of threads may use one object: each has its own scratch and takes no lock.
+/// Answers about poses and motions of a scene's part. Any number of threads may use one object: each has its
+/// own scratch and takes no lock.
 class SceneClearance {
   public:
     /// Throws std::invalid_argument when a margin is negative or not finite, an obstacle and the part cannot
@@ -153,7 +167,10 @@ class SceneClearance {
     SceneClearance(const SceneClearance&) = delete;
     SceneClearance& operator=(const SceneClearance&) = delete;
 
+    /// The scene as given.
     const Scene& scene() const { return scene_; }
+
+    /// How many of Clearances::zones are used; 0 to kMostZones.
     std::size_t zoneCount() const { return zoneCount_; }
 
     /// The largest clearance that queries can tell: the least of the environment models' reaches less their
@@ -164,7 +181,16 @@ class SceneClearance {
     /// This function and the next ones throw what queries throw.
     bool isFree(const Pose& X_environmentPart) const;
 
+    /// The clearance at a pose, and the pair of triangles that it belongs to. Throws what queries throw.
     PoseClearance at(const Pose& X_environmentPart, const ClearanceOptions& options = {}) const;
+
+    /// Answers isFree() for every pose, in the given order; 1 for true. Blocks of kBatchBlock poses run on as many threads
+    /// as oneTBB gives the caller, each without a warm start. Throws what the first pose that is refused makes isFree()
+    /// throw.
+    std::vector<std::uint8_t> isFreeBatch(const std::vector<Pose>& X_environmentPart) const;
+
+    /// Answers at().lower for every pose, in the given order, as isFreeBatch() does.
+    std::vector<double> clearanceBatch(const std::vector<Pose>& X_environmentPart) const;
 
     /// Which of the scene's contact zones hold a pose.
     ContactsAt contactsAt(const Pose& X_environmentPart) const;
@@ -185,6 +211,8 @@ class SceneClearance {
     /// kUndecided: too close to the border of a zone to tell, and no pose inside is known.
     SolidsAlong stayOutsideSolids(const PartMotion& motion, double until, double poseError,
                                   double leastInterval) const;
+
+    /// Whether any obstacle has solids.
     bool hasSolids() const { return hasSolids_; }
 
     /// The least distance of all obstacles, whatever the margins, solids and contact zones.
@@ -236,10 +264,10 @@ class SceneClearance {
 
 /// Queries of scenes, and their work.
 struct QueryTally {
-    std::uint64_t distances = 0;
-    std::uint64_t withins = 0;  ///< whether the part is in contact, or within a margin
-    std::uint64_t sweeps = 0;   ///< of one obstacle each
-    QueryCounters work;
+    std::uint64_t distances = 0;  ///< distances to one obstacle each
+    std::uint64_t withins = 0;    ///< whether the part is in contact, or within a margin
+    std::uint64_t sweeps = 0;     ///< sweeps past one obstacle each
+    QueryCounters work;           ///< the work of all these queries
 };
 
 /// Returns the tally of the calling thread's queries, of all scenes, and starts a new one at 0.
@@ -248,8 +276,11 @@ QueryTally takeQueryTally();
 /// Names of the two meshes of a pair: a component's name, else its file's. Both are empty when `nearest` is
 /// no pair of triangles.
 struct MeshNames {
-    std::string part, environment;
+    std::string part;         ///< the mesh of the part
+    std::string environment;  ///< the mesh of the obstacle
 };
+
+/// The names of the two meshes that `nearest` is about.
 MeshNames meshNames(const Scene& scene, const SceneDistance& nearest);
 
 }  // namespace clearway

@@ -20,6 +20,7 @@
 
 namespace clearway {
 
+/// How far shrink() shrinks a part, and how closely.
 struct ShrinkOptions {
     double overlap = 0;                         ///< mesh units, > 0: how deep obstacles may reach
     double tolerance = 0;                       ///< mesh units, > 0: how much deeper they may reach unnoticed
@@ -29,7 +30,7 @@ struct ShrinkOptions {
 /// Thrown by shrink() when options.isStopped returns true.
 class ShrinkStopped : public std::runtime_error {
   public:
-    using std::runtime_error::runtime_error;
+    using std::runtime_error::runtime_error;  ///< takes the message
 };
 
 /// A part shrunk by an overlap. Certified by exact queries: its surface lies inside the part, nowhere less than
@@ -39,7 +40,7 @@ class ShrinkStopped : public std::runtime_error {
 /// count as filled.
 struct ShrunkPart {
     Mesh mesh;  ///< one component, called as the part's only one or "part"; in the part's mesh coordinates
-    ShrinkOptions options;
+    ShrinkOptions options;                     ///< as given
     std::vector<std::uint32_t> partTriangles;  ///< for each triangle the nearest one of the part's mesh
     /// One line for each component of the part of which shrinking leaves nothing, or removes or cuts through a
     /// connected body; and one for each (for the whole part where components meet) of which it leaves out something

@@ -35,12 +35,16 @@ struct MotionPiece {
     /// How far points of the part leave the straight lines on which the velocities take them: by no more than x times the
     /// sum of both at a share x of the way from the middle to either end of the interval. The second length counts only
     /// square to the angular velocity, as the bow of a circle about it does. Environment units.
-    double deviation = 0, deviationAcrossTurn = 0;
+    double deviation = 0;
+    double deviationAcrossTurn = 0;  ///< the second of these lengths; environment units
 
-    /// Whether contact counts: in the middle, and wherever else it does; not in the middle, but perhaps elsewhere; nowhere
-    /// in the interval. A motion may ignore an environment for a while.
-    enum class Counts { kAtMiddle, kNotAtMiddle, kNowhere };
-    Counts counts = Counts::kAtMiddle;
+    /// Where in the interval contact counts. A motion may ignore an environment for a while.
+    enum class Counts {
+        kAtMiddle,     ///< in the middle, and perhaps not everywhere else
+        kNotAtMiddle,  ///< not in the middle, but perhaps elsewhere
+        kNowhere       ///< nowhere in the interval
+    };
+    Counts counts = Counts::kAtMiddle;  ///< where in the interval contact counts
 
     /// The pose in the middle is not allowed, wherever the environment is.
     bool isForbidden = false;
@@ -53,8 +57,14 @@ using MotionPieces = std::function<MotionPiece(double from, double to)>;
 /// translation and of the turn's angle times the part's radius about its origin; SweepOptions::poseError can cover that.
 MotionPieces piecesOf(const RigidMotion& motion, const Model& part);
 
-enum class SweepVerdict { kCertified, kContact, kUndecided };
+/// The answer of a sweep about a motion.
+enum class SweepVerdict {
+    kCertified,  ///< the part keeps more than the margin at all times asked about
+    kContact,    ///< at some time the part comes as close as the margin, or the motion forbids its pose
+    kUndecided   ///< neither is known: too close to the margin to tell, or stopped
+};
 
+/// The question of a sweep, and how closely it is to be answered.
 struct SweepOptions {
     double margin = 0;  ///< distances up to this count as contact; environment units, >= 0
 
@@ -73,7 +83,8 @@ struct SweepOptions {
     /// time before it. Finite, >= 0.
     double contactTime = 1e-3;
 
-    double from = 0, until = 1;  ///< other times do not matter
+    double from = 0;   ///< earlier times do not matter; 0 <= from < until
+    double until = 1;  ///< later times do not matter; at most 1
     /// The pose at `until` is known to be in contact with something, perhaps with another environment: going forward, no
     /// contact is looked for within contactTime before it.
     bool isContactAtEnd = false;
@@ -82,8 +93,9 @@ struct SweepOptions {
     std::function<bool()> isStopped;
 };
 
+/// The answer of sweep(). Triangles are positions in the meshes as loaded, before cleaning.
 struct SweepResult {
-    SweepVerdict verdict = SweepVerdict::kUndecided;
+    SweepVerdict verdict = SweepVerdict::kUndecided;  ///< about all times from SweepOptions::from to `until`
 
     /// At all times from SweepOptions::from to this one the distance is larger than margin + poseError. Found when going
     /// forward; otherwise `until` for a certified motion and `from` for others.
@@ -92,8 +104,8 @@ struct SweepResult {
     double contactTime =
         std::numeric_limits<double>::infinity();  ///< of a pose in contact; infinite without contact
     std::int64_t partTriangle = -1;  ///< of a pair in contact then; -1 without, and for a forbidden pose
-    std::int64_t environmentTriangle = -1;
-    QueryCounters counters;
+    std::int64_t environmentTriangle = -1;  ///< the other one of the pair
+    QueryCounters counters;                 ///< the work that the answer took
 };
 
 /// Certifies a motion of the part: for each pair of volumes as long as the gap between the two outlasts the speed at which
@@ -106,34 +118,43 @@ SweepResult sweep(const Model& part, const Model& environment, const MotionPiece
 /// How closely a least distance is to be known: to `share` of it or, where that is more, to `length`, but no worse than to
 /// `largestShare` of it or, where that is more, to `least`.
 struct ClearanceResolution {
-    double share, largestShare, length, least;
+    double share;         ///< dimensionless, >= 0
+    double largestShare;  ///< dimensionless, >= 0
+    double length;        ///< environment units, >= 0
+    double least;         ///< environment units, > 0
+
+    /// The width that the bounds of a clearance may have; environment units.
     double of(double clearance) const {
         return std::max({share * clearance, std::min(largestShare * clearance, length), least});
     }
 };
 
+/// The question of leastDistance(), and how closely it is to be answered.
 struct LeastDistanceOptions {
-    double margin = 0;  ///< the resolution is that of the distance less this; environment units, >= 0
-    double poseError = 0;
+    double margin = 0;     ///< the resolution is that of the distance less this; environment units, >= 0
+    double poseError = 0;  ///< how far poses may be off the motion, because they are rounded; >= 0
 
     /// Distances less the margin from here on do not matter.
     double cap = std::numeric_limits<double>::infinity();
-    ClearanceResolution resolution{1e-2, 0.1, 0, 1e-6};
-    std::function<bool()> isStopped;
+    ClearanceResolution resolution{1e-2, 0.1, 0, 1e-6};  ///< how close the two bounds must be
+    std::function<bool()> isStopped;  ///< asked after at most 256 steps; true ends the search
 };
 
+/// The answer of leastDistance(): lower <= the least distance along the motion less the margin <= upper.
+/// Lengths in environment units.
 struct LeastDistance {
-    /// lower <= the least distance along the motion less the margin <= upper, which is infinite beyond the cap.
-    double lower = 0, upper = std::numeric_limits<double>::infinity();
+    double lower = 0;                                        ///< minus the margin where nothing is known
+    double upper = std::numeric_limits<double>::infinity();  ///< infinite beyond the cap
     /// The witness of `upper`: a pose of the motion and a pair of triangles that are that near to each other there. Points
     /// are in the environment's frame. Beyond the cap the ids are -1 and the points NaN.
     double time = 0;
-    std::int64_t partTriangle = -1;
-    std::int64_t environmentTriangle = -1;
+    std::int64_t partTriangle = -1;         ///< position in the part's mesh as loaded
+    std::int64_t environmentTriangle = -1;  ///< position in the environment's mesh as loaded
+    /// The point of the part's triangle; environment's frame.
     Vector3 pointOnPart = Vector3::Constant(std::numeric_limits<double>::quiet_NaN());
-    Vector3 pointOnEnvironment = pointOnPart;
-    bool isStopped = false;
-    QueryCounters counters;
+    Vector3 pointOnEnvironment = pointOnPart;  ///< the point of the environment's triangle
+    bool isStopped = false;                    ///< the search ended early; lower is then minus the margin
+    QueryCounters counters;                    ///< the work that the answer took
 };
 
 /// Finds how near the part comes along a motion. Ends early when some distance less the margin is not above the resolution:

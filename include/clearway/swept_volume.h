@@ -11,6 +11,7 @@
 
 namespace clearway {
 
+/// How closely sweptVolume follows the part. Lengths in environment units.
 struct SweptVolumeOptions {
     double tolerance = 0;  ///< environment units, > 0: how far the mesh may be from all places of the part
 
@@ -21,10 +22,11 @@ struct SweptVolumeOptions {
     std::function<bool()> isStopped;
 };
 
-/// A closed mesh, each edge of which belongs to two triangles, in the environment's frame. It holds the part at every
-/// pose of the motions, and no point of its surface is further than the tolerance from the part at some pose. What is
-/// inside a closed component of the part at some pose is inside the mesh. Closed rooms that the part never enters are
-/// left out as cavities, or filled if they are narrower than four tolerances.
+/// The room that a part takes on its way: a closed mesh, each edge of which belongs to two triangles, in the
+/// environment's frame. It holds the part at every pose of the motions, and no point of its surface is
+/// further than the tolerance from the part at some pose. What is inside a closed component of the part at
+/// some pose is inside the mesh. Closed rooms that the part never enters are left out as cavities, or filled
+/// if they are narrower than four tolerances.
 ///
 /// The surface lies at half the tolerance from the part's places ("marching tetrahedra"). In small tetrahedra the
 /// distances of corners show that it is off the part and near it. In larger ones, which suffice at flat and slightly

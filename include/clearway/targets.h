@@ -1,5 +1,5 @@
-// The instruction set that queries run on. The choice holds for the whole process; the default is the best
-// set that the machine has.
+// The instruction set that queries run on. The choice holds for the whole process. The default is the set that the environment
+// variable CLEARWAY_TARGET names, or the best set that the machine has if the variable is unset or empty.
 #pragma once
 
 #include <string>
@@ -13,12 +13,14 @@ namespace clearway {
 /// "avx3", "avx2", "sse4", "neon", "scalar".
 std::vector<std::string> availableTargets();
 
-/// Makes all later queries of the process run on the named set; "best" returns to the default. Must not be
-/// called while a query runs. Throws std::invalid_argument, which lists the available sets, if the name is
-/// not available.
+/// Makes all later queries of the process run on the named set, whatever CLEARWAY_TARGET names; "best" is the first of
+/// availableTargets(). Must not be called while a query runs. Throws std::invalid_argument, which lists the
+/// available sets, if the name is not available.
 void useTarget(const std::string& name);
 
-/// The instruction set that queries run on now.
+/// The instruction set that queries run on now. The first query or call of this function reads CLEARWAY_TARGET, unless
+/// useTarget was called before. If the variable holds neither "best" nor an available name, this function and all
+/// queries throw std::invalid_argument, which lists the available sets.
 std::string currentTarget();
 
 }  // namespace clearway

@@ -10,6 +10,7 @@ from ._core import (
     Mesh,
     Model,
     Obstacle,
+    Problem,
     Scene,
     Workspace,
     __version__,
@@ -22,7 +23,11 @@ from ._core import (
     is_within_batch,
     nearest_pose,
     pose_from,
+    poses_from_states,
+    read_path,
+    states_from_poses,
     use_target,
+    write_path,
 )
 
 __all__ = [
@@ -31,6 +36,7 @@ __all__ = [
     "Mesh",
     "Model",
     "Obstacle",
+    "Problem",
     "Scene",
     "Workspace",
     "__version__",
@@ -43,5 +49,9 @@ __all__ = [
     "is_within_batch",
     "nearest_pose",
     "pose_from",
+    "poses_from_states",
+    "read_path",
+    "states_from_poses",
     "use_target",
+    "write_path",
 ]

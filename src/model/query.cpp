@@ -1,4 +1,4 @@
-// The public queries: checks the caller's arguments, keeps the warm start, and turns the trees' positions and
+// The public queries: checks the caller's arguments, keeps the closest pairs, and turns the trees' positions and
 // units into ids and environment units.
 #include "clearway/query.h"
 
@@ -19,13 +19,8 @@ PairQuery beginQuery(const Model& part, const Model& environment, const Pose& X_
     requireSameWidth(part, environment);
     requireWithinReach(part, environment, X_environmentPart);
     state.counters = {};
+    state.witnesses.serve(part.id(), environment.id());
     return preparePairQuery(part.tree(), environment.tree(), X_environmentPart);
-}
-
-/// The closest pair of the last query if it was about these two models, otherwise null.
-const WarmStart* warmStartFor(const Model& part, const Model& environment, const Workspace::State& state) {
-    const WarmStart& warm = state.warmStart;
-    return warm.partId == part.id() && warm.environmentId == environment.id() ? &warm : nullptr;
 }
 
 /// |v|, also if the squares would overflow or vanish.
@@ -63,10 +58,12 @@ bool answerWithin(const Model& part, const Model& environment, const Pose& X_env
                   Workspace& workspace) {
     requireWithinCap(environment, d);
     Workspace::State& state = workspace.state();
+    const WorkspaceUse use(state);
     const PairQuery query = beginQuery(part, environment, X_environmentPart, state);
-    const WithinAnswer answer = anyPairWithin(query, d, warmStartFor(part, environment, state), state);
-    if (answer.within) {
-        state.warmStart = {part.id(), environment.id(), answer.triangles};
+    const WithinAnswer answer = anyPairWithin(query, d, state);
+    if (answer.within && state.witnesses.placeOf(answer.triangles) < 0) {
+        const ResolvedPair pair = resolvePair(query, answer.triangles);
+        state.witnesses.keep(query, answer.triangles, pair.pointOnPart, pair.pointOnEnvironment);
     }
     return answer.within;
 }
@@ -85,11 +82,12 @@ DistanceResult distance(const Model& part, const Model& environment, const Pose&
     requireNotNegative(options.cap, "cap");
     const double cap = cappedByReach(environment, options.cap);
     Workspace::State& state = workspace.state();
+    const WorkspaceUse use(state);
     const PairQuery query = beginQuery(part, environment, X_environmentPart, state);
     const double toMeshUnits = std::ldexp(1.0, query.unitExponent);
     const ClosestRequest request{options.relativeError, options.absoluteError * query.perMeshUnit,
                                  scaledUp(cap, query.perMeshUnit, toMeshUnits)};
-    const ClosestAnswer answer = closestPair(query, request, warmStartFor(part, environment, state), state);
+    const ClosestAnswer answer = closestPair(query, request, state);
 
     DistanceResult result;
     result.counters = state.counters;
@@ -104,7 +102,7 @@ DistanceResult distance(const Model& part, const Model& environment, const Pose&
         result.pointOnEnvironment = result.pointOnPart;
         return result;
     }
-    state.warmStart = {part.id(), environment.id(), answer.triangles};
+    state.witnesses.keep(query, answer.triangles, answer.pair.pointOnPart, answer.pair.pointOnEnvironment);
     result.lower = scaledDown(answer.pair.lower, toMeshUnits, query.perMeshUnit);
     result.upper = scaledUp(answer.pair.upper, toMeshUnits, query.perMeshUnit);
     for (int k = 0; k < 3; ++k) {

@@ -87,6 +87,7 @@ SweepAnswer answerTo(const SweepRequest& request, const Model& part, const Model
 SweepResult sweep(const Model& part, const Model& environment, const MotionPieces& motion,
                   const SweepOptions& options, Workspace& workspace) {
     Workspace::State& state = workspace.state();
+    const WorkspaceUse use(state);
     SweepRequest request =
         beginSweep(part, environment, motion, options.margin, options.poseError, options.isStopped, state);
     requireInRange(options.leastInterval, "leastInterval", options.leastInterval > 0, "a length above 0");
@@ -143,7 +144,8 @@ PairAtTime nearAtEnds(const Model& part, const Model& environment, const MotionP
         const DistanceResult found = distance(part, environment, piece.middle, options, workspace);
         counters += found.counters;
         if (found.upper - margin < known.clearance) {
-            known = {found.upper - margin, end, workspace.state().warmStart.triangles};
+            const Witnesses& witnesses = workspace.state().witnesses;
+            known = {found.upper - margin, end, witnesses.triangles[witnesses.last]};
         }
     }
     workspace.state().counters = counters;
@@ -155,6 +157,7 @@ PairAtTime nearAtEnds(const Model& part, const Model& environment, const MotionP
 LeastDistance leastDistance(const Model& part, const Model& environment, const MotionPieces& motion,
                             const LeastDistanceOptions& options, Workspace& workspace) {
     Workspace::State& state = workspace.state();
+    const WorkspaceUse use(state);
     SweepRequest request =
         beginSweep(part, environment, motion, options.margin, options.poseError, options.isStopped, state);
     const ClearanceResolution& resolution = options.resolution;
@@ -185,7 +188,8 @@ LeastDistance leastDistance(const Model& part, const Model& environment, const M
         result.environmentTriangle = environment.tree().triangleIds[triangles.environment];
         result.pointOnPart = nearest.pointOnPart / query.perMeshUnit;
         result.pointOnEnvironment = nearest.pointOnEnvironment / query.perMeshUnit;
-        state.warmStart = {part.id(), environment.id(), triangles};
+        state.witnesses.serve(part.id(), environment.id());
+        state.witnesses.keep(query, triangles, nearest.pointOnPart, nearest.pointOnEnvironment);
     }
     result.isStopped = answer.isStopped || answer.isUndecided;
     if (result.isStopped) result.lower = -options.margin;

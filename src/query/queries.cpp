@@ -12,6 +12,7 @@
 #include "query/bound_pairs-inl.h"
 #include "query/decide.h"
 #include "query/traverse-inl.h"
+#include "query/witnesses-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace clearway {
@@ -164,13 +165,13 @@ class Closest {
     TrianglesAt answerTriangles_{0, 0, kNoFeature};
 };
 
-ClosestAnswer FindClosest(const PairQuery& query, const ClosestRequest& request, const WarmStart* warmStart,
-                          Workspace::State& state) {
+ClosestAnswer FindClosest(const PairQuery& query, const ClosestRequest& request, Workspace::State& state) {
     ClosestAnswer answer;
+    const int first = NearestWitness(query, state.witnesses);
     // The visitor is a local variable of the whole traversal, so that it can stay in registers.
     withNodeWidth(query.part->nodeWidth, [&](auto width) HWY_ATTR {
         Closest visitor(query, request, state);
-        if (warmStart != nullptr) visitor.resolve(warmStart->triangles);
+        if (first >= 0) visitor.resolve(state.witnesses.triangles[first]);
         Traverse<width>(query, state, visitor);
         visitor.finish(answer);
     });
@@ -230,14 +231,16 @@ class Within {
     TrianglesAt triangles_{0, 0, kNoFeature};
 };
 
-WithinAnswer FindWithin(const PairQuery& query, double distance, const WarmStart* warmStart,
-                        Workspace::State& state) {
+WithinAnswer FindWithin(const PairQuery& query, double distance, Workspace::State& state) {
     WithinAnswer answer;
+    const int first = NearestWitness(query, state.witnesses);
     withNodeWidth(query.part->nodeWidth, [&](auto width) HWY_ATTR {
         Within visitor(query, distance, state);
-        // A warm start that does not answer this query stays for the next one, which then knows its closest
-        // features.
-        if (warmStart != nullptr) state.warmStart.triangles.feature = visitor.resolve(warmStart->triangles);
+        // A witness that does not answer this query may begin the next one, which then knows its closest features.
+        if (first >= 0) {
+            TrianglesAt& witness = state.witnesses.triangles[first];
+            witness.feature = visitor.resolve(witness);
+        }
         Traverse<width>(query, state, visitor);
         answer = visitor.answer();
     });
@@ -258,7 +261,8 @@ Workspace::Workspace(Workspace&&) noexcept = default;
 Workspace& Workspace::operator=(Workspace&&) noexcept = default;
 
 void Workspace::forgetWarmStart() {
-    state_->warmStart = {};
+    const WorkspaceUse use(*state_);
+    state_->witnesses.forget();
 }
 
 const QueryCounters& Workspace::counters() const {
@@ -268,14 +272,14 @@ const QueryCounters& Workspace::counters() const {
 HWY_EXPORT(FindClosest);
 HWY_EXPORT(FindWithin);
 
-ClosestAnswer closestPair(const PairQuery& query, const ClosestRequest& request, const WarmStart* warmStart,
-                          Workspace::State& state) {
-    return HWY_DYNAMIC_DISPATCH(FindClosest)(query, request, warmStart, state);
+ClosestAnswer closestPair(const PairQuery& query, const ClosestRequest& request, Workspace::State& state) {
+    settleTarget();
+    return HWY_DYNAMIC_DISPATCH(FindClosest)(query, request, state);
 }
 
-WithinAnswer anyPairWithin(const PairQuery& query, double distance, const WarmStart* warmStart,
-                           Workspace::State& state) {
-    return HWY_DYNAMIC_DISPATCH(FindWithin)(query, distance, warmStart, state);
+WithinAnswer anyPairWithin(const PairQuery& query, double distance, Workspace::State& state) {
+    settleTarget();
+    return HWY_DYNAMIC_DISPATCH(FindWithin)(query, distance, state);
 }
 
 void sortByLower(Pile<Candidate>& candidates) {

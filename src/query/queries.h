@@ -2,14 +2,18 @@
 // in use.
 #pragma once
 
+#include <atomic>
+#include <cassert>
 #include <cstdint>
 #include <memory>
+#include <thread>
 
 #include "clearway/query.h"
 #include "core/pile.h"
 #include "query/motion_pieces.h"
 #include "query/pair_query.h"
 #include "query/refine.h"
+#include "query/witnesses.h"
 #include "tree/flat_tree.h"
 
 namespace clearway {
@@ -27,13 +31,6 @@ struct Candidate {
     TrianglesAt triangles;
 };
 
-/// The pair that answered the last query. It helps the next query of the two models it came from.
-struct WarmStart {
-    std::uint64_t partId = 0;  ///< Model::id(), which is never 0; 0: no warm start
-    std::uint64_t environmentId = 0;
-    TrianglesAt triangles{0, 0, kNoFeature};
-};
-
 /// A pair of volumes over an interval of time.
 struct SweepEntry {
     float gap;    ///< orders the descent; of the interval that the pair was looked at in
@@ -49,9 +46,39 @@ struct Workspace::State {
     Pile<Candidate> candidates;
     Pile<SweepEntry> sweepStack;
     std::unique_ptr<PieceCache> pieces;  ///< made by the first sweep
-    WarmStart warmStart;
+    Witnesses witnesses;
     QueryCounters counters;
+    std::atomic<std::thread::id> user{};  ///< the thread that uses the workspace now; see WorkspaceUse
 };
+
+/// The use of a workspace by one query. In builds with assertions it fails if another thread uses the workspace meanwhile;
+/// in others it does nothing. A query within a query of the same thread is one use.
+#ifdef NDEBUG
+struct WorkspaceUse {
+    explicit WorkspaceUse(Workspace::State&) {}
+};
+#else
+class WorkspaceUse {
+  public:
+    // The order is relaxed, so that ThreadSanitizer still sees the races of threads that share a workspace.
+    explicit WorkspaceUse(Workspace::State& state) : state_(state) {
+        const std::thread::id self = std::this_thread::get_id();
+        std::thread::id user;
+        isOutermost_ = state_.user.compare_exchange_strong(user, self, std::memory_order_relaxed);
+        assert((isOutermost_ || user == self) &&
+               "two threads use a workspace at once, expected one for each thread");
+    }
+    ~WorkspaceUse() {
+        if (isOutermost_) state_.user.store({}, std::memory_order_relaxed);
+    }
+    WorkspaceUse(const WorkspaceUse&) = delete;
+    WorkspaceUse& operator=(const WorkspaceUse&) = delete;
+
+  private:
+    Workspace::State& state_;
+    bool isOutermost_;
+};
+#endif
 
 /// DistanceOptions in query units.
 struct ClosestRequest {
@@ -75,14 +102,15 @@ struct WithinAnswer {
     TrianglesAt triangles{0, 0, kNoFeature};  ///< if within: such a pair
 };
 
-/// Finds the closest pair. warmStart: a pair of triangles to begin with, or null.
-ClosestAnswer closestPair(const PairQuery& query, const ClosestRequest& request, const WarmStart* warmStart,
-                          Workspace::State& state);
+/// Chooses the instruction set that CLEARWAY_TARGET names, unless a set is chosen already. Every query calls this before it
+/// dispatches. Throws as currentTarget() does.
+void settleTarget();
 
-/// Decides exactly whether any pair is within the distance. distance: environment units, >= 0. warmStart: as
-/// above.
-WithinAnswer anyPairWithin(const PairQuery& query, double distance, const WarmStart* warmStart,
-                           Workspace::State& state);
+/// Finds the closest pair. Begins with a witness of the state's, which must be of these two models.
+ClosestAnswer closestPair(const PairQuery& query, const ClosestRequest& request, Workspace::State& state);
+
+/// Decides exactly whether any pair is within the distance. distance: environment units, >= 0. Begins as closestPair does.
+WithinAnswer anyPairWithin(const PairQuery& query, double distance, Workspace::State& state);
 
 /// Sorts by lower bounds, the least first.
 void sortByLower(Pile<Candidate>& candidates);

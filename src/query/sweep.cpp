@@ -37,6 +37,7 @@ HWY_EXPORT(SweepTrees);
 
 SweepAnswer sweepTrees(const FlatTree& part, const FlatTree& environment, const MotionPieces& motion,
                        const SweepRequest& request, Workspace::State& state) {
+    settleTarget();
     return HWY_DYNAMIC_DISPATCH(SweepTrees)(part, environment, motion, request, state);
 }
 

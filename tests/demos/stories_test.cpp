@@ -161,6 +161,29 @@ BOOST_AUTO_TEST_CASE(replan_says_where_the_old_path_is_blocked_and_finds_another
     BOOST_CHECK_NE(readText(folder.file("old.path")), readText(folder.file("new.path")));
 }
 
+BOOST_AUTO_TEST_CASE(distance_in_c_tells_the_distances_of_the_library) {
+    const TemporaryFolder folder;
+    const std::string part = CLEARWAY_DATA_DIR "/window/plate.obj",
+                      wall = CLEARWAY_DATA_DIR "/window/wall.obj";
+    const Story story = tell(folder, "distance", "'" + part + "' '" + wall + "'");
+    const MeshOracle oracle(loadMesh(part), loadMesh(wall));
+    int far = 0, touching = 0;
+    std::istringstream lines(story.out);
+    for (std::string line; std::getline(lines, line);) {
+        std::istringstream words(line);
+        double x, distance;
+        if (!(words >> x >> distance)) continue;
+        const double truth = oracle.distance({Matrix3::Identity(), {x, 0, 12}}).distance;
+        BOOST_TEST(std::abs(distance - truth) < 1e-4);  // printed digits
+        ++(distance > 0 ? far : touching);
+    }
+    BOOST_TEST(far >= 6);
+    BOOST_TEST(touching >= 3);
+    const Story missing = run(folder, CLEARWAY_DEMOS "/demo_distance nothing.stl '" + wall + "'");
+    BOOST_TEST(missing.code == 2);
+    BOOST_TEST(missing.err.find("cannot read mesh 'nothing.stl'") != std::string::npos, missing.err);
+}
+
 BOOST_AUTO_TEST_CASE(demos_take_problems_whose_obstacles_count_apart_or_not_at_all) {
     const TemporaryFolder folder;
     Problem problem = readProblem(CLEARWAY_DATA_DIR "/window/window.cfg");
@@ -184,7 +207,7 @@ BOOST_AUTO_TEST_CASE(demos_take_problems_whose_obstacles_count_apart_or_not_at_a
 
 BOOST_AUTO_TEST_CASE(demos_without_their_arguments_say_what_is_expected) {
     const TemporaryFolder folder;
-    for (const std::string demo : {"console", "clearance_optimal", "leaf_strategies", "replan"}) {
+    for (const std::string demo : {"console", "clearance_optimal", "leaf_strategies", "replan", "distance"}) {
         const Story story = run(folder, CLEARWAY_DEMOS "/demo_" + demo);
         BOOST_TEST(story.code == 2);
         BOOST_TEST(story.err.find("expected") != std::string::npos, story.err);
@@ -203,7 +226,7 @@ BOOST_AUTO_TEST_CASE(the_runner_lists_every_demo_and_refuses_others) {
     BOOST_TEST(unknown.err.find("'nobody'") != std::string::npos, unknown.err);
     int demos = 0;
     for (const auto& entry : std::filesystem::directory_iterator(CLEARWAY_DEMO_SOURCES)) {
-        if (entry.path().extension() != ".cpp") continue;
+        if (entry.path().extension() != ".cpp" && entry.path().extension() != ".c") continue;
         ++demos;
         const std::string name = entry.path().stem().string();
         BOOST_TEST(help.out.find("    " + name + " ") != std::string::npos, name << " in " << help.out);

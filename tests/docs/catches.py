@@ -34,6 +34,12 @@ SOUND = f"""# A sound document
 clearway::Mesh mesh;
 {FENCE}
 
+<!-- test: before #include <clearway/clearway.h> -->
+{FENCE}c
+clearway_handle model = 0;
+clearway_free(model);
+{FENCE}
+
 <!-- test: before const clearway::Box box; -->
 {FENCE}cpp
 mesh = clearway::boxMesh(box);
@@ -84,6 +90,9 @@ CASES = [
     ("code", fenced("cpp", "int a = 1;") + "\n" + fenced("cpp", "int b = c;"), "docs/page.md:6"),
     ("code", fenced("cpp", '#include "clearway/gone.h"'), "clearway/gone.h"),
     ("code", fenced("cpp", "int main() { return gone; }"), "docs/page.md:2"),
+    ("code", fenced("c", "int a = 1;") + "\n" + fenced("c", "int b = c;"), "docs/page.md:6"),
+    ("code", fenced("c", "int main(void) { return gone; }"), "docs/page.md:2"),
+    ("code", fenced("c", "for (int i = 0; i < 2; ++i) auto j = i;"), "the C does not compile"),
     ("code", fenced("cmake", "target_link_libraries(reader PRIVATE clearway::planning)"), "CMake refuses"),
     ("commands", fenced("sh", "clearway plan data/gates/gates.cfg --paths a.path"), "has no option '--paths'"),
     ("commands", "<!-- test: options only -->\n" + fenced("sh", "clearway plan --paths=a"), "has no option '--paths'"),

@@ -2,7 +2,7 @@
 """Checks the repository's documents: links, pieces of code, commands.
 
     check.py links ROOT                      links, anchors, paths named in `code`, the table of include rules
-    check.py code ROOT BUILD                 compiles ```cpp blocks, configures ```cmake blocks
+    check.py code ROOT BUILD                 compiles ```cpp and ```c blocks, configures ```cmake blocks
     check.py commands ROOT BUILD PROGRAM     runs ```sh blocks, reads ```ini blocks as problem files
 
 BUILD is a build tree of the repository, PROGRAM its `clearway`. The environment variable CLEARWAY_FULL=1 asks for the
@@ -11,7 +11,7 @@ long form.
 The blocks of one document are taken in order. Commands run in a scratch folder that holds a copy of data and
 build/release/bin with the program. `clearway` is run; `./demos/run` is run in the long form alone. For cmake, ctest,
 ./tests/run and programs below build/release/tests only names and options are checked. Only names and options are checked, too,
-in documents other than README.md, CONTRIBUTING.md and docs/. Pieces of C++ without `main` make one function for each document.
+in documents other than README.md, CONTRIBUTING.md and docs/. Pieces of C++ or C without `main` make one function for each document.
 
 HTML comments before a block state exceptions:
 
@@ -19,10 +19,11 @@ HTML comments before a block state exceptions:
     <!-- test: full -->                      the commands are run in the long form alone
     <!-- test: "A" becomes "B" -->           in the short form A is replaced
     <!-- test: exits with 1 -->              the block's last command ends with this exit code
-    <!-- test: before CODE -->               stands before the block's code (cpp, cmake)
+    <!-- test: before CODE -->               stands before the block's code (cpp, c, cmake)
     <!-- test: file NAME -->                 the block is written to a file of the scratch folder; then
     <!-- test: file NAME begins as BASE -->  ... after the text of BASE,
     <!-- test: file NAME begins as BASE up to TEXT -->  ... or what BASE holds before TEXT
+    <!-- test: prints the distance -->       tests/install runs the block among the files before it (text)
     <!-- test: layering -->                  the table repeats the include rules of tests/layering.cmake
 """
 
@@ -37,9 +38,9 @@ from code_blocks import check_code
 from commands import check_commands
 from markdown import read_document
 
-LANGUAGES = {"sh", "cpp", "ini", "cmake", "python", "text", "indented"}
+LANGUAGES = {"sh", "cpp", "c", "ini", "cmake", "python", "text", "indented"}
 DIRECTIVES = re.compile(
-    r'options only|full|".+?" becomes ".*"|exits with \d+|before\s.+|file \S+( begins as \S+( up to .+)?)?|layering', re.S
+    r'options only|full|".+?" becomes ".*"|exits with \d+|before\s.+|file \S+( begins as \S+( up to .+)?)?|prints the distance|layering', re.S
 )
 SKIPPED_FOLDERS = {".git", "build", "out", "vendor"}
 

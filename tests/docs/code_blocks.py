@@ -1,4 +1,4 @@
-"""Compiles the C++ of documents and configures their CMake."""
+"""Compiles the C++ and the C of documents and configures their CMake."""
 
 import json
 import os
@@ -38,7 +38,7 @@ def place(document, line):
 
 
 def program_of_pieces(document, blocks):
-    """One function of all pieces, in order; what they include comes first."""
+    """One function, in C++ and in C, of all pieces, in order; what they include comes first."""
     includes, body = [], []
     for block in blocks:
         for line, text in before(block) + [(block.line, block.text)]:
@@ -46,7 +46,7 @@ def program_of_pieces(document, blocks):
                 if row.startswith("#include"):
                     includes.append(place(document, line + number) + row + "\n")
             body.append(place(document, line) + re.sub(r"^#include.*$", "", text, flags=re.M) + "\n")
-    return "".join(includes) + "void pieces() {\n" + "".join(body) + "}\n"
+    return "".join(includes) + "void pieces(void) {\n" + "".join(body) + "}\n"
 
 
 def programs_of(root, document):
@@ -63,6 +63,22 @@ def programs_of(root, document):
             pieces.append(block)
     if pieces:
         yield pieces[0].line, program_of_pieces(document, pieces)
+
+
+def compile_c(root, build, documents, report):
+    """Whole programs and pieces in C, as C99."""
+    command = ["cc", "-std=c99", "-pedantic", "-Werror", "-fsyntax-only", "-x", "c"]
+    command += ["-I", str(root / "include"), "-I", str(build / "generated/include"), "-"]
+    for document in documents:
+        blocks = [block for block in document.blocks if block.language == "c"]
+        pieces = [block for block in blocks if not re.search(r"\bint main\(", block.text)]
+        sources = [(block.line, place(document, block.line) + block.text) for block in blocks if block not in pieces]
+        if pieces:
+            sources.append((pieces[0].line, program_of_pieces(document, pieces)))
+        for line, source in sources:
+            done = subprocess.run(command, input=source, capture_output=True, text=True)
+            if done.returncode != 0:
+                report.refuse(document, line, "the C does not compile:\n" + done.stderr)
 
 
 def compile_documents(root, build, documents, report):
@@ -98,6 +114,7 @@ def configure(root, build, block):
 
 def check_code(root, build, documents, report):
     compile_documents(root, build, documents, report)
+    compile_c(root, build, documents, report)
     for document in documents:
         for block in document.blocks:
             if block.language != "cmake":

@@ -10,6 +10,8 @@ import shutil
 import subprocess
 import sys
 
+from snippets import require_one_distance, write_snippets
+
 kFullRun = bool(os.environ.get("CLEARWAY_FULL"))
 
 
@@ -25,7 +27,7 @@ def output_of(*command, expected=0, **keywords):
     return result.stdout
 
 
-def lines_of_programs(folder, kinds=("distance_plain", "distance_avx512", "distance_cxx20")):
+def lines_of_programs(folder, kinds=("distance_plain", "distance_avx512", "distance_cxx20", "distance_c")):
     """What the programs print: one line, the same for all of them."""
     kinds = [kind for kind in kinds if "avx512" not in kind or " avx512f " in open("/proc/cpuinfo").read()]
     lines = {kind: output_of(os.path.join(folder, kind)) for kind in kinds}
@@ -68,6 +70,24 @@ def check_find_package(consumer, prefix, work):
     return printed
 
 
+def check_project_in_c(consumer, prefix, work):
+    """A CMake project in C alone links the shared library; the static one needs C++'s linker."""
+    source = os.path.join(work, "in_c_alone")
+    os.makedirs(source)
+    with open(os.path.join(source, "CMakeLists.txt"), "w") as file:
+        file.write("cmake_minimum_required(VERSION 3.25)\nproject(in_c_alone LANGUAGES C)\n"
+                   "find_package(clearway 0.1 CONFIG REQUIRED COMPONENTS ${CLEARWAY_COMPONENTS})\n"
+                   "add_executable(distance %s/distance.c)\n"
+                   "target_link_libraries(distance PRIVATE clearway::clearway)\n" % consumer)
+    folder = os.path.join(source, "build")
+    configure(source, folder, "-DCMAKE_PREFIX_PATH=" + prefix)
+    output_of("cmake", "--build", folder)
+    told = configure(source, folder, "-DCMAKE_PREFIX_PATH=" + prefix, "-DCLEARWAY_COMPONENTS=static", expected=1)
+    if "the project's languages are C, expected CXX among them" not in re.sub(r"\s+", " ", told):
+        fail("in a project in C alone the static library is refused with: " + told)
+    return output_of(os.path.join(folder, "distance"))
+
+
 def check_pkg_config(consumer, prefix, work):
     environment = dict(os.environ, PKG_CONFIG_PATH=os.path.join(prefix, "lib", "pkgconfig"),
                        LD_LIBRARY_PATH=os.path.join(prefix, "lib"))
@@ -76,7 +96,22 @@ def check_pkg_config(consumer, prefix, work):
     flags = output_of("pkg-config", "--cflags", "--libs", "clearway", env=environment).split()
     program = os.path.join(work, "by_pkg_config")
     output_of("c++", "-std=c++17", os.path.join(consumer, "distance.cpp"), "-o", program, *flags)
-    return output_of(program, env=environment)
+    printed = [output_of(program, env=environment)]
+    output_of("cc", "-std=c99", os.path.join(consumer, "distance.c"), "-o", program + "_in_c", *flags)
+    return printed + [output_of(program + "_in_c", env=environment)]
+
+
+def check_pkg_config_static(consumer, prefix, work):
+    """Where there is no shared library, pkg-config names what the static one needs, for C programs too."""
+    alone = os.path.join(work, "static_alone")
+    shutil.copytree(prefix, alone, ignore=lambda folder, names: [name for name in names if ".so" in name], symlinks=True)
+    environment = dict(os.environ, PKG_CONFIG_PATH=os.path.join(alone, "lib", "pkgconfig"))
+    flags = output_of("pkg-config", "--static", "--cflags", "--libs", "clearway", env=environment).split()
+    program = os.path.join(work, "in_c_static")
+    output_of("cc", "-std=c99", os.path.join(consumer, "distance.c"), "-o", program, *flags)
+    if any("clearway" in name for name in libraries_of(program)):
+        fail("linked without shared libraries a program needs %s" % libraries_of(program))
+    return output_of(program)
 
 
 def check_part_of_a_build(consumer, source, work, way, own_line):
@@ -86,17 +121,68 @@ def check_part_of_a_build(consumer, source, work, way, own_line):
     if "CGAL" in told or os.path.exists(os.path.join(folder, "clearway", "tests")):
         fail("as a part of another build (%s) clearway configures its tests:\n%s" % (way, told))
     if kFullRun:
-        output_of("cmake", "--build", folder, "--target", "distance_plain", "distance_avx512", "distance_cxx20")
+        output_of("cmake", "--build", folder, "--target", "distance_plain", "distance_avx512", "distance_cxx20",
+                  "distance_c")
         # An instruction set may change the last digits.
         if abs(float(lines_of_programs(folder)) - float(own_line)) > 1e-14:
             fail("built as a part of another build (%s), the distance differs" % way)
+
+
+def check_snippets(source, prefix, work):
+    """The complete programs of docs/coming_from.md run, and agree."""
+    folder = os.path.join(work, "snippets")
+    os.makedirs(folder)
+    environment = dict(os.environ, PATH="/usr/bin:" + os.environ["PATH"], CMAKE_PREFIX_PATH=prefix, CMAKE_GENERATOR="Ninja",
+                       PKG_CONFIG_PATH=os.path.join(prefix, "lib", "pkgconfig"), LD_LIBRARY_PATH=os.path.join(prefix, "lib"),
+                       PYTHONPATH=os.path.join(prefix, "lib", "python3", "dist-packages"))
+    require_one_distance([output_of("bash", "-c", command, cwd=folder, env=environment)
+                          for command in write_snippets(source, folder)])
+
+
+def check_where_libraries_look(prefix):
+    """Libraries find each other beside themselves, wherever the tree lies, and hold no path of the build."""
+    module = os.path.join(prefix, "lib", "python3", "dist-packages", "clearway")
+    extensions = [os.path.join(module, name) for name in os.listdir(module) if name.endswith(".so")]
+    for library in [os.path.join(prefix, "lib", "libclearway-planning.so")] + extensions:
+        told = output_of("ldd", library)
+        found = [os.path.dirname(os.path.realpath(path)) for path in re.findall(r"libclearway\.so\S* => (\S+)", told)]
+        if found != [os.path.realpath(os.path.join(prefix, "lib"))]:
+            fail("%s does not find libclearway in its own installation:\n%s" % (library, told))
+        for path in re.findall(r"R(?:UN)?PATH.*\[(.*)\]", output_of("readelf", "-d", library)):
+            if not path.startswith("$ORIGIN"):
+                fail("%s looks for libraries in %s, expected a path that begins with $ORIGIN" % (library, path))
+
+
+def files_below(folder):
+    return {os.path.relpath(os.path.join(at, name), folder) for at, _, names in os.walk(folder) for name in names}
+
+
+def check_components(build, prefix, work):
+    """Each file belongs to one component; programs that use the library alone need one library."""
+    names = ("libclearway", "libclearway-planning", "libclearway-dev", "clearway-tools", "python3-clearway")
+    files = {}
+    for name in names:
+        folder = os.path.join(work, "components", name)
+        output_of("cmake", "--install", build, "--component", name, "--prefix", folder)
+        files[name] = files_below(folder)
+    missing = files_below(prefix).symmetric_difference(set().union(*files.values()))
+    if missing or sum(map(len, files.values())) != len(files_below(prefix)):
+        fail("components differ from the whole installation by %s, or hold a file twice" % sorted(missing))
+    for name in names[:2]:
+        if any("lib/%s.so." % name not in file and "LICENSE" not in file for file in files[name]):
+            fail("the component %s holds %s, expected its library alone" % (name, sorted(files[name])))
 
 
 def check_without(source, work):
     """The library alone needs neither OMPL nor libpng, cairo and Embree; a target that cannot be had is named."""
     missing = ["-DCMAKE_DISABLE_FIND_PACKAGE_%s=ON" % name for name in ("ompl", "PNG", "PkgConfig", "embree")]
     only = ["-DCLEARWAY_%s=OFF" % name for name in ("PLANNING", "PROGRAM", "EMBREE", "TESTS", "DEMOS")]
-    configure(source, os.path.join(work, "library_alone"), *missing, *only)
+    alone = os.path.join(work, "library_alone")
+    configure(source, alone, *missing, *only)
+    told = configure(os.path.join(source, "tests", "install", "consumer"), os.path.join(work, "planning_left_out"),
+                     "-Dclearway_DIR=" + os.path.join(alone, "generated"), "-DCLEARWAY_COMPONENTS=planning", expected=1)
+    if "this clearway was built without its component planning (CLEARWAY_PLANNING=OFF)" not in re.sub(r"\s+", " ", told):
+        fail("a component that was left out is refused with: " + told)
     for options, named in ((only[1:], "clearway::planning needs OMPL 1.5 or later"),
                            (only[:2] + only[3:], "clearway::clearway needs Embree 3 or 4"),
                            (only[:1] + only[2:], "CLEARWAY_PROGRAM is ON and CLEARWAY_PLANNING is OFF")):
@@ -107,13 +193,18 @@ def check_without(source, work):
 
 
 def check_symbols(prefix):
-    """A shared library shows what the public headers declare, and no type whose alignment depends on compiler options."""
-    for name, internal in (("clearway", r"clearway::buildBySah|clearway::Solid::|nlohmann::"),
+    """A shared library shows what the public headers declare, in C++ and in C, and no type whose alignment depends on
+    compiler options."""
+    for name, internal in (("clearway", r"clearway::buildBySah|clearway::Solid::|nlohmann::|[Aa]ssimp|hwy::"),
                            ("clearway-planning", r"clearway::planning::MotionSweep|nlohmann::")):
         library = os.path.join(prefix, "lib", "lib%s.so" % name)
         symbols = output_of("nm", "--dynamic", "--defined-only", "--demangle", library)
         if "clearway::" not in symbols:
             fail("%s shows no symbol" % library)
+        declared = set(re.findall(r"\bclearway_\w+(?=\()", open(os.path.join(prefix, "include/clearway/clearway.h")).read()))
+        shown = set(re.findall(r" T (clearway_\w+)$", symbols, re.M))
+        if name == "clearway" and (len(declared) < 10 or shown != declared):
+            fail("%s shows to C %s, expected what clearway.h declares: %s" % (library, sorted(shown), sorted(declared)))
         for line in symbols.splitlines():
             if re.search(internal, line):
                 fail("%s shows an internal symbol: %s" % (library, line))
@@ -140,14 +231,22 @@ def main():
     os.makedirs(work)
     prefix = os.path.join(work, "prefix")
     consumer = os.path.join(source, "tests", "install", "consumer")
-    output_of("cmake", "--install", build, "--prefix", prefix)
+    # Packages are made so: installed for one place, staged in another. The tree works wherever it lies.
+    stage = os.path.join(work, "stage")
+    output_of("cmake", "--install", build, "--prefix", "/opt/clearway", env=dict(os.environ, DESTDIR=stage))
+    os.rename(stage + "/opt/clearway", prefix)
     printed = check_find_package(consumer, prefix, work)
-    printed.append(check_pkg_config(consumer, prefix, work))
+    printed.append(check_project_in_c(consumer, prefix, work))
+    printed += check_pkg_config(consumer, prefix, work)
+    printed.append(check_pkg_config_static(consumer, prefix, work))
     if len(set(printed)) != 1:
         fail("the installed libraries' distances differ: %s" % printed)
     for way in ("add_subdirectory", "FetchContent"):
         check_part_of_a_build(consumer, source, work, way, printed[0])
     check_without(source, work)
+    check_snippets(source, prefix, work)
+    check_where_libraries_look(prefix)
+    check_components(build, prefix, work)
     check_symbols(prefix)
     check_program(prefix)
 

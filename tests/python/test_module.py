@@ -1,33 +1,16 @@
 """The Python module: its answers are the library's, and whatever is not as it should be is refused by name."""
 
 import math
-import pathlib
 import re
+import subprocess
+import sys
 import threading
 
 import numpy as np
 import pytest
+from support import ROOT, cube, place, prepare_documents, triangle
 
 import clearway
-
-ROOT = pathlib.Path(__file__).parents[2]
-
-
-def triangle(z):
-    return clearway.Mesh([[0.1, 0, z], [1.3, 0, z], [0.1, 1.7, z]], [[0, 1, 2]])
-
-
-def cube(size):
-    corners = [[x, y, z] for x in (-size, size) for y in (-size, size) for z in (-size, size)]
-    faces = [[0, 1, 3], [0, 3, 2], [4, 6, 7], [4, 7, 5], [0, 4, 5], [0, 5, 1]]
-    faces += [[2, 3, 7], [2, 7, 6], [0, 2, 6], [0, 6, 4], [1, 5, 7], [1, 7, 3]]
-    return clearway.Mesh(np.array(corners, dtype=float), np.array(faces), name="cube")
-
-
-def place(x=0.0, y=0.0, z=0.0):
-    pose = np.eye(4)
-    pose[:3, 3] = x, y, z
-    return pose
 
 
 @pytest.fixture(scope="module")
@@ -206,23 +189,30 @@ def test_targets():
     clearway.use_target("best")
 
 
-def test_every_name_has_words():
-    for name in clearway.__all__:
-        if name not in ("__version__", "FileError", "Mesh", "Model", "Obstacle", "Scene"):
-            assert getattr(clearway, name).__doc__, name
-
-
 def test_the_version_is_the_same_everywhere():
     project = (ROOT / "pyproject.toml").read_text()
     assert 'version = "%s"' % clearway.__version__ in project
     assert "VERSION %s " % clearway.__version__ in (ROOT / "CMakeLists.txt").read_text()
 
 
-def test_the_documents_code_runs(tmp_path, monkeypatch):
-    """The pieces of docs/python.md, one after the other, beside two meshes."""
+def test_the_documents_code_runs(tmp_path, monkeypatch, capsys):
+    """The pieces of docs/python.md, one after the other, beside two meshes and a problem. test_ompl.py runs those that
+    need OMPL's bindings."""
+    pytest.importorskip("clearway.planning", reason="clearway was built without OMPL")
     monkeypatch.chdir(tmp_path)
-    cube(0.5).save("part.stl")
-    cube(1).save("environment.stl")
+    prepare_documents(tmp_path)
     pieces = re.findall(r"```python\n(.*?)```", (ROOT / "docs" / "python.md").read_text(), re.S)
-    assert pieces
+    pieces = [piece for piece in pieces if "from ompl import" not in piece]
+    assert len(pieces) > 4
     exec("\n".join(pieces), {})
+    assert "True True True" in capsys.readouterr().out  # what the piece about `check` prints
+
+
+def test_the_example_draws_a_picture(tmp_path):
+    pytest.importorskip("matplotlib", reason="matplotlib is not installed")
+    pytest.importorskip("clearway.planning", reason="clearway was built without OMPL")
+    console = ROOT / "data" / "tunnel-console-small" / "tunnel-console"
+    example = ROOT / "python" / "examples" / "clearance_profile.py"
+    words = [sys.executable, "-B", str(example), "%s.cfg" % console, "%s.path" % console, str(tmp_path / "profile.png")]
+    out = subprocess.run(words, check=True, stdout=subprocess.PIPE, text=True).stdout
+    assert out.startswith("valid, clearance 11.") and (tmp_path / "profile.png").read_bytes()[:4] == b"\x89PNG"

@@ -4,6 +4,8 @@
 #include <ompl/geometric/PathGeometric.h>
 
 #include <cstdint>
+#include <functional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -15,52 +17,67 @@ namespace clearway::planning {
 
 /// One motion of a path, from one of its states to the next one.
 struct SegmentAudit {
-    MotionReport motion;
+    MotionReport motion;     ///< the validator's report of the motion
     Pose X_environmentPart;  ///< the part at motion.closestTime, where motion.closest is
     double length = 0;       ///< straight way of the part's origin from end to end; environment units
     double turned = 0;       ///< angle between the ends, radians
-    /// Names of the two meshes of motion.closest (a component's name, else its file's); empty when
+    /// Name of the part's mesh in motion.closest: a component's name, else its file's. Empty when
     /// motion.closest has no two triangles.
-    std::string partMesh, environmentMesh;
+    std::string partMesh;
+    std::string environmentMesh;  ///< name of the obstacle's mesh in motion.closest, or empty
 
     /// Why the segment is not valid, as words after "is": "in collision: ...", with meshes and triangles.
     /// Empty when the segment is valid.
     std::string trouble;
 
+    /// Whether the motion is certified to be valid.
     bool isValid() const { return motion.verdict == MotionVerdict::kValid; }
 };
 
 /// A pose of the path, and the clearance from there to the next point.
 struct PathProfilePoint {
-    std::size_t segment = 0;
-    double time = 0;         ///< within the segment
-    double travel = 0;       ///< from the path's start, see MotionReport::travel; environment units
-    double clearance = 0;    ///< ProfilePoint::clearance
-    double lowerToNext = 0;  ///< ProfilePoint::lowerToNext
+    std::size_t segment = 0;  ///< index into PathAudit::segments
+    double time = 0;          ///< within the segment, 0 to 1
+    double travel = 0;        ///< from the path's start, see MotionReport::travel; environment units
+    double clearance = 0;     ///< ProfilePoint::clearance
+    double lowerToNext = 0;   ///< ProfilePoint::lowerToNext
 };
 
+/// The judgement of a whole path.
 struct PathAudit {
-    /// In order. A path of one state has one segment, from the state to itself.
+    /// One for each motion, in order. A path of one state has one segment, from the state to itself.
     std::vector<SegmentAudit> segments;
     std::vector<std::size_t> notValid;                ///< the segments that are not valid, in order
     MotionVerdict verdict = MotionVerdict::kInvalid;  ///< the worst of the segments' verdicts
     std::size_t closest = 0;  ///< the segment with the least clearance, of the poses looked at
-    /// Bounds of the least distance - margin along the path. When the path is valid, they are as close as
-    /// MotionValidator::report promises for a motion.
-    double lowerClearance = 0, upperClearance = 0;
-    double length = 0, turned = 0;  ///< summed over the segments
-    std::uint64_t queries = 0;
+    /// Lower bound of the least distance - margin along the path; environment units. When the path is valid,
+    /// the two bounds are as close as MotionValidator::report promises for a motion.
+    double lowerClearance = 0;
+    double upperClearance = 0;              ///< upper bound of the least distance - margin along the path
+    double length = 0;                      ///< SegmentAudit::length, summed over the segments
+    double turned = 0;                      ///< SegmentAudit::turned, summed over the segments
+    std::uint64_t queries = 0;              ///< MotionReport::queries, summed over the segments
     std::vector<PathProfilePoint> profile;  ///< in order; empty unless asked for
 
+    /// Whether every motion of the path is certified to be valid.
     bool isValid() const { return verdict == MotionVerdict::kValid; }
 };
 
+/// Options of audit(): with `profile`, it also fills PathAudit::profile.
 struct AuditOptions {
     bool profile = false;  ///< costs a few times as many queries
+    /// Called before each motion, and by checkPath also within motions. True ends the audit: it throws AuditStopped.
+    std::function<bool()> isStopped = nullptr;
+};
+
+/// Thrown when AuditOptions::isStopped returns true.
+class AuditStopped : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
 };
 
 /// Judges every motion of the path, also those after a motion that is not valid. Throws std::invalid_argument
-/// when the path has no state, or is in another space than the validator's. Nothing else is thrown: a motion
+/// when the path has no state, or is in another space than the validator's, and AuditStopped. Nothing else is thrown: a motion
 /// that cannot be judged is invalid, and its report says why.
 PathAudit audit(const ompl::geometric::PathGeometric& path, const MotionValidator& validator,
                 const AuditOptions& options = {});

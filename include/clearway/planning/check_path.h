@@ -11,14 +11,20 @@
 
 namespace clearway::planning {
 
+/// The answer of checkPath. Lengths in environment units.
 struct PathCheck {
-    PathAudit audit;
-    /// At the path's ends no point of the part is farther than this from its place at the problem's start and
-    /// goal. For a goal outside, offGoal is OutsideGoal::distanceGoal at the path's end. Environment units.
-    double offStart = 0, offGoal = 0;
+    PathAudit audit;  ///< of the path in the problem's space and scene
+    /// At the path's beginning no point of the part is farther than this from its place at the problem's start.
+    double offStart = 0;
+    /// At the path's end no point of the part is farther than this from its place at the problem's goal. For
+    /// a goal outside it is OutsideGoal::distanceGoal at the path's end.
+    double offGoal = 0;
     double tolerance = 0;  ///< offsets up to this are rounding in the file: a share of the part's diagonal
 
+    /// Whether the path begins at the problem's start.
     bool beginsAtStart() const { return offStart <= tolerance; }
+
+    /// Whether the path ends at the problem's goal.
     bool endsAtGoal() const { return offGoal <= tolerance; }
 };
 

@@ -48,7 +48,10 @@ class ClearanceObjective : public ompl::base::OptimizationObjective {
   public:
     ~ClearanceObjective() override;
 
+    /// The scene that clearances are measured in.
     const Scene& scene() const;
+
+    /// Counts of what all threads have asked of the objective.
     ObjectiveCounters counters() const;
 
   protected:
@@ -62,13 +65,14 @@ class ClearanceObjective : public ompl::base::OptimizationObjective {
     ClearanceObjective(const ompl::base::SpaceInformationPtr& si, Scene scene, StateToPose stateToPose,
                        DisplacementBound bound, StateMotion motion = {});
 
-    std::unique_ptr<const ObjectiveMotions> motions_;
+    std::unique_ptr<const ObjectiveMotions> motions_;  ///< finds clearances of states and motions; never null
 };
 
 /// Returns the scene of si's validity checker. Throws std::invalid_argument when si is null or its checker is
 /// none of clearway's.
 const Scene& sceneOf(const ompl::base::SpaceInformationPtr& si);
 
+/// The option of MinClearanceObjective.
 struct MinClearanceOptions {
     /// Clearances above the cap count as the cap. Environment units, finite, > 0. The default is the diagonal
     /// of the part's box.
@@ -85,9 +89,13 @@ struct MinClearanceOptions {
 /// certified to be valid.
 class MinClearanceObjective : public ClearanceObjective {
   public:
-    /// Throws as ClearanceObjective does, and when the cap is not finite and above 0.
+    /// For OMPL's SE(3) and SE(2). Throws as ClearanceObjective does, and when the cap is not finite and
+    /// above 0.
     MinClearanceObjective(const ompl::base::SpaceInformationPtr& si, Scene scene,
                           const MinClearanceOptions& options = {});
+
+    /// For any space: the costs of motions are found by clearances of the whole part. Throws as the first
+    /// constructor does.
     MinClearanceObjective(const ompl::base::SpaceInformationPtr& si, Scene scene, StateToPose stateToPose,
                           DisplacementBound bound, const MinClearanceOptions& options = {});
 
@@ -96,9 +104,10 @@ class MinClearanceObjective : public ClearanceObjective {
                           DisplacementBound bound, StateMotion motion,
                           const MinClearanceOptions& options = {});
 
-    /// Costs compare and combine as in OMPL's MaximizeMinClearanceObjective: larger is better, and the worse
-    /// of two costs counts.
+    /// Whether c1 is larger: costs compare and combine as in OMPL's MaximizeMinClearanceObjective.
     bool isCostBetterThan(ompl::base::Cost c1, ompl::base::Cost c2) const override;
+
+    /// The smaller one of two costs.
     ompl::base::Cost combineCosts(ompl::base::Cost c1, ompl::base::Cost c2) const override;
     ompl::base::Cost identityCost() const override;  ///< infinity
     ompl::base::Cost infiniteCost() const override;  ///< -infinity
@@ -107,15 +116,21 @@ class MinClearanceObjective : public ClearanceObjective {
     /// the cap unless it is set: planners then go on until their time is up.
     bool isSatisfied(ompl::base::Cost cost) const override;
 
+    /// A lower bound of the clearance at a state, but at most the cap; -kInvalidMotionCost for an invalid
+    /// or unusable state.
     ompl::base::Cost stateCost(const ompl::base::State* state) const override;
     ompl::base::Cost initialCost(const ompl::base::State* state) const override;   ///< stateCost
     ompl::base::Cost terminalCost(const ompl::base::State* state) const override;  ///< stateCost
+
+    /// The certified least clearance along a motion, see the class; at most the cap.
     ompl::base::Cost motionCost(const ompl::base::State* s1, const ompl::base::State* s2) const override;
 
     /// The cap, because no motion is better. The heuristic of the cost to go is the cap too.
     ompl::base::Cost motionCostHeuristic(const ompl::base::State* s1,
                                          const ompl::base::State* s2) const override;
 
+    /// The clearance from which on all clearances count alike; environment units. It is the option's value or
+    /// default, or the largest clearance that the environment's reach lets queries tell, if that is less.
     double cap() const { return cap_; }
 
   private:
@@ -138,15 +153,23 @@ class WeightedLengthObjective : public ClearanceObjective {
   public:
     ~WeightedLengthObjective() override;
 
-    ompl::base::Cost stateCost(const ompl::base::State* state) const override;  ///< 1 + extra
+    /// 1 + extra at a state; kInvalidMotionCost for an invalid or unusable state.
+    ompl::base::Cost stateCost(const ompl::base::State* state) const override;
+
+    /// The weighted length of a motion, to the resolution; kInvalidMotionCost for an invalid motion.
     ompl::base::Cost motionCost(const ompl::base::State* s1, const ompl::base::State* s2) const override;
+
+    /// The length of a motion: no motion between the two states costs less.
     ompl::base::Cost motionCostHeuristic(const ompl::base::State* s1,
                                          const ompl::base::State* s2) const override;
 
   protected:
-    /// Throws as ClearanceObjective does, and when the resolution is not above 0 and at most 1.
+    /// For OMPL's SE(3) and SE(2). Throws as ClearanceObjective does, and when the resolution is not above 0
+    /// and at most 1.
     WeightedLengthObjective(const ompl::base::SpaceInformationPtr& si, Scene scene,
                             const ClosenessWeight& weight, double resolution);
+
+    /// For any space. Throws as the first constructor does.
     WeightedLengthObjective(const ompl::base::SpaceInformationPtr& si, Scene scene, StateToPose stateToPose,
                             DisplacementBound bound, const ClosenessWeight& weight, double resolution);
 
@@ -155,8 +178,9 @@ class WeightedLengthObjective : public ClearanceObjective {
     double resolution_;
 };
 
+/// The options of ClearanceIntegralObjective. Lengths in environment units, finite, > 0. Each default is a
+/// share of the diagonal of the part's box.
 struct ClearanceIntegralOptions {
-    /// Lengths in environment units, finite, > 0. Each default is a share of the diagonal of the part's box.
     std::optional<double> reference;  ///< the clearance at which length counts about twice; 5 %
     std::optional<double> floor;      ///< keeps the weight of contact finite; 0.1 %
     std::optional<double> cap;        ///< from this clearance on length counts once; 100 %
@@ -167,19 +191,22 @@ struct ClearanceIntegralOptions {
 /// at clearances c < cap.
 class ClearanceIntegralObjective : public WeightedLengthObjective {
   public:
-    /// Throws as WeightedLengthObjective does, and when an option is wrong.
+    /// For OMPL's SE(3) and SE(2). Throws as WeightedLengthObjective does, and when an option is wrong.
     ClearanceIntegralObjective(const ompl::base::SpaceInformationPtr& si, const Scene& scene,
                                const ClearanceIntegralOptions& options = {});
+
+    /// For any space. Throws as the first constructor does.
     ClearanceIntegralObjective(const ompl::base::SpaceInformationPtr& si, const Scene& scene,
                                StateToPose stateToPose, DisplacementBound bound,
                                const ClearanceIntegralOptions& options = {});
 };
 
+/// The options of LengthWithClearanceObjective.
 struct LengthWithClearanceOptions {
     /// The clearance to keep. Environment units, finite, > 0. The default is 5 % of the diagonal of the
     /// part's box.
     std::optional<double> wanted;
-    double strictness = 10;   ///< >= 0, finite
+    double strictness = 10;   ///< by how many lengths more a length in contact counts; >= 0, finite
     double resolution = 0.1;  ///< the largest error of a cost, as a share of it; > 0, at most 1
 };
 
@@ -192,9 +219,11 @@ double wantedClearance(const LengthWithClearanceOptions& options, const Model& p
 /// while to avoid contact.
 class LengthWithClearanceObjective : public WeightedLengthObjective {
   public:
-    /// Throws as WeightedLengthObjective does, and when an option is wrong.
+    /// For OMPL's SE(3) and SE(2). Throws as WeightedLengthObjective does, and when an option is wrong.
     LengthWithClearanceObjective(const ompl::base::SpaceInformationPtr& si, const Scene& scene,
                                  const LengthWithClearanceOptions& options = {});
+
+    /// For any space. Throws as the first constructor does.
     LengthWithClearanceObjective(const ompl::base::SpaceInformationPtr& si, const Scene& scene,
                                  StateToPose stateToPose, DisplacementBound bound,
                                  const LengthWithClearanceOptions& options = {});

@@ -31,9 +31,9 @@ class DiscreteMotionValidator : public ompl::base::MotionValidator {
     /// For any space. Throws as the first constructor does, and when the bound is empty.
     DiscreteMotionValidator(const ompl::base::SpaceInformationPtr& si, DisplacementBound bound, double step);
 
-    /// A motion is also invalid when its interpolation ends farther from s2 than the step (OMPL leaves out
-    /// turns of up to 1.6e-4 rad), because it cannot be checked that closely, and when it has no finite
-    /// bound.
+    /// Whether all states that are looked at are valid. A motion is also invalid when its interpolation ends
+    /// farther from s2 than the step (OMPL leaves out turns of up to 1.6e-4 rad), because it cannot be
+    /// checked that closely, and when it has no finite bound.
     bool checkMotion(const ompl::base::State* s1, const ompl::base::State* s2) const override;
 
     /// On false lastValid.second is in [0, 1) and lastValid.first, unless null, holds the state at that time:
@@ -46,6 +46,7 @@ class DiscreteMotionValidator : public ompl::base::MotionValidator {
     /// checked. 0 when the motion cannot be checked.
     std::uint64_t partsOf(const ompl::base::State* s1, const ompl::base::State* s2) const;
 
+    /// How far any point of the part may move from one state that is checked to the next; environment units.
     double step() const { return step_; }
 
     /// The number of motions that began in an invalid state, against OMPL's contract.

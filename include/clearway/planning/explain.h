@@ -13,6 +13,7 @@
 
 namespace clearway::planning {
 
+/// How explain() plans its trials, and for how long.
 struct ExplainOptions {
     /// The planner, its parameters, seed, step and threads are those of every trial, and so are its iterations, which
     /// make the explanation repeatable as long as the time lasts. The time, the objective and the floor do not count.
@@ -22,18 +23,19 @@ struct ExplainOptions {
     std::function<Scene(const Problem& problem)> load;
 };
 
+/// The answer of explain().
 struct Explanation {
     /// Sets of obstacles without which a path was found, each of as few obstacles as any. Greedy: smaller sets may
     /// exist. Empty: none was found.
     std::vector<std::vector<std::string>> withoutThese;
-    /// The largest factor of all margins with which a path was found, and the least with which none was. Nothing: no
-    /// path was found even with margins of 0, or no margin is above 0.
+    /// The largest factor of all margins with which a path was found. Nothing: no path was found even with
+    /// margins of 0, or no margin is above 0.
     std::optional<double> marginScale;
-    double refusedScale = 1;
+    double refusedScale = 1;     ///< the least factor of all margins with which no path was found
     bool isMarginTried = false;  ///< a trial with margins of 0 was made to its end
     /// A path that a trial found and that is valid with all obstacles and whole margins. Planning only missed it.
     std::vector<PartState> path;
-    std::size_t trials = 0;
+    std::size_t trials = 0;    ///< how often was planned
     double trialSeconds = 0;   ///< the most that a trial plans; 0 with iterations
     bool isOutOfTime = false;  ///< trials were left out for want of time, or because it was interrupted
     bool isStopped = false;    ///< PlanOptions::isStopped ended the trials
@@ -42,7 +44,7 @@ struct Explanation {
 /// True when the scene has at least two obstacles, the components of its meshes, and all have names.
 bool isExplainable(const Scene& scene);
 
-/// Throws std::invalid_argument unless isExplainable.
+/// Throws std::invalid_argument that says what is missing, unless isExplainable.
 void requireExplainable(const Scene& scene);
 
 /// Plans again without the obstacles that stopped most motions, then puts back, one by one, those without which no path

@@ -14,12 +14,15 @@
 
 namespace clearway::planning {
 
-/// The exact solution that costs least by the definition's objective, else OMPL's first one. (OMPL puts the
-/// solutions of some planners in the order of their lengths.) Nothing when there is no exact solution.
+/// The result of bestSolution().
 struct BestSolution {
-    ompl::base::PlannerSolution solution;
-    double cost = 0;  ///< NaN without an objective
+    ompl::base::PlannerSolution solution;  ///< one of those of the problem definition
+    double cost = 0;                       ///< by the definition's objective; NaN without one
 };
+
+/// Returns the exact solution that costs least by the definition's objective; without an objective, the first
+/// exact one of OMPL's. (OMPL puts the solutions of some planners in the order of their lengths.) Nothing
+/// when there is no exact solution.
 std::optional<BestSolution> bestSolution(const ompl::base::ProblemDefinition& definition);
 
 /// Returns the best exact solution, else OMPL's first solution, which is approximate. Throws

@@ -27,6 +27,7 @@ namespace clearway::planning {
 
 class PosedScene;
 
+/// How MotionValidator judges motions.
 struct MotionOptions {
     /// A motion is undecided where it cannot be certified in stretches that move the part by more than this:
     /// there the part comes closer to the margin than about half of this length. Environment units, finite,
@@ -40,7 +41,7 @@ struct MotionOptions {
 
 /// Counts since the validator was made.
 struct MotionCounters {
-    std::uint64_t valid = 0;
+    std::uint64_t valid = 0;          ///< answered valid
     std::uint64_t invalid = 0;        ///< answered invalid, for whatever reason
     std::uint64_t undecided = 0;      ///< of these, without an invalid pose, but not certified throughout
     std::uint64_t invalidStarts = 0;  ///< of these, begun in an invalid state, against OMPL's contract
@@ -51,36 +52,47 @@ struct MotionCounters {
 
 /// Times of a motion, from 0 to 1.
 struct TimeSpan {
-    double first = 0, last = 0;
+    double first = 0;  ///< at most `last`
+    double last = 0;   ///< at most 1
 };
 
-enum class MotionVerdict { kValid, kInvalid, kUndecided };
+/// The judgement of a motion.
+enum class MotionVerdict {
+    kValid,     ///< every pose of the motion is certified to be valid
+    kInvalid,   ///< some pose is invalid, or the motion cannot be judged
+    kUndecided  ///< no invalid pose is known, but not all poses could be certified: counts as invalid
+};
 
+/// Everything that MotionValidator finds out about a motion.
 struct MotionReport {
-    MotionVerdict verdict = MotionVerdict::kInvalid;
+    MotionVerdict verdict =
+        MotionVerdict::kInvalid;  ///< what checkMotion says, and whether a pose is invalid
     /// All poses of [0, certifiedTime] are valid, unless the start is not. 1: all poses are.
     double certifiedTime = 0;
-    /// Bounds of the least distance - margin along the motion, over the obstacles that count. Environment
-    /// units.
+    /// Lower bound of the least distance - margin along the motion, over the obstacles that count;
+    /// environment units.
     double lowerClearance = 0;
+    /// Upper bound of the least distance - margin along the motion, over the obstacles that count;
+    /// environment units.
     double upperClearance = 0;
     double closestTime = 0;  ///< of the closest of the poses looked at; 1 is s2 itself
     /// Both triangles, their components and points, and the obstacle at closestTime. The ids are -1 when that
     /// pose is farther than the environment's reach, or no pose was looked at.
     SceneDistance closest;
-    /// The times from the first to the last of the poses looked at that are within the scene's contact zones,
-    /// where obstacles are ignored.
-    std::optional<TimeSpan> startContact, goalContact;
-    double travel = 0;       ///< no point of the part moves further along the motion
+    /// The times from the first to the last of the poses looked at that are within Scene::startContact, where
+    /// obstacles are ignored.
+    std::optional<TimeSpan> startContact;
+    std::optional<TimeSpan> goalContact;  ///< the times within Scene::goalContact
+    double travel = 0;       ///< no point of the part moves further along the motion; environment units
     double blockedTime = 1;  ///< of the pose that makes the motion invalid or undecided; 1 for a valid motion
     bool leavesBounds = false;  ///< that pose is invalid because it is out of the space's bounds
-    std::uint64_t queries = 0;
-    std::string problem;  ///< why the motion cannot be judged; empty when it can
+    std::uint64_t queries = 0;  ///< that the report took
+    std::string problem;        ///< why the motion cannot be judged; empty when it can
 };
 
-/// A pose of a motion, and the clearance from there to the next point.
+/// A pose of a motion, and the clearance from there to the next point. Lengths in environment units.
 struct ProfilePoint {
-    double time = 0;
+    double time = 0;  ///< of the motion, 0 to 1
     /// Lower bound of distance - margin there, or 0 out of the bounds; above 0 exactly when the pose is valid.
     double clearance = 0;
     /// No pose from this one to the next one has less clearance. Where nothing is certified, this is the
@@ -88,20 +100,22 @@ struct ProfilePoint {
     double lowerToNext = 0;
 };
 
+/// A motion with clearances along it.
 struct MotionProfile {
-    MotionReport report;
+    MotionReport report;               ///< of the whole motion
     std::vector<ProfilePoint> points;  ///< from time 0 to 1, in order; none when the motion cannot be judged
 };
 
+/// How MotionValidator::validUntil looks at a motion. Lengths in environment units, >= 0.
 struct ForwardOptions {
     /// The certified poses end within this displacement of the pose that blocks, unless checkMotion's own bound is more.
     double within = 0;
     double more = 0;  ///< margins count as larger by this; see MotionValidator::keepsClearance
 };
 
-/// When checkMotion returns true, s1, s2 and every pose of OMPL's own interpolation between them are within
-/// the bounds, and there the part is farther from each obstacle that counts than the obstacle's margin, and
-/// inside no solid.
+/// Certifies motions. When checkMotion returns true, s1, s2 and every pose of OMPL's own interpolation
+/// between them are within the bounds, and there the part is farther from each obstacle that counts than the
+/// obstacle's margin, and inside no solid.
 ///
 /// A motion that touches the margin is invalid or undecided, which counts as invalid.
 ///
@@ -132,7 +146,7 @@ class MotionValidator : public ompl::base::MotionValidator {
 
     ~MotionValidator() override;
 
-    /// Looks at the far end first.
+    /// Whether the motion is certified to be valid. Looks at the far end first.
     bool checkMotion(const ompl::base::State* s1, const ompl::base::State* s2) const override;
 
     /// Goes forward. On false lastValid.second is in [0, 1), all poses up to that time are certified, and
@@ -168,8 +182,13 @@ class MotionValidator : public ompl::base::MotionValidator {
     virtual bool keepsClearance(const ompl::base::State* s1, const ompl::base::State* s2, double more,
                                 const std::function<bool()>& isStopped = {}) const;
 
+    /// Counts of what all threads have asked of the validator.
     MotionCounters counters() const;
+
+    /// MotionOptions::leastInterval or its default, in environment units.
     double leastInterval() const { return leastInterval_; }
+
+    /// The scene that motions are judged in.
     const Scene& scene() const;
 
     /// X_environmentPart at a state, by the validator's own callback.
@@ -178,6 +197,7 @@ class MotionValidator : public ompl::base::MotionValidator {
     /// Says why a state is not valid, in the words of ValidityChecker::whyInvalid.
     std::string whyInvalid(const ompl::base::State* state) const;
 
+    /// The space whose interpolation makes the motions.
     const ompl::base::StateSpace& space() const { return *si_->getStateSpace(); }
 
   private:

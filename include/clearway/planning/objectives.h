@@ -14,20 +14,21 @@
 
 namespace clearway::planning {
 
+/// An objective by its name, with its one option.
 struct ObjectiveChoice {
     std::string name;                       ///< as objectiveName returns it
     std::optional<double> wantedClearance;  ///< see LengthWithClearanceOptions
 };
 
-/// "length", "max_min_clearance" and "mechanical_work", as OMPL.app names them, "clearance_integral" and
-/// "length_with_clearance".
+/// All names of objectives: "length", "max_min_clearance" and "mechanical_work", as OMPL.app names them,
+/// "clearance_integral" and "length_with_clearance".
 std::vector<std::string> objectiveNames();
 
 /// Returns the one of objectiveNames() that is written in any case; "min_clearance" means max_min_clearance.
 /// Throws std::invalid_argument that lists the names.
 std::string objectiveName(const std::string& name);
 
-/// Throws as objectiveName and the objectives do.
+/// Makes the objective of the given name. Throws as objectiveName and the constructor of the objective do.
 ompl::base::OptimizationObjectivePtr makeObjective(const ompl::base::SpaceInformationPtr& si,
                                                    const Scene& scene, const ObjectiveChoice& choice);
 

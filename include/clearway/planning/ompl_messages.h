@@ -15,11 +15,14 @@ namespace clearway::planning {
 /// the reverse order of their construction.
 class OmplMessages : public ompl::msg::OutputHandler {
   public:
+    /// Begins to receive OMPL's messages.
     OmplMessages();
+    /// Gives the messages back to the former receiver.
     ~OmplMessages() override;
     OmplMessages(const OmplMessages&) = delete;
     OmplMessages& operator=(const OmplMessages&) = delete;
 
+    /// Called by OMPL, from any thread. Keeps warnings and errors, drops all other messages.
     void log(const std::string& text, ompl::msg::LogLevel level, const char* file, int line) override;
 
     /// Returns the warnings and errors so far, each text once, in order.

@@ -37,7 +37,10 @@ class OutsideGoal : public ompl::base::GoalSampleableRegion {
     /// It is no bound of the way to the goal: a turn may shorten it.
     double distanceGoal(const ompl::base::State* state) const override;
 
+    /// Whether the boxes are apart at the state.
     bool isSatisfied(const ompl::base::State* state) const override;
+
+    /// Whether the boxes are apart at the state. distance: becomes distanceGoal(state), unless null.
     bool isSatisfied(const ompl::base::State* state, double* distance) const override;
 
     /// Draws a state that satisfies the goal, is within the space's bounds, and is valid for si's checker. Half of the states
@@ -46,7 +49,7 @@ class OutsideGoal : public ompl::base::GoalSampleableRegion {
     /// the state is left out of the bounds, where planners refuse it.
     void sampleGoal(ompl::base::State* state) const override;
 
-    unsigned int maxSampleCount() const override;  ///< 100
+    unsigned int maxSampleCount() const override;  ///< 100: how many different states planners should draw
 
   private:
     double overlap(const ompl::base::State* state) const;

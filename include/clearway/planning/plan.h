@@ -19,14 +19,24 @@
 
 namespace clearway::planning {
 
+/// How long plan() plans, in seconds, unless PlanOptions sets a limit.
 constexpr double kDefaultSeconds = 30;
 
 /// An option that is wrong in itself or contradicts another one: nothing was planned.
 class RefusedOption : public std::invalid_argument {
   public:
-    using std::invalid_argument::invalid_argument;
+    using std::invalid_argument::invalid_argument;  ///< takes the message
 };
 
+/// The phases of plan(), in order.
+enum class PlanPhase {
+    kPlanning,    ///< the planners look for a path
+    kMakingRoom,  ///< the path is widened, where that is wanted
+    kFinishing,   ///< the path is shortened and audited
+    kAskingWhy    ///< there is no path, and the reason is looked for
+};
+
+/// How plan() plans: the planner, its limits, and how motions are checked.
 struct PlanOptions {
     /// OMPL's class name in any case. Empty: the problem's planner when it names exactly one, else
     /// PlannerTeam. With an objective of clearance the default is RisingFloor for the least
@@ -40,7 +50,7 @@ struct PlanOptions {
     /// planners do once an iteration and which is the repeatable limit. Give at most one of the two. Without
     /// either the limit is kDefaultSeconds.
     std::optional<double> seconds;
-    std::optional<std::uint64_t> iterations;
+    std::optional<std::uint64_t> iterations;  ///< the repeatable limit; see `seconds`
 
     /// How many planners run side by side until the first one has a path. A planner with threads of its own
     /// runs alone. 0: one for each core, at most 4. With iterations only one planner runs at a
@@ -67,18 +77,26 @@ struct PlanOptions {
     /// Called often, also from other threads and within motions. True ends planning and shortening: the best path
     /// so far, if there is one, is audited and returned.
     std::function<bool()> isStopped;
+    /// Called when a phase begins, in the thread that called plan().
+    std::function<void(PlanPhase)> onPhase;
 };
 
 /// What became of a path's clearance between planning and shortening.
 struct RoomReport {
-    double before = 0;  ///< clearance that all motions keep, certified, to 10 %; environment units
-    double after = 0;   ///< clearance that the widened path keeps, to 1 %; shortening keeps it too
-    double seconds = 0;
+    double before = 0;   ///< clearance that all motions keep, certified, to 10 %; environment units
+    double after = 0;    ///< clearance that the widened path keeps, to 1 %; shortening keeps it too
+    double seconds = 0;  ///< that making room took
 };
 
+/// The path, if there is one, and how it was found. Lengths in environment units.
 struct PlanReport {
-    enum class Outcome { kFound, kNotFound, kStopped };
-    Outcome outcome = Outcome::kNotFound;  ///< kStopped: stopped before there was a path
+    /// The ways in which planning can end.
+    enum class Outcome {
+        kFound,     ///< there is a path
+        kNotFound,  ///< the time or the iterations are spent, or the path did not pass its audit
+        kStopped    ///< stopped before there was a path
+    };
+    Outcome outcome = Outcome::kNotFound;  ///< how planning ended
     bool isStopped = false;                ///< PlanOptions::isStopped ended the planning or the shortening
     std::vector<std::string> planners;     ///< those that ran side by side
     unsigned int threads = 1;   ///< that plan at a time, where planners do not choose for themselves
@@ -116,11 +134,11 @@ struct PlanReport {
     /// Why no path was found: only with kNotFound, and not for a path that did not pass its audit.
     std::optional<WhyNoPath> whyNoPath;
 
-    double planningSeconds = 0;
+    double planningSeconds = 0;  ///< for running the planners
     double finishingSeconds =
         0;  ///< for making room, simplifying and auditing, or for finding out why there is no path
-    std::uint64_t checks = 0;  ///< states asked about, in all
-    std::vector<std::string> warnings;
+    std::uint64_t checks = 0;           ///< states asked about, in all
+    std::vector<std::string> warnings;  ///< of clearway and of OMPL, one text each
 };
 
 /// Plans for the scene. The scene's margins count; the problem's own margin and mesh files do not. The path

@@ -19,17 +19,17 @@ namespace clearway::planning {
 
 /// Everything that planners need, made from a problem.
 struct PlanSetup {
-    ompl::base::SpaceInformationPtr si;
+    ompl::base::SpaceInformationPtr si;        ///< set up, with the checker and the motion validator below
     std::shared_ptr<ValidityChecker> truth;    ///< checks the scene's margins themselves
     std::shared_ptr<ValidityChecker> checker;  ///< the planners' own: adds the guard, if any, to the margins
-    /// The planners' own motion validator is one of these two: `discrete` with a step, else `certified`. The
-    /// other one is null.
+    /// The planners' own motion validator without a step; null with a step.
     std::shared_ptr<MotionValidator> certified;
+    /// The planners' own motion validator with a step; null without one.
     std::shared_ptr<DiscreteMotionValidator> discrete;
     /// Audits the final path, with and without a step. Without a step it also certifies the shortening.
     std::shared_ptr<MotionValidator> auditor;
-    double floor = 0;  ///< clearance that shortening keeps, without a step
-    ompl::base::ProblemDefinitionPtr definition;
+    double floor = 0;  ///< clearance that shortening keeps, without a step; environment units
+    ompl::base::ProblemDefinitionPtr definition;   ///< with start and goal, and the objective if one is named
     std::vector<ompl::base::PlannerPtr> planners;  ///< set up, in the order of report.planners
 };
 

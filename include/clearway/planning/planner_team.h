@@ -22,22 +22,30 @@ namespace clearway::planning {
 /// approximate one that comes closest. A further solve() goes on from there.
 class PlannerTeam : public ompl::base::Planner {
   public:
-    /// si: as SlidingRRTConnect takes it.
+    /// Makes a team of one thread. si: as SlidingRRTConnect takes it.
     explicit PlannerTeam(const ompl::base::SpaceInformationPtr& si);
     ~PlannerTeam() override;
 
-    /// Throws as SlidingRRTConnect::setup does.
+    /// Makes the members. Throws as SlidingRRTConnect::setup does.
     void setup() override;
+
+    /// Plans until there is an exact solution or isSpent is true. Goes on from the trees of a former call.
     ompl::base::PlannerStatus solve(const ompl::base::PlannerTerminationCondition& isSpent) override;
+
+    /// Forgets all trees.
     void clear() override;
+
+    /// Adds the states and edges of all members' trees to `data`, as OMPL's planners do.
     void getPlannerData(ompl::base::PlannerData& data) const override;
 
-    /// The longest edge of RRTConnect's trees; 0: OMPL's.
+    /// Sets the longest edge of RRTConnect's trees, in OMPL's distance; 0: OMPL's default.
     void setRange(double range) { range_ = range; }
+    /// The value that setRange was given; 0 at first.
     double getRange() const { return range_; }
 
-    /// How many members run at a time. There are at least three members, and no fewer than threads.
+    /// Sets how many members run at a time, > 0. There are at least three members, and no fewer than threads.
     void setThreads(unsigned int threads) { threads_ = threads; }
+    /// How many members run at a time.
     unsigned int getThreads() const { return threads_; }
 
   private:

@@ -15,21 +15,21 @@
 
 namespace clearway::planning {
 
-/// OMPL's class names ("RRTConnect", "BITstar", ...), and clearway's own, in alphabetical order: SlidingRRTConnect and
-/// PlannerTeam (see their headers), and RisingFloor, which plans for paths of more and more least clearance. The three
-/// need a clearway::planning::ValidityChecker. RisingFloor also needs an environment whose reach covers the clearances of
-/// max_min_clearance.
+/// The names of all planners: OMPL's class names ("RRTConnect", "BITstar", ...), and clearway's own, in
+/// alphabetical order: SlidingRRTConnect and PlannerTeam (see their headers), and RisingFloor, which plans
+/// for paths of more and more least clearance. The three need a clearway::planning::ValidityChecker.
+/// RisingFloor also needs an environment whose reach covers the clearances of max_min_clearance.
 std::vector<std::string> plannerNames();
 
 /// OMPL's class name for a planner written in any case, or for one of OMPL.app's short names ("kpiece",
 /// "bkpiece", "lbkpiece", "spars2", "aps"). Throws std::invalid_argument that lists the known planners.
 std::string plannerClassName(const std::string& name);
 
-/// False for planners that use several threads, their own clock or values that were never set: the same seed
-/// and number of iterations may give another path. name: as plannerClassName takes it.
+/// Whether the same seed and number of iterations give the same path. False for planners that use several
+/// threads, their own clock or values that were never set. name: as plannerClassName takes it.
 bool isRepeatable(const std::string& name);
 
-/// Throws as plannerClassName does.
+/// Makes a planner, not yet set up. Throws as plannerClassName does.
 ompl::base::PlannerPtr makePlanner(const ompl::base::SpaceInformationPtr& si, const std::string& name);
 
 /// True when the planner declares such a parameter.

@@ -30,9 +30,12 @@ ompl::geometric::SimpleSetup makeSetup(const Problem& problem, const Scene& scen
 /// clearway::planning::MotionValidator.
 const MotionValidator& motionValidatorOf(const ompl::base::SpaceInformationPtr& si);
 
-/// Convert a path's states to those of path files (writePath), and back. Both throw std::invalid_argument
-/// when the space is neither SE(3) nor SE(2).
+/// The states of a path as path files have them (writePath). Throws std::invalid_argument when the space is
+/// neither SE(3) nor SE(2).
 std::vector<PartState> partStates(const ompl::geometric::PathGeometric& path);
+
+/// The path through the given states, in the space of si. Throws std::invalid_argument when the space is
+/// neither SE(3) nor SE(2).
 ompl::geometric::PathGeometric pathThrough(const ompl::base::SpaceInformationPtr& si,
                                            const std::vector<PartState>& states);
 

@@ -12,6 +12,7 @@
 
 namespace clearway::planning {
 
+/// Options of simplify(): the clearance that it keeps, and when it ends.
 struct SimplifyOptions {
     /// The clearance (distance - margin) that new motions keep, in environment units.
     double floor = 0;

@@ -28,25 +28,40 @@ namespace clearway::planning {
 /// small standoffs make for small steps. Two planners with different ranges, side by side, find more than one with both.
 class SlidingRRTConnect : public ompl::base::Planner {
   public:
+    /// Makes a planner without trees. si: its scene and space are looked at by setup().
     explicit SlidingRRTConnect(const ompl::base::SpaceInformationPtr& si);
     ~SlidingRRTConnect() override;
 
-    /// Throws std::invalid_argument when the space or the validity checker is not as above.
+    /// Measures the part. Throws std::invalid_argument when the space or the validity checker is not as
+    /// above.
     void setup() override;
+
+    /// Plans until there is an exact solution or isSpent is true. Goes on from the trees of a former call.
     ompl::base::PlannerStatus solve(const ompl::base::PlannerTerminationCondition& isSpent) override;
+
+    /// Forgets all trees.
     void clear() override;
+
+    /// Adds the states and edges of both trees to `data`, as OMPL's planners do.
     void getPlannerData(ompl::base::PlannerData& data) const override;
 
-    /// The longest way of an extension towards a sample, in environment units; 0: a quarter of the diagonal of the part's box. A way
-    /// adds the straight way of the centre of the part's box to its turn times a quarter of the diagonal.
+    /// Sets the longest way of an extension towards a sample, in environment units; 0: a quarter of the
+    /// diagonal of the part's box. A way adds the straight way of the centre of the part's box to its turn
+    /// times a quarter of the diagonal.
     void setRange(double range) { range_ = range; }
+    /// The value that setRange was given; 0 at first.
     double getRange() const { return range_; }
 
-    /// Each extension draws its standoff from this range, evenly by its logarithm: the gap that slides keep. Environment
-    /// units; 0: 0.0025 and 0.05 of the diagonal of the part's box.
+    /// Sets the least standoff, in environment units; 0: 0.0025 of the diagonal of the part's box. Each
+    /// extension draws its standoff, the gap that slides keep, between the least and the most one, evenly by
+    /// its logarithm.
     void setLeastStandoff(double standoff) { leastStandoff_ = standoff; }
+    /// The value that setLeastStandoff was given; 0 at first.
     double getLeastStandoff() const { return leastStandoff_; }
+
+    /// Sets the most standoff, in environment units; 0: 0.05 of the diagonal of the part's box.
     void setMostStandoff(double standoff) { mostStandoff_ = standoff; }
+    /// The value that setMostStandoff was given; 0 at first.
     double getMostStandoff() const { return mostStandoff_; }
 
   private:

@@ -7,6 +7,9 @@
 
 #include "clearway/types.h"
 
+/// @namespace clearway::planning
+/// The classes for OMPL: checkers, validators, objectives, samplers, planners, and whole plans.
+
 #pragma GCC visibility push(default)
 
 namespace clearway::planning {

@@ -24,20 +24,27 @@ class WitnessSampler : public ompl::base::ValidStateSampler {
     WitnessSampler(const ompl::base::SpaceInformation* si, const char* name);
     ~WitnessSampler() override;
 
+    /// The room that the part has at a state.
     struct Room {
-        bool isValid = false;
+        bool isValid = false;  ///< ValidityChecker::isValid
         double clearance = 0;  ///< ValidityChecker::clearance
         Vector3 away =
             Vector3::Zero();  ///< unit vector away from the nearest obstacle; 0 without an obstacle
     };
+
+    /// Asks the checker about a state.
     Room roomAt(const ompl::base::State* state) const;
+
+    /// Moves a state's position; environment's frame and units. In SE(2) by.z() is left out.
     void translate(ompl::base::State* state, const Vector3& by) const;
+
+    /// Diagonal of the part's box, in environment units.
     double partDiagonal() const;
 
-    std::shared_ptr<const ValidityChecker> checker_;
-    ompl::base::StateSamplerPtr sampler_;
-    ompl::base::State* other_;  ///< scratch
-    bool isPlanar_;
+    std::shared_ptr<const ValidityChecker> checker_;  ///< that of the space information
+    ompl::base::StateSamplerPtr sampler_;             ///< draws states of the space, valid or not
+    ompl::base::State* other_;                        ///< scratch
+    bool isPlanar_;                                   ///< whether the space is SE(2)
 };
 
 /// Keeps a drawn state that is valid and has the wanted clearance. A state that is too near is moved along
@@ -51,6 +58,7 @@ class ContactNormalSampler : public WitnessSampler {
     explicit ContactNormalSampler(const ompl::base::SpaceInformation* si);
     ~ContactNormalSampler() override;
 
+    /// Draws a state from the whole space. Returns false when no attempt succeeded.
     bool sample(ompl::base::State* state) override;
 
     /// Samples no farther than `distance` from `near`. Returns false when no attempt succeeded.

@@ -26,8 +26,8 @@ struct CheckCounters {
     std::uint64_t unusable = 0;     ///< of these, states without a pose, or whose callback threw
 };
 
-/// A state is valid when it satisfies the space's bounds and the distance between the part and each obstacle
-/// is larger than the obstacle's margin; with margin 0, when the two share no point.
+/// Judges states. A state is valid when it satisfies the space's bounds and the distance between the part and
+/// each obstacle is larger than the obstacle's margin; with margin 0, when the two share no point.
 ///
 /// Any number of threads may use one checker: each has its own scratch and takes no lock. The checker throws
 /// nothing out of OMPL's callbacks: it answers a state without a pose as invalid, counts it, and logs the
@@ -43,12 +43,13 @@ class ValidityChecker : public ompl::base::StateValidityChecker {
     /// For any space. Throws as the first constructor does, and when the callback is empty.
     ValidityChecker(const ompl::base::SpaceInformationPtr& si, Scene scene, StateToPose stateToPose);
 
+    /// Whether the state is valid. Counted.
     bool isValid(const ompl::base::State* state) const override;
 
     /// Gives both answers by one query. clearance: as clearance() returns it.
     bool isValid(const ompl::base::State* state, double& clearance) const override;
 
-    /// As above; the checker never offers a state in a valid direction.
+    /// Gives both answers; the checker never offers a state in a valid direction.
     bool isValid(const ompl::base::State* state, double& clearance, ompl::base::State* validState,
                  bool& validStateAvailable) const override;
 
@@ -70,7 +71,10 @@ class ValidityChecker : public ompl::base::StateValidityChecker {
     /// X_environmentPart at a state, by the checker's own callback.
     Pose pose(const ompl::base::State* state) const;
 
+    /// The scene that states are judged in.
     const Scene& scene() const;
+
+    /// Counts of what all threads have asked of the checker.
     CheckCounters counters() const;
 
   private:

@@ -22,8 +22,8 @@ namespace clearway::planning {
 
 /// Planners that found no path.
 struct FailedPlanning {
-    std::vector<ompl::base::PlannerPtr> planners;
-    ompl::base::ProblemDefinitionPtr definition;  ///< with the problem's start and goal; in its space
+    std::vector<ompl::base::PlannerPtr> planners;  ///< with the trees they have grown
+    ompl::base::ProblemDefinitionPtr definition;   ///< with the problem's start and goal; in its space
     std::shared_ptr<const MotionValidator>
         validator;  ///< tells which motions are valid, and what stops others
 };
@@ -37,9 +37,13 @@ struct Blocker {
     std::string name;  ///< of the obstacle's component, see meshNames; empty for the bounds
     /// The part's component that it stopped most often; empty for the bounds, and for a part of one component.
     std::string partMesh;
-    std::size_t atStart = 0, atGoal = 0;  ///< motions stopped, from the states reached from start and goal
+    std::size_t atStart = 0;  ///< motions stopped, of those from states reached from the start
+    std::size_t atGoal = 0;   ///< motions stopped, of those from states reached from the goal
 
+    /// Whether the space's bounds are the hindrance, not an obstacle.
     bool isBounds() const { return name.empty(); }
+
+    /// How many motions were stopped in all.
     std::size_t motions() const { return atStart + atGoal; }
 };
 
@@ -49,7 +53,7 @@ struct ReachedFrom {
     bool hasTree = false;    ///< the planners looked for states reached from there
     /// The most that any point of the part moves from there to a state reached; see Model::displacement.
     double farthest = 0;
-    std::size_t motionsStopped = 0;
+    std::size_t motionsStopped = 0;  ///< of the motions tried from these states
     /// The bounds that the part's origin is within a thousandth of the part's diagonal of: "least x", "greatest z".
     std::vector<std::string> bounds;
 };
@@ -58,16 +62,18 @@ struct ReachedFrom {
 struct NearestMiss {
     /// From the start to the goal. All motions but the one from state `gap` to the next are in the planners' trees.
     std::vector<PartState> path;
-    std::size_t gap = 0;
+    std::size_t gap = 0;      ///< index into `path` of the last state reached from the start
     double displacement = 0;  ///< the most that any point of the part moves over the gap
 };
 
+/// The answer of whyNoPath(). Lengths in environment units.
 struct WhyNoPath {
-    double diagonal = 0;  ///< of the part's box
-    ReachedFrom start, goal;
-    std::size_t motionsTried = 0;
+    double diagonal = 0;            ///< of the part's box
+    ReachedFrom start;              ///< how far the part comes from the start
+    ReachedFrom goal;               ///< how far the part comes from the goal
+    std::size_t motionsTried = 0;   ///< how many motions were followed to tell what stops the part
     std::vector<Blocker> blockers;  ///< those that stopped most motions first
-    NearestMiss nearest;
+    NearestMiss nearest;            ///< where start and goal were nearly joined
     /// The motion over the gap is valid: the trees of several planners, joined, are a path.
     bool isJoined = false;
 
@@ -75,10 +81,11 @@ struct WhyNoPath {
     bool isShutIn(const ReachedFrom& end) const { return end.hasTree && end.farthest < kShutIn * diagonal; }
 };
 
+/// How long whyNoPath() tries.
 struct WhyNoPathOptions {
-    std::size_t motions = 400;      ///< how many are tried to tell what stops the part
-    std::optional<double> seconds;  ///< the trying ends after these; without them the answer is repeatable
-    std::uint32_t seed = 1;
+    std::size_t motions = 400;        ///< how many are tried to tell what stops the part
+    std::optional<double> seconds;    ///< the trying ends after these; without them the answer is repeatable
+    std::uint32_t seed = 1;           ///< of the random motions that are tried
     std::function<bool()> isStopped;  ///< true ends the trying
 };
 

@@ -118,7 +118,11 @@ PathAudit audit(const og::PathGeometric& path, const MotionValidator& validator,
     result.lowerClearance = result.upperClearance = kInfinity;
     double travelled = 0;
     const auto count = static_cast<unsigned int>(path.getStateCount());
+    const auto requireGoingOn = [&] {
+        if (options.isStopped && options.isStopped()) throw AuditStopped("the audit was stopped");
+    };
     for (unsigned int k = 0; k == 0 || k + 1 < count; ++k) {
+        requireGoingOn();
         const Ends ends{path.getState(k), path.getState(std::min(k + 1, count - 1))};
         MotionProfile found;
         if (options.profile) {
@@ -131,6 +135,7 @@ PathAudit audit(const og::PathGeometric& path, const MotionValidator& validator,
         add(result, describe(path, validator, ends, std::move(found.report)));
         travelled += travel;
     }
+    requireGoingOn();  // a motion that was stopped is undecided for no other reason
     return result;
 }
 

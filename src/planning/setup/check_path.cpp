@@ -74,7 +74,9 @@ PathCheck checkPath(const Problem& problem, const Scene& scene, const std::vecto
                         ? OutsideGoal(si, scene, *problem.outside, problem.start).distanceGoal(last)
                         : off(last, problem.goal);
     const double spare = std::max(0.0, std::min(checker->clearance(first), checker->clearance(last)));
-    check.audit = audit(states, MotionValidator(si, scene, auditMotions(scene, spare)), options);
+    MotionOptions motions = auditMotions(scene, spare);
+    motions.isStopped = options.isStopped;
+    check.audit = audit(states, MotionValidator(si, scene, motions), options);
     return check;
 }
 

@@ -122,6 +122,10 @@ std::string doubtOf(const PathAudit& audit) {
     return text.str();
 }
 
+void tellPhase(PlanPhase phase, const PlanOptions& options) {
+    if (options.onPhase) options.onPhase(phase);
+}
+
 bool wantsRoom(const PlanOptions& options, const PlanReport& report) {
     return report.isCertified && report.objective.empty() && !options.quick;
 }
@@ -149,7 +153,10 @@ void describeSolution(const PlanSetup& setup, const Problem& problem, const Plan
     report.foundBy = solution.plannerName_;
     og::PathGeometric path = pathOf(setup, solution);
     report.statesBefore = path.getStateCount();
-    const double kept = wantsRoom(options, report) ? widen(setup, budget, path, report) : 0;
+    const bool isRoomWanted = wantsRoom(options, report);
+    if (isRoomWanted) tellPhase(PlanPhase::kMakingRoom, options);
+    const double kept = isRoomWanted ? widen(setup, budget, path, report) : 0;
+    tellPhase(PlanPhase::kFinishing, options);
     budget.beginFinishing();
     report.audit = finish(
         setup, path, [&] { return budget.isOutOfTime(); }, kept);
@@ -169,6 +176,7 @@ void describeSolution(const PlanSetup& setup, const Problem& problem, const Plan
 /// why there is no path.
 bool joinOrTellWhy(const PlanSetup& setup, const Problem& problem, const PlanOptions& options,
                    PlanReport& report) {
+    tellPhase(PlanPhase::kAskingWhy, options);
     WhyNoPathOptions asking;
     if (!options.iterations) asking.seconds = kMostAsking;
     asking.seed = options.seed;
@@ -206,6 +214,7 @@ PlanReport plan(const Problem& problem, const Scene& scene, const PlanOptions& o
         makePlanSetup(problem, scene, options, report, [&] { return budget.isPlanningOver(); });
     report.isCertified = setup.certified != nullptr;
 
+    tellPhase(PlanPhase::kPlanning, options);
     const Clock::time_point begin = Clock::now();
     budget.begin(!report.objective.empty());
     const ob::PlannerTerminationCondition isSpent([&] { return budget.spendIteration(); });

@@ -158,6 +158,9 @@ double requireValid(const Problem& problem, const ValidityChecker& checker, cons
 }
 
 double stepOf(const Problem& problem, const PlanOptions& options, const Model& part) {
+    if (options.step && !(*options.step > 0 && std::isfinite(*options.step))) {
+        throw RefusedOption("step is " + shortNumber(*options.step) + ", expected a finite number above 0");
+    }
     if (options.step) return *options.step;
     if (problem.fineness) return *problem.fineness;
     return kDefaultStepPerDiagonal * part.box().diagonal().norm();

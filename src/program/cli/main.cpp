@@ -108,7 +108,9 @@ int run(const Arguments& words) {
     if (words[0] == "--version") return printVersion(), kDone;
     if (words[0] == "--completion") return std::cout << completionScript(namesOf(kSubcommands)), kDone;
     for (const Subcommand& subcommand : kSubcommands) {
-        if (words[0] == subcommand.name) return subcommand.run(rest);
+        if (words[0] != subcommand.name) continue;
+        currentTarget();  // refuses CLEARWAY_TARGET before any work
+        return subcommand.run(rest);
     }
     std::vector<std::string> known = namesOf(kSubcommands);
     known.insert(known.end(), {"help", "--help", "--man", "--version", "--completion"});

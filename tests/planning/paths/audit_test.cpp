@@ -89,6 +89,20 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_told_is_undecided) {
     BOOST_TEST(found.segments[0].trouble == "undecided: closer than can be told");
 }
 
+BOOST_AUTO_TEST_CASE(an_audit_that_is_stopped_tells_nothing) {
+    const Fixture f;
+    const auto path = pathOf(f, {f.at({-60, 0, 0}), f.at({-60, 0, 30}), f.at({-60, 0, 0})});
+    int asked = 0, least = 0;
+    AuditOptions options;
+    options.isStopped = [&] { return ++asked > least; };
+    for (; least < 3; ++least) {  // before each of the two motions, and after the last one
+        asked = 0;
+        BOOST_CHECK_THROW(audit(path, *f.validator, options), AuditStopped);
+    }
+    asked = 0;
+    BOOST_TEST(audit(path, *f.validator, options).isValid());
+}
+
 BOOST_AUTO_TEST_CASE(where_a_contact_zone_was_used_is_told) {
     // The assembled plate is half a unit within the wall. The wall counts again 5 further on.
     const Fixture f;

@@ -1,3 +1,7 @@
+#include <cstdlib>
+#include <regex>
+
+#include "clearway/targets.h"
 #include "program/cli/run_program.h"
 
 namespace clearway::testing {
@@ -43,6 +47,21 @@ BOOST_AUTO_TEST_CASE(wrong_subcommands_are_refused_with_the_known_ones) {
     requireRefused(folder, "chekc", {"'chekc' (did you mean 'check'?)"});
     requireRefused(folder, "--verison", {"'--verison' (did you mean '--version'?)"});
     requireRefused(folder, "help kyes", {"'kyes' (did you mean 'keys'?)"});
+}
+
+BOOST_AUTO_TEST_CASE(an_instruction_set_that_the_environment_names_is_used_or_refused) {
+    const TemporaryFolder folder;
+    for (const std::string& name : availableTargets()) {
+        setenv("CLEARWAY_TARGET", name.c_str(), 1);
+        BOOST_TEST(std::regex_search(runIn(folder, "--version").out,
+                                     std::regex("instruction set: +" + name + "\n")));
+    }
+    setenv("CLEARWAY_TARGET", "avx9", 1);
+    const std::string expected = "CLEARWAY_TARGET is 'avx9', expected best or one this machine runs: ";
+    requireRefused(folder, "info nothing.stl", {expected, availableTargets().back()});
+    requireRefused(folder, "--version", {expected});
+    BOOST_TEST(runIn(folder, "help query").code == 0);
+    unsetenv("CLEARWAY_TARGET");
 }
 
 BOOST_AUTO_TEST_CASE(an_empty_argument_is_refused_by_its_name_in_the_usage) {
