@@ -25,10 +25,6 @@ constexpr int kMostBlocks = (kLargestLeafSize + kBlock - 1) / kBlock;  ///< in a
 constexpr int kWalkSteps = 1;  ///< of the cheap bound; a second one drops a third of the rest, but costs more
 using PairTag = hn::CappedTag<float, kBlockPairs>;
 
-/// The triangle kernel's registers. Its pairs are packed: of 16 pairs the cheap bound leaves 5 in the mean, and 8 lanes take
-/// less time than 16.
-using KernelTag = hn::CappedTag<float, 8>;
-
 /// One coordinate of a block's 4 triangles. Entries past the block's last triangle have no meaning.
 struct alignas(16) BlockRow {
     float of[kBlock];
@@ -42,16 +38,6 @@ HWY_INLINE V SpreadEnvironment(D d, const float* row, [[maybe_unused]] size_t fi
     return hn::Set(d, row[first % kBlock]);
 #else
     return hn::LoadDup128(d, row);
-#endif
-}
-
-/// The triangles of a row that `lanes` name, one a lane. lanes: hn::TableIndices of entries 0 to 3; with one lane the entry.
-template <class D, class Indices, class V = hn::Vec<D>>
-HWY_INLINE V Gathered(D d, const float* row, const Indices& lanes) {
-#if HWY_TARGET == HWY_SCALAR
-    return hn::Set(d, row[lanes]);
-#else
-    return hn::TableLookupLanes(hn::LoadDup128(d, row), lanes);
 #endif
 }
 
@@ -132,40 +118,33 @@ class LeafPairs {
     template <class Visitor>
     HWY_INLINE void visit(Visitor& visitor) {
         visitRegisters(
-            [&](const KernelTag& d, const TrianglePair<hn::Vec<KernelTag>>& pair, const RegisterPlace& place)
+            [&](const PairTag& d, const TrianglePair<hn::Vec<PairTag>>& pair, const RegisterPlace& place)
                 HWY_ATTR { return takeNear(d, pair, place, visitor); });
     }
 
     /// The place of a register among the pairs of two leaves: its blocks begin with the part's triangle i and
-    /// the environment's triangle j, and its lanes hold the blocks' pairs `pairs`. near: the lanes that hold a pair, as
+    /// the environment's triangle j, its first lane holds pair `first`. near: the lanes that meet() left, as
     /// bits.
     struct RegisterPlace {
-        std::uint32_t i, j;
-        const std::int32_t* pairs;
-        std::uint32_t near;
+        std::uint32_t i, j, first, near;
     };
 
-    /// Packs the near pairs into registers and calls look(d, pair, place) for each, until it returns false.
+    /// Calls look(d, pair, place) for every register that holds a near pair, until it returns false.
     template <class Look>
     HWY_INLINE void visitRegisters(const Look& look) {
-        const KernelTag d;
-        constexpr int kLanes = int(hn::MaxLanes(KernelTag()));
-        alignas(64) std::int32_t pairs[2 * kBlockPairs] = {};
+        const PairTag d;
         int block = 0;
         for (std::uint32_t i = 0; i < part_->triangleCount; i += kBlock) {
             for (std::uint32_t j = 0; j < environment_->triangleCount; j += kBlock) {
                 const std::uint32_t near = near_[block++];
-                if (near == 0) continue;
-                const int count = listLanes(near, pairs);
-                kernelPairs_ += std::uint64_t(count);
-                for (int first = 0; first < count; first += kLanes) {
-                    kernelLanes_ += std::uint64_t(kLanes);
-                    Triangles<hn::Vec<KernelTag>> a, b;
-                    loadPairs(i, j, pairs + first, a, b);
-                    const int left = count - first;
-                    const std::uint32_t present = (1u << (left < kLanes ? left : kLanes)) - 1;
-                    if (!look(d, TrianglePair<hn::Vec<KernelTag>>(a, b),
-                              RegisterPlace{i, j, pairs + first, present}))
+                for (std::uint32_t first = 0; near >> first != 0; first += std::uint32_t(hn::Lanes(d))) {
+                    const std::uint32_t lanes = (near >> first) & ((1u << hn::Lanes(d)) - 1);
+                    if (lanes == 0) continue;
+                    kernelPairs_ += std::uint64_t(hwy::PopCount(std::uint64_t(lanes)));
+                    kernelLanes_ += hn::Lanes(d);
+                    Triangles<hn::Vec<PairTag>> a, b;
+                    load(i, j, first, a, b);
+                    if (!look(d, TrianglePair<hn::Vec<PairTag>>(a, b), RegisterPlace{i, j, first, lanes}))
                         return;
                 }
             }
@@ -174,7 +153,7 @@ class LeafPairs {
 
     /// The pair in a lane of a register.
     TrianglesAt trianglesAt(const RegisterPlace& place, std::uint32_t lane, float feature) const {
-        const std::uint32_t pair = std::uint32_t(place.pairs[lane]);
+        const std::uint32_t pair = place.first + lane;
         return {part_->firstTriangle + place.i + pair / kBlock,
                 environment_->firstTriangle + place.j + pair % kBlock, std::int32_t(feature)};
     }
@@ -277,61 +256,10 @@ class LeafPairs {
         }
     }
 
-    /// Writes the numbers of the bits that are set, in ascending order, and returns how many there are. Entries after these have no
-    /// meaning. pairs: room for two blocks.
-    static HWY_INLINE int listLanes(std::uint32_t near, std::int32_t* pairs) {
-#if HWY_TARGET == HWY_SCALAR
-        int count = 0;
-        for (; near != 0; near &= near - 1) pairs[count++] = std::int32_t(LowestBit(near));
-        return count;
-#else
-        const hn::CappedTag<std::int32_t, kBlockPairs> d;
-        const int count = int(hwy::PopCount(std::uint64_t(near)));
-        int written = 0;
-        for (std::uint32_t first = 0; first < kBlockPairs; first += std::uint32_t(hn::Lanes(d))) {
-            const std::uint32_t lanes = (near >> first) & ((1u << hn::Lanes(d)) - 1);
-            const std::uint8_t bits[8] = {std::uint8_t(lanes), std::uint8_t(lanes >> 8)};
-            hn::StoreU(hn::CompressBits(hn::Iota(d, std::int32_t(first)), bits), d, pairs + written);
-            written += int(hwy::PopCount(std::uint64_t(lanes)));
-        }
-        return count;
-#endif
-    }
-
-    /// Loads pairs of the blocks that begin with the part's triangle i and the environment's triangle j.
-    template <class V = hn::Vec<KernelTag>>
-    HWY_INLINE void loadPairs(std::uint32_t i, std::uint32_t j, const std::int32_t* pairs, Triangles<V>& a,
-                              Triangles<V>& b) const {
-        const KernelTag d;
-        const std::uint32_t n = environment_->triangleCount;
-        const float* stored =
-            query_->environment->leafVertices.data() + 9 * size_t(environment_->firstTriangle) + j;
-        const auto scale = hn::Set(d, query_->environmentLeafToQuery);
-#if HWY_TARGET == HWY_SCALAR
-        const std::int32_t ofPart = pairs[0] / kBlock, ofEnvironment = pairs[0] % kBlock;
-#else
-        const hn::RebindToSigned<KernelTag> di;
-        const auto numbers = hn::LoadU(di, pairs);
-        const auto ofPart =
-            hn::IndicesFromVec(d, hn::And(hn::ShiftRight<2>(numbers), hn::Set(di, kBlock - 1)));
-        const auto ofEnvironment = hn::IndicesFromVec(d, hn::And(numbers, hn::Set(di, kBlock - 1)));
-#endif
-        for (int corner = 0; corner < 3; ++corner) {
-            const auto part = [&](int row) HWY_ATTR {
-                return Gathered(d, moved_[i / kBlock][3 * corner + row].of, ofPart);
-            };
-            const auto environment = [&](int row) HWY_ATTR {
-                return hn::Mul(Gathered(d, stored + (3 * corner + row) * n, ofEnvironment), scale);
-            };
-            a.corner[corner] = {part(0), part(1), part(2)};
-            b.corner[corner] = {environment(0), environment(1), environment(2)};
-        }
-    }
-
     /// The lanes whose proved bound is below dropFrom or is NaN.
     template <class V>
     HWY_INLINE std::uint32_t nearLanes(V lower, float dropFrom) const {
-        const KernelTag d;
+        const PairTag d;
         const V proved = hn::Sub(lower, hn::Set(d, roundingError_));
         return ~MaskBits(d, hn::Ge(proved, hn::Set(d, dropFrom))) & ((1u << hn::Lanes(d)) - 1);
     }
@@ -370,8 +298,8 @@ class LeafPairs {
 
     /// Takes the near pairs of a register through the visitor's kernel and hands the visitor those that stay
     /// near. Returns false when the visitor is done.
-    template <class Visitor, class V = hn::Vec<KernelTag>>
-    HWY_INLINE bool takeNear(KernelTag d, const TrianglePair<V>& pair, const RegisterPlace& place,
+    template <class Visitor, class V = hn::Vec<PairTag>>
+    HWY_INLINE bool takeNear(PairTag d, const TrianglePair<V>& pair, const RegisterPlace& place,
                              Visitor& visitor) const {
         const V apart = FaceSeparation(d, pair);
         std::uint32_t left = place.near & nearLanes(apart, visitor.dropFrom());

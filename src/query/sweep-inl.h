@@ -270,7 +270,7 @@ class Sweep {
         state_.counters.triangleTests += std::uint64_t(leaves_.total());
         state_.counters.triangleLanes += std::uint64_t(leaves_.lanes());
         LeafShares shares;
-        leaves_.visitRegisters([&](const KernelTag& d, const TrianglePair<hn::Vec<KernelTag>>& pair,
+        leaves_.visitRegisters([&](const PairTag& d, const TrianglePair<hn::Vec<PairTag>>& pair,
                                    const LeafPairs::RegisterPlace& place) HWY_ATTR {
             lookAt(d, pair, place, piece, need, field, shares);
             return !shares.isContact && !isDone_;
@@ -292,8 +292,8 @@ class Sweep {
         }
     }
 
-    template <class V = hn::Vec<KernelTag>>
-    HWY_INLINE void lookAt(const KernelTag& d, const TrianglePair<V>& pair,
+    template <class V = hn::Vec<PairTag>>
+    HWY_INLINE void lookAt(const PairTag& d, const TrianglePair<V>& pair,
                            const LeafPairs::RegisterPlace& place, const PreparedPiece& piece, float need,
                            const MovedField& field, LeafShares& leaf) {
         const float error = leaves_.roundingError();
