@@ -64,8 +64,8 @@ clearway_status clearway_build(const double* vertices, size_t vertex_count, cons
 /// Writes a model, so that clearway_load need not build it again.
 clearway_status clearway_save(clearway_handle model, const char* file);
 
-/// Makes scratch memory for queries of the calling thread. It holds the closest pairs of the last queries; the next query
-/// begins with the nearest of them. Queries of other threads are refused it.
+/// Makes scratch memory for queries of the calling thread. It holds the pairs of triangles that answered the last queries,
+/// with which later queries begin. Queries of other threads are refused it.
 clearway_status clearway_new_workspace(clearway_handle* workspace);
 
 /// Finds the distance between the part at the pose and the environment. options: may be NULL. workspace: 0 for one

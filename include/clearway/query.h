@@ -43,8 +43,8 @@ struct QueryCounters {
     }
 };
 
-/// The scratch memory of one thread, and its warm start: the closest pairs of the last 64 queries of two models, of
-/// which the nearest one begins the next query of these models. The contents of a workspace never change verdicts, and intervals
+/// The scratch memory of one thread, and its warm start for the same two models: a distance begins with the nearest of the
+/// closest pairs of up to 64 earlier distances, other queries with the last pair that answered. The contents of a workspace never change verdicts, and intervals
 /// only in last digits; they may change which of several equally close pairs is named. Threads must not share
 /// a workspace: a library that was built with assertions fails one when two threads use a workspace at once.
 /// A moved-from workspace may only be assigned to or destroyed.

@@ -61,10 +61,7 @@ bool answerWithin(const Model& part, const Model& environment, const Pose& X_env
     const WorkspaceUse use(state);
     const PairQuery query = beginQuery(part, environment, X_environmentPart, state);
     const WithinAnswer answer = anyPairWithin(query, d, state);
-    if (answer.within && state.witnesses.placeOf(answer.triangles) < 0) {
-        const ResolvedPair pair = resolvePair(query, answer.triangles);
-        state.witnesses.keep(query, answer.triangles, pair.pointOnPart, pair.pointOnEnvironment);
-    }
+    if (answer.within) state.witnesses.setLast(answer.triangles);
     return answer.within;
 }
 

@@ -145,7 +145,7 @@ PairAtTime nearAtEnds(const Model& part, const Model& environment, const MotionP
         counters += found.counters;
         if (found.upper - margin < known.clearance) {
             const Witnesses& witnesses = workspace.state().witnesses;
-            known = {found.upper - margin, end, witnesses.triangles[witnesses.last]};
+            known = {found.upper - margin, end, witnesses.last};
         }
     }
     workspace.state().counters = counters;

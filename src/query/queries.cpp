@@ -171,7 +171,11 @@ ClosestAnswer FindClosest(const PairQuery& query, const ClosestRequest& request,
     // The visitor is a local variable of the whole traversal, so that it can stay in registers.
     withNodeWidth(query.part->nodeWidth, [&](auto width) HWY_ATTR {
         Closest visitor(query, request, state);
-        if (first >= 0) visitor.resolve(state.witnesses.triangles[first]);
+        if (first >= 0) {
+            visitor.resolve(state.witnesses.triangles[first]);
+        } else if (state.witnesses.isLastKnown) {
+            visitor.resolve(state.witnesses.last);
+        }
         Traverse<width>(query, state, visitor);
         visitor.finish(answer);
     });
@@ -233,14 +237,11 @@ class Within {
 
 WithinAnswer FindWithin(const PairQuery& query, double distance, Workspace::State& state) {
     WithinAnswer answer;
-    const int first = NearestWitness(query, state.witnesses);
     withNodeWidth(query.part->nodeWidth, [&](auto width) HWY_ATTR {
         Within visitor(query, distance, state);
-        // A witness that does not answer this query may begin the next one, which then knows its closest features.
-        if (first >= 0) {
-            TrianglesAt& witness = state.witnesses.triangles[first];
-            witness.feature = visitor.resolve(witness);
-        }
+        // A pair that does not answer this query stays for the next one, which then knows its closest features.
+        TrianglesAt& last = state.witnesses.last;
+        if (state.witnesses.isLastKnown) last.feature = visitor.resolve(last);
         Traverse<width>(query, state, visitor);
         answer = visitor.answer();
     });

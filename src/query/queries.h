@@ -106,10 +106,11 @@ struct WithinAnswer {
 /// dispatches. Throws as currentTarget() does.
 void settleTarget();
 
-/// Finds the closest pair. Begins with a witness of the state's, which must be of these two models.
+/// Finds the closest pair. Begins with the nearest witness of the state's, which must be of these two models.
 ClosestAnswer closestPair(const PairQuery& query, const ClosestRequest& request, Workspace::State& state);
 
-/// Decides exactly whether any pair is within the distance. distance: environment units, >= 0. Begins as closestPair does.
+/// Decides exactly whether any pair is within the distance. distance: environment units, >= 0. Begins with the last
+/// pair that answered.
 WithinAnswer anyPairWithin(const PairQuery& query, double distance, Workspace::State& state);
 
 /// Sorts by lower bounds, the least first.

@@ -18,6 +18,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 /// The place of the witness whose two points are nearest to each other at the query's pose, or -1 without witnesses. Rounding
 /// may choose another one: a query may begin with any pair.
 HWY_INLINE int NearestWitness(const PairQuery& query, const Witnesses& witnesses) {
+    if (witnesses.count <= 1) return witnesses.count - 1;
     const hn::CappedTag<float, 16> d;
     using V = hn::Vec<decltype(d)>;
     const Carry& carry = query.partToEnvironment;
@@ -38,17 +39,12 @@ HWY_INLINE int NearestWitness(const PairQuery& query, const Witnesses& witnesses
         least = hn::IfThenElse(nearer, squared, least);
         at = hn::IfThenElse(nearer, hn::Set(d, float(first)), at);
     }
-    alignas(64) float squares[16], places[16];
-    hn::Store(least, d, squares);
+    const auto nearest = hn::Eq(least, hn::MinOfLanes(d, least));
+    const auto lane = hn::FindFirstTrue(d, nearest);
+    if (lane < 0) return -1;  // the pose or all points are NaN
+    alignas(64) float places[16];
     hn::Store(at, d, places);
-    int nearest = -1;
-    float nearestSquared = hwy::HighestValue<float>();
-    for (int lane = 0; lane < int(hn::Lanes(d)); ++lane) {
-        if (places[lane] < 0 || !(squares[lane] < nearestSquared)) continue;
-        nearest = int(places[lane]) + lane;
-        nearestSquared = squares[lane];
-    }
-    return nearest;
+    return places[lane] < 0 ? -1 : int(places[lane]) + int(lane);
 }
 
 }  // namespace HWY_NAMESPACE

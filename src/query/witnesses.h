@@ -1,5 +1,5 @@
-// The closest pairs of the last queries of two models. Of these pairs, the one that is nearest at a new pose is where the next
-// query begins. Where poses jump about, as a planner's do, that pair is much nearer than the last query's.
+// Pairs of triangles that answered the last queries of two models. A distance begins with the closest pair of an earlier distance
+// that is nearest at its pose: where poses jump about, as a planner's do, that pair is much nearer than the last one.
 #pragma once
 
 #include <algorithm>
@@ -17,12 +17,20 @@ struct Witnesses {
     std::uint64_t environmentId = 0;
     int count = 0;
     int next = 0;  ///< place of the next new pair
-    int last = 0;  ///< place of the pair that was kept last
+    bool isLastKnown = false;
+    TrianglesAt last{0, 0, kNoFeature};  ///< answered the last query that had a pair for its answer
     TrianglesAt triangles[kMost] = {};
     alignas(64) float onPart[3][kMost] = {};         ///< part tree's frame and unit
     alignas(64) float onEnvironment[3][kMost] = {};  ///< environment tree's frame and unit
 
-    void forget() { count = next = last = 0; }
+    void forget() {
+        count = next = 0;
+        isLastKnown = false;
+    }
+    void setLast(const TrianglesAt& pair) {
+        last = pair;
+        isLastKnown = true;
+    }
 
     /// Forgets the pairs of other models.
     void serve(std::uint64_t part, std::uint64_t environment) {
@@ -32,29 +40,25 @@ struct Witnesses {
         forget();
     }
 
-    /// The place of a pair, or -1.
-    int placeOf(const TrianglesAt& pair) const {
-        for (int place = 0; place < count; ++place) {
-            if (triangles[place].part == pair.part && triangles[place].environment == pair.environment)
-                return place;
-        }
-        return -1;
-    }
-
     /// Keeps the closest pair at a pose. pointOnPart, pointOnEnvironment: its closest points, environment frame, query units.
     void keep(const PairQuery& query, const TrianglesAt& pair, const Vector3& pointOnPart,
               const Vector3& pointOnEnvironment) {
-        const int known = placeOf(pair);
-        last = known >= 0 ? known : next;
-        if (known < 0) {
-            next = (next + 1) % kMost;
-            count = std::max(count, last + 1);
+        setLast(pair);
+        int place = 0;
+        while (place < count &&
+               (triangles[place].part != pair.part || triangles[place].environment != pair.environment)) {
+            ++place;
         }
-        triangles[last] = pair;
+        if (place == count) {  // a new pair
+            place = next;
+            next = (next + 1) % kMost;
+            count = std::max(count, place + 1);
+        }
+        triangles[place] = pair;
         const auto toTree = [&](const FlatTree& tree, const Vector3& point, float(&rows)[3][kMost]) {
             const double perMeshUnit = std::ldexp(1.0, -tree.unitExponent);
             for (int k = 0; k < 3; ++k)
-                rows[k][last] = static_cast<float>((point[k] - tree.origin[k]) * perMeshUnit);
+                rows[k][place] = static_cast<float>((point[k] - tree.origin[k]) * perMeshUnit);
         };
         const double toMeshUnits = std::ldexp(1.0, query.unitExponent);
         const Vector3 moved = pointOnPart * toMeshUnits - Vector3(query.t[0], query.t[1], query.t[2]);

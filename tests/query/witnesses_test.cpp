@@ -1,4 +1,4 @@
-// A workspace remembers the closest pairs of the last queries, and a query begins with the one that is nearest at its pose.
+// A workspace remembers the closest pairs of earlier distances, and a distance begins with the one that is nearest at its pose.
 #include <boost/test/unit_test.hpp>
 #include <cstdint>
 #include <vector>
@@ -97,7 +97,7 @@ BOOST_DATA_TEST_CASE(a_contact_found_before_answers_at_once, eachTarget(), targe
     Workspace workspace;
     for (int round = 0; round < 3; ++round) {
         for (const Pose& pose : touching) {
-            BOOST_TEST(collides(places.part, places.environment, pose, workspace));
+            BOOST_TEST(distance(places.part, places.environment, pose, {}, workspace).collides());
             if (round > 0) BOOST_TEST(workspace.counters().nodeVisits == 0u);
         }
     }
