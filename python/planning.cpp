@@ -8,6 +8,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -245,6 +246,10 @@ void setMargin(Problem& problem, const std::optional<double>& margin, const PySc
     if (scene)
         throw std::invalid_argument(
             "both a scene and a margin are given, expected one of them: a scene has margins");
+    if (!(*margin >= 0 && std::isfinite(*margin))) {  // the problem's own words would blame its file
+        throw std::invalid_argument("margin is " + std::string(py::str(py::float_(*margin))) +
+                                    ", expected a finite number >= 0");
+    }
     problem.margin = *margin;
 }
 

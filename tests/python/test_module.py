@@ -178,8 +178,11 @@ def test_inside_of_a_solid_nothing_is_free():
     )
     assert surfaces.is_free(place()) and not solid.is_free(place())
     assert solid.check_motion(place(), place(1))[0] == "contact"
+    assert solid.notes == []
     with pytest.raises(ValueError, match="solid: "):
         clearway.Obstacle(clearway.Model(triangle(0)), solid=triangle(0))
+    open_part = clearway.Scene(clearway.Model(triangle(0)), solid.obstacles, part_mesh=triangle(0))
+    assert len(open_part.notes) == 1 and "encloses nothing" in open_part.notes[0]
 
 
 def test_targets():
