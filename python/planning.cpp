@@ -393,4 +393,5 @@ PYBIND11_MODULE(_planning, module) {
     module.def("ompl_library", &omplLibrary,
                R"(The file of the OMPL that clearway is bound to in this process.)");
     py::module_::import("atexit").attr("register")(py::cpp_function(&Waiting::endAll));
+    LockedStretch::watchPython();  // an extension has its own count
 }

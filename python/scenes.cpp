@@ -14,12 +14,11 @@
 #include "clearway/scene_clearance.h"
 #include "python/arrays.h"
 #include "python/bindings.h"
+#include "python/released_gil.h"
 #include "python/scenes.h"
 
 namespace clearway::python {
 namespace {
-
-using ReleasedGil = py::gil_scoped_release;
 
 struct PyObstacle {
     Obstacle obstacle;

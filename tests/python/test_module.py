@@ -1,6 +1,7 @@
 """The Python module: its answers are the library's, and whatever is not as it should be is refused by name."""
 
 import math
+import os
 import re
 import subprocess
 import sys
@@ -142,6 +143,35 @@ def test_threads_share_models(models):
     for thread in threads:
         thread.join()
     assert len(answers) == 4 and all(answer == answers[0] for answer in answers)
+
+
+PREPARE = """
+import os, threading, time
+import clearway
+from support import cube, place, scene_of_cubes
+part, scene, pose = clearway.Model(cube(1)), scene_of_cubes(), place(4)
+def ask():
+    while True:
+        %s
+for _ in range(3):
+    threading.Thread(target=ask, daemon=True).start()
+time.sleep(0.1)
+"""
+FORK = """
+child = os.fork()
+if child == 0:
+    clearway.distance_batch(part, part, [pose] * 200)
+else:
+    assert os.waitpid(child, 0)[1] == 0
+"""
+
+
+@pytest.mark.parametrize("query", ["clearway.distance(part, part, pose)", "clearway.distance_batch(part, part, [pose] * 200)",
+                                   "scene.check_motion(pose, pose)", "clearway.Model(cube(1))"])
+@pytest.mark.parametrize("then", ["", FORK])
+def test_threads_that_python_does_not_wait_for_may_query_until_the_end(query, then):
+    paths = os.pathsep.join([os.path.dirname(__file__), os.environ.get("PYTHONPATH", "")])
+    subprocess.run([sys.executable, "-c", PREPARE % query + then], env=dict(os.environ, PYTHONPATH=paths), check=True, timeout=60)
 
 
 def test_poses():
