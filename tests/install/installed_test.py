@@ -219,7 +219,8 @@ def check_without(source, work):
         fail("a component that was left out is refused with: " + told)
     for options, named in ((only[1:], "clearway::planning needs OMPL 1.5 or later"),
                            (only[:2] + only[3:], "clearway::clearway needs Embree 3 or 4"),
-                           (only[:1] + only[2:], "CLEARWAY_PROGRAM is ON and CLEARWAY_PLANNING is OFF")):
+                           (only[:1] + only[2:], "CLEARWAY_PROGRAM is ON and CLEARWAY_PLANNING is OFF"),
+                           (only + ["-DCMAKE_INSTALL_LIBDIR=/lib64"], "CMAKE_INSTALL_LIBDIR is /lib64, expected a folder below the prefix")):
         told = re.sub(r"\s+", " ", configure(source, os.path.join(work, "refused"), *missing, *options, expected=1))
         if named not in told:
             fail("expected '%s' in: %s" % (named, told))
