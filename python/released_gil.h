@@ -12,12 +12,12 @@ namespace clearway::python {
 namespace py = pybind11;
 
 /// A stretch of C++ that comes back to Python's lock. When Python has ended, it unwinds each thread that asks for the lock,
-/// which destructors of C++ do not stand: the process would abort. So Python's end waits for the stretches that have begun,
-/// and a thread that Python does not wait for, a daemon, rests for good when it begins another one.
+/// which destructors of C++ do not stand: the process would abort. So Python's end waits for the stretches that have begun.
+/// A thread that begins another one meanwhile is a daemon, which Python does not wait for: it lets Python end first.
 class LockedStretch {
   public:
     LockedStretch() {
-        if (isEnding() && depth() == 0 && std::this_thread::get_id() != endingThread()) rest();
+        if (isEnding() && depth() == 0 && std::this_thread::get_id() != endingThread()) letPythonEnd();
         ++depth();
         ++count();
     }
@@ -45,9 +45,19 @@ class LockedStretch {
     /// A forked process has this thread alone.
     static void forgetOtherThreads() { count() = depth(); }
 
-    [[noreturn]] static void rest() {
-        PyEval_SaveThread();
-        for (;;) std::this_thread::sleep_for(std::chrono::hours(1));
+    /// Goes on if Python does not end for a second: what else it calls at its end may wait for this thread.
+    static void letPythonEnd() {
+        PyThreadState* const state = PyEval_SaveThread();
+        std::this_thread::sleep_for(std::chrono::seconds(1));
+        while (hasPythonEnded()) std::this_thread::sleep_for(std::chrono::hours(1));
+        PyEval_RestoreThread(state);
+    }
+    static bool hasPythonEnded() {
+#if PY_VERSION_HEX >= 0x030D0000
+        return Py_IsFinalizing();
+#else
+        return _Py_IsFinalizing();
+#endif
     }
 
     static std::atomic<bool>& isEnding() {

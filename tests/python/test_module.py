@@ -5,6 +5,7 @@ import os
 import re
 import subprocess
 import sys
+import textwrap
 import threading
 
 import numpy as np
@@ -166,12 +167,37 @@ else:
 """
 
 
+def run_beside_support(code):
+    paths = os.pathsep.join([os.path.dirname(__file__), os.environ.get("PYTHONPATH", "")])
+    subprocess.run([sys.executable, "-c", code], env=dict(os.environ, PYTHONPATH=paths), check=True, timeout=60)
+
+
 @pytest.mark.parametrize("query", ["clearway.distance(part, part, pose)", "clearway.distance_batch(part, part, [pose] * 200)",
                                    "scene.check_motion(pose, pose)", "clearway.Model(cube(1))"])
 @pytest.mark.parametrize("then", ["", FORK])
 def test_threads_that_python_does_not_wait_for_may_query_until_the_end(query, then):
-    paths = os.pathsep.join([os.path.dirname(__file__), os.environ.get("PYTHONPATH", "")])
-    subprocess.run([sys.executable, "-c", PREPARE % query + then], env=dict(os.environ, PYTHONPATH=paths), check=True, timeout=60)
+    run_beside_support(PREPARE % query + then)
+
+
+def test_what_python_calls_at_its_end_may_wait_for_a_thread():
+    code = """
+        import atexit, threading, time
+        is_over = threading.Event()
+        def end():  # registered before clearway's own function, so that Python calls it after that
+            is_over.set()
+            thread.join()
+        atexit.register(end)
+        import clearway
+        from support import cube, place
+        part = clearway.Model(cube(1))
+        def ask():
+            while not is_over.is_set():
+                clearway.distance(part, part, place(4))
+        thread = threading.Thread(target=ask, daemon=True)
+        thread.start()
+        time.sleep(0.1)
+        """
+    run_beside_support(textwrap.dedent(code))
 
 
 def test_poses():
