@@ -78,14 +78,10 @@ Lanes4 turned(const Lanes4& v) {
     return Lanes4(v[1], v[2], v[0], v[3]);
 }
 
-/// From this many triangles on, a sample chooses the frame, every third to every seventh triangle: a third
-/// of the work. The stride is odd, because many meshes are rows of pairs of triangles.
-constexpr std::size_t kLeastToSample = 1024;
-constexpr std::size_t kLargestStride = 7;
-
-std::size_t strideFor(std::size_t triangles) {
-    return std::min(kLargestStride, triangles / kLeastToSample * 2 + 1);
-}
+/// From this many triangles on, a sample chooses the frame: that is two thirds of the work. Every third
+/// triangle, because many meshes are rows of pairs of triangles, so that an even stride would see half of each.
+constexpr std::size_t kLeastToSample = 2048;
+constexpr std::size_t kStride = 3;
 
 class SahSplit {
   public:
@@ -93,7 +89,7 @@ class SahSplit {
         : mesh_(mesh), allCorners_(std::move(corners)) {}
 
     std::size_t operator()(TriangleRun run) {
-        const std::size_t stride = strideFor(run.size());
+        const std::size_t stride = run.size() < kLeastToSample ? 1 : kStride;
         gather(run, stride);
         cheapest_ = BinnedPlane();
         Moments corners;
