@@ -2,7 +2,6 @@
 #include "build/fits.h"
 
 #include <tbb/parallel_invoke.h>
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <array>
@@ -85,9 +84,15 @@ class Fitting {
     const std::vector<AreaMoments> moments_;
 };
 
-/// Above this many triangles, a single one says little about the shape of all.
-constexpr std::uint32_t kMostForEdges = 64;
 constexpr int kEdgeFrames = 4;
+constexpr std::uint32_t kMostForEdges = 64;
+
+/// Whether frames along edges are worth their time. Above kMostForEdges triangles, a single one says little
+/// about the shape of all. Nodes of 5 to 16 triangles find the good edge frames above them in their parent's
+/// axes: trying their own, too, saves no visits.
+bool triesEdges(std::uint32_t triangles) {
+    return triangles <= 4 || (triangles > 16 && triangles <= kMostForEdges);
+}
 
 struct EdgeFrame {
     double areaSquared = 0;  ///< of the triangle, times 4
@@ -152,7 +157,7 @@ AreaMoments& AreaMoments::operator+=(const AreaMoments& other) {
 }
 
 Matrix3 AreaMoments::axes() const {
-    return Eigen::SelfAdjointEigenSolver<Matrix3>(scatter / area).eigenvectors();
+    return spreadAxes(scatter / area);
 }
 
 void fitVolumes(BinaryTree& tree, const LeafOrder& mesh, Fit fit) {
@@ -175,7 +180,7 @@ Rss fitLeastOfFrames(const FitInput& node, FitScratch& scratch) {
     if (node.moments.area > 0) frames.consider(node.moments.axes());
     if (node.parentAxes != nullptr) frames.consider(*node.parentAxes);
     frames.consider(Matrix3::Identity());
-    if (node.triangleCount <= kMostForEdges) considerLargestTriangles(node, frames);
+    if (triesEdges(node.triangleCount)) considerLargestTriangles(node, frames);
     return frames.leastArea();
 }
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "build/fit_rss.h"
+#include "build/frame_search.h"
 #include "build/leaf_order.h"
 
 namespace clearway {
@@ -48,7 +48,8 @@ struct FitScratch {
 using Fit = Rss (*)(const FitInput& node, FitScratch& scratch);
 
 /// The fit of least area over several frames: of the vertices' covariance, of the area's covariance, of the
-/// parent, of the model's own axes and, for small nodes, along edges of the largest triangles.
+/// parent, of the model's own axes and, for nodes of up to 4 or of 17 to 64 triangles, along edges of the
+/// largest triangles.
 Rss fitLeastOfFrames(const FitInput& node, FitScratch& scratch);
 
 /// PQP's fit, in the frame of the corners' covariance: a vertex weighs as much as the number of the node's

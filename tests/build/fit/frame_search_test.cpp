@@ -1,4 +1,4 @@
-#include "build/fit_rss.h"
+#include "build/frame_search.h"
 
 #include <boost/test/unit_test.hpp>
 
