@@ -60,7 +60,7 @@ HWY_INLINE V SpreadPart(D d, const BlockRow& row, size_t first) {
 /// proportion.
 class LeafPairs {
   public:
-    /// Brings two leaves together and finds the pairs that a cheap bound does not drop. volumesBound: a
+    /// Brings two leaves together, which must outlive this use of them, and finds the pairs that a cheap bound does not drop. volumesBound: a
     /// proved lower bound of all pairs' distances. moves: called with across() and the part leaf's radius, returns what
     /// WalkProvesApart takes as move.
     template <class Moves>
@@ -154,8 +154,9 @@ class LeafPairs {
     /// The pair in a lane of a register.
     TrianglesAt trianglesAt(const RegisterPlace& place, std::uint32_t lane, float feature) const {
         const std::uint32_t pair = place.first + lane;
-        return {part_->firstTriangle + place.i + pair / kBlock,
-                environment_->firstTriangle + place.j + pair % kBlock, std::int32_t(feature)};
+        return {{part_->at, place.i + pair / kBlock},
+                {environment_->at, place.j + pair % kBlock},
+                std::int32_t(feature)};
     }
 
     /// Rounding of a gap or distance of these leaves' triangles, query units.
@@ -188,7 +189,7 @@ class LeafPairs {
         const hn::CappedTag<float, kBlock> d;
         using V = hn::Vec<decltype(d)>;
         const std::uint32_t n = part_->triangleCount;
-        const float* stored = query_->part->leafVertices.data() + 9 * size_t(part_->firstTriangle) + first;
+        const float* stored = part_->offsets + first;
         const auto scale = hn::Set(d, query_->partLeafToQuery);
         BlockStart start;
         for (size_t i = 0; i < kBlock; i += hn::Lanes(d)) {
@@ -217,8 +218,7 @@ class LeafPairs {
         const hn::CappedTag<float, kBlock> d;
         using V = hn::Vec<decltype(d)>;
         const std::uint32_t n = environment_->triangleCount;
-        const float* stored =
-            query_->environment->leafVertices.data() + 9 * size_t(environment_->firstTriangle) + first;
+        const float* stored = environment_->offsets + first;
         const auto scale = hn::Set(d, query_->environmentLeafToQuery);
         BlockStart start;
         for (size_t i = 0; i < kBlock; i += hn::Lanes(d)) {
@@ -241,8 +241,7 @@ class LeafPairs {
                          Triangles<V>& b) const {
         const PairTag d;
         const std::uint32_t n = environment_->triangleCount;
-        const float* stored =
-            query_->environment->leafVertices.data() + 9 * size_t(environment_->firstTriangle) + j;
+        const float* stored = environment_->offsets + j;
         const auto scale = hn::Set(d, query_->environmentLeafToQuery);
         for (int corner = 0; corner < 3; ++corner) {
             const auto part = [&](int row) HWY_ATTR {

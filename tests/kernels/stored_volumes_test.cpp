@@ -59,6 +59,7 @@ FlatTree emptyTree(const Frame& frame) {
     FlatTree tree;
     tree.origin = frame.origin;
     tree.unitExponent = frame.unitExponent;
+    tree.unit = std::ldexp(1.0, frame.unitExponent);
     tree.radius = 1;
     tree.box.extend(frame.origin);
     return tree;
@@ -79,7 +80,6 @@ void setLane(WideNode<kWidth>& node, int lane, const StoredRss& rss) {
     node.halfLength0[lane] = rss.halfLength0;
     node.halfLength1[lane] = rss.halfLength1;
     node.radius[lane] = rss.radius;
-    node.size[lane] = rss.longest();
     node.child[lane] = ~lane;
 }
 
