@@ -6,7 +6,6 @@
 #include <cassert>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 #include <stdexcept>
 #include <vector>
@@ -123,6 +122,8 @@ class Flattening {
         node.halfLength0[lane] = volume.halfLength0;
         node.halfLength1[lane] = volume.halfLength1;
         node.radius[lane] = volume.radius;
+        node.size[lane] =
+            2 * std::sqrt((volume.halfLength0 + volume.radius) * (volume.halfLength1 + volume.radius));
     }
 
     LeafReference addLeaf(const BinaryNode& source) {
@@ -137,10 +138,6 @@ class Flattening {
         blocks.insert(blocks.end(), centre.stored.begin(), centre.stored.end());
         blocks.push_back(roundedUp(largestDistance(corners_, centre.point) / flat_.unit));
         addWholeNumber(count + (centre.isExact ? 0 : kHasVertices));
-        for (std::uint32_t i = 0; i < count; ++i) addWholeNumber(mesh_.triangleIds[triangles[i]]);
-        if (!centre.isExact) {
-            for (std::uint32_t i = 0; i < count; ++i) addVertexNumbers(triangles[i]);
-        }
         for (std::size_t corner = 0; corner < 3; ++corner) {
             for (int k = 0; k < 3; ++k) {
                 for (std::size_t i = corner; i < corners_.size(); i += 3) {
@@ -148,14 +145,15 @@ class Flattening {
                 }
             }
         }
+        for (std::uint32_t i = 0; i < count; ++i) addWholeNumber(mesh_.triangleIds[triangles[i]]);
+        if (!centre.isExact) {
+            for (std::uint32_t i = 0; i < count; ++i) addVertexNumbers(triangles[i]);
+        }
         assert(blocks.size() == at + leafBlockSize(count, centre.isExact));
         return static_cast<LeafReference>(at);
     }
 
-    void addWholeNumber(std::uint32_t number) {
-        float& place = flat_.leafBlocks.emplace_back();
-        std::memcpy(&place, &number, sizeof number);
-    }
+    void addWholeNumber(std::uint32_t number) { storeWholeNumber(number, flat_.leafBlocks.emplace_back()); }
 
     void addVertexNumbers(std::uint32_t triangle) {
         for (const std::uint32_t vertex : mesh_.triangles[triangle]) {

@@ -60,7 +60,7 @@ HWY_INLINE V SpreadPart(D d, const BlockRow& row, size_t first) {
 /// proportion.
 class LeafPairs {
   public:
-    /// Brings two leaves together, which must outlive this use of them, and finds the pairs that a cheap bound does not drop. volumesBound: a
+    /// Brings two leaves together, which must outlive the visit, and finds the pairs that a cheap bound does not drop. volumesBound: a
     /// proved lower bound of all pairs' distances. moves: called with across() and the part leaf's radius, returns what
     /// WalkProvesApart takes as move.
     template <class Moves>

@@ -153,8 +153,8 @@ class Sweep {
 
     HWY_INLINE void look(const SweepEntry& entry, TimeInterval interval, const PreparedPiece& piece) {
         const Volume<kWidth> a(part_, entry.part), b(environment_, entry.environment);
-        const float sizeA = a.size() * piece.query.partLeafToQuery,
-                    sizeB = b.size() * piece.query.environmentLeafToQuery;
+        const float sizeA = a.node.size[a.lane] * piece.query.partLeafToQuery,
+                    sizeB = b.node.size[b.lane] * piece.query.environmentLeafToQuery;
         const float moved = entry.moved < kUnknownMove ? entry.moved : movedBy(piece, a);
         if (moved > kLongestMove * (sizeA > sizeB ? sizeA : sizeB) && interval.canBeHalved() &&
             moved > leastMove(piece)) {

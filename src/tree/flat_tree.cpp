@@ -94,7 +94,8 @@ const char* faultOfLeaves(const FlatTree& tree, std::size_t meshTriangles, std::
         }
         const std::size_t size = leafBlockSize(count, isExact);
         if (end - at < size) return "its last leaf is cut off";
-        const float* ids = block + kLeafHeader;
+        const float* offsets = block + kLeafHeader;
+        const float* ids = offsets + 9 * std::size_t(count);
         for (std::size_t i = 0; i < count; ++i) {
             if (wholeNumberIn(ids[i]) >= meshTriangles) return "its triangle ids are out of range";
         }
@@ -103,7 +104,7 @@ const char* faultOfLeaves(const FlatTree& tree, std::size_t meshTriangles, std::
                 return "its triangles refer to vertices that are not there";
             }
         }
-        if (!areFinite(block, kLeafHeader - 1) || !areFinite(block + size - 9 * count, 9 * count)) {
+        if (!areFinite(block, kLeafHeader - 1) || !areFinite(offsets, 9 * std::size_t(count))) {
             return kNotFinite;
         }
         isLeaf[at] = true;

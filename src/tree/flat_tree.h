@@ -52,18 +52,21 @@ auto withNodeWidth(int nodeWidth, const Work& work) {
 }
 
 /// The volumes of a node's kWidth children, one lane per child. An unused lane has child kNoChild and radius
-/// -infinity, so that its lower bound is +infinity. kWidth * 52 bytes.
+/// -infinity, so that its lower bound is +infinity. kWidth * 56 bytes.
 template <int kWidth>
 struct alignas(kWidth * 4) WideNode {
-    std::int32_t child[kWidth];  ///< >= 0 a node, < 0 the leaf ~child; used lanes come first
-    float halfLength0[kWidth];
-    float halfLength1[kWidth];
-    float radius[kWidth];
     float centre[3][kWidth];
     float axis0[3][kWidth];
     float axis1[3][kWidth];
+    float halfLength0[kWidth];
+    float halfLength1[kWidth];
+    float radius[kWidth];
+    /// Side of a square with the area of the rectangle grown by the radius; decides which of two volumes to
+    /// open.
+    float size[kWidth];
+    std::int32_t child[kWidth];  ///< >= 0 a node, < 0 the leaf ~child; used lanes come first
 };
-static_assert(sizeof(WideNode<8>) == 8 * 52 && sizeof(WideNode<2>) == 2 * 52);
+static_assert(sizeof(WideNode<8>) == 8 * 56 && sizeof(WideNode<2>) == 2 * 56);
 
 template <int... kWidths>
 std::tuple<std::vector<WideNode<kWidths>>...> wideNodesOf(std::integer_sequence<int, kWidths...>);
@@ -96,12 +99,15 @@ struct Leaf {
     float radius;                  ///< largest vertex distance from the centre, tree units, rounded up
     std::array<double, 3> centre;  ///< mesh coordinates
     /// The vertices less the centre, in tree units, rounded: x of the n first corners, their y, their z, then the second
-    /// corners and the third. Whole vectors may be loaded past the last one: what follows are ordinary floats.
+    /// corners and the third. Whole vectors may be loaded past the last one, since what follows are ordinary floats, too.
     const float* offsets;
 };
 
 /// A leaf's block begins with the centre in tree units about the tree's origin (3 floats), the radius, and the number of
-/// triangles, plus kHasVertices if the leaf is not exact. Whole numbers are stored by their bits.
+/// triangles, plus kHasVertices if the leaf is not exact. Then come the
+/// offsets, the loader's ids of the triangles, and the numbers of their vertices if the leaf is not exact, three for each
+/// triangle. A whole number is stored as the float that is so many steps above 1: numbers below 2^30 are then ordinary
+/// floats, never denormal ones, with which kernels would be slow.
 constexpr std::size_t kLeafHeader = 5;
 constexpr std::uint32_t kHasVertices = 32;
 
@@ -110,11 +116,17 @@ constexpr std::size_t leafBlockSize(std::uint32_t triangleCount, bool isExact) {
     return kLeafHeader + triangleCount * std::size_t(isExact ? 10 : 13);
 }
 
+constexpr std::uint32_t kBitsOfOne = 0x3F800000;
+
 /// The whole number that is stored in place of a float.
 inline std::uint32_t wholeNumberIn(const float& place) {
-    std::uint32_t number;
-    std::memcpy(&number, &place, sizeof number);
-    return number;
+    std::uint32_t bits;
+    std::memcpy(&bits, &place, sizeof bits);
+    return bits - kBitsOfOne;
+}
+inline void storeWholeNumber(std::uint32_t number, float& place) {
+    const std::uint32_t bits = number + kBitsOfOne;
+    std::memcpy(&place, &bits, sizeof bits);
 }
 
 /// The centre's coordinate as every reader of a leaf computes it.
@@ -129,10 +141,8 @@ struct FlatTree {
     double unit = 1;   ///< 2^unitExponent mesh units
     float radius = 0;  ///< of the vertices about the origin, tree units, rounded up; <= 1
 
-    WideNodesByWidth nodesByWidth;  ///< only the array of nodeWidth has nodes
-    /// The leaves' blocks, one after the other: the header, the loader's ids of the leaf's triangles, the numbers of their
-    /// vertices if the leaf is not exact (three for each triangle), and the offsets. kLeafPadding zeros follow.
-    std::vector<float> leafBlocks;
+    WideNodesByWidth nodesByWidth;     ///< only the array of nodeWidth has nodes
+    std::vector<float> leafBlocks;     ///< one after the other; kLeafPadding zeros follow
     std::vector<Vector3> vertices;     ///< those of leaves that are not exact; mesh coordinates
     Box box;                           ///< of the mesh, including triangles left out of the tree
     double radiusAboutMeshOrigin = 0;  ///< largest |vertex|, rounded up
@@ -148,20 +158,20 @@ struct FlatTree {
 
     Leaf leaf(LeafReference at) const {
         const float* block = leafBlocks.data() + at;
-        const std::uint32_t word = wholeNumberIn(block[4]), count = word % kHasVertices;
-        const bool isExact = word < kHasVertices;
+        const std::uint32_t word = wholeNumberIn(block[kLeafHeader - 1]);
         const auto centre = [&](int k) { return leafCentre(origin[k], unit, block[k]); };
         return {at,
-                isExact,
-                count,
+                word < kHasVertices,
+                word % kHasVertices,
                 block[3],
                 {centre(0), centre(1), centre(2)},
-                block + leafBlockSize(count, isExact) - 9 * std::size_t(count)};
+                block + kLeafHeader};
     }
 
     /// The loader's id of a triangle.
     std::uint32_t triangleId(TriangleAt triangle) const {
-        return wholeNumberIn(leafBlocks[triangle.leaf + kLeafHeader + triangle.number]);
+        const Leaf from = leaf(triangle.leaf);
+        return wholeNumberIn(from.offsets[9 * std::size_t(from.triangleCount) + triangle.number]);
     }
 
     /// The exact corners of a triangle, mesh coordinates.
@@ -176,9 +186,7 @@ struct FlatTree {
                     found[corner][Eigen::Index(k)] = from.centre[k] + unit * double(offset);
                 }
             } else {
-                const std::size_t numbers =
-                    triangle.leaf + kLeafHeader + n + 3 * std::size_t(triangle.number);
-                found[corner] = vertices[wholeNumberIn(leafBlocks[numbers + corner])];
+                found[corner] = vertices[wholeNumberIn(from.offsets[10 * n + 3 * triangle.number + corner])];
             }
         }
         return found;

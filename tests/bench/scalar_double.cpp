@@ -47,12 +47,6 @@ Volume volumeOf(const Node& node, int lane, double toQuery) {
             double(node.radius[lane]) * toQuery};
 }
 
-/// Side of a square with the area of the rectangle grown by the radius, tree units.
-double sizeOf(const Node& node, int lane) {
-    const double radius = node.radius[lane];
-    return 2 * std::sqrt((node.halfLength0[lane] + radius) * (node.halfLength1[lane] + radius));
-}
-
 Volume moved(const Volume& volume, const Matrix3& rotation, const Vector3& translation) {
     Volume result = volume;
     result.centre = rotation * volume.centre + translation;
@@ -179,8 +173,8 @@ class Search {
                      environment_.leaf(LeafReference(~b.child[laneB])));
                 continue;
             }
-            const bool partIsLarger = sizeOf(a, laneA) * placed_.query.partLeafToQuery >
-                                      sizeOf(b, laneB) * placed_.query.environmentLeafToQuery;
+            const bool partIsLarger = double(a.size[laneA]) * placed_.query.partLeafToQuery >
+                                      double(b.size[laneB]) * placed_.query.environmentLeafToQuery;
             if (b.child[laneB] < 0 || (a.child[laneA] >= 0 && partIsLarger)) {
                 openPart(entry, a.child[laneA]);
             } else {

@@ -73,6 +73,10 @@ class TreeChecker {
                 continue;
             }
             if (pastTheLast) ++wrongLanes_;  // used lanes come first
+            const long double radius = node.radius[lane];
+            const long double size =
+                2 * std::sqrt((node.halfLength0[lane] + radius) * (node.halfLength1[lane] + radius));
+            if (!(std::abs(node.size[lane] - size) <= 1e-6L * size)) ++wrongLanes_;
             if (child >= 0) ++nodeSeen_.at(child);
             const std::vector<TriangleAt> triangles =
                 child >= 0 ? below(child) : inLeaf(LeafReference(~child));
@@ -89,7 +93,7 @@ class TreeChecker {
     }
 
     static bool isUnusedLane(const WideNode<kWidth>& node, int lane) {
-        bool allZero = node.halfLength0[lane] == 0 && node.halfLength1[lane] == 0;
+        bool allZero = node.halfLength0[lane] == 0 && node.halfLength1[lane] == 0 && node.size[lane] == 0;
         for (int i = 0; i < 3; ++i) {
             allZero =
                 allZero && node.centre[i][lane] == 0 && node.axis0[i][lane] == 0 && node.axis1[i][lane] == 0;

@@ -40,11 +40,8 @@ struct Kinds {
     double shareOfExact() const { return double(exact) / double(exact + others); }
 };
 
-/// Builds a tree, checks each corner bit for bit, and counts the kinds of leaves.
-Kinds builtFrom(const std::vector<Corners>& triangles) {
-    const CleanMesh mesh = cleanMeshOf(triangles);
-    const FlatTree tree = flatten(buildBinaryTree(mesh, {}), mesh, 8);
-    checkTree(tree, mesh);
+/// Checks each corner bit for bit, and counts the kinds of leaves.
+Kinds checkCorners(const FlatTree& tree, const CleanMesh& mesh) {
     std::size_t wrong = 0;
     for (const TriangleAt triangle : trianglesOf(tree)) {
         const TriangleIndices& original = mesh.triangles.at(tree.triangleId(triangle) - 7);
@@ -58,6 +55,13 @@ Kinds builtFrom(const std::vector<Corners>& triangles) {
     for (const LeafReference at : tree.leaves()) ++(tree.leaf(at).isExact ? kinds.exact : kinds.others);
     BOOST_TEST((kinds.others == 0) == tree.vertices.empty());
     return kinds;
+}
+
+Kinds builtFrom(const std::vector<Corners>& triangles) {
+    const CleanMesh mesh = cleanMeshOf(triangles);
+    const FlatTree tree = flatten(buildBinaryTree(mesh, {}), mesh, 8);
+    checkTree(tree, mesh);
+    return checkCorners(tree, mesh);
 }
 
 BOOST_AUTO_TEST_CASE(leaves_of_floats_are_exact) {
@@ -92,7 +96,12 @@ BOOST_AUTO_TEST_CASE(a_leaf_across_zero_is_exact_beside_coordinates_that_are_nea
 
 BOOST_AUTO_TEST_CASE(leaves_of_doubles_keep_their_vertices) {
     BOOST_TEST(builtFrom(soup(700, 35)).exact == 0u);
-    BOOST_TEST(builtFrom(transformed(soup(90, 36), 1e-3, {5e6, -7e6, 1e6})).exact == 0u);
+    BOOST_TEST(builtFrom(transformed(soup(90, 36), 1, {5, -7, 1})).exact == 0u);
+}
+
+BOOST_AUTO_TEST_CASE(doubles_far_from_the_origin_are_exact_where_few_bits_are_left_of_a_leaf) {
+    // Coordinates are whole multiples of 2^-30, and a leaf's size is some 2^20 of them.
+    BOOST_TEST(builtFrom(transformed(soup(90, 36), 1e-3, {5e6, -7e6, 5e6})).others == 0u);
 }
 
 BOOST_AUTO_TEST_CASE(leaves_of_both_kinds_stand_in_one_tree) {
@@ -110,8 +119,12 @@ BOOST_AUTO_TEST_CASE(one_double_among_floats_makes_one_leaf_inexact) {
 }
 
 BOOST_AUTO_TEST_CASE(subnormal_and_huge_coordinates_keep_their_bits) {
-    builtFrom(transformed(changed(soup(60, 40), toFloat), 0x1p-1050, {0, 0, 0}));
+    builtFrom(transformed(changed(soup(60, 40), toFloat), 0x1p-1000, {0, 0, 0}));
     builtFrom(transformed(changed(soup(60, 41), toFloat), 0x1p1000, {0, 0, 0}));
+    // Queries refuse coordinates as small as these.
+    const CleanMesh subnormal =
+        cleanMeshOf(transformed(changed(soup(60, 43), toFloat), 0x1p-1050, {0, 0, 0}));
+    checkCorners(flatten(buildBinaryTree(subnormal, {}), subnormal, 8), subnormal);
     // Each triangle four times as far out as the one before: float cannot hold the nearest ones in the tree's unit.
     std::vector<Corners> triangles;
     for (int i = -250; i < 250; ++i) {

@@ -80,6 +80,7 @@ void setLane(WideNode<kWidth>& node, int lane, const StoredRss& rss) {
     node.halfLength0[lane] = rss.halfLength0;
     node.halfLength1[lane] = rss.halfLength1;
     node.radius[lane] = rss.radius;
+    node.size[lane] = rss.longest();
     node.child[lane] = ~lane;
 }
 
