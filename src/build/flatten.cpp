@@ -7,8 +7,10 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <stdexcept>
 #include <vector>
 
+#include "build/leaf_centre.h"
 #include "build/leaf_order.h"
 #include "build/top_down.h"
 #include "mesh/renumber.h"
@@ -36,6 +38,19 @@ int exponentAbove(double radius) {
     return std::clamp(exponent, -1000, 1000);
 }
 
+/// References to leaves stay below this, so that no node takes ~reference for kNoChild.
+constexpr std::size_t kLeafBlocksEnd = std::numeric_limits<std::int32_t>::max();
+
+/// The middle of the box, rounded to a multiple of 2^-20 units: leaves then find centres of few bits.
+Vector3 originOf(const Box& box, double unit) {
+    Vector3 origin = 0.5 * box.min() + 0.5 * box.max();
+    const double step = 0x1p-20 * unit;
+    for (double& x : origin) {
+        if (std::abs(x) < 0x1p52 * step) x = std::nearbyint(x / step) * step;
+    }
+    return origin;
+}
+
 template <int kWidth>
 WideNode<kWidth> nodeWithoutChildren() {
     WideNode<kWidth> node{};
@@ -54,7 +69,6 @@ class Flattening {
           nodes_(flat.nodes<kWidth>()),
           leafOrder_(mesh, binary.order),
           collapse_(binary, kWidth),
-          unit_(std::ldexp(1.0, flat.unitExponent)),
           numberOf_(mesh.vertices.size()) {}
 
     void run() {
@@ -71,7 +85,10 @@ class Flattening {
             }
             std::reverse(pending.begin() + firstOpened, pending.end());
         }
-        flat_.leafVertices.resize(flat_.leafVertices.size() + kLeafPadding, 0.0f);
+        flat_.leafBlocks.resize(flat_.leafBlocks.size() + kLeafPadding, 0.0f);
+        nodes_.shrink_to_fit();
+        flat_.leafBlocks.shrink_to_fit();
+        flat_.vertices.shrink_to_fit();
     }
 
   private:
@@ -84,9 +101,10 @@ class Flattening {
     void setLane(std::int32_t node, int lane, std::int32_t binaryNode, std::vector<Pending>& pending) {
         const BinaryNode& source = binary_.nodes[binaryNode];
         leafOrder_.gatherVertices(source.firstTriangle, source.triangleCount, gathered_);
-        setVolume(nodes_[node], lane, roundOutward(source.volume, gathered_.points, flat_.origin, unit_));
+        setVolume(nodes_[node], lane,
+                  roundOutward(source.volume, gathered_.points, flat_.origin, flat_.unit));
         if (source.isLeaf()) {
-            nodes_[node].child[lane] = ~addLeaf(source);
+            nodes_[node].child[lane] = ~static_cast<std::int32_t>(addLeaf(source));
         } else {
             const std::int32_t child = static_cast<std::int32_t>(nodes_.size());
             nodes_[node].child[lane] = child;
@@ -108,39 +126,40 @@ class Flattening {
             2 * std::sqrt((volume.halfLength0 + volume.radius) * (volume.halfLength1 + volume.radius));
     }
 
-    std::int32_t addLeaf(const BinaryNode& source) {
-        gatherCorners(mesh_, binary_.order.data() + source.firstTriangle, source.triangleCount, corners_);
-        Box box;
-        for (const Vector3& corner : corners_) box.extend(corner);
-        const Vector3 centre = 0.5 * box.min() + 0.5 * box.max();
+    LeafReference addLeaf(const BinaryNode& source) {
+        const std::uint32_t* triangles = binary_.order.data() + source.firstTriangle;
+        const std::uint32_t count = source.triangleCount;
+        gatherCorners(mesh_, triangles, count, corners_);
+        const LeafCentre centre = chooseLeafCentre(corners_, flat_.origin, flat_.unit);
+        std::vector<float>& blocks = flat_.leafBlocks;
+        const std::size_t at = blocks.size();
+        if (at >= kLeafBlocksEnd) throw std::length_error("the mesh has too many triangles for one tree");
 
-        Leaf leaf;
-        leaf.centre = {centre.x(), centre.y(), centre.z()};
-        leaf.firstTriangle = static_cast<std::uint32_t>(flat_.triangles.size());
-        leaf.triangleCount = source.triangleCount;
-        leaf.radius = roundedUp(largestDistance(corners_, centre) / unit_);
-        for (int corner = 0; corner < 3; ++corner) {
-            for (int coordinate = 0; coordinate < 3; ++coordinate) {
+        blocks.insert(blocks.end(), centre.stored.begin(), centre.stored.end());
+        blocks.push_back(roundedUp(largestDistance(corners_, centre.point) / flat_.unit));
+        addWholeNumber(count + (centre.isExact ? 0 : kHasVertices));
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            for (int k = 0; k < 3; ++k) {
                 for (std::size_t i = corner; i < corners_.size(); i += 3) {
-                    const double offset = corners_[i][coordinate] - centre[coordinate];
-                    flat_.leafVertices.push_back(static_cast<float>(offset / unit_));
+                    blocks.push_back(leafOffset(corners_[i][k], centre.point[k], flat_.unit));
                 }
             }
         }
-        for (std::uint32_t i = 0; i < source.triangleCount; ++i)
-            addTriangle(binary_.order[source.firstTriangle + i]);
-        flat_.leaves.push_back(leaf);
-        return static_cast<std::int32_t>(flat_.leaves.size()) - 1;
+        for (std::uint32_t i = 0; i < count; ++i) addWholeNumber(mesh_.triangleIds[triangles[i]]);
+        if (!centre.isExact) {
+            for (std::uint32_t i = 0; i < count; ++i) addVertexNumbers(triangles[i]);
+        }
+        assert(blocks.size() == at + leafBlockSize(count, centre.isExact));
+        return static_cast<LeafReference>(at);
     }
 
-    void addTriangle(std::uint32_t triangle) {
-        TriangleIndices indices = mesh_.triangles[triangle];
-        for (std::uint32_t& vertex : indices) {
-            vertex = numberOf_(vertex,
-                               [&](std::uint32_t used) { flat_.vertices.push_back(mesh_.vertices[used]); });
+    void addWholeNumber(std::uint32_t number) { storeWholeNumber(number, flat_.leafBlocks.emplace_back()); }
+
+    void addVertexNumbers(std::uint32_t triangle) {
+        for (const std::uint32_t vertex : mesh_.triangles[triangle]) {
+            addWholeNumber(numberOf_(
+                vertex, [&](std::uint32_t used) { flat_.vertices.push_back(mesh_.vertices[used]); }));
         }
-        flat_.triangles.push_back(indices);
-        flat_.triangleIds.push_back(mesh_.triangleIds[triangle]);
     }
 
     const BinaryTree& binary_;
@@ -149,7 +168,6 @@ class Flattening {
     std::vector<WideNode<kWidth>>& nodes_;
     const LeafOrder leafOrder_;
     const Collapse collapse_;
-    const double unit_;
     FirstUseOrder numberOf_;  ///< the new numbers of the mesh's vertices
     std::vector<Vector3> corners_;
     LeafOrder::Gathered gathered_;
@@ -230,10 +248,16 @@ FlatTree flatten(const BinaryTree& tree, const CleanMesh& mesh, int nodeWidth) {
     FlatTree flat;
     flat.nodeWidth = nodeWidth;
     for (const Vector3& vertex : mesh.vertices) flat.box.extend(vertex);
+    // A mesh that is one point keeps it as its origin, and so a radius of 0.
     flat.origin = 0.5 * flat.box.min() + 0.5 * flat.box.max();
-    const double radius = largestDistance(mesh.vertices, flat.origin);
+    double radius = largestDistance(mesh.vertices, flat.origin);
+    if (radius > 0) {
+        flat.origin = originOf(flat.box, std::ldexp(1.0, exponentAbove(radius)));
+        radius = largestDistance(mesh.vertices, flat.origin);
+    }
     flat.unitExponent = exponentAbove(radius);
-    flat.radius = roundedUp(std::ldexp(radius, -flat.unitExponent));
+    flat.unit = std::ldexp(1.0, flat.unitExponent);
+    flat.radius = roundedUp(radius / flat.unit);
     flat.radiusAboutMeshOrigin = largestDistance(mesh.vertices, Vector3::Zero());
     withNodeWidth(nodeWidth, [&](auto width) { Flattening<width>(tree, mesh, flat).run(); });
     return flat;

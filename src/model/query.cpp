@@ -108,8 +108,8 @@ DistanceResult distance(const Model& part, const Model& environment, const Pose&
     }
     const bool isContact = answer.pair.contact == Verdict::yes;
     result.distance = isContact ? 0.0 : lengthOf(result.pointOnPart - result.pointOnEnvironment);
-    result.partTriangle = part.tree().triangleIds[answer.triangles.part];
-    result.environmentTriangle = environment.tree().triangleIds[answer.triangles.environment];
+    result.partTriangle = part.tree().triangleId(answer.triangles.part);
+    result.environmentTriangle = environment.tree().triangleId(answer.triangles.environment);
     result.partComponent = componentOfTriangle(part.components(), result.partTriangle);
     result.environmentComponent = componentOfTriangle(environment.components(), result.environmentTriangle);
     return result;

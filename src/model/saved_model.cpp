@@ -2,6 +2,7 @@
 // each), payload. The hash covers the key and the payload. Numbers are written as in memory; the mark reveals
 // another byte order. Raise kVersion with every change of the layout and of the tree that a build makes from
 // a given mesh and options.
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -19,7 +20,7 @@ namespace clearway {
 namespace {
 
 constexpr char kMagic[8] = {'c', 'l', 'e', 'a', 'r', 'w', 'a', 'y'};
-constexpr std::uint64_t kVersion = 5;
+constexpr std::uint64_t kVersion = 6;
 constexpr std::uint64_t kByteOrderMark = 0x0102030405060708u;
 
 [[noreturn]] void refuseFile(const std::string& file, const std::string& reason) {
@@ -92,17 +93,8 @@ void addTree(ArchiveWriter& out, const FlatTree& tree) {
     out.add(std::int32_t(tree.unitExponent));
     out.add(tree.radius);
     std::apply([&](const auto&... nodes) { (out.addArray(nodes), ...); }, tree.nodesByWidth);
-    out.add(std::uint64_t(tree.leaves.size()));
-    for (const Leaf& leaf : tree.leaves) {  // field by field, to leave out the padding of the structure
-        for (const double x : leaf.centre) out.add(x);
-        out.add(leaf.firstTriangle);
-        out.add(leaf.triangleCount);
-        out.add(leaf.radius);
-    }
-    out.addArray(tree.leafVertices);
+    out.addArray(tree.leafBlocks);
     out.addArray(tree.vertices);
-    out.addArray(tree.triangles);
-    out.addArray(tree.triangleIds);
     addVector(out, tree.box.min());
     addVector(out, tree.box.max());
     out.add(tree.radiusAboutMeshOrigin);
@@ -113,19 +105,11 @@ FlatTree readTree(ArchiveReader& in) {
     tree.nodeWidth = in.read<std::int32_t>();
     tree.origin = readVector(in);
     tree.unitExponent = in.read<std::int32_t>();
+    tree.unit = std::ldexp(1.0, tree.unitExponent);
     tree.radius = in.read<float>();
     std::apply([&](auto&... nodes) { (in.readArray(nodes), ...); }, tree.nodesByWidth);
-    tree.leaves.resize(in.readCount(3 * sizeof(double) + 12));
-    for (Leaf& leaf : tree.leaves) {
-        for (double& x : leaf.centre) x = in.read<double>();
-        leaf.firstTriangle = in.read<std::uint32_t>();
-        leaf.triangleCount = in.read<std::uint32_t>();
-        leaf.radius = in.read<float>();
-    }
-    in.readArray(tree.leafVertices);
+    in.readArray(tree.leafBlocks);
     in.readArray(tree.vertices);
-    in.readArray(tree.triangles);
-    in.readArray(tree.triangleIds);
     const Vector3 low = readVector(in), high = readVector(in);
     tree.box = Box(low, high);
     tree.radiusAboutMeshOrigin = in.read<double>();
@@ -174,6 +158,13 @@ void readRest(ArchiveReader& in, BuildReport& report, std::vector<Component>& co
     origin.ignoredFaces = in.read<std::uint64_t>();
     origin.notes.resize(in.readCount(8));
     for (std::string& note : origin.notes) note = in.readText();
+}
+
+std::size_t trianglesOf(const TreeStatistics& tree) {
+    std::size_t triangles = 0;
+    for (std::size_t size = 0; size < tree.leavesBySize.size(); ++size)
+        triangles += size * tree.leavesBySize[size];
+    return triangles;
 }
 
 /// The number of triangles of consecutive components; -1 if the components are not consecutive.
@@ -257,8 +248,8 @@ Model Model::load(const std::string& file) {
     } catch (const std::runtime_error& error) {
         refuseFile(file, error.what());
     }
-    data->report.triangles = data->tree.triangles.size();
     data->report.tree = statistics(data->tree);
+    data->report.triangles = trianglesOf(data->report.tree);
     data->id = newId();
     return Model(std::move(data));
 }

@@ -111,8 +111,8 @@ SweepResult sweep(const Model& part, const Model& environment, const MotionPiece
     if (answer.isContact) {
         result.contactTime = answer.contactTime;
         if (answer.isPair) {
-            result.partTriangle = part.tree().triangleIds[answer.contact.part];
-            result.environmentTriangle = environment.tree().triangleIds[answer.contact.environment];
+            result.partTriangle = part.tree().triangleId(answer.contact.part);
+            result.environmentTriangle = environment.tree().triangleId(answer.contact.environment);
         }
     }
     if (options.isForward) {
@@ -184,8 +184,8 @@ LeastDistance leastDistance(const Model& part, const Model& environment, const M
         const PairQuery query = preparePairQuery(part.tree(), environment.tree(), motion(time, time).middle);
         const ResolvedPair nearest = resolvePair(query, triangles);
         result.upper = std::min(clearance, nearest.upper / query.perMeshUnit - options.margin);
-        result.partTriangle = part.tree().triangleIds[triangles.part];
-        result.environmentTriangle = environment.tree().triangleIds[triangles.environment];
+        result.partTriangle = part.tree().triangleId(triangles.part);
+        result.environmentTriangle = environment.tree().triangleId(triangles.environment);
         result.pointOnPart = nearest.pointOnPart / query.perMeshUnit;
         result.pointOnEnvironment = nearest.pointOnEnvironment / query.perMeshUnit;
         state.witnesses.serve(part.id(), environment.id());

@@ -1,6 +1,7 @@
 #include "query/decide.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -33,12 +34,12 @@ class Balls {
         const int exponent = size > 0 ? std::clamp(std::ilogb(size), -400, 400) : 0;
         unit_ = std::ldexp(1.0, exponent);
         perUnit_ = std::ldexp(1.0, -exponent);
-        const FlatTree &part = *query.part, &environment = *query.environment;
-        const auto &p = part.triangles[triangles.part], &q = environment.triangles[triangles.environment];
-        const Triple<Ball> base = scaled(environment.vertices[q[0]]);
-        for (int k = 0; k < 3; ++k) {
-            corners_.part[k] = moved_(part.vertices[p[k]]) - base;
-            corners_.environment[k] = scaled(environment.vertices[q[k]]) - base;
+        const std::array<Vector3, 3> part = query.part->corners(triangles.part),
+                                     environment = query.environment->corners(triangles.environment);
+        const Triple<Ball> base = scaled(environment[0]);
+        for (std::size_t k = 0; k < 3; ++k) {
+            corners_.part[k] = moved_(part[k]) - base;
+            corners_.environment[k] = scaled(environment[k]) - base;
         }
     }
 
@@ -98,8 +99,8 @@ class Integers {
   public:
     /// d: a length that must be a whole multiple too, environment units.
     Integers(const PairQuery& query, const TrianglesAt& triangles, double d) : query_(query) {
-        const FlatTree &part = *query.part, &environment = *query.environment;
-        const auto &p = part.triangles[triangles.part], &q = environment.triangles[triangles.environment];
+        const std::array<Vector3, 3> part = query.part->corners(triangles.part),
+                                     environment = query.environment->corners(triangles.environment);
         Pose X_environmentPart;
         for (int row = 0; row < 3; ++row) {
             for (int column = 0; column < 3; ++column) {
@@ -107,16 +108,16 @@ class Integers {
             }
             X_environmentPart.translation[row] = query.t[row];
         }
-        exponent_ = lastBitOf({}, environment.vertices[q[0]]);
+        exponent_ = lastBitOf({}, environment[0]);
         if (d != 0) exponent_ = std::min(exponent_, lastBitOf(d));
-        for (int k = 0; k < 3; ++k) {
-            exponent_ = std::min({exponent_, lastBitOf({}, environment.vertices[q[k]]),
-                                  lastBitOf(X_environmentPart, part.vertices[p[k]])});
+        for (std::size_t k = 0; k < 3; ++k) {
+            exponent_ =
+                std::min({exponent_, lastBitOf({}, environment[k]), lastBitOf(X_environmentPart, part[k])});
         }
-        const Triple<Integer> base = scaled(environment.vertices[q[0]]);
-        for (int k = 0; k < 3; ++k) {
-            corners_.part[k] = movedInteger(X_environmentPart, part.vertices[p[k]], exponent_) - base;
-            corners_.environment[k] = scaled(environment.vertices[q[k]]) - base;
+        const Triple<Integer> base = scaled(environment[0]);
+        for (std::size_t k = 0; k < 3; ++k) {
+            corners_.part[k] = movedInteger(X_environmentPart, part[k], exponent_) - base;
+            corners_.environment[k] = scaled(environment[k]) - base;
         }
     }
 

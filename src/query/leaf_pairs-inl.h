@@ -64,7 +64,7 @@ HWY_INLINE V SpreadPart(D d, const BlockRow& row, size_t first) {
 /// proportion.
 class LeafPairs {
   public:
-    /// Brings two leaves together and finds the pairs that a cheap bound does not drop. volumesBound: a
+    /// Brings two leaves together, which must outlive the visit, and finds the pairs that a cheap bound does not drop. volumesBound: a
     /// proved lower bound of all pairs' distances. moves: called with across() and the part leaf's radius, returns what
     /// WalkProvesApart takes as move.
     template <class Moves>
@@ -157,8 +157,7 @@ class LeafPairs {
     /// The pair in a lane of a register.
     TrianglesAt trianglesAt(const RegisterPlace& place, std::uint32_t lane, std::int32_t feature) const {
         const std::uint32_t pair = place.first + lane;
-        return {part_->firstTriangle + place.i + pair / kBlock,
-                environment_->firstTriangle + place.j + pair % kBlock, feature};
+        return {{part_->at, place.i + pair / kBlock}, {environment_->at, place.j + pair % kBlock}, feature};
     }
 
     /// Rounding of a gap or distance of these leaves' triangles, query units.
@@ -191,7 +190,7 @@ class LeafPairs {
         const hn::CappedTag<float, kBlock> d;
         using V = hn::Vec<decltype(d)>;
         const std::uint32_t n = part_->triangleCount;
-        const float* stored = query_->part->leafVertices.data() + 9 * size_t(part_->firstTriangle) + first;
+        const float* stored = part_->offsets + first;
         const auto scale = hn::Set(d, query_->partLeafToQuery);
         BlockStart start;
         for (size_t i = 0; i < kBlock; i += hn::Lanes(d)) {
@@ -220,8 +219,7 @@ class LeafPairs {
         const hn::CappedTag<float, kBlock> d;
         using V = hn::Vec<decltype(d)>;
         const std::uint32_t n = environment_->triangleCount;
-        const float* stored =
-            query_->environment->leafVertices.data() + 9 * size_t(environment_->firstTriangle) + first;
+        const float* stored = environment_->offsets + first;
         const auto scale = hn::Set(d, query_->environmentLeafToQuery);
         BlockStart start;
         for (size_t i = 0; i < kBlock; i += hn::Lanes(d)) {
@@ -286,8 +284,7 @@ class LeafPairs {
             return hn::TableLookupLanes(hn::LoadDup128(d, row), triangles);
         };
 #endif
-        const float* environmentRow =
-            query_->environment->leafVertices.data() + 9 * size_t(environment_->firstTriangle) + place.j;
+        const float* environmentRow = environment_->offsets + place.j;
         const auto scale = hn::Set(d, query_->environmentLeafToQuery);
         for (int k = 0; k < 9; ++k, environmentRow += environment_->triangleCount) {
             hn::StoreU(gathered(moved_[place.i / kBlock][k].of, ofPart), d, waiting.partCorners[k] + at);
@@ -296,12 +293,13 @@ class LeafPairs {
         }
         hn::StoreU(hn::Set(d, roundingError_), d, waiting.roundingErrors + at);
         hn::StoreU(hn::Set(d, volumesBound_), d, waiting.knownBounds + at);
-        const auto storeTriangles = [&](auto inBlocks, std::uint32_t first, std::int32_t* to) HWY_ATTR {
-            hn::StoreU(hn::Add(inBlocks, hn::Set(di, std::int32_t(first))), di, to + at);
+        const auto storeTriangles = [&](auto inBlocks, std::uint32_t first, LeafReference leaf,
+                                        WaitingPairs::Triangle& to) HWY_ATTR {
+            hn::StoreU(hn::Add(inBlocks, hn::Set(di, std::int32_t(first))), di, to.number + at);
+            hn::StoreU(hn::Set(di, std::int32_t(leaf)), di, to.leaf + at);
         };
-        storeTriangles(partTriangles, part_->firstTriangle + place.i, waiting.partTriangles);
-        storeTriangles(environmentTriangles, environment_->firstTriangle + place.j,
-                       waiting.environmentTriangles);
+        storeTriangles(partTriangles, place.i, part_->at, waiting.partTriangles);
+        storeTriangles(environmentTriangles, place.j, environment_->at, waiting.environmentTriangles);
         waiting.count += int(hwy::PopCount(std::uint64_t(place.near)));
     }
 
@@ -312,8 +310,7 @@ class LeafPairs {
                          Triangles<V>& b) const {
         const PairTag d;
         const std::uint32_t n = environment_->triangleCount;
-        const float* stored =
-            query_->environment->leafVertices.data() + 9 * size_t(environment_->firstTriangle) + j;
+        const float* stored = environment_->offsets + j;
         const auto scale = hn::Set(d, query_->environmentLeafToQuery);
         for (int corner = 0; corner < 3; ++corner) {
             const auto part = [&](int row) HWY_ATTR {

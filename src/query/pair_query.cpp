@@ -1,6 +1,7 @@
 #include "query/pair_query.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
@@ -115,37 +116,35 @@ PairQuery preparePairQuery(const FlatTree& part, const FlatTree& environment, co
     return query;
 }
 
-Corners movedCorners(const PairQuery& query, std::uint32_t triangle) {
-    const FlatTree& tree = *query.part;
+Corners movedCorners(const PairQuery& query, TriangleAt triangle) {
+    const std::array<Vector3, 3> stored = query.part->corners(triangle);
     Corners corners;
     for (int k = 0; k < 3; ++k) {
-        const Vector3& vertex = tree.vertices[tree.triangles[triangle][k]];
         for (int row = 0; row < 3; ++row) {
-            corners.p[k][row] = affineRow(query.R + 3 * row, vertex.data(), query.t[row]) * query.perMeshUnit;
+            corners.p[k][row] =
+                affineRow(query.R + 3 * row, stored[std::size_t(k)].data(), query.t[row]) * query.perMeshUnit;
         }
     }
     return corners;
 }
 
-Corners fixedCorners(const PairQuery& query, std::uint32_t triangle) {
-    const FlatTree& tree = *query.environment;
+Corners fixedCorners(const PairQuery& query, TriangleAt triangle) {
+    const std::array<Vector3, 3> stored = query.environment->corners(triangle);
     Corners corners;
-    for (int k = 0; k < 3; ++k) corners.p[k] = tree.vertices[tree.triangles[triangle][k]] * query.perMeshUnit;
+    for (int k = 0; k < 3; ++k) corners.p[k] = stored[std::size_t(k)] * query.perMeshUnit;
     return corners;
 }
 
 PairVertices pairVertices(const PairQuery& query, const TrianglesAt& triangles) {
-    const FlatTree &part = *query.part, &environment = *query.environment;
-    const auto &p = part.triangles[triangles.part], &q = environment.triangles[triangles.environment];
-    const Vector3 &p0 = part.vertices[p[0]], &q0 = environment.vertices[q[0]];
+    const std::array<Vector3, 3> p = query.part->corners(triangles.part),
+                                 q = query.environment->corners(triangles.environment);
     PairVertices pair;
     for (int row = 0; row < 3; ++row) {
-        pair.firstCorner[row] = affineRow(query.R + 3 * row, p0.data(), query.t[row]) * query.perMeshUnit -
-                                q0[row] * query.perMeshUnit;
-        for (int edge = 0; edge < 2; ++edge) {
-            pair.partEdge[edge][row] = (part.vertices[p[edge + 1]][row] - p0[row]) * query.perMeshUnit;
-            pair.environmentEdge[edge][row] =
-                (environment.vertices[q[edge + 1]][row] - q0[row]) * query.perMeshUnit;
+        pair.firstCorner[row] = affineRow(query.R + 3 * row, p[0].data(), query.t[row]) * query.perMeshUnit -
+                                q[0][row] * query.perMeshUnit;
+        for (std::size_t edge = 0; edge < 2; ++edge) {
+            pair.partEdge[edge][row] = (p[edge + 1][row] - p[0][row]) * query.perMeshUnit;
+            pair.environmentEdge[edge][row] = (q[edge + 1][row] - q[0][row]) * query.perMeshUnit;
         }
     }
     return pair;

@@ -65,11 +65,11 @@ PairQuery preparePairQuery(const FlatTree& part, const FlatTree& environment, co
 constexpr int kFeatures = 15;
 constexpr std::int32_t kNoFeature = -1;
 
-/// Two triangles, by their positions in the trees, and a guess where they are closest.
+/// Two triangles, by their places in the trees, and a guess where they are closest.
 struct TrianglesAt {
-    std::uint32_t part;
-    std::uint32_t environment;
-    std::int32_t feature;  ///< a guess, or kNoFeature; a wrong guess only costs time
+    TriangleAt part;
+    TriangleAt environment;
+    std::int32_t feature = kNoFeature;  ///< a guess, or kNoFeature; a wrong guess only costs time
 };
 
 /// The corners of a triangle, query units, environment frame.
@@ -80,9 +80,9 @@ struct Corners {
 };
 
 /// A triangle of the moved part, each coordinate rounded once.
-Corners movedCorners(const PairQuery& query, std::uint32_t triangle);
+Corners movedCorners(const PairQuery& query, TriangleAt triangle);
 /// A triangle of the environment.
-Corners fixedCorners(const PairQuery& query, std::uint32_t triangle);
+Corners fixedCorners(const PairQuery& query, TriangleAt triangle);
 
 /// The vertices of a pair, query units, relative to the environment triangle's first corner: the moved first
 /// corner of the part's triangle, and the edges from either triangle's first corner to its second and third.

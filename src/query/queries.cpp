@@ -163,7 +163,7 @@ class Closest {
     Candidate nearest_{};                              ///< set leastUpper_, unless a resolved pair set it
     bool found_ = false;
     ResolvedPair answer_;
-    TrianglesAt answerTriangles_{0, 0, kNoFeature};
+    TrianglesAt answerTriangles_;
 };
 
 ClosestAnswer FindClosest(const PairQuery& query, const ClosestRequest& request, Workspace::State& state) {
@@ -234,7 +234,7 @@ class Within {
     Workspace::State& state_;
     float dropFrom_;
     bool found_ = false;
-    TrianglesAt triangles_{0, 0, kNoFeature};
+    TrianglesAt triangles_;
 };
 
 WithinAnswer FindWithin(const PairQuery& query, double distance, Workspace::State& state) {

@@ -93,13 +93,13 @@ struct ClosestAnswer {
     /// meaning.
     bool found = false;
     ResolvedPair pair;
-    TrianglesAt triangles{0, 0, kNoFeature};
+    TrianglesAt triangles;
 };
 
 /// Whether any pair is within the distance.
 struct WithinAnswer {
     bool within = false;
-    TrianglesAt triangles{0, 0, kNoFeature};  ///< if within: such a pair
+    TrianglesAt triangles;  ///< if within: such a pair
 };
 
 /// Chooses the instruction set that CLEARWAY_TARGET names, unless a set is chosen already. Every query calls this before it

@@ -249,7 +249,7 @@ class Sweep {
         float after = hwy::HighestValue<float>(), before = hwy::HighestValue<float>();
         double lower = hwy::HighestValue<double>();  ///< of the pairs' distances, query units
         bool isContact = false;
-        TrianglesAt contact{0, 0, kNoFeature};
+        TrianglesAt contact;
         void lessen(float afterShare, float beforeShare) {
             if (!(afterShare >= after)) after = afterShare;
             if (!(beforeShare >= before)) before = beforeShare;
@@ -258,7 +258,7 @@ class Sweep {
 
     HWY_INLINE void meet(const SweepEntry& entry, TimeInterval interval, const PreparedPiece& piece,
                          const Volume<kWidth>& a, const Volume<kWidth>& b) {
-        const Leaf &partLeaf = part_.leaves[~a.child], &environmentLeaf = environment_.leaves[~b.child];
+        const Leaf partLeaf = part_.leaf(a.leaf()), environmentLeaf = environment_.leaf(b.leaf());
         const float moved = movedBy(piece, a);
         const float need = needed(piece.query);
         const MovedField field = piece.fieldAbout(

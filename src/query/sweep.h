@@ -19,7 +19,7 @@ enum class SweepGoal {
 struct PairAtTime {
     double clearance = std::numeric_limits<double>::infinity();
     double time = 0;
-    TrianglesAt triangles{0, 0, kNoFeature};
+    TrianglesAt triangles;
 };
 
 /// Lengths in environment units.
@@ -45,7 +45,7 @@ struct SweepAnswer {
     double certifiedUntil = 0;  ///< kForward
     double contactTime = 0;     ///< if isContact
     bool isPair = false;        ///< the contact is that of a pair, not a forbidden pose or one known before
-    TrianglesAt contact{0, 0, kNoFeature};
+    TrianglesAt contact;
     double lower = 0;      ///< kLeastDistance: of the distance less the margin
     PairAtTime nearest{};  ///< kLeastDistance: the closest pair found below the cap
 };

@@ -62,6 +62,7 @@ struct Volume {
     int lane;
     std::int32_t child;
     HWY_INLINE bool isLeaf() const { return child < 0; }
+    HWY_INLINE LeafReference leaf() const { return LeafReference(~child); }
 };
 
 /// The result of opening one volume of a pair: bounds between the volume's children and the other volume.
@@ -135,8 +136,8 @@ HWY_INLINE void Traverse(const PairQuery& query, Workspace::State& state, Visito
         if (entry.bound >= visitor.dropFrom()) continue;
         const Volume<kWidth> a(part, entry.part), b(environment, entry.environment);
         if (a.isLeaf() && b.isLeaf()) {
-            leaves.meet(query, part.leaves[~a.child], environment.leaves[~b.child], entry.bound,
-                        visitor.dropFrom());
+            const Leaf partLeaf = part.leaf(a.leaf()), environmentLeaf = environment.leaf(b.leaf());
+            leaves.meet(query, partLeaf, environmentLeaf, entry.bound, visitor.dropFrom());
             state.counters.triangleTests += std::uint64_t(leaves.total());
             state.counters.triangleLanes += std::uint64_t(leaves.lanes());
             leaves.visit(waiting, visitor);

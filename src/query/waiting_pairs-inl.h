@@ -66,8 +66,13 @@ struct WaitingPairs {
     alignas(64) float environmentCorners[9][kRoom];
     alignas(64) float roundingErrors[kRoom];
     alignas(64) float knownBounds[kRoom];
-    alignas(64) std::int32_t partTriangles[kRoom];  ///< positions in the trees
-    alignas(64) std::int32_t environmentTriangles[kRoom];
+    /// TriangleAt of each pair, one row for each member.
+    struct Triangle {
+        alignas(64) std::int32_t leaf[kRoom];
+        alignas(64) std::int32_t number[kRoom];
+        TriangleAt at(std::uint32_t i) const { return {LeafReference(leaf[i]), std::uint32_t(number[i])}; }
+    };
+    Triangle partTriangles, environmentTriangles;
     int count = 0;
     std::uint64_t kernelPairs = 0;  ///< pairs that came to the visitor's kernel so far
     std::uint64_t kernelLanes = 0;  ///< the lanes of their registers
@@ -95,8 +100,7 @@ struct WaitingPairs {
                                        hn::Load(d, knownBounds)};
         const bool goesOn =
             TakeNear(pairs, visitor, [&](std::uint32_t lane, std::int32_t feature) -> TrianglesAt {
-                return {std::uint32_t(partTriangles[lane]), std::uint32_t(environmentTriangles[lane]),
-                        feature};
+                return {partTriangles.at(lane), environmentTriangles.at(lane), feature};
             });
         count -= taken;
         if (count > 0) moveDown();
@@ -112,8 +116,10 @@ struct WaitingPairs {
             for (float(&row)[kRoom] : *rows) hn::Store(hn::Load(d, row + kLanes), d, row);
         }
         for (float* row : {roundingErrors, knownBounds}) hn::Store(hn::Load(d, row + kLanes), d, row);
-        for (std::int32_t* row : {partTriangles, environmentTriangles}) {
-            hn::Store(hn::Load(di, row + kLanes), di, row);
+        for (Triangle* triangles : {&partTriangles, &environmentTriangles}) {
+            for (std::int32_t* row : {triangles->leaf, triangles->number}) {
+                hn::Store(hn::Load(di, row + kLanes), di, row);
+            }
         }
     }
 };

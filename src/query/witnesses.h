@@ -18,7 +18,7 @@ struct Witnesses {
     int count = 0;
     int next = 0;  ///< place of the next new pair
     bool isLastKnown = false;
-    TrianglesAt last{0, 0, kNoFeature};  ///< answered the last query that had a pair for its answer
+    TrianglesAt last;  ///< answered the last query that had a pair for its answer
     TrianglesAt triangles[kMost] = {};
     alignas(64) float onPart[3][kMost] = {};         ///< part tree's frame and unit
     alignas(64) float onEnvironment[3][kMost] = {};  ///< environment tree's frame and unit
@@ -46,7 +46,7 @@ struct Witnesses {
         setLast(pair);
         int place = 0;
         while (place < count &&
-               (triangles[place].part != pair.part || triangles[place].environment != pair.environment)) {
+               !(triangles[place].part == pair.part && triangles[place].environment == pair.environment)) {
             ++place;
         }
         if (place == count) {  // a new pair

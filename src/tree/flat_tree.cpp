@@ -35,8 +35,9 @@ void countNodes(const std::vector<WideNode<kWidth>>& nodes, TreeStatistics& coun
 }
 
 /// Children must come after their parent, so that every path downwards ends.
+/// isLeaf: by place in the tree's leafBlocks, whether a leaf's block begins there.
 template <int kWidth>
-bool areNodesSound(const std::vector<WideNode<kWidth>>& nodes, std::size_t leaves) {
+bool areNodesSound(const std::vector<WideNode<kWidth>>& nodes, const std::vector<bool>& isLeaf) {
     if (nodes.empty()) return false;
     for (std::size_t n = 0; n < nodes.size(); ++n) {
         bool ended = false;
@@ -47,7 +48,7 @@ bool areNodesSound(const std::vector<WideNode<kWidth>>& nodes, std::size_t leave
                 continue;
             }
             if (ended || (n == 0 && lane > 0)) return false;
-            const bool sound = child < 0 ? std::size_t(~child) < leaves
+            const bool sound = child < 0 ? std::size_t(~child) < isLeaf.size() && isLeaf[std::size_t(~child)]
                                          : std::size_t(child) > n && std::size_t(child) < nodes.size();
             if (!sound) return false;
         }
@@ -62,10 +63,54 @@ bool isNodeWidth(int nodeWidth, std::integer_sequence<int, kWidths...>) {
 }
 
 template <int... kWidths>
-bool areNodesSound(const FlatTree& tree, std::integer_sequence<int, kWidths...>) {
-    return ((tree.nodeWidth == kWidths ? areNodesSound(tree.nodes<kWidths>(), tree.leaves.size())
+bool areNodesSound(const FlatTree& tree, const std::vector<bool>& isLeaf,
+                   std::integer_sequence<int, kWidths...>) {
+    return ((tree.nodeWidth == kWidths ? areNodesSound(tree.nodes<kWidths>(), isLeaf)
                                        : tree.nodes<kWidths>().empty()) &&
             ...);
+}
+
+std::size_t endOfLeaves(const FlatTree& tree) {
+    return tree.leafBlocks.size() < kLeafPadding ? 0 : tree.leafBlocks.size() - kLeafPadding;
+}
+
+bool areFinite(const float* values, std::size_t count) {
+    return std::all_of(values, values + count, [](float value) { return std::isfinite(value); });
+}
+
+const char* const kNotFinite = "its coordinates are not finite";
+
+/// Checks the blocks of the leaves from first to last, and marks where each begins.
+const char* faultOfLeaves(const FlatTree& tree, std::size_t meshTriangles, std::vector<bool>& isLeaf) {
+    const std::size_t end = endOfLeaves(tree);
+    isLeaf.assign(end, false);
+    for (std::size_t at = 0; at < end;) {
+        const float* block = tree.leafBlocks.data() + at;
+        if (end - at < kLeafHeader) return "its last leaf is cut off";
+        const std::uint32_t word = wholeNumberIn(block[kLeafHeader - 1]), count = word % kHasVertices;
+        const bool isExact = word < kHasVertices;
+        if (word >= 2 * kHasVertices || count < 1 || count > std::uint32_t(kLargestLeafSize)) {
+            return "its leaves hold an impossible number of triangles";
+        }
+        const std::size_t size = leafBlockSize(count, isExact);
+        if (end - at < size) return "its last leaf is cut off";
+        const float* offsets = block + kLeafHeader;
+        const float* ids = offsets + 9 * std::size_t(count);
+        for (std::size_t i = 0; i < count; ++i) {
+            if (wholeNumberIn(ids[i]) >= meshTriangles) return "its triangle ids are out of range";
+        }
+        for (std::size_t i = count; i < (isExact ? 1 : 4) * std::size_t(count); ++i) {
+            if (wholeNumberIn(ids[i]) >= tree.vertices.size()) {
+                return "its triangles refer to vertices that are not there";
+            }
+        }
+        if (!areFinite(block, kLeafHeader - 1) || !areFinite(offsets, 9 * std::size_t(count))) {
+            return kNotFinite;
+        }
+        isLeaf[at] = true;
+        at += size;
+    }
+    return nullptr;
 }
 
 }  // namespace
@@ -80,43 +125,36 @@ void refuseNodeWidth(int nodeWidth) {
 TreeStatistics statistics(const FlatTree& tree) {
     TreeStatistics counted;
     withNodeWidth(tree.nodeWidth, [&](auto width) { countNodes(tree.nodes<width>(), counted); });
-    counted.leaves = tree.leaves.size();
-    for (const Leaf& leaf : tree.leaves) {
-        if (counted.leavesBySize.size() <= leaf.triangleCount)
-            counted.leavesBySize.resize(leaf.triangleCount + 1);
-        ++counted.leavesBySize[leaf.triangleCount];
+    for (const LeafReference at : tree.leaves()) {
+        const std::uint32_t count = tree.leaf(at).triangleCount;
+        if (counted.leavesBySize.size() <= count) counted.leavesBySize.resize(count + 1);
+        ++counted.leavesBySize[count];
+        ++counted.leaves;
     }
-    counted.bytes += sizeof(FlatTree) + bytesOf(tree.leaves) + bytesOf(tree.leafVertices) +
-                     bytesOf(tree.vertices) + bytesOf(tree.triangles) + bytesOf(tree.triangleIds);
+    counted.bytes += sizeof(FlatTree) + bytesOf(tree.leafBlocks) + bytesOf(tree.vertices);
     return counted;
 }
 
+std::vector<LeafReference> FlatTree::leaves() const {
+    std::vector<LeafReference> found;
+    for (std::size_t at = 0, end = endOfLeaves(*this); at < end;) {
+        found.push_back(static_cast<LeafReference>(at));
+        const Leaf next = leaf(found.back());
+        at += leafBlockSize(next.triangleCount, next.isExact);
+    }
+    return found;
+}
+
 const char* faultOf(const FlatTree& tree, std::size_t meshTriangles) {
-    const std::size_t triangles = tree.triangles.size();
     if (!isNodeWidth(tree.nodeWidth, NodeWidths())) return "its node width is unknown";
-    if (!areNodesSound(tree, NodeWidths())) return "its nodes refer to what is not there";
-    for (const Leaf& leaf : tree.leaves) {
-        if (leaf.triangleCount < 1 || leaf.triangleCount > std::uint32_t(kLargestLeafSize) ||
-            leaf.firstTriangle > triangles || leaf.triangleCount > triangles - leaf.firstTriangle) {
-            return "its leaves refer to triangles that are not there";
-        }
-    }
-    if (tree.leafVertices.size() != 9 * triangles + kLeafPadding || tree.triangleIds.size() != triangles) {
-        return "its arrays differ in length";
-    }
-    for (const auto& triangle : tree.triangles) {
-        for (const std::uint32_t vertex : triangle) {
-            if (vertex >= tree.vertices.size()) return "its triangles refer to vertices that are not there";
-        }
-    }
-    for (const std::uint32_t id : tree.triangleIds) {
-        if (id >= meshTriangles) return "its triangle ids are out of range";
-    }
+    std::vector<bool> isLeaf;
+    if (const char* fault = faultOfLeaves(tree, meshTriangles, isLeaf)) return fault;
+    if (!areNodesSound(tree, isLeaf, NodeWidths())) return "its nodes refer to what is not there";
     const auto isFinite = [](const Vector3& vertex) { return vertex.allFinite(); };
     if (!std::all_of(tree.vertices.begin(), tree.vertices.end(), isFinite) || !tree.origin.allFinite() ||
-        !std::isfinite(tree.radius) || std::abs(tree.unitExponent) > 2000 || !tree.box.min().allFinite() ||
+        !std::isfinite(tree.radius) || std::abs(tree.unitExponent) > 1000 || !tree.box.min().allFinite() ||
         !tree.box.max().allFinite()) {
-        return "its coordinates are not finite";
+        return kNotFinite;
     }
     return nullptr;
 }

@@ -58,8 +58,7 @@ class Search {
           map_(map),
           excess_(excess),
           cap_(cap),
-          unit_(std::ldexp(1.0, tree.unitExponent)),
-          origin_((map(tree.origin) + map.shift) / unit_),
+          origin_((map(tree.origin) + map.shift) / tree.unit),
           rounding_(kSumRounding * (map.stretch * tree.radiusAboutMeshOrigin + map.shift.norm())) {}
 
     double run() {
@@ -78,7 +77,7 @@ class Search {
         std::array<Child, kWidth> children;
         int count = 0;
         for (; count < kWidth && node.child[count] != kNoChild; ++count) {
-            const double largest = largestWithin(node, count, map_, origin_) * unit_;
+            const double largest = largestWithin(node, count, map_, origin_) * tree_.unit;
             const Child added{largest * kRoundedUp, node.child[count]};
             int place = count;
             for (; place > 0 && children[std::size_t(place - 1)].bound < added.bound; --place) {
@@ -96,15 +95,15 @@ class Search {
             if (child.reference >= 0) {
                 open(child.reference);
             } else {
-                reach(tree_.leaves[std::size_t(~child.reference)]);
+                reach(tree_.leaf(LeafReference(~child.reference)));
             }
         }
     }
 
     void reach(const Leaf& leaf) {
         for (std::uint32_t i = 0; i < leaf.triangleCount; ++i) {
-            for (const std::uint32_t vertex : tree_.triangles[leaf.firstTriangle + i]) {
-                reached_ = std::max(reached_, (map_(tree_.vertices[vertex]) + map_.shift).norm());
+            for (const Vector3& corner : tree_.corners({leaf.at, i})) {
+                reached_ = std::max(reached_, (map_(corner) + map_.shift).norm());
             }
         }
     }
@@ -112,7 +111,6 @@ class Search {
     const FlatTree& tree_;
     const Map& map_;
     double excess_, cap_;
-    double unit_;
     Vector3 origin_;
     double rounding_;     ///< mesh units
     double reached_ = 0;  ///< by a vertex, mesh units

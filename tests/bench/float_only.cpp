@@ -1,7 +1,7 @@
 #include "bench/float_only.h"
 
 #include <cmath>
-#include <vector>
+#include <optional>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "bench/float_only.cpp"
@@ -19,13 +19,12 @@ struct FloatPair {
     bool touches = false;
     float lower = 0, upper = 0;  ///< bounds of the distance
     float value = 0;
-    TrianglesAt triangles{0, 0, kNoFeature};
+    TrianglesAt triangles;
 };
 
-/// The leaves of the last query's nearest pair, or null.
+/// The leaves of the last query's nearest pair.
 struct FloatWarmStart {
-    const Leaf* part = nullptr;
-    const Leaf* environment = nullptr;
+    LeafReference part, environment;
 };
 
 }  // namespace clearway
@@ -67,30 +66,32 @@ class LeastInFloat {
     }
 
   private:
-    FloatPair nearest_{false, 0, hwy::HighestValue<float>(), 0, {0, 0, kNoFeature}};
+    FloatPair nearest_{false, 0, hwy::HighestValue<float>(), 0, {}};
     float leastLower_ = hwy::HighestValue<float>();
 };
 
 template <int kWidth>
-HWY_INLINE void LeastWide(const PairQuery& query, const FloatWarmStart& warmStart, Workspace::State& state,
-                          FloatPair& found) {
+HWY_INLINE void LeastWide(const PairQuery& query, const std::optional<FloatWarmStart>& warmStart,
+                          Workspace::State& state, FloatPair& found) {
     LeastInFloat visitor;
-    if (warmStart.part != nullptr) {
+    if (warmStart) {
         LeafPairs leaves;
-        leaves.meet(query, *warmStart.part, *warmStart.environment, /*volumesBound*/ 0, visitor.dropFrom());
+        const Leaf part = query.part->leaf(warmStart->part),
+                   environment = query.environment->leaf(warmStart->environment);
+        leaves.meet(query, part, environment, /*volumesBound*/ 0, visitor.dropFrom());
         leaves.visit(visitor);
     }
     Traverse<kWidth>(query, state, visitor);
     found = visitor.found();
 }
 
-void LeastInFloat2(const PairQuery& query, const FloatWarmStart& warmStart, Workspace::State& state,
-                   FloatPair& found) {
+void LeastInFloat2(const PairQuery& query, const std::optional<FloatWarmStart>& warmStart,
+                   Workspace::State& state, FloatPair& found) {
     LeastWide<2>(query, warmStart, state, found);
 }
 
-void LeastInFloat8(const PairQuery& query, const FloatWarmStart& warmStart, Workspace::State& state,
-                   FloatPair& found) {
+void LeastInFloat8(const PairQuery& query, const std::optional<FloatWarmStart>& warmStart,
+                   Workspace::State& state, FloatPair& found) {
     LeastWide<8>(query, warmStart, state, found);
 }
 
@@ -106,34 +107,19 @@ HWY_EXPORT(LeastInFloat2);
 HWY_EXPORT(LeastInFloat8);
 
 namespace testing {
-namespace {
-
-std::vector<const Leaf*> leavesOfTriangles(const FlatTree& tree) {
-    std::vector<const Leaf*> leaves(tree.triangles.size());
-    for (const Leaf& leaf : tree.leaves) {
-        for (std::uint32_t k = 0; k < leaf.triangleCount; ++k) leaves[leaf.firstTriangle + k] = &leaf;
-    }
-    return leaves;
-}
-
-}  // namespace
-
 struct FloatOnly::Data {
     Model part, environment;
-    std::vector<const Leaf*> partLeaves, environmentLeaves;  ///< the leaf of each triangle
-    FloatWarmStart warmStart;
+    std::optional<FloatWarmStart> warmStart;
     Workspace workspace;
 };
 
 FloatOnly::FloatOnly(const Model& part, const Model& environment)
-    : data_(new Data{
-          part, environment, leavesOfTriangles(part.tree()), leavesOfTriangles(environment.tree()), {}, {}}) {
-}
+    : data_(new Data{part, environment, {}, {}}) {}
 
 FloatOnly::~FloatOnly() = default;
 
 void FloatOnly::forgetWarmStart() {
-    data_->warmStart = {};
+    data_->warmStart.reset();
 }
 
 Answer FloatOnly::distance(const Pose& X_environmentPart) {
@@ -147,8 +133,7 @@ Answer FloatOnly::distance(const Pose& X_environmentPart) {
     } else {
         HWY_DYNAMIC_DISPATCH(LeastInFloat8)(query, data_->warmStart, state, found);
     }
-    data_->warmStart = {data_->partLeaves[found.triangles.part],
-                        data_->environmentLeaves[found.triangles.environment]};
+    data_->warmStart = FloatWarmStart{found.triangles.part.leaf, found.triangles.environment.leaf};
     Answer answer;
     answer.value = std::ldexp(double(found.value), query.unitExponent);
     answer.lower = std::ldexp(double(found.lower), query.unitExponent);

@@ -169,8 +169,8 @@ class Search {
             const Node& b = environment_.nodes<kWidth>()[entry.environment / kWidth];
             const int laneA = int(entry.part % kWidth), laneB = int(entry.environment % kWidth);
             if (a.child[laneA] < 0 && b.child[laneB] < 0) {
-                meet(part_.leaves[std::size_t(~a.child[laneA])],
-                     environment_.leaves[std::size_t(~b.child[laneB])]);
+                meet(part_.leaf(LeafReference(~a.child[laneA])),
+                     environment_.leaf(LeafReference(~b.child[laneB])));
                 continue;
             }
             const bool partIsLarger = double(a.size[laneA]) * placed_.query.partLeafToQuery >
@@ -234,19 +234,17 @@ class Search {
 
     void meet(const Leaf& a, const Leaf& b) {
         const PairQuery& query = placed_.query;
-        const auto cornersOf = [](const FlatTree& tree, std::uint32_t triangle) {
-            const auto& t = tree.triangles[triangle];
-            return Corners{tree.vertices[t[0]], tree.vertices[t[1]], tree.vertices[t[2]]};
-        };
         const Vector3 translation(query.t[0], query.t[1], query.t[2]);
-        for (std::uint32_t i = a.firstTriangle; i < a.firstTriangle + a.triangleCount; ++i) {
-            Corners onPart = cornersOf(part_, i);
+        for (std::uint32_t i = 0; i < a.triangleCount; ++i) {
+            Corners onPart = part_.corners({a.at, i});
             for (Vector3& corner : onPart) corner = placed_.rotation * corner + translation;
-            for (std::uint32_t j = b.firstTriangle; j < b.firstTriangle + b.triangleCount; ++j) {
+            for (std::uint32_t j = 0; j < b.triangleCount; ++j) {
                 ++counters_.triangleTests;
                 const double slack = kSlabRoundoffs * kUnitRoundoffDouble * query.largestCoordinate;
                 const double apart = (nearest_.upper + slack) / query.perMeshUnit;
-                if (!slabsProve(onPart, cornersOf(environment_, j), apart)) resolve({i, j, kNoFeature});
+                if (!slabsProve(onPart, environment_.corners({b.at, j}), apart)) {
+                    resolve({{a.at, i}, {b.at, j}});
+                }
                 if (nearest_.upper == 0) return;
             }
         }
@@ -263,7 +261,7 @@ class Search {
     Placed placed_;
     std::vector<Entry>& stack_;
     ResolvedPair nearest_ = nothingYet();
-    TrianglesAt triangles_{0, 0, kNoFeature};
+    TrianglesAt triangles_;
     double leastLower_ = kInfinity;
     QueryCounters counters_;
 };

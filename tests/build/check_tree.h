@@ -1,6 +1,7 @@
 // Checks the invariants of flat trees in long double from the stored values.
 #pragma once
 
+#include <array>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <cstdint>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "mesh/clean.h"
+#include "support/tree_triangles.h"
 #include "tree/flat_tree.h"
 #include "tree/stored_volume.h"
 
@@ -43,23 +45,25 @@ class TreeChecker {
     void check() {
         const std::vector<WideNode<kWidth>>& nodes = tree_.nodes<kWidth>();
         nodeSeen_.assign(nodes.size(), 0);
-        leafSeen_.assign(tree_.leaves.size(), 0);
+        leafSeen_.assign(tree_.leafBlocks.size(), 0);
         nodeSeen_[0] = 1;
         BOOST_TEST(nodes[0].child[1] == kNoChild);
         below(0);
-        BOOST_TEST(verticesOutside_ == 0u);
+        BOOST_TEST(cornersOutside_ == 0u);
         BOOST_TEST(wrongLanes_ == 0u);
         BOOST_TEST((nodeSeen_ == std::vector<int>(nodes.size(), 1)), "each node is reached once");
-        BOOST_TEST((leafSeen_ == std::vector<int>(tree_.leaves.size(), 1)), "each leaf is reached once");
+        std::vector<int> leaves(tree_.leafBlocks.size(), 0);
+        for (const LeafReference at : tree_.leaves()) leaves.at(at) = 1;
+        BOOST_TEST((leafSeen_ == leaves), "each leaf is reached once");
         checkTriangles();
         checkLeaves();
     }
 
   private:
-    /// The vertices below a node, all checked against the volumes above them.
-    std::set<std::uint32_t> below(std::int32_t index) {
+    /// The triangles below a node, their corners all checked against the volumes above them.
+    std::vector<TriangleAt> below(std::int32_t index) {
         const WideNode<kWidth>& node = tree_.nodes<kWidth>()[index];
-        std::set<std::uint32_t> all;
+        std::vector<TriangleAt> all;
         bool pastTheLast = false;
         for (int lane = 0; lane < kWidth; ++lane) {
             const std::int32_t child = node.child[lane];
@@ -74,13 +78,16 @@ class TreeChecker {
                 2 * std::sqrt((node.halfLength0[lane] + radius) * (node.halfLength1[lane] + radius));
             if (!(std::abs(node.size[lane] - size) <= 1e-6L * size)) ++wrongLanes_;
             if (child >= 0) ++nodeSeen_.at(child);
-            const std::set<std::uint32_t> vertices = child >= 0 ? below(child) : inLeaf(~child);
+            const std::vector<TriangleAt> triangles =
+                child >= 0 ? below(child) : inLeaf(LeafReference(~child));
             const FloatRss volume = volumeOf(node, lane);
-            for (const std::uint32_t vertex : vertices) {
-                const LongVector point = inTreeUnits(tree_, tree_.vertices[vertex]);
-                if (!(distanceFromRectangle(volume, point) <= volume.radius)) ++verticesOutside_;
+            for (const TriangleAt triangle : triangles) {
+                for (const Vector3& corner : tree_.corners(triangle)) {
+                    const LongVector point = inTreeUnits(tree_, corner);
+                    if (!(distanceFromRectangle(volume, point) <= volume.radius)) ++cornersOutside_;
+                }
             }
-            all.insert(vertices.begin(), vertices.end());
+            all.insert(all.end(), triangles.begin(), triangles.end());
         }
         return all;
     }
@@ -94,74 +101,64 @@ class TreeChecker {
         return allZero && node.radius[lane] == -std::numeric_limits<float>::infinity();
     }
 
-    std::set<std::uint32_t> inLeaf(std::int32_t index) {
-        ++leafSeen_.at(index);
-        const Leaf& leaf = tree_.leaves[index];
-        std::set<std::uint32_t> vertices;
-        for (std::uint32_t i = 0; i < leaf.triangleCount; ++i) {
-            const auto& triangle = tree_.triangles.at(leaf.firstTriangle + i);
-            vertices.insert(triangle.begin(), triangle.end());
-        }
-        return vertices;
+    std::vector<TriangleAt> inLeaf(LeafReference at) {
+        ++leafSeen_.at(at);
+        std::vector<TriangleAt> triangles;
+        for (std::uint32_t i = 0; i < tree_.leaf(at).triangleCount; ++i) triangles.push_back({at, i});
+        return triangles;
     }
 
     /// Checks that each triangle of the mesh is there once, with its id and its exact vertices.
     void checkTriangles() const {
-        BOOST_TEST(tree_.triangles.size() == mesh_.triangles.size());
-        BOOST_TEST(tree_.vertices.size() == mesh_.vertices.size());
+        const std::vector<TriangleAt> triangles = trianglesOf(tree_);
+        BOOST_TEST(triangles.size() == mesh_.triangles.size());
         std::set<std::uint32_t> ids;
-        for (std::size_t i = 0; i < tree_.triangles.size(); ++i) {
-            const std::uint32_t id = tree_.triangleIds.at(i);
+        for (const TriangleAt triangle : triangles) {
+            const std::uint32_t id = tree_.triangleId(triangle);
             ids.insert(id);
             const TriangleIndices& original = mesh_.triangles.at(id - 7);  // as cleanMeshOf numbers them
-            for (int corner = 0; corner < 3; ++corner) {
-                BOOST_REQUIRE(tree_.vertices.at(tree_.triangles[i][corner]) ==
-                              mesh_.vertices[original[corner]]);
+            const std::array<Vector3, 3> corners = tree_.corners(triangle);
+            for (std::size_t k = 0; k < 3; ++k) {
+                BOOST_REQUIRE((corners[k] == mesh_.vertices[original[k]]));
             }
         }
         BOOST_TEST(ids.size() == mesh_.triangles.size());
     }
 
-    /// Checks that leaves cover the triangles in order, and that their floats are the vertices relative to
-    /// the leaf's centre and within its radius.
+    /// Checks that the leaves' floats are the vertices relative to the leaf's centre and within its radius.
     void checkLeaves() const {
-        std::uint32_t next = 0;
         const long double perUnit = std::ldexp(1.0L, -tree_.unitExponent);
-        for (const Leaf& leaf : tree_.leaves) {
-            BOOST_REQUIRE(leaf.firstTriangle == next);
+        for (const TriangleAt triangle : trianglesOf(tree_)) {
+            const Leaf leaf = tree_.leaf(triangle.leaf);
             BOOST_REQUIRE((leaf.triangleCount >= 1 && leaf.triangleCount <= 16));
-            next += leaf.triangleCount;
             const LongVector centre(leaf.centre[0], leaf.centre[1], leaf.centre[2]);
-            for (std::uint32_t i = 0; i < leaf.triangleCount; ++i) {
-                for (int corner = 0; corner < 3; ++corner) {
-                    const Vector3& vertex = tree_.vertices[tree_.triangles[leaf.firstTriangle + i][corner]];
-                    const LongVector offset = (vertex.cast<long double>() - centre) * perUnit;
-                    BOOST_REQUIRE(offset.norm() <= leaf.radius);
-                    for (int k = 0; k < 3; ++k) {
-                        const float stored = tree_.leafVertices.at(9 * leaf.firstTriangle +
-                                                                   (3 * corner + k) * leaf.triangleCount + i);
-                        BOOST_REQUIRE(std::abs(stored - offset[k]) <=
-                                      0x1.01p-24L * std::abs(offset[k]) + 0x1p-150L);
-                    }
+            const std::array<Vector3, 3> corners = tree_.corners(triangle);
+            for (std::size_t corner = 0; corner < 3; ++corner) {
+                const LongVector offset = (corners[corner].cast<long double>() - centre) * perUnit;
+                BOOST_REQUIRE(offset.norm() <= leaf.radius);
+                for (int k = 0; k < 3; ++k) {
+                    const float stored =
+                        leaf.offsets[(3 * corner + std::size_t(k)) * leaf.triangleCount + triangle.number];
+                    BOOST_REQUIRE(std::abs(stored - offset[k]) <=
+                                  0x1.01p-24L * std::abs(offset[k]) + 0x1p-150L);
                 }
             }
         }
-        BOOST_TEST(next == tree_.triangles.size());
-        BOOST_TEST(tree_.leafVertices.size() == 9 * tree_.triangles.size() + kLeafPadding);
+        BOOST_TEST((faultOf(tree_, mesh_.triangles.size() + 7) == nullptr));
     }
 
     const FlatTree& tree_;
     const CleanMesh& mesh_;
     std::vector<int> nodeSeen_;
     std::vector<int> leafSeen_;
-    std::size_t verticesOutside_ = 0;
+    std::size_t cornersOutside_ = 0;
     std::size_t wrongLanes_ = 0;
 };
 
 inline void checkTree(const FlatTree& tree, const CleanMesh& mesh) {
     BOOST_TEST(tree.radius <= 1);
     std::apply([&](const auto&... nodes) { BOOST_TEST((!nodes.empty() + ...) == 1); }, tree.nodesByWidth);
-    for (const Vector3& vertex : tree.vertices) {
+    for (const Vector3& vertex : mesh.vertices) {
         BOOST_REQUIRE(inTreeUnits(tree, vertex).norm() <= tree.radius);
         BOOST_REQUIRE(vertex.cast<long double>().norm() <= tree.radiusAboutMeshOrigin);
         BOOST_REQUIRE(tree.box.contains(vertex));

@@ -1,4 +1,5 @@
 #include <boost/test/unit_test.hpp>
+#include <map>
 #include <set>
 #include <stdexcept>
 
@@ -33,7 +34,7 @@ BOOST_AUTO_TEST_CASE(width_two_keeps_the_binary_tree) {
     }
     const FlatTree tree = flatten(binary, mesh, 2);
     std::multiset<std::uint32_t> flatCounts;
-    for (const Leaf& leaf : tree.leaves) flatCounts.insert(leaf.triangleCount);
+    for (const LeafReference at : tree.leaves()) flatCounts.insert(tree.leaf(at).triangleCount);
     BOOST_TEST(tree.nodes<2>().size() == innerNodes + 1);  // and node 0, which holds the root's own volume
     BOOST_TEST((flatCounts == binaryCounts));
     for (std::size_t i = 1; i < tree.nodes<2>().size(); ++i)
@@ -61,7 +62,8 @@ BOOST_AUTO_TEST_CASE(lanes_are_those_the_collapse_chose) {
             if (child >= 0) {
                 pending.push_back({child, lanes[lane]});
             } else {
-                BOOST_REQUIRE(tree.leaves[~child].triangleCount == binary.nodes[lanes[lane]].triangleCount);
+                BOOST_REQUIRE(tree.leaf(LeafReference(~child)).triangleCount ==
+                              binary.nodes[lanes[lane]].triangleCount);
             }
         }
     }
@@ -71,11 +73,16 @@ BOOST_AUTO_TEST_CASE(lanes_are_those_the_collapse_chose) {
 BOOST_AUTO_TEST_CASE(children_of_a_node_are_numbered_together) {
     const CleanMesh mesh = cleanMeshOf(soup(900, 63));
     const FlatTree tree = flatten(buildBinaryTree(mesh, {}), mesh, 8);
+    std::map<std::int32_t, std::int32_t> numberOfLeaf;
+    for (const LeafReference at : tree.leaves()) {
+        numberOfLeaf.emplace(std::int32_t(at), std::int32_t(numberOfLeaf.size()));
+    }
     for (const WideNode<8>& node : tree.nodes<8>()) {
         std::vector<std::int32_t> inner;
         std::vector<std::int32_t> leaves;
         for (const std::int32_t child : node.child) {
-            if (child != kNoChild) (child >= 0 ? inner : leaves).push_back(child >= 0 ? child : ~child);
+            if (child == kNoChild) continue;
+            child >= 0 ? inner.push_back(child) : leaves.push_back(numberOfLeaf.at(~child));
         }
         for (const auto& numbers : {inner, leaves}) {
             for (std::size_t i = 1; i < numbers.size(); ++i) BOOST_REQUIRE(numbers[i] == numbers[i - 1] + 1);

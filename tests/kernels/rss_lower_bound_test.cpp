@@ -78,43 +78,41 @@ std::vector<double> boundsOf(const FlatTree& carried, const FlatTree& tree, cons
 }
 
 template <int kWidth>
-void addTriangles(const FlatTree& tree, std::int32_t child, std::vector<std::uint32_t>& triangles) {
+void addIds(const FlatTree& tree, std::int32_t child, std::vector<std::uint32_t>& ids) {
     if (child == kNoChild) return;
     if (child < 0) {
-        const Leaf& leaf = tree.leaves[static_cast<std::size_t>(~child)];
-        for (std::uint32_t i = 0; i < leaf.triangleCount; ++i) triangles.push_back(leaf.firstTriangle + i);
+        const Leaf leaf = tree.leaf(LeafReference(~child));
+        for (std::uint32_t i = 0; i < leaf.triangleCount; ++i) ids.push_back(tree.triangleId({leaf.at, i}));
         return;
     }
     for (const std::int32_t grandchild : tree.nodes<kWidth>()[child].child) {
-        addTriangles<kWidth>(tree, grandchild, triangles);
+        addIds<kWidth>(tree, grandchild, ids);
     }
 }
 
-// The positions of the triangles in each volume; none for an unused lane.
+// The ids of the triangles in each volume; none for an unused lane.
 template <int kWidth>
-std::vector<std::vector<std::uint32_t>> trianglesOfVolumes(const FlatTree& tree) {
+std::vector<std::vector<std::uint32_t>> idsOfVolumes(const FlatTree& tree) {
     std::vector<std::vector<std::uint32_t>> result;
     const std::size_t nodes = tree.nodes<kWidth>().size();
     for (std::size_t node = 0; node < nodes; ++node) {
         for (const std::int32_t child : tree.nodes<kWidth>()[node].child) {
-            addTriangles<kWidth>(tree, child, result.emplace_back());
+            addIds<kWidth>(tree, child, result.emplace_back());
         }
     }
     return result;
 }
 
-std::vector<std::vector<std::uint32_t>> trianglesOfVolumes(const FlatTree& tree) {
-    return withNodeWidth(tree.nodeWidth, [&](auto width) { return trianglesOfVolumes<width>(tree); });
+std::vector<std::vector<std::uint32_t>> idsOfVolumes(const FlatTree& tree) {
+    return withNodeWidth(tree.nodeWidth, [&](auto width) { return idsOfVolumes<width>(tree); });
 }
 
-// Distances of all pairs of triangles, by their positions in the trees, one row for each triangle of the
-// part.
-std::vector<std::vector<double>> pairDistances(const QueryCase& queryCase, const FlatTree& part,
-                                               const FlatTree& environment, const Pose& pose) {
+// Distances of all pairs of triangles, by their ids, one row for each triangle of the part.
+std::vector<std::vector<double>> pairDistances(const QueryCase& queryCase, const Pose& pose) {
     std::vector<std::vector<double>> distances;
-    for (const std::uint32_t p : part.triangleIds) {
+    for (std::size_t p = 0; p < queryCase.part.triangles.size(); ++p) {
         distances.emplace_back();
-        for (const std::uint32_t e : environment.triangleIds) {
+        for (std::size_t e = 0; e < queryCase.environment.triangles.size(); ++e) {
             distances.back().push_back(queryCase.oracle->pairDistance(pose, p, e));
         }
     }
@@ -129,12 +127,12 @@ struct Tightness {
     long unused = 0;  // unused lanes with a bound other than infinity
 };
 
-// Compares the bounds with the distances of the volumes' triangles. distanceOf(i, j): distance of triangle i
-// of carried and triangle j of tree.
+// Compares the bounds with the distances of the volumes' triangles. distanceOf(i, j): distance of the
+// triangles with id i in carried and id j in tree.
 template <class DistanceOf>
 void compare(const std::vector<double>& bounds, const FlatTree& carried, const FlatTree& tree,
              const DistanceOf& distanceOf, Tightness& tightness) {
-    const auto ofCarried = trianglesOfVolumes(carried), ofTree = trianglesOfVolumes(tree);
+    const auto ofCarried = idsOfVolumes(carried), ofTree = idsOfVolumes(tree);
     for (std::size_t i = 0; i < ofCarried.size(); ++i) {
         if (ofCarried[i].empty()) continue;
         for (std::size_t j = 0; j < ofTree.size(); ++j) {
@@ -169,7 +167,7 @@ void compareBothWays(const QueryCase& queryCase, int width, Tightness& tightness
     for (const Pose& pose : queryCase.poses) {
         const PairQuery query = preparePairQuery(part, environment, pose);
         const double toMeshUnit = 1 / query.perMeshUnit;
-        const auto distances = pairDistances(queryCase, part, environment, pose);
+        const auto distances = pairDistances(queryCase, pose);
         compare(
             boundsOf(part, environment, query.partToEnvironment, toMeshUnit), part, environment,
             [&](std::uint32_t a, std::uint32_t b) { return distances[a][b]; }, tightness);

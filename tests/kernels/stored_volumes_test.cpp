@@ -59,6 +59,7 @@ FlatTree emptyTree(const Frame& frame) {
     FlatTree tree;
     tree.origin = frame.origin;
     tree.unitExponent = frame.unitExponent;
+    tree.unit = std::ldexp(1.0, frame.unitExponent);
     tree.radius = 1;
     tree.box.extend(frame.origin);
     return tree;

@@ -93,6 +93,37 @@ BOOST_FIXTURE_TEST_CASE(a_cut_damaged_or_foreign_file_is_refused_by_name, Fixtur
     BOOST_CHECK_THROW(Model::load(folder.path()), std::runtime_error);
 }
 
+BOOST_FIXTURE_TEST_CASE(a_model_of_another_format_is_refused_by_its_version, Fixture) {
+    Model::build(part).save(file);
+    std::string content = contentOf(file);
+    content[8] = 5;  // the version, lowest byte first
+    write(file, content);
+    BOOST_CHECK_EXCEPTION(Model::load(file), std::runtime_error, [&](const std::runtime_error& error) {
+        return error.what() ==
+               file + ": has format version 5, expected a model saved by this version of clearway";
+    });
+}
+
+BOOST_FIXTURE_TEST_CASE(leaves_of_floats_and_of_doubles_are_saved, Fixture) {
+    Mesh floats = environment;
+    for (Vector3& vertex : floats.vertices) vertex = vertex.cast<float>().cast<double>();
+    Mesh both = floats;
+    both.vertices[5].x() = environment.vertices[5].x();
+    for (const Mesh& mesh : {floats, environment, both}) {
+        const Model built = Model::build(mesh);
+        built.save(file);
+        const Model loaded = Model::load(file);
+        const std::vector<LeafReference> leaves = loaded.tree().leaves();
+        BOOST_TEST((leaves == built.tree().leaves()));
+        for (const LeafReference leaf : leaves) {
+            for (std::uint32_t i = 0; i < loaded.tree().leaf(leaf).triangleCount; ++i) {
+                BOOST_REQUIRE((loaded.tree().corners({leaf, i}) == built.tree().corners({leaf, i})));
+                BOOST_REQUIRE(loaded.tree().triangleId({leaf, i}) == built.tree().triangleId({leaf, i}));
+            }
+        }
+    }
+}
+
 BOOST_FIXTURE_TEST_CASE(the_key_tells_meshes_and_options_apart, Fixture) {
     const std::uint64_t key = modelKey(part, {});
     BOOST_TEST(key == modelKey(part, {}));

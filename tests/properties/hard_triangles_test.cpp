@@ -35,7 +35,7 @@ std::string caseName(const TriangleFamily& family) {
 
 void checkInDouble(const ExactCase& exact, const ModelPair& models) {
     const PairQuery query = preparePairQuery(models.part.tree(), models.environment.tree(), exact.pose);
-    const ResolvedPair pair = resolvePair(query, {0, 0, kNoFeature});
+    const ResolvedPair pair = resolvePair(query, {});
     BOOST_TEST_CONTEXT(exact.name << ", in double") {
         BOOST_TEST(exact.truth.compare(pair.lower / query.perMeshUnit) >= 0);
         BOOST_TEST(exact.truth.compare(pair.upper / query.perMeshUnit) <= 0);

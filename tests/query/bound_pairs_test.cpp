@@ -13,6 +13,7 @@
 #include "support/exact_triangle.h"
 #include "support/hard_triangles.h"
 #include "support/query_cases.h"
+#include "support/tree_triangles.h"
 #include "support/triangle_distance.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -58,9 +59,9 @@ struct PairsCase {
     std::vector<bool> isPlain;      ///< well shaped, and apart by more than half of their size
 };
 
-std::map<std::int64_t, std::uint32_t> placesOf(const FlatTree& tree) {
-    std::map<std::int64_t, std::uint32_t> places;
-    for (std::uint32_t i = 0; i < tree.triangleIds.size(); ++i) places[tree.triangleIds[i]] = i;
+std::map<std::size_t, TriangleAt> placesOf(const FlatTree& tree) {
+    std::map<std::size_t, TriangleAt> places;
+    for (const TriangleAt triangle : trianglesOf(tree)) places[tree.triangleId(triangle)] = triangle;
     return places;
 }
 
@@ -86,8 +87,7 @@ PairsCase makePairs(const std::string& name, const Mesh& part, const Mesh& envir
     const auto partPlaces = placesOf(made.part.tree()), environmentPlaces = placesOf(made.environment.tree());
     const PairQuery query = preparePairQuery(made.part.tree(), made.environment.tree(), pose);
     for (const auto& [p, e] : ids) {
-        const auto inPart = partPlaces.find(std::int64_t(p)),
-                   inEnvironment = environmentPlaces.find(std::int64_t(e));
+        const auto inPart = partPlaces.find(p), inEnvironment = environmentPlaces.find(e);
         if (inPart == partPlaces.end() || inEnvironment == environmentPlaces.end()) continue;  // removed
         const auto a = cornersOf(part, p), b = cornersOf(environment, e);
         const LongTriangle longA = moved(pose, a), longB = toLong(b);

@@ -1,5 +1,6 @@
 // LeafPairs hands over each near pair of leaves exactly once, with bounds that hold its distance, for any numbers
 // of leaves and triangles, on any instruction set.
+#include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <limits>
@@ -11,6 +12,7 @@
 #include "support/each_target.h"
 #include "support/hard_triangles.h"
 #include "support/query_cases.h"
+#include "support/tree_triangles.h"
 
 #ifndef CLEARWAY_TESTS_TAKEN
 #define CLEARWAY_TESTS_TAKEN
@@ -61,8 +63,9 @@ void visitLeaves(const PairQuery& query, float dropFrom, std::vector<testing::Ta
     LeafPairs pairs;
     WaitingPairs waiting;
     Recorder recorder(dropFrom, taken);
-    for (const Leaf& part : query.part->leaves) {
-        for (const Leaf& environment : query.environment->leaves) {
+    for (const LeafReference a : query.part->leaves()) {
+        for (const LeafReference b : query.environment->leaves()) {
+            const Leaf part = query.part->leaf(a), environment = query.environment->leaf(b);
             pairs.meet(query, part, environment, -hwy::HighestValue<float>(), dropFrom);
             pairs.visit(waiting, recorder);
         }
@@ -101,10 +104,11 @@ LeafCase makeLeaves(const std::string& name, const Mesh& part, const Mesh& envir
     const FlatTree &a = leaves.part.tree(), &b = leaves.environment.tree();
     const double perMeshUnit = preparePairQuery(a, b, pose).perMeshUnit;
     const MeshOracle oracle(part, environment);
-    for (const std::uint32_t p : a.triangleIds) {
+    for (const TriangleAt p : trianglesOf(a)) {
         leaves.distances.emplace_back();
-        for (const std::uint32_t e : b.triangleIds) {
-            leaves.distances.back().push_back(oracle.pairDistance(pose, p, e) * perMeshUnit);
+        for (const TriangleAt e : trianglesOf(b)) {
+            leaves.distances.back().push_back(oracle.pairDistance(pose, a.triangleId(p), b.triangleId(e)) *
+                                              perMeshUnit);
         }
     }
     return leaves;
@@ -191,17 +195,25 @@ std::vector<std::vector<std::vector<TakenPair>>> takenOf(const LeafCase& leaves,
     hwy::GetChosenTarget().Update(hwy::SupportedTargets());  // this program's own dispatch
     std::vector<TakenPair> taken;
     HWY_DYNAMIC_DISPATCH(visitLeaves)(query, dropFrom, taken);
+    const FlatTree &part = leaves.part.tree(), &environment = leaves.environment.tree();
+    const std::vector<TriangleAt> ofPart = trianglesOf(part), ofEnvironment = trianglesOf(environment);
+    const auto positionIn = [](const std::vector<TriangleAt>& all, TriangleAt triangle) {
+        return std::size_t(std::find(all.begin(), all.end(), triangle) - all.begin());
+    };
     std::vector<std::vector<std::vector<TakenPair>>> byPair(leaves.distances.size());
     for (auto& row : byPair) row.resize(leaves.distances[0].size());
-    for (const TakenPair& pair : taken)
-        byPair.at(pair.triangles.part).at(pair.triangles.environment).push_back(pair);
+    for (const TakenPair& pair : taken) {
+        byPair.at(positionIn(ofPart, pair.triangles.part))
+            .at(positionIn(ofEnvironment, pair.triangles.environment))
+            .push_back(pair);
+    }
     return byPair;
 }
 
 /// The reach of two trees of one leaf each: both radii and the offset between the centres, as LeafPairs adds
 /// them up.
 long double reachOf(const LeafCase& leaves, const PairQuery& query) {
-    const Leaf &a = leaves.part.tree().leaves[0], &b = leaves.environment.tree().leaves[0];
+    const Leaf a = leaves.part.tree().leaf(0), b = leaves.environment.tree().leaf(0);
     const Vector3 between = leaves.pose * Vector3(a.centre.data()) - Vector3(b.centre.data());
     return a.radius * query.partLeafToQuery + b.radius * query.environmentLeafToQuery +
            between.lpNorm<1>() * query.perMeshUnit;
@@ -214,7 +226,8 @@ BOOST_AUTO_TEST_SUITE(leaf_pairs_test)
 BOOST_AUTO_TEST_CASE(the_cases_hold_leaves_of_1_to_16_triangles) {
     std::vector<int> leaves(17);
     for (const LeafCase& pair : cases()) {
-        for (const Leaf& leaf : pair.part.tree().leaves) ++leaves.at(leaf.triangleCount);
+        const FlatTree& tree = pair.part.tree();
+        for (const LeafReference at : tree.leaves()) ++leaves.at(tree.leaf(at).triangleCount);
     }
     for (int n = 1; n <= 16; ++n) BOOST_TEST(leaves[std::size_t(n)] >= 32, n << " triangles");
 }
@@ -256,7 +269,8 @@ BOOST_DATA_TEST_CASE(rounding_takes_less_than_half_of_its_slack, eachTarget(), t
     long double worstGap = 0, worstDistance = 0;  // in u32 of the leaves' reach
     for (const LeafCase& leaves : cases()) {
         const PairQuery query = preparePairQuery(leaves.part.tree(), leaves.environment.tree(), leaves.pose);
-        if (leaves.part.tree().leaves.size() != 1 || leaves.environment.tree().leaves.size() != 1) continue;
+        if (leaves.part.tree().leaves().size() != 1 || leaves.environment.tree().leaves().size() != 1)
+            continue;
         const long double reach = reachOf(leaves, query), u = kUnitRoundoffFloat;
         const long double slack = kTriangleSlack * u * reach + query.offsetSlack;
         if (query.offsetSlack > 0.01L * slack) continue;  // far from the origin: the offset's slack

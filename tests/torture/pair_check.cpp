@@ -95,7 +95,7 @@ class Check {
     void checkFinish() {
         if (posed_.part.triangles.size() != 1 || posed_.environment.triangles.size() != 1) return;
         const PairQuery query = preparePairQuery(part_.tree(), environment_.tree(), posed_.pose);
-        const ResolvedPair pair = resolvePair(query, {0, 0, kNoFeature});
+        const ResolvedPair pair = resolvePair(query, {});
         Apart apart;
         for (int k = 0; k < 3; ++k) {
             apart[k] = static_cast<long double>(pair.pointOnEnvironment[k]) - pair.pointOnPart[k];

@@ -3,6 +3,8 @@
 #include <boost/test/data/monomorphic.hpp>
 #include <boost/test/data/test_case.hpp>
 #include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <string>
 
 #include "build/build.h"
 #include "build/flatten.h"
@@ -14,21 +16,33 @@ BOOST_AUTO_TEST_SUITE(flat_tree_test)
 
 namespace {
 
-/// Node 0 above node 1, which has two leaves and node 2, which has one leaf.
+/// A leaf's block: all floats are 0.5, all ids and numbers of vertices 0.
+void addBlock(FlatTree& tree, std::uint32_t triangles, bool isExact) {
+    std::vector<float> block(leafBlockSize(triangles, isExact), 0.5f);
+    storeWholeNumber(triangles + (isExact ? 0 : kHasVertices), block[kLeafHeader - 1]);
+    for (std::size_t i = kLeafHeader + 9 * triangles; i < block.size(); ++i) storeWholeNumber(0, block[i]);
+    tree.leafBlocks.insert(tree.leafBlocks.end(), block.begin(), block.end());
+}
+
+/// Node 0 above node 1, which has two leaves and node 2, which has one leaf. The last leaf is not exact.
 FlatTree handMadeTree() {
     FlatTree tree;
     WideNode<8> empty{};
     for (std::int32_t& child : empty.child) child = kNoChild;
     tree.nodes<8>().assign(3, empty);
+    addBlock(tree, 3, true);
+    const auto second = std::int32_t(tree.leafBlocks.size());
+    addBlock(tree, 1, true);
+    const auto third = std::int32_t(tree.leafBlocks.size());
+    addBlock(tree, 3, false);
+    tree.leafBlocks.resize(tree.leafBlocks.size() + kLeafPadding, 0.0f);
+    tree.vertices.assign(1, Vector3(1, 2, 3));
+    tree.box.extend(tree.vertices[0]);
     tree.nodes<8>()[0].child[0] = 1;
     tree.nodes<8>()[1].child[0] = ~0;
     tree.nodes<8>()[1].child[1] = 2;
-    tree.nodes<8>()[1].child[2] = ~1;
-    tree.nodes<8>()[2].child[0] = ~2;
-    tree.leaves.resize(3);
-    tree.leaves[0].triangleCount = 3;
-    tree.leaves[1].triangleCount = 1;
-    tree.leaves[2].triangleCount = 3;
+    tree.nodes<8>()[1].child[2] = ~second;
+    tree.nodes<8>()[2].child[0] = ~third;
     return tree;
 }
 
@@ -39,7 +53,53 @@ BOOST_AUTO_TEST_CASE(a_hand_made_tree_is_counted_right) {
     BOOST_TEST((counted.leavesBySize == std::vector<std::size_t>{0, 1, 0, 2}));
     BOOST_TEST(counted.depth == 3);
     BOOST_TEST(counted.meanChildren == 5.0 / 3);
-    BOOST_TEST(counted.bytes == sizeof(FlatTree) + 3 * 448 + 3 * sizeof(Leaf));
+    // Blocks have 5 floats, and 10 or 13 for each triangle.
+    BOOST_TEST(counted.bytes ==
+               sizeof(FlatTree) + 3 * 448 + 4 * (35 + 15 + 44 + kLeafPadding) + sizeof(Vector3));
+}
+
+BOOST_AUTO_TEST_CASE(exact_leaves_hold_their_corners_and_others_refer_to_them) {
+    FlatTree tree = handMadeTree();
+    tree.origin = {100, 0, 0};
+    tree.unit = 4;
+    const std::vector<LeafReference> leaves = tree.leaves();
+    BOOST_TEST_REQUIRE(leaves.size() == 3u);
+    BOOST_TEST(tree.leaf(leaves[0]).isExact);
+    BOOST_TEST(!tree.leaf(leaves[2]).isExact);
+    BOOST_TEST((tree.corners({leaves[0], 2})[1] == Vector3(104, 4, 4)));  // centre and offset are half a unit
+    BOOST_TEST((tree.corners({leaves[2], 2})[1] == Vector3(1, 2, 3)));
+}
+
+BOOST_AUTO_TEST_CASE(each_fault_of_a_tree_is_found) {
+    const auto faultAfter = [](auto&& change) {
+        FlatTree tree = handMadeTree();
+        change(tree);
+        const char* fault = faultOf(tree, 1);
+        return std::string(fault == nullptr ? "" : fault);
+    };
+    const auto write = [](FlatTree& tree, std::size_t place, std::uint32_t number) {
+        storeWholeNumber(number, tree.leafBlocks.at(place));
+    };
+    const std::string noNode = "its nodes refer to what is not there", cut = "its last leaf is cut off",
+                      many = "its leaves hold an impossible number of triangles",
+                      notFinite = "its coordinates are not finite";
+    BOOST_TEST(faultAfter([](FlatTree&) {}) == "");
+    BOOST_TEST(faultAfter([](FlatTree& tree) { tree.nodes<8>()[1].child[0] = ~1; }) == noNode);
+    BOOST_TEST(faultAfter([](FlatTree& tree) { tree.nodes<8>()[1].child[0] = ~10000; }) == noNode);
+    BOOST_TEST(faultAfter([](FlatTree& tree) { tree.nodes<8>()[2].child[0] = 1; }) == noNode);
+    BOOST_TEST(faultAfter([](FlatTree& tree) { tree.leafBlocks.pop_back(); }) == cut);
+    BOOST_TEST(faultAfter([](FlatTree& tree) { tree.leafBlocks.clear(); }) == noNode);
+    BOOST_TEST(faultAfter([&](FlatTree& tree) { write(tree, 4, 0); }) == many);
+    BOOST_TEST(faultAfter([&](FlatTree& tree) { write(tree, 4, 17); }) == many);
+    BOOST_TEST(faultAfter([&](FlatTree& tree) { write(tree, 4, 64 + 3); }) == many);
+    BOOST_TEST(faultAfter([&](FlatTree& tree) { write(tree, 5 + 27, 1); }) ==
+               "its triangle ids are out of range");
+    BOOST_TEST(faultAfter([&](FlatTree& tree) { write(tree, 35 + 15 + 5 + 27 + 3, 1); }) ==
+               "its triangles refer to vertices that are not there");
+    BOOST_TEST(faultAfter([](FlatTree& tree) { tree.leafBlocks[31] = NAN; }) == notFinite);
+    BOOST_TEST(faultAfter([](FlatTree& tree) { tree.leafBlocks[3] = INFINITY; }) == notFinite);
+    BOOST_TEST(faultAfter([](FlatTree& tree) { tree.vertices[0].x() = NAN; }) == notFinite);
+    BOOST_TEST(faultAfter([](FlatTree& tree) { tree.unitExponent = 1001; }) == notFinite);
 }
 
 BOOST_DATA_TEST_CASE(counts_of_a_built_tree_add_up, boost::unit_test::data::make(nodeWidths()), width) {
@@ -60,7 +120,7 @@ BOOST_DATA_TEST_CASE(counts_of_a_built_tree_add_up, boost::unit_test::data::make
     BOOST_TEST(counted.meanChildren * counted.nodes == double(counted.nodes - 1 + counted.leaves),
                boost::test_tools::tolerance(1e-12));
     BOOST_TEST(counted.depth >= (width == 2 ? 8 : 4));
-    BOOST_TEST(counted.bytes > 9 * sizeof(float) * triangles + sizeof(Vector3) * mesh.vertices.size());
+    BOOST_TEST(counted.bytes > 9 * sizeof(float) * triangles);
 }
 
 }  // namespace
