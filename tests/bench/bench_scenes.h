@@ -17,7 +17,7 @@ struct BenchSize {
 
 /// One column of the tables of figures.
 struct BenchScene {
-    const char* name;   ///< "E", "F", ...
+    const char* name;   ///< "F", "K", ...
     const char* scene;  ///< a row of program/scenes/scenes.cpp, with its version
     BenchSize full;
     BenchSize small;             ///< for runs that only show that all answers agree
@@ -35,7 +35,8 @@ const BenchScene& benchSceneNamed(const std::string& name);
 /// The meshes, and the poses at which they are queried.
 struct BenchTask {
     std::string name;
-    std::string about;  ///< one line: scene and pose set
+    std::string sceneName;  ///< with its version; "files" for the user's own
+    std::string about;      ///< one line: scene and pose set
     Mesh part;
     Mesh environment;
     std::vector<Pose> poses;

@@ -1,0 +1,208 @@
+"""The parts of the benchmark: for each the program that measures it, its arguments in every form, and the table that it makes.
+
+A part PART writes PART.csv. A row of it, PART/ROW, is measured by itself; one row of a part may be several lines of its table.
+"""
+
+from dataclasses import dataclass, field
+from typing import Callable
+
+import scene_rows
+
+FORMS = ("ci", "quick", "full")
+
+
+@dataclass(frozen=True)
+class Part:
+    name: str
+    about: str
+    rows: tuple  # of the whole form
+    programs: tuple  # targets to build
+    commands: Callable  # (place, row) -> the commands that measure the row
+    table: object  # the file below place.scratch that they write, or (place, row) -> columns, rows
+    group: tuple  # the columns that all lines of a row share, and no other row has; none: the table is one row
+    keys: tuple  # the columns that tell the lines of the table apart
+    shown: tuple  # the columns shown beside expected ones; X may have X_least and X_largest beside it
+    quick_rows: tuple = ()  # of the quick form of everything
+    ci_rows: tuple = ()
+    repetitions: dict = field(default_factory=dict)  # by form; 1 if it is not there
+    spread: tuple = ()  # the columns of which several repetitions give the median
+    is_study: bool = False  # takes long: is measured only when it is named
+
+    def rows_of(self, form):
+        return {"ci": self.ci_rows, "quick": self.quick_rows, "full": self.rows}[form]
+
+
+SCENES = ("K", "L", "I", "J", "M", "F")  # of bench_queries
+SMALL_PROBLEM = "data/tunnel-console-small/tunnel-console.cfg"
+
+
+def queries(place, row):
+    sizes = {
+        "ci": ["--small", "--pose-count", 20, "--repetitions", 1, "--peer-budget", 0.3, "--targets", "all", "--oracle-poses", 20],
+        "quick": ["--pose-count", 400, "--repetitions", 2, "--peer-budget", 2],
+        "full": ["--pose-count", 400, "--repetitions", 5, "--peer-budget", 12],
+    }
+    return [[place.bench("bench_queries"), "--scenes", row, *sizes[place.form], "--build-rounds", 0, "--cpu", place.cpu, "--out", place.scratch]]
+
+
+def builds(place, row):
+    sizes = {"ci": ["--small", "--build-rounds", 1], "quick": ["--build-rounds", 2], "full": ["--build-rounds", 5]}
+    return [[place.bench("bench_queries"), "--scenes", row, *sizes[place.form], "--pose-count", 2, "--repetitions", 1, "--peer-budget", 0,
+             "--targets", "best", "--out", place.scratch]]
+
+
+def speed_error(place, row):
+    sizes = {
+        "ci": ["--small", "--pose-count", 20, "--near-bases", 3, "--repetitions", 1, "--peer-budget", 0.3],
+        "quick": ["--pose-count", 200, "--near-bases", 10, "--repetitions", 2, "--peer-budget", 1],
+        "full": ["--pose-count", 200, "--near-bases", 10, "--repetitions", 7, "--peer-budget", 4],
+    }
+    return [[place.bench("bench_speed_error"), "--scenes", row, *sizes[place.form], "--cpu", place.cpu, "--out", place.scratch]]
+
+
+def motions(place, row):
+    count = {"ci": 100, "quick": 300, "full": 1000}[place.form]
+    return [place.pinned(place.bench("bench_motions"), place.problem(row), count, 1, place.scratch / "motions.csv", row)]
+
+
+# The rows of certified_motions: the scene, whose motions, how many, and more choices.
+CERTIFIED = {}
+for _scene, _tight in (("tunnel-console-3", 12.1), ("large-environment-2", 11), ("cembox-2", 4.4)):
+    CERTIFIED.update({
+        f"{_scene} RRTConnect": (_scene, "RRTConnect", 3000, ()),
+        f"{_scene} PRM": (_scene, "PRM", 1500, ()),
+        f"{_scene} KPIECE1": (_scene, "KPIECE1", 300, ()),
+        f"{_scene} path": (_scene, "path", 3000, ()),
+        f"{_scene} path in sixteenths": (_scene, "path", 3000, ("parts=16",)),
+        f"{_scene} path at margin {_tight}": (_scene, "path", 3000, (f"margin={_tight}",)),
+    })
+
+
+def certified_motions(place, row):
+    scene, motions_of, count, more = CERTIFIED[row]
+    of = place.path(scene) if motions_of == "path" else motions_of
+    count = {"ci": 60, "quick": min(count, 300), "full": count}[place.form]
+    return [place.pinned(place.bench("bench_certified_motions"), place.problem(scene), of, count, *more, f"scene={scene}",
+                         f"table={place.scratch / 'certified_motions.csv'}")]
+
+
+def fcl_motions(place, row):
+    count = {"ci": 200, "quick": 300, "full": 1000}[place.form]
+    return [place.pinned(place.bench("bench_fcl_motions"), place.problem(row), count, 1, place.scratch / "fcl_motions.csv")]
+
+
+def fcl_continuous(place, _row):
+    count = {"ci": 10, "quick": 60, "full": 300}[place.form]
+    return [place.pinned(place.bench("bench_fcl_continuous"), count, 1, place.scratch / "fcl_continuous.csv")]
+
+
+def fcl_first_path(place, row):
+    seeds, limit, step = {"ci": (1, 2, 4.5), "quick": (3, 20, "find"), "full": (20, 20, "find")}[place.form]
+    return [[place.bench("bench_fcl_first_path"), place.problem(row), seeds, limit, step, place.scratch / "fcl_first_path.csv"]]
+
+
+def torture(place, _row):
+    pairs, poses = {"ci": (2600, 90), "quick": (500_000, 5000), "full": (10_010_000, 100_000)}[place.form]
+    return [[place.bench("torture"), "--pairs", pairs, "--poses", poses, "--csv", place.scratch / "torture.csv"]]
+
+
+def strategies(place, row):
+    sizes = {"ci": ["--small", "--pose-count", 10, "--repetitions", 1], "quick": ["--pose-count", 200, "--repetitions", 2],
+             "full": ["--pose-count", 400, "--repetitions", 5]}
+    return [[place.bench("bench_strategies"), "--scenes", row, *sizes[place.form], "--cpu", place.cpu, "--out", place.scratch]]
+
+
+# The planner studies.
+OWN_PROBLEMS = ("gates", "peg-in-hole", "window", "bracket", "tunnel-console-small", "puzzle", "apartment", "tunnel-console-3-2mm")
+OMPLAPP = ("Easy", "Apartment", "alpha-1.5", "Abstract", "Twistycool", "cubicles", "spirelli", "Home", "bugtrap", "alpha-1.2", "Twistycooler",
+           "alpha-1.1", "alpha-1.0")
+ROOM = ("bracket", "gates", "tunnel-console-small", "tunnel-console-3")
+
+
+def plans(table, more):
+    """bench_plan_success on one problem. more: form -> options."""
+    def commands(place, row):
+        options = {"ci": ["--seeds", 1, "--time", 10], "quick": ["--seeds", 3, "--time", 60]}.get(place.form, [])
+        return [[place.bench("bench_plan_success"), place.problem(row), *more(place.form, row), *options, "--out", place.scratch / f"{table}.csv"]]
+
+    return commands
+
+
+def first_path_options(_form, row):
+    seeds, limit = {"alpha-1.1": (10, 60), "alpha-1.0": (5, 300)}.get(row, (20, 60))
+    return ["--quick", "--seeds", seeds, "--time", limit]
+
+
+def widest_options(_form, row):
+    seeds, limit = {"tunnel-console-3": (3, 60), "tunnel-console-small": (5, 15)}.get(row, (5, 5))
+    return ["--objective", "max_min_clearance", "--seeds", seeds, "--time", limit]
+
+
+def samplers(table):
+    def commands(place, row):
+        seeds, limit = {"ci": (1, 1), "quick": (3, 10), "full": (20, 10) if row == "window" else (2, 15)}[place.form]
+        return [[place.bench("bench_samplers"), place.problem(row), seeds, limit, place.scratch / f"{table}.csv"]]
+
+    return commands
+
+
+def anytime_clearance(place, row):
+    limit, seeds = {"ci": (0.4, 1), "quick": (2, 2), "full": (2, 10)}[place.form]
+    return [[place.bench("bench_anytime_clearance"), limit, seeds, place.scratch / "anytime_clearance.csv", row]]
+
+
+PLAN_PROGRAMS = ("bench_plan_success",)
+PLAN_SHOWN = ("found", "planning_seconds", "least_clearance")
+
+PARTS = (
+    Part("queries", "queries of clearway and its peers, a row a scene", SCENES, ("bench_queries",), queries, "summary.csv", ("scene",),
+         ("scene", "question", "engine", "over_question", "over_engine"), ("ratio", "us_mean"), ("K", "M", "F"), SCENES),
+    Part("builds", "seconds and bytes of trees", ("K", "I", "J", "M", "F"), ("bench_queries",), builds, "builds.csv", ("scene",), ("scene", "build"),
+         ("seconds", "bytes_per_triangle"), ("M", "F"), ("F",)),
+    Part("speed_error", "speed against error, and wrong verdicts near margins", SCENES, ("bench_speed_error",), speed_error, "speed_error.csv", ("scene",),
+         ("scene", "mode"), ("queries_per_second", "time_over_float_only", "error_worst"), ("F",), ("F", "K", "L", "M")),
+    Part("scenes", "the demo scenes, and a distance at their poses", tuple(scene_rows.ROWS), ("clearway_program",), scene_rows.commands,
+         scene_rows.table, ("scene", "clearance_asked"), ("scene", "clearance_asked"), ("us_mean", "volume_tests", "clearance_certified"), ("puzzle-2",), ("boxes-1",),
+         {"full": 5}, ("us_mean",)),
+    Part("motions", "certified motions against checks in steps", ("tunnel-console-3",), ("bench_motions",), motions, "motions.csv", ("scene",),
+         ("scene", "what"), ("us_certified", "us_compared", "times"), ("tunnel-console-3",), ("tunnel-console-small",), {"full": 5},
+         ("us_certified", "us_compared", "times")),
+    Part("certified_motions", "motions certified pair by pair and by clearances of the whole part", tuple(CERTIFIED),
+         ("bench_certified_motions",), certified_motions, "certified_motions.csv", ("scene", "motions", "margin", "parts"), ("scene", "motions", "margin", "parts", "kind"),
+         ("us_globally", "us_by_pairs", "times_faster"), ("cembox-2 path",), (), {"full": 3}, ("us_globally", "us_by_pairs", "times_faster")),
+    Part("fcl_motions", "states and motions judged by FCL and by clearway", ("tunnel-console-3",), ("bench_fcl_motions",), fcl_motions,
+         "fcl_motions.csv", (), ("what",), ("clearway_us", "fcl_us", "times_faster"), (), ("tunnel-console-small",)),
+    Part("fcl_continuous", "FCL's continuous check, judged", ("all",), ("bench_fcl_continuous",), fcl_continuous, "fcl_continuous.csv", (),
+         ("scene", "checked_by"), ("of_these_called_valid", "of_these_called_invalid", "us_a_motion"), ("all",), ("all",)),
+    Part("strategies", "splits of trees beside the default, a row a scene", SCENES, ("bench_strategies",), strategies, "strategies.csv", ("scene",),
+         ("scene", "question", "strategy"), ("over_default", "us_mean", "build_seconds"), ("M", "F"), ("M",)),
+    Part("torture", "hard pairs and poses against exact arithmetic", ("all",), ("torture",), torture, "torture.csv", (),
+         ("group", "family", "figure"), ("value",), (), ("all",)),
+    Part("fcl_first_path", "a first path that is free, by steps with FCL and certified", ("tunnel-console-3",), ("bench_fcl_first_path",),
+         fcl_first_path, "fcl_first_path.csv", (), ("checked_by", "step"), ("found", "free", "median_seconds_to_a_free_path"),
+         ci_rows=("tunnel-console-small",), is_study=True),
+    Part("plan_first_path", "clearway plan, its first path", OWN_PROBLEMS + OMPLAPP + ("elk",), PLAN_PROGRAMS,
+         plans("plan_first_path", first_path_options), "plan_first_path.csv", ("problem",), ("problem", "seed"), PLAN_SHOWN, ci_rows=("bracket", "gates"),
+         is_study=True),
+    Part("plan_bracket", "clearway plan on the bracket, 100 seeds", ("bracket",), PLAN_PROGRAMS,
+         plans("plan_bracket", lambda *_: ["--quick", "--seeds", 100]), "plan_bracket.csv", ("problem",), ("problem", "seed"), PLAN_SHOWN, is_study=True),
+    Part("plan_room", "clearway plan with room", ROOM, PLAN_PROGRAMS, plans("plan_room", lambda *_: ["--seeds", 20]), "plan_room.csv", ("problem",),
+         ("problem", "seed"), PLAN_SHOWN, is_study=True),
+    Part("plan_widest", "clearway plan for the widest path", ROOM, PLAN_PROGRAMS, plans("plan_widest", widest_options), "plan_widest.csv", ("problem",),
+         ("problem", "seed"), PLAN_SHOWN, is_study=True),
+    Part("samplers_window", "PRM with samplers of valid states", ("window",), ("bench_samplers",), samplers("samplers_window"),
+         "samplers_window.csv", (), ("sampler", "seed"), ("found", "planning_seconds"), ci_rows=("window",), is_study=True),
+    Part("samplers_tunnel_console_small", "PRM with samplers of valid states", ("tunnel-console-small",), ("bench_samplers",),
+         samplers("samplers_tunnel_console_small"), "samplers_tunnel_console_small.csv", (), ("sampler", "seed"), ("found", "planning_seconds"),
+         is_study=True),
+    Part("anytime_clearance", "clearance gained with planning time", ("posts",), ("bench_anytime_clearance",), anytime_clearance,
+         "anytime_clearance.csv", ("scene",), ("scene", "planner", "parameters", "objective", "seed", "seconds"), ("certified_clearance",),
+         ci_rows=("gates",), is_study=True),
+)
+
+
+def part_named(name):
+    for part in PARTS:
+        if part.name == name:
+            return part
+    raise ValueError(f"there is no part '{name}', expected one of {', '.join(part.name for part in PARTS)}")
