@@ -153,3 +153,18 @@ def builds(results):
     sizes = [f"{letter}, {whole(row['part_triangles'])} / {whole(row['environment_triangles'])}"
              for letter in letters for row in matching(rows, scene=letter)[:1]]
     return table(["seconds, bytes a triangle"] + sizes, lines)
+
+
+def strategies(results):
+    """A row a strategy; in each scene the time of a distance over the default's, and of `collides`."""
+    rows = results.rows("strategies")
+    letters = scenes_of(rows)
+    lines = []
+    for name in distinct(rows, "strategy"):
+        cells = []
+        for letter in letters:
+            of = [matching(rows, scene=letter, strategy=name, question=question) for question in ("distance", "collides")]
+            cells.append(", ".join(f"{float(row[0]['over_default']):.2f}" for row in of if row))
+        builds_of = [float(row["build_seconds"]) for row in matching(rows, strategy=name, question="distance")]
+        lines.append([name] + cells + [f"{span(builds_of)} s"])
+    return table(["distance, `collides` over the default strategy"] + letters + ["build"], lines)
