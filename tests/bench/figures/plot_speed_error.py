@@ -36,7 +36,7 @@ def draw(page, scene, rows, left, top, speeds):
     page.line(x.begin, y.begin, x.end, y.begin)
     page.line(x.begin, y.begin, x.begin, y.end)
     first = rows[0]
-    page.text(left, top - 8, f"{scene}: {scene_name(scene)}; {first['poses']} poses, {first['colliding']} collide", 11)
+    page.text(left, top - 8, f"{scene}: {scene_name(scene)}; {first['colliding']} of {first['poses']} collide", 11)
     for row in rows:
         _, colour, shape = STYLES[row["mode"]]
         at = x(float(row["queries_per_second"]))

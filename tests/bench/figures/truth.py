@@ -8,7 +8,7 @@ MODE_NAMES = {"isWithin": "`isWithin`", "default": "`distance`, valid when lower
 SHORT_LIST = ("isWithin", "default") + PEERS
 
 # Scenes of speed_error.csv by letter, as bench_queries has them or had them.
-OLDER = {"A": "tunnel-console-2, 75 % colliding", "B": "tunnel-console-2, none colliding", "C": "cembox-1", "D": "large-environment-1",
+OLDER = {"A": "tunnel-console-2, in the tunnel", "B": "tunnel-console-2, outside", "C": "cembox-1", "D": "large-environment-1",
          "E": "puzzle-1"}
 NOW = {"F": "boxes-1", "I": "cembox-2", "J": "large-environment-2", "K": "tunnel-console-3, in the tunnel", "L": "tunnel-console-3, outside",
        "M": "puzzle-2"}
