@@ -5,7 +5,7 @@ instruction set: the replayed calls of all planners.
 """
 
 import leaf_tables
-from results import distinct, matching
+from results import NotMeasured, distinct, matching
 from svg import DARK, LIGHT, Log, Page
 
 COLOURS = {"none": "#666666", "chain": "#1b9e77", "edge": "#d95f02", "all": "#7570b3"}
@@ -62,12 +62,15 @@ def draw(page, title, lines, splits, left, top, limits):
 def plot(folders):
     """The text of the SVG file. folders: those of a study, each scene may have its own."""
     rows = leaf_tables.read(folders, "statistics.csv")
+    if not rows:
+        raise NotMeasured("leaf_strategies")
     scenes = sorted(distinct(rows, "scene"))
     splits = [split for split in COLOURS if any(row["leaf_split"] == split for row in rows)]
     drawn = [(lines_by_planner(matching(rows, scene=scene)), lines_by_tree(matching(rows, scene=scene))) for scene in scenes]
     shown = [row for pair in drawn for lines in pair for of in lines.values() for row in of]
     lows, highs = ([float(row[name]) for row in shown] for name in ("low", "high"))
-    limits = (max([tick for tick in TICKS if tick <= min(lows)], default=TICKS[0]), min([tick for tick in TICKS if tick >= max(highs)], default=TICKS[-1]))
+    limits = (max([tick for tick in TICKS if tick <= min(lows)], default=TICKS[0]),
+              min([tick for tick in TICKS if tick >= max(highs)], default=TICKS[-1]))
     heights = [LINE * max(len(pair[i]) for pair in drawn) for i in (0, 1)]
     page = Page(len(scenes) * (LABELS + WIDTH + 20) + 20, sum(heights) + 180)
     for column, scene in enumerate(scenes):
