@@ -23,6 +23,9 @@ FIGURES = {
     "queries-largest": queries.largest_environment,
     "queries-spread": queries.repetition_spread,
     "queries-shuffled": queries.shuffled_work,
+    "queries-warm": queries.warm_gain,
+    "queries-pqp-tests": queries.pqp_tests,
+    "queries-fewer-volumes": queries.fewer_volumes,
     "builds": queries.builds,
     "strategies": queries.strategies,
     # speed_error.csv, torture.csv, fcl_continuous.csv

@@ -168,3 +168,26 @@ def strategies(results):
         builds_of = [float(row["build_seconds"]) for row in matching(rows, strategy=name, question="distance")]
         lines.append([name] + cells + [f"{span(builds_of)} s"])
     return table(["distance, `collides` over the default strategy"] + letters + ["build"], lines)
+
+
+def warm_gain(results):
+    """How many times as long a distance takes without the pairs of earlier queries."""
+    rows = results.rows("queries")
+    gains = []
+    for letter in scenes_of(rows):
+        warm, cold = (matching(rows, scene=letter, question="distance", engine=engine) for engine in ("clearway", "clearway, cold"))
+        if warm and cold:
+            gains.append(float(cold[0]["us_mean"]) / float(warm[0]["us_mean"]))
+    return span(gains)
+
+
+def pqp_tests(results, start):
+    """Volume tests for each triangle test that PQP makes, 'warm' or 'cold'."""
+    rows = results.select("queries", question="distance", engine="clearway", over_engine="PQP" if start == "warm" else "PQP, cold")
+    return span([float(row["over_volume_tests"]) / float(row["over_triangle_tests"]) for row in rows if float(row["over_triangle_tests"]) > 0])
+
+
+def fewer_volumes(results):
+    """How many times as many volume tests PQP makes for a distance, both cold."""
+    rows = results.select("queries", question="distance", engine="clearway, cold", over_engine="PQP, cold")
+    return span([float(row["over_volume_tests"]) / float(row["volume_tests"]) for row in rows])
