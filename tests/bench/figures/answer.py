@@ -20,7 +20,7 @@ LINES = [
     ("invalid poses called valid, close to a margin", lambda r: truth.false_valid(r, "isWithin"),
      lambda r: f"FCL, PQP and Coal: {truth.false_valid(r)} of {truth.asked(r)}"),
     ("a valid motion of RRTConnect, certified", lambda r: f"{motions.certified_valid(r)} us",
-     lambda r: f"certified by clearances of the whole part it takes {motions.certified_times(r, 'valid')} times as long"),
+     lambda r: f"certified by clearances of the whole part it takes {motions.certified_times(r, 'valid', 'RRTConnect')} times as long"),
     ("a state's check while planning, in place of FCL", lambda r: f"{motions.with_fcl_times(r, 'states')} times faster",
      lambda r: "FCL's OBBRSS `collide` behind the same OMPL validator"),
     ("`plan`: a first certified path", lambda r: f"{plans.median_seconds(r, '3D/bugtrap')} s for OMPL.app's bugtrap, "

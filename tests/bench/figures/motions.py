@@ -42,9 +42,9 @@ def certified_valid(results, scene="", motions="RRTConnect"):
     return span(numbers(rows, "us_by_pairs"))
 
 
-def certified_times(results, kind):
+def certified_times(results, kind, motions):
     """How many times faster by pairs, from the least to the largest."""
-    return span(numbers(results.select("certified_motions", kind=kind), "times_faster"))
+    return span(numbers(results.select("certified_motions", kind=kind, motions=motions), "times_faster"))
 
 
 def verdicts_lost(results):
