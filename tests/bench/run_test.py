@@ -26,7 +26,7 @@ from parts import FORMS, PARTS
 from place import Refused
 
 MACHINE = {"cpu": "A", "cores": "2", "memory_gb": "8", "instruction_set": "avx2"}
-PART = types.SimpleNamespace(name="part", keys=("scene",), shown=("us",))
+PART = types.SimpleNamespace(name="part", keys=("scene",), shown=("us",), is_shown=lambda row: row["scene"] != "hidden")
 
 
 def load_run():
@@ -105,6 +105,7 @@ class Compare(unittest.TestCase):
     def test_a_figure_far_off_and_outside_both_ranges_is_called_different(self):
         row = {"scene": "K", "us": "10", "us_least": "9.5", "us_largest": "11"}
         self.assertIn("| K | us | 20 | 10.0 (9.5 to 11.0) | 0.50, different |", self.lines([row], [{"scene": "K", "us": "20"}]))
+        self.assertNotIn("hidden", self.lines([row, {"scene": "hidden", "us": "1"}], []))
         wide = {"scene": "K", "us": "20", "us_least": "10", "us_largest": "30"}
         self.assertIn("| 0.50 |", self.lines([row], [wide]))
 

@@ -18,14 +18,15 @@ class Part:
     rows: tuple  # of the whole form
     programs: tuple  # targets to build
     commands: Callable  # (place, row) -> the commands that measure the row
-    table: object  # the file below place.scratch that they write, or (place, row) -> columns, rows
     group: tuple  # the columns that all lines of a row share, and no other row has; none: the table is one row
     keys: tuple  # the columns that tell the lines of the table apart
     shown: tuple  # the columns shown beside expected ones; X may have X_least and X_largest beside it
+    table: object = None  # the file that the commands write below place.scratch (NAME.csv), or (place, row) -> columns, rows
     quick_rows: tuple = ()  # of the quick form of everything
     ci_rows: tuple = ()
     repetitions: dict = field(default_factory=dict)  # by form; 1 if it is not there
     spread: tuple = ()  # the columns of which several repetitions give the median
+    is_shown: Callable = lambda row: True  # which lines are shown
     is_study: bool = False  # takes long: is measured only when it is named
 
     def rows_of(self, form):
@@ -151,52 +152,59 @@ def anytime_clearance(place, row):
     return [[place.bench("bench_anytime_clearance"), limit, seeds, place.scratch / "anytime_clearance.csv", row]]
 
 
-PLAN_PROGRAMS = ("bench_plan_success",)
-PLAN_SHOWN = ("found", "planning_seconds", "least_clearance")
+def study_of_plans(name, about, rows, more, ci_rows=()):
+    return Part(name, about, rows=rows, programs=("bench_plan_success",), commands=plans(name, more), group=("problem",), keys=("problem", "seed"),
+                shown=("found", "planning_seconds", "least_clearance"), ci_rows=ci_rows, is_study=True)
+
+
+def study_of_samplers(name, problem, ci_rows=()):
+    return Part(name, "PRM with samplers of valid states", rows=(problem,), programs=("bench_samplers",), commands=samplers(name), group=(),
+                keys=("sampler", "seed"), shown=("found", "planning_seconds"), ci_rows=ci_rows, is_study=True)
+
 
 PARTS = (
-    Part("queries", "queries of clearway and its peers, a row a scene", SCENES, ("bench_queries",), queries, "summary.csv", ("scene",),
-         ("scene", "question", "engine", "over_question", "over_engine"), ("ratio", "us_mean"), ("K", "M", "F"), SCENES),
-    Part("builds", "seconds and bytes of trees", ("K", "I", "J", "M", "F"), ("bench_queries",), builds, "builds.csv", ("scene",), ("scene", "build"),
-         ("seconds", "bytes_per_triangle"), ("M", "F"), ("F",)),
-    Part("speed_error", "speed against error, and wrong verdicts near margins", SCENES, ("bench_speed_error",), speed_error, "speed_error.csv", ("scene",),
-         ("scene", "mode"), ("queries_per_second", "time_over_float_only", "error_worst"), ("F",), ("F", "K", "L", "M")),
-    Part("scenes", "the demo scenes, and a distance at their poses", tuple(scene_rows.ROWS), ("clearway_program",), scene_rows.commands,
-         scene_rows.table, ("scene", "clearance_asked"), ("scene", "clearance_asked"), ("us_mean", "volume_tests", "clearance_certified"), ("puzzle-2",), ("boxes-1",)),
-    Part("motions", "certified motions against checks in steps", ("tunnel-console-3",), ("bench_motions",), motions, "motions.csv", ("scene",),
-         ("scene", "what"), ("us_certified", "us_compared", "times"), ("tunnel-console-3",), ("tunnel-console-small",), {"full": 5},
-         ("us_certified", "us_compared", "times")),
-    Part("certified_motions", "motions certified pair by pair and by clearances of the whole part", tuple(CERTIFIED),
-         ("bench_certified_motions",), certified_motions, "certified_motions.csv", ("scene", "motions", "margin", "parts"), ("scene", "motions", "margin", "parts", "kind"),
-         ("us_globally", "us_by_pairs", "times_faster"), ("cembox-2 path",), (), {"full": 3}, ("us_globally", "us_by_pairs", "times_faster")),
-    Part("fcl_motions", "states and motions judged by FCL and by clearway", ("tunnel-console-3",), ("bench_fcl_motions",), fcl_motions,
-         "fcl_motions.csv", (), ("what",), ("clearway_us", "fcl_us", "times_faster"), (), ("tunnel-console-small",)),
-    Part("fcl_continuous", "FCL's continuous check, judged", ("all",), ("bench_fcl_continuous",), fcl_continuous, "fcl_continuous.csv", (),
-         ("scene", "checked_by"), ("of_these_called_valid", "of_these_called_invalid", "us_a_motion"), ("all",), ("all",)),
-    Part("strategies", "splits of trees beside the default, a row a scene", SCENES, ("bench_strategies",), strategies, "strategies.csv", ("scene",),
-         ("scene", "question", "strategy"), ("over_default", "us_mean", "build_seconds"), ("M", "F"), ("M",)),
-    Part("torture", "hard pairs and poses against exact arithmetic", ("all",), ("torture",), torture, "torture.csv", (),
-         ("group", "family", "figure"), ("value",), (), ("all",)),
-    Part("fcl_first_path", "a first path that is free, by steps with FCL and certified", ("tunnel-console-3",), ("bench_fcl_first_path",),
-         fcl_first_path, "fcl_first_path.csv", (), ("checked_by", "step"), ("found", "free", "median_seconds_to_a_free_path"),
-         ci_rows=("tunnel-console-small",), is_study=True),
-    Part("plan_first_path", "clearway plan, its first path", OWN_PROBLEMS + OMPLAPP + ("elk",), PLAN_PROGRAMS,
-         plans("plan_first_path", first_path_options), "plan_first_path.csv", ("problem",), ("problem", "seed"), PLAN_SHOWN, ci_rows=("bracket", "gates"),
-         is_study=True),
-    Part("plan_bracket", "clearway plan on the bracket, 100 seeds", ("bracket",), PLAN_PROGRAMS,
-         plans("plan_bracket", lambda *_: ["--quick", "--seeds", 100]), "plan_bracket.csv", ("problem",), ("problem", "seed"), PLAN_SHOWN, is_study=True),
-    Part("plan_room", "clearway plan with room", ROOM, PLAN_PROGRAMS, plans("plan_room", lambda *_: ["--seeds", 20]), "plan_room.csv", ("problem",),
-         ("problem", "seed"), PLAN_SHOWN, is_study=True),
-    Part("plan_widest", "clearway plan for the widest path", ROOM, PLAN_PROGRAMS, plans("plan_widest", widest_options), "plan_widest.csv", ("problem",),
-         ("problem", "seed"), PLAN_SHOWN, is_study=True),
-    Part("samplers_window", "PRM with samplers of valid states", ("window",), ("bench_samplers",), samplers("samplers_window"),
-         "samplers_window.csv", (), ("sampler", "seed"), ("found", "planning_seconds"), ci_rows=("window",), is_study=True),
-    Part("samplers_tunnel_console_small", "PRM with samplers of valid states", ("tunnel-console-small",), ("bench_samplers",),
-         samplers("samplers_tunnel_console_small"), "samplers_tunnel_console_small.csv", (), ("sampler", "seed"), ("found", "planning_seconds"),
-         is_study=True),
-    Part("anytime_clearance", "clearance gained with planning time", ("posts",), ("bench_anytime_clearance",), anytime_clearance,
-         "anytime_clearance.csv", ("scene",), ("scene", "planner", "parameters", "objective", "seed", "seconds"), ("certified_clearance",),
-         ci_rows=("gates",), is_study=True),
+    Part("queries", "queries of clearway and its peers, a row a scene", rows=SCENES, quick_rows=("K", "M", "F"), ci_rows=SCENES,
+         programs=("bench_queries",), commands=queries, table="summary.csv", group=("scene",),
+         keys=("scene", "question", "engine", "over_question", "over_engine"), shown=("ratio", "us_mean")),
+    Part("builds", "seconds and bytes of trees", rows=("K", "I", "J", "M", "F"), quick_rows=("M", "F"), ci_rows=("F",),
+         programs=("bench_queries",), commands=builds, group=("scene",), keys=("scene", "build"), shown=("seconds", "bytes_per_triangle")),
+    Part("speed_error", "speed against error, and wrong verdicts near margins", rows=SCENES, quick_rows=("F",), ci_rows=("F", "K", "L", "M"),
+         programs=("bench_speed_error",), commands=speed_error, group=("scene",), keys=("scene", "mode"),
+         shown=("queries_per_second", "time_over_float_only", "error_worst")),
+    Part("scenes", "the demo scenes, and a distance at their poses", rows=tuple(scene_rows.ROWS), quick_rows=("puzzle-2",), ci_rows=("boxes-1",),
+         programs=("clearway_program",), commands=scene_rows.commands, table=scene_rows.table, group=("scene", "clearance_asked"),
+         keys=("scene", "clearance_asked"), shown=("us_mean", "volume_tests", "clearance_certified")),
+    Part("motions", "certified motions against checks in steps", rows=("tunnel-console-3",), quick_rows=("tunnel-console-3",),
+         ci_rows=("tunnel-console-small",), programs=("bench_motions",), commands=motions, group=("scene",), keys=("scene", "what"),
+         shown=("us_certified", "us_compared", "times"), spread=("us_certified", "us_compared", "times"), repetitions={"full": 5}),
+    Part("certified_motions", "motions certified pair by pair and by clearances of the whole part", rows=tuple(CERTIFIED),
+         quick_rows=("cembox-2 path",), programs=("bench_certified_motions",), commands=certified_motions,
+         group=("scene", "motions", "margin", "parts"), keys=("scene", "motions", "margin", "parts", "kind"),
+         shown=("us_globally", "us_by_pairs", "times_faster"), spread=("us_globally", "us_by_pairs", "times_faster"), repetitions={"full": 3}),
+    Part("fcl_motions", "states and motions judged by FCL and by clearway", rows=("tunnel-console-3",), ci_rows=("tunnel-console-small",),
+         programs=("bench_fcl_motions",), commands=fcl_motions, group=(), keys=("what",), shown=("clearway_us", "fcl_us", "times_faster"),
+         spread=("clearway_us", "fcl_us", "times_faster"), repetitions={"full": 3}),
+    Part("fcl_continuous", "FCL's continuous check, judged", rows=("all",), quick_rows=("all",), ci_rows=("all",),
+         programs=("bench_fcl_continuous",), commands=fcl_continuous, group=(), keys=("scene", "checked_by"),
+         shown=("of_these_called_valid", "of_these_called_invalid", "us_a_motion")),
+    Part("strategies", "splits of trees beside the default, a row a scene", rows=SCENES, quick_rows=("M", "F"), ci_rows=("M",),
+         programs=("bench_strategies",), commands=strategies, group=("scene",), keys=("scene", "question", "strategy"),
+         shown=("over_default", "us_mean", "build_seconds")),
+    Part("torture", "hard pairs and poses against exact arithmetic", rows=("all",), ci_rows=("all",), programs=("torture",), commands=torture,
+         group=(), keys=("group", "family", "figure"), shown=("value",), is_shown=lambda row: row["figure"] in ("violations", "false valid")),
+    Part("fcl_first_path", "a first path that is free, by steps with FCL and certified", rows=("tunnel-console-3",),
+         ci_rows=("tunnel-console-small",), programs=("bench_fcl_first_path",), commands=fcl_first_path, group=(), keys=("checked_by", "step"),
+         shown=("found", "free", "median_seconds_to_a_free_path"), is_study=True),
+    study_of_plans("plan_first_path", "clearway plan, its first path", OWN_PROBLEMS + OMPLAPP + ("elk",), first_path_options,
+                   ci_rows=("bracket", "gates")),
+    study_of_plans("plan_bracket", "clearway plan on the bracket, 100 seeds", ("bracket",), lambda *_: ["--quick", "--seeds", 100]),
+    study_of_plans("plan_room", "clearway plan with room", ROOM, lambda *_: ["--seeds", 20]),
+    study_of_plans("plan_widest", "clearway plan for the widest path", ROOM, widest_options),
+    study_of_samplers("samplers_window", "window", ci_rows=("window",)),
+    study_of_samplers("samplers_tunnel_console_small", "tunnel-console-small"),
+    Part("anytime_clearance", "clearance gained with planning time", rows=("posts",), ci_rows=("gates",), programs=("bench_anytime_clearance",),
+         commands=anytime_clearance, group=("scene",), keys=("scene", "planner", "parameters", "objective", "seed", "seconds"),
+         shown=("certified_clearance",), is_study=True),
 )
 
 
