@@ -32,7 +32,7 @@ def runs(results):
             + [" / ".join(str(sum(r["valid"] == "1" for r in of[name])) for name in others)]
             + [f"{sum(r['found'] == '1' for r in of[FCL])} found, {sum(r['valid'] == '1' for r in of[FCL])} valid"]
         )
-    return table(["problem", "solved", "seconds, median (range)", "room, median (range)", " / ".join(others), FCL], lines)
+    return table(["problem", "solved", "seconds, median (range)", "room, median (range)", " / ".join(others), "RRTConnect + FCL"], lines)
 
 
 def parts(results):
