@@ -23,11 +23,11 @@ def said_by(*command, folder=None):
 
 
 def commit_of(folder):
-    """The commit of a checkout, with '+' if files differ from it; empty if it is no checkout of its own."""
+    """The commit of a checkout, with '+' if files other than results differ from it; empty if it is no checkout of its own."""
     top = said_by("git", "rev-parse", "--show-toplevel", folder=folder)
     if not top or pathlib.Path(top).resolve() != pathlib.Path(folder).resolve():
         return ""
-    changed = said_by("git", "status", "--porcelain", "--untracked-files=no", folder=folder)
+    changed = said_by("git", "status", "--porcelain", "--untracked-files=no", "--", ".", ":!tests/bench/results", folder=folder)
     return said_by("git", "rev-parse", "--short=12", "HEAD", folder=folder) + ("+" if changed else "")
 
 
