@@ -9,7 +9,7 @@ from queries import ROWS, compared, ratio_cell
 from results import distinct, matching, seconds, shown, table
 from tables import read, write
 
-CERTAIN = 0.98  # a strategy is faster if all its repetitions take less than this share of the default's time
+CERTAIN = 0.98  # a strategy is faster if all its repetitions, at least three, take less than this share of the default's time
 QUESTIONS = ("distance", "collides", "within 1 %")
 SIZES = {"ci": (1, 0.3), "quick": (3, 2), "full": (7, 20)}  # repetitions, seconds for a question to a peer
 
@@ -47,7 +47,7 @@ def advice_for(rows, question):
     """One line: which strategy answers the question fastest, and from how many queries on a longer build pays."""
     of = matching(rows, question=question)
     default = of[0]
-    certain = [row for row in of if float(row["over_default_largest"]) < CERTAIN]
+    certain = [row for row in of if float(row["over_default_largest"]) < CERTAIN and int(row["repetitions"]) >= 3]
     best = min(certain, key=lambda row: float(row["over_default"])) if certain else default
     if best is default:
         line = f"{question}: the default, {default['strategy']}; none is certainly faster"

@@ -120,23 +120,23 @@ OMPLAPP = ("Easy", "Apartment", "alpha-1.5", "Abstract", "Twistycool", "cubicles
 ROOM = ("bracket", "gates", "tunnel-console-small", "tunnel-console-3")
 
 
-def plans(table, more):
-    """bench_plan_success on one problem. more: form -> options."""
+def plans(table, choices):
+    """bench_plan_success on one problem. choices: row -> its other options, and its seeds and seconds in the full form."""
     def commands(place, row):
-        options = {"ci": ["--seeds", 1, "--time", 10], "quick": ["--seeds", 3, "--time", 60]}.get(place.form, [])
-        return [[place.bench("bench_plan_success"), place.problem(row), *more(place.form, row), *options, "--out", place.scratch / f"{table}.csv"]]
+        more, seeds, limit = choices(row)
+        seeds, limit = {"ci": (1, 10), "quick": (min(seeds, 3), limit), "full": (seeds, limit)}[place.form]
+        return [[place.bench("bench_plan_success"), place.problem(row), *more, "--seeds", seeds, "--time", limit, "--out",
+                 place.scratch / f"{table}.csv"]]
 
     return commands
 
 
-def first_path_options(_form, row):
-    seeds, limit = {"alpha-1.1": (10, 60), "alpha-1.0": (5, 300)}.get(row, (20, 60))
-    return ["--quick", "--seeds", seeds, "--time", limit]
+def first_path(row):
+    return (["--quick"], *{"alpha-1.1": (10, 60), "alpha-1.0": (5, 300)}.get(row, (20, 60)))
 
 
-def widest_options(_form, row):
-    seeds, limit = {"tunnel-console-3": (3, 60), "tunnel-console-small": (5, 15)}.get(row, (5, 5))
-    return ["--objective", "max_min_clearance", "--seeds", seeds, "--time", limit]
+def widest(row):
+    return (["--objective", "max_min_clearance"], *{"tunnel-console-3": (3, 60), "tunnel-console-small": (5, 15)}.get(row, (5, 5)))
 
 
 def samplers(table):
@@ -152,8 +152,8 @@ def anytime_clearance(place, row):
     return [[place.bench("bench_anytime_clearance"), limit, seeds, place.scratch / "anytime_clearance.csv", row]]
 
 
-def study_of_plans(name, about, rows, more, ci_rows=()):
-    return Part(name, about, rows=rows, programs=("bench_plan_success",), commands=plans(name, more), group=("problem",), keys=("problem", "seed"),
+def study_of_plans(name, about, rows, choices, ci_rows=()):
+    return Part(name, about, rows=rows, programs=("bench_plan_success",), commands=plans(name, choices), group=("problem",), keys=("problem", "seed"),
                 shown=("found", "planning_seconds", "least_clearance"), ci_rows=ci_rows, is_study=True)
 
 
@@ -195,11 +195,11 @@ PARTS = (
     Part("fcl_first_path", "a first path that is free, by steps with FCL and certified", rows=("tunnel-console-3",),
          ci_rows=("tunnel-console-small",), programs=("bench_fcl_first_path",), commands=fcl_first_path, group=(), keys=("checked_by", "step"),
          shown=("found", "free", "median_seconds_to_a_free_path"), is_study=True),
-    study_of_plans("plan_first_path", "clearway plan, its first path", OWN_PROBLEMS + OMPLAPP + ("elk",), first_path_options,
+    study_of_plans("plan_first_path", "clearway plan, its first path", OWN_PROBLEMS + OMPLAPP + ("elk",), first_path,
                    ci_rows=("bracket", "gates")),
-    study_of_plans("plan_bracket", "clearway plan on the bracket, 100 seeds", ("bracket",), lambda *_: ["--quick", "--seeds", 100]),
-    study_of_plans("plan_room", "clearway plan with room", ROOM, lambda *_: ["--seeds", 20]),
-    study_of_plans("plan_widest", "clearway plan for the widest path", ROOM, widest_options),
+    study_of_plans("plan_bracket", "clearway plan on the bracket, 100 seeds", ("bracket",), lambda _: (["--quick"], 100, 60)),
+    study_of_plans("plan_room", "clearway plan with room", ROOM, lambda _: ([], 20, 60)),
+    study_of_plans("plan_widest", "clearway plan for the widest path", ROOM, widest),
     study_of_samplers("samplers_window", "window", ci_rows=("window",)),
     study_of_samplers("samplers_tunnel_console_small", "tunnel-console-small"),
     Part("anytime_clearance", "clearance gained with planning time", rows=("posts",), ci_rows=("gates",), programs=("bench_anytime_clearance",),
