@@ -1,9 +1,10 @@
 // All pairs of triangles of two leaves, one pair per lane. A cheap bound drops most pairs; the others go
-// through the visitor's triangle kernel.
+// through the visitor's triangle kernel, at once or with the pairs of other leaves.
 #include "clearway/build_options.h"
 #include "hwy/highway.h"
 #include "kernels/tri_tri_distance-inl.h"
 #include "query/pair_query.h"
+#include "query/waiting_pairs-inl.h"
 
 #if defined(CLEARWAY_QUERY_LEAF_PAIRS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef CLEARWAY_QUERY_LEAF_PAIRS_INL_H_
@@ -23,7 +24,10 @@ constexpr int kBlock = 4;
 constexpr int kBlockPairs = kBlock * kBlock;
 constexpr int kMostBlocks = (kLargestLeafSize + kBlock - 1) / kBlock;  ///< in a leaf
 constexpr int kWalkSteps = 1;  ///< of the cheap bound; a second one drops a third of the rest, but costs more
-using PairTag = hn::CappedTag<float, kBlockPairs>;
+static_assert(hn::MaxLanes(PairTag()) <= kBlockPairs);
+
+/// Registers with at least this many near pairs go to the kernel at once: gathering them would cost more than the empty lanes.
+constexpr std::size_t kCrowded = (3 * hn::MaxLanes(PairTag()) + 3) / 4;
 
 /// One coordinate of a block's 4 triangles. Entries past the block's last triangle have no meaning.
 struct alignas(16) BlockRow {
@@ -111,15 +115,29 @@ class LeafPairs {
     std::uint64_t kernelPairs() const { return kernelPairs_; }
     std::uint64_t kernelLanes() const { return kernelLanes_; }
 
-    /// Hands the visitor every pair whose distance may be below dropFrom(), until the visitor is done(). A
-    /// visitor also has
-    ///   bounds(d, pair, lower)          the TriangleBounds of a register of pairs; lower: known bounds
-    ///   take(lower, upper, triangles)   takes a pair with proved bounds of its distance
+    /// Hands the visitor, as TakeNear does, the near pairs of crowded registers, and of the registers that the other near pairs fill
+    /// with those that wait. The rest waits.
+    template <class Visitor>
+    HWY_INLINE void visit(WaitingPairs& waiting, Visitor& visitor) {
+        visitPlaces([&](const RegisterPlace& place) HWY_ATTR {
+            if (Visitor::kPairsMayWait && hwy::PopCount(std::uint64_t(place.near)) < kCrowded) {
+                append(place, waiting);
+                return !waiting.fillRegister() || waiting.take(visitor);
+            }
+            const RegisterOfPairs pairs = {loadPairs(place), place.near, hn::Set(PairTag(), roundingError_),
+                                           hn::Set(PairTag(), volumesBound_)};
+            return TakeNear(pairs, visitor, [&](std::uint32_t lane, std::int32_t feature) {
+                return trianglesAt(place, lane, feature);
+            });
+        });
+    }
+
+    /// Hands the visitor the near pairs of these leaves alone.
     template <class Visitor>
     HWY_INLINE void visit(Visitor& visitor) {
-        visitRegisters(
-            [&](const PairTag& d, const TrianglePair<hn::Vec<PairTag>>& pair, const RegisterPlace& place)
-                HWY_ATTR { return takeNear(d, pair, place, visitor); });
+        WaitingPairs waiting;
+        visit(waiting, visitor);
+        if (!visitor.done() && waiting.count > 0) waiting.take(visitor);
     }
 
     /// The place of a register among the pairs of two leaves: its blocks begin with the part's triangle i and
@@ -132,30 +150,15 @@ class LeafPairs {
     /// Calls look(d, pair, place) for every register that holds a near pair, until it returns false.
     template <class Look>
     HWY_INLINE void visitRegisters(const Look& look) {
-        const PairTag d;
-        int block = 0;
-        for (std::uint32_t i = 0; i < part_->triangleCount; i += kBlock) {
-            for (std::uint32_t j = 0; j < environment_->triangleCount; j += kBlock) {
-                const std::uint32_t near = near_[block++];
-                for (std::uint32_t first = 0; near >> first != 0; first += std::uint32_t(hn::Lanes(d))) {
-                    const std::uint32_t lanes = (near >> first) & ((1u << hn::Lanes(d)) - 1);
-                    if (lanes == 0) continue;
-                    kernelPairs_ += std::uint64_t(hwy::PopCount(std::uint64_t(lanes)));
-                    kernelLanes_ += hn::Lanes(d);
-                    Triangles<hn::Vec<PairTag>> a, b;
-                    load(i, j, first, a, b);
-                    if (!look(d, TrianglePair<hn::Vec<PairTag>>(a, b), RegisterPlace{i, j, first, lanes}))
-                        return;
-                }
-            }
-        }
+        visitPlaces([&](const RegisterPlace& place)
+                        HWY_ATTR { return look(PairTag(), loadPairs(place), place); });
     }
 
     /// The pair in a lane of a register.
-    TrianglesAt trianglesAt(const RegisterPlace& place, std::uint32_t lane, float feature) const {
+    TrianglesAt trianglesAt(const RegisterPlace& place, std::uint32_t lane, std::int32_t feature) const {
         const std::uint32_t pair = place.first + lane;
         return {part_->firstTriangle + place.i + pair / kBlock,
-                environment_->firstTriangle + place.j + pair % kBlock, std::int32_t(feature)};
+                environment_->firstTriangle + place.j + pair % kBlock, feature};
     }
 
     /// Rounding of a gap or distance of these leaves' triangles, query units.
@@ -234,6 +237,74 @@ class LeafPairs {
         return start;
     }
 
+    /// Calls look(place) for every register that holds a near pair, until it returns false.
+    template <class Look>
+    HWY_INLINE void visitPlaces(const Look& look) {
+        constexpr std::uint32_t kLanes = std::uint32_t(hn::MaxLanes(PairTag()));
+        int block = 0;
+        for (std::uint32_t i = 0; i < part_->triangleCount; i += kBlock) {
+            for (std::uint32_t j = 0; j < environment_->triangleCount; j += kBlock) {
+                const std::uint32_t near = near_[block++];
+                for (std::uint32_t first = 0; near >> first != 0; first += kLanes) {
+                    const std::uint32_t lanes = (near >> first) & ((1u << kLanes) - 1);
+                    if (lanes != 0 && !look(RegisterPlace{i, j, first, lanes})) return;
+                }
+            }
+        }
+    }
+
+    /// The pairs of a register that goes to the kernel at once.
+    HWY_INLINE TrianglePair<hn::Vec<PairTag>> loadPairs(const RegisterPlace& place) {
+        kernelPairs_ += std::uint64_t(hwy::PopCount(std::uint64_t(place.near)));
+        kernelLanes_ += hn::MaxLanes(PairTag());
+        Triangles<hn::Vec<PairTag>> a, b;
+        load(place.i, place.j, place.first, a, b);
+        return {a, b};
+    }
+
+    /// Appends a register's near pairs to those that wait.
+    HWY_INLINE void append(const RegisterPlace& place, WaitingPairs& waiting) const {
+        const PairTag d;
+        const hn::RebindToSigned<PairTag> di;
+        const int at = waiting.count;
+#if HWY_TARGET == HWY_SCALAR
+        const auto ofPart = std::int32_t(place.first / kBlock),
+                   ofEnvironment = std::int32_t(place.first % kBlock);
+        const auto gathered = [&](const float* row, std::int32_t triangle) {
+            return hn::Set(d, row[triangle]);
+        };
+        const auto partTriangles = hn::Set(di, ofPart), environmentTriangles = hn::Set(di, ofEnvironment);
+#else
+        const std::uint8_t near[8] = {std::uint8_t(place.near), std::uint8_t(place.near >> 8)};
+        const auto pairs = hn::CompressBits(hn::Iota(di, std::int32_t(place.first)), near);
+        const auto inBlock = hn::Set(di, kBlock - 1);
+        const auto partTriangles = hn::And(hn::ShiftRight<2>(pairs), inBlock);
+        const auto environmentTriangles = hn::And(pairs, inBlock);
+        const auto ofPart = hn::IndicesFromVec(d, partTriangles);
+        const auto ofEnvironment = hn::IndicesFromVec(d, environmentTriangles);
+        const auto gathered = [&](const float* row, const auto& triangles) HWY_ATTR {
+            return hn::TableLookupLanes(hn::LoadDup128(d, row), triangles);
+        };
+#endif
+        const float* environmentRow =
+            query_->environment->leafVertices.data() + 9 * size_t(environment_->firstTriangle) + place.j;
+        const auto scale = hn::Set(d, query_->environmentLeafToQuery);
+        for (int k = 0; k < 9; ++k, environmentRow += environment_->triangleCount) {
+            hn::StoreU(gathered(moved_[place.i / kBlock][k].of, ofPart), d, waiting.partCorners[k] + at);
+            hn::StoreU(hn::Mul(gathered(environmentRow, ofEnvironment), scale), d,
+                       waiting.environmentCorners[k] + at);
+        }
+        hn::StoreU(hn::Set(d, roundingError_), d, waiting.roundingErrors + at);
+        hn::StoreU(hn::Set(d, volumesBound_), d, waiting.knownBounds + at);
+        const auto storeTriangles = [&](auto inBlocks, std::uint32_t first, std::int32_t* to) HWY_ATTR {
+            hn::StoreU(hn::Add(inBlocks, hn::Set(di, std::int32_t(first))), di, to + at);
+        };
+        storeTriangles(partTriangles, part_->firstTriangle + place.i, waiting.partTriangles);
+        storeTriangles(environmentTriangles, environment_->firstTriangle + place.j,
+                       waiting.environmentTriangles);
+        waiting.count += int(hwy::PopCount(std::uint64_t(place.near)));
+    }
+
     /// Loads the register that begins with pair `first` of the blocks that begin with the part's triangle i
     /// and the environment's triangle j.
     template <class V = hn::Vec<PairTag>>
@@ -254,14 +325,6 @@ class LeafPairs {
             a.corner[corner] = {part(0), part(1), part(2)};
             b.corner[corner] = {environment(0), environment(1), environment(2)};
         }
-    }
-
-    /// The lanes whose proved bound is below dropFrom or is NaN.
-    template <class V>
-    HWY_INLINE std::uint32_t nearLanes(V lower, float dropFrom) const {
-        const PairTag d;
-        const V proved = hn::Sub(lower, hn::Set(d, roundingError_));
-        return ~MaskBits(d, hn::Ge(proved, hn::Set(d, dropFrom))) & ((1u << hn::Lanes(d)) - 1);
     }
 
     /// The pairs of two blocks that a cheap bound does not prove to be dropFrom apart, as bits.
@@ -294,28 +357,6 @@ class LeafPairs {
             near |= (lanes & ~MaskBits(d, proved)) << first;
         }
         return near;
-    }
-
-    /// Takes the near pairs of a register through the visitor's kernel and hands the visitor those that stay
-    /// near. Returns false when the visitor is done.
-    template <class Visitor, class V = hn::Vec<PairTag>>
-    HWY_INLINE bool takeNear(PairTag d, const TrianglePair<V>& pair, const RegisterPlace& place,
-                             Visitor& visitor) const {
-        const V apart = FaceSeparation(d, pair);
-        std::uint32_t left = place.near & nearLanes(apart, visitor.dropFrom());
-        if (left == 0) return true;
-        const TriangleBounds<V> bounds = visitor.bounds(d, pair, apart);
-        left &= nearLanes(bounds.lower, visitor.dropFrom());
-        const auto error = hn::Set(d, roundingError_);
-        alignas(64) float lowers[kBlockPairs], uppers[kBlockPairs], features[kBlockPairs];
-        hn::Store(bounds.feature, d, features);
-        hn::Store(hn::Max(hn::Sub(bounds.lower, error), hn::Set(d, volumesBound_)), d, lowers);
-        hn::Store(hn::Add(bounds.upper, error), d, uppers);
-        for (; left != 0 && !visitor.done(); left &= left - 1) {
-            const std::uint32_t lane = LowestBit(left);
-            visitor.take(lowers[lane], uppers[lane], trianglesAt(place, lane, features[lane]));
-        }
-        return !visitor.done();
     }
 
     /// The pairs that exist, as bits: blocks may hold fewer than 4 triangles.

@@ -33,6 +33,7 @@ class Closest {
         lowerDropFrom(request.cap);
     }
 
+    static constexpr bool kPairsMayWait = true;
     float dropFrom() const { return dropFrom_; }
     bool done() const { return answer_.contact == Verdict::yes; }
 
@@ -192,6 +193,7 @@ class Within {
         dropFrom_ = reach < hwy::HighestValue<float>() ? nextFloatAbove(reach) : hwy::HighestValue<float>();
     }
 
+    static constexpr bool kPairsMayWait = false;  // the first pair that is within ends the query
     float dropFrom() const { return dropFrom_; }
     bool done() const { return found_; }
 

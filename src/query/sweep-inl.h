@@ -313,7 +313,7 @@ class Sweep {
         for (; left != 0 && !leaf.isContact && !isDone_; left &= left - 1) {
             const std::uint32_t lane = LowestBit(left);
             take({lowers[lane], uppers[lane], afters[lane], befores[lane]},
-                 leaves_.trianglesAt(place, lane, features[lane]), piece, need, leaf);
+                 leaves_.trianglesAt(place, lane, std::int32_t(features[lane])), piece, need, leaf);
         }
     }
 

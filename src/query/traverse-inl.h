@@ -4,7 +4,7 @@
 // A visitor has
 //   float dropFrom() const   query units: pairs of volumes at least this far apart are of no interest
 //   bool done() const        whether the traversal may stop
-// and the members that LeafPairs::visit asks for.
+// and the members that TakeNear asks for.
 #include "hwy/highway.h"
 #include "kernels/rss_lower_bound-inl.h"
 #include "query/leaf_pairs-inl.h"
@@ -129,6 +129,7 @@ HWY_INLINE void Traverse(const PairQuery& query, Workspace::State& state, Visito
     // pushed children gained anything when measured: arithmetic is the limit.
     Opening<kWidth> opening;
     LeafPairs leaves;
+    WaitingPairs waiting;
     while (!stack.empty() && !visitor.done()) {
         const StackEntry entry = stack.pop();
         if (entry.bound >= visitor.dropFrom()) continue;
@@ -138,7 +139,7 @@ HWY_INLINE void Traverse(const PairQuery& query, Workspace::State& state, Visito
                         visitor.dropFrom());
             state.counters.triangleTests += std::uint64_t(leaves.total());
             state.counters.triangleLanes += std::uint64_t(leaves.lanes());
-            leaves.visit(visitor);
+            leaves.visit(waiting, visitor);
         } else {
             Open(query, entry, a, b, visitor.dropFrom(), opening);
             ++state.counters.nodeVisits;
@@ -146,8 +147,9 @@ HWY_INLINE void Traverse(const PairQuery& query, Workspace::State& state, Visito
             PushNear(opening, stack);
         }
     }
-    state.counters.kernelPairs += leaves.kernelPairs();
-    state.counters.kernelLanes += leaves.kernelLanes();
+    if (!visitor.done() && waiting.count > 0) waiting.take(visitor);
+    state.counters.kernelPairs += waiting.kernelPairs + leaves.kernelPairs();
+    state.counters.kernelLanes += waiting.kernelLanes + leaves.kernelLanes();
 }
 
 }  // namespace HWY_NAMESPACE

@@ -1,5 +1,8 @@
 #include "bench/bench_scenes.h"
 
+#include <string_view>
+
+#include "bench/linked_rings.h"
 #include "core/number.h"
 #include "core/text.h"
 #include "program/scenes/scenes.h"
@@ -17,7 +20,8 @@ const std::vector<BenchScene>& benchScenes() {
         {"J", "large-environment-2", {120000, 1700000}, {10000, 80000}, 0.1, 0, 0, 1, true},
         {"K", "tunnel-console-3", {73425, 300401}, {15000, 50000}, 0.75, 0, 0, 0.75, true},
         {"L", "tunnel-console-3", {73425, 300401}, {15000, 50000}, 0, 1e-3, 0.1, 1, true},
-        {"M", "puzzle-2", {2000, 2000}, {2000, 2000}, 0.1, 0, 0, 1, true},
+        {"M", kLinkedRings, {500000, 500000}, {8000, 8000}, 0, 1e-3, 0.1, 1, true},
+        {"N", "puzzle-2", {2000, 2000}, {2000, 2000}, 0.1, 0, 0, 1, true},
     };
     return kScenes;
 }
@@ -35,6 +39,14 @@ double BenchTask::sceneSize() const {
 }
 
 BenchTask makeTask(const BenchScene& scene, const BenchSize& size, int poses, std::uint64_t seed) {
+    if (std::string_view(scene.scene) == kLinkedRings) {
+        return {scene.name,
+                kLinkedRings,
+                std::string(kLinkedRings) + ", none colliding",
+                ring(size.partTriangles),
+                ring(size.environmentTriangles),
+                linkedRingPoses(poses)};
+    }
     const NamedScene& row = sceneNamed(scene.scene);
     SceneOptions options = row.defaults;
     options.partTriangles = size.partTriangles;

@@ -15,10 +15,13 @@ struct BenchSize {
     std::size_t environmentTriangles;
 };
 
+/// A scene of bench/linked_rings.h, with its own poses.
+constexpr const char* kLinkedRings = "linked-rings-1";
+
 /// One column of the tables of figures.
 struct BenchScene {
-    const char* name;   ///< "F", "K", ...
-    const char* scene;  ///< a row of program/scenes/scenes.cpp, with its version
+    const char* name;   ///< "F", "I", ...
+    const char* scene;  ///< with its version; a row of program/scenes/scenes.cpp, or kLinkedRings
     BenchSize full;
     BenchSize small;             ///< for runs that only show that all answers agree
     double collidingShare;       ///< 0: no pose collides, and the distances lie in the range below

@@ -39,6 +39,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 /// The visitor: keeps the least upper bound and the least lower bound of all pairs met.
 class LeastInFloat {
   public:
+    static constexpr bool kPairsMayWait = true;
     float dropFrom() const { return nearest_.upper; }
     bool done() const { return nearest_.touches; }
 

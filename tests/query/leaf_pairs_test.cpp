@@ -1,5 +1,5 @@
-// LeafPairs hands over each near pair of two leaves exactly once, with bounds that hold its distance, for any
-// number of triangles, on any instruction set.
+// LeafPairs hands over each near pair of leaves exactly once, with bounds that hold its distance, for any numbers
+// of leaves and triangles, on any instruction set.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <limits>
@@ -39,6 +39,7 @@ namespace HWY_NAMESPACE {
 class Recorder {
   public:
     Recorder(float dropFrom, std::vector<testing::TakenPair>& taken) : dropFrom_(dropFrom), taken_(taken) {}
+    static constexpr bool kPairsMayWait = true;
     float dropFrom() const { return dropFrom_; }
     bool done() const { return false; }
 
@@ -55,12 +56,18 @@ class Recorder {
     std::vector<testing::TakenPair>& taken_;
 };
 
-void visitLeaves(const PairQuery& query, const Leaf& part, const Leaf& environment, float dropFrom,
-                 std::vector<testing::TakenPair>& taken) {
+/// Visits all pairs of leaves.
+void visitLeaves(const PairQuery& query, float dropFrom, std::vector<testing::TakenPair>& taken) {
     LeafPairs pairs;
-    pairs.meet(query, part, environment, -hwy::HighestValue<float>(), dropFrom);
+    WaitingPairs waiting;
     Recorder recorder(dropFrom, taken);
-    pairs.visit(recorder);
+    for (const Leaf& part : query.part->leaves) {
+        for (const Leaf& environment : query.environment->leaves) {
+            pairs.meet(query, part, environment, -hwy::HighestValue<float>(), dropFrom);
+            pairs.visit(waiting, recorder);
+        }
+    }
+    if (waiting.count > 0) waiting.take(recorder);
 }
 
 }  // namespace HWY_NAMESPACE
@@ -78,7 +85,7 @@ namespace {
 
 constexpr std::uint64_t kSeed = 107;
 
-/// Two meshes of one leaf each, at a pose.
+/// Two meshes at a pose, most of them of one leaf each.
 struct LeafCase {
     std::string name;
     Model part, environment;
@@ -86,14 +93,11 @@ struct LeafCase {
     std::vector<std::vector<long double>> distances;  ///< of the triangles in the trees' order, query units
 };
 
-Model oneLeaf(const Mesh& mesh) {
+LeafCase makeLeaves(const std::string& name, const Mesh& part, const Mesh& environment, const Pose& pose,
+                    int leafSize = 16) {
     BuildOptions options;
-    options.leafSize = 16;
-    return Model::build(mesh, options);
-}
-
-LeafCase makeLeaves(const std::string& name, const Mesh& part, const Mesh& environment, const Pose& pose) {
-    LeafCase leaves{name, oneLeaf(part), oneLeaf(environment), pose, {}};
+    options.leafSize = leafSize;
+    LeafCase leaves{name, Model::build(part, options), Model::build(environment, options), pose, {}};
     const FlatTree &a = leaves.part.tree(), &b = leaves.environment.tree();
     const double perMeshUnit = preparePairQuery(a, b, pose).perMeshUnit;
     const MeshOracle oracle(part, environment);
@@ -115,6 +119,14 @@ LeafCase makeSoups(Random& random, int partTriangles, int environmentTriangles) 
     const std::string name = std::to_string(partTriangles) + " and " + std::to_string(environmentTriangles) +
                              " triangles, away " + std::to_string(away);
     return makeLeaves(name, part, environment, {random.rotation(), away * random.direction()});
+}
+
+/// Trees of several leaves of at most leafSize triangles, near each other.
+LeafCase makeSeveralLeaves(Random& random, int leafSize) {
+    const Mesh part = randomSoup(random, 12 + random.below(8), 1, 0.5),
+               environment = randomSoup(random, 12 + random.below(8), 1, 0.5);
+    return makeLeaves("leaves of " + std::to_string(leafSize), part, environment,
+                      {random.rotation(), random.inBox(2)}, leafSize);
 }
 
 /// Leaves near each other, turned so that the rotation's rows are as far from the axes as possible: there
@@ -157,6 +169,7 @@ const std::vector<LeafCase>& cases() {
                 for (int i = 0; i < 2; ++i) result.push_back(makeSoups(random, n, m));
             }
         }
+        for (int i = 0; i < 60; ++i) result.push_back(makeSeveralLeaves(random, 1 + i % 6));
         for (int i = 0; i < 60; ++i) {
             result.push_back(makeUnfavourable(random));
             result.push_back(makeFar(random));
@@ -177,11 +190,7 @@ std::vector<std::vector<std::vector<TakenPair>>> takenOf(const LeafCase& leaves,
                                                          float dropFrom) {
     hwy::GetChosenTarget().Update(hwy::SupportedTargets());  // this program's own dispatch
     std::vector<TakenPair> taken;
-    for (const Leaf& a : leaves.part.tree().leaves) {
-        for (const Leaf& b : leaves.environment.tree().leaves) {
-            HWY_DYNAMIC_DISPATCH(visitLeaves)(query, a, b, dropFrom, taken);
-        }
-    }
+    HWY_DYNAMIC_DISPATCH(visitLeaves)(query, dropFrom, taken);
     std::vector<std::vector<std::vector<TakenPair>>> byPair(leaves.distances.size());
     for (auto& row : byPair) row.resize(leaves.distances[0].size());
     for (const TakenPair& pair : taken)

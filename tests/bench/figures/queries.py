@@ -3,10 +3,11 @@
 from results import NotMeasured, distinct, matching, percent, shown, span, table, whole
 
 # The scenes that bench_queries measures now, in the order of the tables; others in a results folder come after them.
-ORDER = ["K", "L", "I", "J", "M", "E", "F"]
+ORDER = ["K", "L", "I", "J", "M", "N", "E", "F"]
 REMARKS = {
     "F": "parallel faces",
     "J": "sheets around a sheet",
+    "M": "rings that hold each other",
 }
 
 # Title, the question and engine of clearway, those that they are compared with.

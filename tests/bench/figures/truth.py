@@ -11,7 +11,7 @@ SHORT_LIST = ("isWithin", "default") + PEERS
 OLDER = {"A": "tunnel-console-2, in the tunnel", "B": "tunnel-console-2, outside", "C": "cembox-1", "D": "large-environment-1",
          "E": "puzzle-1"}
 NOW = {"F": "boxes-1", "I": "cembox-2", "J": "large-environment-2", "K": "tunnel-console-3, in the tunnel", "L": "tunnel-console-3, outside",
-       "M": "puzzle-2"}
+       "M": "linked-rings-1", "N": "puzzle-2"}
 
 
 def scene_name(letter):

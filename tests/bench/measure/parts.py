@@ -33,7 +33,7 @@ class Part:
         return {"ci": self.ci_rows, "quick": self.quick_rows, "full": self.rows}[form]
 
 
-SCENES = ("K", "L", "I", "J", "M", "F")  # of bench_queries
+SCENES = ("K", "L", "I", "J", "M", "N", "F")  # of bench_queries
 SMALL_PROBLEM = "data/tunnel-console-small/tunnel-console.cfg"
 
 
@@ -163,12 +163,12 @@ def study_of_samplers(name, problem, ci_rows=()):
 
 
 PARTS = (
-    Part("queries", "queries of clearway and its peers, a row a scene", rows=SCENES, quick_rows=("K", "M", "F"), ci_rows=SCENES,
+    Part("queries", "queries of clearway and its peers, a row a scene", rows=SCENES, quick_rows=("K", "N", "F"), ci_rows=SCENES,
          programs=("bench_queries",), commands=queries, table="summary.csv", group=("scene",),
          keys=("scene", "question", "engine", "over_question", "over_engine"), shown=("ratio", "us_mean")),
-    Part("builds", "seconds and bytes of trees", rows=("K", "I", "J", "M", "F"), quick_rows=("M", "F"), ci_rows=("F",),
+    Part("builds", "seconds and bytes of trees", rows=("K", "I", "J", "M", "N", "F"), quick_rows=("N", "F"), ci_rows=("F",),
          programs=("bench_queries",), commands=builds, group=("scene",), keys=("scene", "build"), shown=("seconds", "bytes_per_triangle")),
-    Part("speed_error", "speed against error, and wrong verdicts near margins", rows=SCENES, quick_rows=("F",), ci_rows=("F", "K", "L", "M"),
+    Part("speed_error", "speed against error, and wrong verdicts near margins", rows=SCENES, quick_rows=("F",), ci_rows=("F", "K", "L", "N"),
          programs=("bench_speed_error",), commands=speed_error, group=("scene",), keys=("scene", "mode"),
          shown=("queries_per_second", "time_over_float_only", "error_worst")),
     Part("scenes", "the demo scenes, and a distance at their poses", rows=tuple(scene_rows.ROWS), quick_rows=("puzzle-2",), ci_rows=("boxes-1",),
@@ -187,7 +187,7 @@ PARTS = (
     Part("fcl_continuous", "FCL's continuous check, judged", rows=("all",), quick_rows=("all",), ci_rows=("all",),
          programs=("bench_fcl_continuous",), commands=fcl_continuous, group=(), keys=("scene", "checked_by"),
          shown=("of_these_called_valid", "of_these_called_invalid", "us_a_motion")),
-    Part("strategies", "splits of trees beside the default, a row a scene", rows=SCENES, quick_rows=("M", "F"), ci_rows=("M",),
+    Part("strategies", "splits of trees beside the default, a row a scene", rows=SCENES, quick_rows=("N", "F"), ci_rows=("N",),
          programs=("bench_strategies",), commands=strategies, group=("scene",), keys=("scene", "question", "strategy"),
          shown=("over_default", "us_mean", "build_seconds")),
     Part("torture", "hard pairs and poses against exact arithmetic", rows=("all",), ci_rows=("all",), programs=("torture",), commands=torture,
