@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <iostream>
-#include <stdexcept>
 
 #include "clearway/targets.h"
 #include "program/cli/shared_options.h"
@@ -35,10 +34,7 @@ std::optional<BenchChoices> readOptions(int count, char** words) {
         "bench_queries [options]",
         "Times every kind of query of clearway and of its peers on the same meshes and poses.");
     addTaskOptions(line, "summary.csv, builds.csv and poses_SCENE.csv", choices);
-    line.option("--part MESH", "mesh file, instead of scenes; then also --environment and --poses",
-                to(choices.part));
-    line.option("--environment MESH", "mesh file", to(choices.environment));
-    line.option("--poses FILE", "poses file", to(choices.poses));
+    addFileOptions(line, choices);
     line.option("--build-rounds N", "rounds of builds; 0: none (5)",
                 integer<int>(choices.builds.rounds, 0, INT32_MAX));
     line.option("--build-budget S", "seconds for a scene's builds (60)", nonNegative(choices.builds.seconds));
@@ -48,11 +44,7 @@ std::optional<BenchChoices> readOptions(int count, char** words) {
     line.option("--oracle-poses N", "poses the oracle is asked about even if all agree (3)",
                 integer<std::size_t>(choices.oraclePoses, 0, INT32_MAX));
     if (!line.parse({words + 1, words + count})) return std::nullopt;
-    const auto files = !choices.part.empty() + !choices.environment.empty() + !choices.poses.empty();
-    if (files != 0 && files != 3) {
-        throw std::invalid_argument("--part, --environment and --poses are given together or not at all");
-    }
-    if (files != 0) choices.scenes.clear();
+    requireFiles(choices);
     choices.targets = targetsOf(targets);
     return choices;
 }

@@ -10,9 +10,7 @@
 
 namespace clearway::testing {
 
-/// The choices of bench_queries. If mesh files are given, `scenes` is empty.
 struct BenchChoices : TaskChoices {
-    std::string part, environment, poses;  ///< files; empty when scenes are chosen
     BuildSchedule builds;
     std::vector<std::string> targets;  ///< instruction sets besides the best one
     BuildOptions trees;

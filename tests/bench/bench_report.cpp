@@ -162,8 +162,10 @@ void printReport(std::ostream& out, const BenchReport& report) {
 }
 
 std::string summaryHeader() {
-    return "scene,poses,colliding,question,engine,over_question,over_engine,ratio,ratio_least,ratio_largest,"
-           "repetitions,us_mean,us_median,node_visits,volume_tests,triangle_tests,refined_pairs,wrong,"
+    return "scene,scene_name,part_triangles,environment_triangles,poses,colliding,question,engine,over_"
+           "question,"
+           "over_engine,ratio,ratio_least,ratio_largest,repetitions,us_mean,us_median,node_visits,volume_"
+           "tests,triangle_tests,refined_pairs,wrong,"
            "over_us_mean,over_us_median,over_node_visits,over_volume_tests,over_triangle_tests,"
            "over_refined_pairs,over_wrong\n";
 }
@@ -172,9 +174,11 @@ std::string summaryRows(const BenchReport& report) {
     std::ostringstream out;
     for (const Comparison& row : comparisons(report.all)) {
         const std::vector<double> values = ratios(*row.ours, *row.theirs);
-        out << report.task.name << ',' << report.task.poses.size() << ',' << report.judgement.collidingPoses()
-            << ',' << quoted(row.ours->asked) << ',' << quoted(row.ours->engine) << ','
-            << quoted(row.theirs->asked) << ',' << quoted(row.theirs->engine);
+        out << report.task.name << ',' << report.task.sceneName << ',' << report.task.part.triangles.size()
+            << ',' << report.task.environment.triangles.size() << ',' << report.task.poses.size() << ','
+            << report.judgement.collidingPoses() << ',' << quoted(row.ours->asked) << ','
+            << quoted(row.ours->engine) << ',' << quoted(row.theirs->asked) << ','
+            << quoted(row.theirs->engine);
         writeRange(out, values);
         out << ',' << values.size();
         writeSide(out, report, *row.ours);

@@ -20,7 +20,7 @@ constexpr const char* kLinkedRings = "linked-rings-1";
 
 /// One column of the tables of figures.
 struct BenchScene {
-    const char* name;   ///< "E", "F", ...
+    const char* name;   ///< "F", "I", ...
     const char* scene;  ///< with its version; a row of program/scenes/scenes.cpp, or kLinkedRings
     BenchSize full;
     BenchSize small;             ///< for runs that only show that all answers agree
@@ -38,7 +38,8 @@ const BenchScene& benchSceneNamed(const std::string& name);
 /// The meshes, and the poses at which they are queried.
 struct BenchTask {
     std::string name;
-    std::string about;  ///< one line: scene and pose set
+    std::string sceneName;  ///< with its version; "files" for the user's own
+    std::string about;      ///< one line: scene and pose set
     Mesh part;
     Mesh environment;
     std::vector<Pose> poses;

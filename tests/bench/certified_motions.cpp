@@ -122,6 +122,7 @@ class Comparison {
         const MotionValidator globally(si_, scene_, planning::stateToPose(*space_),
                                        planning::displacementBound(*space_, scene_.part));
         before_.assign(motions_.size(), {});
+        Rows rows{table, label, {}};
         std::vector<Answer> after(motions_.size());
         for (int turn = 0; turn < 2; ++turn) {
             for (std::size_t i = 0; i < motions_.size(); ++i) after[i] = ask(pairs, motions_[i], after[i]);
@@ -131,7 +132,7 @@ class Comparison {
         const auto areValid = [](const Answer& old, const Answer& found) {
             return old.isValid && found.isValid;
         };
-        Rows rows{table, label};
+        rows.verdicts = countVerdicts(before_, after);
         print("valid", before_, after, areValid, rows);
         print(
             "invalid", before_, after, [&](const Answer& a, const Answer& b) { return !areValid(a, b); },
@@ -147,7 +148,7 @@ class Comparison {
             shorter = std::max(shorter, -more);
         }
         std::cout << "forward up to " << further << " further, " << shorter << " shorter\n";
-        return countVerdicts(before_, after);
+        return rows.verdicts.lost;
     }
 
     /// Appends the motions of the last comparison.
@@ -191,10 +192,14 @@ class Comparison {
             before.back().undecided = verdict == "undecided";
             after.push_back(ask(pairs, motion, {}));
         }
-        return countVerdicts(before, after);
+        return countVerdicts(before, after).lost;
     }
 
   private:
+    struct Verdicts {
+        std::size_t lost = 0, gained = 0;  ///< valid globally alone; valid by a sweep alone
+    };
+
     Answer ask(const MotionValidator& validator, const RecordedMotion& motion, const Answer& sofar) const {
         Answer answer;
         const auto undecided = validator.counters().undecided;
@@ -218,11 +223,13 @@ class Comparison {
     struct Rows {
         std::ostream* out;
         std::string label;
+        Verdicts verdicts;
         void add(const char* what, std::size_t count, double before, double after, double visitsBefore,
                  double visitsAfter) const {
             if (out == nullptr || count == 0) return;
             *out << label << "," << what << "," << count << "," << before * 1e6 << "," << after * 1e6 << ","
-                 << before / after << "," << visitsBefore << "," << visitsAfter << "\n";
+                 << before / after << "," << visitsBefore << "," << visitsAfter << "," << verdicts.lost << ","
+                 << verdicts.gained << "\n";
         }
     };
 
@@ -250,7 +257,7 @@ class Comparison {
         rows.add(what, count, beforeSeconds / n, afterSeconds / n, beforeVisits / n, afterVisits / n);
     }
 
-    static std::size_t countVerdicts(const std::vector<Answer>& before, const std::vector<Answer>& after) {
+    static Verdicts countVerdicts(const std::vector<Answer>& before, const std::vector<Answer>& after) {
         std::size_t lost = 0, gained = 0, undecidedBefore = 0, undecidedAfter = 0;
         for (std::size_t i = 0; i < before.size(); ++i) {
             lost += before[i].isValid && !after[i].isValid;
@@ -260,7 +267,7 @@ class Comparison {
         }
         std::cout << before.size() << " verdicts: " << lost << " lost, " << gained << " gained; undecided "
                   << undecidedBefore << " -> " << undecidedAfter << "\n";
-        return lost;
+        return {lost, gained};
     }
 
     /// Times the least clearance, as MinClearanceObjective asks for it, of at most 200 valid motions.
@@ -339,7 +346,7 @@ std::ofstream openTable(const std::string& file) {
     std::ofstream out(file, std::ios::app);
     if (isNew)
         out << "scene,motions,margin,parts,kind,count,us_globally,us_by_pairs,times_faster,visits_globally,"
-               "visits_by_pairs\n";
+               "visits_by_pairs,verdicts_lost,verdicts_gained\n";
     return out;
 }
 

@@ -180,6 +180,17 @@ std::vector<Series> allSeries(const BenchTask& task, const TreePair& trees, cons
     return all;
 }
 
+std::vector<Series> seriesOfTrees(const BenchTask& task, const TreePair& trees, const std::string& engine) {
+    const double share = kWithin[1];
+    std::vector<Series> all = {distanceSeries(kDistance, engine, trees), collidesSeries(trees),
+                               withinSeries(trees, withinName(share), share * task.partSize())};
+    for (Series& series : all) {
+        series.engine = engine;
+        for (std::size_t i = 0; i < task.poses.size(); ++i) series.order.push_back(i);
+    }
+    return all;
+}
+
 std::vector<Comparison> comparisons(const std::vector<Series>& all) {
     std::vector<Comparison> found;
     for (const Series& a : all) {

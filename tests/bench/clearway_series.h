@@ -30,6 +30,9 @@ struct SeriesOptions {
 std::vector<Series> allSeries(const BenchTask& task, const TreePair& trees, const TreePair& fastTrees,
                               const std::vector<Peer>& peers, const SeriesOptions& options);
 
+/// Distance, collides and isWithin at 1 % of the part's size, warm and in path order, as `engine`.
+std::vector<Series> seriesOfTrees(const BenchTask& task, const TreePair& trees, const std::string& engine);
+
 /// A row of the figures: how many times faster `ours` is.
 struct Comparison {
     const Series* ours;

@@ -50,7 +50,7 @@ std::string judge(const MotionScene& scene, int motions, std::uint64_t seed) {
     const FclContinuousValidator continuous(si, meshes);
     const ob::DiscreteMotionValidator discrete(scene.si);
     std::vector<Checked> all = {{"FCL continuous", &continuous},
-                                {"OMPL discrete, 1 %", &discrete},
+                                {"OMPL discrete at 1 %", &discrete},
                                 {"clearway certified", scene.validator.get()}};
     Tally tally;
     for (int i = 0; i < motions; ++i) {

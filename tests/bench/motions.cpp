@@ -1,7 +1,7 @@
 // Measures the cost of certified motions on the edges that RRTConnect proposes, valid and invalid edges
 // apart. Compares them with OMPL's discrete validator and clearway's checker at OMPL's default resolution,
 // and with steps as short as a small margin.
-//   bench_motions PROBLEM.cfg|SCENE [EDGES [SEED]]
+//   bench_motions PROBLEM.cfg|SCENE [EDGES [SEED [OUT.csv NAME]]]      NAME: the scene's, in the table
 #include <ompl/base/DiscreteMotionValidator.h>
 #include <ompl/util/RandomNumbers.h>
 
@@ -15,6 +15,7 @@
 #include "clearway/planning/discrete_motion_validator.h"
 #include "clearway/planning/motion_validator.h"
 #include "core/number.h"
+#include "core/replace_file.h"
 #include "program/scenes/scenes.h"
 
 namespace clearway::testing {
@@ -55,7 +56,8 @@ class Bench {
         : scene_{Model::build(partMesh), Model::build(environmentMesh), problem.margin},
           recorder_(problem, scene_, kRangePerDiagonal * scene_.part.box().diagonal().norm()) {}
 
-    void run(std::size_t edges) {
+    /// Prints the figures and returns them as rows of a table that begin with `scene`.
+    std::string run(std::size_t edges, const std::string& scene) {
         const std::vector<Edge> recorded = recorder_.record(edges);
         const auto si = recorder_.makeSpaceInformation(scene_);
         si->setup();
@@ -70,12 +72,27 @@ class Bench {
         }
         print("invalid", invalid_);
         print("valid", valid_);
+        const double share = sum(roomy_.stepped) / sum(roomy_.margined);
         std::cout << "valid: queries per integral of ds / clearance: " << valid_.queries / valid_.integral
                   << "\nmargin " << kSmallMargin << ", mean clearance from " << kRoomy << ": "
                   << roomy_.margined.size() << " edges, certified " << sum(roomy_.margined) << " s, steps of "
-                  << kSmallMargin << " " << sum(roomy_.stepped)
-                  << " s: " << sum(roomy_.stepped) / sum(roomy_.margined) << " times\n";
+                  << kSmallMargin << " " << sum(roomy_.stepped) << " s: " << share << " times\n";
+        std::string rows;
+        for (const auto* figures : {&valid_, &invalid_}) {
+            const double certifiedUs = 1e6 * median(figures->certified),
+                         discreteUs = 1e6 * median(figures->discrete);
+            rows += row(scene,
+                        figures == &valid_ ? "valid, OMPL's default steps" : "invalid, OMPL's default steps",
+                        figures->certified.size(), certifiedUs, discreteUs, discreteUs / certifiedUs);
+        }
+        const auto roomy = static_cast<double>(roomy_.margined.size());
+        rows += row(scene, "valid with room, steps of the margin", roomy_.margined.size(),
+                    1e6 * sum(roomy_.margined) / roomy, 1e6 * sum(roomy_.stepped) / roomy, share);
+        return rows + row(scene, "queries over the integral of ds / clearance", valid_.certified.size(), 0, 0,
+                          valid_.queries / valid_.integral);
     }
+
+    static constexpr const char* kHeader = "scene,what,count,us_certified,us_compared,times\n";
 
   private:
     struct Pass {
@@ -132,6 +149,16 @@ class Bench {
         return std::chrono::duration<double>(Clock::now() - begin).count();
     }
 
+    /// Empty fields where nothing was measured.
+    static std::string row(const std::string& scene, const std::string& what, std::size_t count,
+                           double certified, double compared, double times) {
+        std::string text = scene + ",\"" + what + "\"," + std::to_string(count);
+        for (const double value : {certified, compared, times}) {
+            text += "," + (value > 0 ? shortNumber(value) : std::string());
+        }
+        return text + "\n";
+    }
+
     static void print(const char* what, const Figures& figures) {
         const double certified = median(figures.certified), discrete = median(figures.discrete);
         std::cout << what << ": " << figures.certified.size() << " edges, certified " << certified * 1e6
@@ -147,21 +174,24 @@ class Bench {
 
 int run(int count, char** words) {
     if (count < 2) {
-        std::cerr << "usage: bench_motions PROBLEM.cfg|SCENE [EDGES [SEED]]\n";
+        std::cerr << "usage: bench_motions PROBLEM.cfg|SCENE [EDGES [SEED [OUT.csv NAME]]]\n";
         return 2;
     }
     const std::string what = words[1];
     const auto edges = static_cast<std::size_t>(count > 2 ? parseInteger(words[2]).value() : 1000);
     ompl::msg::noOutputHandler();
     ompl::RNG::setSeed(static_cast<std::uint32_t>(count > 3 ? parseInteger(words[3]).value() : 1));
+    const std::string name = count > 5 ? words[5] : what;
+    std::string table = Bench::kHeader;
     if (what.size() > 4 && what.substr(what.size() - 4) == ".cfg") {
         const Problem problem = readProblem(what);
-        Bench(problem, loadPart(problem), loadEnvironment(problem)).run(edges);
+        table += Bench(problem, loadPart(problem), loadEnvironment(problem)).run(edges, name);
     } else {
         const NamedScene& row = sceneNamed(what);
         const GeneratedScene made = row.make(row.defaults);
-        Bench(made.problem, made.part, made.environment).run(edges);
+        table += Bench(made.problem, made.part, made.environment).run(edges, name);
     }
+    if (count > 4) replaceFile(words[4], [&](std::ostream& out) { out << table; });
     return 0;
 }
 

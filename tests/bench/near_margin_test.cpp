@@ -14,7 +14,7 @@ BOOST_DATA_TEST_CASE(poses_lie_on_both_sides_of_the_margin_at_every_nearness,
                      boost::unit_test::data::make({0.0, 1e-6, 1e-3}), share) {
     constexpr std::uint64_t kSeed = 3;
     constexpr int kBases = 2;
-    const BenchScene& scene = benchSceneNamed("E");
+    const BenchScene& scene = benchSceneNamed("N");
     const BenchTask task = makeTask(scene, scene.small, 12, kSeed);
     const TreePair trees = buildTrees(task, BuildOptions{});
     const MeshOracle oracle(task.part, task.environment);

@@ -1,6 +1,6 @@
 // Measures every kind of query of clearway and of its peers, on equal meshes and poses, in one process, in
 // turns.
-//   bench_queries [--scenes E,K] [--out DIR] ...      see --help and README.md in this folder
+//   bench_queries [--scenes F,K] [--out DIR] ...      see --help and README.md in this folder
 // Ends with exit code 1 when an answer of clearway is wrong, and with 2 when the benchmark cannot run.
 #include <filesystem>
 #include <iostream>
@@ -9,7 +9,6 @@
 
 #include "bench/bench_options.h"
 #include "bench/bench_report.h"
-#include "clearway/problem.h"
 #include "clearway/targets.h"
 #include "core/replace_file.h"
 #include "support/oracle.h"
@@ -24,16 +23,6 @@ struct Tables {
     std::string summary = summaryHeader();
     std::string builds = buildsHeader();
 };
-
-BenchTask taskFromFiles(const BenchChoices& choices) {
-    BenchTask task;
-    task.name = "files";
-    task.about = choices.part + " in " + choices.environment;
-    task.part = loadMesh(choices.part);
-    task.environment = loadMesh(choices.environment);
-    task.poses = readPoses(choices.poses).poses;
-    return task;
-}
 
 /// Makes the oracle when it is first asked, because most runs need it seldom.
 Referee lazyOracle(const BenchTask& task) {

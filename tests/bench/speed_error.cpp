@@ -1,6 +1,6 @@
 // Measures speed against error: times several ways to measure a distance in one process. The oracle judges
 // every pose.
-//   bench_speed_error [--scenes E,K] [--out DIR] ...      see --help and README.md in this folder
+//   bench_speed_error [--scenes F,K] [--out DIR] ...      see --help and README.md in this folder
 // Ends with exit code 1 when an answer of clearway is wrong, and with 2 when the benchmark cannot run.
 #include <filesystem>
 #include <iostream>

@@ -1,7 +1,9 @@
 #include "bench/task_options.h"
 
 #include <sstream>
+#include <stdexcept>
 
+#include "clearway/problem.h"
 #include "core/text.h"
 
 namespace clearway::testing {
@@ -48,6 +50,32 @@ void addTaskOptions(cli::CommandLine& line, const std::string& outFiles, TaskCho
                 integer<int>(choices.schedule.cpu, -1, kMost));
     line.flag("--without-peers", "measures clearway alone", choices.withoutPeers);
     line.option("--out DIR", "folder for " + outFiles, to(choices.out));
+}
+
+void addFileOptions(cli::CommandLine& line, TaskChoices& choices) {
+    line.option("--part MESH", "mesh file, instead of scenes; then also --environment and --poses",
+                to(choices.part));
+    line.option("--environment MESH", "mesh file", to(choices.environment));
+    line.option("--poses FILE", "poses file", to(choices.poses));
+}
+
+void requireFiles(TaskChoices& choices) {
+    const auto files = !choices.part.empty() + !choices.environment.empty() + !choices.poses.empty();
+    if (files != 0 && files != 3) {
+        throw std::invalid_argument("--part, --environment and --poses are given together or not at all");
+    }
+    if (files != 0) choices.scenes.clear();
+}
+
+BenchTask taskFromFiles(const TaskChoices& choices) {
+    BenchTask task;
+    task.name = "files";
+    task.sceneName = "files";
+    task.about = choices.part + " in " + choices.environment;
+    task.part = loadMesh(choices.part);
+    task.environment = loadMesh(choices.environment);
+    task.poses = readPoses(choices.poses).poses;
+    return task;
 }
 
 BenchTask makeTask(const TaskChoices& choices, const std::string& scene) {

@@ -1,13 +1,9 @@
-#!/usr/bin/env python3
-"""Prints the results of `clearway bench --study leaf-strategies` as Markdown, for docs/leaf_strategies.md.
-
-    tabulate_leaf_strategies.py STUDY_FOLDER... > results.md
+"""The tables of `clearway bench --study leaf-strategies`: docs/leaf_strategies_tables.md, and `report --study` for a user's own study.
 
 Each scene may have its own folder.
 """
+
 import csv
-import os
-import sys
 from statistics import median
 
 SPLITS = ("none", "chain", "edge", "all")
@@ -16,8 +12,8 @@ SPLITS = ("none", "chain", "edge", "all")
 def read(folders, name):
     rows = []
     for folder in folders:
-        with open(os.path.join(folder, name), newline="") as table:
-            rows += csv.DictReader(table)
+        with open(folder / name, newline="") as file:
+            rows += csv.DictReader(file)
     return rows
 
 
@@ -40,13 +36,10 @@ def ratio(row):
 
 
 def table(head, rows):
+    """A Markdown table with an empty line behind it; nothing without rows."""
     if not rows:
-        return
-    print("| " + " | ".join(head) + " |")
-    print("|" + "---|" * len(head))
-    for row in rows:
-        print("| " + " | ".join(row) + " |")
-    print()
+        return []
+    return ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)] + ["| " + " | ".join(row) + " |" for row in rows] + [""]
 
 
 def tree(row):
@@ -106,7 +99,7 @@ def unsplit(runs, baseline):
                  for part, whole in (("triangle_tests", "triangle_lanes"), ("kernel_pairs", "kernel_lanes"))]
         calls = shown(medians(of, lambda run: share(total(run, CHECKS), float(run["processor_seconds"]))))
         lines.append([name, f"{len(solved)} of {len(of)}"] + seconds + [calls] + asked + tests + fills)
-    table(["planner, tree", "solved", "first solution, s", "final, s", "calls/s", "states / motions / costs asked",
+    return table(["planner, tree", "solved", "first solution, s", "final, s", "calls/s", "states / motions / costs asked",
            "distances / withins", "volume tests", "triangle tests", "blocks in use", "kernel in use"], lines)
 
 
@@ -130,7 +123,7 @@ def general_splits(runs, baseline):
                 ratios = [here / there for here, there in each if here is not None and there]
                 cells.append(f"{short(median(ratios))} ({short(min(ratios))} to {short(max(ratios))})" if ratios else "-")
             lines.append(cells)
-    table(["planner, trees", "planner's time", "query time"], lines)
+    return table(["planner, trees", "planner's time", "query time"], lines)
 
 
 def planners(summary, statistics):
@@ -148,13 +141,14 @@ def planners(summary, statistics):
         lines.append([f"{key[0]}, {key[1]}/{key[2]}", f"{row['solved']} ({with_baseline['solved']}) of {row['runs']}",
                       f"{percent(row['query_share'])} ({percent(with_baseline['query_share'])})"] +
                      [ratio(ratios.get((name,) + key)) for name in measures])
-    table(["planner, tree", f"solved (`{baseline}`)", f"in queries (`{baseline}`)", "first solution", "planner's time",
+    shown_rows = table(["planner, tree", f"solved (`{baseline}`)", f"in queries (`{baseline}`)", "first solution", "planner's time",
            "query time", "triangle tests", "blocks in use"], lines)
     everything = [row for row in summary if row["source"] == "runs" and row["planner"] == "all"]
     disturbed, runs = (sum(int(row[name]) for row in everything) for name in ("disturbed", "runs"))
     if disturbed:
-        print(f"{disturbed} of {runs} runs had less than 95 % of a processor and are left out of the ratios of first solution and "
-              "query time.\n")
+        shown_rows += [f"{disturbed} of {runs} runs had less than 95 % of a processor and are left out of the ratios of first solution and "
+                       "query time.", ""]
+    return shown_rows
 
 
 def replays(statistics, summary, baseline):
@@ -174,7 +168,7 @@ def replays(statistics, summary, baseline):
     lines = [[name, short(speeds[name])] + [ratio(found.get((name, "seconds", split))) for split in splits] +
              [short_ratios(name, "triangle_tests"), short_ratios(name, "block_fill")]
              for name in dict.fromkeys(tree(row) for row in rows)]
-    table(["tree", f"{baseline}: calls/s"] + [f"{split}: seconds" for split in splits] + ["triangle tests", "blocks in use"], lines)
+    return table(["tree", f"{baseline}: calls/s"] + [f"{split}: seconds" for split in splits] + ["triangle tests", "blocks in use"], lines)
 
 
 def beside(row, measure):
@@ -183,7 +177,7 @@ def beside(row, measure):
 
 
 def trees(rows):
-    table(["tree", "build, s", "MB", "leaves of 1 / 2 / 3 / 4", "leaves", "collisions/s", "distances/s"],
+    return table(["tree", "build, s", "MB", "leaves of 1 / 2 / 3 / 4", "leaves", "collisions/s", "distances/s"],
           [[f"{row['general_split']}/{row['leaf_split']}, width {row['node_width']}", beside(row, "build_seconds"),
             beside(row, "megabytes"), " / ".join(row[f"leaves_{size}"] for size in (1, 2, 3, 4)), beside(row, "leaves"),
             beside(row, "collisions_per_second"), beside(row, "distances_per_second")] for row in rows])
@@ -199,36 +193,31 @@ def claims(rows):
         thesis = short(next(row for row in of if row)["thesis_ratio"])
         lines.append([claim, scene, thesis] + [f"{row['verdict']}: {short(row['ratio'])}" if row else "-" for row in of])
     lines.sort(key=lambda line: list(dict.fromkeys(row["claim"] for row in rows)).index(line[0]))
-    table(["claim", "scene", "thesis"] + [f"width {width}" for width in widths], lines)
+    return table(["claim", "scene", "thesis"] + [f"width {width}" for width in widths], lines)
 
 
-def main():
-    if len(sys.argv) < 2:
-        sys.exit("usage: tabulate_leaf_strategies.py STUDY_FOLDER...")
+def all_tables(folders):
+    """The whole text below the page's heading."""
     names = ("runs.csv", "summary.csv", "statistics.csv", "trees.csv", "claims.csv")
-    runs, summary, statistics, built, judged = (read(sys.argv[1:], name) for name in names)
+    runs, summary, statistics, built, judged = (read(folders, name) for name in names)
     baseline = statistics[0]["baseline"]
-    print(f"- Ratios are to `{baseline}`. Below 1 is quicker, or less.\n- A ratio is a median; in brackets stands the interval of "
-          f"95 in 100 bootstrap resamples.\n- Shares of `{baseline}` are in brackets, too.\n")
+    lines = [f"- Ratios are to `{baseline}`. Below 1 is quicker, or less.",
+             "- A ratio is a median; in brackets stands the interval of 95 in 100 bootstrap resamples.",
+             f"- Shares of `{baseline}` are in brackets, too.", ""]
     for scene in dict.fromkeys(row["scene"] for row in built):
         of = [[row for row in rows if row["scene"] == scene] for rows in (summary, statistics, built)]
         here = [run for run in runs if run["scene"] == scene]
-        print(f"### {scene}\n\nPlanner runs with `{baseline}`: medians of all runs; times to solutions are medians of the solved runs. "
-              "Tests are counted per query.\n")
-        unsplit(here, baseline)
-        print("The general splits: time per call of the planner, as medians (least to largest) of pairs of runs.\n")
-        general_splits(here, baseline)
-        print(f"The other leaf splits over `{baseline}`: planner's time and query time per call, triangle tests per query.\n")
-        planners(of[0], of[1])
-        print("The calls of all planners, replayed. Triangle tests and blocks in use are given for the splits in turn.\n")
-        replays(of[1], of[0], baseline)
+        lines += [f"## {scene}", "", f"Planner runs with `{baseline}`: medians of all runs; times to solutions are medians of the solved runs. "
+                  "Tests are counted per query.", ""] + unsplit(here, baseline)
+        lines += ["The general splits: time per call of the planner, as medians (least to largest) of pairs of runs.", ""]
+        lines += general_splits(here, baseline)
+        lines += [f"The other leaf splits over `{baseline}`: planner's time and query time per call, triangle tests per query.", ""]
+        lines += planners(of[0], of[1])
+        lines += ["The calls of all planners, replayed. Triangle tests and blocks in use are given for the splits in turn.", ""]
+        lines += replays(of[1], of[0], baseline)
         first = of[2][0]
         thesis = f"; in brackets the thesis's {first['thesis_scene']}" if first["thesis_scene"] else ""
-        print(f"Trees of the environment, {int(first['triangles']):,} triangles; {first['colliding']} of {first['poses']} poses collide{thesis}:\n")
-        trees(of[2])
-    print("### The thesis's claims\n\nThe ratio by which the first has more than the second.\n")
-    claims(judged)
-
-
-if __name__ == "__main__":
-    main()
+        lines += [f"Trees of the environment, {int(first['triangles']):,} triangles; {first['colliding']} of {first['poses']} poses "
+                  f"collide{thesis}:", ""] + trees(of[2])
+    lines += ["## The thesis's claims", "", "The ratio by which the first has more than the second.", ""] + claims(judged)
+    return lines[:-1]

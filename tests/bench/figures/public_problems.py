@@ -1,0 +1,105 @@
+"""The tables of docs/public_problems.md, from those that bench_public writes."""
+
+from results import distinct, matching, median_with_range, seconds, shown, table
+
+OURS = "clearway"
+FCL = "RRTConnect+FCL"
+
+
+def count(rows, column="valid"):
+    return f"{sum(row[column] == '1' for row in rows)} of {len(rows)}"
+
+
+def posed(results):
+    """The runs on files that pose a problem; others, such as one whose goal is not valid, have a note with all of clearway's runs."""
+    rows = results.rows("public/runs")
+    problems = {row["problem"] for row in rows if row["contender"] == OURS and not row["note"]}
+    return [row for row in rows if row["problem"] in problems]
+
+
+def runs(results):
+    """Seconds are those of the runs that found a path; the median counts the others as the limit."""
+    rows = posed(results)
+    others = [name for name in distinct(rows, "contender") if name not in (OURS, FCL)]
+    lines = []
+    for problem in distinct(rows, "problem"):
+        of = {name: [r for r in rows if (r["problem"], r["contender"]) == (problem, name)] for name in [OURS, FCL, *others]}
+        ours = of[OURS]
+        solved = [row for row in ours if row["valid"] == "1"]
+        lines.append(
+            [problem, count(ours), median_with_range([float(r["seconds"]) for r in ours], seconds)]
+            + [median_with_range([float(r["clearance"]) for r in solved])]
+            + [" / ".join(str(sum(r["valid"] == "1" for r in of[name])) for name in others)]
+            + [f"{sum(r['found'] == '1' for r in of[FCL])} found, {sum(r['valid'] == '1' for r in of[FCL])} valid"]
+        )
+    return table(["problem", "solved", "seconds, median (range)", "room, median (range)", " / ".join(others), "RRTConnect + FCL"], lines)
+
+
+def parts(results):
+    rows = results.rows("public/parts")
+    lines = []
+    for assembly in distinct(rows, "assembly"):
+        parts = [row for row in rows if row["assembly"] == assembly]
+        found = [row for row in parts if row["found"] == "1"]
+        straight = [row for row in parts if row["found"] != "1" and row["straight"] not in ("", "0")]
+        lines.append(
+            [assembly, str(len(parts)), str(sum(row["touching"] != "0" for row in parts)), str(len(found)), str(len(straight))]
+            + [str(sum(row["note"] != "" for row in parts))]
+            + [median_with_range([float(row["seconds"]) for row in found], seconds)]
+            + [median_with_range([float(row["preparing_seconds"]) for row in parts], seconds)]
+        )
+    return table(
+        ["assembly", "parts", "touch others", "taken out", "only straight", "refused", "seconds, median (range)", "preparing"],
+        lines,
+    )
+
+
+def paths(results):
+    return table(["problem", "path", "segments", "not valid", "confirmed", "least clearance"],
+                 [[row["problem"], row["path"], row["segments"], row["not_valid"], row["confirmed"], shown(row["least_clearance"])]
+                  for row in results.rows("public/paths")])
+
+
+def segments(results):
+    """The motions of published paths that are not valid."""
+    lines = []
+    for row in results.rows("public/invalid_segments"):
+        pose = " ".join(row[key] for key in ("x", "y", "z", "qx", "qy", "qz", "qw"))
+        lines.append([row["problem"], row["segment"], row["t"], pose,
+                      f"{row['part_triangle']} of {row['part_mesh']}, {row['environment_triangle']} of {row['environment_mesh']}"])
+    return table(["problem", "segment", "t", "pose (x y z qx qy qz qw)", "triangles"], lines)
+
+
+def invalid_paths(results):
+    rows = results.rows("public/paths")
+    return f"{sum(row['not_valid'] != '0' for row in rows)} of the {len(rows)} paths"
+
+
+def invalid_segments(results, problem):
+    row = results.row("public/paths", problem=problem)
+    return f"{row['not_valid']} of {row['segments']}"
+
+
+def problem_count(results):
+    return str(len(distinct(posed(results), "problem")))
+
+
+def solved_with_any_seed(results, contender):
+    """Problems that it solves with at least one seed by a valid path."""
+    rows = matching(posed(results), contender=contender, valid="1")
+    return str(len(distinct(rows, "problem")))
+
+
+def solved_by_others(results):
+    """All other planners with clearway's checker, most problems first: 'RRTConnect 16, KPIECE1 16, ...'."""
+    names = [name for name in distinct(posed(results), "contender") if name not in (OURS, FCL)]
+    counts = sorted(((int(solved_with_any_seed(results, name)), name) for name in names), key=lambda pair: -pair[0])
+    return ", ".join(f"{name} {count}" for count, name in counts)
+
+
+def with_fcl(results, what):
+    """Of RRTConnect's paths with FCL: 'found', 'not accepted' by the audit, 'hit' by the oracle's samples."""
+    rows = matching(posed(results), contender=FCL, found="1")
+    refused = [row for row in rows if row["valid"] != "1"]
+    counts = {"found": len(rows), "not accepted": len(refused), "hit": sum(float(row["colliding_by_oracle"] or 0) > 0 for row in refused)}
+    return str(counts[what])

@@ -1,0 +1,194 @@
+"""Tables of queries.csv and builds.csv: how many times faster clearway answers than its peers, and what a build takes."""
+
+from results import NotMeasured, distinct, matching, percent, shown, span, table, whole
+
+# The scenes that bench_queries measures now, in the order of the tables; others in a results folder come after them.
+ORDER = ["K", "L", "I", "J", "M", "N", "E", "F"]
+REMARKS = {
+    "F": "parallel faces",
+    "J": "sheets around a sheet",
+    "M": "rings that hold each other",
+}
+
+# Title, the question and engine of clearway, those that they are compared with.
+ROWS = [
+    ("distance, over PQP with its warm start", "distance", "clearway", "distance", "PQP"),
+    ("distance, over FCL RSS", "distance", "clearway", "distance", "FCL RSS"),
+    ("distance, over Coal OBBRSS", "distance", "clearway", "distance", "Coal OBBRSS"),
+    ("distance with AVX2, over PQP with its warm start", "distance", "clearway, avx2", "distance", "PQP"),
+    ("distance, cold, over PQP, cold", "distance", "clearway, cold", "distance", "PQP, cold"),
+    ("distance, cold, over FCL RSS", "distance", "clearway, cold", "distance", "FCL RSS"),
+    ("distance, poses in random order, over PQP", "distance, shuffled", "clearway", "distance, shuffled", "PQP"),
+    ("collides, over PQP", "collides", "clearway", "collides", "PQP"),
+    ("collides, over FCL OBBRSS", "collides", "clearway", "collides", "FCL OBBRSS"),
+    ("collides, over Coal OBBRSS", "collides", "clearway", "collides", "Coal OBBRSS"),
+    ("within 0.1 %, over PQP's tolerance query", "within 0.1 %", "clearway", "within 0.1 %", "PQP"),
+    ("within 1 %, over PQP's tolerance query", "within 1 %", "clearway", "within 1 %", "PQP"),
+]
+
+
+def scenes_of(rows):
+    letters = distinct(rows, "scene")
+    return sorted(letters, key=lambda letter: (ORDER.index(letter) if letter in ORDER else len(ORDER), letter))
+
+
+def thousands(count):
+    """A number of triangles, to two or three digits: 100, 2k, 73k, 1.7M."""
+    count = int(count)
+    if count < 1000:
+        return str(count)
+    return f"{count / 1e6:.1f}M" if count >= 999_500 else f"{count / 1000:.0f}k"
+
+
+def name_of(rows, letter):
+    """A scene and its poses, in words: 'cembox-2, 30k / 500k, 10 % colliding'."""
+    row = matching(rows, scene=letter)[0]
+    colliding = percent(int(row["colliding"]) / int(row["poses"])) if row["colliding"] != "0" else "none"
+    words = [row["scene_name"], f"{thousands(row['part_triangles'])} / {thousands(row['environment_triangles'])}", f"{colliding} colliding"]
+    return ", ".join(words + ([REMARKS[letter]] if letter in REMARKS else []))
+
+
+def compared(rows, letter, question, engine, over_question, over_engine):
+    """The row of this comparison; None if that peer or instruction set was not measured."""
+    found = matching(rows, scene=letter, question=question, engine=engine, over_question=over_question, over_engine=over_engine)
+    return found[0] if found else None
+
+
+def ratio_cell(row):
+    return shown(row["ratio"]) if row else "-"
+
+
+def microseconds(rows, letter, question):
+    row = matching(rows, scene=letter, question=question, engine="clearway")
+    return shown(row[0]["us_mean"]) if row else "-"
+
+
+def main_table(results):
+    """README's table: a row a scene."""
+    rows = results.rows("queries")
+    lines = []
+    for letter in scenes_of(rows):
+        def over(question, over_engine, over_question=None):
+            return ratio_cell(compared(rows, letter, question, "clearway", over_question or question, over_engine))
+
+        lines.append([name_of(rows, letter), f"{microseconds(rows, letter, 'distance')} us", over("distance", "PQP"), over("distance", "FCL RSS"),
+                      over("collides", "PQP"), over("collides", "FCL OBBRSS"), over("within 1 %", "PQP")])
+    return table(["scene, triangles of part / environment, poses", "exact distance", "over PQP, warm", "over FCL 0.7 RSS", "`collides` over PQP",
+                  "over FCL OBBRSS", "within 1 % of the part's size, over PQP"], lines)
+
+
+def all_ratios(results):
+    """A column a scene, a row a comparison; then the time and work of a distance."""
+    rows = results.rows("queries")
+    letters = scenes_of(rows)
+    lines = [[title] + [ratio_cell(compared(rows, letter, *keys)) for letter in letters] for title, *keys in ROWS]
+    first = [matching(rows, scene=letter, question="distance", engine="clearway")[0] for letter in letters]
+    for title, question in (("microseconds a distance", "distance"), ("microseconds a `collides`", "collides"),
+                            ("microseconds a `isWithin`, 1 %", "within 1 %")):
+        lines.append([title] + [microseconds(rows, letter, question) for letter in letters])
+    for title, column in (("wide nodes visited by a distance", "node_visits"), ("pairs of triangles tested by a distance", "triangle_tests")):
+        lines.append([title] + [shown(row[column]) for row in first])
+    lines.append(["wrong answers, clearway's / peers'"] + [wrong(rows, letter) for letter in letters])
+    return table(["how many times faster"] + letters, lines)
+
+
+def wrong(rows, letter):
+    of = matching(rows, scene=letter)
+    theirs = [row for row in of if not row["over_engine"].startswith("clearway")]
+    return f"{sum(int(row['wrong']) for row in of)} / {sum(int(row['over_wrong']) for row in theirs)}"
+
+
+def scene_list(results):
+    rows = results.rows("queries")
+    return table(["name", "scene, triangles of part / environment, poses"],
+                 [[letter, name_of(rows, letter)] for letter in scenes_of(rows)])
+
+
+def over(results, question, over_engine, over_question=None):
+    """From the least to the largest ratio over the scenes."""
+    rows = results.select("queries", question=question, engine="clearway", over_question=over_question or question, over_engine=over_engine)
+    return span([float(row["ratio"]) for row in rows])
+
+
+def times(results, question):
+    """From the least to the largest mean time over the scenes, in microseconds."""
+    return span([float(row["us_mean"]) for row in results.select("queries", question=question, engine="clearway")])
+
+
+def largest_environment(results):
+    largest = max(int(row["environment_triangles"]) for row in results.rows("queries"))
+    return f"{largest / 1e6:.1f} million"
+
+
+def poses(results):
+    return span([int(row["poses"]) for row in results.rows("queries")], whole)
+
+
+def repetition_spread(results):
+    """How far single repetitions are from the median ratio, in the median over all ratios, and at most."""
+    rows = [row for row in results.rows("queries") if int(row["repetitions"]) > 1]
+    if not rows:
+        raise NotMeasured("queries.csv, rows of several repetitions")
+    off = sorted(max(float(row["ratio_largest"]) / float(row["ratio"]) - 1, 1 - float(row["ratio_least"]) / float(row["ratio"])) for row in rows)
+    return f"{percent(off[len(off) // 2])} ({percent(off[-1])} at most)"
+
+
+def shuffled_work(results, scene, column):
+    """How many times the work of a distance in path order a distance takes on shuffled poses."""
+    first = results.select("queries", scene=scene, question="distance", engine="clearway")[0]
+    shuffled = results.select("queries", scene=scene, question="distance, shuffled", engine="clearway")[0]
+    return shown(float(shuffled[column]) / float(first[column]))
+
+
+def builds(results):
+    rows = results.rows("builds")
+    letters = scenes_of(rows)
+    names = distinct(rows, "build")
+    lines = []
+    for name in names:
+        cells = []
+        for letter in letters:
+            row = matching(rows, scene=letter, build=name)
+            cells.append(f"{shown(row[0]['seconds'])} s, {shown(row[0]['bytes_per_triangle'])}" if row else "-")
+        lines.append([name] + cells)
+    sizes = [f"{letter}, {whole(row['part_triangles'])} / {whole(row['environment_triangles'])}"
+             for letter in letters for row in matching(rows, scene=letter)[:1]]
+    return table(["seconds, bytes a triangle"] + sizes, lines)
+
+
+def strategies(results):
+    """A row a strategy; in each scene the time of a distance over the default's, and of `collides`."""
+    rows = results.rows("strategies")
+    letters = scenes_of(rows)
+    lines = []
+    for name in distinct(rows, "strategy"):
+        cells = []
+        for letter in letters:
+            of = [matching(rows, scene=letter, strategy=name, question=question) for question in ("distance", "collides")]
+            cells.append(", ".join(f"{float(row[0]['over_default']):.2f}" for row in of if row))
+        builds_of = [float(row["build_seconds"]) for row in matching(rows, strategy=name, question="distance")]
+        lines.append([name] + cells + [f"{span(builds_of)} s"])
+    return table(["distance, `collides` over the default strategy"] + letters + ["build"], lines)
+
+
+def warm_gain(results):
+    """How many times as long a distance takes without the pairs of earlier queries."""
+    rows = results.rows("queries")
+    gains = []
+    for letter in scenes_of(rows):
+        warm, cold = (matching(rows, scene=letter, question="distance", engine=engine) for engine in ("clearway", "clearway, cold"))
+        if warm and cold:
+            gains.append(float(cold[0]["us_mean"]) / float(warm[0]["us_mean"]))
+    return span(gains)
+
+
+def pqp_tests(results, start):
+    """Volume tests for each triangle test that PQP makes, 'warm' or 'cold'."""
+    rows = results.select("queries", question="distance", engine="clearway", over_engine="PQP" if start == "warm" else "PQP, cold")
+    return span([float(row["over_volume_tests"]) / float(row["over_triangle_tests"]) for row in rows if float(row["over_triangle_tests"]) > 0])
+
+
+def fewer_volumes(results):
+    """How many times as many volume tests PQP makes for a distance, both cold."""
+    rows = results.select("queries", question="distance", engine="clearway, cold", over_engine="PQP, cold")
+    return span([float(row["over_volume_tests"]) / float(row["volume_tests"]) for row in rows])

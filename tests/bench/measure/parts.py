@@ -1,0 +1,215 @@
+"""The parts of the benchmark: for each the program that measures it, its arguments in every form, and the table that it makes.
+
+A part PART writes PART.csv. A row of it, PART/ROW, is measured by itself; one row of a part may be several lines of its table.
+"""
+
+from dataclasses import dataclass, field
+from typing import Callable
+
+import scene_rows
+
+FORMS = ("ci", "quick", "full")
+
+
+@dataclass(frozen=True)
+class Part:
+    name: str
+    about: str
+    rows: tuple  # of the whole form
+    programs: tuple  # targets to build
+    commands: Callable  # (place, row) -> the commands that measure the row
+    group: tuple  # the columns that all lines of a row share, and no other row has; none: the table is one row
+    keys: tuple  # the columns that tell the lines of the table apart
+    shown: tuple  # the columns shown beside expected ones; X may have X_least and X_largest beside it
+    table: object = None  # the file that the commands write below place.scratch (NAME.csv), or (place, row) -> columns, rows
+    quick_rows: tuple = ()  # of the quick form of everything
+    ci_rows: tuple = ()
+    repetitions: dict = field(default_factory=dict)  # by form; 1 if it is not there
+    spread: tuple = ()  # the columns of which several repetitions give the median
+    is_shown: Callable = lambda row: True  # which lines are shown
+    is_study: bool = False  # takes long: is measured only when it is named
+
+    def rows_of(self, form):
+        return {"ci": self.ci_rows, "quick": self.quick_rows, "full": self.rows}[form]
+
+
+SCENES = ("K", "L", "I", "J", "M", "N", "F")  # of bench_queries
+SMALL_PROBLEM = "data/tunnel-console-small/tunnel-console.cfg"
+
+
+def queries(place, row):
+    sizes = {
+        "ci": ["--small", "--pose-count", 20, "--repetitions", 1, "--peer-budget", 0.3, "--targets", "all", "--oracle-poses", 20],
+        "quick": ["--pose-count", 400, "--repetitions", 2, "--peer-budget", 2],
+        "full": ["--pose-count", 400, "--repetitions", 5, "--peer-budget", 12],
+    }
+    return [[place.bench("bench_queries"), "--scenes", row, *sizes[place.form], "--build-rounds", 0, "--cpu", place.cpu, "--out", place.scratch]]
+
+
+def builds(place, row):
+    sizes = {"ci": ["--small", "--build-rounds", 1], "quick": ["--build-rounds", 2], "full": ["--build-rounds", 5]}
+    return [[place.bench("bench_queries"), "--scenes", row, *sizes[place.form], "--pose-count", 2, "--repetitions", 1, "--peer-budget", 0,
+             "--targets", "best", "--out", place.scratch]]
+
+
+def speed_error(place, row):
+    sizes = {
+        "ci": ["--small", "--pose-count", 20, "--near-bases", 3, "--repetitions", 1, "--peer-budget", 0.3],
+        "quick": ["--pose-count", 200, "--near-bases", 10, "--repetitions", 2, "--peer-budget", 1],
+        "full": ["--pose-count", 200, "--near-bases", 10, "--repetitions", 7, "--peer-budget", 4],
+    }
+    return [[place.bench("bench_speed_error"), "--scenes", row, *sizes[place.form], "--cpu", place.cpu, "--out", place.scratch]]
+
+
+def motions(place, row):
+    count = {"ci": 100, "quick": 300, "full": 1000}[place.form]
+    return [place.pinned(place.bench("bench_motions"), place.problem(row), count, 1, place.scratch / "motions.csv", row)]
+
+
+# The rows of certified_motions: the scene, whose motions, how many, and more choices.
+CERTIFIED = {}
+for _scene, _tight in (("tunnel-console-3", 12.1), ("large-environment-2", 11), ("cembox-2", 4.4)):
+    CERTIFIED.update({
+        f"{_scene} RRTConnect": (_scene, "RRTConnect", 3000, ()),
+        f"{_scene} PRM": (_scene, "PRM", 1500, ()),
+        f"{_scene} KPIECE1": (_scene, "KPIECE1", 300, ()),
+        f"{_scene} path": (_scene, "path", 3000, ()),
+        f"{_scene} path in sixteenths": (_scene, "path", 3000, ("parts=16",)),
+        f"{_scene} path at margin {_tight}": (_scene, "path", 3000, (f"margin={_tight}",)),
+    })
+
+
+def certified_motions(place, row):
+    scene, motions_of, count, more = CERTIFIED[row]
+    of = place.path(scene) if motions_of == "path" else motions_of
+    count = {"ci": 60, "quick": min(count, 300), "full": count}[place.form]
+    return [place.pinned(place.bench("bench_certified_motions"), place.problem(scene), of, count, *more, f"scene={scene}",
+                         f"table={place.scratch / 'certified_motions.csv'}")]
+
+
+def fcl_motions(place, row):
+    count = {"ci": 200, "quick": 300, "full": 1000}[place.form]
+    return [place.pinned(place.bench("bench_fcl_motions"), place.problem(row), count, 1, place.scratch / "fcl_motions.csv")]
+
+
+def fcl_continuous(place, _row):
+    count = {"ci": 10, "quick": 60, "full": 300}[place.form]
+    return [place.pinned(place.bench("bench_fcl_continuous"), count, 1, place.scratch / "fcl_continuous.csv")]
+
+
+def fcl_first_path(place, row):
+    seeds, limit, step = {"ci": (1, 2, 4.5), "quick": (3, 20, "find"), "full": (20, 20, "find")}[place.form]
+    return [[place.bench("bench_fcl_first_path"), place.problem(row), seeds, limit, step, place.scratch / "fcl_first_path.csv"]]
+
+
+def torture(place, _row):
+    pairs, poses = {"ci": (2600, 90), "quick": (500_000, 5000), "full": (10_010_000, 100_000)}[place.form]
+    return [[place.bench("torture"), "--pairs", pairs, "--poses", poses, "--csv", place.scratch / "torture.csv"]]
+
+
+def strategies(place, row):
+    sizes = {"ci": ["--small", "--pose-count", 10, "--repetitions", 1], "quick": ["--pose-count", 200, "--repetitions", 2],
+             "full": ["--pose-count", 400, "--repetitions", 5]}
+    return [[place.bench("bench_strategies"), "--scenes", row, *sizes[place.form], "--cpu", place.cpu, "--out", place.scratch]]
+
+
+# The planner studies.
+OWN_PROBLEMS = ("gates", "peg-in-hole", "window", "bracket", "tunnel-console-small", "puzzle", "apartment", "tunnel-console-3-2mm")
+OMPLAPP = ("Easy", "Apartment", "alpha-1.5", "Abstract", "Twistycool", "cubicles", "spirelli", "Home", "bugtrap", "alpha-1.2", "Twistycooler",
+           "alpha-1.1", "alpha-1.0")
+ROOM = ("bracket", "gates", "tunnel-console-small", "tunnel-console-3")
+
+
+def plans(table, choices):
+    """bench_plan_success on one problem. choices: row -> its other options, and its seeds and seconds in the full form."""
+    def commands(place, row):
+        more, seeds, limit = choices(row)
+        seeds, limit = {"ci": (1, 10), "quick": (min(seeds, 3), limit), "full": (seeds, limit)}[place.form]
+        return [[place.bench("bench_plan_success"), place.problem(row), *more, "--seeds", seeds, "--time", limit, "--out",
+                 place.scratch / f"{table}.csv"]]
+
+    return commands
+
+
+def first_path(row):
+    return (["--quick"], *{"alpha-1.1": (10, 60), "alpha-1.0": (5, 300)}.get(row, (20, 60)))
+
+
+def widest(row):
+    return (["--objective", "max_min_clearance"], *{"tunnel-console-3": (3, 60), "tunnel-console-small": (5, 15)}.get(row, (5, 5)))
+
+
+def samplers(table):
+    def commands(place, row):
+        seeds, limit = {"ci": (1, 1), "quick": (3, 10), "full": (20, 10) if row == "window" else (2, 15)}[place.form]
+        return [[place.bench("bench_samplers"), place.problem(row), seeds, limit, place.scratch / f"{table}.csv"]]
+
+    return commands
+
+
+def anytime_clearance(place, row):
+    limit, seeds = {"ci": (0.4, 1), "quick": (2, 2), "full": (2, 10)}[place.form]
+    return [[place.bench("bench_anytime_clearance"), limit, seeds, place.scratch / "anytime_clearance.csv", row]]
+
+
+def study_of_plans(name, about, rows, choices, ci_rows=()):
+    return Part(name, about, rows=rows, programs=("bench_plan_success",), commands=plans(name, choices), group=("problem",), keys=("problem", "seed"),
+                shown=("found", "planning_seconds", "least_clearance"), ci_rows=ci_rows, is_study=True)
+
+
+def study_of_samplers(name, problem, ci_rows=()):
+    return Part(name, "PRM with samplers of valid states", rows=(problem,), programs=("bench_samplers",), commands=samplers(name), group=(),
+                keys=("sampler", "seed"), shown=("found", "planning_seconds"), ci_rows=ci_rows, is_study=True)
+
+
+PARTS = (
+    Part("queries", "queries of clearway and its peers, a row a scene", rows=SCENES, quick_rows=("K", "N", "F"), ci_rows=SCENES,
+         programs=("bench_queries",), commands=queries, table="summary.csv", group=("scene",),
+         keys=("scene", "question", "engine", "over_question", "over_engine"), shown=("ratio", "us_mean")),
+    Part("builds", "seconds and bytes of trees", rows=("K", "I", "J", "M", "N", "F"), quick_rows=("N", "F"), ci_rows=("F",),
+         programs=("bench_queries",), commands=builds, group=("scene",), keys=("scene", "build"), shown=("seconds", "bytes_per_triangle")),
+    Part("speed_error", "speed against error, and wrong verdicts near margins", rows=SCENES, quick_rows=("F",), ci_rows=("F", "K", "L", "N"),
+         programs=("bench_speed_error",), commands=speed_error, group=("scene",), keys=("scene", "mode"),
+         shown=("queries_per_second", "time_over_float_only", "error_worst")),
+    Part("scenes", "the demo scenes, and a distance at their poses", rows=tuple(scene_rows.ROWS), quick_rows=("puzzle-2",), ci_rows=("boxes-1",),
+         programs=("clearway_program",), commands=scene_rows.commands, table=scene_rows.table, group=("scene", "clearance_asked"),
+         keys=("scene", "clearance_asked"), shown=("us_mean", "volume_tests", "clearance_certified")),
+    Part("motions", "certified motions against checks in steps", rows=("tunnel-console-3",), quick_rows=("tunnel-console-3",),
+         ci_rows=("tunnel-console-small",), programs=("bench_motions",), commands=motions, group=("scene",), keys=("scene", "what"),
+         shown=("us_certified", "us_compared", "times"), spread=("us_certified", "us_compared", "times"), repetitions={"full": 5}),
+    Part("certified_motions", "motions certified pair by pair and by clearances of the whole part", rows=tuple(CERTIFIED),
+         quick_rows=("cembox-2 path",), programs=("bench_certified_motions",), commands=certified_motions,
+         group=("scene", "motions", "margin", "parts"), keys=("scene", "motions", "margin", "parts", "kind"),
+         shown=("us_globally", "us_by_pairs", "times_faster"), spread=("us_globally", "us_by_pairs", "times_faster"), repetitions={"full": 3}),
+    Part("fcl_motions", "states and motions judged by FCL and by clearway", rows=("tunnel-console-3",), ci_rows=("tunnel-console-small",),
+         programs=("bench_fcl_motions",), commands=fcl_motions, group=(), keys=("what",), shown=("clearway_us", "fcl_us", "times_faster"),
+         spread=("clearway_us", "fcl_us", "times_faster"), repetitions={"full": 3}),
+    Part("fcl_continuous", "FCL's continuous check, judged", rows=("all",), quick_rows=("all",), ci_rows=("all",),
+         programs=("bench_fcl_continuous",), commands=fcl_continuous, group=(), keys=("scene", "checked_by"),
+         shown=("of_these_called_valid", "of_these_called_invalid", "us_a_motion")),
+    Part("strategies", "splits of trees beside the default, a row a scene", rows=SCENES, quick_rows=("N", "F"), ci_rows=("N",),
+         programs=("bench_strategies",), commands=strategies, group=("scene",), keys=("scene", "question", "strategy"),
+         shown=("over_default", "us_mean", "build_seconds")),
+    Part("torture", "hard pairs and poses against exact arithmetic", rows=("all",), ci_rows=("all",), programs=("torture",), commands=torture,
+         group=(), keys=("group", "family", "figure"), shown=("value",), is_shown=lambda row: row["figure"] in ("violations", "false valid")),
+    Part("fcl_first_path", "a first path that is free, by steps with FCL and certified", rows=("tunnel-console-3",),
+         ci_rows=("tunnel-console-small",), programs=("bench_fcl_first_path",), commands=fcl_first_path, group=(), keys=("checked_by", "step"),
+         shown=("found", "free", "median_seconds_to_a_free_path"), is_study=True),
+    study_of_plans("plan_first_path", "clearway plan, its first path", OWN_PROBLEMS + OMPLAPP + ("elk",), first_path,
+                   ci_rows=("bracket", "gates")),
+    study_of_plans("plan_bracket", "clearway plan on the bracket, 100 seeds", ("bracket",), lambda _: (["--quick"], 100, 60)),
+    study_of_plans("plan_room", "clearway plan with room", ROOM, lambda _: ([], 20, 60)),
+    study_of_plans("plan_widest", "clearway plan for the widest path", ROOM, widest),
+    study_of_samplers("samplers_window", "window", ci_rows=("window",)),
+    study_of_samplers("samplers_tunnel_console_small", "tunnel-console-small"),
+    Part("anytime_clearance", "clearance gained with planning time", rows=("posts",), ci_rows=("gates",), programs=("bench_anytime_clearance",),
+         commands=anytime_clearance, group=("scene",), keys=("scene", "planner", "parameters", "objective", "seed", "seconds"),
+         shown=("certified_clearance",), is_study=True),
+)
+
+
+def part_named(name):
+    for part in PARTS:
+        if part.name == name:
+            return part
+    raise ValueError(f"there is no part '{name}', expected one of {', '.join(part.name for part in PARTS)}")
