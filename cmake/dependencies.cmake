@@ -49,6 +49,15 @@ if(CLEARWAY_PROGRAM)
   # Writes the pictures: its simplified interface compresses an image in one call.
   find_package(PNG 1.6 QUIET)
   need("the program" "libpng 1.6 or later" PNG_FOUND libpng-dev "${without}")
+  # Lets `clearway bench` run under mpirun. FindMPI would ask the host's compiler wrapper about another machine's library.
+  set(MPI_CXX_FOUND FALSE)
+  if(CLEARWAY_MPI AND NOT (CLEARWAY_MPI STREQUAL "AUTO" AND CMAKE_CROSSCOMPILING))
+    set(MPI_CXX_SKIP_MPICXX ON)  # only the functions for C are used
+    find_package(MPI 3 QUIET COMPONENTS CXX)
+    if(NOT CLEARWAY_MPI STREQUAL "AUTO")
+      need("`clearway bench` under mpirun" "MPI 3 or later" MPI_CXX_FOUND libopenmpi-dev "-DCLEARWAY_MPI=OFF does without; ${elsewhere}")
+    endif()
+  endif()
 endif()
 
 if(CLEARWAY_TESTS)

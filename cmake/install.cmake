@@ -2,6 +2,11 @@
 
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
+foreach(folder CMAKE_INSTALL_LIBDIR CMAKE_INSTALL_INCLUDEDIR)
+  if(IS_ABSOLUTE "${${folder}}")
+    message(FATAL_ERROR "${folder} is ${${folder}}, expected a folder below the prefix: what is installed finds its other files by relative paths")
+  endif()
+endforeach()
 set(config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/clearway)
 set(generated ${PROJECT_BINARY_DIR}/generated)
 
@@ -11,7 +16,8 @@ function(install_library target name kind package)
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
   install(TARGETS ${target} EXPORT ${name}_${kind}
           LIBRARY COMPONENT ${package} NAMELINK_COMPONENT libclearway-dev
-          ARCHIVE COMPONENT libclearway-dev)
+          ARCHIVE COMPONENT libclearway-dev
+          INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
   install(EXPORT ${name}_${kind} NAMESPACE clearway:: DESTINATION ${config_dir} COMPONENT libclearway-dev)
 endfunction()
 install_library(clearway clearway static libclearway)

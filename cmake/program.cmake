@@ -45,11 +45,23 @@ target_link_libraries(clearway_report PUBLIC clearway clearway_planning clearway
 target_precompile_headers(clearway_report REUSE_FROM clearway_planning)
 compile_together(clearway_report ${report_sources})
 
+# What runs of `bench` under mpirun tell each other: the one file that sees MPI, where there is MPI.
+add_library(clearway_ranks STATIC src/program/study/ranks.cpp)
+target_include_directories(clearway_ranks PRIVATE src)
+target_compile_features(clearway_ranks PUBLIC cxx_std_17)
+target_link_libraries(clearway_ranks PRIVATE clearway_warnings)
+if(MPI_CXX_FOUND)
+  target_link_libraries(clearway_ranks PRIVATE MPI::MPI_CXX)
+  target_compile_definitions(clearway_ranks PRIVATE CLEARWAY_WITH_MPI)
+endif()
+
 # Studies: planner runs and replays by the hundred, and what comes of them.
 file(GLOB study_sources CONFIGURE_DEPENDS src/program/study/*.cpp)
+list(FILTER study_sources EXCLUDE REGEX "/ranks\\.cpp$")
 add_library(clearway_study STATIC ${study_sources})
 target_include_directories(clearway_study PRIVATE src)
-target_link_libraries(clearway_study PUBLIC clearway clearway_planning PRIVATE clearway_warnings)
+target_link_libraries(clearway_study PUBLIC clearway clearway_planning
+                      PRIVATE clearway_ranks clearway_warnings nlohmann_json::nlohmann_json)
 target_precompile_headers(clearway_study REUSE_FROM clearway_planning)
 compile_together(clearway_study ${study_sources})
 

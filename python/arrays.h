@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "clearway/types.h"
+#include "python/released_gil.h"
 
 namespace clearway::python {
 
@@ -22,6 +23,7 @@ inline std::string shapeOf(const py::array& array) {
 /// The object as an array of doubles, copied unless it is one; of numbers, with so many dimensions. `name` is for the message.
 inline py::array_t<double, py::array::c_style> numbersOf(const py::handle& object, const std::string& name,
                                                          py::ssize_t dimensions) {
+    const LockedStretch stretch;  // NumPy may run Python's code
     const py::array given = py::module_::import("numpy").attr("asarray")(object);
     const std::string kind = py::str(given.dtype().attr("kind"));
     if (kind != "f" && kind != "i" && kind != "u") {

@@ -17,11 +17,10 @@
 #include "clearway/version.h"
 #include "python/arrays.h"
 #include "python/bindings.h"
+#include "python/released_gil.h"
 
 namespace clearway::python {
 namespace {
-
-using ReleasedGil = py::gil_scoped_release;
 
 /// A workspace that remembers its thread. Queries run without Python's lock, so two threads could use it at once.
 class OwnedWorkspace {
@@ -273,4 +272,5 @@ PYBIND11_MODULE(_core, module) {
     clearway::python::bindProblems(module);
     clearway::python::bindScenes(module);
     clearway::python::bindStates(module);
+    clearway::python::LockedStretch::watchPython();
 }

@@ -15,14 +15,15 @@
 #include "clearway/model.h"
 #include "python/arrays.h"
 #include "python/bindings.h"
+#include "python/released_gil.h"
 
 namespace clearway::python {
 namespace {
 
-using ReleasedGil = py::gil_scoped_release;
 using FileName = std::filesystem::path;
 
 Mesh makeMesh(const py::object& vertices, const py::object& triangles, const std::string& name) {
+    const LockedStretch stretch;
     const auto points = numbersOf(vertices, "vertices", 2);
     const py::array indices = py::module_::import("numpy").attr("asarray")(triangles);
     const std::string kind = py::str(indices.dtype().attr("kind"));

@@ -49,6 +49,7 @@ inline PartState stateOf(const double* numbers, Space space, const std::string& 
 
 /// The states of a path given as poses or as states.
 inline std::vector<PartState> statesOf(const py::handle& path, Space space = Space::kSe3) {
+    const LockedStretch stretch;
     const py::array given = py::module_::import("numpy").attr("asarray")(path);
     std::vector<PartState> states;
     if (given.ndim() != 2) {

@@ -8,6 +8,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -245,6 +246,10 @@ void setMargin(Problem& problem, const std::optional<double>& margin, const PySc
     if (scene)
         throw std::invalid_argument(
             "both a scene and a margin are given, expected one of them: a scene has margins");
+    if (!(*margin >= 0 && std::isfinite(*margin))) {  // the problem's own words would blame its file
+        throw std::invalid_argument("margin is " + std::string(py::str(py::float_(*margin))) +
+                                    ", expected a finite number >= 0");
+    }
     problem.margin = *margin;
 }
 
@@ -388,4 +393,5 @@ PYBIND11_MODULE(_planning, module) {
     module.def("ompl_library", &omplLibrary,
                R"(The file of the OMPL that clearway is bound to in this process.)");
     py::module_::import("atexit").attr("register")(py::cpp_function(&Waiting::endAll));
+    LockedStretch::watchPython();  // an extension has its own count
 }

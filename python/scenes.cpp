@@ -14,12 +14,11 @@
 #include "clearway/scene_clearance.h"
 #include "python/arrays.h"
 #include "python/bindings.h"
+#include "python/released_gil.h"
 #include "python/scenes.h"
 
 namespace clearway::python {
 namespace {
-
-using ReleasedGil = py::gil_scoped_release;
 
 struct PyObstacle {
     Obstacle obstacle;
@@ -38,8 +37,15 @@ std::unique_ptr<PyScene> makeScene(const Model& part, const std::vector<PyObstac
                                    const Mesh* partMesh) {
     Scene scene(part);
     for (const PyObstacle& made : obstacles) scene.obstacles.push_back(made.obstacle);
-    if (partMesh) scene.partSolids = makeSolids(*partMesh).solids;
-    return std::make_unique<PyScene>(std::move(scene));
+    std::vector<std::string> notes;
+    if (partMesh) {
+        const MadeSolids made = makeSolids(*partMesh);
+        for (const std::string& refusal : made.refusals) {
+            notes.push_back("part: " + refusal + "; obstacles inside it go unnoticed");
+        }
+        scene.partSolids = made.solids;
+    }
+    return std::make_unique<PyScene>(std::move(scene), std::move(notes));
 }
 
 std::unique_ptr<PyScene> loadSceneOf(const py::object& given, const std::string& preset, int threads) {
@@ -114,7 +120,8 @@ X_environment_part; lengths are in the environment's unit.)")
         .def(
             py::init(&makeScene), py::arg("part"), py::arg("obstacles"), py::kw_only(),
             py::arg("part_mesh") = py::none(),
-            R"(One part among obstacles. part_mesh: the part's closed mesh, needed when an obstacle is solid.)")
+            R"(One part among obstacles. part_mesh: the part's closed mesh, needed when an obstacle is solid; `notes` names its components
+that are not closed.)")
         .def_static(
             "load", &loadSceneOf, py::arg("problem"), py::kw_only(), py::arg("preset") = "best",
             py::arg("threads") = 0,

@@ -11,12 +11,12 @@
 #include "clearway/scene_clearance.h"
 #include "python/arrays.h"
 #include "python/bindings.h"
+#include "python/released_gil.h"
 #include "python/scenes.h"
 
 namespace clearway::python {
 namespace {
 
-using ReleasedGil = py::gil_scoped_release;
 using Vector4 = Eigen::Matrix<double, 4, 1, Eigen::DontAlign>;
 
 /// OMPL's: a quaternion's length may be off 1 by less. Two rotations whose quaternions have a product nearer

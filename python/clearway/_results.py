@@ -307,6 +307,10 @@ class PlanningInterrupted(KeyboardInterrupt):
             "the exception's result has the best path so far" if result.is_found else "there is no path yet"))
         self.result = result
 
+    def __reduce__(self) -> Tuple[Any, ...]:
+        """For pickle, which would make the exception anew from its text."""
+        return PlanningInterrupted, (self.result,)
+
 
 def audit_of(found: Dict[str, Any]) -> Audit:
     """From the extension's dict."""

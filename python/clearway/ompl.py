@@ -205,5 +205,6 @@ def _satisfies_bounds(space: Any) -> Callable[[Any], bool]:
 def _warn(what: str, error: Exception) -> str:
     """Shows the error and returns it as text: its frames would keep everything alive that OMPL and Python hold together."""
     text = "".join(traceback.format_exception(type(error), error, error.__traceback__))
+    text = text.encode("utf-8", "replace").decode()  # OMPL takes no lone surrogates, as names of files may hold
     _util.OMPL_WARN("clearway: %s was answered invalid: %s. Further ones are only counted." % (what, text.splitlines()[-1]))
     return text

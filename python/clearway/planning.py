@@ -141,7 +141,8 @@ def plan(
         tell = progress
 
         def callback(seconds: float, phase: str) -> object:
-            return tell(Progress(seconds, phase))
+            answer = tell(Progress(seconds, phase))
+            return bool(answer) if isinstance(answer, np.bool_) else answer  # as comparisons with NumPy's numbers give
 
     found, raised = _planning.plan(problem, scene, margin, options, callback)
     result = result_of(found)

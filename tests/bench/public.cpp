@@ -3,17 +3,14 @@
 //   bench_public CHECKOUTS OUT
 // Every run is a process of its own. A run that stands in OUT's tables already is not repeated, so a benchmark that was
 // stopped goes on where it was.
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <array>
-#include <atomic>
+#include <algorithm>
 #include <boost/algorithm/string/replace.hpp>
-#include <cstdio>
+#include <csignal>
 #include <exception>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <memory>
 #include <mutex>
 #include <set>
 #include <stdexcept>
@@ -26,7 +23,11 @@
 #include "core/number.h"
 #include "core/replace_file.h"
 #include "core/text.h"
+#include "program/cli/bench_ranks.h"
 #include "program/cli/command_line.h"
+#include "program/study/child_process.h"
+#include "program/study/hand_out.h"
+#include "program/study/ranks.h"
 
 namespace clearway::testing {
 namespace {
@@ -39,6 +40,7 @@ struct Choices {
     std::string checkouts, out, only, job;
     double seconds = 60, partSeconds = 20;
     std::uint32_t seeds = 10, contenderSeeds = 3, together = 2;
+    study::Ranks* ranks = nullptr;  ///< null unless mpirun started this process
 };
 
 bool readChoices(int count, char** words, Choices& to) {
@@ -47,7 +49,7 @@ bool readChoices(int count, char** words, Choices& to) {
         "Audits, solves and compares problems that others published, read from your checkouts of their\n"
         "repositories. Writes paths.csv, invalid_segments.csv, runs.csv and parts.csv to OUT; a run that "
         "stands\n"
-        "there already is not repeated.");
+        "there already is not repeated. Under `mpirun -n N` the runs are handed out to N ranks.");
     line.argument("CHECKOUTS", cli::to(to.checkouts));
     line.argument("OUT", cli::folder(to.out));
     line.option("--only TEXT", "takes only problems and assemblies with this in their names",
@@ -110,42 +112,61 @@ struct Job {
     std::string text;  ///< for --job
 };
 
-std::string shellQuoted(const std::string& word) {
-    std::string quoted = "'";
-    for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return quoted + "'";
+std::vector<std::string> wordsFor(const Choices& choices, const Job& job) {
+    return {choices.checkouts, choices.out,
+            "--time",          shortNumber(choices.seconds),
+            "--part-time",     shortNumber(choices.partSeconds),
+            "--job",           job.text};
 }
 
-std::string thisProgram() {
-    return fs::read_symlink("/proc/self/exe").string();
+/// The last line of what a job's process printed.
+std::string lastLine(std::string printed) {
+    while (!printed.empty() && printed.back() == '\n') printed.pop_back();
+    return printed.substr(printed.rfind('\n') + 1);
+}
+
+/// A row of empty columns that says how the job's process ended.
+std::string lostRow(const std::string& columns, std::string end) {
+    std::replace(end.begin(), end.end(), ',', ';');
+    return std::string(static_cast<std::size_t>(std::count(columns.begin(), columns.end(), ',')), ',') +
+           "the process ended: " + end;
 }
 
 /// Does the job in a process of its own and returns the last line that it prints. A process that crashes leaves a
-/// row of emptyColumns that says so.
+/// row of empty columns that says so.
 std::string rowFrom(const Choices& choices, const Job& job, const std::string& columns) {
-    std::string command = shellQuoted(thisProgram()) + " " + shellQuoted(choices.checkouts) + " " +
-                          shellQuoted(choices.out) + " --time " + shortNumber(choices.seconds) +
-                          " --part-time " + shortNumber(choices.partSeconds) + " --job " +
-                          shellQuoted(job.text);
-    FILE* pipe = popen(command.c_str(), "r");
-    if (pipe == nullptr) throw std::runtime_error("no process could be started for " + job.key);
-    std::string printed;
-    std::array<char, 4096> block;
-    while (const std::size_t size = std::fread(block.data(), 1, block.size(), pipe))
-        printed.append(block.data(), size);
-    const int status = pclose(pipe);
-    if (WIFEXITED(status) && WEXITSTATUS(status) == 0) {
-        while (!printed.empty() && printed.back() == '\n') printed.pop_back();
-        return printed.substr(printed.rfind('\n') + 1);
+    study::ChildProcess process(wordsFor(choices, job));
+    process.waitForEnd();
+    if (process.isDone()) return lastLine(process.output());
+    if (process.signal() == SIGINT) throw std::runtime_error("interrupted");
+    return lostRow(columns, process.fault());
+}
+
+/// Does the jobs that the table lacks, one at a time on each rank.
+void doJobsOnRanks(const Choices& choices, const std::vector<Job>& jobs, const std::string& columns,
+                   Table& table) {
+    std::vector<std::string> keys;
+    std::vector<study::Job> left;
+    for (const Job& job : jobs) {
+        if (table.has(job.key)) continue;
+        keys.push_back(job.key);
+        left.push_back({job.key, wordsFor(choices, job)});
     }
-    if (WIFSIGNALED(status) && WTERMSIG(status) == SIGINT) throw std::runtime_error("interrupted");
-    return std::string(static_cast<std::size_t>(std::count(columns.begin(), columns.end(), ',')), ',') +
-           "the process ended with status " + std::to_string(status);
+    study::Meanwhile meanwhile;
+    meanwhile.isStopped = [] { return false; };
+    meanwhile.end = [&](const study::JobEnd& end) {
+        const std::string row =
+            keys[end.job] + "," + (end.isDone ? lastLine(end.text) : lostRow(columns, end.text));
+        table.append(row);
+        std::cout << row << std::endl;
+    };
+    handOut(*choices.ranks, left, meanwhile);
 }
 
 /// Does the jobs that the table lacks, several at a time.
 void doJobs(const Choices& choices, const std::vector<Job>& jobs, int atATime, const std::string& columns,
             Table& table) {
+    if (choices.ranks) return doJobsOnRanks(choices, jobs, columns, table);
     std::mutex mutex;
     std::size_t next = 0;
     std::exception_ptr trouble;
@@ -273,9 +294,11 @@ std::string doJob(const Choices& choices, const PublicProblems& found) {
                                 ", expected run,PROBLEM,CONTENDER,SEED or part,ASSEMBLY,PART");
 }
 
-int run(int count, char** words) {
+int run(int count, char** words, study::Ranks* ranks) {
     Choices choices;
     if (!readChoices(count, words, choices)) return 0;
+    choices.ranks = ranks;
+    if (!choices.job.empty()) study::endWithParent();
     makeFolder(choices.out);
     const PublicProblems found = findPublicProblems(choices.checkouts, choices.out + "/problems");
     if (!choices.job.empty()) {
@@ -302,7 +325,11 @@ int run(int count, char** words) {
 
 int main(int count, char** words) {
     try {
-        return clearway::testing::run(count, words);
+        const std::unique_ptr<clearway::study::Ranks> ranks = clearway::cli::joinRanks();
+        if (ranks && ranks->rank() > 0) return clearway::cli::serveRank(*ranks);
+        const int code = clearway::testing::run(count, words, ranks.get());
+        if (ranks) clearway::study::dismiss(*ranks);
+        return code;
     } catch (const std::exception& error) {
         std::cerr << "bench_public: " << error.what() << "\n";
         return 2;

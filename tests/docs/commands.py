@@ -11,7 +11,7 @@ import subprocess
 import tempfile
 
 SECONDS = 3600  # for one command
-KNOWN = "clearway, ./demos/run, ./tests/run, cmake, ctest, export, programs below build/release and scripts below tests"
+KNOWN = "clearway, ./demos/run, ./tests/run, cmake, ctest, export, programs below build/release and scripts below tests, and mpirun -n N before any of them"
 
 
 class Refused(Exception):
@@ -163,6 +163,8 @@ class Checker:
             self.test_program(name.split("/")[-1], rest)
         elif re.fullmatch(r"tests/[\w/.]+", name):
             self.script(name, rest)
+        elif name == "mpirun" and len(rest) > 2 and rest[0] == "-n" and rest[1].isdigit():
+            self.check(rest[2:])
         elif name != "export":
             raise Refused(f"unknown command '{name}', expected one of {KNOWN}")
 

@@ -67,7 +67,36 @@ def check_find_package(consumer, prefix, work):
                       expected=1)
     if "there is no component 'plannign', expected planning or static" not in re.sub(r"\s+", " ", wrong):
         fail("a component 'plannign' is refused with: " + wrong)
+    check_several_find_packages(prefix, work)
     return printed
+
+
+def check_several_find_packages(prefix, work):
+    """A program has one kind of libraries, and a component that is optional need not be there."""
+    source = os.path.join(work, "several")
+    os.makedirs(source)
+    with open(os.path.join(source, "CMakeLists.txt"), "w") as file:
+        file.write("cmake_minimum_required(VERSION 3.25)\nproject(several LANGUAGES CXX)\n"
+                   "foreach(arguments IN LISTS CALLS)\n"
+                   "  separate_arguments(arguments)\n"
+                   "  find_package(clearway CONFIG REQUIRED ${arguments})\n"
+                   "endforeach()\n"
+                   "foreach(target clearway planning)\n"
+                   "  get_target_property(type clearway::${target} TYPE)\n"
+                   "  message(STATUS \"${target} is ${type}\")\n"
+                   "endforeach()\n"
+                   "message(STATUS \"foo is ${clearway_foo_FOUND}\")\n")
+    for calls, status, words in (
+            ("COMPONENTS static;COMPONENTS planning", 0, ("clearway is STATIC_LIBRARY", "planning is STATIC_LIBRARY")),
+            ("COMPONENTS clearway;OPTIONAL_COMPONENTS planning foo", 0,
+             ("clearway is SHARED_LIBRARY", "planning is SHARED_LIBRARY", "foo is FALSE")),
+            ("COMPONENTS planning;COMPONENTS static", 1, ("the shared libraries were found before, expected the component static",))):
+        folder = os.path.join(source, "build")
+        told = re.sub(r"\s+", " ", configure(source, folder, "-DCMAKE_PREFIX_PATH=" + prefix, "-DCALLS=" + calls, expected=status))
+        shutil.rmtree(folder)
+        for text in words:
+            if text not in told:
+                fail("find_package of '%s' says: %s, expected: %s" % (calls, told, text))
 
 
 def check_project_in_c(consumer, prefix, work):
@@ -98,6 +127,11 @@ def check_pkg_config(consumer, prefix, work):
     output_of("c++", "-std=c++17", os.path.join(consumer, "distance.cpp"), "-o", program, *flags)
     printed = [output_of(program, env=environment)]
     output_of("cc", "-std=c99", os.path.join(consumer, "distance.c"), "-o", program + "_in_c", *flags)
+    # OMPL 1.5's file names an older C++, so that the language goes last, as docs/library.md has it.
+    flags = output_of("pkg-config", "--cflags", "--libs", "clearway-planning", env=environment).split()
+    output_of("c++", os.path.join(consumer, "planning.cpp"), "-o", program + "_planning", *flags, "-std=c++17")
+    if not output_of(program + "_planning", env=environment).endswith(" 1\n"):
+        fail("the program of clearway-planning.pc calls a valid state invalid")
     return printed + [output_of(program + "_in_c", env=environment)]
 
 
@@ -185,7 +219,8 @@ def check_without(source, work):
         fail("a component that was left out is refused with: " + told)
     for options, named in ((only[1:], "clearway::planning needs OMPL 1.5 or later"),
                            (only[:2] + only[3:], "clearway::clearway needs Embree 3 or 4"),
-                           (only[:1] + only[2:], "CLEARWAY_PROGRAM is ON and CLEARWAY_PLANNING is OFF")):
+                           (only[:1] + only[2:], "CLEARWAY_PROGRAM is ON and CLEARWAY_PLANNING is OFF"),
+                           (only + ["-DCMAKE_INSTALL_LIBDIR=/lib64"], "CMAKE_INSTALL_LIBDIR is /lib64, expected a folder below the prefix")):
         told = re.sub(r"\s+", " ", configure(source, os.path.join(work, "refused"), *missing, *options, expected=1))
         if named not in told:
             fail("expected '%s' in: %s" % (named, told))

@@ -266,5 +266,13 @@ for _thing in (State, SO3State, SE3State, SE2StateType, RealVectorStateType, Rea
                SE2StateSpace, DubinsStateSpace, RealVectorStateSpace, StateValidityChecker, MotionValidator,
                SpaceInformation):
     setattr(base, _thing.__name__, _thing)
+
+
+def _warn(message):
+    if not isinstance(message, str) or message != message.encode("utf-8", "ignore").decode():  # as nanobind
+        raise TypeError("incompatible function arguments: %r, expected a text" % message)
+    warnings.append(message)
+
+
 util = types.ModuleType("ompl.util")
-util.OMPL_WARN = warnings.append
+util.OMPL_WARN = _warn

@@ -1,9 +1,11 @@
 """The Python module: its answers are the library's, and whatever is not as it should be is refused by name."""
 
 import math
+import os
 import re
 import subprocess
 import sys
+import textwrap
 import threading
 
 import numpy as np
@@ -144,6 +146,60 @@ def test_threads_share_models(models):
     assert len(answers) == 4 and all(answer == answers[0] for answer in answers)
 
 
+PREPARE = """
+import os, threading, time
+import clearway
+from support import cube, place, scene_of_cubes
+part, scene, pose = clearway.Model(cube(1)), scene_of_cubes(), place(4)
+def ask():
+    while True:
+        %s
+for _ in range(3):
+    threading.Thread(target=ask, daemon=True).start()
+time.sleep(0.1)
+"""
+FORK = """
+child = os.fork()
+if child == 0:
+    clearway.distance_batch(part, part, [pose] * 200)
+else:
+    assert os.waitpid(child, 0)[1] == 0
+"""
+
+
+def run_beside_support(code):
+    paths = os.pathsep.join([os.path.dirname(__file__), os.environ.get("PYTHONPATH", "")])
+    subprocess.run([sys.executable, "-c", code], env=dict(os.environ, PYTHONPATH=paths), check=True, timeout=60)
+
+
+@pytest.mark.parametrize("query", ["clearway.distance(part, part, pose)", "clearway.distance_batch(part, part, [pose] * 200)",
+                                   "scene.check_motion(pose, pose)", "clearway.Model(cube(1))"])
+@pytest.mark.parametrize("then", ["", FORK])
+def test_threads_that_python_does_not_wait_for_may_query_until_the_end(query, then):
+    run_beside_support(PREPARE % query + then)
+
+
+def test_what_python_calls_at_its_end_may_wait_for_a_thread():
+    code = """
+        import atexit, threading, time
+        is_over = threading.Event()
+        def end():  # registered before clearway's own function, so that Python calls it after that
+            is_over.set()
+            thread.join()
+        atexit.register(end)
+        import clearway
+        from support import cube, place
+        part = clearway.Model(cube(1))
+        def ask():
+            while not is_over.is_set():
+                clearway.distance(part, part, place(4))
+        thread = threading.Thread(target=ask, daemon=True)
+        thread.start()
+        time.sleep(0.1)
+        """
+    run_beside_support(textwrap.dedent(code))
+
+
 def test_poses():
     assert np.array_equal(clearway.pose_from([1, 2, 3], [0, 0, 0, 4]), place(1, 2, 3))
     with pytest.raises(ValueError, match="expected above 0 and finite"):
@@ -178,8 +234,11 @@ def test_inside_of_a_solid_nothing_is_free():
     )
     assert surfaces.is_free(place()) and not solid.is_free(place())
     assert solid.check_motion(place(), place(1))[0] == "contact"
+    assert solid.notes == []
     with pytest.raises(ValueError, match="solid: "):
         clearway.Obstacle(clearway.Model(triangle(0)), solid=triangle(0))
+    open_part = clearway.Scene(clearway.Model(triangle(0)), solid.obstacles, part_mesh=triangle(0))
+    assert len(open_part.notes) == 1 and "encloses nothing" in open_part.notes[0]
 
 
 def test_targets():

@@ -264,7 +264,11 @@ def test_what_cannot_be_judged_is_invalid_counted_and_kept(bindings):
     def raising(state):
         raise KeyError("no such state")
 
-    for callback, words in ((raising, "in raising"), (lambda state: np.eye(3), "pose has shape (3, 3)")):
+    def raising_about_a_file(state):
+        raise FileNotFoundError("caf\udce9.stl")  # the name of a file that is not UTF-8, as Python has it
+
+    for callback, words in ((raising, "in raising"), (raising_about_a_file, "caf?.stl"),
+                            (lambda state: np.eye(3), "pose has shape (3, 3)")):
         checker = bindings.clearway.ValidityChecker(si, scene, callback)
         si.setStateValidityChecker(checker)
         assert not si.isValid(se3(space, 3, 0, 0)) and checker.clearance(se3(space, 3, 0, 0)) == 0

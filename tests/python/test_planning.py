@@ -145,7 +145,8 @@ def test_why_there_is_no_path():
         ({"step": -1}, "step is -1, expected a finite number above 0"),
         ({"step": float("nan")}, "step is nan"),
         ({"objective": "length_with_clearance", "wanted_clearance": -1}, "-1"),
-        ({"margin": -1}, "margin is -1"),
+        ({"margin": -1}, "^margin is -1"),
+        ({"margin": float("nan")}, "^margin is nan"),
         ({"quick": True, "objective": "length"}, "both quick and an objective"),
         ({"margin": 1e9}, "start is"),
     ],
@@ -198,6 +199,12 @@ def test_progress_is_told_and_can_stop_the_planning():
     assert not found and found.is_stopped and found.outcome == "stopped" and len(told) == 3
     assert {thread for _, thread in told} == {threading.get_ident()}
     assert told[0][0].seconds <= told[1][0].seconds <= told[2][0].seconds and told[2][0].phase == "planning"
+
+
+def test_a_comparison_with_a_number_of_numpy_can_stop_the_planning():
+    problem, scene = endless()
+    found = planning.plan(problem, scene=scene, seconds=1e6, progress=lambda now: now.seconds < np.float64(0.1))
+    assert found.is_stopped
 
 
 def test_planning_can_be_stopped_while_the_scene_is_loaded(tmp_path):
@@ -309,6 +316,8 @@ def test_results_can_be_pickled(planned):
     assert np.array_equal(again.states, planned.states) and again.audit.lower_clearance == planned.audit.lower_clearance
     checked = planning.check(BRACKET, planned)
     assert pickle.loads(pickle.dumps(checked)).audit.verdict == "valid"
+    interrupted = pickle.loads(pickle.dumps(planning.PlanningInterrupted(planned)))
+    assert np.array_equal(interrupted.result.states, planned.states) and "best path" in str(interrupted)
 
 
 def test_names():

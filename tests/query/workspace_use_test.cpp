@@ -34,7 +34,7 @@ struct Scenery {
 
     /// The motion; the function is called when a query first looks at it.
     MotionPieces motionThatCalls(const std::function<void()>& interrupt) const {
-        return [=, called = std::make_shared<bool>(false)](double from, double to) {
+        return [interrupt, motion = motion, called = std::make_shared<bool>(false)](double from, double to) {
             if (!*called) *called = true, interrupt();
             return motion(from, to);
         };

@@ -1,5 +1,6 @@
 // clearway bench: runs a problem's planners, each several times, and writes OMPL's benchmark log.
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -7,10 +8,17 @@
 
 #include "clearway/planning/planners.h"
 #include "core/replace_file.h"
+#include "program/cli/bench_paths.h"
+#include "program/cli/bench_ranks.h"
 #include "program/cli/facts.h"
 #include "program/cli/print.h"
 #include "program/cli/shared_options.h"
+#include "program/cli/study.h"
 #include "program/study/benchmark.h"
+#include "program/study/benchmark_log.h"
+#include "program/study/child_process.h"
+#include "program/study/hand_out.h"
+#include "program/study/run_text.h"
 
 namespace clearway::cli {
 
@@ -33,6 +41,7 @@ struct BenchArguments {
     BenchmarkOptions benchmark;
     TreeChoice trees;
     std::string log;
+    std::optional<std::size_t> oneRun;
 };
 
 SavedPaths savedPaths(const std::string& which) {
@@ -48,11 +57,18 @@ bool readArguments(const Arguments& arguments, BenchArguments& given) {
         "Runs every planner the problem names (without any: RRTConnect, RRT, EST, KPIECE1 and PRM) several\n"
         "times and writes OMPL's benchmark log, for ompl_benchmark_statistics.py and Planner Arena.\n"
         "Ctrl-C leaves a log of the runs that have ended, with exit code 1.\n"
+        "Under `mpirun -n N` the runs are handed out to N ranks. A run whose process is killed or fails "
+        "is lost,\n"
+        "with exit code 1. The same command goes on with what is missing: the runs that ended are in "
+        "LOG.runs.\n"
         "For studies see `clearway bench --study leaf-strategies --help`.");
     addProblem(line, given.problem);
     line.option("--log FILE", "the log (PROBLEM.log, in the problem's output folder)", to(given.log));
     line.option("--time S", "seconds for each run, in place of the problem's time_limit (30)",
                 positive(given.seconds));
+    line.option("--iterations N", "planner iterations in place of --time: repeatable, with the same seeds",
+                integer<std::uint64_t>(given.benchmark.iterations, 1, INT64_MAX));
+    line.exclude("--time", "--iterations");
     line.option("--memory MB", "memory growth limit in MB, in place of the problem's mem_limit (4096)",
                 positive(given.megabytes));
     line.option("--runs N", "runs of each planner, in place of the problem's run_count (10)",
@@ -75,6 +91,7 @@ bool readArguments(const Arguments& arguments, BenchArguments& given) {
     addJson(line);
     addTreeOptions(line, given.trees.options);
     addCache(line, given.trees);
+    addOneRun(line, given.oneRun);
     return line.parse(arguments);
 }
 
@@ -123,57 +140,18 @@ std::string logFile(const BenchArguments& given, const Problem& problem) {
     return (folder / fs::path(problem.file).filename().replace_extension(".log")).string();
 }
 
-/// Replaces the characters that file names may not have on every system.
-std::string fileName(std::string text) {
-    for (char& c : text) {
-        const bool isPlain = (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') ||
-                             c == '-' || c == '.';
-        if (!isPlain) c = '_';
-    }
-    return text;
-}
-
-/// Writes one planner's paths as EXPERIMENT_PLANNER_RUN.path, with runs counted from 0 as in OMPL.app.
-/// Returns the number of files.
-std::size_t writePaths(const std::string& stem, const PlannerBenchmark& planner, const Problem& problem) {
-    std::optional<std::size_t> shortest;
-    std::size_t written = 0;
-    for (std::size_t i = 0; i < planner.runs.size(); ++i) {
-        const BenchmarkRun& run = planner.runs[i];
-        if (!run.isSolved) continue;
-        if (!shortest || run.length < planner.runs[*shortest].length) shortest = i;
-        if (problem.savedPaths != SavedPaths::kAll) continue;
-        writePath(run.path, problem.space, stem + "_" + std::to_string(i) + ".path");
-        ++written;
-    }
-    if (problem.savedPaths == SavedPaths::kAll || !shortest) return written;
-    writePath(planner.runs[*shortest].path, problem.space, stem + "_" + std::to_string(*shortest) + ".path");
-    return 1;
-}
-
-void writePaths(const Benchmark& benchmark, const Problem& problem, const std::string& log) {
-    if (problem.savedPaths == SavedPaths::kNone) return;
-    std::size_t written = 0;
-    std::vector<std::string> names;
-    for (const PlannerBenchmark& planner : benchmark.planners) {
-        std::string name = fileName(benchmark.experiment + "_" + planner.name);
-        const auto before = std::count(names.begin(), names.end(), name);
-        names.push_back(name);
-        if (before > 0) name += "-" + std::to_string(before + 1);
-        written += writePaths((fs::path(log).parent_path() / name).string(), planner, problem);
-    }
-    printRow("paths", std::to_string(written) + ", beside the log");
-}
-
-double secondsOf(const BenchmarkRun& run) {
-    return std::stod(run.properties.at("time REAL"));
+/// Empty for a lost run.
+std::optional<double> secondsOf(const BenchmarkRun& run) {
+    const auto found = run.properties.find("time REAL");
+    if (found == run.properties.end()) return std::nullopt;
+    return std::stod(found->second);
 }
 
 Json factsOf(const PlannerBenchmark& planner) {
     Json runs = Json::array();
     for (const BenchmarkRun& run : planner.runs)
         runs.push_back({{"solved", run.isSolved},
-                        {"seconds", toJson(secondsOf(run))},
+                        {"seconds", secondsOf(run) ? toJson(*secondsOf(run)) : Json()},
                         {"length", run.isSolved ? toJson(run.length) : Json()}});
     return {{"name", planner.name}, {"runs", runs}};
 }
@@ -181,14 +159,15 @@ Json factsOf(const PlannerBenchmark& planner) {
 void printPlanner(const PlannerBenchmark& planner) {
     std::vector<double> seconds, lengths;
     for (const BenchmarkRun& run : planner.runs) {
-        seconds.push_back(secondsOf(run));
+        if (const auto ofRun = secondsOf(run)) seconds.push_back(*ofRun);
         if (run.isSolved) lengths.push_back(run.length);
     }
     const auto median = [](std::vector<double>& values) {
         std::nth_element(values.begin(), values.begin() + static_cast<long>(values.size() / 2), values.end());
         return values[values.size() / 2];
     };
-    std::string text = std::to_string(lengths.size()) + " of " + counted(seconds.size(), "run") + " solved";
+    std::string text =
+        std::to_string(lengths.size()) + " of " + counted(planner.runs.size(), "run") + " solved";
     if (!seconds.empty()) text += ", " + readable(median(seconds)) + " s";
     if (!lengths.empty()) text += ", length " + shownLength(median(lengths));
     printRow(planner.name, text + (seconds.empty() ? "" : " in the median"));
@@ -205,34 +184,68 @@ Benchmark runShown(const Problem& problem, const Scene& scene, BenchmarkOptions 
     std::optional<ElapsedLine> line;
     options.tell = [&](const study::BenchmarkProgress& at) {
         line.reset();
+        const std::string left =
+            std::isfinite(at.left)
+                ? ", about " + std::to_string(static_cast<long>(at.left)) + " s left at its start"
+                : "";
         line.emplace("run " + std::to_string(at.run + 1) + " of " + std::to_string(at.runs) + ", " +
-                     at.planner + ", about " + std::to_string(static_cast<long>(at.left)) +
-                     " s left at its start, running");
+                     at.planner + left + ", running");
     };
     return study::runBenchmark(problem, scene, options);
 }
 
-}  // namespace
+/// For a process that another one started: does one run and prints it.
+int doOneRun(const BenchArguments& given, const Problem& problem) {
+    study::endWithParent();
+    const BenchmarkOptions options = benchmarkOptions(given, problem);
+    planning::PlanOptions reaching;
+    reaching.step = options.step;
+    const Scene scene = given.trees.load(problem, reaching);
+    study::ToldRun told;
+    const auto run = study::runAlone(problem, scene, options, *given.oneRun, told.warnings);
+    if (!run) return kAnswerIsNo;
+    told.run = *run;
+    return tellRun(textOf(told));
+}
 
-int bench(const Arguments& arguments) {
-    const auto isStudy = [](const std::string& argument) { return argument.rfind("--study", 0) == 0; };
-    if (std::any_of(arguments.begin(), arguments.end(), isStudy)) return study(arguments);
+void tellLost(const std::vector<LostRun>& lost) {
+    for (const LostRun& run : lost) {
+        printRow("lost", run.name + ": " + run.end);
+        facts()["lost"].push_back({{"run", run.name}, {"end", run.end}});
+    }
+}
+
+std::string troubleOf(const Benchmark& benchmark, std::size_t lost) {
+    if (benchmark.isComplete) return "";
+    if (lost > 0) return ", " + counted(lost, "run") + " lost: the same command does what is missing";
+    return ", interrupted: the log has the runs that ended";
+}
+
+/// ranks: null unless mpirun started this process.
+int benchProblem(const Arguments& arguments, study::Ranks* ranks) {
     BenchArguments given;
     if (!readArguments(arguments, given)) return kDone;
     const Problem problem = readProblemFor(given);
+    if (given.oneRun) return doOneRun(given, problem);
     const std::string log = logFile(given, problem);
     OutputFiles files(inputsOf(problem));
     files.add(given.log.empty() ? "the log" : "--log", log);
     requireFactsFile(files);
     heedInterrupts();
 
-    const BenchmarkOptions options = benchmarkOptions(given, problem);
+    BenchmarkOptions options = benchmarkOptions(given, problem);
     planning::PlanOptions reaching;
     reaching.step = options.step;
     const Scene scene = given.trees.load(problem, reaching);
+    std::optional<BenchmarkOnRanks> onRanks;
+    if (ranks) {
+        onRanks.emplace(*ranks, arguments, log, inputsOf(problem));
+        options.doRuns = [&](Benchmark& benchmark) { return onRanks->doRuns(benchmark); };
+    }
     Benchmark benchmark = runShown(problem, scene, options);
     describeTrees(given.trees.options, benchmark);
     replaceFile(log, [&](std::ostream& out) { study::writeBenchmarkLog(benchmark, out); });
+    if (onRanks) onRanks->finish(benchmark.isComplete);
 
     printWarnings(problem.warnings);
     printWarnings(benchmark.warnings);
@@ -241,16 +254,32 @@ int bench(const Arguments& arguments) {
         printPlanner(planner);
         facts()["planners"].push_back(factsOf(planner));
     }
+    if (onRanks) tellLost(onRanks->lost());
     facts()["experiment"] = benchmark.experiment;
     facts()["seconds"] = toJson(benchmark.seconds);
     facts()["complete"] = benchmark.isComplete;
     facts()["log"] = log;
-    writePaths(benchmark, problem, log);
-    printRow("took", readable(benchmark.seconds) + " s" +
-                         (benchmark.isComplete ? "" : ", interrupted: the log has the runs that ended"));
+    if (const auto written = writePaths(benchmark, problem, log))
+        printRow("paths", std::to_string(*written) + ", beside the log");
+    printRow("took",
+             readable(benchmark.seconds) + " s" + troubleOf(benchmark, onRanks ? onRanks->lost().size() : 0));
     printRow("log", log);
     requirePrinted();
     return benchmark.isComplete ? kDone : kAnswerIsNo;
+}
+
+}  // namespace
+
+int bench(const Arguments& arguments) {
+    // Before the arguments are read, so that of several ranks one alone answers.
+    const std::unique_ptr<study::Ranks> ranks = joinRanks();
+    if (ranks && ranks->rank() > 0) return serveRank(*ranks);
+    const auto isStudy = [](const std::string& argument) { return argument.rfind("--study", 0) == 0; };
+    const bool hasStudy = std::any_of(arguments.begin(), arguments.end(), isStudy);
+    const auto run = hasStudy ? benchStudy : benchProblem;
+    const int code = run(arguments, ranks.get());
+    if (ranks) dismiss(*ranks);
+    return code;
 }
 
 }  // namespace clearway::cli

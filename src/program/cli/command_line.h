@@ -30,7 +30,6 @@ int query(const Arguments& arguments);
 int plan(const Arguments& arguments);
 int check(const Arguments& arguments);
 int bench(const Arguments& arguments);
-int study(const Arguments& arguments);  ///< `bench --study`
 int render(const Arguments& arguments);
 int scene(const Arguments& arguments);
 

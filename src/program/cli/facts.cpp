@@ -42,6 +42,10 @@ void requireFactsFile(OutputFiles& files) {
     files.addOrStandardOutput("--json", factsFile());
 }
 
+void dropFacts() {
+    factsFile().clear();
+}
+
 void writeFacts() {
     if (factsFile().empty()) return;
     writeOut(factsFile(), [](std::ostream& stream) {

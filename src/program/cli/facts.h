@@ -28,6 +28,9 @@ void requireFactsFile(OutputFiles& files);
 /// Writes the facts to the file of --json, if it was given. Throws std::runtime_error when that fails.
 void writeFacts();
 
+/// For a process whose findings another one collects: writeFacts() writes none.
+void dropFacts();
+
 /// Keeps which problem the facts are about, and the unit of its lengths; rows show it from now on.
 void tellProblem(const Problem& problem);
 

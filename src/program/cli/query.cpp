@@ -201,7 +201,7 @@ bool readArguments(const Arguments& arguments, QueryArguments& given) {
                 distanceOnly(question.distance.absoluteError));
     addTarget(line);
     addJson(line);
-    line.flag("--cold", "forgets the last closest pair before every query", question.isCold);
+    line.flag("--cold", "forgets the closest pairs of earlier queries before every query", question.isCold);
     line.option("--shuffle SEED", "asks in a random order; the answers keep the file's order",
                 integer<std::uint64_t>(question.shuffleSeed, 0, INT64_MAX));
     addTreeOptions(line, given.trees.options);

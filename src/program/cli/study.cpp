@@ -1,5 +1,5 @@
 // clearway bench --study: answers one question by planner runs and replays by the hundred.
-#include "program/study/study.h"
+#include "program/cli/study.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -9,12 +9,16 @@
 #include "clearway/planning/planners.h"
 #include "core/replace_file.h"
 #include "core/text.h"
+#include "program/cli/bench_ranks.h"
 #include "program/cli/load_guard.h"
 #include "program/cli/print.h"
 #include "program/cli/print_study.h"
 #include "program/cli/scene.h"
 #include "program/cli/shared_options.h"
 #include "program/scenes/scenes.h"
+#include "program/study/child_process.h"
+#include "program/study/run_text.h"
+#include "program/study/study.h"
 
 namespace clearway::cli {
 
@@ -34,6 +38,7 @@ struct StudyArguments {
     std::vector<std::string> problems;
     std::string folder;
     study::StudyOptions options;
+    std::optional<std::size_t> oneRun;
 };
 
 study::StudyOptions shortStudy() {
@@ -69,7 +74,9 @@ bool readArguments(const Arguments& arguments, StudyArguments& given) {
                      "it makes the scenes tunnel-console, cembox and large-environment at full size.\n"
                      "DIR then holds runs.csv, replay.csv, statistics.csv, summary.csv and logs for OMPL's "
                      "statistics script.\n"
-                     "The same command continues a stopped study and repeats nothing that DIR holds.");
+                     "The same command continues a stopped study and repeats nothing that DIR holds.\n"
+                     "Under `mpirun -n N` the planners' runs are handed out to N ranks; one rank does the "
+                     "rest, which is timed.");
     line.argument("[PROBLEM.cfg...]", appendedTo(given.problems));
     line.option(
         "--study NAME", "leaf-strategies",
@@ -102,6 +109,7 @@ bool readArguments(const Arguments& arguments, StudyArguments& given) {
     line.option("--repetitions N", "repetitions of each replay (7; short 1)",
                 integer<int>(options.repetitions, 1, 1000));
     addCache(line, trees);
+    addOneRun(line, given.oneRun);
     if (!line.parse(arguments)) return false;
     if (!planners.empty()) options.planners = planners;
     if (!generalSplits.empty()) options.generalSplits = generalSplits;
@@ -165,15 +173,33 @@ study::StudyProblem loadProblem(const std::string& file) {
     return study;
 }
 
-int tellInterrupted(const std::string& folder) {
-    printRow("study", folder + ", interrupted: the same command continues it");
+int tellIncomplete(const std::string& folder) {
+    printRow("study", folder + (isInterrupted() ? ", interrupted" : ", runs lost") +
+                          ": the same command continues it");
     requirePrinted();
     return kAnswerIsNo;
 }
 
+/// For a process that another one started: does one run and prints it.
+int doOneRun(const StudyArguments& given, const std::vector<std::string>& files) {
+    study::endWithParent();
+    const std::vector<study::PlannedRun> planned = plannedRuns(given.options);
+    const std::size_t problem = *given.oneRun / planned.size();
+    if (problem >= files.size()) {
+        throw std::invalid_argument("--one-run is '" + std::to_string(*given.oneRun) +
+                                    "', expected a number below " +
+                                    std::to_string(files.size() * planned.size()));
+    }
+    const study::PlannedRun& wanted = planned[*given.oneRun % planned.size()];
+    const study::StudyProblem loaded = loadProblem(files[problem]);
+    const Scene scene = buildScene(loaded, wanted.engine, given.options.cache);
+    const auto run = runPlanned(loaded, scene, given.options, wanted);
+    return run ? tellRun(textOf(*run)) : kAnswerIsNo;
+}
+
 }  // namespace
 
-int study(const Arguments& arguments) {
+int benchStudy(const Arguments& arguments, study::Ranks* ranks) {
     StudyArguments given;
     if (!readArguments(arguments, given)) return kDone;
     std::vector<std::string> files = given.problems;
@@ -181,13 +207,19 @@ int study(const Arguments& arguments) {
     heedInterrupts();
 
     if (files.empty()) files = makeScenes(given.options.isShort, given.folder);
+    if (given.oneRun) return doOneRun(given, files);
     std::vector<study::StudyProblem> problems;
     for (const std::string& file : files) {
         if (!isInterrupted()) problems.push_back(loadProblem(file));
     }
-    if (isInterrupted()) return tellInterrupted(given.folder);
+    if (isInterrupted()) return tellIncomplete(given.folder);
+    if (ranks) {
+        given.options.doRuns = [&](const auto& runs, const auto& keep) {
+            return doStudyRuns(*ranks, arguments, given.options, runs, keep);
+        };
+    }
     const study::StudyResult result = studyLeafStrategies(problems, given.options, given.folder);
-    if (!result.isComplete) return tellInterrupted(given.folder);
+    if (!result.isComplete) return tellIncomplete(given.folder);
     printStudy(result);
     printRow("study", given.folder);
     requirePrinted();

@@ -1,7 +1,6 @@
 #include "program/study/benchmark.h"
 
 #include <ompl/base/PlannerStatus.h>
-#include <ompl/config.h>
 #include <ompl/tools/benchmark/MachineSpecs.h>
 #include <ompl/util/Time.h>
 
@@ -9,8 +8,6 @@
 #include <cctype>
 #include <chrono>
 #include <filesystem>
-#include <ostream>
-#include <set>
 #include <sstream>
 #include <stdexcept>
 
@@ -29,16 +26,13 @@ using planning::PlanSetup;
 constexpr const char* kDefaultPlanners[] = {"RRTConnect", "RRT", "EST", "KPIECE1", "PRM"};
 constexpr double kMostMegabytes = 1e12;  ///< more than any machine has; in bytes the integer type holds it
 
-/// "1.5.2". OMPL_VERSION is an empty text in Debian 12.
-std::string omplVersion() {
-    return std::to_string(OMPL_MAJOR_VERSION) + "." + std::to_string(OMPL_MINOR_VERSION) + "." +
-           std::to_string(OMPL_PATCH_VERSION);
-}
-
 void requireOptions(const BenchmarkOptions& options) {
     if (!(options.seconds > 0)) {
         throw std::invalid_argument("the time limit is " + shortNumber(options.seconds) +
                                     ", expected seconds above 0");
+    }
+    if (options.iterations == 0u) {
+        throw std::invalid_argument("the number of iterations is 0, expected at least 1");
     }
     if (!(options.megabytes > 0)) {
         throw std::invalid_argument("the memory limit is " + shortNumber(options.megabytes) +
@@ -73,9 +67,13 @@ std::vector<Problem> problemsOf(const Problem& problem) {
 
 PlanOptions planOptions(const BenchmarkOptions& options, int run) {
     PlanOptions result;
-    result.seconds = options.seconds;
+    if (options.iterations) {
+        result.iterations = options.iterations;
+    } else {
+        result.seconds = options.seconds;
+    }
     result.threads = 1;
-    result.seed = options.seed + static_cast<std::uint32_t>(run);
+    result.seed = seedOf(run, options);
     result.step = options.step;
     result.omplWeights = options.omplWeights;
     return result;
@@ -88,12 +86,28 @@ void addOnce(std::vector<std::string>& warnings, const std::vector<std::string>&
     }
 }
 
+/// By the process's memory before its first run.
+RunLimits limitsOf(const BenchmarkOptions& options) {
+    const double growth = std::min(options.megabytes, kMostMegabytes) * kBytesPerMegabyte;
+    RunLimits limits;
+    limits.seconds = options.secondsLimit();
+    limits.iterations = options.iterations;
+    limits.bytes = ompl::machine::getProcessMemoryUsage() + static_cast<unsigned long long>(growth);
+    limits.simplify = options.simplify;
+    limits.isStopped = options.isStopped;
+    return limits;
+}
+
 /// Makes the planner once, so that its mistakes show before the first run, and describes it for the log.
 PlannerBenchmark describePlanner(const Problem& problem, const Scene& scene, const BenchmarkOptions& options,
                                  Benchmark& benchmark) {
     PlanReport report;
     const PlanSetup setup = planning::makePlanSetup(problem, scene, planOptions(options, 0), report);
     addOnce(benchmark.warnings, report.warnings);
+    if (options.iterations && !report.isRepeatable) {
+        addOnce(benchmark.warnings, {report.planners[0] + " does not give the same path again with the same "
+                                                          "seed and number of iterations"});
+    }
     const ompl::base::Planner& planner = *setup.planners[0];
     PlannerBenchmark result;
     result.name = "geometric_" + planner.getName();
@@ -118,7 +132,7 @@ BenchmarkProgress progressAt(const Benchmark& benchmark, std::size_t planner, in
     progress.planner = benchmark.planners[planner].name;
     progress.run = static_cast<int>(planner) * options.runs + run;
     progress.runs = static_cast<int>(benchmark.planners.size()) * options.runs;
-    const double each = progress.run > 0 ? elapsed / progress.run : options.seconds;
+    const double each = progress.run > 0 ? elapsed / progress.run : options.secondsLimit();
     progress.left = each * (progress.runs - progress.run);
     return progress;
 }
@@ -128,6 +142,7 @@ Benchmark begin(const Problem& problem, const BenchmarkOptions& options) {
     benchmark.options = options;
     benchmark.experiment = experimentName(problem);
     benchmark.parameters["margin REAL"] = shortNumber(problem.margin);
+    if (options.iterations) benchmark.parameters["iterations INTEGER"] = std::to_string(*options.iterations);
     benchmark.host = ompl::machine::getHostname();
     benchmark.cpu = ompl::machine::getCPUInfo();
     benchmark.started = ompl::time::as_string(ompl::time::now());
@@ -138,11 +153,7 @@ Benchmark begin(const Problem& problem, const BenchmarkOptions& options) {
 /// Returns false when the benchmark was stopped.
 bool runAll(const std::vector<Problem>& problems, const Scene& scene, Benchmark& benchmark) {
     const BenchmarkOptions& options = benchmark.options;
-    const auto bytesBefore = ompl::machine::getProcessMemoryUsage();
-    const RunLimits limits{options.seconds,
-                           bytesBefore + static_cast<unsigned long long>(
-                                             std::min(options.megabytes, kMostMegabytes) * kBytesPerMegabyte),
-                           options.simplify, options.isStopped};
+    const RunLimits limits = limitsOf(options);
     const Clock::time_point start = Clock::now();
     for (std::size_t i = 0; i < problems.size(); ++i) {
         for (int run = 0; run < options.runs; ++run) {
@@ -156,85 +167,6 @@ bool runAll(const std::vector<Problem>& problems, const Scene& scene, Benchmark&
     return true;
 }
 
-/// Replaces the separators: OMPL's script splits values of runs at "; ", values of progress at commas and
-/// semicolons, and settings at line ends.
-std::string without(const std::string& separators, std::string value, char instead) {
-    for (char& c : value) {
-        if (separators.find(c) != std::string::npos) c = instead;
-    }
-    return value;
-}
-
-std::string line(const std::string& value) {
-    return without("\n\r", value, ' ');
-}
-
-/// Writes lines between the marks, each with its end.
-void writeText(const std::string& text, std::ostream& out) {
-    out << "<<<|\n" << text << (text.empty() || text.back() == '\n' ? "" : "\n") << "|>>>\n";
-}
-
-void writeHead(const Benchmark& benchmark, std::ostream& out) {
-    out << "OMPL version " << omplVersion() << "\nExperiment " << benchmark.experiment << "\n"
-        << benchmark.parameters.size() << " experiment properties\n";
-    for (const auto& [name, value] : benchmark.parameters) out << name << " = " << line(value) << "\n";
-    out << "Running on " << (benchmark.host.empty() ? "UNKNOWN" : benchmark.host) << "\nStarting at "
-        << benchmark.started << "\n";
-    writeText(benchmark.setup, out);
-    writeText(benchmark.cpu, out);
-    const BenchmarkOptions& options = benchmark.options;
-    out << options.seed << " is the random seed\n"
-        << options.seconds << " seconds per run\n"
-        << options.megabytes << " MB per run\n"
-        << options.runs << " runs per planner\n"
-        << benchmark.seconds << " seconds spent to collect the data\n1 enum type\nstatus";
-    for (int i = 0; i < static_cast<int>(ompl::base::PlannerStatus::TYPE_COUNT); ++i) {
-        out << "|"
-            << ompl::base::PlannerStatus(static_cast<ompl::base::PlannerStatus::StatusType>(i)).asString();
-    }
-    out << "\n";
-}
-
-/// Writes the runs' values. A run without a value gets an empty text in its place.
-void writeRuns(const PlannerBenchmark& planner, std::ostream& out) {
-    std::set<std::string> names;
-    for (const BenchmarkRun& run : planner.runs) {
-        for (const auto& property : run.properties) names.insert(property.first);
-    }
-    out << names.size() << " properties for each run\n";
-    for (const std::string& name : names) out << name << "\n";
-    out << planner.runs.size() << " runs\n";
-    for (const BenchmarkRun& run : planner.runs) {
-        for (const std::string& name : names) {
-            const auto found = run.properties.find(name);
-            // The script takes "inf" and "nan" for no value, but "-inf" for a word.
-            if (found != run.properties.end() && found->second != "-inf") {
-                out << without(";", line(found->second), ',');
-            }
-            out << "; ";
-        }
-        out << "\n";
-    }
-}
-
-void writeProgress(const PlannerBenchmark& planner, std::ostream& out) {
-    if (planner.progressNames.empty()) return;
-    out << planner.progressNames.size() << " progress properties for each run\n";
-    for (const std::string& name : planner.progressNames) out << name << "\n";
-    out << planner.runs.size() << " runs\n";
-    for (const BenchmarkRun& run : planner.runs) {
-        for (const Properties& moment : run.progress) {
-            for (const std::string& name : planner.progressNames) {
-                const auto found = moment.find(name);
-                if (found != moment.end()) out << without(",;", line(found->second), ' ');
-                out << ",";
-            }
-            out << ";";
-        }
-        out << "\n";
-    }
-}
-
 }  // namespace
 
 Benchmark runBenchmark(const Problem& problem, const Scene& scene, const BenchmarkOptions& options) {
@@ -246,7 +178,7 @@ Benchmark runBenchmark(const Problem& problem, const Scene& scene, const Benchma
     for (const Problem& each : problems) {
         benchmark.planners.push_back(describePlanner(each, scene, options, benchmark));
     }
-    benchmark.isComplete = runAll(problems, scene, benchmark);
+    benchmark.isComplete = options.doRuns ? options.doRuns(benchmark) : runAll(problems, scene, benchmark);
     benchmark.seconds = secondsSince(start);
     std::vector<std::string> heard;
     for (const std::string& warning : messages.warnings()) heard.push_back("OMPL: " + warning);
@@ -254,16 +186,37 @@ Benchmark runBenchmark(const Problem& problem, const Scene& scene, const Benchma
     return benchmark;
 }
 
-void writeBenchmarkLog(const Benchmark& benchmark, std::ostream& out) {
-    writeHead(benchmark, out);
-    out << benchmark.planners.size() << " planners\n";
-    for (const PlannerBenchmark& planner : benchmark.planners) {
-        out << line(planner.name) << "\n" << planner.settings.size() << " common properties\n";
-        for (const auto& [name, value] : planner.settings) out << name << " = " << line(value) << "\n";
-        writeRuns(planner, out);
-        writeProgress(planner, out);
-        out << ".\n";
+RunPlace placeOf(std::size_t run, const BenchmarkOptions& options) {
+    const auto runs = static_cast<std::size_t>(options.runs);
+    return {run / runs, static_cast<int>(run % runs)};
+}
+
+std::uint32_t seedOf(int run, const BenchmarkOptions& options) {
+    return options.seed + static_cast<std::uint32_t>(run);
+}
+
+std::optional<BenchmarkRun> runAlone(const Problem& problem, const Scene& scene,
+                                     const BenchmarkOptions& options, std::size_t run,
+                                     std::vector<std::string>& warnings) {
+    requireOptions(options);
+    const planning::OmplMessages messages;
+    const std::vector<Problem> problems = problemsOf(problem);
+    const RunPlace place = placeOf(run, options);
+    if (place.planner >= problems.size()) {
+        throw std::invalid_argument("the run is number " + std::to_string(run) + ", expected one below " +
+                                    std::to_string(problems.size() * static_cast<std::size_t>(options.runs)));
     }
+    return runOnce(problems[place.planner], scene, planOptions(options, place.run), limitsOf(options),
+                   warnings);
+}
+
+BenchmarkRun lostRun(std::uint32_t seed) {
+    BenchmarkRun run;
+    run.measures.isSolved = 0;
+    run.measures.status = static_cast<std::uint64_t>(ompl::base::PlannerStatus::CRASH);
+    run.properties = propertiesOf(run.measures);
+    run.properties["seed INTEGER"] = std::to_string(seed);
+    return run;
 }
 
 }  // namespace clearway::study

@@ -1,10 +1,9 @@
-// Runs planners on a problem, each several times, and writes OMPL's benchmark log of the runs, which OMPL's
-// statistics script and Planner Arena read.
+// Runs planners on a problem, each several times.
 #pragma once
 
 #include <cstdint>
 #include <functional>
-#include <iosfwd>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,8 +21,12 @@ struct BenchmarkProgress {
     double left = 0;  ///< estimated seconds, from the runs so far; before the first run, at most
 };
 
+struct Benchmark;
+
 struct BenchmarkOptions {
-    double seconds = 30;              ///< for each run's planning
+    double seconds = 30;  ///< for each run's planning, unless iterations limit it
+    /// The repeatable limit of each run's planning: how often the planner may ask whether to end.
+    std::optional<std::uint64_t> iterations;
     double megabytes = 4096;          ///< growth limit of the process, from the benchmark's start
     int runs = 10;                    ///< of each planner
     std::uint32_t seed = 1;           ///< seed of each planner's first run, incremented per run
@@ -32,6 +35,11 @@ struct BenchmarkOptions {
     bool omplWeights = false;         ///< see PlanOptions::omplWeights
     std::function<bool()> isStopped;  ///< asked often; true ends the benchmark and drops the current run
     std::function<void(const BenchmarkProgress&)> tell;  ///< before each run
+    /// Takes the place of doing the runs here: fills in the planners' runs. Returns whether it has all of them.
+    std::function<bool(Benchmark&)> doRuns;
+
+    /// Infinite where iterations are the limit.
+    double secondsLimit() const { return iterations ? std::numeric_limits<double>::infinity() : seconds; }
 };
 
 struct PlannerBenchmark {
@@ -50,7 +58,7 @@ struct Benchmark {
     BenchmarkOptions options;
     double seconds = 0;  ///< the benchmark's duration
     std::vector<PlannerBenchmark> planners;
-    bool isComplete = false;  ///< false when the benchmark was stopped before its end
+    bool isComplete = false;  ///< false when the benchmark was stopped before its end, or runs were lost
     std::vector<std::string> warnings;
 };
 
@@ -60,7 +68,23 @@ struct Benchmark {
 /// planners, before the first run.
 Benchmark runBenchmark(const Problem& problem, const Scene& scene, const BenchmarkOptions& options);
 
-/// Writes the log. The format's separators and line ends within values become spaces and commas.
-void writeBenchmarkLog(const Benchmark& benchmark, std::ostream& out);
+/// A benchmark's run, counted from 0 over all planners, in the benchmark's order.
+struct RunPlace {
+    std::size_t planner = 0;
+    int run = 0;  ///< of this planner
+};
+RunPlace placeOf(std::size_t run, const BenchmarkOptions& options);
+
+/// The seed of a planner's run.
+std::uint32_t seedOf(int run, const BenchmarkOptions& options);
+
+/// Does one run alone. Returns nothing when isStopped ended it. Throws as runBenchmark() does, and std::invalid_argument when
+/// the benchmark has no such run.
+std::optional<BenchmarkRun> runAlone(const Problem& problem, const Scene& scene,
+                                     const BenchmarkOptions& options, std::size_t run,
+                                     std::vector<std::string>& warnings);
+
+/// What stands in the log for a run whose process crashed or was killed: its seed, and OMPL's status for that.
+BenchmarkRun lostRun(std::uint32_t seed);
 
 }  // namespace clearway::study

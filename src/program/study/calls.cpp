@@ -52,20 +52,24 @@ std::string answersFile(const std::string& callsFile) {
     return callsFile + ".answers";
 }
 
-void writeCalls(const std::vector<CallBlock>& blocks, const std::string& file) {
+std::string callsText(const std::vector<CallBlock>& blocks) {
+    std::string text;
+    for (const CallBlock& block : blocks) {
+        for (const Call& call : block) {
+            text += rowOf(call.kind).name;
+            for (const double real : call.from) text += " " + formatNumber(real);
+            for (const double real : call.to) text += " " + formatNumber(real);
+            text += "\n";
+        }
+        text += "\n";
+    }
+    return text;
+}
+
+void writeCalls(const std::string& callsText, const std::string& file) {
     std::error_code ignored;
     std::filesystem::remove(answersFile(file), ignored);
-    replaceFile(file, [&](std::ostream& out) {
-        for (const CallBlock& block : blocks) {
-            for (const Call& call : block) {
-                out << rowOf(call.kind).name;
-                for (const double real : call.from) out << " " << formatNumber(real);
-                for (const double real : call.to) out << " " << formatNumber(real);
-                out << "\n";
-            }
-            out << "\n";
-        }
-    });
+    replaceFile(file, [&](std::ostream& out) { out << callsText; });
 }
 
 std::vector<CallBlock> readCalls(const std::string& file) {

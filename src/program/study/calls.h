@@ -39,10 +39,12 @@ enum class CallAnswer : char { kNo = 'n', kYes = 'y', kUndecided = 'u' };
 
 using Answers = std::vector<std::vector<CallAnswer>>;  ///< one list for each block
 
-/// Writes one call a line, its kind and its reals with 17 digits; an empty line ends a block. Removes the
-/// file of answers to the calls that the file held before. Throws std::runtime_error when the file cannot be
-/// written.
-void writeCalls(const std::vector<CallBlock>& blocks, const std::string& file);
+/// One call a line, its kind and its reals with 17 digits; an empty line ends a block.
+std::string callsText(const std::vector<CallBlock>& blocks);
+
+/// Writes a text of calls. Removes the file of answers to the calls that the file held before. Throws
+/// std::runtime_error when the file cannot be written.
+void writeCalls(const std::string& callsText, const std::string& file);
 
 /// Throws std::runtime_error when the file cannot be read, and std::invalid_argument, naming the file and the
 /// line, when a line is wrong.

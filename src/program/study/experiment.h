@@ -25,6 +25,8 @@ struct StudyPlanner {
         objective;  ///< one of objectiveNames(); empty: the first path, or the planner's own objective
 };
 
+struct StudyRun;
+
 struct StudyOptions {
     std::vector<StudyPlanner> planners = {
         {"RRTConnect", ""}, {"KPIECE1", ""}, {"PRM", ""}, {"RRTstar", ""}, {"BITstar", "max_min_clearance"}};
@@ -43,6 +45,11 @@ struct StudyOptions {
 
     std::function<bool()> isStopped;
     std::function<void(const std::string&)> tell;  ///< takes one line
+    /// Takes the place of doing the planners' runs here, which are given by their numbers (see plannedRuns()): gives each one
+    /// that ends to `keep`. Returns whether it has all of them.
+    std::function<bool(const std::vector<std::size_t>& runs,
+                       const std::function<void(const StudyRun&)>& keep)>
+        doRuns;
 
     bool mustStop() const { return isStopped && isStopped(); }
     void report(const std::string& line) const {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <condition_variable>
 #include <ctime>
 #include <mutex>
@@ -26,8 +27,9 @@ namespace og = ompl::geometric;
 using planning::PathAudit;
 using planning::PlanSetup;
 
-constexpr double kLeastPeriod = 0.05;  ///< seconds between two looks at a planner's progress
-constexpr double kLooksPerRun = 500;   ///< most looks in a run
+constexpr double kLeastPeriod = 0.05;   ///< seconds between two looks at a planner's progress
+constexpr double kLooksPerRun = 500;    ///< most looks in a run of limited time
+constexpr double kUnlimitedPeriod = 1;  ///< seconds between two looks in a run of unlimited time
 
 std::string flag(bool value) {
     return value ? "1" : "0";
@@ -112,10 +114,12 @@ class RunEnd {
     double seconds() const { return secondsSince(begin_.value()); }
     bool isStopped() const { return limits_.isStopped && limits_.isStopped(); }
     bool isReached() const { return (begin_ && seconds() >= limits_.seconds) || isStopped(); }
+    bool spendIteration() { return isReached() || (limits_.iterations && ++asked_ > *limits_.iterations); }
 
   private:
     const RunLimits& limits_;
     std::optional<Clock::time_point> begin_;
+    std::atomic<std::uint64_t> asked_{0};  // several threads may ask
 };
 
 void measureCalls(const Recorder& recorder, double seconds, BenchmarkRun& run) {
@@ -133,13 +137,16 @@ void solve(const PlanSetup& setup, const RunLimits& limits, RunEnd& end, Recorde
            BenchmarkRun& run, std::vector<std::string>& warnings) {
     ob::Planner& planner = *setup.planners[0];
     RunMeasures& measures = run.measures;
-    const double period = std::max(kLeastPeriod, limits.seconds / kLooksPerRun);
+    const double period = std::isfinite(limits.seconds)
+                              ? std::max(kLeastPeriod, limits.seconds / kLooksPerRun)
+                              : kUnlimitedPeriod;
     RunWatch watch(planner, limits.bytes, period);
     if (recorder) recorder->begin();
     const std::clock_t processorBegin = std::clock();
     end.begin();
     const Improvements improvements(*setup.definition, Clock::now());
-    const ob::PlannerTerminationCondition isSpent([&] { return end.isReached() || watch.isOutOfMemory(); });
+    const ob::PlannerTerminationCondition isSpent(
+        [&] { return end.spendIteration() || watch.isOutOfMemory(); });
     ob::PlannerStatus status = ob::PlannerStatus::CRASH;
     try {
         status = planner.solve(isSpent);

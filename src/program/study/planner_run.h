@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <optional>
@@ -82,12 +83,13 @@ struct BenchmarkRun {
 };
 
 struct RunLimits {
-    double seconds = 0;
+    double seconds = 0;            ///< may be infinite
     unsigned long long bytes = 0;  ///< of the whole process
     bool simplify = true;
     std::function<bool()> isStopped;
     /// If given, the run counts and times the planner's calls, and samples them.
     std::optional<CallSampling> sampling = {};
+    std::optional<std::uint64_t> iterations = {};  ///< how often the planner may ask whether to end
 };
 
 /// Plans the problem, which names one planner, with that planner and the options' seed. Returns nothing when

@@ -12,42 +12,21 @@
 
 #include "clearway/planning/ompl_messages.h"
 #include "clearway/planning/planners.h"
+#include "clearway/targets.h"
 #include "core/replace_file.h"
 #include "program/study/benchmark.h"
+#include "program/study/benchmark_log.h"
 
 namespace clearway::study {
 namespace {
 
 constexpr double kLeastShare = 0.95;  ///< of a processor, for an undisturbed run
 
-struct PlannedRun {
-    StudyPlanner planner;
-    Engine engine;
-    std::size_t strategy = 0;  ///< position among all engines
-    int seed = 1;
-};
-
 std::vector<Engine> allEngines(const StudyOptions& options) {
     std::vector<Engine> engines;
     for (const EngineGroup& group : plannedGroups(options))
         engines.insert(engines.end(), group.begin(), group.end());
     return engines;
-}
-
-/// Runs all strategies back to back for each seed and planner, rotating which goes first, so that slow drifts
-/// of the machine affect them equally.
-std::vector<PlannedRun> schedule(const StudyOptions& options) {
-    const std::vector<Engine> engines = allEngines(options);
-    std::vector<PlannedRun> runs;
-    for (int seed = 1; seed <= options.seeds; ++seed) {
-        for (const StudyPlanner& planner : options.planners) {
-            for (std::size_t i = 0; i < engines.size(); ++i) {
-                const std::size_t strategy = (i + static_cast<std::size_t>(seed - 1)) % engines.size();
-                runs.push_back({planner, engines[strategy], strategy, seed});
-            }
-        }
-    }
-    return runs;
 }
 
 RunRow rowOf(const std::string& scene, const PlannedRun& run) {
@@ -103,8 +82,8 @@ class Runner {
         for (const PlannedRun& run : planned) {
             if (options_.mustStop()) return false;
             options_.report(problem_.name + ": run " + std::to_string(left.done() + 1) + " of " +
-                            std::to_string(left.all()) + ", " + run.planner.name + " " + run.engine.name() +
-                            " seed " + std::to_string(run.seed) + ", " + left.text() + " for its runs");
+                            std::to_string(left.all()) + ", " + run.name() + ", " + left.text() +
+                            " for its runs");
             if (!runOnce(run)) return false;
             left.step();
         }
@@ -119,36 +98,9 @@ class Runner {
     }
 
     bool runOnce(const PlannedRun& planned) {
-        planning::PlanOptions options;
-        options.seconds = options_.seconds;
-        options.threads = 1;
-        options.seed = static_cast<std::uint32_t>(planned.seed);
-        options.objective = planned.planner.objective;
-        RunLimits limits;
-        limits.seconds = options_.seconds;
-        limits.bytes = static_cast<unsigned long long>(options_.megabytes * 1024 * 1024);
-        limits.simplify = false;
-        limits.isStopped = options_.isStopped;
-        limits.sampling = options_.sampling;
-        limits.sampling->seed = static_cast<std::uint64_t>(planned.seed);
-        const planning::OmplMessages unheard;
-        std::vector<std::string> warnings;
-        const auto run = study::runOnce(problemFor(problem_.problem, planned.planner), sceneOf(planned),
-                                        options, limits, warnings);
-        for (const std::string& warning : warnings) options_.report("warning: " + warning);
-        if (!run) return false;
-        keep(planned, *run);
-        return true;
-    }
-
-    /// Writes the sample before the row, so that every run in the table has its sample.
-    void keep(const PlannedRun& planned, const BenchmarkRun& run) {
-        if (planned.strategy == static_cast<std::size_t>(planned.seed - 1) % scenes_.size()) {
-            writeCalls(run.calls, callsFile(folder_, problem_.name, planned.planner.name, planned.seed));
-        }
-        RunRow row = rowOf(problem_.name, planned);
-        static_cast<RunMeasures&>(row) = run.measures;
-        runs_.append({row});
+        const auto run = runPlanned(problem_, sceneOf(planned), options_, planned);
+        if (run) keepRun(*run, options_, folder_, runs_);
+        return run.has_value();
     }
 
     const StudyProblem& problem_;
@@ -222,17 +174,86 @@ std::string callsFile(const std::string& folder, const std::string& scene, const
     return folder + "/calls/" + scene + "_" + planner + "_" + std::to_string(seed) + ".calls";
 }
 
-bool runPlanners(const StudyProblem& problem, const StudyOptions& options, const std::string& folder,
-                 GrowingTable<RunRow>& runs) {
+std::string PlannedRun::name() const {
+    return planner.name + " " + engine.name() + " seed " + std::to_string(seed);
+}
+
+/// Runs all strategies back to back for each seed and planner, rotating which goes first, so that slow drifts
+/// of the machine affect them equally.
+std::vector<PlannedRun> plannedRuns(const StudyOptions& options) {
+    const std::vector<Engine> engines = allEngines(options);
+    std::vector<PlannedRun> runs;
+    for (int seed = 1; seed <= options.seeds; ++seed) {
+        for (const StudyPlanner& planner : options.planners) {
+            for (std::size_t i = 0; i < engines.size(); ++i) {
+                const std::size_t strategy = (i + static_cast<std::size_t>(seed - 1)) % engines.size();
+                runs.push_back({planner, engines[strategy], strategy, seed, /*keepsCalls*/ i == 0});
+            }
+        }
+    }
+    return runs;
+}
+
+std::optional<StudyRun> runPlanned(const StudyProblem& problem, const Scene& scene,
+                                   const StudyOptions& options, const PlannedRun& planned) {
+    planning::PlanOptions plan;
+    plan.seconds = options.seconds;
+    plan.threads = 1;
+    plan.seed = static_cast<std::uint32_t>(planned.seed);
+    plan.objective = planned.planner.objective;
+    RunLimits limits;
+    limits.seconds = options.seconds;
+    limits.bytes = static_cast<unsigned long long>(options.megabytes * 1024 * 1024);
+    limits.simplify = false;
+    limits.isStopped = options.isStopped;
+    limits.sampling = options.sampling;
+    limits.sampling->seed = static_cast<std::uint64_t>(planned.seed);
+    const planning::OmplMessages unheard;
+    StudyRun result;
+    const auto run =
+        runOnce(problemFor(problem.problem, planned.planner), scene, plan, limits, result.warnings);
+    if (!run) return std::nullopt;
+    result.row = rowOf(problem.name, planned);
+    static_cast<RunMeasures&>(result.row) = run->measures;
+    if (planned.keepsCalls) result.calls = callsText(run->calls);
+    result.machine = machineName();
+    return result;
+}
+
+void keepRun(const StudyRun& run, const StudyOptions& options, const std::string& folder,
+             GrowingTable<RunRow>& runs) {
+    for (const std::string& warning : run.warnings) options.report("warning: " + warning);
+    const RunRow& row = run.row;
+    if (run.machine != machineName()) {
+        throw std::runtime_error("the run of " + row.planner + " " + row.name() + " seed " +
+                                 std::to_string(row.seed) + " was done by " + run.machine + ", expected " +
+                                 machineName() +
+                                 " as for the study's other runs, whose times it is compared with");
+    }
+    if (run.calls) writeCalls(*run.calls, callsFile(folder, row.scene, row.planner, row.seed));
+    runs.append({row});
+}
+
+std::vector<std::size_t> missingRuns(const StudyProblem& problem, std::size_t position,
+                                     const StudyOptions& options, const GrowingTable<RunRow>& runs) {
     requireOnce(runs);
-    makeFolder(folder + "/calls");
-    std::vector<PlannedRun> left;
-    for (const PlannedRun& run : schedule(options)) {
-        const RunRow wanted = rowOf(problem.name, run);
+    const std::vector<PlannedRun> planned = plannedRuns(options);
+    std::vector<std::size_t> missing;
+    for (std::size_t i = 0; i < planned.size(); ++i) {
+        const RunRow wanted = rowOf(problem.name, planned[i]);
         const bool isDone = std::any_of(runs.rows().begin(), runs.rows().end(),
                                         [&](const RunRow& row) { return keyOf(row) == keyOf(wanted); });
-        if (!isDone) left.push_back(run);
+        if (!isDone) missing.push_back(position * planned.size() + i);
     }
+    return missing;
+}
+
+bool runPlanners(const StudyProblem& problem, const StudyOptions& options, const std::string& folder,
+                 GrowingTable<RunRow>& runs) {
+    makeFolder(folder + "/calls");
+    const std::vector<PlannedRun> planned = plannedRuns(options);
+    std::vector<PlannedRun> left;
+    for (const std::size_t run : missingRuns(problem, 0, options, runs)) left.push_back(planned[run]);
     return Runner(problem, options, folder, runs).runAll(left);
 }
 
@@ -258,6 +279,10 @@ void writeStudyLogs(const StudyProblem& problem, const StudyOptions& options, co
             folder + "/logs/" + problem.name + "_" + engine.generalSplit + "_" + engine.leafSplit + ".log",
             [&](std::ostream& out) { writeBenchmarkLog(benchmark, out); });
     }
+}
+
+std::string machineName() {
+    return processorName() + ", " + availableTargets().front();
 }
 
 std::string processorName() {

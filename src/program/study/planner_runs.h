@@ -1,6 +1,7 @@
 // The study's planner runs: every planner with every strategy and seed, each once.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,40 @@ struct RunRow : CallsRow, RunMeasures {
 /// scene, planner, general_split, leaf_split, seed; then the columns of runProperties().
 Columns<RunRow> runColumns();
 
+struct PlannedRun {
+    StudyPlanner planner;
+    Engine engine;
+    std::size_t strategy = 0;  ///< position among all engines
+    int seed = 1;
+    bool keepsCalls = false;  ///< this run leaves the sample of its planner's and seed's calls
+
+    std::string name() const;  ///< "RRTConnect sah/none seed 1"
+};
+
+/// A problem's runs in their order. A study's runs are numbered from 0 over all its problems.
+std::vector<PlannedRun> plannedRuns(const StudyOptions& options);
+
+/// A run that has ended.
+struct StudyRun {
+    RunRow row;
+    std::optional<std::string> calls;  ///< the text of its sample, if it leaves one
+    std::string machine;               ///< the processor and the instructions in use
+    std::vector<std::string> warnings;
+};
+
+/// Does one run in a scene of the run's engine. Returns nothing when the study was stopped.
+std::optional<StudyRun> runPlanned(const StudyProblem& problem, const Scene& scene,
+                                   const StudyOptions& options, const PlannedRun& planned);
+
+/// The numbers of the runs that the table lacks, for the study's problem at this position.
+std::vector<std::size_t> missingRuns(const StudyProblem& problem, std::size_t position,
+                                     const StudyOptions& options, const GrowingTable<RunRow>& runs);
+
+/// Writes the run's sample and then its row, so that every run in the table has its sample, and reports its warnings. Throws
+/// std::runtime_error when another machine did the run.
+void keepRun(const StudyRun& run, const StudyOptions& options, const std::string& folder,
+             GrowingTable<RunRow>& runs);
+
 /// Does the runs that the table lacks, seed by seed, and appends each as it ends. For each planner and seed,
 /// one run leaves a sample of its calls in the folder; the strategies take turns. Reports warnings. Returns
 /// false when the study was stopped: then the current run is not in the table. Throws std::runtime_error when
@@ -53,6 +88,9 @@ std::string callsFile(const std::string& folder, const std::string& scene, const
 /// tell strategies apart.
 void writeStudyLogs(const StudyProblem& problem, const StudyOptions& options, const std::vector<RunRow>& runs,
                     const std::string& folder);
+
+/// The processor and the instructions in use.
+std::string machineName();
 
 /// The processor's name; "unknown" if the system does not say.
 std::string processorName();

@@ -9,16 +9,10 @@
 #include "core/replace_file.h"
 #include "core/text.h"
 #include "program/study/replayer.h"
+#include "program/study/settings.h"
 
 namespace clearway::study {
 namespace {
-
-struct Setting {
-    std::string name, value;
-};
-using Settings = std::vector<Setting>;
-
-const Columns<Setting> kSettingColumns = {{"setting", &Setting::name}, {"value", &Setting::value}};
 
 std::string hashOf(const std::string& text) {
     Hash hash;
@@ -51,27 +45,7 @@ Settings settingsOf(const std::vector<StudyProblem>& problems, const StudyOption
     for (const StudyProblem& problem : problems) {
         settings.push_back({"scene " + problem.name, hashOf(problem.fingerprint())});
     }
-    for (auto& [name, value] : settings) std::replace(value.begin(), value.end(), ',', ' ');
     return settings;
-}
-
-void requireSame(const Settings& settings, const std::string& folder) {
-    GrowingTable<Setting> kept(folder + "/settings.csv", kSettingColumns);
-    if (kept.rows().empty()) {
-        kept.append(settings);
-        return;
-    }
-    const std::string expected = ", expected another folder or the options that it was begun with";
-    for (std::size_t i = 0; i < settings.size(); ++i) {
-        const auto& [name, value] = settings[i];
-        const bool isThere = i < kept.rows().size() && kept.rows()[i].name == name;
-        const std::string before = isThere ? kept.rows()[i].value : "not there";
-        if (before == value) continue;
-        throw std::invalid_argument("the study in '" + folder + "' has " + name + " '" + before + "', not '" +
-                                    value + "'" + expected);
-    }
-    if (kept.rows().size() > settings.size())
-        throw std::invalid_argument("the study in '" + folder + "' has other scenes" + expected);
 }
 
 void requireOptions(const std::vector<StudyProblem>& problems, const StudyOptions& options) {
@@ -112,6 +86,18 @@ std::vector<Pose> tablePoses(const StudyProblem& problem, const StudyOptions& op
     return some;
 }
 
+/// Does the runs of all problems, before the first replay: other processes then need not wait for this one. Returns whether
+/// the table has all of them.
+bool runElsewhere(const std::vector<StudyProblem>& problems, const StudyOptions& options,
+                  const std::string& folder, GrowingTable<RunRow>& runs) {
+    makeFolder(folder + "/calls");
+    std::vector<std::size_t> missing;
+    for (std::size_t i = 0; i < problems.size(); ++i) {
+        for (const std::size_t run : missingRuns(problems[i], i, options, runs)) missing.push_back(run);
+    }
+    return options.doRuns(missing, [&](const StudyRun& run) { keepRun(run, options, folder, runs); });
+}
+
 }  // namespace
 
 StudyResult studyLeafStrategies(const std::vector<StudyProblem>& problems, const StudyOptions& options,
@@ -119,11 +105,13 @@ StudyResult studyLeafStrategies(const std::vector<StudyProblem>& problems, const
     requireOptions(problems, options);
     makeFolder(folder);
     const FolderLock lock(folder);
-    requireSame(settingsOf(problems, options), folder);
+    requireSettings(settingsOf(problems, options), folder, "study",
+                    "another folder or the options that it was begun with");
     GrowingTable<RunRow> runs(folder + "/runs.csv", runColumns());
     GrowingTable<ReplayRow> replays(folder + "/replay.csv", replayColumns());
     GrowingTable<TreeRow> trees(folder + "/trees.csv", treeColumns());
     StudyResult result;
+    if (options.doRuns && !runElsewhere(problems, options, folder, runs)) return result;
     for (std::size_t i = 0; i < problems.size(); ++i) {
         const StudyProblem& problem = problems[i];
         options.report("scene " + std::to_string(i + 1) + " of " + std::to_string(problems.size()) + ", " +

@@ -128,7 +128,7 @@ FolderLock::FolderLock(const std::string& folder)
     : folder_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
     if (folder_ < 0 || ::flock(folder_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
     ::close(folder_);
-    throw std::runtime_error("another program works on the study in '" + folder +
+    throw std::runtime_error("another program works on the results in '" + folder +
                              "', expected another folder, or this one when that program has ended");
 }
 

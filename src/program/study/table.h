@@ -97,6 +97,18 @@ Cells cellsOf(const Columns<Row>& columns, const Row& row) {
     return cells;
 }
 
+/// Reads one cell for each column into the row, up to a cell that is no value of its column's type. Returns the number of
+/// cells read.
+template <class Row>
+std::size_t readCells(const Columns<Row>& columns, const Cells& cells, Row& row) {
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        const bool isRead =
+            std::visit([&](auto member) { return readCell(cells[i], row.*member); }, columns[i].member);
+        if (!isRead) return i;
+    }
+    return columns.size();
+}
+
 /// The rows as the text of a CSV file, with the columns' names.
 template <class Row>
 std::string tableText(const Columns<Row>& columns, const std::vector<Row>& rows) {
@@ -131,11 +143,8 @@ class GrowingTable {
         : file_(std::move(file)), columns_(std::move(columns)) {
         for (const Cells& cells : openTable(file_, namesOf(columns_))) {
             Row row;
-            for (std::size_t i = 0; i < columns_.size(); ++i) {
-                const bool isRead = std::visit([&](auto member) { return readCell(cells[i], row.*member); },
-                                               columns_[i].member);
-                if (!isRead) refuseCell(file_, rows_.size(), columns_[i].name, cells[i]);
-            }
+            const std::size_t read = readCells(columns_, cells, row);
+            if (read < columns_.size()) refuseCell(file_, rows_.size(), columns_[read].name, cells[read]);
             rows_.push_back(std::move(row));
         }
     }
@@ -164,7 +173,7 @@ class GrowingTable {
     std::vector<Row> rows_;
 };
 
-/// Keeps a second program out of a study's folder, until the lock is destroyed or the program ends.
+/// Keeps a second program out of a folder of results, until the lock is destroyed or the program ends.
 class FolderLock {
   public:
     /// Throws std::runtime_error, naming the folder, when another program holds it. On a file system without

@@ -117,6 +117,9 @@ BOOST_AUTO_TEST_CASE(bad_input_is_one_line_and_exit_code_2) {
     refused("--time 0", {"--time is '0'", "above 0"});
     refused("--memory -1", {"--memory is '-1'"});
     refused("--seed 0", {"--seed is '0'"});
+    refused("--iterations 0", {"--iterations is '0'"});
+    refused("--iterations 5 --time 5", {"--time and --iterations are both given"});
+    refused("--one-run 2", {"the run is number 2, expected one below 2"});
     refused("--margin -1", {"--margin is '-1'"});
     refused("--planner nonesuch", {"unknown planner 'nonesuch'", "RRTConnect"});
     refused("--save-paths some", {"--save-paths is 'some'", "shortest"});

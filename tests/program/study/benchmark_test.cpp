@@ -5,6 +5,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "program/study/benchmark_log.h"
 #include "support/benchmark_log_reader.h"
 #include "support/processor_time.h"
 #include "support/window_scene.h"
@@ -106,6 +107,37 @@ BOOST_AUTO_TEST_CASE(the_same_seeds_give_the_same_paths) {
         }
         BOOST_TEST(first.planners[i].runs[0].length != first.planners[i].runs[1].length);
     }
+}
+
+BOOST_AUTO_TEST_CASE(with_iterations_a_run_alone_gives_the_values_that_it_gives_among_others) {
+    auto window = windowScene();
+    window.problem.planners = {{"rrtconnect"}, {"rrtstar"}};  // RRTstar uses up its iterations
+    BenchmarkOptions options = quick();
+    options.iterations = 300;
+    options.seconds = 1e-3;  // does not count
+    const Benchmark all = runBenchmark(window.problem, window.scene, options);
+    for (std::size_t run = 0; run < 4; ++run) {
+        std::vector<std::string> warnings;
+        const auto alone = runAlone(window.problem, window.scene, options, run, warnings);
+        BOOST_TEST_REQUIRE(alone.has_value());
+        const RunPlace place = placeOf(run, options);
+        const BenchmarkRun& among =
+            all.planners.at(place.planner).runs.at(static_cast<std::size_t>(place.run));
+        BOOST_TEST(alone->properties.at("seed INTEGER") == std::to_string(seedOf(place.run, options)));
+        for (const char* name : {"seed INTEGER", "status ENUM", "state checks INTEGER",
+                                 "motion queries INTEGER", "graph states INTEGER", "solution length REAL"}) {
+            BOOST_TEST(alone->properties.at(name) == among.properties.at(name), name << " of run " << run);
+        }
+    }
+    BOOST_TEST(std::stod(all.planners[1].runs[0].properties.at("graph states INTEGER")) > 50);
+    const ReadLog log = logOf(all);
+    BOOST_TEST(log.parameters.at("iterations INTEGER") == "300");
+    BOOST_TEST(std::isinf(log.secondsPerRun));
+    options.iterations = 3;
+    const auto few = runBenchmark(window.problem, window.scene, options).planners[1].runs[0];
+    BOOST_TEST(std::stod(few.properties.at("graph states INTEGER")) < 50);
+    std::vector<std::string> warnings;
+    BOOST_CHECK_THROW(runAlone(window.problem, window.scene, options, 4, warnings), std::invalid_argument);
 }
 
 BOOST_AUTO_TEST_CASE(planners_that_tell_of_their_progress_have_it_in_the_log) {

@@ -18,7 +18,7 @@ BOOST_AUTO_TEST_CASE(calls_and_answers_read_back_as_they_were) {
         {Call{CallKind::kState, {0.1, -2e-300}, {}}, Call{CallKind::kMotion, {1.0 / 3, 2}, {3, 4}}},
         {Call{CallKind::kForwardMotion, {1, 2}, {5, 6}}, Call{CallKind::kClearance, {1, 2}, {}},
          Call{CallKind::kMotionCost, {1, 2}, {7, 8}}}};
-    writeCalls(blocks, folder.file("a.calls"));
+    writeCalls(callsText(blocks), folder.file("a.calls"));
     const auto read = readCalls(folder.file("a.calls"));
     BOOST_TEST_REQUIRE(read.size() == blocks.size());
     for (std::size_t i = 0; i < blocks.size(); ++i) {
@@ -34,7 +34,7 @@ BOOST_AUTO_TEST_CASE(calls_and_answers_read_back_as_they_were) {
     BOOST_TEST((readAnswers(folder.file("a.answers")) == answers));
     // Writing other calls removes these answers.
     writeAnswers(answers, answersFile(folder.file("a.calls")));
-    writeCalls(blocks, folder.file("a.calls"));
+    writeCalls(callsText(blocks), folder.file("a.calls"));
     BOOST_CHECK_THROW(readAnswers(answersFile(folder.file("a.calls"))), std::runtime_error);
     BOOST_CHECK_THROW(readCalls(folder.write("b.calls", "motion 1 2 3\n")), std::invalid_argument);
     BOOST_CHECK_THROW(readCalls(folder.write("b.calls", "motion 1 x\n")), std::invalid_argument);

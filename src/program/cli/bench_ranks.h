@@ -1,0 +1,65 @@
+// `bench` under mpirun: its runs are handed out to all ranks, and each is a process of its own.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "program/cli/command_line.h"
+#include "program/study/benchmark.h"
+#include "program/study/experiment.h"
+#include "program/study/kept_runs.h"
+#include "program/study/ranks.h"
+
+namespace clearway::cli {
+
+/// Joins the processes that mpirun or srun started together with this one. Null when this one was started alone.
+std::unique_ptr<study::Ranks> joinRanks();
+
+/// For all ranks but the first: does what rank 0 hands out. Returns the exit code.
+int serveRank(study::Ranks& ranks);
+
+/// Declares --one-run, by which the processes know which run is theirs.
+void addOneRun(CommandLine& commandLine, std::optional<std::size_t>& run);
+
+/// For a process that does one run: prints the run's text, and writes no facts. Returns the exit code.
+int tellRun(const std::string& text);
+
+struct LostRun {
+    std::string name;  ///< "RRTConnect, seed 3"
+    std::string end;   ///< how its process ended
+};
+
+/// Does the runs of one benchmark. Those that end are kept in the folder LOG.runs, and not repeated.
+class BenchmarkOnRanks {
+  public:
+    /// words: those of the command line after `bench`. files: the problem's. Throws as study::KeptRuns does.
+    BenchmarkOnRanks(study::Ranks& ranks, Arguments words, const std::string& log,
+                     const std::vector<std::string>& files);
+
+    /// See study::BenchmarkOptions::doRuns. Throws std::runtime_error when a run cannot be kept or is not one.
+    bool doRuns(study::Benchmark& benchmark);
+
+    /// The runs whose processes crashed or were killed.
+    const std::vector<LostRun>& lost() const { return lost_; }
+
+    /// When the log is written: forgets the runs unless some are missing.
+    void finish(bool isComplete) const;
+
+  private:
+    study::Ranks& ranks_;
+    Arguments words_;
+    study::KeptRuns kept_;
+    std::vector<LostRun> lost_;
+};
+
+/// See study::StudyOptions::doRuns. Dismisses the other ranks when all runs have ended, because replays follow, which are timed.
+/// Reports lost runs. words: those of the command line after `bench`.
+bool doStudyRuns(study::Ranks& ranks, const Arguments& words, const study::StudyOptions& options,
+                 const std::vector<std::size_t>& runs,
+                 const std::function<void(const study::StudyRun&)>& keep);
+
+}  // namespace clearway::cli
