@@ -228,10 +228,10 @@ int benchProblem(const Arguments& arguments, study::Ranks* ranks) {
     const Problem problem = readProblemFor(given);
     if (given.oneRun) return doOneRun(given, problem);
     const std::string log = logFile(given, problem);
+    heedInterrupts();  // before files are tried out, so that an interrupt leaves none of them
     OutputFiles files(inputsOf(problem));
     files.add(given.log.empty() ? "the log" : "--log", log);
     requireFactsFile(files);
-    heedInterrupts();
 
     BenchmarkOptions options = benchmarkOptions(given, problem);
     planning::PlanOptions reaching;

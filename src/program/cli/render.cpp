@@ -184,8 +184,8 @@ int render(const Arguments& arguments) {
     const bool hasPath = !given.path.empty();
     const Problem problem = given.problem.read();
     const std::vector<PartState> states = hasPath ? readPath(given.path, problem.space) : endsOf(problem);
+    heedInterrupts();  // before files are tried out, so that an interrupt leaves none of them
     requireOutputs(given, problem, states.size());
-    heedInterrupts();
     given.drawing.isStopped = isInterrupted;
     given.drawing.unit = problem.unit;
     ElapsedLine elapsed("rendering");
