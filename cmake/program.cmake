@@ -6,6 +6,12 @@ add_library(clearway_scenes STATIC ${scenes_sources})
 target_include_directories(clearway_scenes PRIVATE src)
 target_link_libraries(clearway_scenes PUBLIC clearway PRIVATE clearway_warnings)
 target_precompile_headers(clearway_scenes PRIVATE <Eigen/Geometry>)
+compile_together(clearway_scenes ${scenes_sources})
+# Apart: each scene has its own kRoom, kFineness and the like.
+set(scene_names apartment boxes car_body cembox large_environment peg_in_hole puzzle roof_slot tunnel_console)
+list(TRANSFORM scene_names PREPEND src/program/scenes/ OUTPUT_VARIABLE scene_files)
+list(TRANSFORM scene_files APPEND .cpp)
+set_source_files_properties(${scene_files} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 
 # Pictures.
 set(font_bytes ${PROJECT_BINARY_DIR}/generated/font_bytes.cpp)
@@ -45,7 +51,7 @@ target_link_libraries(clearway_report PUBLIC clearway clearway_planning clearway
 target_precompile_headers(clearway_report REUSE_FROM clearway_planning)
 compile_together(clearway_report ${report_sources})
 
-# What runs of `bench` under mpirun tell each other: the one file that sees MPI, where there is MPI.
+# Messages between the ranks of `bench` under mpirun. This one file sees MPI, where there is MPI.
 add_library(clearway_ranks STATIC src/program/study/ranks.cpp)
 target_include_directories(clearway_ranks PRIVATE src)
 target_compile_features(clearway_ranks PUBLIC cxx_std_17)

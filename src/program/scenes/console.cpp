@@ -8,10 +8,10 @@ namespace clearway::scenes {
 
 namespace {
 
-constexpr double kSlit = 0.2;      // mm between components, so that no two touch
-constexpr double kTrayHalf = 46;   // half the width of a cup's tray
-constexpr double kCupRadius = 38;  // radius of the holes in the trays
-constexpr double kDrop = 3;        // depth of trays, bin and gate below the top
+constexpr double kConsoleSlit = 0.2;  // mm between components, so that no two touch
+constexpr double kTrayHalf = 46;      // half the width of a cup's tray
+constexpr double kCupRadius = 38;     // radius of the holes in the trays
+constexpr double kDrop = 3;           // depth of trays, bin and gate below the top
 
 struct ConsoleBody {
     const TunnelConsoleDesign& design;
@@ -94,11 +94,11 @@ void ConsoleBody::addShell() {
 }
 
 void ConsoleBody::addCups() {
-    const double apart = (kTrayHalf + kSlit) / (1 - design.height / design.screw.radius) + 0.5;
+    const double apart = (kTrayHalf + kConsoleSlit) / (1 - design.height / design.screw.radius) + 0.5;
     for (const double s : {-apart, apart}) {
         const Vector3 at(s, 0, topInside() - kDrop);
         const Section tray = ringSection(squareAround(Vector2::Zero(), kTrayHalf, turn()),
-                                         circle(Vector2::Zero(), kCupRadius + kSlit, turn(), M_PI_4));
+                                         circle(Vector2::Zero(), kCupRadius + kConsoleSlit, turn(), M_PI_4));
         // sweep() pulls along x; the tray lies flat, so x becomes up.
         const Piece plate = placed(sweep(tray, {0, design.thinPlate}),
                                    [](const Vector3& p) { return Vector3(p.y(), p.z(), p.x()); });
@@ -164,7 +164,7 @@ void ConsoleBody::addLever() {
 void ConsoleBody::addWebs() {
     const double ends = design.length / 2;
     for (const double s : {-ends + 18, -118.0, 112.0, leverAt() + 84, ends - 20}) {
-        const double low = lowest(), high = topInside() - kSlit;
+        const double low = lowest(), high = topInside() - kConsoleSlit;
         const double inside = design.shellThickness + 3.2, corner = design.topRadius;
         const double lowHalf = design.halfWidthAt(low) - inside;
         const double shoulderHalf = design.halfWidthAt(high - corner) - inside,
@@ -212,7 +212,7 @@ void ConsoleBody::addBosses() {
         shape.foot = 2.5;
         const double u = (i % 2 == 0 ? 1 : -1) * random.between(32, 42);
         metal.part("screw_boss", rigid(turned(bossOutline(shape, quarter()), turn()),
-                                       {s, u, topInside() - 2 * kSlit}, -Vector3::UnitZ()));
+                                       {s, u, topInside() - 2 * kConsoleSlit}, -Vector3::UnitZ()));
     }
     const int pairs = metal.detail().count(3);
     for (int i = 0; i < 2 * pairs; ++i) {
@@ -281,7 +281,7 @@ void ConsoleBody::addStuds(int studs) {
         const double side = i % 2 == 0 ? 1 : -1;
         const double s = (design.length - 70) * (((i / 2 % 130) + 0.5) / 130 - 0.5);
         const double u = side * (52.5 - 4.6 * (i / 260 % 3));
-        metal.part("stud", rigid(dome, {s, u, topInside() - 2 * kSlit}, -Vector3::UnitZ()));
+        metal.part("stud", rigid(dome, {s, u, topInside() - 2 * kConsoleSlit}, -Vector3::UnitZ()));
     }
 }
 

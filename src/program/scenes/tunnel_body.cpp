@@ -10,8 +10,6 @@ namespace clearway::scenes {
 
 namespace {
 
-constexpr double kSlit = 0.3;   // mm between neighbours
-constexpr double kCabin = 480;  // mm of floor in front of the tunnel's mouth
 constexpr double kFloorHalfWidth = 330;
 constexpr double kRailInside = 60;  // mm between the part's flanges and the seat rails
 
@@ -64,12 +62,12 @@ void addRail(TunnelBody& body, const std::string& name, double u) {
     Polyline hat = hatLine(54, -44, 14);
     const double under = body.design.floorTop() - body.design.floorThickness - 1.2;
     for (Vector2& p : hat) p += Vector2(u, under);
-    body.metal.part(name, body.swept(sheetSection(body.metal.rounded(hat, 7), 1.8), -kCabin + 30,
+    body.metal.part(name, body.swept(sheetSection(body.metal.rounded(hat, 7), 1.8), -TunnelBody::kCabin + 30,
                                      body.design.tunnelLength + 30));
 }
 
 void addSeatRail(TunnelBody& body, const std::string& name, double side) {
-    const double floor = body.design.floorTop() + kSlit + 1.1;
+    const double floor = body.design.floorTop() + TunnelBody::kSlit + 1.1;
     const double at = side * (body.design.flangeHalfWidth + body.design.gap + kRailInside);
     const auto profile = std::make_shared<Profile>(
         Polyline{{at + 20, floor + 34}, {at + 20, floor}, {at - 20, floor}, {at - 20, floor + 34}},
@@ -79,11 +77,11 @@ void addSeatRail(TunnelBody& body, const std::string& name, double side) {
         const Vector2 p = profile->at(w);
         return body.bend(s, p.x(), p.y());
     };
-    rail.low = {-kCabin + 20, 0};
+    rail.low = {-TunnelBody::kCabin + 20, 0};
     rail.high = {-40, profile->length()};
     rail.thickness = 2.2;
     rail.vLines = profile->arcLines(body.metal.detail().segmentsPerQuarter);
-    for (double s = -kCabin + 40; s < -60; s += 24)
+    for (double s = -TunnelBody::kCabin + 40; s < -60; s += 24)
         rail.openings.push_back({{s, profile->length() / 2}, {6, 7}, 4});
     body.metal.panel(name, rail);
 }
@@ -91,7 +89,8 @@ void addSeatRail(TunnelBody& body, const std::string& name, double side) {
 void addSkin(TunnelBody& body, const std::string& name, double side) {
     const TunnelConsoleDesign& design = body.design;
     const double t = design.skinThickness, wall = design.wallHalfWidth + t / 2;
-    const double foot = design.floorTop() + kSlit + t / 2, head = design.roofHeight - kSlit - t / 2;
+    const double foot = design.floorTop() + TunnelBody::kSlit + t / 2,
+                 head = design.roofHeight - TunnelBody::kSlit - t / 2;
     const auto profile =
         std::make_shared<Profile>(Polyline{{wall + 45, foot}, {wall, foot}, {wall, head}, {wall + 30, head}},
                                   std::vector<double>{7, 5});
@@ -161,9 +160,9 @@ void addFrontWall(TunnelBody& body) {
     wall.surface = [&body, at](double u, double v) {
         return body.bend(at + 1.5 + 4 * beadAt(std::abs(u), 90, 14, 9) * beadAt(v, 130, 26, 8), u, v);
     };
-    const double half = design.wallHalfWidth - kSlit;
+    const double half = design.wallHalfWidth - TunnelBody::kSlit;
     wall.low = {-half, design.height - design.innerDepth};
-    wall.high = {half, design.roofHeight - 2 * kSlit - design.skinThickness};
+    wall.high = {half, design.roofHeight - 2 * TunnelBody::kSlit - design.skinThickness};
     wall.thickness = 3;
     wall.uLines = edgesOf(90, 14, 9);
     for (const double line : edgesOf(-90, 14, 9)) wall.uLines.push_back(line);
@@ -185,7 +184,7 @@ void addFrontWall(TunnelBody& body) {
 
 void addFloors(TunnelBody& body) {
     addFloor(body, "floor_pan", {0, body.design.tunnelLength + 40});
-    addFloor(body, "floor_pan_rear", {-kCabin, -kSlit});
+    addFloor(body, "floor_pan_rear", {-TunnelBody::kCabin, -TunnelBody::kSlit});
     addRail(body, "underfloor_rail_right", 160);
     addRail(body, "underfloor_rail_left", -160);
     addSeatRail(body, "seat_rail_right", 1);

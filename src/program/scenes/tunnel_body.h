@@ -12,6 +12,9 @@ namespace clearway::scenes {
 
 /// The tools that build the tunnel.
 struct TunnelBody {
+    static constexpr double kSlit = 0.3;   // mm between neighbours
+    static constexpr double kCabin = 480;  // mm of floor in front of the tunnel's mouth
+
     const TunnelConsoleDesign& design;
     SheetMetal& metal;
     Random& random;

@@ -7,18 +7,16 @@ namespace clearway::scenes {
 
 namespace {
 
-constexpr double kSlit = 0.3;  // mm between neighbours
-
 /// A rib: a plate between the skins and an opening that follows the console's hat, with its rim bent over.
 void addRib(TunnelBody& body, double s, const RibGaps& gaps) {
     const TunnelConsoleDesign& design = body.design;
-    const double floor = design.floorTop() + kSlit;
+    const double floor = design.floorTop() + TunnelBody::kSlit;
     const int segments = body.metal.detail().segmentsPerQuarter;
     const Polyline inner = ribOpening(design, gaps, floor, segments);
 
     // Each point is cast from the middle of the floor to the skins and the roof.
-    const double wall = design.wallHalfWidth - kSlit,
-                 roof = design.roofHeight - 2 * kSlit - design.skinThickness;
+    const double wall = design.wallHalfWidth - TunnelBody::kSlit,
+                 roof = design.roofHeight - 2 * TunnelBody::kSlit - design.skinThickness;
     Polyline outer;
     for (const Vector2& p : inner) {
         const double rise = p.y() - floor;
@@ -37,7 +35,6 @@ void addRib(TunnelBody& body, double s, const RibGaps& gaps) {
     body.metal.part("rib_flange", body.swept(bandSection(beside(0.6), beside(2.4)), from, from + 13));
 }
 
-constexpr double kCabin = 480;
 constexpr double kUnder = 78;  // mm from the floor down to propeller shaft and exhaust
 
 /// The radius of a corrugated hose or conduit along its length.
@@ -118,7 +115,7 @@ void addCables(TunnelBody& body) {
 void addStraps(TunnelBody& body) {
     const TunnelConsoleDesign& design = body.design;
     const double out = body.outerWall() + 38,
-                 foot = design.floorTop() + design.skinThickness + 3 * kSlit + 1.2;
+                 foot = design.floorTop() + design.skinThickness + 3 * TunnelBody::kSlit + 1.2;
     const double roof = design.roofHeight + 18;
     const int straps = std::clamp(body.count(2), 2, 8);
     for (int i = 0; i < straps; ++i) {
@@ -139,8 +136,9 @@ void addBrackets(TunnelBody& body) {
     for (int i = 0; i < brackets; ++i) {
         const double side = i % 2 == 0 ? 1 : -1, thickness = body.random.between(2, 3);
         const double s = 40 + (design.tunnelLength - 120) * (i + body.random.between(0.2, 0.8)) / brackets;
-        const double inner = body.outerWall() + kSlit + thickness / 2;
-        const double foot = design.floorTop() + 2 * kSlit + design.skinThickness + thickness / 2 + 1;
+        const double inner = body.outerWall() + TunnelBody::kSlit + thickness / 2;
+        const double foot =
+            design.floorTop() + 2 * TunnelBody::kSlit + design.skinThickness + thickness / 2 + 1;
         Polyline line{{inner + 40, foot}, {inner, foot}, {inner, foot + body.random.between(50, 66)}};
         if (side < 0) {
             std::reverse(line.begin(), line.end());
@@ -171,18 +169,19 @@ void addWeldNuts(TunnelBody& body) {
     const int nuts = std::clamp(body.count(4), 4, 24);
     for (int i = 0; i < nuts; ++i) {
         const double side = i % 2 == 0 ? 1 : -1, length = body.design.tunnelLength;
-        const double s =
-            -kCabin / 2 + (length + kCabin / 2 - 40) * (i + body.random.between(0.2, 0.8)) / nuts;
+        const double s = -TunnelBody::kCabin / 2 +
+                         (length + TunnelBody::kCabin / 2 - 40) * (i + body.random.between(0.2, 0.8)) / nuts;
         BossShape shape;
         shape.radius = body.random.between(5, 8);
         shape.height = body.random.between(8, 20);
         const double u = side * body.random.between(292, 300);
-        body.metal.part("weld_nut", body.rigid(body.boss(shape), {s, u, body.design.floorTop() + kSlit},
-                                               Vector3::UnitZ()));
+        body.metal.part("weld_nut",
+                        body.rigid(body.boss(shape), {s, u, body.design.floorTop() + TunnelBody::kSlit},
+                                   Vector3::UnitZ()));
     }
 }
 
-struct Fittings : TunnelBody {
+struct TunnelFittings : TunnelBody {
     void addRibs();      ///< with flanges
     void addSupports();  ///< guides on the walls, mounts on the floor
     void addDuct();
@@ -193,7 +192,7 @@ struct Fittings : TunnelBody {
 };
 
 /// A near rib is near on one side: right, left and above the console in turn.
-void Fittings::addRibs() {
+void TunnelFittings::addRibs() {
     const int ribs = std::clamp(count(5), 5, 17);
     const double first = 6, last = design.tunnelLength - 80;
     int near = 0;
@@ -206,7 +205,7 @@ void Fittings::addRibs() {
     }
 }
 
-void Fittings::addSupports() {
+void TunnelFittings::addSupports() {
     const int guides = std::clamp(count(4), 4, 24);
     const double wall = design.wallHalfWidth - 2;  // sinks the pads into the wall, which is oblique
     for (int i = 0; i < guides; ++i) {
@@ -242,7 +241,7 @@ void Fittings::addSupports() {
 }
 
 /// A heater duct that the console straddles, in lengths with sleeves over their joints.
-void Fittings::addDuct() {
+void TunnelFittings::addDuct() {
     const double low = design.floorTop() + 1, half = 55 - design.gap;
     const double under =
         design.gap + random.between(8, 14) + design.room / 2;  // below the lowest point inside the part
@@ -272,7 +271,7 @@ void Fittings::addDuct() {
     }
 }
 
-void Fittings::addUnderbody() {
+void TunnelFittings::addUnderbody() {
     const double v = design.floorTop() - kUnder, to = design.tunnelLength + 30;
     const int n = metal.detail().segmentsPerTurn;
     const Line shaft = along(-kCabin + 10, to, [&](double) { return Vector2(0, v); });
@@ -308,7 +307,7 @@ void Fittings::addUnderbody() {
     metal.panel("heat_shield", shield);
 }
 
-void Fittings::addLines() {
+void TunnelFittings::addLines() {
     const double floor = design.floorTop() + 6;
     addPipe(*this, "fuel_line", {215 + design.room, floor + 5}, 5, -kCabin + 40);
     addPipe(*this, "brake_line_front", {-212 - design.room, floor + 4}, 4, -kCabin + 70);
@@ -324,7 +323,7 @@ void Fittings::addLines() {
                rigid(tube, {random.between(250, 330), 0, design.roofHeight + 90}, Vector3::UnitY()));
 }
 
-void Fittings::addFasteners() {
+void TunnelFittings::addFasteners() {
     addStraps(*this);
     addBrackets(*this);
     addRoofBolts(*this);
@@ -332,7 +331,7 @@ void Fittings::addFasteners() {
 }
 
 /// Studs in rows on the floor, outside the tunnel.
-void Fittings::addStuds(int studs) {
+void TunnelFittings::addStuds(int studs) {
     const Piece dome = turned(domeOutline(2.6, 4, 2), 12);
     for (int i = 0; i < studs; ++i) {
         const double side = i % 2 == 0 ? 1 : -1;
@@ -345,7 +344,7 @@ void Fittings::addStuds(int studs) {
 }  // namespace
 
 void addTunnelFittings(TunnelBody& body, int studs) {
-    Fittings fittings{body};
+    TunnelFittings fittings{body};
     fittings.addRibs();
     fittings.addSupports();
     fittings.addDuct();
