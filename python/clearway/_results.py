@@ -1,4 +1,4 @@
-"""What clearway.planning returns."""
+"""The results that clearway.planning returns."""
 
 import os
 from dataclasses import dataclass
@@ -15,7 +15,7 @@ FileName = Union[str, "os.PathLike[str]"]
 
 @dataclass(frozen=True)
 class Progress:
-    """What plan() tells its callback."""
+    """The state of a running plan(), for its callback."""
 
     seconds: float
     """Since the call of plan()."""
@@ -64,7 +64,7 @@ class Fault:
 
 @dataclass(frozen=True)
 class Audit:
-    """What is certain about all poses of a path, also between its states."""
+    """The proved verdict about all poses of a path, also between its states."""
 
     verdict: str
     """"valid", "invalid" or "undecided" (neither proved nor refuted, which counts as invalid)."""
@@ -105,10 +105,10 @@ class Profile:
 
 @dataclass(frozen=True)
 class CheckResult:
-    """What check() found. bool(result) is `solves`."""
+    """The verdict of check(). bool(result) is `solves`."""
 
     audit: Audit
-    """What is certain about the path."""
+    """The proved verdict about the path."""
     off_start: float
     """No point of the part is farther than this from its place at the problem's start when the path begins."""
     off_goal: float
@@ -156,7 +156,7 @@ class Reached:
     farthest: float
     """The most that any point of the part moves from there to a state reached."""
     motions_stopped: int
-    """Of the motions that were tried from states reached."""
+    """How many of the motions that were tried from states reached."""
     bounds: Tuple[str, ...]
     """The bounds at which the part's origin is: "least x", "greatest z"."""
     is_shut_in: bool
@@ -165,10 +165,10 @@ class Reached:
 
 @dataclass(frozen=True)
 class Blocker:
-    """What stopped motions from states that were reached."""
+    """An obstacle or a bound that stopped motions from states that were reached."""
 
     name: str
-    """Of the obstacle's component; empty for the bounds."""
+    """The obstacle's component; empty for the bounds."""
     part_mesh: str
     """The part's component that it stopped most often; empty for a part of one component."""
     at_start: int
@@ -182,7 +182,7 @@ class WhyNoPath:
     """Why no path was found. str() says it in words."""
 
     diagonal: float
-    """Of the part's box."""
+    """The diagonal of the part's box."""
     start: Reached
     """How far planning came from the start."""
     goal: Reached
@@ -190,7 +190,7 @@ class WhyNoPath:
     motions_tried: int
     """From random states reached towards random poses."""
     blockers: Tuple[Blocker, ...]
-    """What stopped them, most first."""
+    """The obstacles and bounds that stopped them, most first."""
     nearest_states: Floats
     """(N, 7): the way from the start to the goal on which only the motion from state [gap] to the next is not valid."""
     gap: int
@@ -220,7 +220,7 @@ class WhyNoPath:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class PlanResult:
-    """What plan() found. bool(result) says whether there is a valid path."""
+    """The outcome of plan(). bool(result) says whether there is a valid path."""
 
     outcome: str
     """"found", "not found", or "stopped" before there was a path."""
@@ -237,7 +237,7 @@ class PlanResult:
     turned: float
     """Radians, summed over the path."""
     audit: Optional[Audit]
-    """What is certain about the path; None without one. The path is valid, but for one that was planned with a step."""
+    """The proved verdict about the path; None without one. The path is valid, but for one that was planned with a step."""
     why_no_path: Optional[WhyNoPath]
     """Why there is no path, where that is known."""
     planners: Tuple[str, ...]
@@ -299,7 +299,7 @@ class PlanningInterrupted(KeyboardInterrupt):
     """Ctrl-C during plan(). What was found until then is not lost."""
 
     result: PlanResult
-    """What was found until then: the best path so far, if there was one."""
+    """The result until then: the best path so far, if there was one."""
 
     def __init__(self, result: PlanResult) -> None:
         """result: what was found until then."""

@@ -1,5 +1,5 @@
-// Fits a rectangle swept sphere to points: in a given frame, or in the frame of their covariance. Source: Larsen, Gottschalk, Lin, Manocha, Fast Proximity Queries with Swept Sphere
-// Volumes, TR99-018, 1999.
+// Fits a rectangle swept sphere to points: in a given frame, or in the frame of their covariance. Source: Larsen, Gottschalk,
+// Lin, Manocha, Fast Proximity Queries with Swept Sphere Volumes, TR99-018, 1999.
 #pragma once
 
 #include <Eigen/Core>

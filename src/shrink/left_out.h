@@ -1,4 +1,4 @@
-// What of a part is missing after shrinking.
+// Says which bodies of a part are missing after shrinking.
 #pragma once
 
 #include <string>

@@ -139,7 +139,7 @@ class TriangleCut {
     }
 
   private:
-    /// What may cover a part of a triangle.
+    /// The shells and faces that may cover a part of a triangle.
     struct Near {
         std::vector<std::size_t> shells;
         std::vector<const Face*> faces;  ///< of the triangle's own shell

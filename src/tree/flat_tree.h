@@ -104,10 +104,10 @@ struct Leaf {
 };
 
 /// A leaf's block begins with the centre in tree units about the tree's origin (3 floats), the radius, and the number of
-/// triangles, plus kHasVertices if the leaf is not exact. Then come the
-/// offsets, the loader's ids of the triangles, and the numbers of their vertices if the leaf is not exact, three for each
-/// triangle. A whole number is stored as the float that is so many steps above 1: numbers below 2^30 are then ordinary
-/// floats, never denormal ones, with which kernels would be slow.
+/// triangles, plus kHasVertices if the leaf is not exact. Then come the offsets, the loader's ids of the triangles, and
+/// the numbers of their vertices if the leaf is not exact, three for each triangle. A whole number is stored as the float
+/// that is so many steps above 1: numbers below 2^30 are then ordinary floats, never denormal ones, with which kernels
+/// would be slow.
 constexpr std::size_t kLeafHeader = 5;
 constexpr std::uint32_t kHasVertices = 32;
 

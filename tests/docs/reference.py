@@ -98,7 +98,7 @@ def is_empty(element):
 
 
 def undocumented(folder, root):
-    """What Doxygen itself does not tell."""
+    """Public symbols without a description that Doxygen itself passes over."""
     described = set()
     for path in sorted(folder.glob("*.xml")):
         for compound in xml.etree.ElementTree.parse(path).iter("compounddef"):

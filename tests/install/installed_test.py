@@ -28,7 +28,7 @@ def output_of(*command, expected=0, **keywords):
 
 
 def lines_of_programs(folder, kinds=("distance_plain", "distance_avx512", "distance_cxx20", "distance_c")):
-    """What the programs print: one line, the same for all of them."""
+    """The one line that all of the programs must print."""
     kinds = [kind for kind in kinds if "avx512" not in kind or " avx512f " in open("/proc/cpuinfo").read()]
     lines = {kind: output_of(os.path.join(folder, kind)) for kind in kinds}
     if len(set(lines.values())) != 1:

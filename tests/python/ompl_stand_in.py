@@ -143,7 +143,7 @@ class StateSpace:
 
 
 class _Bounded(StateSpace):
-    """What OMPL binds class by class."""
+    """The methods that OMPL binds class by class."""
 
     def allocState(self):
         return self._state()

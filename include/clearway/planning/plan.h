@@ -81,7 +81,7 @@ struct PlanOptions {
     std::function<void(PlanPhase)> onPhase;
 };
 
-/// What became of a path's clearance between planning and shortening.
+/// A path's clearance before room was made between planning and shortening, and after.
 struct RoomReport {
     double before = 0;   ///< clearance that all motions keep, certified, to 10 %; environment units
     double after = 0;    ///< clearance that the widened path keeps, to 1 %; shortening keeps it too

@@ -17,7 +17,7 @@ namespace {
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
 
-/// Of the clearances before and after, as shares. The time is for bands.
+/// The clearances before and after are measured to these shares. The time is for bands.
 constexpr double kBeforeAccuracy = 0.1, kAfterAccuracy = 0.01;
 
 /// Whether a clearance still grows fast: by kFastGrowth within this share of the time so far.

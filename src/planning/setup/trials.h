@@ -26,7 +26,7 @@ class Trials {
     /// Plans until the first path, for a share of the whole time. Nothing when no path was found or the time is over.
     std::optional<TrialPath> run(const Scene& scene);
 
-    /// What stopped the last trial that found no path, most first.
+    /// The obstacles that stopped the last trial that found no path, most first.
     const std::vector<Blocker>& blockers() const { return blockers_; }
 
     bool isOver() const;

@@ -16,7 +16,7 @@ void printWhyNoPath(const planning::WhyNoPath& why);
 /// Prints rows about what would have to go for a path to be found. largestMargin: of the scene, environment units.
 void printExplanation(const planning::Explanation& explanation, double largestMargin);
 
-/// What the user asked for already, so that no hint names it.
+/// Options that the user set already, so that no hint names them.
 struct AskedFor {
     bool isExplained = false;
     bool hasNearest = false;

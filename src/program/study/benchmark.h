@@ -84,7 +84,7 @@ std::optional<BenchmarkRun> runAlone(const Problem& problem, const Scene& scene,
                                      const BenchmarkOptions& options, std::size_t run,
                                      std::vector<std::string>& warnings);
 
-/// What stands in the log for a run whose process crashed or was killed: its seed, and OMPL's status for that.
+/// The log's entry for a run whose process crashed or was killed: its seed, and OMPL's status for that.
 BenchmarkRun lostRun(std::uint32_t seed);
 
 }  // namespace clearway::study

@@ -58,7 +58,7 @@ struct Pipe {
     }
 };
 
-/// What the new process's standard streams are.
+/// The new process's standard streams: no input, output and errors into pipes.
 struct Streams {
     posix_spawn_file_actions_t actions;
     Streams(const Pipe& out, const Pipe& err) {

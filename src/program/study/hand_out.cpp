@@ -135,7 +135,7 @@ bool handOut(Ranks& ranks, const std::vector<Job>& jobs, const Meanwhile& meanwh
 void dismiss(Ranks& ranks) {
     if (ranks.hasLeft()) return;
     for (int rank = 1; rank < ranks.count(); ++rank) ranks.send(rank, std::string(1, kDismiss));
-    // What dropped jobs still send must be received, or MPI may wait for it for ever. A rank's last message is kDismiss.
+    // Messages that dropped jobs still send must be received, or MPI may wait for it for ever. A rank's last message is kDismiss.
     for (int left = ranks.count() - 1; left > 0;) {
         const auto message = ranks.receive();
         if (message && message->text.at(0) == kDismiss) --left;

@@ -24,7 +24,7 @@ struct JobEnd {
     std::string text;  ///< what the process printed; how it ended unless isDone
 };
 
-/// What rank 0 does meanwhile.
+/// Calls that rank 0 makes meanwhile.
 struct Meanwhile {
     std::function<bool()> isStopped;                       ///< asked often
     std::function<void(std::size_t job, int rank)> begin;  ///< may be empty

@@ -6,7 +6,7 @@ import queries
 import truth
 from results import NotMeasured, table
 
-# What is asked, clearway's figure, and what it is compared with; each a function of the results.
+# A line names the question, clearway's figure and the comparison, the last two as functions of the results.
 LINES = [
     ("an exact distance", lambda r: f"{queries.times(r, 'distance')} us",
      lambda r: f"PQP with its warm start takes {queries.over(r, 'distance', 'PQP')} times as long, FCL RSS {queries.over(r, 'distance', 'FCL RSS')}, "

@@ -27,7 +27,7 @@ def line_of(text, place):
 
 
 def call(figures, results, words, missing):
-    """What a mark stands for: lines or a text."""
+    """The lines or the text that a mark stands for."""
     name, *arguments = shlex.split(words)
     if name not in figures:
         raise Wrong(f"unknown figure '{name}', expected one of {', '.join(sorted(figures))}")

@@ -98,7 +98,7 @@ def solved_by_others(results):
 
 
 def with_fcl(results, what):
-    """Of RRTConnect's paths with FCL: 'found', 'not accepted' by the audit, 'hit' by the oracle's samples."""
+    """How many of RRTConnect's paths with FCL were 'found', 'not accepted' by the audit, 'hit' by the oracle's samples."""
     rows = matching(posed(results), contender=FCL, found="1")
     refused = [row for row in rows if row["valid"] != "1"]
     counts = {"found": len(rows), "not accepted": len(refused), "hit": sum(float(row["colliding_by_oracle"] or 0) > 0 for row in refused)}

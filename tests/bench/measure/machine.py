@@ -9,7 +9,7 @@ import resource
 import subprocess
 import time
 
-# What makes two machines different: rows of different machines are not compared.
+# Machines are different if one of these is: their rows are not compared.
 IDENTITY = ("cpu", "cores", "memory_gb", "instruction_set")
 
 
@@ -60,7 +60,7 @@ def package_version(name):
 
 
 def build_record(root, build):
-    """What the programs were made of."""
+    """The compiler, flags, commits and versions that the programs were made of."""
     cache = cache_of(build)
     kind = cache.get("CMAKE_BUILD_TYPE", "")
     flags = f"{cache.get('CMAKE_CXX_FLAGS', '')} {cache.get('CMAKE_CXX_FLAGS_' + kind.upper(), '')}"

@@ -35,7 +35,7 @@ def commands(place, row):
 
 
 def facts_of(problem):
-    """What the scene's own files state about it, in the comments at their beginning."""
+    """The figures that the scene's own files state, in the comments at their beginning."""
     text = problem.read_text()
     triangles = re.search(r"Part: (\d+) triangles.*?environment: (\d+) triangles", text)
     path = re.search(r"least clearance along it: (\S+) \(certified\), expected (\S+); (\S+) % of the path is within", text)

@@ -17,7 +17,7 @@ import time
 
 PROGRAM, DATA, MPIEXEC = (sys.argv[1:] + [""])[:3]
 SECONDS = 300  # for one command
-# Of a run, all that a seed and a number of iterations do not decide.
+# Properties of a run that a seed and a number of iterations do not decide.
 TIMES = re.compile(r"(time|share|memory|megabytes|seconds) |^time|^memory")
 
 # Open MPI refuses root and more ranks than processors unless it is told not to. Other MPIs do not look at these variables.
@@ -92,7 +92,7 @@ def read_log(file):
 
 
 def decided(planners):
-    """What seeds and iterations decide."""
+    """The properties that seeds and iterations decide."""
     return {
         name: [{key: value for key, value in values.items() if not TIMES.search(key)} for values in runs]
         for name, runs in planners.items()

@@ -1,4 +1,4 @@
-// What `plan` says when it finds no path.
+// Tests the explanations that `plan` prints when it finds no path.
 #include "clearway/problem.h"
 #include "program/cli/run_program.h"
 #include "support/door_scene.h"
