@@ -7,11 +7,6 @@ target_include_directories(clearway_scenes PRIVATE src)
 target_link_libraries(clearway_scenes PUBLIC clearway PRIVATE clearway_warnings)
 target_precompile_headers(clearway_scenes PRIVATE <Eigen/Geometry>)
 compile_together(clearway_scenes ${scenes_sources})
-# Apart: each scene has its own kRoom, kFineness and the like.
-set(scene_names apartment boxes car_body cembox large_environment peg_in_hole puzzle roof_slot tunnel_console)
-list(TRANSFORM scene_names PREPEND src/program/scenes/ OUTPUT_VARIABLE scene_files)
-list(TRANSFORM scene_files APPEND .cpp)
-set_source_files_properties(${scene_files} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 
 # Pictures.
 set(font_bytes ${PROJECT_BINARY_DIR}/generated/font_bytes.cpp)

@@ -32,7 +32,7 @@ struct MadeScene {
     std::size_t partTriangles, environmentTriangles;  ///< 0: the scene's default number
 };
 constexpr MadeScene kFullScenes[] = {{"tunnel-console", 0, 0}, {"cembox", 0, 0}, {"large-environment", 0, 0}};
-constexpr MadeScene kShortScenes[] = {{"tunnel-console-3", 15000, 60000}, {"cembox-2", 2000, 8000}};
+constexpr MadeScene kShortScenes[] = {{"tunnel-console-3", 12100, 41000}, {"cembox-2", 2000, 8000}};
 
 struct StudyArguments {
     std::vector<std::string> problems;

@@ -23,11 +23,11 @@ struct Apartment {
     double pianoLength = 1500, pianoDepth = 600, pianoHeight = 1200;
 };
 
-constexpr double kLeastClearance = 5, kMostClearance = 70;  // mm
-constexpr double kEase = 0.08;  // extra gap beyond the clearance, as a share of it
-constexpr double kLift = 160;   // mm; height of the carried piano above the floor
-constexpr double kAbove = 600;  // mm by which planners may lift the piano higher
-constexpr FinenessRange kFineness{400, 0.2};
+constexpr double kApartmentLeastClearance = 5, kApartmentMostClearance = 70;  // mm
+constexpr double kApartmentEase = 0.08;  // extra gap beyond the clearance, as a share of it
+constexpr double kLift = 160;            // mm; height of the carried piano above the floor
+constexpr double kAbove = 600;           // mm by which planners may lift the piano higher
+constexpr FinenessRange kApartmentFineness{400, 0.2};
 
 PartState standing(double x, double y, double turned) {
     PartState state;
@@ -36,10 +36,10 @@ PartState standing(double x, double y, double turned) {
     return state;
 }
 
-constexpr double kSlit = 1;  // mm between components, so that no two touch
+constexpr double kApartmentSlit = 1;  // mm between components, so that no two touch
 
 /// Adds pieces given by their corners: plain or rounded boxes.
-struct Builder {
+struct ApartmentBuilder {
     const Apartment& apartment;
     const Detail& detail;
     Random random;
@@ -73,18 +73,18 @@ struct Builder {
 };
 
 /// A door: lintel, frame, and the leaf, which stands open at a right angle.
-void Builder::addDoor(const std::string& room, double low, double middle, double sideOfLeaf) {
+void ApartmentBuilder::addDoor(const std::string& room, double low, double middle, double sideOfLeaf) {
     const double high = low + apartment.wall, frame = 45, rise = 2100;
     const double half = apartment.doorHalf + frame, top = rise + frame;
-    box(room + "_lintel", {low, middle - half + kSlit, top + kSlit},
-        {high, middle + half - kSlit, apartment.height});
+    box(room + "_lintel", {low, middle - half + kApartmentSlit, top + kApartmentSlit},
+        {high, middle + half - kApartmentSlit, apartment.height});
     for (const double side : {-1.0, 1.0}) {
-        const double in = middle + side * apartment.doorHalf, out = middle + side * (half - kSlit);
-        box(room + (side < 0 ? "_jamb_right" : "_jamb_left"), {low - 12, std::min(in, out), kSlit},
+        const double in = middle + side * apartment.doorHalf, out = middle + side * (half - kApartmentSlit);
+        box(room + (side < 0 ? "_jamb_right" : "_jamb_left"), {low - 12, std::min(in, out), kApartmentSlit},
             {high + 12, std::max(in, out), rise});
     }
-    box(room + "_head", {low - 12, middle - half + kSlit, rise + kSlit},
-        {high + 12, middle + half - kSlit, top});
+    box(room + "_head", {low - 12, middle - half + kApartmentSlit, rise + kApartmentSlit},
+        {high + 12, middle + half - kApartmentSlit, top});
     // The leaf, opened into the room beside the opening.
     const double hinge = sideOfLeaf > 0 ? high + 14 : low - 14;
     const double width = 2 * apartment.doorHalf - 10, y = middle + half + 60;
@@ -95,68 +95,69 @@ void Builder::addDoor(const std::string& room, double low, double middle, double
             {std::max(handle, handle - sideOfLeaf * 110), y - 30, 1052}, 8);
 }
 
-void Builder::addWalls() {
+void ApartmentBuilder::addWalls() {
     const double w = apartment.width, d = apartment.depth, t = apartment.wall, h = apartment.height;
     box("floor", {-t, -t, -200}, {w + t, d + t, 0});
     const auto wall = [&](const std::string& name, const Vector2& low, const Vector2& high) {
-        box("wall_" + name, {low.x(), low.y(), kSlit}, {high.x(), high.y(), h});
+        box("wall_" + name, {low.x(), low.y(), kApartmentSlit}, {high.x(), high.y(), h});
     };
-    wall("south", {-t, -t}, {w + t, -kSlit});
-    wall("north", {-t, d + kSlit}, {w + t, d + t});
-    wall("west", {-t, 0}, {-kSlit, d});
-    wall("east", {w + kSlit, 0}, {w + t, d});
+    wall("south", {-t, -t}, {w + t, -kApartmentSlit});
+    wall("north", {-t, d + kApartmentSlit}, {w + t, d + t});
+    wall("west", {-t, 0}, {-kApartmentSlit, d});
+    wall("east", {w + kApartmentSlit, 0}, {w + t, d});
     const double half = apartment.doorHalf + 45;
     const double left = apartment.corridorLow - t, right = apartment.corridorHigh;
-    wall("living_room_south", {left, kSlit}, {left + t, apartment.firstDoor - half});
-    wall("living_room_north", {left, apartment.firstDoor + half}, {left + t, d - kSlit});
-    wall("music_room_south", {right, kSlit}, {right + t, apartment.secondDoor - half});
-    wall("music_room_north", {right, apartment.secondDoor + half}, {right + t, d - kSlit});
-    wall("kitchen_north", {right + t + kSlit, apartment.kitchenTop}, {w - kSlit, apartment.kitchenTop + t});
+    wall("living_room_south", {left, kApartmentSlit}, {left + t, apartment.firstDoor - half});
+    wall("living_room_north", {left, apartment.firstDoor + half}, {left + t, d - kApartmentSlit});
+    wall("music_room_south", {right, kApartmentSlit}, {right + t, apartment.secondDoor - half});
+    wall("music_room_north", {right, apartment.secondDoor + half}, {right + t, d - kApartmentSlit});
+    wall("kitchen_north", {right + t + kApartmentSlit, apartment.kitchenTop},
+         {w - kApartmentSlit, apartment.kitchenTop + t});
     addDoor("living_room_door", left, apartment.firstDoor, -1);
     addDoor("music_room_door", right, apartment.secondDoor, 1);
 }
 
-void Builder::addLivingRoom() {
-    cushion("living_room_rug", {700, 2250, kSlit}, {3100, 3350, 9}, 6);
+void ApartmentBuilder::addLivingRoom() {
+    cushion("living_room_rug", {700, 2250, kApartmentSlit}, {3100, 3350, 9}, 6);
     // A sofa along the west wall.
     cushion("living_room_sofa_base", {60, 2000, 90}, {860, 3800, 330}, 60);
     cushion("living_room_sofa_back", {60, 2010, 335}, {270, 3790, 820}, 80);
     for (int i = 0; i < 3; ++i)
         cushion("living_room_sofa_cushion", {280, 2020 + 590.0 * i, 335}, {850, 2600 + 590.0 * i, 480}, 50);
     for (const double x : {130.0, 790.0})
-        for (const double y : {2080.0, 3720.0}) leg("living_room_sofa_leg", {x, y, kSlit}, 28, 88);
+        for (const double y : {2080.0, 3720.0}) leg("living_room_sofa_leg", {x, y, kApartmentSlit}, 28, 88);
     // A table and four chairs in the south.
     turnedAt("living_room_table", {{0, 700}, {480, 700}, {500, 715}, {500, 730}, {485, 742}, {0, 742}},
              {800, 720, 0});
     turnedAt("living_room_table_foot",
              {{0, 0}, {260, 0}, {270, 20}, {60, 50}, {45, 120}, {45, 600}, {120, 698}, {0, 698}},
-             {800, 720, kSlit});
+             {800, 720, kApartmentSlit});
     for (int i = 0; i < 4; ++i) {
         const double angle = M_PI / 4 + M_PI_2 * i;
         const Vector3 at(800 + 560 * std::cos(angle), 720 + 560 * std::sin(angle), 0);
         cushion("living_room_chair_seat", at + Vector3(-180, -180, 440), at + Vector3(180, 180, 480), 30);
         for (const double x : {-150.0, 150.0})
             for (const double y : {-150.0, 150.0})
-                leg("living_room_chair_leg", at + Vector3(x, y, kSlit), 16, 438);
+                leg("living_room_chair_leg", at + Vector3(x, y, kApartmentSlit), 16, 438);
     }
     turnedAt("living_room_lamp",
              {{0, 0}, {150, 0}, {150, 20}, {14, 40}, {14, 1400}, {180, 1400}, {120, 1700}, {0, 1700}},
-             {300, 6150, kSlit});
+             {300, 6150, kApartmentSlit});
 }
 
 /// Shelves along the north wall.
-void Builder::addShelves() {
+void ApartmentBuilder::addShelves() {
     for (int i = 0; i < 3; ++i) {
         const double x = 1200 + 920.0 * i;
         for (const double side : {x, x + 880})
-            numberedBox("living_room_shelf_side", {side, 6150, kSlit}, {side + 22, 6480, 2000});
+            numberedBox("living_room_shelf_side", {side, 6150, kApartmentSlit}, {side + 22, 6480, 2000});
         for (int board = 0; board < 5; ++board)
             numberedBox("living_room_shelf_board", {x + 23, 6152, 90 + 440.0 * board},
                         {x + 879, 6478, 112 + 440.0 * board});
     }
 }
 
-void Builder::addBooks(int studs) {
+void ApartmentBuilder::addBooks(int studs) {
     for (int i = 0; i < studs; ++i) {
         const int shelf = i / 22 % 12;
         const double x = 1230 + 920.0 * (shelf % 3) + 38 * (i % 22), z = 113 + 440.0 * (shelf / 3);
@@ -167,32 +168,32 @@ void Builder::addBooks(int studs) {
     }
 }
 
-void Builder::addCorridor() {
+void ApartmentBuilder::addCorridor() {
     const double x = apartment.corridorLow;
     for (int i = 0; i < 3; ++i) {
         const double y = 3300 + 260.0 * i;
         cushion("corridor_coat", {x + 12, y, 1500}, {x + 110, y + 200, 2000}, 40);
     }
     for (int i = 0; i < 4; ++i)
-        cushion("corridor_shoe", {x + 20 + 70.0 * (i % 2), 3320 + 330.0 * (i / 2), kSlit},
+        cushion("corridor_shoe", {x + 20 + 70.0 * (i % 2), 3320 + 330.0 * (i / 2), kApartmentSlit},
                 {x + 80 + 70.0 * (i % 2), 3560 + 330.0 * (i / 2), 90}, 24);
 }
 
-void Builder::addMusicRoom() {
+void ApartmentBuilder::addMusicRoom() {
     const double left = apartment.corridorHigh + apartment.wall;
     cushion("music_room_stool", {left + 350, 3420, 470}, {left + 850, 3740, 540}, 30);
     for (const double x : {left + 390, left + 810})
-        for (const double y : {3455.0, 3705.0}) leg("music_room_stool_leg", {x, y, kSlit}, 22, 468);
+        for (const double y : {3455.0, 3705.0}) leg("music_room_stool_leg", {x, y, kApartmentSlit}, 22, 468);
     turnedAt("music_room_stand", {{0, 0}, {180, 0}, {180, 14}, {12, 26}, {12, 1080}, {40, 1090}, {0, 1100}},
-             {8700, 3600, kSlit});
+             {8700, 3600, kApartmentSlit});
     box("music_room_stand_desk", {8480, 3560, 1110}, {8880, 3580, 1400});
-    turnedAt("music_room_pot", {{0, 0}, {150, 0}, {200, 330}, {0, 330}}, {8750, 6250, kSlit});
+    turnedAt("music_room_pot", {{0, 0}, {150, 0}, {200, 330}, {0, 330}}, {8750, 6250, kApartmentSlit});
     turnedAt("music_room_plant",
              {{0, 332}, {30, 340}, {24, 700}, {190, 860}, {230, 1100}, {120, 1350}, {0, 1420}},
-             {8750, 6250, kSlit});
+             {8750, 6250, kApartmentSlit});
 }
 
-void Builder::addKitchen() {
+void ApartmentBuilder::addKitchen() {
     const double left = apartment.corridorHigh + apartment.wall;
     for (int i = 0; i < 4; ++i) {
         const double x = left + 40 + 640.0 * i;
@@ -203,7 +204,7 @@ void Builder::addKitchen() {
     cushion("kitchen_fridge", {8320, 30, 20}, {8960, 690, 1850}, 30);
     cushion("kitchen_table", {6900, 1700, 720}, {8100, 2500, 750}, 20);
     for (const double x : {6970.0, 8030.0})
-        for (const double y : {1770.0, 2430.0}) leg("kitchen_table_leg", {x, y, kSlit}, 30, 717);
+        for (const double y : {1770.0, 2430.0}) leg("kitchen_table_leg", {x, y, kApartmentSlit}, 30, 717);
 }
 
 struct PianoBuilder {
@@ -277,7 +278,7 @@ void PianoBuilder::addFeet() {
 }
 
 Assembly buildApartment(const Apartment& apartment, const Detail& detail, Random random, int studs) {
-    Builder builder{apartment, detail, random};
+    ApartmentBuilder builder{apartment, detail, random};
     builder.addWalls();
     builder.addLivingRoom();
     builder.addShelves();
@@ -306,20 +307,20 @@ Assembly buildPiano(const Apartment& apartment, const Detail& detail, int studs)
 }  // namespace
 
 GeneratedScene makeApartment(const SceneOptions& options) {
-    requireClearance(options.clearance, kLeastClearance, kMostClearance);
+    requireClearance(options.clearance, kApartmentLeastClearance, kApartmentMostClearance);
     Apartment apartment;
     Random random(options.seed);
     apartment.firstDoor += std::floor(random.between(-100, 101));
     apartment.secondDoor += std::floor(random.between(-150, 151));
-    apartment.doorHalf = apartment.pianoDepth / 2 + options.clearance * (1 + kEase) + 0.01;
+    apartment.doorHalf = apartment.pianoDepth / 2 + options.clearance * (1 + kApartmentEase) + 0.01;
 
     GeneratedScene scene;
     scene.name = "apartment";
     scene.part =
-        buildTo(options.partTriangles, "part-triangles", kFineness,
+        buildTo(options.partTriangles, "part-triangles", kApartmentFineness,
                 [&](const Detail& detail, int studs) { return buildPiano(apartment, detail, studs); });
     scene.environment = buildTo(
-        options.environmentTriangles, "environment-triangles", kFineness,
+        options.environmentTriangles, "environment-triangles", kApartmentFineness,
         [&](const Detail& detail, int studs) { return buildApartment(apartment, detail, random, studs); });
 
     const double corridor = (apartment.corridorLow + apartment.corridorHigh) / 2;

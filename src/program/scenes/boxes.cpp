@@ -8,11 +8,11 @@ namespace clearway::scenes {
 
 namespace {
 
-constexpr double kLeastClearance = 0.01, kMostClearance = 20;  // mm
-constexpr double kEase = 0.01;  // extra gap beyond the clearance, as a share of it
+constexpr double kBoxesLeastClearance = 0.01, kBoxesMostClearance = 20;  // mm
+constexpr double kBoxesEase = 0.01;  // extra gap beyond the clearance, as a share of it
 constexpr double kWallThickness = 16;
-constexpr double kSlit = 1;   // mm between floor and wall
-constexpr double kRoom = 60;  // mm around the path's positions that planners may use
+constexpr double kBoxesSlit = 1;   // mm between floor and wall
+constexpr double kBoxesRoom = 60;  // mm around the path's positions that planners may use
 
 /// A random whole number of millimetres, which floats hold exactly.
 double wholeBetween(Random& random, double low, double high) {
@@ -22,7 +22,7 @@ double wholeBetween(Random& random, double low, double high) {
 }  // namespace
 
 GeneratedScene makeBoxes(const SceneOptions& options) {
-    requireClearance(options.clearance, kLeastClearance, kMostClearance);
+    requireClearance(options.clearance, kBoxesLeastClearance, kBoxesMostClearance);
     requireTriangles(options.partTriangles, "part-triangles", 12);
     requireTriangles(options.environmentTriangles, "environment-triangles", 24);
     Random random(options.seed);
@@ -30,7 +30,8 @@ GeneratedScene makeBoxes(const SceneOptions& options) {
                        wholeBetween(random, 13, 16)};  // braces fix the order of the random draws
     const double length = wholeBetween(random, 140, 160);
     const Box floor(Vector3(-length, -90, -24), Vector3(length, 50, 0));
-    const Box wall(Vector3(-length, 50 + kSlit, -24), Vector3(length, 50 + kSlit + kWallThickness, 110));
+    const Box wall(Vector3(-length, 50 + kBoxesSlit, -24),
+                   Vector3(length, 50 + kBoxesSlit + kWallThickness, 110));
 
     GeneratedScene scene;
     scene.name = "boxes";
@@ -42,7 +43,7 @@ GeneratedScene makeBoxes(const SceneOptions& options) {
     scene.part = part.mesh();
     scene.environment = environment.mesh();
 
-    const double gap = options.clearance * (1 + kEase), reach = length - half.x() - 10;
+    const double gap = options.clearance * (1 + kBoxesEase), reach = length - half.x() - 10;
     PartState state;
     state.position = Vector3(-reach, wall.min().y() - gap - half.y(), gap + half.z());
     for (const Vector3& motion :
@@ -50,7 +51,7 @@ GeneratedScene makeBoxes(const SceneOptions& options) {
         state.position += motion;
         scene.path.push_back(state);
     }
-    statePathAsProblem(scene, kRoom);
+    statePathAsProblem(scene, kBoxesRoom);
     scene.problem.name = "boxes v1";
     scene.problem.fineness = kWallThickness / 2;
     return scene;

@@ -9,10 +9,11 @@ namespace clearway::scenes {
 
 namespace {
 
-constexpr double kLeastClearance = 1, kMostClearance = 12;  // mm; with more, the cowl is nearer than the pads
+constexpr double kCarBodyLeastClearance = 1,
+                 kCarBodyMostClearance = 12;  // mm; with more, the cowl is nearer than the pads
 
 /// Extra gap beyond the clearance, as a share of it: sampling planners need some room.
-constexpr double kEase = 0.1;
+constexpr double kCarBodyEase = 0.1;
 
 double squared(double x) {
     return x * x;
@@ -111,11 +112,11 @@ std::vector<Opening> innerOpenings() {
 }  // namespace
 
 CarBody designCarBody(std::uint64_t seed, double clearance) {
-    requireClearance(clearance, kLeastClearance, kMostClearance);
+    requireClearance(clearance, kCarBodyLeastClearance, kCarBodyMostClearance);
     Random random(seed);
     CarBody body;
     body.clearance = clearance;
-    body.gap = clearance * (1 + kEase) + 0.01;  // faces at the gap are plane: only rounding reduces it
+    body.gap = clearance * (1 + kCarBodyEase) + 0.01;  // faces at the gap are plane: only rounding reduces it
     body.beadDepth = random.between(5, 8);
     body.tunnelHeight = random.between(130, 145);
     return body;

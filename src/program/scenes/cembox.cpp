@@ -13,14 +13,14 @@ namespace clearway::scenes {
 
 namespace {
 
-constexpr double kLeastClearance = 0.5,
-                 kMostClearance = 8;  // mm; with more, the rails do not hold the edges
+constexpr double kCemboxLeastClearance = 0.5,
+                 kCemboxMostClearance = 8;  // mm; with more, the rails do not hold the edges
 
 /// Extra gap beyond the clearance, as a share of it: sampling planners need some room.
-constexpr double kEase = 0.15;
+constexpr double kCemboxEase = 0.15;
 
-constexpr double kRounding = 0.01;  // mm; covers rounding to float
-constexpr int kChords = 10;         // per motion that turns the part
+constexpr double kCemboxRounding = 0.01;  // mm; covers rounding to float
+constexpr int kChords = 10;               // per motion that turns the part
 
 /// Appends a motion to `to` in short chords. Later the part turns about its centred origin, which lies
 /// elsewhere. With short chords this changes the motion by only hundredths of a millimetre.
@@ -35,15 +35,15 @@ void appendChords(std::vector<PartState>& path, const PartState& to) {
     }
 }
 
-constexpr double kSlit = 0.2;  // mm between components, so that no two touch
-constexpr double kBoard = 4;   // y of the circuit board's front
+constexpr double kCemboxSlit = 0.2;  // mm between components, so that no two touch
+constexpr double kBoard = 4;         // y of the circuit board's front
 constexpr double kBoardThickness = 1.6;
 constexpr double kBoardInside = 9;  // from the body's outside to the board's edge
 constexpr int kConnectors = 3;
 constexpr double kConnectorHalf = 29;  // half a connector's width
 constexpr double kStudPitch = 3.4;     // mm between solder points
 
-struct Builder {
+struct CemboxBuilder {
     const CemboxDesign& design;
     const Detail& detail;
     Random random;
@@ -72,18 +72,18 @@ struct Builder {
 };
 
 /// The housing is a tray that the lid closes.
-void Builder::addHousing() {
+void CemboxBuilder::addHousing() {
     const double half = design.bodyHalf, height = design.halfHeight, joint = -18;
     const Piece base =
         tray({-half, -height, 0}, {half, height, design.base - joint}, 9, 2.5, detail.segmentsPerQuarter);
     assembly.add("housing_base", onFront(base, 0, design.base, 0));
-    const double depth = joint - kSlit - design.lid;
+    const double depth = joint - kCemboxSlit - design.lid;
     assembly.add("housing_lid",
                  onFront(box({-half, -height, 0}, {half, height, depth}, 9, 4), 0, design.lid + depth, 0));
 }
 
-void Builder::addGuideEdges() {
-    const double inner = design.bodyHalf + kSlit, outer = design.edgeHalf, t = design.edgeThickness / 2;
+void CemboxBuilder::addGuideEdges() {
+    const double inner = design.bodyHalf + kCemboxSlit, outer = design.edgeHalf, t = design.edgeThickness / 2;
     const int cells = std::max(4, static_cast<int>(std::lround(6 * std::sqrt(detail.richness))));
     std::vector<double> heights;
     for (int i = 0; i <= cells; ++i) heights.push_back(design.halfHeight * (2.0 * i / cells - 1));
@@ -98,7 +98,8 @@ void Builder::addGuideEdges() {
 }
 
 /// Fins or ribs: plates that stand off the body between two y, their outer ends rounded.
-void Builder::addUprights(const std::string& name, int number, double from, double to, double thickness) {
+void CemboxBuilder::addUprights(const std::string& name, int number, double from, double to,
+                                double thickness) {
     const double reach = 0.72 * design.bodyHalf, depth = std::abs(to - from), half = thickness / 2;
     const Polyline tip = filleted({{half, 0}, {half, depth}, {-half, depth}, {-half, 0}},
                                   {0.9 * half, 0.9 * half}, detail.segmentsPerQuarter);
@@ -113,7 +114,7 @@ void Builder::addUprights(const std::string& name, int number, double from, doub
 }
 
 /// Grilles between the ribs.
-void Builder::addVents() {
+void CemboxBuilder::addVents() {
     const int rows = std::max(3, static_cast<int>(std::lround(4 * std::sqrt(detail.richness))));
     std::vector<double> xs, zs;
     for (int i = 0; i <= 3; ++i) xs.push_back(-9 + 6 * i);
@@ -121,7 +122,7 @@ void Builder::addVents() {
     const double radius = 0.32 * std::min(6.0, zs[1] - zs[0]);
     const Section grille = holedSection(
         xs, zs, [&](std::size_t, std::size_t) { return radius; }, detail.segmentsPerTurn);
-    const double y = design.base + kSlit;
+    const double y = design.base + kCemboxSlit;
     for (const double x : {-0.36 * design.bodyHalf, 0.36 * design.bodyHalf}) {
         Section there = grille;
         for (Vector2& p : there.points) p.x() += x;
@@ -129,7 +130,7 @@ void Builder::addVents() {
     }
 }
 
-void Builder::addLidScrews() {
+void CemboxBuilder::addLidScrews() {
     BoltShape shape;
     shape.shank = 2;
     shape.length = 8;
@@ -140,20 +141,20 @@ void Builder::addLidScrews() {
     const int rows = std::max(2, static_cast<int>(std::lround(3 * std::sqrt(detail.richness))));
     for (int i = 0; i < 2 * rows; ++i) {
         const double side = i % 2 == 0 ? 1 : -1;
-        assembly.addNumbered(
-            "lid_screw", onFront(screw, side * x, design.lid - kSlit, z * (2.0 * (i / 2) / (rows - 1) - 1)));
+        assembly.addNumbered("lid_screw", onFront(screw, side * x, design.lid - kCemboxSlit,
+                                                  z * (2.0 * (i / 2) / (rows - 1) - 1)));
     }
 }
 
 /// A shroud, open above, with its pins.
-void Builder::addConnector(double x) {
-    const double from = design.halfHeight + kSlit, height = design.top - from - 0.5, depth = 21;
+void CemboxBuilder::addConnector(double x) {
+    const double from = design.halfHeight + kCemboxSlit, height = design.top - from - 0.5, depth = 21;
     const Piece shroud = tray({x - kConnectorHalf, -depth, from}, {x + kConnectorHalf, depth, from + height},
                               6, 2, detail.segmentsPerQuarter);
     assembly.addNumbered("connector_shroud", shroud);
     const int columns = std::clamp(detail.count(3), 3, 12);
     const int rows = std::clamp(detail.count(2), 2, 5);
-    const double inner = kConnectorHalf - 7, wall = from + 2 + kSlit, tip = from + height - 6;
+    const double inner = kConnectorHalf - 7, wall = from + 2 + kCemboxSlit, tip = from + height - 6;
     for (int row = 0; row < rows; ++row) {
         for (int column = 0; column < columns; ++column) {
             const Vector2 at(x + inner * (2.0 * column / (columns - 1) - 1),
@@ -170,20 +171,20 @@ void Builder::addConnector(double x) {
 }
 
 /// Ears with a hole, beside the connectors.
-void Builder::addLugs() {
-    const double half = 9, z = design.halfHeight + kSlit + half;
+void CemboxBuilder::addLugs() {
+    const double half = 9, z = design.halfHeight + kCemboxSlit + half;
     const int n = detail.segmentsPerTurn;
     for (const double side : {1.0, -1.0}) {
         const Vector2 centre(side * (design.topHalf - half), z);
         const Section ear = ringSection(squareAround(centre, half, n), circle(centre, 4.2, n, M_PI_4));
         for (const double y : {-16.0, 13.0}) assembly.addNumbered("screw_lug", sweepAlongY(ear, {y, y + 3}));
         const Polyline bush{{2.2, 0}, {3.4, 0}, {3.4, 26}, {2.2, 26}};
-        assembly.addNumbered("lug_bush", placed(ring(bush, n), facing({centre.x(), -13 + kSlit, z},
+        assembly.addNumbered("lug_bush", placed(ring(bush, n), facing({centre.x(), -13 + kCemboxSlit, z},
                                                                       Vector3::UnitX(), Vector3::UnitY())));
     }
 }
 
-void Builder::addBoard() {
+void CemboxBuilder::addBoard() {
     const double x = boardHalf(), z = boardHalfHeight();
     const std::vector<double> xs{-x, -x + 9, -0.3 * x, 0.25 * x, x - 9, x},
         zs{-z, -z + 9, -0.1 * z, z - 9, z};
@@ -195,11 +196,11 @@ void Builder::addBoard() {
 }
 
 /// Chips in the cells of a grid on the front of the board, so that they do not meet.
-void Builder::addChips() {
+void CemboxBuilder::addChips() {
     const int columns = std::clamp(static_cast<int>(std::lround(4 * std::sqrt(detail.richness))), 4, 14);
     const int rows = std::max(3, columns * 3 / 4);
     const double width = 2 * (boardHalf() - 10) / columns, height = 2 * (boardHalfHeight() - 10) / rows;
-    const double room = std::min(width, height) / 2 - 1, y = kBoard - kSlit;
+    const double room = std::min(width, height) / 2 - 1, y = kBoard - kCemboxSlit;
     for (int i = 0; i < columns * rows; ++i) {
         const double x = width * (i % columns + 0.5) - boardHalf() + 10;
         const double z = height * (i / columns + 0.5) - boardHalfHeight() + 10;
@@ -230,20 +231,21 @@ void Builder::addChips() {
 }
 
 /// Solder points behind the board.
-void Builder::addStuds(int studs) {
+void CemboxBuilder::addStuds(int studs) {
     const Piece dome = turned(domeOutline(1.2, 0.9, detail.segmentsPerQuarter), detail.segmentsPerTurn);
     const int columns = static_cast<int>(2 * (boardHalf() - 12) / kStudPitch);
     const int rows = static_cast<int>(2 * (boardHalfHeight() - 12) / kStudPitch);
     for (int i = 0; i < studs; ++i) {
         const double x = kStudPitch * (i % columns) - boardHalf() + 12;
         const double z = kStudPitch * (i / columns % rows) - boardHalfHeight() + 12;
-        assembly.addNumbered("solder_point", placed(dome, facing({x, kBoard + kBoardThickness + kSlit, z},
-                                                                 Vector3::UnitX(), Vector3::UnitY())));
+        assembly.addNumbered("solder_point",
+                             placed(dome, facing({x, kBoard + kBoardThickness + kCemboxSlit, z},
+                                                 Vector3::UnitX(), Vector3::UnitY())));
     }
 }
 
-constexpr double kRoom = 120;  // mm around the path's positions that planners may use
-constexpr FinenessRange kFineness{60, 0.1};
+constexpr double kCemboxRoom = 120;  // mm around the path's positions that planners may use
+constexpr FinenessRange kCemboxFineness{60, 0.1};
 
 }  // namespace
 
@@ -273,11 +275,11 @@ std::vector<PartState> CemboxDesign::path() const {
 
 CemboxDesign designCembox(const SceneOptions& options) {
     const double clearance = options.clearance;
-    requireClearance(clearance, kLeastClearance, kMostClearance);
+    requireClearance(clearance, kCemboxLeastClearance, kCemboxMostClearance);
     Random random(options.seed);
     CemboxDesign design;
     design.clearance = clearance;
-    design.gap = clearance * (1 + kEase) + kRounding;
+    design.gap = clearance * (1 + kCemboxEase) + kCemboxRounding;
     design.bodyHalf = random.between(125, 129);
     design.edgeHalf = random.between(148, 152);
     design.topHalf = design.bodyHalf - 6;
@@ -291,12 +293,12 @@ CemboxDesign designCembox(const SceneOptions& options) {
 }
 
 Assembly buildModule(const CemboxDesign& design, const Detail& detail, Random random, int studs) {
-    Builder builder{design, detail, random};
+    CemboxBuilder builder{design, detail, random};
     builder.addHousing();
     builder.addGuideEdges();
     const int fins = std::clamp(detail.count(7), 7, 30);
-    builder.addUprights("fin", fins, design.lid - kSlit, design.front, 2.2);
-    builder.addUprights("rib", 4, design.base + kSlit, design.back, 2.5);
+    builder.addUprights("fin", fins, design.lid - kCemboxSlit, design.front, 2.2);
+    builder.addUprights("rib", 4, design.base + kCemboxSlit, design.back, 2.5);
     builder.addVents();
     builder.addLidScrews();
     for (int i = 0; i < kConnectors; ++i)
@@ -315,18 +317,18 @@ GeneratedScene makeCembox2(const SceneOptions& options) {
     GeneratedScene scene;
     scene.name = "cembox";
     scene.part = buildTo(
-        options.partTriangles, "part-triangles", kFineness,
+        options.partTriangles, "part-triangles", kCemboxFineness,
         {"housing", "guide_edge", "connector_shroud", "solder_point"},
         [&](const Detail& detail, int studs) { return buildModule(design, detail, partRandom, studs); });
     // Components that hold the module or limit its way stay.
     scene.environment =
-        buildTo(options.environmentTriangles, "environment-triangles", kFineness,
+        buildTo(options.environmentTriangles, "environment-triangles", kCemboxFineness,
                 {"guide_rail", "buffer", "wiper_tube", "strut_brace", "bulkhead", "weld_stud"},
                 [&](const Detail& detail, int studs) {
                     return buildEngineBay(design, keptFree, detail, bayRandom, studs);
                 });
     scene.path = design.path();
-    statePathAsProblem(scene, kRoom);
+    statePathAsProblem(scene, kCemboxRoom);
     scene.problem.name = "cembox v2";
     scene.problem.fineness = design.thinnestSheet / 2;
     return scene;

@@ -13,8 +13,8 @@ namespace clearway::scenes {
 
 namespace {
 
-constexpr double kSheet = 0.7;      // mm; thickness of the facing sheet above
-constexpr double kLining = 1.2;     // mm; thickness of the facing sheet below
+constexpr double kLargeEnvironmentSheet = 0.7;  // mm; thickness of the facing sheet above
+constexpr double kLining = 1.2;                 // mm; thickness of the facing sheet below
 constexpr double kFinerThan = 1.2;  // factor by which the facing sheets' grids are finer than others
 
 struct Layers {
@@ -50,7 +50,7 @@ struct Layers {
 
 /// The sheets nearest to the tray, embossed away from it, with lightening holes.
 void Layers::addFacing(bool isAbove) {
-    const double side = isAbove ? 1 : -1, thickness = isAbove ? kSheet : kLining;
+    const double side = isAbove ? 1 : -1, thickness = isAbove ? kLargeEnvironmentSheet : kLining;
     const double depth = isAbove ? roof.upper : roof.lower;
     PanelShape shape;
     shape.surface = [this, side, depth, thickness](double u, double v) {
@@ -228,10 +228,10 @@ void addRoofLayers(const RoofSlot& roof, SheetMetal& metal, Random& random) {
     layers.addTrim();
 }
 
-constexpr double kThinnestSheet = 0.7;  // mm
-constexpr double kRoom = 150;           // mm around the path's positions that planners may use
+constexpr double kThinnestSheet = 0.7;         // mm
+constexpr double kLargeEnvironmentRoom = 150;  // mm around the path's positions that planners may use
 
-constexpr FinenessRange kFineness{120, 0.15};
+constexpr FinenessRange kLargeEnvironmentFineness{120, 0.15};
 
 /// The car body, with the instrument carrier in its place.
 SheetMetal buildBody(const CarBody& body, const RoofSlot& roof, const Detail& detail, Random random,
@@ -259,18 +259,19 @@ GeneratedScene makeLargeEnvironment2(const SceneOptions& options) {
     const Random partRandom(options.seed ^ 0x700F7Au), bodyRandom(options.seed ^ 0xB0D2u);
     GeneratedScene scene;
     scene.name = "large-environment";
-    scene.part = sheetMetalTo(options.partTriangles, "part-triangles", kFineness,
+    scene.part = sheetMetalTo(options.partTriangles, "part-triangles", kLargeEnvironmentFineness,
                               {"upper_sheet", "lower_sheet", "spot_weld"},
                               [&](const Detail& detail, int studs, bool onlyCount) {
                                   return buildRoofTray(roof, detail, partRandom, studs, onlyCount);
                               });
-    scene.environment = sheetMetalTo(options.environmentTriangles, "environment-triangles", kFineness,
-                                     {"roof_inner_sheet", "lining_carrier", "side_guide", "stud"},
-                                     [&](const Detail& detail, int studs, bool onlyCount) {
-                                         return buildBody(body, roof, detail, bodyRandom, studs, onlyCount);
-                                     });
+    scene.environment =
+        sheetMetalTo(options.environmentTriangles, "environment-triangles", kLargeEnvironmentFineness,
+                     {"roof_inner_sheet", "lining_carrier", "side_guide", "stud"},
+                     [&](const Detail& detail, int studs, bool onlyCount) {
+                         return buildBody(body, roof, detail, bodyRandom, studs, onlyCount);
+                     });
     scene.path = roof.path();
-    statePathAsProblem(scene, kRoom);
+    statePathAsProblem(scene, kLargeEnvironmentRoom);
     scene.problem.name = "large-environment v2";
     scene.problem.fineness = kThinnestSheet / 2;
     return scene;

@@ -9,37 +9,37 @@ namespace clearway::scenes {
 
 namespace {
 
-constexpr double kLeastClearance = 0.01, kMostClearance = 10;  // mm
-constexpr double kEase = 0.08;  // extra gap beyond the clearance, as a share of it
+constexpr double kPegLeastClearance = 0.01, kPegMostClearance = 10;  // mm
+constexpr double kPegEase = 0.08;  // extra gap beyond the clearance, as a share of it
 constexpr std::size_t kLeastTriangles = 300;
-constexpr double kRadius = 15, kShank = 40, kHeadRadius = 24, kHead = 12;
+constexpr double kPegRadius = 15, kShank = 40, kHeadRadius = 24, kHead = 12;
 constexpr double kBlockHalf = 45, kBlock = 50, kBase = 12;
-constexpr double kSlit = 0.2;  // mm between components
-constexpr double kRoom = 80;   // mm around the path's positions that planners may use
+constexpr double kPegSlit = 0.2;  // mm between components
+constexpr double kPegRoom = 80;   // mm around the path's positions that planners may use
 
 /// Segments of a round solid with that many triangles; a multiple of 4.
-int segmentsFor(std::size_t triangles) {
+int roundSegmentsFor(std::size_t triangles) {
     return 4 * std::max(3, static_cast<int>(std::sqrt(static_cast<double>(triangles)) / 8));
 }
 
 /// The peg, its foot at z = 0, and a drive with the remaining triangles.
 Mesh peg(std::size_t triangles) {
-    const int n = segmentsFor(triangles);
+    const int n = roundSegmentsFor(triangles);
     const std::size_t round = triangles - triangles / 10;
     constexpr std::size_t kCorners = 8;
     const std::size_t rows = std::max(round / static_cast<std::size_t>(2 * n), kCorners - 1);
-    Polyline outline{{0, 0}, {kRadius - 3, 0}, {kRadius, 3}};
+    Polyline outline{{0, 0}, {kPegRadius - 3, 0}, {kPegRadius, 3}};
     const std::size_t along = rows + 2 - kCorners;  // rings between chamfer and head
     for (std::size_t i = 1; i <= along; ++i)
         outline.push_back(
-            {kRadius, 3 + (kShank - 3) * static_cast<double>(i) / static_cast<double>(along + 1)});
+            {kPegRadius, 3 + (kShank - 3) * static_cast<double>(i) / static_cast<double>(along + 1)});
     for (const Vector2& p :
-         {Vector2(kRadius, kShank), Vector2(kHeadRadius, kShank), Vector2(kHeadRadius, kShank + kHead - 2),
+         {Vector2(kPegRadius, kShank), Vector2(kHeadRadius, kShank), Vector2(kHeadRadius, kShank + kHead - 2),
           Vector2(kHeadRadius - 2, kShank + kHead), Vector2(0, kShank + kHead)})
         outline.push_back(p);
     Assembly assembly;
     assembly.add("peg", turned(outline, n));
-    const double low = kShank + kHead + kSlit;
+    const double low = kShank + kHead + kPegSlit;
     assembly.add("drive", gridBox(Box(Vector3(-7, -7, low), Vector3(7, 7, low + 14)),
                                   triangles - assembly.triangleCount()));
     return assembly.mesh();
@@ -47,9 +47,9 @@ Mesh peg(std::size_t triangles) {
 
 /// The block, its top at z = 0, and a base with the remaining triangles.
 Mesh block(std::size_t triangles, double gap, const Vector2& at) {
-    const int n = segmentsFor(triangles);
+    const int n = roundSegmentsFor(triangles);
     // The sides of the hole's polygon are nearer to its axis than its corners.
-    const double radius = (kRadius + gap) / std::cos(M_PI / n);
+    const double radius = (kPegRadius + gap) / std::cos(M_PI / n);
     const std::size_t stations =
         std::max<std::size_t>(2, triangles * 8 / 10 / static_cast<std::size_t>(4 * n));
     std::vector<double> heights;
@@ -59,7 +59,7 @@ Mesh block(std::size_t triangles, double gap, const Vector2& at) {
     assembly.add(
         "block",
         sweepAlongZ(ringSection(squareAround(at, kBlockHalf, n), circle(at, radius, n, M_PI_4)), heights));
-    const double top = -kBlock - kSlit;
+    const double top = -kBlock - kPegSlit;
     assembly.add("base", gridBox(Box(Vector3(-150, -110, top - kBase), Vector3(150, 110, top)),
                                  triangles - assembly.triangleCount()));
     return assembly.mesh();
@@ -68,13 +68,13 @@ Mesh block(std::size_t triangles, double gap, const Vector2& at) {
 }  // namespace
 
 GeneratedScene makePegInHole(const SceneOptions& options) {
-    requireClearance(options.clearance, kLeastClearance, kMostClearance);
+    requireClearance(options.clearance, kPegLeastClearance, kPegMostClearance);
     requireTriangles(options.partTriangles, "part-triangles", kLeastTriangles);
     requireTriangles(options.environmentTriangles, "environment-triangles", kLeastTriangles);
     Random random(options.seed);
     const double x = std::floor(random.between(20, 41)), y = std::floor(random.between(-20, 21));
     const double side = random.next() % 2 == 0 ? 1 : -1;
-    const double gap = options.clearance * (1 + kEase) + 0.001;  // the constant covers rounding to float
+    const double gap = options.clearance * (1 + kPegEase) + 0.001;  // the constant covers rounding to float
 
     GeneratedScene scene;
     scene.name = "peg-in-hole";
@@ -92,9 +92,9 @@ GeneratedScene makePegInHole(const SceneOptions& options) {
     scene.path = {state({x - 90, y + 25 * side, 40}, tilted),
                   state({x, y, 16}, Eigen::Quaterniond::Identity()),
                   state({x, y, foot}, Eigen::Quaterniond::Identity())};
-    statePathAsProblem(scene, kRoom);
+    statePathAsProblem(scene, kPegRoom);
     scene.problem.name = "peg-in-hole v1";
-    scene.problem.fineness = (kBlockHalf - kRadius) / 4;
+    scene.problem.fineness = (kBlockHalf - kPegRadius) / 4;
     return scene;
 }
 

@@ -12,15 +12,15 @@ namespace clearway::scenes {
 namespace {
 
 constexpr double kBar = 5;  // mm, radius of both bars
-constexpr double kLeastClearance = 0.1, kMostClearance = 10;
+constexpr double kPuzzleLeastClearance = 0.1, kPuzzleMostClearance = 10;
 constexpr double kLeastBend = 30, kMostBend = 36;  // mm, radii
 constexpr double kLoopGap = 0.6;                   // gap of an open loop, in bar radii
 constexpr double kDomeRings = 3;                   // rings of each rounded end
-constexpr double kEase = 0.1;                      // extra gap beyond the clearance, as a share of it
+constexpr double kPuzzleEase = 0.1;                // extra gap beyond the clearance, as a share of it
 constexpr double kPathShare = 0.05;                // share of the clearance that the path's chords may use up
 constexpr double kFarthest =
     150;  // mm; bounds the distance of the part's origin from its axes of rotation, for kPathShare
-constexpr double kRoom = 100;  // mm around the path's positions that planners may use
+constexpr double kPuzzleRoom = 100;  // mm around the path's positions that planners may use
 
 /// How finely a bar is cut.
 struct BarDetail {
@@ -181,7 +181,7 @@ Spine environmentSpine(const Measures& m, double eyeRadius, int version) {
 }
 
 /// The distance between a bend and its chord.
-double sagitta(double radius, double angle) {
+double sagittaOfArc(double radius, double angle) {
     return radius * (1 - std::cos(angle / 2));
 }
 
@@ -194,7 +194,7 @@ PartState threaded(const Spine& part, double length) {
     return state;
 }
 
-std::vector<PartState> constructedPath(const Spine& part, double from, double clearance) {
+std::vector<PartState> constructedPuzzlePath(const Spine& part, double from, double clearance) {
     const double turn = std::min(0.15, std::sqrt(8 * kPathShare * clearance / kFarthest));
     std::vector<PartState> path;
     for (const double at : part.stations(1e9, turn)) {
@@ -211,7 +211,7 @@ std::vector<PartState> constructedPath(const Spine& part, double from, double cl
 
 GeneratedScene makeVersion(int version, const SceneOptions& options) {
     const double clearance = options.clearance;
-    requireClearance(clearance, kLeastClearance, kMostClearance);
+    requireClearance(clearance, kPuzzleLeastClearance, kPuzzleMostClearance);
     const Measures measures{Random(options.seed)};
     const Spine part = partSpine(measures, version);
     const BarDetail partDetail = detailFor(part, options.partTriangles, "part-triangles");
@@ -219,13 +219,14 @@ GeneratedScene makeVersion(int version, const SceneOptions& options) {
     // As long as no bend is narrower than the eye, the distance between the middle lines of eye and part is
     // the eye's radius (a curve's tube of a radius below that of its bends does not meet itself). Both bars,
     // their chords, the path's chords and rounding reduce that distance.
-    double eyeRadius = 2 * kBar + clearance * (1 + kEase + kPathShare) + 0.01;
-    eyeRadius += sagitta(kMostBend, partDetail.largestAngle);
+    double eyeRadius = 2 * kBar + clearance * (1 + kPuzzleEase + kPathShare) + 0.01;
+    eyeRadius += sagittaOfArc(kMostBend, partDetail.largestAngle);
     const BarDetail roughly = detailFor(environmentSpine(measures, eyeRadius, version),
                                         options.environmentTriangles, "environment-triangles");
     eyeRadius +=
-        1.2 * sagitta(eyeRadius,
-                      roughly.largestAngle);  // the correction enlarges the eye and with it the correction
+        1.2 *
+        sagittaOfArc(eyeRadius,
+                     roughly.largestAngle);  // the correction enlarges the eye and with it the correction
     const Spine environment = environmentSpine(measures, eyeRadius, version);
 
     GeneratedScene scene;
@@ -237,8 +238,8 @@ GeneratedScene makeVersion(int version, const SceneOptions& options) {
     scene.part = partBar.mesh();
     scene.environment = environmentBar.mesh();
     const double lead = part.pieces()[1].start + measures.lead / 2;
-    scene.path = constructedPath(part, lead, clearance);
-    statePathAsProblem(scene, kRoom);
+    scene.path = constructedPuzzlePath(part, lead, clearance);
+    statePathAsProblem(scene, kPuzzleRoom);
     scene.problem.name = "puzzle v" + std::to_string(version);
     scene.problem.fineness = kBar / 2;
     return scene;

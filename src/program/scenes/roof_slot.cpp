@@ -7,28 +7,26 @@ namespace clearway::scenes {
 
 namespace {
 
-constexpr double kLeastClearance = 1, kMostClearance = 12;  // mm; with more, the slot reaches the sides
+constexpr double kRoofSlotLeastClearance = 1,
+                 kRoofSlotMostClearance = 12;  // mm; with more, the slot reaches the sides
 
 /// Extra gap beyond the clearance, as a share of it: sampling planners need some room.
-constexpr double kEase = 0.1;
+constexpr double kRoofSlotEase = 0.1;
 
 constexpr double kLongestCell = 88;  // mm along the roof
 constexpr double kStretch = 1.2;     // of cells beside openings, as a factor
 constexpr double kChord = 40;        // mm between two states along the roof
-constexpr double kRounding = 0.02;   // mm; covers rounding to float, and normals at the profile's corners
-constexpr double kHalfWidth = 620;   // of the profile
+constexpr double kRoofSlotRounding =
+    0.02;                           // mm; covers rounding to float, and normals at the profile's corners
+constexpr double kHalfWidth = 620;  // of the profile
 
 constexpr double kBeads[] = {-360, -240, -120, 0, 120, 240, 360};
 constexpr double kBeadHalf = 20, kBeadFlank = 16, kBeadRounding = 11;
 constexpr double kEmbossingPitch = 44;
 
-double squared(double x) {
-    return x * x;
-}
-
 /// The greatest distance between a circle of that radius and its chord.
 double sagitta(double chord, double radius) {
-    return squared(chord) / (8 * radius);
+    return std::pow(chord, 2) / (8 * radius);
 }
 
 /// The number of chords of each of the beads' roundings: as many as the coarser mesh has room for.
@@ -41,7 +39,7 @@ Polyline profileOf(double crown, double depth, int chords) {
     Polyline line;
     std::vector<double> radii;
     const auto add = [&](double v, double below, double radius) {
-        line.push_back({v, -crown * squared(v / kHalfWidth) - below});
+        line.push_back({v, -crown * std::pow(v / kHalfWidth, 2) - below});
         radii.push_back(radius);
     };
     for (const double v : {-kHalfWidth, -520.0, -450.0}) add(v, 0, 0);
@@ -60,11 +58,11 @@ Polyline profileOf(double crown, double depth, int chords) {
     return filleted(line, radii, 4 * chords);
 }
 
-constexpr double kSheet = 0.8;      // mm, thickness
-constexpr double kRoom = 24;        // height of the room between the sheets
-constexpr double kLowerMore = 0.5;  // mm; extra distance of the lower sheet from the facing one
-constexpr double kInset = 14;       // distance of the parts between the sheets from the sheets' edges
-constexpr double kSlit = 0.3;       // between neighbours
+constexpr double kRoofSlotSheet = 0.8;  // mm, thickness
+constexpr double kRoofSlotRoom = 24;    // height of the room between the sheets
+constexpr double kLowerMore = 0.5;      // mm; extra distance of the lower sheet from the facing one
+constexpr double kInset = 14;           // distance of the parts between the sheets from the sheets' edges
+constexpr double kRoofSlotSlit = 0.3;   // between neighbours
 constexpr double kOpenFrom = 1760, kOpenTo = 2150, kOpenHalf = 210;  // the opening, along and across
 
 struct Tray {
@@ -103,13 +101,13 @@ struct Tray {
 void Tray::addSheet(bool isUpper) {
     PanelShape shape;
     const double side = isUpper ? -1 : 1, depth = isUpper ? roof.upper : roof.lower;
-    const double away = roof.gap / 2 + kSheet / 2 + (isUpper ? 0 : kLowerMore);
+    const double away = roof.gap / 2 + kRoofSlotSheet / 2 + (isUpper ? 0 : kLowerMore);
     shape.surface = [this, side, depth, away](double u, double v) {
         return roof.at(u, v, depth, side * (away + roof.embossed(u, v) + roof.receding(u, v)));
     };
     shape.low = {roof.trayFront, -roof.trayHalf};
     shape.high = {roof.trayRear, roof.trayHalf};
-    shape.thickness = kSheet;
+    shape.thickness = kRoofSlotSheet;
     shape.openings = {{{(kOpenFrom + kOpenTo) / 2, 0}, {(kOpenTo - kOpenFrom) / 2, kOpenHalf}, 1e6}};
     for (const double u : {1650.0, 2240.0, 2380.0}) {
         for (const double v : {-300.0, -180.0, -60.0, 60.0, 180.0, 300.0}) {
@@ -133,15 +131,16 @@ void Tray::addFrame() {
     };
     for (const double side : {-1.0, 1.0}) {
         const double v = side * (kOpenHalf + 26);
-        add("frame", sweep(hollow({v - 14, 1}, {v + 14, kRoom - 2}), along(kOpenFrom - 34, kOpenTo + 34)));
+        add("frame",
+            sweep(hollow({v - 14, 1}, {v + 14, kRoofSlotRoom - 2}), along(kOpenFrom - 34, kOpenTo + 34)));
     }
     for (const double u : {kOpenFrom - 20, kOpenTo + 20}) {
-        add("frame",
-            sweepAlongY(hollow({u - 12, 1}, {u + 12, kRoom - 9}), along(-kOpenHalf - 10, kOpenHalf + 10)));
+        add("frame", sweepAlongY(hollow({u - 12, 1}, {u + 12, kRoofSlotRoom - 9}),
+                                 along(-kOpenHalf - 10, kOpenHalf + 10)));
     }
     // A seal on the front and the rear bar.
     for (const double u : {kOpenFrom - 20, kOpenTo + 20}) {
-        const Polyline bulb = circle({u, kRoom - 9 + 3.1 + kSlit}, 3, turn());
+        const Polyline bulb = circle({u, kRoofSlotRoom - 9 + 3.1 + kRoofSlotSlit}, 3, turn());
         add("seal", sweepAlongY(fullSection(bulb), along(-kOpenHalf, kOpenHalf)));
     }
 }
@@ -176,11 +175,11 @@ void Tray::addRibs() {
     for (int i = 0; i < 2 * pairs; ++i) {
         const double side = i % 2 == 0 ? 1 : -1, v = side * (270 + 90 * (i / 2 + 0.5) / pairs);
         const std::vector<double> us = stationsBetween(1700, 2180, std::max(20.0, 0.5 * step()));
-        const double radius = 0.3 * std::min(us[1] - us[0], kRoom - 3);
+        const double radius = 0.3 * std::min(us[1] - us[0], kRoofSlotRoom - 3);
         const auto hole = [radius](std::size_t column, std::size_t) {
             return column % 2 == 1 ? radius : 0.0;
         };
-        add("rib", sweepAlongY(holedSection(us, {1.0, kRoom - 1}, hole, turn()), {v - 0.8, v + 0.8}));
+        add("rib", sweepAlongY(holedSection(us, {1.0, kRoofSlotRoom - 1}, hole, turn()), {v - 0.8, v + 0.8}));
     }
 }
 
@@ -188,7 +187,7 @@ void Tray::addRibs() {
 void Tray::addGuides() {
     for (const double side : {-1.0, 1.0}) {
         const double outer = side * half(), inner = side * (half() - 26);
-        Polyline channel{{inner, kRoom - 1}, {outer, kRoom - 1}, {outer, 1}, {inner, 1}};
+        Polyline channel{{inner, kRoofSlotRoom - 1}, {outer, kRoofSlotRoom - 1}, {outer, 1}, {inner, 1}};
         if (side > 0) std::reverse(channel.begin(), channel.end());
         add("guide", sweep(sheetSection(metal.rounded(channel, 4), 1.4), along(front(), rear())));
         const double v = side * (half() - 14);
@@ -196,7 +195,7 @@ void Tray::addGuides() {
                           along(front() + 20, rear() - 60)));
         for (const double u : {1700.0, 1930.0, 2160.0, 2390.0}) {
             const double w = side * (half() - 32);
-            add("shoe", roundedBox({u - 22, w - 4, 4}, {u + 22, w + 4, kRoom - 4}, 3, 2, quarter()));
+            add("shoe", roundedBox({u - 22, w - 4, 4}, {u + 22, w + 4, kRoofSlotRoom - 4}, 3, 2, quarter()));
         }
     }
 }
@@ -235,9 +234,9 @@ void Tray::addMotor() {
     const Polyline can =
         filleted({{0, 0}, {10.5, 0}, {10.5, 62}, {6, 66}, {6, 76}, {0, 76}}, {2, 3, 2, 1}, quarter());
     add("motor", placed(turned(can, turn()), standingAt({2322, -6, 12}, -Vector3::UnitY())));
-    add("gear_box", roundedBox({2296, 0, 1}, {2352, 40, kRoom - 1}, 8, 3, quarter()));
+    add("gear_box", roundedBox({2296, 0, 1}, {2352, 40, kRoofSlotRoom - 1}, 8, 3, quarter()));
     add("control_unit", roundedBox({2286, -330, 2}, {2316, -270, 18}, 5, 2, quarter()));
-    for (int i = 0; i < 4; ++i) addBolt(2300 + 48 * (i % 2), 6 + 28 * (i / 2), kRoom - 6.0);
+    for (int i = 0; i < 4; ++i) addBolt(2300 + 48 * (i % 2), 6 + 28 * (i / 2), kRoofSlotRoom - 6.0);
 }
 
 /// Screw bosses on the lower sheet's side, along the frame.
@@ -271,7 +270,7 @@ void Tray::addStuds(int studs) {
 }  // namespace
 
 RoofSlot designRoofSlot(const SceneOptions& options) {
-    requireClearance(options.clearance, kLeastClearance, kMostClearance);
+    requireClearance(options.clearance, kRoofSlotLeastClearance, kRoofSlotMostClearance);
     Random random(options.seed);
     RoofSlot roof;
     roof.clearance = options.clearance;
@@ -282,7 +281,7 @@ RoofSlot designRoofSlot(const SceneOptions& options) {
     // path's chords come nearer, too.
     const double chords =
         sagitta(kStretch * kLongestCell, 0.97 * roof.radius) + sagitta(kChord, 0.97 * roof.radius);
-    roof.gap = roof.clearance * (1 + kEase) + chords + kRounding;
+    roof.gap = roof.clearance * (1 + kRoofSlotEase) + chords + kRoofSlotRounding;
     roof.lower = roof.upper + 55 + roof.gap;
     roof.profile = profileOf(roof.crown, roof.beadDepth, roundingChords(options));
     const Polyline offset = offsetLine(roof.profile, 1);
@@ -304,7 +303,8 @@ Vector3 RoofSlot::at(double u, double v, double depth, double offset) const {
 }
 
 Vector3 RoofSlot::smoothAt(double u, double v, double depth, double height) const {
-    const double angle = (u - middle) / radius, r = radius - depth + height - crown * squared(v / kHalfWidth);
+    const double angle = (u - middle) / radius,
+                 r = radius - depth + height - crown * std::pow(v / kHalfWidth, 2);
     return {middle + r * std::sin(angle), v, top - radius + r * std::cos(angle)};
 }
 
@@ -317,7 +317,7 @@ double RoofSlot::embossed(double u, double v) const {
 /// would be the nearest.
 double RoofSlot::receding(double u, double v) const {
     const double most = 1.8 + 0.17 * gap;
-    return most * (squared((u - 1690) / (trayRear - trayFront)) + squared(v / trayHalf));
+    return most * (std::pow((u - 1690) / (trayRear - trayFront), 2) + std::pow(v / trayHalf, 2));
 }
 
 PartState RoofSlot::moved(double along) const {

@@ -11,19 +11,19 @@ namespace clearway::scenes {
 
 namespace {
 
-constexpr double kLeastClearance = 1,
-                 kMostClearance = 25;  // mm; with more, the duct does not fit under the cups
+constexpr double kTunnelLeastClearance = 1,
+                 kTunnelMostClearance = 25;  // mm; with more, the duct does not fit under the cups
 
 constexpr double kDiagonal = 900;  // mm; of the part's bounding box
 
 /// Extra gap beyond the clearance, as a share of it: sampling planners need some room.
-constexpr double kEase = 0.15;
+constexpr double kTunnelEase = 0.15;
 
 /// The share of the clearance that each sweep's chords may use up.
 constexpr double kChordShare = 0.08;
 
 /// The room beyond the gap, in gaps, and its limits in mm; more does not fit beside the tunnel.
-constexpr double kRoom = 2.5, kLeastRoom = 14, kMostRoom = 28;
+constexpr double kTunnelRoom = 2.5, kLeastRoom = 14, kMostRoom = 28;
 
 /// The length along s at which the bent console's bounding box has the diagonal kDiagonal.
 double lengthFor(const TunnelConsoleDesign& design) {
@@ -61,7 +61,7 @@ HalfOpening halfOpening(const TunnelConsoleDesign& design, double beside, double
 constexpr double kPlanningRoom = 120;  // mm around the path's positions that planners may use
 
 /// The screw motion out of the tunnel in chords, then one motion through the free room.
-std::vector<PartState> constructedPath(const TunnelConsoleDesign& design) {
+std::vector<PartState> constructedConsolePath(const TunnelConsoleDesign& design) {
     const double start = design.screw.angleAt(design.startAt + design.length / 2);
     // The chord of the part's origin, which is about the radius from the axis, keeps to a third of a sweep's
     // share.
@@ -91,7 +91,7 @@ PartState outside(const PartState& exit, double drift) {
 
 TunnelConsoleDesign designTunnelConsole(const SceneOptions& options) {
     const double clearance = options.clearance;
-    requireClearance(clearance, kLeastClearance, kMostClearance);
+    requireClearance(clearance, kTunnelLeastClearance, kTunnelMostClearance);
     Random random(options.seed);
     TunnelConsoleDesign design;
     design.clearance = clearance;
@@ -109,10 +109,10 @@ TunnelConsoleDesign designTunnelConsole(const SceneOptions& options) {
     // Chords lie on the axis' side of their curves: the part's come nearer to the roof, the floor's nearer to
     // the part. So a gap loses one share, another third to the path's chords, and a little to rounding to
     // float. The rest is ease.
-    const double inSpace = clearance * (1 + kEase + (1 + 1.0 / 3) * kChordShare) + 0.01;
+    const double inSpace = clearance * (1 + kTunnelEase + (1 + 1.0 / 3) * kChordShare) + 0.01;
     design.gap = inSpace * design.screw.obliquity(radius - design.height - inSpace);
 
-    design.room = std::clamp(kRoom * design.gap, kLeastRoom, kMostRoom);
+    design.room = std::clamp(kTunnelRoom * design.gap, kLeastRoom, kMostRoom);
     design.wallHalfWidth = design.flangeHalfWidth + design.gap + design.room + random.between(12, 20);
     design.roofHeight = design.height + design.gap + design.room + random.between(20, 30);
     design.startAt = 60;
@@ -153,7 +153,7 @@ GeneratedScene makeTunnelConsole3(const SceneOptions& options) {
                      [&](const Detail& detail, int studs, bool onlyCount) {
                          return buildTunnelBody(design, detail, tunnelRandom, studs, onlyCount);
                      });
-    scene.path = constructedPath(design);
+    scene.path = constructedConsolePath(design);
     centrePart(scene);
     scene.path.push_back(outside(scene.path.back(), design.screw.drift));
 
