@@ -1,4 +1,5 @@
 #include <Eigen/SVD>
+#include <cmath>
 #include <limits>
 #include <sstream>
 #include <stdexcept>
@@ -17,10 +18,18 @@ double rotationDefect(const Pose& pose) {
 
 namespace {
 
-[[noreturn]] void refuseRotation(double defect, double accepted) {
+[[noreturn]] void refuseRotation(const Pose& pose, double defect, double accepted) {
     std::ostringstream message;
-    message << "the pose's matrix is no rotation: max |R^T R - I| is " << defect << ", expected at most "
-            << accepted << " with a positive determinant and finite entries";
+    message << "the pose's ";
+    if (!pose.rotation.allFinite() || !pose.translation.allFinite()) {
+        message << "entries are not all finite, expected finite numbers";
+    } else if (std::isinf(defect)) {
+        message << "matrix is no rotation: its determinant is " << pose.rotation.determinant()
+                << ", expected 1";
+    } else {
+        message << "matrix is no rotation: max |R^T R - I| is " << defect << ", expected at most "
+                << accepted;
+    }
     throw std::invalid_argument(message.str());
 }
 
@@ -28,12 +37,12 @@ namespace {
 
 void requirePose(const Pose& pose) {
     const double defect = rotationDefect(pose);
-    if (!(defect <= kPoseDefect)) refuseRotation(defect, kPoseDefect);
+    if (!(defect <= kPoseDefect)) refuseRotation(pose, defect, kPoseDefect);
 }
 
 Pose nearestPose(const Pose& pose) {
     const double defect = rotationDefect(pose);
-    if (!(defect <= kProjectableDefect)) refuseRotation(defect, kProjectableDefect);
+    if (!(defect <= kProjectableDefect)) refuseRotation(pose, defect, kProjectableDefect);
     const Eigen::JacobiSVD<Matrix3> svd(pose.rotation, Eigen::ComputeFullU | Eigen::ComputeFullV);
     return {svd.matrixU() * svd.matrixV().transpose(), pose.translation};
 }

@@ -46,4 +46,23 @@ BOOST_AUTO_TEST_CASE(a_quaternion_without_a_direction_is_refused) {
     }
 }
 
+BOOST_AUTO_TEST_CASE(a_matrix_that_is_no_rotation_is_refused_by_what_is_wrong_with_it) {
+    const auto refusal = [](const Matrix3& matrix) -> std::string {
+        try {
+            requirePose({matrix, kPlace});
+        } catch (const std::invalid_argument& error) {
+            return error.what();
+        }
+        return "";
+    };
+    const Matrix3 turn = kTurn.toRotationMatrix(), mirror = Vector3(1, 1, -1).asDiagonal();
+    BOOST_TEST(refusal(turn) == "");
+    BOOST_TEST(refusal(mirror) == "the pose's matrix is no rotation: its determinant is -1, expected 1");
+    BOOST_TEST(refusal(Matrix3::Zero()) ==
+               "the pose's matrix is no rotation: its determinant is 0, expected 1");
+    BOOST_TEST(refusal(2 * Matrix3::Identity()) ==
+               "the pose's matrix is no rotation: max |R^T R - I| is 3, expected at most 1e-12");
+    BOOST_TEST(refusal(turn / 0.0) == "the pose's entries are not all finite, expected finite numbers");
+}
+
 BOOST_AUTO_TEST_SUITE_END()
