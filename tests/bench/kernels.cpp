@@ -107,7 +107,7 @@ struct Choices {
     std::string question = "collides";
     std::vector<int> triangles = {3000, 5000, 10000};
     std::vector<int> inputSizes = {1, 2, 4, 8, 16, 128, 1024};
-    int repetitions = 5;
+    int repetitions = 3;
     int checkedPairs = 30000;
     std::uint64_t seed = 1;
     int cpu = -1;
@@ -300,7 +300,7 @@ int run(int count, char** words) {
     line.option("--input-sizes LIST",
                 "pairs in a call; all sets are tested with the last [1,2,4,8,16,128,1024]",
                 numbers(choices.inputSizes));
-    line.option("--repetitions N", "passes that count; three at most of the larger sets [5]",
+    line.option("--repetitions N", "passes that count; two at most of the larger sets [3]",
                 cli::integer<int>(choices.repetitions, 1, 1000));
     line.option("--checked N", "pairs whose answers are compared with the oracle's [30000]",
                 cli::integer<int>(choices.checkedPairs, 1, 100000000));
@@ -319,7 +319,7 @@ int run(int count, char** words) {
     runPinned(choices.cpu, [&] {
         for (std::size_t i = 0; i < choices.triangles.size(); ++i) {
             Bench bench(choices, choices.triangles[i]);
-            const int repetitions = i == 0 ? choices.repetitions : std::min(choices.repetitions, 3);
+            const int repetitions = i == 0 ? choices.repetitions : std::min(choices.repetitions, 2);
             for (const int inputSize : choices.inputSizes) {
                 if (i > 0 && inputSize != choices.inputSizes.back()) continue;
                 wrong += measure(choices, choices.triangles[i], inputSize, repetitions, bench, table);
