@@ -1,6 +1,6 @@
 // Pairs by clearway's own kernels (src/kernels), compiled for every instruction set: first the walk that
-// drops most pairs of leaves, then the kernels of a pair. Pairs that float does not prove apart touch, as far
-// as float can tell; a query of clearway decides them in double.
+// drops most pairs of leaves, then the kernels of a pair. Pairs that float does not prove apart stay open;
+// double decides them, as in a query of clearway.
 #include <algorithm>
 
 #include "bench/pair_kernels.h"
@@ -78,6 +78,16 @@ void DistanceInFloat(const testing::PairsOfCall& pairs, const testing::PairAnswe
     }
 }
 
+void CollidesWithDouble(const testing::PairsOfCall& pairs, const testing::PairAnswers& answers) {
+    CollidesInFloat(pairs, answers);
+    testing::collidesOfOpenPairs(pairs, answers);
+}
+
+void DistanceWithDouble(const testing::PairsOfCall& pairs, const testing::PairAnswers& answers) {
+    DistanceInFloat(pairs, answers);
+    testing::distanceOfOpenPairs(pairs, answers);
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace clearway
 HWY_AFTER_NAMESPACE();
@@ -88,25 +98,33 @@ namespace clearway {
 
 HWY_EXPORT(CollidesInFloat);
 HWY_EXPORT(DistanceInFloat);
+HWY_EXPORT(CollidesWithDouble);
+HWY_EXPORT(DistanceWithDouble);
 
 namespace testing {
 
 std::vector<PairContender> clearwayContenders() {
-    std::vector<PairContender> contenders;
+    std::vector<PairContender> kernels, withDouble;
     const std::vector<std::string> available = availableTargets();
     for (const auto& [target, name] : {std::pair("sse4", "SSE4"), {"avx2", "AVX2"}, {"avx3", "AVX-512"}}) {
-        PairContender contender = {"clearway", "clearway", name, "not on this processor"};
+        PairContender kernel = {"clearway", "clearway", name, "not on this processor"};
+        kernel.leavesOpen = true;
+        PairContender both = {"clearway with double", "clearway", name, kernel.missing};
         if (std::find(available.begin(), available.end(), target) != available.end()) {
             useTarget(target);
             hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-            contender.missing = "";
-            contender.collides = &HWY_DYNAMIC_DISPATCH(CollidesInFloat);
-            contender.distance = &HWY_DYNAMIC_DISPATCH(DistanceInFloat);
+            kernel.missing = both.missing = "";
+            kernel.collides = &HWY_DYNAMIC_DISPATCH(CollidesInFloat);
+            kernel.distance = &HWY_DYNAMIC_DISPATCH(DistanceInFloat);
+            both.collides = &HWY_DYNAMIC_DISPATCH(CollidesWithDouble);
+            both.distance = &HWY_DYNAMIC_DISPATCH(DistanceWithDouble);
         }
-        contenders.push_back(contender);
+        kernels.push_back(kernel);
+        withDouble.push_back(both);
     }
     useTarget("best");
-    return contenders;
+    kernels.insert(kernels.end(), withDouble.begin(), withDouble.end());
+    return kernels;
 }
 
 }  // namespace testing

@@ -23,8 +23,8 @@ constexpr int kPadding = 16;  ///< a kernel may read and write that many entries
 
 /// A kernel writes what its question asks for. Distances of kernels in double are in double.
 struct PairAnswers {
-    std::int32_t* touches = nullptr;  ///< 1 if the pair is not found to be apart
-    float* distances = nullptr;       ///< 0 if the pair touches
+    std::int32_t* touches = nullptr;  ///< 1 if the pair is not found to be apart, else 0
+    float* distances = nullptr;       ///< 0 if the pair is not found to be apart
     double* distancesInDouble = nullptr;
 };
 
@@ -39,7 +39,13 @@ struct PairContender {
     PairKernel collides = nullptr;
     PairKernel distance = nullptr;
     bool isInDouble = false;
+    /// Pairs that are not found to be apart may still be so: double is to decide them.
+    bool leavesOpen = false;
 };
+
+/// Decides in scalar double the pairs that other kernels did not find to be apart.
+void collidesOfOpenPairs(const PairsOfCall& pairs, const PairAnswers& answers);
+void distanceOfOpenPairs(const PairsOfCall& pairs, const PairAnswers& answers);
 
 /// Our own scalar double, and PQP's functions if the build knows PQP.
 std::vector<PairContender> scalarContenders();

@@ -91,6 +91,22 @@ void distanceByPqp(const PairsOfCall& pairs, const PairAnswers& answers) {
 
 }  // namespace
 
+void collidesOfOpenPairs(const PairsOfCall& pairs, const PairAnswers& answers) {
+    const TriangleOf<double> a = triangleFrom(pairs.a);
+    for (int i = 0; i < pairs.count; ++i) {
+        if (answers.touches[i] != 0) answers.touches[i] = !areApart(a, triangleFrom(pairs.b + 9 * i));
+    }
+}
+
+void distanceOfOpenPairs(const PairsOfCall& pairs, const PairAnswers& answers) {
+    const TriangleOf<double> a = triangleFrom(pairs.a);
+    for (int i = 0; i < pairs.count; ++i) {
+        if (answers.distances[i] != 0) continue;
+        answers.distances[i] = static_cast<float>(
+            distanceOf(a, triangleFrom(pairs.b + 9 * i), std::numeric_limits<double>::max()));
+    }
+}
+
 std::vector<PairContender> scalarContenders() {
     PairContender pqp = {"PQP itself", "PQP", "scalar", "not built", nullptr, nullptr, true};
 #ifdef CLEARWAY_BENCH_WITH_PQP
