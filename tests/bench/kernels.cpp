@@ -3,7 +3,6 @@
 //   bench_kernels --question distance [--triangles 3000,5000,10000] [--out DIR] ...      see --help
 // Ends with exit code 1 when an answer is wrong, and with 2 when the benchmark cannot run.
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <iomanip>
@@ -17,6 +16,7 @@
 #include "bench/task_options.h"
 #include "core/replace_file.h"
 #include "kernels/rounding.h"
+#include "support/processor_time.h"
 #include "support/random_meshes.h"
 #include "support/triangle_distance.h"
 
@@ -110,6 +110,7 @@ Truth truthOf(const LongTriangle& a, const LongTriangle& b) {
 struct Choices {
     std::string question = "collides";
     std::vector<int> triangles = {3000, 5000, 10000};
+    int trianglesBySize = 1000;
     std::vector<int> inputSizes = {1, 2, 4, 8, 16, 128, 1024};
     int repetitions = 3;
     int checkedPairs = 30000;
@@ -122,8 +123,7 @@ struct Choices {
 
 /// What a contender did with n x n pairs and one input size.
 struct Measured {
-    std::vector<double> seconds;  ///< a repetition each
-    std::int64_t touching = 0;    ///< of all pairs
+    std::vector<double> seconds;  ///< of processor time, a repetition each
     int open = 0;                 ///< checked pairs that double is to decide
     int differing = 0;            ///< other checked verdicts on contact that are not the truth
     int wrong = 0;                ///< checked answers further off than the tolerance
@@ -155,15 +155,9 @@ class Bench {
     }
 
     void pass(const PairContender& contender, int inputSize, Measured& measured) {
-        std::chrono::steady_clock::duration time{};
-        measured.touching = 0;
-        for (int i = 0; i < a_.count; ++i) {
-            const auto begin = std::chrono::steady_clock::now();
-            runRow(contender, inputSize, i);
-            time += std::chrono::steady_clock::now() - begin;
-            for (int j = 0; j < b_.count; ++j) measured.touching += touches(contender, j);
-        }
-        measured.seconds.push_back(std::chrono::duration<double>(time).count());
+        const double begin = processorSeconds();
+        for (int i = 0; i < a_.count; ++i) runRow(contender, inputSize, i);
+        measured.seconds.push_back(processorSeconds() - begin);
     }
 
     /// Compares the answers of the checked rows with the truth.
@@ -199,6 +193,12 @@ class Bench {
 
     std::int64_t pairs() const { return std::int64_t(a_.count) * b_.count; }
     std::size_t checked() const { return truths_.size(); }
+
+    double touchingShare() const {
+        const auto touching =
+            std::count_if(truths_.begin(), truths_.end(), [](const Truth& t) { return t.gap <= 0; });
+        return double(touching) / double(checked());
+    }
 
   private:
     void runRow(const PairContender& contender, int inputSize, int i) {
@@ -273,9 +273,8 @@ std::int64_t measure(const Choices& choices, int count, int inputSize, int repet
         if (contender.missing.empty()) {
             const auto [low, high] = std::minmax_element(of.seconds.begin(), of.seconds.end());
             rows << median(of.seconds) << ',' << *low << ',' << *high << ',' << of.seconds.size() << ','
-                 << 1e9 * median(of.seconds) / double(bench.pairs()) << ','
-                 << double(of.touching) / double(bench.pairs()) << ',' << bench.checked() << ',' << of.open
-                 << ',' << of.differing << ',';
+                 << 1e9 * median(of.seconds) / double(bench.pairs()) << ',' << bench.touchingShare() << ','
+                 << bench.checked() << ',' << of.open << ',' << of.differing << ',';
             if (choices.isDistance()) rows << of.largestError;
             rows << ',' << of.wrong;
         } else {
@@ -304,12 +303,12 @@ int run(int count, char** words) {
         choices.question = cli::oneOf(value, {"collides", "distance"});
     });
     line.option("--triangles LIST",
-                "triangles in each set; the first of them with every input size [3000,5000,10000]",
+                "triangles in each set, in calls of the last input size [3000,5000,10000]",
                 numbers(choices.triangles));
-    line.option("--input-sizes LIST",
-                "pairs in a call; all sets are tested with the last [1,2,4,8,16,128,1024]",
-                numbers(choices.inputSizes));
-    line.option("--repetitions N", "passes that count; two at most of the larger sets [3]",
+    line.option("--triangles-by-size N", "triangles in each set for all input sizes [1000]",
+                cli::integer<int>(choices.trianglesBySize, 1, 1000000));
+    line.option("--input-sizes LIST", "pairs in a call [1,2,4,8,16,128,1024]", numbers(choices.inputSizes));
+    line.option("--repetitions N", "passes that count; two at most of more than 3000 triangles [3]",
                 cli::integer<int>(choices.repetitions, 1, 1000));
     line.option("--checked N", "pairs whose answers are compared with the oracle's [30000]",
                 cli::integer<int>(choices.checkedPairs, 1, 100000000));
@@ -326,13 +325,17 @@ int run(int count, char** words) {
     std::cout << table;
     std::int64_t wrong = 0;
     runPinned(choices.cpu, [&] {
-        for (std::size_t i = 0; i < choices.triangles.size(); ++i) {
-            Bench bench(choices, choices.triangles[i]);
-            const int repetitions = i == 0 ? choices.repetitions : std::min(choices.repetitions, 2);
-            for (const int inputSize : choices.inputSizes) {
-                if (i > 0 && inputSize != choices.inputSizes.back()) continue;
-                wrong += measure(choices, choices.triangles[i], inputSize, repetitions, bench, table);
+        const auto measureSet = [&](int triangles, const std::vector<int>& inputSizes, int repetitions) {
+            Bench bench(choices, triangles);
+            for (const int size : inputSizes) {
+                wrong += measure(choices, triangles, size, repetitions, bench, table);
             }
+        };
+        measureSet(choices.trianglesBySize, choices.inputSizes, choices.repetitions);
+        for (const int triangles : choices.triangles) {
+            const int repetitions =
+                triangles <= 3000 ? choices.repetitions : std::min(choices.repetitions, 2);
+            measureSet(triangles, {choices.inputSizes.back()}, repetitions);
         }
     });
     if (!choices.out.empty()) {

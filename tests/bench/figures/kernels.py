@@ -32,7 +32,7 @@ class Kernels:
     def __init__(self, results):
         self.rows = results.rows("kernels")
         self.sizes = distinct(self.rows, "input_size")
-        self.counts = distinct(self.rows, "triangles")
+        self.by_size, *self.counts = distinct(self.rows, "triangles")
         self.names = list(dict.fromkeys(map(name_of, self.rows)))
 
     def named(self, name, question, triangles=None, input_size=None):
@@ -67,7 +67,7 @@ def input_sizes(results, question):
     kernels = Kernels(results)
     lines = []
     for name in kernels.names:
-        rows = [kernels.named(name, question, kernels.counts[0], size) for size in kernels.sizes]
+        rows = [kernels.named(name, question, kernels.by_size, size) for size in kernels.sizes]
         lines.append([name] + [shown(row["ns_a_pair"]) if row["status"] == "measured" else row["status"] for row in rows])
     ends = {"1": THESIS_ONE_BY_ONE[question], "1024": THESIS["ISPC", question]}
     lines.append(["*thesis, ISPC*"] + [f"*{shown(1e9 * ends[size] / THESIS_TRIANGLES**2)}*" if size in ends else "" for size in kernels.sizes])
@@ -146,7 +146,7 @@ def why_by_hand(kernels, question, _):
 
 
 def why_calls(kernels, question, _):
-    gains = [kernels.ns(question, key, kernels.counts[0], kernels.sizes[0]) / kernels.ns(question, key, kernels.counts[0]) for key in (SCALAR, HAND, ISPC)]
+    gains = [kernels.ns(question, key, kernels.by_size, kernels.sizes[0]) / kernels.ns(question, key, kernels.by_size) for key in (SCALAR, HAND, ISPC)]
     return (f"four lanes explain 4, the rest is what a call costs; scalar double gains {shown(gains[0])}, by hand {shown(gains[1])}")
 
 
@@ -174,7 +174,7 @@ def claims(results):
             kernels.ns(question, ISPC_AVX2) / kernels.ns(question, HAND))
         claim(title, *quotient(question, slow, fast), modern, why_by_hand(kernels, question, None))
     for question, noun in NOUNS.items():
-        first = kernels.counts[0]
+        first = kernels.by_size
         one, most = kernels.ns(question, ISPC, first, kernels.sizes[0]), kernels.ns(question, ISPC, first)
         modern = shown(kernels.ns(question, ISPC_AVX2, first, kernels.sizes[0]) / kernels.ns(question, ISPC_AVX2, first))
         claim(f"{noun} in ISPC is faster in calls of 1,024 pairs than of one", THESIS_ONE_BY_ONE[question] / THESIS["ISPC", question], one, most, modern,

@@ -115,8 +115,8 @@ def strategies(place, row):
 
 def kernels(place, row):
     sizes = {
-        "ci": ["--triangles", "24,17", "--input-sizes", "1,3,16,1024", "--repetitions", 1, "--checked", 600],
-        "quick": ["--triangles", "1000,2000", "--repetitions", 2],
+        "ci": ["--triangles", 17, "--triangles-by-size", 24, "--input-sizes", "1,3,16,1024", "--repetitions", 1, "--checked", 600],
+        "quick": ["--triangles", 2000, "--repetitions", 2],
         "full": ["--repetitions", 3],
     }
     return [[place.bench("bench_kernels"), "--question", row, *sizes[place.form], "--cpu", place.cpu, "--out", place.scratch]]
