@@ -1,6 +1,7 @@
 """The figures and tables that a document can name in its marks: the name, and the function that makes it of the results."""
 
 import answer
+import kernels
 import leaf_summary
 import motions
 import plans
@@ -52,6 +53,14 @@ FIGURES = {
     "fcl-motions": motions.with_fcl,
     "fcl-motions-times": motions.with_fcl_times,
     "fcl-first-path": motions.first_path,
+    # kernels.csv
+    "kernels-sizes": kernels.input_sizes,
+    "kernels-totals": kernels.totals,
+    "kernels-error": kernels.speed_and_error,
+    "kernels-claims": kernels.claims,
+    "kernels-times": kernels.times,
+    "kernels-touching": kernels.touching,
+    "kernels-checked": kernels.checked,
     # scenes.csv
     "scenes": scenes.scenes,
     # plan_*.csv, samplers_*.csv, anytime_clearance.csv

@@ -113,6 +113,15 @@ def strategies(place, row):
     return [[place.bench("bench_strategies"), "--scenes", row, *sizes[place.form], "--cpu", place.cpu, "--out", place.scratch]]
 
 
+def kernels(place, row):
+    sizes = {
+        "ci": ["--triangles", 17, "--triangles-by-size", 24, "--input-sizes", "1,3,16,1024", "--repetitions", 1, "--checked", 600],
+        "quick": ["--triangles", 2000, "--repetitions", 2],
+        "full": ["--repetitions", 3],
+    }
+    return [[place.bench("bench_kernels"), "--question", row, *sizes[place.form], "--cpu", place.cpu, "--out", place.scratch]]
+
+
 # The planner studies.
 OWN_PROBLEMS = ("gates", "peg-in-hole", "window", "bracket", "tunnel-console-small", "puzzle", "apartment", "tunnel-console-3-2mm")
 OMPLAPP = ("Easy", "Apartment", "alpha-1.5", "Abstract", "Twistycool", "cubicles", "spirelli", "Home", "bugtrap", "alpha-1.2", "Twistycooler",
@@ -190,6 +199,10 @@ PARTS = (
     Part("strategies", "splits of trees beside the default, a row a scene", rows=SCENES, quick_rows=("N", "F"), ci_rows=("N",),
          programs=("bench_strategies",), commands=strategies, group=("scene",), keys=("scene", "question", "strategy"),
          shown=("over_default", "us_mean", "build_seconds")),
+    Part("kernels", "kernels of pairs of triangles, as in the thesis's tables 1 to 4", rows=("collides", "distance"),
+         quick_rows=("collides", "distance"), ci_rows=("collides", "distance"), programs=("bench_kernels",), commands=kernels,
+         group=("question",), keys=("question", "test", "contender", "instruction_set", "triangles", "input_size"),
+         shown=("seconds", "largest_error")),
     Part("torture", "hard pairs and poses against exact arithmetic", rows=("all",), ci_rows=("all",), programs=("torture",), commands=torture,
          group=(), keys=("group", "family", "figure"), shown=("value",), is_shown=lambda row: row["figure"] in ("violations", "false valid")),
     Part("fcl_first_path", "a first path that is free, by steps with FCL and certified", rows=("tunnel-console-3",),
