@@ -1,6 +1,7 @@
 #include "bench/clearway_series.h"
 
 #include <memory>
+#include <numeric>
 #include <utility>
 
 #include "clearway/batch.h"
@@ -151,6 +152,12 @@ void addOurs(std::vector<Series>& all, const TreePair& trees, const TreePair& fa
     all.push_back(distanceBatchSeries(trees));
 }
 
+std::vector<std::size_t> inOrder(std::size_t count) {
+    std::vector<std::size_t> order(count);
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    return order;
+}
+
 bool areCompared(const Series& a, const Series& b) {
     if (!a.isClearway) return false;
     if (b.isClearway) {  // a batch beside one thread, the default trees beside the fast ones
@@ -172,10 +179,9 @@ std::vector<Series> allSeries(const BenchTask& task, const TreePair& trees, cons
     std::vector<Series> all;
     addOurs(all, trees, fastTrees, task.partSize(), options);
     for (const Peer& peer : peers) addOfPeer(all, peer, task.partSize());
-    std::vector<std::size_t> inOrder;
-    for (std::size_t i = 0; i < task.poses.size(); ++i) inOrder.push_back(i);
+    const std::size_t count = task.poses.size();
     for (Series& series : all) {
-        series.order = series.asked == kShuffled ? shuffledOrder(task.poses.size(), options.seed) : inOrder;
+        series.order = series.asked == kShuffled ? shuffledOrder(count, options.seed) : inOrder(count);
     }
     return all;
 }
@@ -186,8 +192,16 @@ std::vector<Series> seriesOfTrees(const BenchTask& task, const TreePair& trees, 
                                withinSeries(trees, withinName(share), share * task.partSize())};
     for (Series& series : all) {
         series.engine = engine;
-        for (std::size_t i = 0; i < task.poses.size(); ++i) series.order.push_back(i);
+        series.order = inOrder(task.poses.size());
     }
+    return all;
+}
+
+std::vector<Series> distanceSeries(const BenchTask& task, const TreePair& trees,
+                                   const std::vector<Peer>& peers) {
+    std::vector<Series> all = {distanceSeries(kDistance, "clearway", trees)};
+    for (const Peer& peer : peers) all.push_back(theirs(peer, kDistance, peer.distance));
+    for (Series& series : all) series.order = inOrder(task.poses.size());
     return all;
 }
 
