@@ -1,7 +1,6 @@
 #include "bench/clearway_series.h"
 
 #include <memory>
-#include <numeric>
 #include <utility>
 
 #include "clearway/batch.h"
@@ -150,12 +149,6 @@ void addOurs(std::vector<Series>& all, const TreePair& trees, const TreePair& fa
         all.push_back(withinBatchSeries(trees, withinName(share), share * partSize));
     }
     all.push_back(distanceBatchSeries(trees));
-}
-
-std::vector<std::size_t> inOrder(std::size_t count) {
-    std::vector<std::size_t> order(count);
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    return order;
 }
 
 bool areCompared(const Series& a, const Series& b) {

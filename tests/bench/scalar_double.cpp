@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <stdexcept>
 #include <vector>
 
 #include "query/pair_query.h"
@@ -14,7 +13,6 @@
 namespace clearway::testing {
 namespace {
 
-constexpr int kWidth = 8;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// A share of |t| plus both radii. A rotation's defect of 1e-12, and its transpose used as its inverse, move
@@ -33,9 +31,8 @@ struct Volume {
     double half0, half1, radius;
 };
 
-using Node = WideNode<kWidth>;
-
-Volume volumeOf(const Node& node, int lane, double toQuery) {
+template <int kWidth>
+Volume volumeOf(const WideNode<kWidth>& node, int lane, double toQuery) {
     const auto row = [&](const float(&rows)[3][kWidth]) {
         return Vector3(rows[0][lane], rows[1][lane], rows[2][lane]);
     };
@@ -67,24 +64,91 @@ double reachAlong(const Vector3& v, const Volume& rectangle) {
            std::abs(v.dot(rectangle.axis1)) * rectangle.half1;
 }
 
+/// The gap between two rectangles along v: a lower bound of their distance for any v, except for rounding.
+double gapAlong(const Vector3& v, const Volume& a, const Volume& b) {
+    const double length = v.norm();
+    if (!(length > 0)) return -kInfinity;
+    return (std::abs(v.dot(b.centre - a.centre)) - reachAlong(v, a) - reachAlong(v, b)) / length;
+}
+
 /// A lower bound of the two volumes' distance, except for rounding: the support gaps along the differences
 /// that alternating projections between the rectangles pass through. Stops at the first gap that is enough.
-double volumeGap(const Volume& a, const Volume& b, double enough) {
+double cheapGap(const Volume& a, const Volume& b, double enough) {
     const double radii = a.radius + b.radius;
-    const Vector3 between = b.centre - a.centre;
     double best = -kInfinity;
     Vector3 onA = a.centre;
     for (int i = 0; i < kMostProjections; ++i) {
         const Vector3 onB = nearOn(b, onA);
         onA = nearOn(a, onB);
         const Vector3 v = onB - onA;
-        const double length = v.norm();
-        if (!(length > 0)) break;
-        const double gap = (std::abs(v.dot(between)) - reachAlong(v, a) - reachAlong(v, b)) / length;
+        const double gap = gapAlong(v, a, b);
         best = std::max(best, gap);
-        if (best - radii >= enough || best >= 0.99 * length) break;  // enough, or nearly the distance
+        if (best - radii >= enough || best >= 0.99 * v.norm()) break;  // enough, or nearly the distance
     }
     return best - radii;
+}
+
+struct Segment {
+    Vector3 middle, direction;
+    double half;
+};
+
+std::array<Segment, 4> edgesOf(const Volume& rectangle) {
+    const Vector3 side0 = rectangle.half0 * rectangle.axis0, side1 = rectangle.half1 * rectangle.axis1;
+    return {{{rectangle.centre - side1, rectangle.axis0, rectangle.half0},
+             {rectangle.centre + side1, rectangle.axis0, rectangle.half0},
+             {rectangle.centre - side0, rectangle.axis1, rectangle.half1},
+             {rectangle.centre + side0, rectangle.axis1, rectangle.half1}}};
+}
+
+/// The difference of the closest points of two segments.
+Vector3 between(const Segment& a, const Segment& b) {
+    const auto clamped = [](double x, double half) { return std::min(std::max(x, -half), half); };
+    const Vector3 w = b.middle - a.middle;
+    const double cosine = a.direction.dot(b.direction), wa = w.dot(a.direction), wb = w.dot(b.direction);
+    const double sineSquared = 1 - cosine * cosine;
+    double s = sineSquared > 1e-12 ? clamped((wa - cosine * wb) / sineSquared, a.half) : 0;
+    const double t = clamped(s * cosine - wb, b.half);
+    s = clamped(t * cosine + wa, a.half);
+    return w + t * b.direction - s * a.direction;
+}
+
+/// The two volumes' distance, except for rounding: the support gap along the shortest difference over all pairs of edges
+/// and all corners with the other face. Stops before that when a gap along an axis of either rectangle is enough.
+double exactGap(const Volume& a, const Volume& b, double enough) {
+    const double radii = a.radius + b.radius;
+    double best = -kInfinity;
+    for (const Volume* rectangle : {&a, &b}) {
+        for (const Vector3& axis :
+             {rectangle->axis0, rectangle->axis1, Vector3(rectangle->axis0.cross(rectangle->axis1))}) {
+            best = std::max(best, gapAlong(axis, a, b));
+            if (best - radii >= enough) return best - radii;
+        }
+    }
+    Vector3 shortest = b.centre - a.centre;
+    const auto take = [&](const Vector3& v) {
+        if (v.squaredNorm() < shortest.squaredNorm()) shortest = v;
+    };
+    for (const Segment& ofA : edgesOf(a)) {
+        for (const Segment& ofB : edgesOf(b)) take(between(ofA, ofB));
+        for (const double end : {-ofA.half, ofA.half}) {
+            const Vector3 corner = ofA.middle + end * ofA.direction;
+            take(nearOn(b, corner) - corner);
+        }
+    }
+    for (const Segment& ofB : edgesOf(b)) {
+        for (const double end : {-ofB.half, ofB.half}) {
+            const Vector3 corner = ofB.middle + end * ofB.direction;
+            take(corner - nearOn(a, corner));
+        }
+    }
+    return std::max(best, gapAlong(shortest, a, b)) - radii;
+}
+
+/// The bound that the library, too, takes between volumes of trees of this width.
+template <int kWidth>
+double volumeGap(const Volume& a, const Volume& b, double enough) {
+    return kWidth == 2 ? exactGap(a, b, enough) : cheapGap(a, b, enough);
 }
 
 /// Two volumes, numbered node * kWidth + lane, and a proved bound of their distance.
@@ -130,9 +194,11 @@ struct Placed {
         margin = kVolumeMargin * reach + query.offsetSlack;
     }
 
+    template <int kWidth>
     Volume partVolume(VolumeReference at) const {
         return volumeOf(query.part->nodes<kWidth>()[at / kWidth], int(at % kWidth), query.partLeafToQuery);
     }
+    template <int kWidth>
     Volume environmentVolume(VolumeReference at) const {
         return volumeOf(query.environment->nodes<kWidth>()[at / kWidth], int(at % kWidth),
                         query.environmentLeafToQuery);
@@ -144,7 +210,10 @@ struct Placed {
     }
 };
 
+template <int kWidth>
 class Search {
+    using Node = WideNode<kWidth>;
+
   public:
     Search(const FlatTree& part, const FlatTree& environment, const Pose& pose, std::vector<Entry>& stack)
         : part_(part), environment_(environment), placed_(part, environment, pose), stack_(stack) {}
@@ -165,8 +234,8 @@ class Search {
             const Entry entry = stack_.back();
             stack_.pop_back();
             if (entry.bound >= nearest_.upper) continue;
-            const Node& a = part_.nodes<kWidth>()[entry.part / kWidth];
-            const Node& b = environment_.nodes<kWidth>()[entry.environment / kWidth];
+            const Node& a = part_.template nodes<kWidth>()[entry.part / kWidth];
+            const Node& b = environment_.template nodes<kWidth>()[entry.environment / kWidth];
             const int laneA = int(entry.part % kWidth), laneB = int(entry.environment % kWidth);
             if (a.child[laneA] < 0 && b.child[laneB] < 0) {
                 meet(part_.leaf(LeafReference(~a.child[laneA])),
@@ -200,14 +269,14 @@ class Search {
 
   private:
     void openPart(const Entry& entry, std::int32_t opened) {
-        const Volume other = placed_.toPart(placed_.environmentVolume(entry.environment));
+        const Volume other = placed_.toPart(placed_.template environmentVolume<kWidth>(entry.environment));
         push(part_, opened, other, placed_.query.partLeafToQuery, [&](double bound, VolumeReference child) {
             return Entry{bound, child, entry.environment};
         });
     }
 
     void openEnvironment(const Entry& entry, std::int32_t opened) {
-        const Volume other = placed_.toEnvironment(placed_.partVolume(entry.part));
+        const Volume other = placed_.toEnvironment(placed_.template partVolume<kWidth>(entry.part));
         push(environment_, opened, other, placed_.query.environmentLeafToQuery,
              [&](double bound, VolumeReference child) {
                  return Entry{bound, entry.part, child};
@@ -218,13 +287,14 @@ class Search {
     template <class MakeEntry>
     void push(const FlatTree& tree, std::int32_t opened, const Volume& other, double toQuery,
               const MakeEntry& makeEntry) {
-        const Node& node = tree.nodes<kWidth>()[opened];
+        const Node& node = tree.template nodes<kWidth>()[opened];
         const std::size_t base = stack_.size();
         ++counters_.nodeVisits;
         for (int lane = 0; lane < kWidth && node.child[lane] != kNoChild; ++lane) {
             ++counters_.volumeTests;
             const double enough = nearest_.upper + placed_.margin;
-            const double bound = volumeGap(volumeOf(node, lane, toQuery), other, enough) - placed_.margin;
+            const double bound =
+                volumeGap<kWidth>(volumeOf(node, lane, toQuery), other, enough) - placed_.margin;
             if (bound >= nearest_.upper) continue;
             stack_.push_back(makeEntry(bound, VolumeReference(opened * kWidth + lane)));
         }
@@ -275,13 +345,7 @@ struct ScalarDouble::Data {
 };
 
 ScalarDouble::ScalarDouble(const Model& part, const Model& environment)
-    : data_(new Data{part, environment, {}, {}}) {
-    for (const Model* model : {&part, &environment}) {
-        if (model->tree().nodeWidth == kWidth) continue;
-        throw std::invalid_argument("nodeWidth is " + std::to_string(model->tree().nodeWidth) +
-                                    ", expected 8");
-    }
-}
+    : data_(new Data{part, environment, {}, {}}) {}
 
 ScalarDouble::~ScalarDouble() = default;
 
@@ -290,18 +354,22 @@ void ScalarDouble::forgetWarmStart() {
 }
 
 Answer ScalarDouble::distance(const Pose& X_environmentPart) {
-    Search search(data_->part.tree(), data_->environment.tree(), X_environmentPart, data_->stack);
-    if (data_->warmStart) search.resolve(*data_->warmStart);
-    search.run();
-    data_->warmStart = search.triangles();
-    return search.answer();
+    return withNodeWidth(data_->part.tree().nodeWidth, [&](auto width) {
+        Search<width> search(data_->part.tree(), data_->environment.tree(), X_environmentPart, data_->stack);
+        if (data_->warmStart) search.resolve(*data_->warmStart);
+        search.run();
+        data_->warmStart = search.triangles();
+        return search.answer();
+    });
 }
 
 Answer ScalarDouble::rootBound(const Pose& X_environmentPart) const {
     const Placed placed(data_->part.tree(), data_->environment.tree(), X_environmentPart);
-    const double bound =
-        volumeGap(placed.toEnvironment(placed.partVolume(0)), placed.environmentVolume(0), kInfinity) -
-        placed.margin;
+    const double bound = withNodeWidth(data_->part.tree().nodeWidth, [&](auto width) {
+        return volumeGap<width>(placed.toEnvironment(placed.template partVolume<width>(0)),
+                                placed.template environmentVolume<width>(0), kInfinity) -
+               placed.margin;
+    });
     Answer answer;
     answer.lower = answer.value = std::max(0.0, bound) / placed.query.perMeshUnit;
     answer.upper = kInfinity;

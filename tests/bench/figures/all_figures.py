@@ -1,6 +1,7 @@
 """The figures and tables that a document can name in its marks: the name, and the function that makes it of the results."""
 
 import answer
+import growth
 import leaf_summary
 import motions
 import plans
@@ -28,6 +29,11 @@ FIGURES = {
     "queries-fewer-volumes": queries.fewer_volumes,
     "builds": queries.builds,
     "strategies": queries.strategies,
+    # growth.csv
+    "growth": growth.growth,
+    "growth-slopes": growth.slopes,
+    "growth-rings": growth.rings,
+    "growth-rings-ms": growth.rings_ms,
     # speed_error.csv, torture.csv, fcl_continuous.csv
     "verdicts": truth.verdicts,
     "verdicts-asked": truth.asked,

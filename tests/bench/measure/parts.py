@@ -130,6 +130,12 @@ def growth(place, row):
              "--out", place.scratch]]
 
 
+def ladder(place, row):
+    sizes = {"ci": ["--pose-count", 10, "--repetitions", 1, "--peer-budget", 0.3], "quick": ["--pose-count", 100, "--repetitions", 2, "--peer-budget", 2],
+             "full": ["--pose-count", 400, "--repetitions", 5, "--peer-budget", 10]}
+    return [[place.bench("bench_ladder"), "--scenes", row, *sizes[place.form], "--cpu", place.cpu, "--out", place.scratch]]
+
+
 # The planner studies.
 OWN_PROBLEMS = ("gates", "peg-in-hole", "window", "bracket", "tunnel-console-small", "puzzle", "apartment", "tunnel-console-3-2mm")
 OMPLAPP = ("Easy", "Apartment", "alpha-1.5", "Abstract", "Twistycool", "cubicles", "spirelli", "Home", "bugtrap", "alpha-1.2", "Twistycooler",
@@ -192,6 +198,8 @@ PARTS = (
          ci_rows=("environment 1k", "part 1k", "rings"), programs=("bench_growth",), commands=growth,
          group=("scene", "part_triangles", "environment_triangles"), keys=("part_triangles", "environment_triangles", "engine"),
          shown=("us_median", "us_motion_median", "build_seconds", "bytes_per_triangle")),
+    Part("ladder", "from the thesis's engine to clearway's, step by step", rows=("K", "I"), ci_rows=("N",), programs=("bench_ladder",),
+         commands=ladder, group=("scene",), keys=("scene", "step"), shown=("us_mean", "volume_tests", "triangle_tests")),
     Part("scenes", "the demo scenes, and a distance at their poses", rows=tuple(scene_rows.ROWS), quick_rows=("puzzle-2",), ci_rows=("boxes-1",),
          programs=("clearway_program",), commands=scene_rows.commands, table=scene_rows.table, group=("scene", "clearance_asked"),
          keys=("scene", "clearance_asked"), shown=("us_mean", "volume_tests", "clearance_certified")),
