@@ -2,6 +2,7 @@
 
 import answer
 import growth
+import ladder
 import leaf_summary
 import motions
 import plans
@@ -34,6 +35,10 @@ FIGURES = {
     "growth-slopes": growth.slopes,
     "growth-rings": growth.rings,
     "growth-rings-ms": growth.rings_ms,
+    # ladder.csv
+    "ladder": ladder.ladder,
+    "ladder-motions": ladder.motions,
+    "ladder-total": ladder.total,
     # speed_error.csv, torture.csv, fcl_continuous.csv
     "verdicts": truth.verdicts,
     "verdicts-asked": truth.asked,
