@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <iomanip>
 #include <iostream>
 #include <sstream>
 
@@ -145,26 +146,28 @@ constexpr const char* kHeader =
 
 std::string textOf(const BenchTask& task, const Row& row, const Motions* motions) {
     std::ostringstream out;
-    out << task.name << ',' << task.sceneName << ',' << task.part.triangles.size() << ','
-        << task.environment.triangles.size() << ',' << row.engine << ',' << shortNumber(row.buildSeconds)
-        << ',' << shortNumber(row.bytesPerTriangle) << ',' << task.poses.size() << ',';
+    out << std::setprecision(6) << task.name << ',' << task.sceneName << ',' << task.part.triangles.size()
+        << ',' << task.environment.triangles.size() << ',' << row.engine << ',' << row.buildSeconds << ','
+        << row.bytesPerTriangle << ',' << task.poses.size() << ',';
     if (row.series) {
         QueryCounters work;
         for (const Answer& answer : row.series->answers) work += answer.counters;
-        const auto each = [&](std::uint64_t count) {
-            return count > 0 ? shortNumber(double(count) / double(task.poses.size())) : std::string();
+        const auto each = [&](std::uint64_t count) {  // peers do not count all
+            std::ostringstream number;
+            if (count > 0) number << std::setprecision(6) << double(count) / double(task.poses.size());
+            return number.str();
         };
         const std::vector<double> times = row.series->medians();
-        out << row.series->nanoseconds.size() << ',' << shortNumber(median(times) / 1000) << ','
-            << shortNumber(mean(times) / 1000) << ',' << each(work.nodeVisits) << ','
-            << each(work.volumeTests) << ',' << each(work.triangleTests) << ',';
+        out << row.series->nanoseconds.size() << ',' << median(times) / 1000 << ',' << mean(times) / 1000
+            << ',' << each(work.nodeVisits) << ',' << each(work.volumeTests) << ','
+            << each(work.triangleTests) << ',';
     } else {
         out << "0,,,,,,";
     }
     if (motions) {
         out << motions->count() << ',' << motions->count(SweepVerdict::kCertified) << ','
-            << motions->count(SweepVerdict::kContact) << ',' << shortNumber(motions->median()) << ','
-            << shortNumber(motions->mean()) << ',';
+            << motions->count(SweepVerdict::kContact) << ',' << motions->median() << ',' << motions->mean()
+            << ',';
     } else {
         out << ",,,,,";
     }

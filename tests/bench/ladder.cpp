@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <iomanip>
 #include <iostream>
 #include <memory>
 #include <sstream>
@@ -17,7 +18,6 @@
 #include "bench/scalar_double.h"
 #include "bench/task_options.h"
 #include "clearway/sweep.h"
-#include "core/number.h"
 #include "core/replace_file.h"
 
 namespace clearway::testing {
@@ -55,8 +55,7 @@ BuildOptions trees(const char* split, const char* fit, int leafSize, int nodeWid
 
 const std::vector<Step>& steps() {
     static const std::vector<Step> kSteps = {
-        {"the thesis's tree, in scalar double", Engine::kScalarDouble, false,
-         trees("axis", "covariance", 1, 2)},
+        {"thesis's tree", Engine::kScalarDouble, false, trees("axis", "covariance", 1, 2)},
         {"builder", Engine::kScalarDouble, false, trees("sah", "covariance", 1, 2)},
         {"fit", Engine::kScalarDouble, false, trees("sah", "frames", 1, 2)},
         {"leaves of four", Engine::kScalarDouble, false, trees("sah", "frames", 4, 2)},
@@ -245,12 +244,13 @@ class MotionChecks {
 
 std::string textOf(const BenchTask& task, const Row& row) {
     std::ostringstream out;
-    const auto each = [&](std::uint64_t count) { return shortNumber(double(count) / double(row.count)); };
+    out << std::setprecision(6);
+    const auto each = [&](std::uint64_t count) { return double(count) / double(row.count); };
     out << task.name << ',' << task.sceneName << ',' << task.part.triangles.size() << ','
         << task.environment.triangles.size() << ',' << row.step << ',' << row.asked << ',' << row.count << ','
-        << row.repetitions << ',' << shortNumber(row.median) << ',' << shortNumber(row.mean) << ','
-        << each(row.work.volumeTests) << ',' << each(row.work.triangleTests) << ',';
-    if (row.asked == "pose") out << shortNumber(row.worstError);
+        << row.repetitions << ',' << row.median << ',' << row.mean << ',' << each(row.work.volumeTests) << ','
+        << each(row.work.triangleTests) << ',';
+    if (row.asked == "pose") out << row.worstError;
     out << ',' << row.wrong << ',' << row.missed << '\n';
     return out.str();
 }

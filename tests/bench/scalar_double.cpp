@@ -71,78 +71,93 @@ double gapAlong(const Vector3& v, const Volume& a, const Volume& b) {
     return (std::abs(v.dot(b.centre - a.centre)) - reachAlong(v, a) - reachAlong(v, b)) / length;
 }
 
-/// A lower bound of the two volumes' distance, except for rounding: the support gaps along the differences
-/// that alternating projections between the rectangles pass through. Stops at the first gap that is enough.
-double cheapGap(const Volume& a, const Volume& b, double enough) {
-    const double radii = a.radius + b.radius;
-    double best = -kInfinity;
+/// The largest support gap along the differences that alternating projections between two rectangles pass through.
+struct ProjectedGap {
+    double gap = -kInfinity;
+    bool isEnough =
+        false;  ///< as large as was asked for, or the given share of a difference: nearly the distance
+};
+
+ProjectedGap projectedGap(const Volume& a, const Volume& b, double enough, double share) {
+    ProjectedGap found;
     Vector3 onA = a.centre;
-    for (int i = 0; i < kMostProjections; ++i) {
+    for (int i = 0; i < kMostProjections && !found.isEnough; ++i) {
         const Vector3 onB = nearOn(b, onA);
         onA = nearOn(a, onB);
         const Vector3 v = onB - onA;
-        const double gap = gapAlong(v, a, b);
-        best = std::max(best, gap);
-        if (best - radii >= enough || best >= 0.99 * v.norm()) break;  // enough, or nearly the distance
+        found.gap = std::max(found.gap, gapAlong(v, a, b));
+        found.isEnough = found.gap >= enough || found.gap >= share * v.norm();
     }
-    return best - radii;
+    return found;
 }
 
-struct Segment {
-    Vector3 middle, direction;
-    double half;
-};
-
-std::array<Segment, 4> edgesOf(const Volume& rectangle) {
-    const Vector3 side0 = rectangle.half0 * rectangle.axis0, side1 = rectangle.half1 * rectangle.axis1;
-    return {{{rectangle.centre - side1, rectangle.axis0, rectangle.half0},
-             {rectangle.centre + side1, rectangle.axis0, rectangle.half0},
-             {rectangle.centre - side0, rectangle.axis1, rectangle.half1},
-             {rectangle.centre + side0, rectangle.axis1, rectangle.half1}}};
+/// A lower bound of the two volumes' distance, except for rounding.
+double cheapGap(const Volume& a, const Volume& b, double enough) {
+    const double radii = a.radius + b.radius;
+    return projectedGap(a, b, enough + radii, 0.99).gap - radii;
 }
 
-/// The difference of the closest points of two segments.
-Vector3 between(const Segment& a, const Segment& b) {
+/// The shortest difference over all pairs of edges of two rectangles, and all corners with the other face.
+Vector3 shortestDifference(const Volume& a, const Volume& b) {
+    Matrix3 axes;
+    axes << a.axis0, a.axis1, a.axis0.cross(a.axis1);
+    const Matrix3 toA =
+        axes.transpose();  // nearly: the axes are orthonormal to float, and any difference gives a true bound
+    const Vector3 centre = toA * (b.centre - a.centre), sides[2] = {toA * b.axis0, toA * b.axis1};
+    const double halvesA[2] = {a.half0, a.half1}, halvesB[2] = {b.half0, b.half1};
     const auto clamped = [](double x, double half) { return std::min(std::max(x, -half), half); };
-    const Vector3 w = b.middle - a.middle;
-    const double cosine = a.direction.dot(b.direction), wa = w.dot(a.direction), wb = w.dot(b.direction);
-    const double sineSquared = 1 - cosine * cosine;
-    double s = sineSquared > 1e-12 ? clamped((wa - cosine * wb) / sineSquared, a.half) : 0;
-    const double t = clamped(s * cosine - wb, b.half);
-    s = clamped(t * cosine + wa, a.half);
-    return w + t * b.direction - s * a.direction;
+    Vector3 shortest = centre;
+    double leastSquared = centre.squaredNorm();
+    const auto take = [&](const Vector3& v) {
+        const double squared = v.squaredNorm();
+        if (squared >= leastSquared) return;
+        leastSquared = squared;
+        shortest = v;
+    };
+    for (int own = 0; own < 2; ++own) {
+        const int other = 1 - own;
+        for (int along = 0; along < 2; ++along) {
+            const Vector3 &direction = sides[along], &across = sides[1 - along];
+            const double cosine = direction[own], sineSquared = 1 - cosine * cosine;
+            const double inverse = sineSquared > 1e-12 ? 1 / sineSquared : 0;
+            for (const double signB : {-1.0, 1.0}) {
+                const Vector3 middle = centre + signB * halvesB[1 - along] * across;
+                for (const double signA : {-1.0, 1.0}) {
+                    // Either edge must reach beyond the other one, as seen from that one's rectangle: else a face is nearer.
+                    const double beyondA =
+                        signA * middle[other] + std::abs(direction[other]) * halvesB[along];
+                    if (beyondA < halvesA[other]) continue;
+                    Vector3 w = middle;
+                    w[other] -= signA * halvesA[other];
+                    if (std::abs(across[own]) * halvesA[own] < signB * w.dot(across)) continue;
+                    const double onB = w.dot(direction);
+                    const double first = clamped((w[own] - cosine * onB) * inverse, halvesA[own]);
+                    const double t = clamped(first * cosine - onB, halvesB[along]);
+                    w[own] -= clamped(t * cosine + w[own], halvesA[own]);
+                    take(w + t * direction);
+                }
+            }
+        }
+    }
+    for (const double sign0 : {-1.0, 1.0}) {
+        for (const double sign1 : {-1.0, 1.0}) {
+            const Vector3 cornerB = centre + sign0 * b.half0 * sides[0] + sign1 * b.half1 * sides[1];
+            take({cornerB[0] - clamped(cornerB[0], a.half0), cornerB[1] - clamped(cornerB[1], a.half1),
+                  cornerB[2]});
+            const Vector3 fromB = Vector3(sign0 * a.half0, sign1 * a.half1, 0) - centre;
+            take(clamped(fromB.dot(sides[0]), b.half0) * sides[0] +
+                 clamped(fromB.dot(sides[1]), b.half1) * sides[1] - fromB);
+        }
+    }
+    return axes * shortest;
 }
 
-/// The two volumes' distance, except for rounding: the support gap along the shortest difference over all pairs of edges
-/// and all corners with the other face. Stops before that when a gap along an axis of either rectangle is enough.
+/// The two volumes' distance, except for rounding, or a lower bound of it that is enough.
 double exactGap(const Volume& a, const Volume& b, double enough) {
     const double radii = a.radius + b.radius;
-    double best = -kInfinity;
-    for (const Volume* rectangle : {&a, &b}) {
-        for (const Vector3& axis :
-             {rectangle->axis0, rectangle->axis1, Vector3(rectangle->axis0.cross(rectangle->axis1))}) {
-            best = std::max(best, gapAlong(axis, a, b));
-            if (best - radii >= enough) return best - radii;
-        }
-    }
-    Vector3 shortest = b.centre - a.centre;
-    const auto take = [&](const Vector3& v) {
-        if (v.squaredNorm() < shortest.squaredNorm()) shortest = v;
-    };
-    for (const Segment& ofA : edgesOf(a)) {
-        for (const Segment& ofB : edgesOf(b)) take(between(ofA, ofB));
-        for (const double end : {-ofA.half, ofA.half}) {
-            const Vector3 corner = ofA.middle + end * ofA.direction;
-            take(nearOn(b, corner) - corner);
-        }
-    }
-    for (const Segment& ofB : edgesOf(b)) {
-        for (const double end : {-ofB.half, ofB.half}) {
-            const Vector3 corner = ofB.middle + end * ofB.direction;
-            take(corner - nearOn(a, corner));
-        }
-    }
-    return std::max(best, gapAlong(shortest, a, b)) - radii;
+    const ProjectedGap projected = projectedGap(a, b, enough + radii, 1 - 1e-9);
+    if (projected.isEnough) return projected.gap - radii;
+    return std::max(projected.gap, gapAlong(shortestDifference(a, b), a, b)) - radii;
 }
 
 /// The bound that the library, too, takes between volumes of trees of this width.

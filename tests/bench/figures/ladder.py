@@ -6,7 +6,7 @@ from truth import in_short
 
 # What a step changes.
 STEPS = {
-    "the thesis's tree, in scalar double": "AxisSplit, volumes in the one frame of the corners' covariance, leaves of one triangle, nodes of two children "
+    "thesis's tree": "AxisSplit, volumes in the one frame of the corners' covariance, leaves of one triangle, nodes of two children "
                                            "with the exact distance of rectangles; searched in scalar double, cold",
     "builder": "the surface-area split",
     "fit": "the least volume of several frames",
@@ -82,5 +82,5 @@ def total(results):
     def us(rows, step):
         return float(matching(rows, step=step)[0]["us_mean"])
 
-    of = [us(rows, "the thesis's tree, in scalar double") / us(rows, "warm start") for _, rows in scenes(results)]
+    of = [us(rows, "thesis's tree") / us(rows, "warm start") for _, rows in scenes(results)]
     return f"{shown(min(of))} to {shown(max(of))}"
