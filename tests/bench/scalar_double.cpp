@@ -108,11 +108,15 @@ Vector3 shortestDifference(const Volume& a, const Volume& b) {
     const auto clamped = [](double x, double half) { return std::min(std::max(x, -half), half); };
     Vector3 shortest = centre;
     double leastSquared = centre.squaredNorm();
-    const auto take = [&](const Vector3& v) {
+    // Takes a difference, and says whether it is the shortest of all: then the support gap along it is its length.
+    const auto isShortest = [&](const Vector3& v) {
         const double squared = v.squaredNorm();
-        if (squared >= leastSquared) return;
+        if (squared >= leastSquared) return false;
         leastSquared = squared;
         shortest = v;
+        const double reach = std::abs(v[0]) * a.half0 + std::abs(v[1]) * a.half1 +
+                             std::abs(v.dot(sides[0])) * b.half0 + std::abs(v.dot(sides[1])) * b.half1;
+        return std::abs(v.dot(centre)) - reach >= (1 - 1e-9) * squared;
     };
     for (int own = 0; own < 2; ++own) {
         const int other = 1 - own;
@@ -134,7 +138,7 @@ Vector3 shortestDifference(const Volume& a, const Volume& b) {
                     const double first = clamped((w[own] - cosine * onB) * inverse, halvesA[own]);
                     const double t = clamped(first * cosine - onB, halvesB[along]);
                     w[own] -= clamped(t * cosine + w[own], halvesA[own]);
-                    take(w + t * direction);
+                    if (isShortest(w + t * direction)) return axes * shortest;
                 }
             }
         }
@@ -142,11 +146,13 @@ Vector3 shortestDifference(const Volume& a, const Volume& b) {
     for (const double sign0 : {-1.0, 1.0}) {
         for (const double sign1 : {-1.0, 1.0}) {
             const Vector3 cornerB = centre + sign0 * b.half0 * sides[0] + sign1 * b.half1 * sides[1];
-            take({cornerB[0] - clamped(cornerB[0], a.half0), cornerB[1] - clamped(cornerB[1], a.half1),
-                  cornerB[2]});
+            if (isShortest({cornerB[0] - clamped(cornerB[0], a.half0),
+                            cornerB[1] - clamped(cornerB[1], a.half1), cornerB[2]}))
+                return axes * shortest;
             const Vector3 fromB = Vector3(sign0 * a.half0, sign1 * a.half1, 0) - centre;
-            take(clamped(fromB.dot(sides[0]), b.half0) * sides[0] +
-                 clamped(fromB.dot(sides[1]), b.half1) * sides[1] - fromB);
+            if (isShortest(clamped(fromB.dot(sides[0]), b.half0) * sides[0] +
+                           clamped(fromB.dot(sides[1]), b.half1) * sides[1] - fromB))
+                return axes * shortest;
         }
     }
     return axes * shortest;
