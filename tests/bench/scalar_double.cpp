@@ -74,11 +74,12 @@ double gapAlong(const Vector3& v, const Volume& a, const Volume& b) {
 /// The largest support gap along the differences that alternating projections between two rectangles pass through.
 struct ProjectedGap {
     double gap = -kInfinity;
-    bool isEnough =
-        false;  ///< as large as was asked for, or the given share of a difference: nearly the distance
+    /// It is large enough, or nearly the length of a difference, or a difference is short enough.
+    bool isEnough = false;
 };
 
-ProjectedGap projectedGap(const Volume& a, const Volume& b, double enough, double share) {
+/// enough: for the gap. share: of a difference, for the gap. shortEnough: for a difference.
+ProjectedGap projectedGap(const Volume& a, const Volume& b, double enough, double share, double shortEnough) {
     ProjectedGap found;
     Vector3 onA = a.centre;
     for (int i = 0; i < kMostProjections && !found.isEnough; ++i) {
@@ -86,7 +87,8 @@ ProjectedGap projectedGap(const Volume& a, const Volume& b, double enough, doubl
         onA = nearOn(a, onB);
         const Vector3 v = onB - onA;
         found.gap = std::max(found.gap, gapAlong(v, a, b));
-        found.isEnough = found.gap >= enough || found.gap >= share * v.norm();
+        const double length = v.norm();
+        found.isEnough = found.gap >= enough || found.gap >= share * length || length < shortEnough;
     }
     return found;
 }
@@ -94,7 +96,7 @@ ProjectedGap projectedGap(const Volume& a, const Volume& b, double enough, doubl
 /// A lower bound of the two volumes' distance, except for rounding.
 double cheapGap(const Volume& a, const Volume& b, double enough) {
     const double radii = a.radius + b.radius;
-    return projectedGap(a, b, enough + radii, 0.99).gap - radii;
+    return projectedGap(a, b, enough + radii, 0.99, 0).gap - radii;
 }
 
 /// The shortest difference over all pairs of edges of two rectangles, and all corners with the other face.
@@ -158,10 +160,10 @@ Vector3 shortestDifference(const Volume& a, const Volume& b) {
     return axes * shortest;
 }
 
-/// The two volumes' distance, except for rounding, or a lower bound of it that is enough.
+/// The two volumes' distance, except for rounding, or a lower bound of it that is enough; 0 or less where they overlap.
 double exactGap(const Volume& a, const Volume& b, double enough) {
     const double radii = a.radius + b.radius;
-    const ProjectedGap projected = projectedGap(a, b, enough + radii, 1 - 1e-9);
+    const ProjectedGap projected = projectedGap(a, b, enough + radii, 1 - 1e-9, radii);
     if (projected.isEnough) return projected.gap - radii;
     return std::max(projected.gap, gapAlong(shortestDifference(a, b), a, b)) - radii;
 }

@@ -1,86 +1,62 @@
-"""Table of ladder.csv: what each step from the thesis's engine to clearway's does to a query's work and time."""
+"""Tables of ladder.csv: what each step from the thesis's engine to clearway's does to a query's work and time."""
 
-from queries import thousands
-from results import distinct, matching, shown, table
+from results import NotMeasured, distinct, matching, shown, span, table
 from truth import in_short
 
-# What a step changes.
-STEPS = {
-    "thesis's tree": "AxisSplit, volumes in the one frame of the corners' covariance, leaves of one triangle, nodes of two children "
-                                           "with the exact distance of rectangles; searched in scalar double, cold",
-    "builder": "the surface-area split",
-    "fit": "the least volume of several frames",
-    "leaves of four": "leaves of up to four triangles",
-    "leaf width": "float: pairs of triangles side by side in registers, and the two children of a node, too",
-    "node width": "nodes of eight children, side by side in a register",
-    "cheap bound": "a lower bound by projections in place of the rectangles' distance",
-    "double finish": "the closest pairs in double, and exactly where that leaves them open",
-    "warm start": "begins with the closest pairs of earlier queries",
-    "PQP": "for comparison PQP, cold: scalar double, MeanSplit, leaves of one triangle",
-}
-MOTIONS = {
-    "motions in steps": "a motion, by `collides` at poses so close that no corner of the part's box moves farther than 0.03 % of its diagonal",
-    "certified motions": "a motion, certified",
-}
+# The steps that ask for distances, from the first to the last, and the peer beside them.
+STEPS = ("thesis's tree", "builder", "fit", "leaves of four", "leaf width", "node width", "cheap bound", "double finish", "warm start")
+PEER = "PQP"
+MOTIONS = {"motions in steps": "`collides` in steps", "certified motions": "certified motions"}
 
 
 def scenes(results):
-    rows = results.rows("ladder")
-    return [(letter, matching(rows, scene=letter)) for letter in distinct(rows, "scene")]
+    return distinct(results.rows("ladder"), "scene")
 
 
-def title(letter, rows):
-    return f"{letter}: {rows[0]['scene_name']}, {thousands(rows[0]['part_triangles'])} / {thousands(rows[0]['environment_triangles'])}"
+def measured(results, scene, step):
+    """The row of a step; None if that peer was not measured."""
+    rows = matching(results.rows("ladder"), scene=scene, step=step)
+    return rows[0] if rows else None
 
 
 def times_faster(before, after):
-    return "" if before is None else f"{float(before['us_mean']) / float(after['us_mean']):.2f}"
+    return shown(float(before["us_median"]) / float(after["us_median"])) if before else ""
 
 
-def ladder(results):
-    """The steps that ask for distances, a block of columns for each scene."""
-    lines = []
-    for step, change in STEPS.items():
-        cells, found = [], False
-        for _, rows in scenes(results):
-            of = matching(rows, step=step)
-            if not of:
-                cells += [""] * 5
-                continue
-            found = True
-            own = list(STEPS).index(step)
-            before = matching(rows, step=list(STEPS)[own - 1]) if 0 < own and step != "PQP" else []
-            cells += [shown(of[0]["volume_tests"]), shown(of[0]["triangle_tests"]), f"{shown(of[0]['us_mean'])} ({shown(of[0]['us_median'])})",
-                      times_faster(before[0] if before else None, of[0]), in_short(of[0]["error_worst"])]
-        if found:
-            lines.append([f"{step}: {change}"] + cells)
-    head = ["step"]
-    for letter, rows in scenes(results):
-        head += [f"{title(letter, rows)}: volume tests", "triangle tests", "us, mean (median)", "times faster", "largest error"]
-    return table(head, lines)
+def ladder(results, scene):
+    """A row a step; then PQP."""
+    lines, before = [], None
+    for step in STEPS + (PEER,):
+        row = measured(results, scene, step)
+        if row is None and step == PEER:
+            continue
+        if row is None:
+            raise NotMeasured(f"ladder.csv, {scene}, {step}")
+        lines.append(["PQP, cold, for comparison" if step == PEER else step, shown(row["volume_tests"]), shown(row["triangle_tests"]),
+                      shown(row["us_median"]), "" if step == PEER else times_faster(before, row), in_short(row["error_worst"])])
+        before = row
+    name = measured(results, scene, STEPS[0])["scene_name"]
+    return table([f"{scene}: {name}", "volume tests", "triangle tests", "us a distance, median", "times faster than the step before", "largest error"],
+                 lines)
 
 
 def motions(results):
     """The last step: whole motions in place of poses."""
     lines = []
-    for step, change in MOTIONS.items():
-        cells = []
-        for _, rows in scenes(results):
-            of = matching(rows, step=step)
-            cells += [shown(of[0]["volume_tests"]), shown(of[0]["triangle_tests"]), f"{shown(of[0]['us_mean'])} ({shown(of[0]['us_median'])})",
-                      of[0]["missed"]] if of else [""] * 4
-        lines.append([change] + cells)
-    head = ["certified motions"]
-    for letter, rows in scenes(results):
-        number = next((row["count"] for row in rows if row["asked"] == "motion"), "0")
-        head += [f"{letter}, {number} motions: volume tests", "triangle tests", "us, mean (median)", "contacts missed"]
-    return table(head, lines)
+    for scene in scenes(results):
+        before = None
+        for step, name in MOTIONS.items():
+            row = measured(results, scene, step)
+            if row is None:
+                raise NotMeasured(f"ladder.csv, {scene}, {step}")
+            lines.append([f"{scene}, {row['count']} motions: {name}", shown(row["volume_tests"]), shown(row["triangle_tests"]), shown(row["us_median"]),
+                          times_faster(before, row), row["missed"]])
+            before = row
+    return table(["motions", "volume tests", "triangle tests", "us a motion, median", "times faster", "contacts missed"], lines)
 
 
 def total(results):
     """How many times as long the first step takes as the last that asks for distances."""
-    def us(rows, step):
-        return float(matching(rows, step=step)[0]["us_mean"])
-
-    of = [us(rows, "thesis's tree") / us(rows, "warm start") for _, rows in scenes(results)]
-    return f"{shown(min(of))} to {shown(max(of))}"
+    ratios = [float(measured(results, scene, STEPS[0])["us_median"]) / float(measured(results, scene, STEPS[-1])["us_median"])
+              for scene in scenes(results)]
+    return span(ratios)
