@@ -18,6 +18,7 @@
 #include "bench/scalar_double.h"
 #include "bench/task_options.h"
 #include "clearway/sweep.h"
+#include "clearway/targets.h"
 #include "core/replace_file.h"
 
 namespace clearway::testing {
@@ -41,6 +42,7 @@ struct Step {
     Engine engine;
     bool isWarm;
     BuildOptions trees;
+    const char* target = "best";  ///< the instruction set
 };
 
 BuildOptions trees(const char* split, const char* fit, int leafSize, int nodeWidth) {
@@ -58,6 +60,7 @@ const std::vector<Step>& steps() {
         {"builder", Engine::kScalarDouble, false, trees("sah", "covariance", 1, 2)},
         {"fit", Engine::kScalarDouble, false, trees("sah", "frames", 1, 2)},
         {"leaves of four", Engine::kScalarDouble, false, trees("sah", "frames", 4, 2)},
+        {"float", Engine::kFloat, false, trees("sah", "frames", 4, 2), "scalar"},
         {"leaf width", Engine::kFloat, false, trees("sah", "frames", 4, 2)},
         {"node width", Engine::kFloatExactRectangles, false, trees("sah", "frames", 4, 8)},
         {"cheap bound", Engine::kFloat, false, trees("sah", "frames", 4, 8)},
@@ -80,13 +83,16 @@ struct Row {
 };
 
 /// Makes a series of distances; `forget` drops the engine's warm start.
-Series seriesOf(const std::string& name, const BenchTask& task, std::function<Answer(const Pose&)> ask,
-                std::function<void()> forget, bool isWarm) {
+Series seriesOf(const BenchTask& task, const std::string& name, std::function<Answer(const Pose&)> ask,
+                const std::function<void()>& forget, bool isWarm, const std::string& target) {
     Series series;
     series.engine = name;
     series.ask = std::move(ask);
-    series.beforePass = forget;
-    if (!isWarm) series.beforeQuery = std::move(forget);
+    series.beforePass = [forget, target] {
+        useTarget(target);
+        forget();
+    };
+    if (!isWarm) series.beforeQuery = forget;
     series.order = inOrder(task.poses.size());
     return series;
 }
@@ -94,8 +100,8 @@ Series seriesOf(const std::string& name, const BenchTask& task, std::function<An
 Series seriesOf(const Step& step, const BenchTask& task, const TreePair& built) {
     const auto made = [&](const auto& engine) {
         return seriesOf(
-            step.name, task, [engine](const Pose& pose) { return engine->distance(pose); },
-            [engine] { engine->forgetWarmStart(); }, step.isWarm);
+            task, step.name, [engine](const Pose& pose) { return engine->distance(pose); },
+            [engine] { engine->forgetWarmStart(); }, step.isWarm, step.target);
     };
     switch (step.engine) {
         case Engine::kScalarDouble:
@@ -113,7 +119,7 @@ Series seriesOf(const Step& step, const BenchTask& task, const TreePair& built) 
         return Answer{found.distance, found.lower, found.upper, found.counters};
     };
     return seriesOf(
-        step.name, task, ask, [workspace] { workspace->forgetWarmStart(); }, step.isWarm);
+        task, step.name, ask, [workspace] { workspace->forgetWarmStart(); }, step.isWarm, step.target);
 }
 
 double errorAllowed(Engine engine) {
@@ -264,10 +270,11 @@ std::size_t measure(const BenchTask& task, const TaskChoices& choices, std::stri
         for (const NamedPeer& named : distancePeers()) {
             if (std::string(named.name) != "PQP") continue;
             const Peer pqp = named.make(task.part, task.environment);
-            all.push_back(seriesOf("PQP", task, pqp.distance, pqp.forgetWarmStart, /*isWarm*/ false));
+            all.push_back(seriesOf(task, "PQP", pqp.distance, pqp.forgetWarmStart, /*isWarm*/ false, "best"));
         }
     }
     runAll(all, task.poses, choices.schedule);
+    useTarget("best");
 
     const Referee oracle = lazyOracle(task);
     std::vector<double> truths;

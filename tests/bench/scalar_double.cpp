@@ -74,12 +74,11 @@ double gapAlong(const Vector3& v, const Volume& a, const Volume& b) {
 /// The largest support gap along the differences that alternating projections between two rectangles pass through.
 struct ProjectedGap {
     double gap = -kInfinity;
-    /// It is large enough, or nearly the length of a difference, or a difference is short enough.
-    bool isEnough = false;
+    bool isEnough = false;  ///< as large as was asked for, or nearly the length of a difference
 };
 
-/// enough: for the gap. share: of a difference, for the gap. shortEnough: for a difference.
-ProjectedGap projectedGap(const Volume& a, const Volume& b, double enough, double share, double shortEnough) {
+/// share: of a difference's length, which is then nearly the distance.
+ProjectedGap projectedGap(const Volume& a, const Volume& b, double enough, double share) {
     ProjectedGap found;
     Vector3 onA = a.centre;
     for (int i = 0; i < kMostProjections && !found.isEnough; ++i) {
@@ -87,8 +86,7 @@ ProjectedGap projectedGap(const Volume& a, const Volume& b, double enough, doubl
         onA = nearOn(a, onB);
         const Vector3 v = onB - onA;
         found.gap = std::max(found.gap, gapAlong(v, a, b));
-        const double length = v.norm();
-        found.isEnough = found.gap >= enough || found.gap >= share * length || length < shortEnough;
+        found.isEnough = found.gap >= enough || found.gap >= share * v.norm();
     }
     return found;
 }
@@ -96,7 +94,7 @@ ProjectedGap projectedGap(const Volume& a, const Volume& b, double enough, doubl
 /// A lower bound of the two volumes' distance, except for rounding.
 double cheapGap(const Volume& a, const Volume& b, double enough) {
     const double radii = a.radius + b.radius;
-    return projectedGap(a, b, enough + radii, 0.99, 0).gap - radii;
+    return projectedGap(a, b, enough + radii, 0.99).gap - radii;
 }
 
 /// The shortest difference over all pairs of edges of two rectangles, and all corners with the other face.
@@ -160,10 +158,10 @@ Vector3 shortestDifference(const Volume& a, const Volume& b) {
     return axes * shortest;
 }
 
-/// The two volumes' distance, except for rounding, or a lower bound of it that is enough; 0 or less where they overlap.
+/// The two volumes' distance, except for rounding, or a lower bound of it that is enough.
 double exactGap(const Volume& a, const Volume& b, double enough) {
     const double radii = a.radius + b.radius;
-    const ProjectedGap projected = projectedGap(a, b, enough + radii, 1 - 1e-9, radii);
+    const ProjectedGap projected = projectedGap(a, b, enough + radii, 1 - 1e-9);
     if (projected.isEnough) return projected.gap - radii;
     return std::max(projected.gap, gapAlong(shortestDifference(a, b), a, b)) - radii;
 }

@@ -4,7 +4,7 @@ from results import NotMeasured, distinct, matching, shown, span, table
 from truth import in_short
 
 # The steps that ask for distances, from the first to the last, and the peer beside them.
-STEPS = ("thesis's tree", "builder", "fit", "leaves of four", "leaf width", "node width", "cheap bound", "double finish", "warm start")
+STEPS = ("thesis's tree", "builder", "fit", "leaves of four", "float", "leaf width", "node width", "cheap bound", "double finish", "warm start")
 PEER = "PQP"
 MOTIONS = {"motions in steps": "`collides` in steps", "certified motions": "certified motions"}
 
@@ -36,8 +36,8 @@ def ladder(results, scene):
                       shown(row["us_median"]), "" if step == PEER else times_faster(before, row), in_short(row["error_worst"])])
         before = row
     name = measured(results, scene, STEPS[0])["scene_name"]
-    return table([f"{scene}: {name}", "volume tests", "triangle tests", "us a distance, median", "times faster than the step before", "largest error"],
-                 lines)
+    return table([f"{scene}: {name}", "volume tests", "triangle tests", "us a distance, median", "times faster than the step before",
+                  "largest error"], lines)
 
 
 def motions(results):
@@ -49,8 +49,8 @@ def motions(results):
             row = measured(results, scene, step)
             if row is None:
                 raise NotMeasured(f"ladder.csv, {scene}, {step}")
-            lines.append([f"{scene}, {row['count']} motions: {name}", shown(row["volume_tests"]), shown(row["triangle_tests"]), shown(row["us_median"]),
-                          times_faster(before, row), row["missed"]])
+            lines.append([f"{scene}, {row['count']} motions: {name}", shown(row["volume_tests"]), shown(row["triangle_tests"]),
+                          shown(row["us_median"]), times_faster(before, row), row["missed"]])
             before = row
     return table(["motions", "volume tests", "triangle tests", "us a motion, median", "times faster", "contacts missed"], lines)
 

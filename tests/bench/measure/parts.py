@@ -124,15 +124,21 @@ GROWTH["rings"] = (7_500_000, 7_500_000)
 
 def growth(place, row):
     part, environment = (min(count, 4000) if place.form == "ci" else count for count in GROWTH[row])
-    sizes = {"ci": ["--pose-count", 10, "--repetitions", 1, "--peer-budget", 0.3], "quick": ["--pose-count", 100, "--repetitions", 2, "--peer-budget", 3],
-             "full": ["--pose-count", 300, "--repetitions", 5, "--peer-budget", 12]}
+    sizes = {
+        "ci": ["--pose-count", 10, "--repetitions", 1, "--peer-budget", 0.3],
+        "quick": ["--pose-count", 100, "--repetitions", 2, "--peer-budget", 3],
+        "full": ["--pose-count", 300, "--repetitions", 5, "--peer-budget", 12],
+    }
     return [[place.bench("bench_growth"), "--part-triangles", part, "--environment-triangles", environment, *sizes[place.form], "--cpu", place.cpu,
              "--out", place.scratch]]
 
 
 def ladder(place, row):
-    sizes = {"ci": ["--pose-count", 10, "--repetitions", 1, "--peer-budget", 0.3], "quick": ["--pose-count", 100, "--repetitions", 2, "--peer-budget", 2],
-             "full": ["--pose-count", 400, "--repetitions", 5, "--peer-budget", 10]}
+    sizes = {
+        "ci": ["--pose-count", 10, "--repetitions", 1, "--peer-budget", 0.3],
+        "quick": ["--pose-count", 100, "--repetitions", 2, "--peer-budget", 2],
+        "full": ["--pose-count", 400, "--repetitions", 5, "--peer-budget", 12],
+    }
     return [[place.bench("bench_ladder"), "--scenes", row, *sizes[place.form], "--cpu", place.cpu, "--out", place.scratch]]
 
 
