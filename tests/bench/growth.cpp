@@ -8,6 +8,7 @@
 #include <iomanip>
 #include <iostream>
 #include <sstream>
+#include <stdexcept>
 
 #include "bench/clearway_series.h"
 #include "bench/judge.h"
@@ -212,6 +213,10 @@ int run(int count, char** words) {
                           "Times distances, certified motions and builds at one number of triangles.");
     addTaskOptions(line, "growth.csv", choices);
     if (!line.parse({words + 1, words + count})) return 0;
+    if (choices.poseCount < 2) {
+        throw std::invalid_argument(
+            "--pose-count is 1, expected at least 2: motions lead from a pose to the next");
+    }
     std::string table = kHeader;
     std::size_t wrong = 0;
     for (const std::string& scene : choices.scenes)
