@@ -5,7 +5,7 @@
 //  - cheap: by alternating projections between the rectangles;
 //  - exact: as the difference of the closest points over all pairs of edges and all corners and faces. This
 //    gives the rectangles' distance up to rounding. It is the test of Ytterlid's thesis, which node width 2
-//    keeps for comparison.
+//    keeps for comparison; kIsExact chooses it for other widths.
 // The support gap (min v.q - max v.p) / |v| is a true lower bound for ANY direction v, so a badly conditioned
 // closest pair makes the bound loose, never false. A computed closest distance is not a lower bound and is
 // never used as one.
@@ -232,7 +232,7 @@ struct NearChildren {
 /// toQueryUnit: an exact power of two, node unit -> query unit.  dropFrom: query units. bounds: the bounds of
 /// the near lanes, in query units, none above the true distance. They are negative when the volumes overlap
 /// and stay so, because they order the descent. The other lanes' bounds have no meaning.
-template <int kWidth>
+template <int kWidth, bool kIsExact = kWidth == 2>
 HWY_INLINE NearChildren RssLowerBounds(const CarriedRss& one, const WideNode<kWidth>& node, float slack,
                                        float toQueryUnit, float dropFrom, float* bounds) {
     const hn::CappedTag<float, kWidth> d;
@@ -249,7 +249,7 @@ HWY_INLINE NearChildren RssLowerBounds(const CarriedRss& one, const WideNode<kWi
         auto bound = hn::Mul(hn::Sub(boxGap, radii), unit);
         // In half of the visits the box gaps drop all children.
         if ((used & ~MaskBits(d, hn::Ge(bound, limit))) == 0) continue;
-        const auto direction = kWidth == 2 ? ClosestDirection(d, r) : AlternatingDirection(d, r);
+        const auto direction = kIsExact ? ClosestDirection(d, r) : AlternatingDirection(d, r);
         bound = hn::Mul(hn::Sub(hn::Max(boxGap, SupportGap(d, direction, r)), radii), unit);
         hn::StoreU(bound, d, bounds + i);
         near |= (used & ~MaskBits(d, hn::Ge(bound, limit))) << i;

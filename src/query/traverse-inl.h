@@ -84,7 +84,7 @@ HWY_INLINE bool OpensPart(const PairQuery& query, const Volume<kWidth>& a, const
 }
 
 /// Opens one volume of the pair and bounds the distances of its children from the other volume.
-template <int kWidth>
+template <int kWidth, bool kIsExact>
 HWY_INLINE void Open(const PairQuery& query, const StackEntry& entry, const Volume<kWidth>& a,
                      const Volume<kWidth>& b, float dropFrom, Opening<kWidth>& opening) {
     const bool openPart = OpensPart(query, a, b);
@@ -93,7 +93,8 @@ HWY_INLINE void Open(const PairQuery& query, const StackEntry& entry, const Volu
     const WideNode<kWidth>& node = (openPart ? *query.part : *query.environment).nodes<kWidth>()[opened];
     const Volume<kWidth>& other = openPart ? b : a;
     const CarriedRss one = CarryVolume(carry, other.node, other.lane);
-    opening.near = RssLowerBounds(one, node, carry.slack, carry.toQueryUnit, dropFrom, opening.bounds);
+    opening.near =
+        RssLowerBounds<kWidth, kIsExact>(one, node, carry.slack, carry.toQueryUnit, dropFrom, opening.bounds);
     opening.entry = entry;
     opening.opened = VolumeReference(opened) * kWidth;
     opening.openPart = openPart;
@@ -117,8 +118,8 @@ HWY_INLINE void PushNear(const Opening<kWidth>& opening, Pile<StackEntry>& stack
     }
 }
 
-/// Traverses both trees until the visitor is done or no pair of volumes is left.
-template <int kWidth, class Visitor>
+/// Traverses both trees until the visitor is done or no pair of volumes is left. kIsExact: as in RssLowerBounds.
+template <int kWidth, bool kIsExact = kWidth == 2, class Visitor>
 HWY_INLINE void Traverse(const PairQuery& query, Workspace::State& state, Visitor& visitor) {
     const FlatTree& part = *query.part;
     const FlatTree& environment = *query.environment;
@@ -142,7 +143,7 @@ HWY_INLINE void Traverse(const PairQuery& query, Workspace::State& state, Visito
             state.counters.triangleLanes += std::uint64_t(leaves.lanes());
             leaves.visit(waiting, visitor);
         } else {
-            Open(query, entry, a, b, visitor.dropFrom(), opening);
+            Open<kWidth, kIsExact>(query, entry, a, b, visitor.dropFrom(), opening);
             ++state.counters.nodeVisits;
             state.counters.volumeTests += opening.near.children;
             PushNear(opening, stack);

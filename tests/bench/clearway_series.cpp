@@ -172,10 +172,9 @@ std::vector<Series> allSeries(const BenchTask& task, const TreePair& trees, cons
     std::vector<Series> all;
     addOurs(all, trees, fastTrees, task.partSize(), options);
     for (const Peer& peer : peers) addOfPeer(all, peer, task.partSize());
-    std::vector<std::size_t> inOrder;
-    for (std::size_t i = 0; i < task.poses.size(); ++i) inOrder.push_back(i);
+    const std::size_t count = task.poses.size();
     for (Series& series : all) {
-        series.order = series.asked == kShuffled ? shuffledOrder(task.poses.size(), options.seed) : inOrder;
+        series.order = series.asked == kShuffled ? shuffledOrder(count, options.seed) : inOrder(count);
     }
     return all;
 }
@@ -186,8 +185,16 @@ std::vector<Series> seriesOfTrees(const BenchTask& task, const TreePair& trees, 
                                withinSeries(trees, withinName(share), share * task.partSize())};
     for (Series& series : all) {
         series.engine = engine;
-        for (std::size_t i = 0; i < task.poses.size(); ++i) series.order.push_back(i);
+        series.order = inOrder(task.poses.size());
     }
+    return all;
+}
+
+std::vector<Series> distanceSeries(const BenchTask& task, const TreePair& trees,
+                                   const std::vector<Peer>& peers) {
+    std::vector<Series> all = {distanceSeries(kDistance, "clearway", trees)};
+    for (const Peer& peer : peers) all.push_back(theirs(peer, kDistance, peer.distance));
+    for (Series& series : all) series.order = inOrder(task.poses.size());
     return all;
 }
 

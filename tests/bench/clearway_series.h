@@ -33,6 +33,10 @@ std::vector<Series> allSeries(const BenchTask& task, const TreePair& trees, cons
 /// Distance, collides and isWithin at 1 % of the part's size, warm and in path order, as `engine`.
 std::vector<Series> seriesOfTrees(const BenchTask& task, const TreePair& trees, const std::string& engine);
 
+/// Distances, warm and in path order, of clearway and of each peer.
+std::vector<Series> distanceSeries(const BenchTask& task, const TreePair& trees,
+                                   const std::vector<Peer>& peers);
+
 /// A row of the figures: how many times faster `ours` is.
 struct Comparison {
     const Series* ours;

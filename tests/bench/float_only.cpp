@@ -70,7 +70,7 @@ class LeastInFloat {
     float leastLower_ = hwy::HighestValue<float>();
 };
 
-template <int kWidth>
+template <int kWidth, bool kIsExact>
 HWY_INLINE void LeastWide(const PairQuery& query, const std::optional<FloatWarmStart>& warmStart,
                           Workspace::State& state, FloatPair& found) {
     LeastInFloat visitor;
@@ -81,18 +81,23 @@ HWY_INLINE void LeastWide(const PairQuery& query, const std::optional<FloatWarmS
         leaves.meet(query, part, environment, /*volumesBound*/ 0, visitor.dropFrom());
         leaves.visit(visitor);
     }
-    Traverse<kWidth>(query, state, visitor);
+    Traverse<kWidth, kIsExact>(query, state, visitor);
     found = visitor.found();
 }
 
 void LeastInFloat2(const PairQuery& query, const std::optional<FloatWarmStart>& warmStart,
                    Workspace::State& state, FloatPair& found) {
-    LeastWide<2>(query, warmStart, state, found);
+    LeastWide<2, true>(query, warmStart, state, found);
 }
 
 void LeastInFloat8(const PairQuery& query, const std::optional<FloatWarmStart>& warmStart,
                    Workspace::State& state, FloatPair& found) {
-    LeastWide<8>(query, warmStart, state, found);
+    LeastWide<8, false>(query, warmStart, state, found);
+}
+
+void LeastInFloat8Exact(const PairQuery& query, const std::optional<FloatWarmStart>& warmStart,
+                        Workspace::State& state, FloatPair& found) {
+    LeastWide<8, true>(query, warmStart, state, found);
 }
 
 }  // namespace HWY_NAMESPACE
@@ -105,16 +110,18 @@ namespace clearway {
 
 HWY_EXPORT(LeastInFloat2);
 HWY_EXPORT(LeastInFloat8);
+HWY_EXPORT(LeastInFloat8Exact);
 
 namespace testing {
 struct FloatOnly::Data {
     Model part, environment;
+    bool exactRectangles;
     std::optional<FloatWarmStart> warmStart;
     Workspace workspace;
 };
 
-FloatOnly::FloatOnly(const Model& part, const Model& environment)
-    : data_(new Data{part, environment, {}, {}}) {}
+FloatOnly::FloatOnly(const Model& part, const Model& environment, bool exactRectangles)
+    : data_(new Data{part, environment, exactRectangles, {}, {}}) {}
 
 FloatOnly::~FloatOnly() = default;
 
@@ -130,6 +137,8 @@ Answer FloatOnly::distance(const Pose& X_environmentPart) {
     FloatPair found;
     if (part.nodeWidth == 2) {
         HWY_DYNAMIC_DISPATCH(LeastInFloat2)(query, data_->warmStart, state, found);
+    } else if (data_->exactRectangles) {
+        HWY_DYNAMIC_DISPATCH(LeastInFloat8Exact)(query, data_->warmStart, state, found);
     } else {
         HWY_DYNAMIC_DISPATCH(LeastInFloat8)(query, data_->warmStart, state, found);
     }

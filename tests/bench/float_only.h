@@ -13,7 +13,8 @@ namespace clearway::testing {
 /// stack and a warm start, as a Workspace does.
 class FloatOnly {
   public:
-    FloatOnly(const Model& part, const Model& environment);
+    /// exactRectangles: bounds volumes of wide nodes, too, by the exact distance of their rectangles.
+    FloatOnly(const Model& part, const Model& environment, bool exactRectangles = false);
     ~FloatOnly();
 
     /// lower <= true distance <= upper, both proved in float. A pair that float does not prove apart counts

@@ -12,15 +12,16 @@ BOOST_AUTO_TEST_SUITE(float_only_test)
 using namespace clearway;
 using namespace clearway::testing;
 
-BOOST_DATA_TEST_CASE(interval_in_float_holds_the_true_distance_and_answer, eachTarget() * eachWidth(), target,
-                     width) {
+BOOST_DATA_TEST_CASE(interval_in_float_holds_the_true_distance_and_answer,
+                     eachTarget() * eachWidth() * boost::unit_test::data::make({false, true}), target, width,
+                     exactRectangles) {
     const UsingTarget usingTarget(target);
     int answered = 0;
     for (const QueryCase& queryCase : queryCases()) {
         BuildOptions options;
         options.nodeWidth = width;
         const ModelPair models = buildPair(queryCase, options);
-        FloatOnly inFloat(models.part, models.environment);
+        FloatOnly inFloat(models.part, models.environment, exactRectangles);
         for (std::size_t i = 0; i < queryCase.poses.size(); ++i) {
             const Answer answer = inFloat.distance(queryCase.poses[i]);
             const double truth = queryCase.answers[i].distance;

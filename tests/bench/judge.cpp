@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <stdexcept>
 
 #include "core/number.h"
+#include "support/oracle.h"
 
 namespace clearway::testing {
 namespace {
@@ -77,6 +79,14 @@ bool isSpotChecked(std::size_t pose, std::size_t poses, std::size_t refereed) {
 }
 
 }  // namespace
+
+Referee lazyOracle(const BenchTask& task) {
+    auto oracle = std::make_shared<std::unique_ptr<MeshOracle>>();
+    return [oracle, &task](std::size_t pose) {
+        if (!*oracle) *oracle = std::make_unique<MeshOracle>(task.part, task.environment);
+        return (*oracle)->distance(task.poses[pose]).distance;
+    };
+}
 
 int Judgement::collidingPoses() const {
     return static_cast<int>(std::count(distances.begin(), distances.end(), 0.0));

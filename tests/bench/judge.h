@@ -5,12 +5,16 @@
 #include <string>
 #include <vector>
 
+#include "bench/bench_scenes.h"
 #include "bench/series.h"
 
 namespace clearway::testing {
 
 /// The true distance at a pose, 0 exactly for contact.
 using Referee = std::function<double(std::size_t pose)>;
+
+/// The oracle, made when it is first asked, because most runs need it seldom. The task must outlive it.
+Referee lazyOracle(const BenchTask& task);
 
 struct Judgement {
     std::vector<double> distances;  ///< the true distance of each pose

@@ -92,9 +92,7 @@ std::vector<Mode> makeModes(const BenchTask& task, const TreePair& trees, const 
     for (const Peer& peer : peers) {
         if (peer.distance) modes.push_back(peerMode(peer));
     }
-    for (Mode& mode : modes) {
-        for (std::size_t i = 0; i < task.poses.size(); ++i) mode.series.order.push_back(i);
-    }
+    for (Mode& mode : modes) mode.series.order = inOrder(task.poses.size());
     return modes;
 }
 

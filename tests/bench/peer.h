@@ -46,6 +46,15 @@ Peer makePqp(const Mesh& part, const Mesh& environment);
 /// Coal's OBBRSS trees, if the build was given Coal's prefix (CLEARWAY_BENCH_COAL).
 Peer makeCoal(const Mesh& part, const Mesh& environment);
 
+/// A library that this build knows, and what makes its trees.
+struct NamedPeer {
+    const char* name;  ///< that of the Peer
+    Peer (*make)(const Mesh& part, const Mesh& environment);
+};
+
+/// Every library that this build knows and that answers distances.
+std::vector<NamedPeer> distancePeers();
+
 /// Every library that this build knows, FCL's two trees first.
 std::vector<Peer> makePeers(const Mesh& part, const Mesh& environment);
 

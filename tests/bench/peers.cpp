@@ -2,14 +2,22 @@
 
 namespace clearway::testing {
 
-std::vector<Peer> makePeers(const Mesh& part, const Mesh& environment) {
-    std::vector<Peer> peers{makeFclRss(part, environment), makeFclObbRss(part, environment)};
+std::vector<NamedPeer> distancePeers() {
+    return {
+        {"FCL RSS", makeFclRss},
 #ifdef CLEARWAY_BENCH_WITH_PQP
-    peers.push_back(makePqp(part, environment));
+        {"PQP", makePqp},
 #endif
 #ifdef CLEARWAY_BENCH_WITH_COAL
-    peers.push_back(makeCoal(part, environment));
+        {"Coal OBBRSS", makeCoal},
 #endif
+    };
+}
+
+std::vector<Peer> makePeers(const Mesh& part, const Mesh& environment) {
+    std::vector<Peer> peers;
+    for (const NamedPeer& peer : distancePeers()) peers.push_back(peer.make(part, environment));
+    peers.insert(peers.begin() + 1, makeFclObbRss(part, environment));
     return peers;
 }
 

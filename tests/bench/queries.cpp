@@ -4,14 +4,12 @@
 // Ends with exit code 1 when an answer of clearway is wrong, and with 2 when the benchmark cannot run.
 #include <filesystem>
 #include <iostream>
-#include <memory>
 #include <set>
 
 #include "bench/bench_options.h"
 #include "bench/bench_report.h"
 #include "clearway/targets.h"
 #include "core/replace_file.h"
-#include "support/oracle.h"
 
 namespace clearway::testing {
 namespace {
@@ -23,15 +21,6 @@ struct Tables {
     std::string summary = summaryHeader();
     std::string builds = buildsHeader();
 };
-
-/// Makes the oracle when it is first asked, because most runs need it seldom.
-Referee lazyOracle(const BenchTask& task) {
-    auto oracle = std::make_shared<std::unique_ptr<MeshOracle>>();
-    return [oracle, &task](std::size_t pose) {
-        if (!*oracle) *oracle = std::make_unique<MeshOracle>(task.part, task.environment);
-        return (*oracle)->distance(task.poses[pose]).distance;
-    };
-}
 
 void write(const std::string& folder, const std::string& name, const std::string& text) {
     replaceFile((std::filesystem::path(folder) / name).string(), [&](std::ostream& out) { out << text; });

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <stdexcept>
 #include <vector>
 
 #include "query/pair_query.h"
@@ -14,7 +13,6 @@
 namespace clearway::testing {
 namespace {
 
-constexpr int kWidth = 8;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// A share of |t| plus both radii. A rotation's defect of 1e-12, and its transpose used as its inverse, move
@@ -33,9 +31,8 @@ struct Volume {
     double half0, half1, radius;
 };
 
-using Node = WideNode<kWidth>;
-
-Volume volumeOf(const Node& node, int lane, double toQuery) {
+template <int kWidth>
+Volume volumeOf(const WideNode<kWidth>& node, int lane, double toQuery) {
     const auto row = [&](const float(&rows)[3][kWidth]) {
         return Vector3(rows[0][lane], rows[1][lane], rows[2][lane]);
     };
@@ -67,24 +64,112 @@ double reachAlong(const Vector3& v, const Volume& rectangle) {
            std::abs(v.dot(rectangle.axis1)) * rectangle.half1;
 }
 
-/// A lower bound of the two volumes' distance, except for rounding: the support gaps along the differences
-/// that alternating projections between the rectangles pass through. Stops at the first gap that is enough.
-double volumeGap(const Volume& a, const Volume& b, double enough) {
-    const double radii = a.radius + b.radius;
-    const Vector3 between = b.centre - a.centre;
-    double best = -kInfinity;
+/// The gap between two rectangles along v: a lower bound of their distance for any v, except for rounding.
+double gapAlong(const Vector3& v, const Volume& a, const Volume& b) {
+    const double length = v.norm();
+    if (!(length > 0)) return -kInfinity;
+    return (std::abs(v.dot(b.centre - a.centre)) - reachAlong(v, a) - reachAlong(v, b)) / length;
+}
+
+/// The largest support gap along the differences that alternating projections between two rectangles pass through.
+struct ProjectedGap {
+    double gap = -kInfinity;
+    bool isEnough = false;  ///< as large as was asked for, or nearly the length of a difference
+};
+
+/// share: of a difference's length, which is then nearly the distance.
+ProjectedGap projectedGap(const Volume& a, const Volume& b, double enough, double share) {
+    ProjectedGap found;
     Vector3 onA = a.centre;
-    for (int i = 0; i < kMostProjections; ++i) {
+    for (int i = 0; i < kMostProjections && !found.isEnough; ++i) {
         const Vector3 onB = nearOn(b, onA);
         onA = nearOn(a, onB);
         const Vector3 v = onB - onA;
-        const double length = v.norm();
-        if (!(length > 0)) break;
-        const double gap = (std::abs(v.dot(between)) - reachAlong(v, a) - reachAlong(v, b)) / length;
-        best = std::max(best, gap);
-        if (best - radii >= enough || best >= 0.99 * length) break;  // enough, or nearly the distance
+        found.gap = std::max(found.gap, gapAlong(v, a, b));
+        found.isEnough = found.gap >= enough || found.gap >= share * v.norm();
     }
-    return best - radii;
+    return found;
+}
+
+/// A lower bound of the two volumes' distance, except for rounding.
+double cheapGap(const Volume& a, const Volume& b, double enough) {
+    const double radii = a.radius + b.radius;
+    return projectedGap(a, b, enough + radii, 0.99).gap - radii;
+}
+
+/// The shortest difference over all pairs of edges of two rectangles, and all corners with the other face.
+Vector3 shortestDifference(const Volume& a, const Volume& b) {
+    Matrix3 axes;
+    axes << a.axis0, a.axis1, a.axis0.cross(a.axis1);
+    const Matrix3 toA =
+        axes.transpose();  // nearly: the axes are orthonormal to float, and any difference gives a true bound
+    const Vector3 centre = toA * (b.centre - a.centre), sides[2] = {toA * b.axis0, toA * b.axis1};
+    const double halvesA[2] = {a.half0, a.half1}, halvesB[2] = {b.half0, b.half1};
+    const auto clamped = [](double x, double half) { return std::min(std::max(x, -half), half); };
+    Vector3 shortest = centre;
+    double leastSquared = centre.squaredNorm();
+    // Takes a difference, and says whether it is the shortest of all: then the support gap along it is its length.
+    const auto isShortest = [&](const Vector3& v) {
+        const double squared = v.squaredNorm();
+        if (squared >= leastSquared) return false;
+        leastSquared = squared;
+        shortest = v;
+        const double reach = std::abs(v[0]) * a.half0 + std::abs(v[1]) * a.half1 +
+                             std::abs(v.dot(sides[0])) * b.half0 + std::abs(v.dot(sides[1])) * b.half1;
+        return std::abs(v.dot(centre)) - reach >= (1 - 1e-9) * squared;
+    };
+    for (int own = 0; own < 2; ++own) {
+        const int other = 1 - own;
+        for (int along = 0; along < 2; ++along) {
+            const Vector3 &direction = sides[along], &across = sides[1 - along];
+            const double cosine = direction[own], sineSquared = 1 - cosine * cosine;
+            const double inverse = sineSquared > 1e-12 ? 1 / sineSquared : 0;
+            for (const double signB : {-1.0, 1.0}) {
+                const Vector3 middle = centre + signB * halvesB[1 - along] * across;
+                for (const double signA : {-1.0, 1.0}) {
+                    // Either edge must reach beyond the other one, as seen from that one's rectangle: else a face is nearer.
+                    const double beyondA =
+                        signA * middle[other] + std::abs(direction[other]) * halvesB[along];
+                    if (beyondA < halvesA[other]) continue;
+                    Vector3 w = middle;
+                    w[other] -= signA * halvesA[other];
+                    if (std::abs(across[own]) * halvesA[own] < signB * w.dot(across)) continue;
+                    const double onB = w.dot(direction);
+                    const double first = clamped((w[own] - cosine * onB) * inverse, halvesA[own]);
+                    const double t = clamped(first * cosine - onB, halvesB[along]);
+                    w[own] -= clamped(t * cosine + w[own], halvesA[own]);
+                    if (isShortest(w + t * direction)) return axes * shortest;
+                }
+            }
+        }
+    }
+    for (const double sign0 : {-1.0, 1.0}) {
+        for (const double sign1 : {-1.0, 1.0}) {
+            const Vector3 cornerB = centre + sign0 * b.half0 * sides[0] + sign1 * b.half1 * sides[1];
+            if (isShortest({cornerB[0] - clamped(cornerB[0], a.half0),
+                            cornerB[1] - clamped(cornerB[1], a.half1), cornerB[2]}))
+                return axes * shortest;
+            const Vector3 fromB = Vector3(sign0 * a.half0, sign1 * a.half1, 0) - centre;
+            if (isShortest(clamped(fromB.dot(sides[0]), b.half0) * sides[0] +
+                           clamped(fromB.dot(sides[1]), b.half1) * sides[1] - fromB))
+                return axes * shortest;
+        }
+    }
+    return axes * shortest;
+}
+
+/// The two volumes' distance, except for rounding, or a lower bound of it that is enough.
+double exactGap(const Volume& a, const Volume& b, double enough) {
+    const double radii = a.radius + b.radius;
+    const ProjectedGap projected = projectedGap(a, b, enough + radii, 1 - 1e-9);
+    if (projected.isEnough) return projected.gap - radii;
+    return std::max(projected.gap, gapAlong(shortestDifference(a, b), a, b)) - radii;
+}
+
+/// The bound that the library, too, takes between volumes of trees of this width.
+template <int kWidth>
+double volumeGap(const Volume& a, const Volume& b, double enough) {
+    return kWidth == 2 ? exactGap(a, b, enough) : cheapGap(a, b, enough);
 }
 
 /// Two volumes, numbered node * kWidth + lane, and a proved bound of their distance.
@@ -130,9 +215,11 @@ struct Placed {
         margin = kVolumeMargin * reach + query.offsetSlack;
     }
 
+    template <int kWidth>
     Volume partVolume(VolumeReference at) const {
         return volumeOf(query.part->nodes<kWidth>()[at / kWidth], int(at % kWidth), query.partLeafToQuery);
     }
+    template <int kWidth>
     Volume environmentVolume(VolumeReference at) const {
         return volumeOf(query.environment->nodes<kWidth>()[at / kWidth], int(at % kWidth),
                         query.environmentLeafToQuery);
@@ -144,7 +231,10 @@ struct Placed {
     }
 };
 
+template <int kWidth>
 class Search {
+    using Node = WideNode<kWidth>;
+
   public:
     Search(const FlatTree& part, const FlatTree& environment, const Pose& pose, std::vector<Entry>& stack)
         : part_(part), environment_(environment), placed_(part, environment, pose), stack_(stack) {}
@@ -165,8 +255,8 @@ class Search {
             const Entry entry = stack_.back();
             stack_.pop_back();
             if (entry.bound >= nearest_.upper) continue;
-            const Node& a = part_.nodes<kWidth>()[entry.part / kWidth];
-            const Node& b = environment_.nodes<kWidth>()[entry.environment / kWidth];
+            const Node& a = part_.template nodes<kWidth>()[entry.part / kWidth];
+            const Node& b = environment_.template nodes<kWidth>()[entry.environment / kWidth];
             const int laneA = int(entry.part % kWidth), laneB = int(entry.environment % kWidth);
             if (a.child[laneA] < 0 && b.child[laneB] < 0) {
                 meet(part_.leaf(LeafReference(~a.child[laneA])),
@@ -200,14 +290,14 @@ class Search {
 
   private:
     void openPart(const Entry& entry, std::int32_t opened) {
-        const Volume other = placed_.toPart(placed_.environmentVolume(entry.environment));
+        const Volume other = placed_.toPart(placed_.template environmentVolume<kWidth>(entry.environment));
         push(part_, opened, other, placed_.query.partLeafToQuery, [&](double bound, VolumeReference child) {
             return Entry{bound, child, entry.environment};
         });
     }
 
     void openEnvironment(const Entry& entry, std::int32_t opened) {
-        const Volume other = placed_.toEnvironment(placed_.partVolume(entry.part));
+        const Volume other = placed_.toEnvironment(placed_.template partVolume<kWidth>(entry.part));
         push(environment_, opened, other, placed_.query.environmentLeafToQuery,
              [&](double bound, VolumeReference child) {
                  return Entry{bound, entry.part, child};
@@ -218,13 +308,14 @@ class Search {
     template <class MakeEntry>
     void push(const FlatTree& tree, std::int32_t opened, const Volume& other, double toQuery,
               const MakeEntry& makeEntry) {
-        const Node& node = tree.nodes<kWidth>()[opened];
+        const Node& node = tree.template nodes<kWidth>()[opened];
         const std::size_t base = stack_.size();
         ++counters_.nodeVisits;
         for (int lane = 0; lane < kWidth && node.child[lane] != kNoChild; ++lane) {
             ++counters_.volumeTests;
             const double enough = nearest_.upper + placed_.margin;
-            const double bound = volumeGap(volumeOf(node, lane, toQuery), other, enough) - placed_.margin;
+            const double bound =
+                volumeGap<kWidth>(volumeOf(node, lane, toQuery), other, enough) - placed_.margin;
             if (bound >= nearest_.upper) continue;
             stack_.push_back(makeEntry(bound, VolumeReference(opened * kWidth + lane)));
         }
@@ -275,13 +366,7 @@ struct ScalarDouble::Data {
 };
 
 ScalarDouble::ScalarDouble(const Model& part, const Model& environment)
-    : data_(new Data{part, environment, {}, {}}) {
-    for (const Model* model : {&part, &environment}) {
-        if (model->tree().nodeWidth == kWidth) continue;
-        throw std::invalid_argument("nodeWidth is " + std::to_string(model->tree().nodeWidth) +
-                                    ", expected 8");
-    }
-}
+    : data_(new Data{part, environment, {}, {}}) {}
 
 ScalarDouble::~ScalarDouble() = default;
 
@@ -290,18 +375,22 @@ void ScalarDouble::forgetWarmStart() {
 }
 
 Answer ScalarDouble::distance(const Pose& X_environmentPart) {
-    Search search(data_->part.tree(), data_->environment.tree(), X_environmentPart, data_->stack);
-    if (data_->warmStart) search.resolve(*data_->warmStart);
-    search.run();
-    data_->warmStart = search.triangles();
-    return search.answer();
+    return withNodeWidth(data_->part.tree().nodeWidth, [&](auto width) {
+        Search<width> search(data_->part.tree(), data_->environment.tree(), X_environmentPart, data_->stack);
+        if (data_->warmStart) search.resolve(*data_->warmStart);
+        search.run();
+        data_->warmStart = search.triangles();
+        return search.answer();
+    });
 }
 
 Answer ScalarDouble::rootBound(const Pose& X_environmentPart) const {
     const Placed placed(data_->part.tree(), data_->environment.tree(), X_environmentPart);
-    const double bound =
-        volumeGap(placed.toEnvironment(placed.partVolume(0)), placed.environmentVolume(0), kInfinity) -
-        placed.margin;
+    const double bound = withNodeWidth(data_->part.tree().nodeWidth, [&](auto width) {
+        return volumeGap<width>(placed.toEnvironment(placed.template partVolume<width>(0)),
+                                placed.template environmentVolume<width>(0), kInfinity) -
+               placed.margin;
+    });
     Answer answer;
     answer.lower = answer.value = std::max(0.0, bound) / placed.query.perMeshUnit;
     answer.upper = kInfinity;

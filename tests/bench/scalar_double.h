@@ -10,10 +10,11 @@
 
 namespace clearway::testing {
 
-/// Queries in scalar double for models with nodes of 8 children. Threads must not share an object.
+/// Queries in scalar double. As in the library, rectangles of binary trees have their exact distance, and those of wide nodes a
+/// cheap bound. Threads must not share an object.
 class ScalarDouble {
   public:
-    /// Throws std::invalid_argument if a model has nodes of another width.
+    /// The models have nodes of one width.
     ScalarDouble(const Model& part, const Model& environment);
     ~ScalarDouble();
 

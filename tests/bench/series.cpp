@@ -88,6 +88,12 @@ std::vector<double> Series::medians() const {
     return ofPoses;
 }
 
+std::vector<std::size_t> inOrder(std::size_t count) {
+    std::vector<std::size_t> order(count);
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    return order;
+}
+
 void runAll(std::vector<Series>& all, const std::vector<Pose>& poses, const Schedule& schedule) {
     std::vector<int> repetitions;
     for (Series& series : all) {

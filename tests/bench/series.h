@@ -48,6 +48,9 @@ struct Schedule {
     int cpu = -1;          ///< passes of one thread keep to this CPU; -1: any
 };
 
+/// The numbers 0 to count - 1: poses in path order.
+std::vector<std::size_t> inOrder(std::size_t count);
+
 /// Runs every series once without counting it, then the repetitions.
 void runAll(std::vector<Series>& all, const std::vector<Pose>& poses, const Schedule& schedule);
 

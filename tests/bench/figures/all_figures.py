@@ -1,7 +1,9 @@
 """The figures and tables that a document can name in its marks: the name, and the function that makes it of the results."""
 
 import answer
+import growth
 import kernels
+import ladder
 import leaf_summary
 import motions
 import plans
@@ -29,6 +31,15 @@ FIGURES = {
     "queries-fewer-volumes": queries.fewer_volumes,
     "builds": queries.builds,
     "strategies": queries.strategies,
+    # growth.csv
+    "growth": growth.growth,
+    "growth-slopes": growth.slopes,
+    "growth-rings": growth.rings,
+    "growth-rings-ms": growth.rings_ms,
+    # ladder.csv
+    "ladder": ladder.ladder,
+    "ladder-motions": ladder.motions,
+    "ladder-total": ladder.total,
     # speed_error.csv, torture.csv, fcl_continuous.csv
     "verdicts": truth.verdicts,
     "verdicts-asked": truth.asked,

@@ -122,6 +122,35 @@ def kernels(place, row):
     return [[place.bench("bench_kernels"), "--question", row, *sizes[place.form], "--cpu", place.cpu, "--out", place.scratch]]
 
 
+# The rows of growth: triangles of part and environment. One of the two linked rings grows while the other stays; then both are as large
+# as the largest that others published.
+GROWTH = {}
+for _grows in ("environment", "part"):
+    for _size, _count in (("1k", 1000), ("4k", 4000), ("16k", 16_000), ("64k", 64_000), ("256k", 256_000), ("1M", 1_000_000), ("4M", 4_000_000)):
+        GROWTH[f"{_grows} {_size}"] = (30_000, _count) if _grows == "environment" else (_count, 30_000)
+GROWTH["rings"] = (7_500_000, 7_500_000)
+
+
+def growth(place, row):
+    part, environment = (min(count, 4000) if place.form == "ci" else count for count in GROWTH[row])
+    sizes = {
+        "ci": ["--pose-count", 10, "--repetitions", 1, "--peer-budget", 0.3],
+        "quick": ["--pose-count", 100, "--repetitions", 2, "--peer-budget", 3],
+        "full": ["--pose-count", 300, "--repetitions", 5, "--peer-budget", 12],
+    }
+    return [[place.bench("bench_growth"), "--part-triangles", part, "--environment-triangles", environment, *sizes[place.form], "--cpu", place.cpu,
+             "--out", place.scratch]]
+
+
+def ladder(place, row):
+    sizes = {
+        "ci": ["--pose-count", 10, "--repetitions", 1, "--peer-budget", 0.3],
+        "quick": ["--pose-count", 100, "--repetitions", 2, "--peer-budget", 2],
+        "full": ["--pose-count", 400, "--repetitions", 5, "--peer-budget", 12],
+    }
+    return [[place.bench("bench_ladder"), "--scenes", row, *sizes[place.form], "--cpu", place.cpu, "--out", place.scratch]]
+
+
 # The planner studies.
 OWN_PROBLEMS = ("gates", "peg-in-hole", "window", "bracket", "tunnel-console-small", "puzzle", "apartment", "tunnel-console-3-2mm")
 OMPLAPP = ("Easy", "Apartment", "alpha-1.5", "Abstract", "Twistycool", "cubicles", "spirelli", "Home", "bugtrap", "alpha-1.2", "Twistycooler",
@@ -180,6 +209,12 @@ PARTS = (
     Part("speed_error", "speed against error, and wrong verdicts near margins", rows=SCENES, quick_rows=("F",), ci_rows=("F", "K", "L", "N"),
          programs=("bench_speed_error",), commands=speed_error, group=("scene",), keys=("scene", "mode"),
          shown=("queries_per_second", "time_over_float_only", "error_worst")),
+    Part("growth", "queries, motions and trees as one of two linked rings grows", rows=tuple(GROWTH), quick_rows=("environment 64k",),
+         ci_rows=("environment 1k", "part 1k", "rings"), programs=("bench_growth",), commands=growth,
+         group=("scene", "part_triangles", "environment_triangles"), keys=("part_triangles", "environment_triangles", "engine"),
+         shown=("us_median", "us_motion_median", "build_seconds", "bytes_per_triangle")),
+    Part("ladder", "from the thesis's engine to clearway's, step by step", rows=("K", "I"), ci_rows=("N",), programs=("bench_ladder",),
+         commands=ladder, group=("scene",), keys=("scene", "step"), shown=("us_mean", "volume_tests", "triangle_tests")),
     Part("scenes", "the demo scenes, and a distance at their poses", rows=tuple(scene_rows.ROWS), quick_rows=("puzzle-2",), ci_rows=("boxes-1",),
          programs=("clearway_program",), commands=scene_rows.commands, table=scene_rows.table, group=("scene", "clearance_asked"),
          keys=("scene", "clearance_asked"), shown=("us_mean", "volume_tests", "clearance_certified")),
