@@ -46,7 +46,16 @@ Peer makePqp(const Mesh& part, const Mesh& environment);
 /// Coal's OBBRSS trees, if the build was given Coal's prefix (CLEARWAY_BENCH_COAL).
 Peer makeCoal(const Mesh& part, const Mesh& environment);
 
-/// A library that this build knows, and what makes its trees.
+/// Bullet's GImpact trees of boxes in double, where its development files are installed. Only collides.
+Peer makeBullet(const Mesh& part, const Mesh& environment);
+
+/// CGAL's AABB trees by its rigid collision detection, with exact predicates. Only collides.
+Peer makeCgal(const Mesh& part, const Mesh& environment);
+
+/// MeshLib's AABB trees in float, if the build was given MeshLib's prefix (CLEARWAY_BENCH_MESHLIB); on one thread.
+Peer makeMeshLib(const Mesh& part, const Mesh& environment);
+
+/// A library that this build knows, and the function that makes its trees.
 struct NamedPeer {
     const char* name;  ///< that of the Peer
     Peer (*make)(const Mesh& part, const Mesh& environment);

@@ -10,21 +10,22 @@ REMARKS = {
     "M": "rings that hold each other",
 }
 
-# Title, the question and engine of clearway, those that they are compared with.
+# The question and engine of clearway, those that they are compared with, and words for the latter. A row that no scene has is left out.
+WARM, CLEARWAY = "PQP with its warm start", "clearway"
 ROWS = [
-    ("distance, over PQP with its warm start", "distance", "clearway", "distance", "PQP"),
-    ("distance, over FCL RSS", "distance", "clearway", "distance", "FCL RSS"),
-    ("distance, over Coal OBBRSS", "distance", "clearway", "distance", "Coal OBBRSS"),
-    ("distance with AVX2, over PQP with its warm start", "distance", "clearway, avx2", "distance", "PQP"),
-    ("distance, cold, over PQP, cold", "distance", "clearway, cold", "distance", "PQP, cold"),
-    ("distance, cold, over FCL RSS", "distance", "clearway, cold", "distance", "FCL RSS"),
-    ("distance, poses in random order, over PQP", "distance, shuffled", "clearway", "distance, shuffled", "PQP"),
-    ("collides, over PQP", "collides", "clearway", "collides", "PQP"),
-    ("collides, over FCL OBBRSS", "collides", "clearway", "collides", "FCL OBBRSS"),
-    ("collides, over Coal OBBRSS", "collides", "clearway", "collides", "Coal OBBRSS"),
-    ("within 0.1 %, over PQP's tolerance query", "within 0.1 %", "clearway", "within 0.1 %", "PQP"),
-    ("within 1 %, over PQP's tolerance query", "within 1 %", "clearway", "within 1 %", "PQP"),
+    ("distance", CLEARWAY, "distance", "PQP", WARM),
+    *[("distance", CLEARWAY, "distance", peer, peer) for peer in ("FCL RSS", "Coal OBBRSS", "MeshLib")],
+    ("distance", "clearway, avx2", "distance", "PQP", WARM),
+    *[("distance", "clearway, cold", "distance", peer, peer) for peer in ("PQP, cold", "FCL RSS")],
+    ("distance, shuffled", CLEARWAY, "distance, shuffled", "PQP", "PQP"),
+    *[("collides", CLEARWAY, "collides", peer, peer) for peer in ("PQP", "FCL OBBRSS", "Coal OBBRSS", "Bullet", "CGAL", "MeshLib")],
+    *[(question, CLEARWAY, question, "PQP", "PQP's tolerance query") for question in ("within 0.1 %", "within 1 %")],
 ]
+
+
+def title_of(question, engine, peer):
+    asked = {"distance, shuffled": "distance, poses in random order", CLEARWAY: "", "clearway, avx2": " with AVX2", "clearway, cold": ", cold"}
+    return f"{asked.get(question, question)}{asked[engine]}, over {peer}"
 
 
 def scenes_of(rows):
@@ -81,7 +82,11 @@ def all_ratios(results):
     """A column a scene, a row a comparison; then the time and work of a distance."""
     rows = results.rows("queries")
     letters = scenes_of(rows)
-    lines = [[title] + [ratio_cell(compared(rows, letter, *keys)) for letter in letters] for title, *keys in ROWS]
+    lines = []
+    for question, engine, over_question, over_engine, words in ROWS:
+        cells = [ratio_cell(compared(rows, letter, question, engine, over_question, over_engine)) for letter in letters]
+        if any(cell != "-" for cell in cells):
+            lines.append([title_of(question, engine, words)] + cells)
     first = [matching(rows, scene=letter, question="distance", engine="clearway")[0] for letter in letters]
     for title, question in (("microseconds a distance", "distance"), ("microseconds a `collides`", "collides"),
                             ("microseconds a `isWithin`, 1 %", "within 1 %")):
@@ -96,6 +101,14 @@ def wrong(rows, letter):
     of = matching(rows, scene=letter)
     theirs = [row for row in of if not row["over_engine"].startswith("clearway")]
     return f"{sum(int(row['wrong']) for row in of)} / {sum(int(row['over_wrong']) for row in theirs)}"
+
+
+def losses(results):
+    """Each comparison in which clearway takes longer than a peer; a sentence if there is none."""
+    rows = [row for row in results.rows("queries") if row["engine"].startswith(CLEARWAY) and not row["over_engine"].startswith(CLEARWAY)]
+    lost = [f"{row['question']} in {row['scene']}, {row['engine']} over {row['over_engine']}: {shown(row['ratio'])}"
+            for row in rows if float(row["ratio"]) < 1]
+    return "Clearway loses: " + "; ".join(lost) + "." if lost else "In none of these comparisons a peer is faster."
 
 
 def scene_list(results):
