@@ -1,6 +1,7 @@
 #include <PQP.h>
 
 #include <chrono>
+#include <cstdint>
 #include <memory>
 #include <stdexcept>
 
@@ -85,8 +86,9 @@ Peer makePqp(const Mesh& part, const Mesh& environment) {
     fill(trees->part, part);
     fill(trees->environment, environment);
     peer.buildSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    peer.bytes = static_cast<std::size_t>(trees->part.MemUsage(0)) +
-                 static_cast<std::size_t>(trees->environment.MemUsage(0));
+    // PQP counts bytes in an int, which overflows from 5 million triangles on. Without its sign the number holds up to 9.9 million.
+    peer.bytes = std::size_t{static_cast<std::uint32_t>(trees->part.MemUsage(0))} +
+                 static_cast<std::uint32_t>(trees->environment.MemUsage(0));
     peer.distance = [trees](const Pose& pose) { return distanceBy(*trees, pose); };
     peer.collides = [trees](const Pose& pose) { return collidesBy(*trees, pose); };
     peer.isWithin = [trees](const Pose& pose, double d) { return isWithinBy(*trees, pose, d); };

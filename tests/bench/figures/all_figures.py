@@ -34,6 +34,7 @@ FIGURES = {
     "strategies": queries.strategies,
     # growth.csv
     "growth": growth.growth,
+    "growth-poses": growth.poses,
     "growth-slopes": growth.slopes,
     "growth-rings": growth.rings,
     "growth-rings-ms": growth.rings_ms,

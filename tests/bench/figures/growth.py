@@ -3,7 +3,7 @@
 import math
 
 from queries import thousands
-from results import NotMeasured, distinct, matching, seconds, shown, table, whole
+from results import NotMeasured, distinct, matching, seconds, shown, span, table, whole
 from svg import LIGHT, Log, Page
 
 KEPT = 30_000  # triangles of the ring that does not grow, about
@@ -28,6 +28,10 @@ def series(results, grows):
     if not rows:
         raise NotMeasured(f"growth.csv, {grows}")
     return sorted(rows, key=lambda row: int(row[grown]))
+
+
+def poses(results):
+    return span([int(row["poses"]) for row in results.rows("growth")], whole)
 
 
 def engines(rows):

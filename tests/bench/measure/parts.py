@@ -135,7 +135,7 @@ def growth(place, row):
     part, environment = (min(count, 4000) if place.form == "ci" else count for count in GROWTH[row])
     sizes = {
         "ci": ["--pose-count", 10, "--repetitions", 1, "--peer-budget", 0.3],
-        "quick": ["--pose-count", 100, "--repetitions", 2, "--peer-budget", 3],
+        "quick": ["--pose-count", 300, "--repetitions", 1, "--peer-budget", 3],
         "full": ["--pose-count", 300, "--repetitions", 5, "--peer-budget", 12],
     }
     return [[place.bench("bench_growth"), "--part-triangles", part, "--environment-triangles", environment, *sizes[place.form], "--cpu", place.cpu,
