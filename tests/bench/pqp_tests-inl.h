@@ -48,7 +48,7 @@ template <class Number>
 auto isSeparatedBy(const PointOf<Number>& axis, const TriangleOf<Number>& a, const TriangleOf<Number>& b) {
     const Number a0 = dot(axis, a.corner[0]), a1 = dot(axis, a.corner[1]), a2 = dot(axis, a.corner[2]);
     const Number b0 = dot(axis, b.corner[0]), b1 = dot(axis, b.corner[1]), b2 = dot(axis, b.corner[2]);
-    return (greatest(a0, a1, a2) < least(b0, b1, b2)) | (greatest(b0, b1, b2) < least(a0, a1, a2));
+    return either(greatest(a0, a1, a2) < least(b0, b1, b2), greatest(b0, b1, b2) < least(a0, a1, a2));
 }
 
 /// Which pairs are apart: 17 axes, until all pairs are separated.
@@ -63,18 +63,18 @@ auto areApart(const TriangleOf<Number>& a, const TriangleOf<Number>& b) {
     const PointOf<Number> normalP = cross(p.edge(0), p.edge(1)), normalQ = cross(q.edge(0), q.edge(1));
     auto apart = isSeparatedBy(normalP, p, q);
     if (all(apart)) return apart;
-    apart = apart | isSeparatedBy(normalQ, p, q);
+    apart = either(apart, isSeparatedBy(normalQ, p, q));
     if (all(apart)) return apart;
     for (int i = 0; i < 3; ++i) {
         for (int j = 0; j < 3; ++j) {
-            apart = apart | isSeparatedBy(cross(p.edge(i), q.edge(j)), p, q);
+            apart = either(apart, isSeparatedBy(cross(p.edge(i), q.edge(j)), p, q));
             if (all(apart)) return apart;
         }
     }
     for (int k = 0; k < 3; ++k) {  // these axes decide coplanar pairs
-        apart = apart | isSeparatedBy(cross(p.edge(k), normalP), p, q);
+        apart = either(apart, isSeparatedBy(cross(p.edge(k), normalP), p, q));
         if (all(apart)) return apart;
-        apart = apart | isSeparatedBy(cross(q.edge(k), normalQ), p, q);
+        apart = either(apart, isSeparatedBy(cross(q.edge(k), normalQ), p, q));
         if (all(apart)) return apart;
     }
     return apart;
@@ -108,9 +108,9 @@ void takeEdges(const TriangleOf<Number>& a, const TriangleOf<Number>& b, Nearest
             nearest.squared = select(isNearer, squared, nearest.squared);
             const Number otherA = dot(a.corner[(i + 2) % 3] - onA, between);
             const Number otherB = dot(b.corner[(j + 2) % 3] - onB, between);
-            nearest.isFound = nearest.isFound | (isNearer & (otherA <= zero) & (zero <= otherB));
+            nearest.isFound = either(nearest.isFound, both(isNearer, both(otherA <= zero, zero <= otherB)));
             nearest.isApart =
-                nearest.isApart | (zero < squared - larger(otherA, zero) + smaller(otherB, zero));
+                either(nearest.isApart, zero < squared - larger(otherA, zero) + smaller(otherB, zero));
             if (all(nearest.isFound)) return;
         }
     }
@@ -125,9 +125,9 @@ void takeFace(const TriangleOf<Number>& a, const TriangleOf<Number>& b, Nearest<
                  h2 = dot(normal, b.corner[2] - a.corner[0]);
     const Number low = least(h0, h1, h2), high = greatest(h0, h1, h2);
     const auto isAbove = zero < low;
-    const auto isBeyond = isAbove | (high < zero);
+    const auto isBeyond = either(isAbove, high < zero);
     if (none(isBeyond)) return;
-    nearest.isApart = nearest.isApart | isBeyond;
+    nearest.isApart = either(nearest.isApart, isBeyond);
     const Number height = select(isAbove, low, high);
     PointOf<Number> corner = b.corner[2];
     for (int k = 1; k >= 0; --k) {
@@ -137,10 +137,10 @@ void takeFace(const TriangleOf<Number>& a, const TriangleOf<Number>& b, Nearest<
     }
     auto isOver = isBeyond;
     for (int k = 0; k < 3; ++k) {
-        isOver = isOver & (zero < dot(corner - a.corner[k], cross(normal, a.edge(k))));
+        isOver = both(isOver, zero < dot(corner - a.corner[k], cross(normal, a.edge(k))));
     }
     nearest.squared = select(isOver, height * height / dot(normal, normal), nearest.squared);
-    nearest.isFound = nearest.isFound | isOver;
+    nearest.isFound = either(nearest.isFound, isOver);
 }
 
 /// Distances, 0 for pairs that touch. far: larger than any squared distance.
@@ -152,7 +152,7 @@ Number distanceOf(const TriangleOf<Number>& a, const TriangleOf<Number>& b, Numb
     if (all(nearest.isFound)) return root(nearest.squared);
     takeFace(a, b, nearest);
     if (!all(nearest.isFound)) takeFace(b, a, nearest);
-    return select(nearest.isFound | nearest.isApart, root(nearest.squared), Number(0));
+    return select(either(nearest.isFound, nearest.isApart), root(nearest.squared), Number(0));
 }
 
 }  // namespace clearway::testing

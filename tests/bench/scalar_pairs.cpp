@@ -37,6 +37,12 @@ double clampedShare(double s) {
 double root(double square) {
     return std::sqrt(square);
 }
+bool both(bool a, bool b) {
+    return a && b;
+}
+bool either(bool a, bool b) {
+    return a || b;
+}
 bool all(bool is) {
     return is;
 }

@@ -41,10 +41,10 @@ Mask4 operator<=(Float4 a, Float4 b) {
 Mask4 operator==(Float4 a, Float4 b) {
     return {_mm_cmpeq_ps(a.lanes, b.lanes)};
 }
-Mask4 operator&(Mask4 a, Mask4 b) {
+Mask4 both(Mask4 a, Mask4 b) {
     return {_mm_and_ps(a.bits, b.bits)};
 }
-Mask4 operator|(Mask4 a, Mask4 b) {
+Mask4 either(Mask4 a, Mask4 b) {
     return {_mm_or_ps(a.bits, b.bits)};
 }
 bool all(Mask4 mask) {
