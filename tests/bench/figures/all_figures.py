@@ -35,6 +35,7 @@ FIGURES = {
     # growth.csv
     "growth": growth.growth,
     "growth-poses": growth.poses,
+    "growth-plot": growth.plot_line,
     "growth-slopes": growth.slopes,
     "growth-rings": growth.rings,
     "growth-rings-ms": growth.rings_ms,
