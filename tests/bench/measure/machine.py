@@ -71,7 +71,7 @@ def build_record(root, build):
         "pqp": pqp_of(cache),
         "coal": coal_of(cache),
         "fcl": package_version("libfcl-dev"),
-        "bullet": package_version("libbullet-dev"),
+        "bullet": package_version("libbullet-dev") if cache.get("BULLET_FOUND") == "1" else "not measured",
         "cgal": package_version("libcgal-dev"),
         "ompl": package_version("libompl-dev"),
         "compiler": said_by(cache.get("CMAKE_CXX_COMPILER", "c++"), "--version"),
