@@ -46,6 +46,15 @@ Peer makePqp(const Mesh& part, const Mesh& environment);
 /// Coal's OBBRSS trees, if the build was given Coal's prefix (CLEARWAY_BENCH_COAL).
 Peer makeCoal(const Mesh& part, const Mesh& environment);
 
+/// Bullet's GImpact trees in double, if CMake finds Bullet: its pairs of boxes, then its GJK for each pair of triangles.
+Peer makeBullet(const Mesh& part, const Mesh& environment);
+
+/// CGAL's AABB trees with exact predicates. The answer is exact for the corners rounded to double at the pose.
+Peer makeCgal(const Mesh& part, const Mesh& environment);
+
+/// MeshLib's AABB trees in float, on one thread, if the build was given its prefix (CLEARWAY_BENCH_MESHLIB).
+Peer makeMeshLib(const Mesh& part, const Mesh& environment);
+
 /// Every library that this build knows, FCL's two trees first.
 std::vector<Peer> makePeers(const Mesh& part, const Mesh& environment);
 
