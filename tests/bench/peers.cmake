@@ -65,7 +65,7 @@ else()
 endif()
 
 if(CLEARWAY_BENCH_MESHLIB)
-  find_package(meshlib REQUIRED CONFIG PATHS ${CLEARWAY_BENCH_MESHLIB} PATH_SUFFIXES lib/cmake/MeshLib lib/MeshLib/cmake NO_DEFAULT_PATH)
+  find_package(meshlib REQUIRED CONFIG PATHS ${CLEARWAY_BENCH_MESHLIB} NO_DEFAULT_PATH)
   add_peer(meshlib)
   set_target_properties(bench_meshlib_peer PROPERTIES CXX_STANDARD 20)
   target_link_libraries(bench_meshlib_peer PRIVATE MeshLib::MRMesh)
