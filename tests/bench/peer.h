@@ -46,23 +46,14 @@ Peer makePqp(const Mesh& part, const Mesh& environment);
 /// Coal's OBBRSS trees, if the build was given Coal's prefix (CLEARWAY_BENCH_COAL).
 Peer makeCoal(const Mesh& part, const Mesh& environment);
 
-/// Bullet's GImpact trees of boxes in double, where its development files are installed. Only collides.
+/// Bullet's GImpact trees in double, if CMake finds Bullet: its pairs of boxes, then its GJK for each pair of triangles.
 Peer makeBullet(const Mesh& part, const Mesh& environment);
 
-/// CGAL's AABB trees by its rigid collision detection, with exact predicates. Only collides.
+/// CGAL's AABB trees with exact predicates. The answer is exact for the corners rounded to double at the pose.
 Peer makeCgal(const Mesh& part, const Mesh& environment);
 
-/// MeshLib's AABB trees in float, if the build was given MeshLib's prefix (CLEARWAY_BENCH_MESHLIB); on one thread.
+/// MeshLib's AABB trees in float, on one thread, if the build was given its prefix (CLEARWAY_BENCH_MESHLIB).
 Peer makeMeshLib(const Mesh& part, const Mesh& environment);
-
-/// A library that this build knows, and the function that makes its trees.
-struct NamedPeer {
-    const char* name;  ///< that of the Peer
-    Peer (*make)(const Mesh& part, const Mesh& environment);
-};
-
-/// Every library that this build knows and that answers distances.
-std::vector<NamedPeer> distancePeers();
 
 /// Every library that this build knows, FCL's two trees first.
 std::vector<Peer> makePeers(const Mesh& part, const Mesh& environment);

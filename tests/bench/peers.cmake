@@ -1,10 +1,11 @@
-# The peers of the benchmark: FCL and CGAL always, Bullet where it is installed, PQP, Coal and MeshLib if the user gives a checkout or
-# an install of theirs. Nothing of theirs is in this repository, and nothing is fetched. See README.md in this folder.
+# The peers of the benchmark: FCL and CGAL always, Bullet if it is installed, PQP, Coal and MeshLib if the user gives a checkout
+# or an install of theirs. Nothing of theirs is in this repository, and nothing is fetched. See README.md in this folder.
 
 set(CLEARWAY_BENCH_PQP "" CACHE PATH "A checkout of PQP to measure against; empty for none")
 set(CLEARWAY_BENCH_PQP_FLAGS "-O3" CACHE STRING "Flags that PQP is compiled with")
 set(CLEARWAY_BENCH_MESHLIB "" CACHE PATH "The prefix MeshLib is installed under, to measure against; empty for none")
 set(CLEARWAY_BENCH_COAL "" CACHE PATH "The prefix Coal is installed under, to measure against; empty for none")
+set(CLEARWAY_BENCH_MESHLIB "" CACHE PATH "The prefix MeshLib is installed under, to measure against; empty for none")
 
 find_package(fcl 0.7 REQUIRED CONFIG)
 target_sources(clearway_bench_support PRIVATE bench/peers.cpp bench/fcl_peer.cpp bench/fcl_planning.cpp)
@@ -32,29 +33,42 @@ if(CLEARWAY_BENCH_COAL)
   target_link_libraries(clearway_bench_support PRIVATE coal::coal)
 endif()
 
-# add_header_peer(NAME LIBRARY): a peer whose templates are compiled here, without options of clearway's that would slow it down or
-# warn of its headers.
-function(add_header_peer name library)
-  add_library(bench_${name} OBJECT bench/${name}_peer.cpp)
-  target_include_directories(bench_${name} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/include)
-  target_link_libraries(bench_${name} PRIVATE ${library} Eigen3::Eigen)
-  target_compile_features(bench_${name} PRIVATE cxx_std_17)
-  target_compile_options(bench_${name} PRIVATE $<IF:$<CONFIG:Release>,-O3,-O0> -w)
-  target_sources(clearway_bench_support PRIVATE $<TARGET_OBJECTS:bench_${name}>)
-  target_link_libraries(clearway_bench_support PRIVATE ${library})
+# add_peer(NAME OPTION...): compiles NAME_peer.cpp with options that must not reach clearway's code.
+function(add_peer name)
+  set(target bench_${name}_peer)
+  add_library(${target} OBJECT bench/${name}_peer.cpp)
+  target_include_directories(${target} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/include)
+  target_link_libraries(${target} PRIVATE clearway_warnings Eigen3::Eigen)
+  target_compile_options(${target} PRIVATE -O3 ${ARGN})
+  string(TOUPPER ${name} upper)
+  target_compile_definitions(clearway_bench_support PRIVATE CLEARWAY_BENCH_WITH_${upper})
+  target_link_libraries(clearway_bench_support PRIVATE ${target})
 endfunction()
 
-add_header_peer(cgal CGAL::CGAL)
-if(CLEARWAY_BENCH_MESHLIB)
-  find_package(MeshLib REQUIRED CONFIG NAMES MeshLib meshlib PATHS ${CLEARWAY_BENCH_MESHLIB} NO_DEFAULT_PATH)
-  add_header_peer(meshlib "MeshLib::MRMesh;TBB::tbb")
-  target_compile_features(bench_meshlib PRIVATE cxx_std_20)  # its headers need this
-  target_compile_definitions(clearway_bench_support PRIVATE CLEARWAY_BENCH_WITH_MESHLIB)
-endif()
-pkg_check_modules(BULLET QUIET IMPORTED_TARGET bullet-float64)
-if(BULLET_FOUND)
-  add_header_peer(bullet PkgConfig::BULLET)
-  target_compile_definitions(clearway_bench_support PRIVATE CLEARWAY_BENCH_WITH_BULLET)
+# Nearly all of CGAL is headers: without its assertions, in every build.
+add_peer(cgal)
+target_compile_definitions(bench_cgal_peer PRIVATE CGAL_NDEBUG)
+target_link_libraries(bench_cgal_peer PRIVATE CGAL::CGAL)
+target_link_libraries(clearway_bench_support PRIVATE gmp mpfr)
+
+# Debian has Bullet in float and in double; the file's name chooses double.
+find_package(Bullet QUIET CONFIG CONFIGS BulletConfig-float64.cmake)
+if(Bullet_FOUND)
+  add_peer(bullet)
+  target_include_directories(bench_bullet_peer SYSTEM PRIVATE ${BULLET_ROOT_DIR}/${BULLET_INCLUDE_DIR})
+  target_compile_options(bench_bullet_peer PRIVATE ${BULLET_DEFINITIONS})
+  foreach(library BulletCollision-float64 LinearMath-float64)
+    find_library(CLEARWAY_${library} ${library} HINTS ${BULLET_ROOT_DIR}/${BULLET_LIBRARY_DIRS} REQUIRED)
+    target_link_libraries(clearway_bench_support PRIVATE ${CLEARWAY_${library}})
+  endforeach()
 else()
-  message(STATUS "Benchmarks without Bullet: bullet-float64 is not installed (Debian: libbullet-dev)")
+  message(STATUS "Bullet in double is not installed (libbullet-dev): the benchmarks leave it out")
+endif()
+
+if(CLEARWAY_BENCH_MESHLIB)
+  find_package(meshlib REQUIRED CONFIG PATHS ${CLEARWAY_BENCH_MESHLIB} NO_DEFAULT_PATH)
+  add_peer(meshlib)
+  set_target_properties(bench_meshlib_peer PROPERTIES CXX_STANDARD 20)
+  target_link_libraries(bench_meshlib_peer PRIVATE MeshLib::MRMesh)
+  target_link_libraries(clearway_bench_support PRIVATE MeshLib::MRMesh)
 endif()

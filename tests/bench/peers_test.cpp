@@ -1,37 +1,57 @@
-// Every peer of this build answers two spheres that are clearly apart, and clearly in contact, as it should.
+// Tests that every library of this build answers as the oracle does where the bodies are far from just touching.
+#include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <random>
 
+#include "bench/linked_rings.h"
 #include "bench/peer.h"
-#include "support/random_meshes.h"
-
-namespace clearway::testing {
+#include "support/oracle.h"
 
 BOOST_AUTO_TEST_SUITE(peers_test)
 
-BOOST_AUTO_TEST_CASE(each_peer_answers_two_spheres_apart_and_in_contact) {
-    const Mesh part = sphere(1, 12), environment = sphere(2, 16);
-    const std::vector<Peer> peers = makePeers(part, environment);
-    BOOST_TEST(peers.size() >= 3u);
-    for (const Peer& peer : peers) {
-        for (int i = 0; i < 24; ++i) {
-            const double angle = 0.7 * i,
-                         between = i % 2 == 0 ? 2.5 : 3.5;  // of the centres; contact ends at 3
-            const Eigen::Quaterniond turn(Eigen::AngleAxisd(angle, Vector3(1, 2, 3).normalized()));
-            const Pose pose = toPose(turn, between * Vector3(std::cos(angle), std::sin(angle), 0));
-            BOOST_TEST_CONTEXT(peer.name << ", pose " << i) {
-                if (peer.collides) BOOST_TEST(peer.collides(pose).value == (between < 3 ? 1 : 0));
-                if (peer.isWithin) BOOST_TEST(peer.isWithin(pose, 0.1).value == (between < 3 ? 1 : 0));
-                if (peer.isWithin) BOOST_TEST(peer.isWithin(pose, 1.0).value == 1);
-                if (peer.distance && between < 3) BOOST_TEST(peer.distance(pose).value <= 0);
-                // A faceted sphere lies within its sphere.
-                if (peer.distance && between > 3) BOOST_TEST(peer.distance(pose).value >= 0.5 - 1e-9);
-                if (peer.distance && between > 3) BOOST_TEST(peer.distance(pose).value <= 0.8);
+using namespace clearway;
+using namespace clearway::testing;
+
+namespace {
+
+/// Whether the bodies collide at the pose and 2 away from it in all directions of the axes, or at none of these.
+bool isAwayFromContact(const MeshOracle& oracle, const Pose& pose) {
+    for (int axis = 0; axis < 3; ++axis) {
+        for (const double step : {-2.0, 2.0}) {
+            Pose moved = pose;
+            moved.translation[axis] += step;
+            if (oracle.collides(moved) != oracle.collides(pose)) return false;
+        }
+    }
+    return true;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(every_peer_answers_as_the_oracle_away_from_contact) {
+    constexpr unsigned kSeed = 5;
+    const Mesh mesh = ring(800);
+    const MeshOracle oracle(mesh, mesh);
+    const std::vector<Peer> peers = makePeers(mesh, mesh);
+    std::mt19937 random(kSeed);
+    std::uniform_real_distribution<double> shift(-15, 15);
+    int colliding = 0, free = 0;
+    for (Pose pose : linkedRingPoses(24)) {
+        for (int axis = 0; axis < 3; ++axis) pose.translation[axis] += shift(random);
+        if (!isAwayFromContact(oracle, pose)) continue;
+        const double distance = oracle.distance(pose).distance;
+        (distance == 0 ? colliding : free) += 1;
+        for (const Peer& peer : peers) {
+            BOOST_TEST_CONTEXT(peer.name << ", seed " << kSeed) {
+                if (peer.collides) BOOST_TEST((peer.collides(pose).value != 0) == (distance == 0));
+                if (peer.distance)
+                    BOOST_TEST(std::abs(std::max(0.0, peer.distance(pose).value) - distance) < 1e-3);
             }
         }
     }
+    BOOST_TEST(colliding >= 3);
+    BOOST_TEST(free >= 3);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
-}  // namespace clearway::testing

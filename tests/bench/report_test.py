@@ -86,6 +86,13 @@ class Report(unittest.TestCase):
         self.assertIn("<!-- figures: builds -->\n*Not measured yet.*\n<!-- end -->", self.document.read_text())
         self.assertEqual(self.report("--missing"), (0, "builds: builds.csv\n"))
 
+    def test_a_peer_that_is_faster_is_named(self):
+        for ratio, words in (("52.6", "Of 1 comparisons of queries, none is lost to a peer."), ("0.8", "| K | distance, clearway | distance, PQP | 0.80 |")):
+            (self.results / "queries.csv").write_text(TABLE.replace(",52.6,", f",{ratio},"))
+            self.document.write_text("<!-- figures: queries-losses -->\n<!-- end -->\n")
+            self.assertEqual(self.report()[0], 0)
+            self.assertIn(words, self.document.read_text())
+
 
 if __name__ == "__main__":
     unittest.main()

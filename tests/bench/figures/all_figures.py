@@ -18,6 +18,8 @@ FIGURES = {
     "measured-on": provenance.measured_on,
     # queries.csv, builds.csv
     "queries": queries.all_ratios,
+    "queries-collides": queries.collides,
+    "queries-losses": queries.losses,
     "queries-main": queries.main_table,
     "queries-scenes": queries.scene_list,
     "queries-over": queries.over,

@@ -19,6 +19,6 @@ def measured_on(results):
     if not lines:
         raise NotMeasured("runs.csv")
     machine = [f"{first['cores']} cores of {first['cpu']}, {first['memory_gb']} GB, {first['instruction_set']}; {first['compiler']}, "
-               f"`{first['flags']}`. FCL {first['fcl']}, OMPL {first['ompl']}, PQP {first['pqp']}, Coal {first['coal']}, "
-               f"Bullet {first.get('bullet', 'not measured')}, CGAL {first.get('cgal', 'not measured')}.", ""]
+               f"`{first['flags']}`. FCL {first['fcl']}, OMPL {first['ompl']}, PQP {first['pqp']}, Coal {first['coal']}, Bullet {first['bullet']}, CGAL "
+               f"{first['cgal']}, MeshLib {first['meshlib']}.", ""]
     return machine + table(["part", "last measured", "clearway", "form", "most of the processors that other work took"], lines)

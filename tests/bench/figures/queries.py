@@ -10,16 +10,19 @@ REMARKS = {
     "M": "rings that hold each other",
 }
 
-# The question and engine of clearway, those that they are compared with, and words for the latter. A row that no scene has is left out.
-WARM, CLEARWAY = "PQP with its warm start", "clearway"
+# Title, the question, clearway's engine and the peer that it is compared with.
 ROWS = [
-    ("distance", CLEARWAY, "distance", "PQP", WARM),
-    *[("distance", CLEARWAY, "distance", peer, peer) for peer in ("FCL RSS", "Coal OBBRSS", "MeshLib")],
-    ("distance", "clearway, avx2", "distance", "PQP", WARM),
-    *[("distance", "clearway, cold", "distance", peer, peer) for peer in ("PQP, cold", "FCL RSS")],
-    ("distance, shuffled", CLEARWAY, "distance, shuffled", "PQP", "PQP"),
-    *[("collides", CLEARWAY, "collides", peer, peer) for peer in ("PQP", "FCL OBBRSS", "Coal OBBRSS", "Bullet", "CGAL", "MeshLib")],
-    *[(question, CLEARWAY, question, "PQP", "PQP's tolerance query") for question in ("within 0.1 %", "within 1 %")],
+    ("distance, over PQP with its warm start", "distance", "clearway", "PQP"),
+    ("distance, over FCL RSS", "distance", "clearway", "FCL RSS"),
+    ("distance, over Coal OBBRSS", "distance", "clearway", "Coal OBBRSS"),
+    ("distance, over MeshLib", "distance", "clearway", "MeshLib"),
+    ("distance with AVX2, over PQP with its warm start", "distance", "clearway, avx2", "PQP"),
+    ("distance, cold, over PQP, cold", "distance", "clearway, cold", "PQP, cold"),
+    ("distance, cold, over FCL RSS", "distance", "clearway, cold", "FCL RSS"),
+    ("distance, poses in random order, over PQP", "distance, shuffled", "clearway", "PQP"),
+    *((f"collides, over {peer}", "collides", "clearway", peer) for peer in ("PQP", "FCL OBBRSS", "Coal OBBRSS", "Bullet", "CGAL", "MeshLib")),
+    ("within 0.1 %, over PQP's tolerance query", "within 0.1 %", "clearway", "PQP"),
+    ("within 1 %, over PQP's tolerance query", "within 1 %", "clearway", "PQP"),
 ]
 
 
@@ -49,9 +52,9 @@ def name_of(rows, letter):
     return ", ".join(words + ([REMARKS[letter]] if letter in REMARKS else []))
 
 
-def compared(rows, letter, question, engine, over_question, over_engine):
+def compared(rows, letter, question, engine, over_engine):
     """The row of this comparison; None if that peer or instruction set was not measured."""
-    found = matching(rows, scene=letter, question=question, engine=engine, over_question=over_question, over_engine=over_engine)
+    found = matching(rows, scene=letter, question=question, engine=engine, over_question=question, over_engine=over_engine)
     return found[0] if found else None
 
 
@@ -69,8 +72,8 @@ def main_table(results):
     rows = results.rows("queries")
     lines = []
     for letter in scenes_of(rows):
-        def over(question, over_engine, over_question=None):
-            return ratio_cell(compared(rows, letter, question, "clearway", over_question or question, over_engine))
+        def over(question, over_engine):
+            return ratio_cell(compared(rows, letter, question, "clearway", over_engine))
 
         lines.append([name_of(rows, letter), f"{microseconds(rows, letter, 'distance')} us", over("distance", "PQP"), over("distance", "FCL RSS"),
                       over("collides", "PQP"), over("collides", "FCL OBBRSS"), over("within 1 %", "PQP")])
@@ -79,14 +82,14 @@ def main_table(results):
 
 
 def all_ratios(results):
-    """A column a scene, a row a comparison; then the time and work of a distance."""
+    """A column a scene, a row a comparison; then the time and work of a distance. `collides` has a table of its own."""
     rows = results.rows("queries")
     letters = scenes_of(rows)
     lines = []
-    for question, engine, over_question, over_engine, words in ROWS:
-        cells = [ratio_cell(compared(rows, letter, question, engine, over_question, over_engine)) for letter in letters]
-        if any(cell != "-" for cell in cells):
-            lines.append([title_of(question, engine, words)] + cells)
+    for title, *keys in ROWS:
+        of = [compared(rows, letter, *keys) for letter in letters]
+        if any(of) and keys[0] != "collides":
+            lines.append([title] + [ratio_cell(row) for row in of])
     first = [matching(rows, scene=letter, question="distance", engine="clearway")[0] for letter in letters]
     for title, question in (("microseconds a distance", "distance"), ("microseconds a `collides`", "collides"),
                             ("microseconds a `isWithin`, 1 %", "within 1 %")):
@@ -117,9 +120,49 @@ def scene_list(results):
                  [[letter, name_of(rows, letter)] for letter in scenes_of(rows)])
 
 
-def over(results, question, over_engine, over_question=None):
+def peers_of(rows, question):
+    """The peers that were asked this question, in the table's order; none that is cold."""
+    of = matching(rows, question=question, engine="clearway", over_question=question)
+    return [name for name in distinct(of, "over_engine") if not name.startswith("clearway") and not name.endswith(", cold")]
+
+
+def collides(results):
+    """A row a scene, a column a peer: how many times as long its `collides` takes, and its wrong answers if there are any."""
+    rows = results.rows("queries")
+    peers = peers_of(rows, "collides")
+    lines = []
+    for letter in scenes_of(rows):
+        cells = []
+        for peer in peers:
+            row = compared(rows, letter, "collides", "clearway", peer)
+            wrong_answers = f", {row['over_wrong']} of {row['poses']} wrong" if row and row["over_wrong"] != "0" else ""
+            cells.append(ratio_cell(row) + wrong_answers)
+        lines.append([letter, f"{microseconds(rows, letter, 'collides')} us"] + cells)
+    return table(["", "clearway"] + [f"over {peer}" for peer in peers], lines)
+
+
+def losses(results):
+    """Every comparison in which a peer is faster: with clearway's default trees a query, and with one thread a build."""
+    lines = []
+    rows = [row for row in results.rows("queries") if row["engine"].startswith("clearway") and not row["over_engine"].startswith("clearway")]
+    lost = [row for row in rows if float(row["ratio"]) < 1]
+    for row in lost:
+        lines.append([row["scene"], f"{row['question']}, {row['engine']}", f"{row['over_question']}, {row['over_engine']}", shown(row["ratio"])])
+    builds_of = results.rows("builds") if results.has("builds") else []
+    for letter in scenes_of(builds_of):
+        of = matching(builds_of, scene=letter)
+        ours = next(row for row in of if row["build"] == "clearway best, 1 thread")
+        for row in of:
+            quotient = float(row["seconds"]) / float(ours["seconds"])
+            if not row["build"].startswith("clearway") and quotient < 1:
+                lines.append([letter, f"build, {ours['build']}", f"build, {row['build']}", shown(quotient)])
+    sentence = f"Of {whole(len(rows))} comparisons of queries, {len(lost) or 'none'} {'is' if len(lost) < 2 else 'are'} lost to a peer."
+    return [sentence] + (["", *table(["", "clearway", "faster", "its time over clearway's"], lines)] if lines else [])
+
+
+def over(results, question, over_engine):
     """From the least to the largest ratio over the scenes."""
-    rows = results.select("queries", question=question, engine="clearway", over_question=over_question or question, over_engine=over_engine)
+    rows = results.select("queries", question=question, engine="clearway", over_question=question, over_engine=over_engine)
     return span([float(row["ratio"]) for row in rows])
 
 

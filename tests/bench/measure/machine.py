@@ -44,15 +44,20 @@ def pqp_of(cache):
     return f"{commit_of(folder) or 'no commit known'}, {cache.get('CLEARWAY_BENCH_PQP_FLAGS', '')}"
 
 
-def coal_of(cache):
-    prefix = cache.get("CLEARWAY_BENCH_COAL", "")
+def installed_version(prefix, config):
+    """The version that a CMake package states in its files below the prefix."""
     if not prefix:
         return "not measured"
-    for file in pathlib.Path(prefix).rglob("coalConfigVersion.cmake"):
+    for file in pathlib.Path(prefix).rglob(config):
         version = re.search(r'PACKAGE_VERSION "([^"]+)"', file.read_text())
         if version:
             return version.group(1)
     return "no version known"
+
+
+def bullet_of(cache):
+    is_found = not cache.get("Bullet_DIR", "NOTFOUND").endswith("NOTFOUND")
+    return f"{package_version('libbullet-dev')}, double" if is_found else "not measured"
 
 
 def package_version(name):
@@ -69,7 +74,10 @@ def build_record(root, build):
     return {
         "clearway": commit_of(root) or "no commit known",
         "pqp": pqp_of(cache),
-        "coal": coal_of(cache),
+        "coal": installed_version(cache.get("CLEARWAY_BENCH_COAL"), "coalConfigVersion.cmake"),
+        "bullet": bullet_of(cache),
+        "cgal": package_version("libcgal-dev"),
+        "meshlib": installed_version(cache.get("CLEARWAY_BENCH_MESHLIB"), "meshlib-config-version.cmake"),
         "fcl": package_version("libfcl-dev"),
         "bullet": package_version("libbullet-dev") if cache.get("BULLET_FOUND") == "1" else "not measured",
         "cgal": package_version("libcgal-dev"),
