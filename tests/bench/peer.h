@@ -55,6 +55,15 @@ Peer makeCgal(const Mesh& part, const Mesh& environment);
 /// MeshLib's AABB trees in float, on one thread, if the build was given its prefix (CLEARWAY_BENCH_MESHLIB).
 Peer makeMeshLib(const Mesh& part, const Mesh& environment);
 
+/// A library that this build knows, and the function that makes its trees.
+struct NamedPeer {
+    const char* name;  ///< that of the Peer
+    Peer (*make)(const Mesh& part, const Mesh& environment);
+};
+
+/// Every library that this build knows and that answers distances.
+std::vector<NamedPeer> distancePeers();
+
 /// Every library that this build knows, FCL's two trees first.
 std::vector<Peer> makePeers(const Mesh& part, const Mesh& environment);
 

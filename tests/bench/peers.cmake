@@ -3,7 +3,6 @@
 
 set(CLEARWAY_BENCH_PQP "" CACHE PATH "A checkout of PQP to measure against; empty for none")
 set(CLEARWAY_BENCH_PQP_FLAGS "-O3" CACHE STRING "Flags that PQP is compiled with")
-set(CLEARWAY_BENCH_MESHLIB "" CACHE PATH "The prefix MeshLib is installed under, to measure against; empty for none")
 set(CLEARWAY_BENCH_COAL "" CACHE PATH "The prefix Coal is installed under, to measure against; empty for none")
 set(CLEARWAY_BENCH_MESHLIB "" CACHE PATH "The prefix MeshLib is installed under, to measure against; empty for none")
 
@@ -33,13 +32,13 @@ if(CLEARWAY_BENCH_COAL)
   target_link_libraries(clearway_bench_support PRIVATE coal::coal)
 endif()
 
-# add_peer(NAME OPTION...): compiles NAME_peer.cpp with options that must not reach clearway's code.
+# add_peer(NAME): compiles NAME_peer.cpp with options that must not reach clearway's code: optimised for measuring, not for tests.
 function(add_peer name)
   set(target bench_${name}_peer)
   add_library(${target} OBJECT bench/${name}_peer.cpp)
   target_include_directories(${target} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/include)
   target_link_libraries(${target} PRIVATE clearway_warnings Eigen3::Eigen)
-  target_compile_options(${target} PRIVATE -O3 ${ARGN})
+  target_compile_options(${target} PRIVATE $<IF:$<CONFIG:Release>,-O3,-O0>)
   string(TOUPPER ${name} upper)
   target_compile_definitions(clearway_bench_support PRIVATE CLEARWAY_BENCH_WITH_${upper})
   target_link_libraries(clearway_bench_support PRIVATE ${target})

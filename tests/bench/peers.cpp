@@ -11,13 +11,20 @@ std::vector<NamedPeer> distancePeers() {
 #ifdef CLEARWAY_BENCH_WITH_COAL
         {"Coal OBBRSS", makeCoal},
 #endif
+#ifdef CLEARWAY_BENCH_WITH_MESHLIB
+        {"MeshLib", makeMeshLib},
+#endif
+    };
+}
+
+std::vector<Peer> makePeers(const Mesh& part, const Mesh& environment) {
+    std::vector<Peer> peers;
+    for (const NamedPeer& peer : distancePeers()) peers.push_back(peer.make(part, environment));
+    peers.insert(peers.begin() + 1, makeFclObbRss(part, environment));
 #ifdef CLEARWAY_BENCH_WITH_BULLET
     peers.push_back(makeBullet(part, environment));
 #endif
     peers.push_back(makeCgal(part, environment));
-#ifdef CLEARWAY_BENCH_WITH_MESHLIB
-    peers.push_back(makeMeshLib(part, environment));
-#endif
     return peers;
 }
 

@@ -25,7 +25,6 @@ FIGURES = {
     "queries-over": queries.over,
     "queries-us": queries.times,
     "queries-poses": queries.poses,
-    "queries-losses": queries.losses,
     "queries-largest": queries.largest_environment,
     "queries-spread": queries.repetition_spread,
     "queries-shuffled": queries.shuffled_work,

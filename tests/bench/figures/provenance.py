@@ -2,6 +2,9 @@
 
 from results import NotMeasured, distinct, matching, table
 
+# Columns of runs.csv, and their names. Older tables lack some.
+PEERS = {"fcl": "FCL", "ompl": "OMPL", "pqp": "PQP", "coal": "Coal", "bullet": "Bullet", "cgal": "CGAL", "meshlib": "MeshLib"}
+
 
 def measured_on(results):
     """A row for each part of runs.csv: how its rows were measured, and the machine once for all."""
@@ -18,7 +21,7 @@ def measured_on(results):
     first = rows[0]
     if not lines:
         raise NotMeasured("runs.csv")
+    of_peers = ", ".join(f"{words} {first.get(name, 'not measured')}" for name, words in PEERS.items())
     machine = [f"{first['cores']} cores of {first['cpu']}, {first['memory_gb']} GB, {first['instruction_set']}; {first['compiler']}, "
-               f"`{first['flags']}`. FCL {first['fcl']}, OMPL {first['ompl']}, PQP {first['pqp']}, Coal {first['coal']}, Bullet {first['bullet']}, CGAL "
-               f"{first['cgal']}, MeshLib {first['meshlib']}.", ""]
+               f"`{first['flags']}`. {of_peers}.", ""]
     return machine + table(["part", "last measured", "clearway", "form", "most of the processors that other work took"], lines)

@@ -26,11 +26,6 @@ ROWS = [
 ]
 
 
-def title_of(question, engine, peer):
-    asked = {"distance, shuffled": "distance, poses in random order", CLEARWAY: "", "clearway, avx2": " with AVX2", "clearway, cold": ", cold"}
-    return f"{asked.get(question, question)}{asked[engine]}, over {peer}"
-
-
 def scenes_of(rows):
     letters = distinct(rows, "scene")
     return sorted(letters, key=lambda letter: (ORDER.index(letter) if letter in ORDER else len(ORDER), letter))
@@ -104,14 +99,6 @@ def wrong(rows, letter):
     of = matching(rows, scene=letter)
     theirs = [row for row in of if not row["over_engine"].startswith("clearway")]
     return f"{sum(int(row['wrong']) for row in of)} / {sum(int(row['over_wrong']) for row in theirs)}"
-
-
-def losses(results):
-    """Each comparison in which clearway takes longer than a peer; a sentence if there is none."""
-    rows = [row for row in results.rows("queries") if row["engine"].startswith(CLEARWAY) and not row["over_engine"].startswith(CLEARWAY)]
-    lost = [f"{row['question']} in {row['scene']}, {row['engine']} over {row['over_engine']}: {shown(row['ratio'])}"
-            for row in rows if float(row["ratio"]) < 1]
-    return "Clearway loses: " + "; ".join(lost) + "." if lost else "In none of these comparisons a peer is faster."
 
 
 def scene_list(results):

@@ -9,7 +9,7 @@ import resource
 import subprocess
 import time
 
-# Machines are different if one of these is: their rows are not compared.
+# What makes two machines different: rows of different machines are not compared.
 IDENTITY = ("cpu", "cores", "memory_gb", "instruction_set")
 
 
@@ -65,7 +65,7 @@ def package_version(name):
 
 
 def build_record(root, build):
-    """The compiler, flags, commits and versions that the programs were made of."""
+    """What the programs were made of."""
     cache = cache_of(build)
     kind = cache.get("CMAKE_BUILD_TYPE", "")
     flags = f"{cache.get('CMAKE_CXX_FLAGS', '')} {cache.get('CMAKE_CXX_FLAGS_' + kind.upper(), '')}"
@@ -79,8 +79,6 @@ def build_record(root, build):
         "cgal": package_version("libcgal-dev"),
         "meshlib": installed_version(cache.get("CLEARWAY_BENCH_MESHLIB"), "meshlib-config-version.cmake"),
         "fcl": package_version("libfcl-dev"),
-        "bullet": package_version("libbullet-dev") if cache.get("BULLET_FOUND") == "1" else "not measured",
-        "cgal": package_version("libcgal-dev"),
         "ompl": package_version("libompl-dev"),
         "compiler": said_by(cache.get("CMAKE_CXX_COMPILER", "c++"), "--version"),
         "flags": " ".join(flags.split()),
