@@ -37,7 +37,7 @@ BOOST_AUTO_TEST_CASE(every_peer_answers_as_the_oracle_away_from_contact) {
     std::mt19937 random(kSeed);
     std::uniform_real_distribution<double> shift(-15, 15);
     int colliding = 0, free = 0;
-    for (Pose pose : linkedRingPoses(24)) {
+    for (Pose pose : linkedRingPoses(48)) {
         for (int axis = 0; axis < 3; ++axis) pose.translation[axis] += shift(random);
         if (!isAwayFromContact(oracle, pose)) continue;
         const double distance = oracle.distance(pose).distance;
