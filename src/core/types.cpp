@@ -22,7 +22,7 @@ namespace {
     std::ostringstream message;
     message << "the pose's ";
     if (!pose.rotation.allFinite() || !pose.translation.allFinite()) {
-        message << "entries are not all finite, expected finite numbers";
+        message << "rotation or translation is not finite, expected finite numbers";
     } else if (std::isinf(defect)) {
         message << "matrix is no rotation: its determinant is " << pose.rotation.determinant()
                 << ", expected 1";

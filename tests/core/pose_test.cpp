@@ -62,7 +62,8 @@ BOOST_AUTO_TEST_CASE(a_matrix_that_is_no_rotation_is_refused_by_what_is_wrong_wi
                "the pose's matrix is no rotation: its determinant is 0, expected 1");
     BOOST_TEST(refusal(2 * Matrix3::Identity()) ==
                "the pose's matrix is no rotation: max |R^T R - I| is 3, expected at most 1e-12");
-    BOOST_TEST(refusal(turn / 0.0) == "the pose's entries are not all finite, expected finite numbers");
+    BOOST_TEST(refusal(turn / 0.0) ==
+               "the pose's rotation or translation is not finite, expected finite numbers");
 }
 
 BOOST_AUTO_TEST_SUITE_END()
