@@ -121,7 +121,7 @@ struct Choices {
     bool isDistance() const { return question == "distance"; }
 };
 
-/// What a contender did with n x n pairs and one input size.
+/// A contender's times and answers for n x n pairs and one input size.
 struct Measured {
     std::vector<double> seconds;  ///< of processor time, a repetition each
     int open = 0;                 ///< checked pairs that double is to decide

@@ -31,8 +31,8 @@ constexpr double kDoubleError = 1e-12;
 constexpr double kFloatError = 1e-5;
 constexpr double kPeerError = 1e-9;
 
-constexpr double kMotionStep =
-    3e-4;  // share of the part's size that no corner of its box moves farther between two poses
+/// No corner of the part's box moves farther between two poses than this share of the part's size.
+constexpr double kMotionStep = 3e-4;
 
 enum class Engine { kScalarDouble, kFloatExactRectangles, kFloat, kLibrary };
 
