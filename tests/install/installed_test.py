@@ -1,8 +1,8 @@
 """Installs clearway and builds users' projects with it: installed_test.py BUILD SOURCE WORK
 
 Through find_package (shared and static), pkg-config, add_subdirectory and FetchContent; every program must print the same
-distance. With CLEARWAY_FULL in the environment the last two also build, which compiles the library; otherwise they only
-configure. Fails with a line that says what was expected."""
+distance. With CLEARWAY_FULL in the environment the last two also build, which compiles the library; otherwise the first of
+them configures, and fewer programs are linked statically. Fails with a line that says what was expected."""
 
 import os
 import re
@@ -13,6 +13,8 @@ import sys
 from snippets import require_one_distance, write_snippets
 
 kFullRun = bool(os.environ.get("CLEARWAY_FULL"))
+kPrograms = ("distance_plain", "distance_avx512", "distance_cxx20", "distance_c")
+kStaticPrograms = kPrograms if kFullRun else ("distance_plain", "distance_c")
 
 
 def fail(message):
@@ -27,7 +29,7 @@ def output_of(*command, expected=0, **keywords):
     return result.stdout
 
 
-def lines_of_programs(folder, kinds=("distance_plain", "distance_avx512", "distance_cxx20", "distance_c")):
+def lines_of_programs(folder, kinds=kPrograms):
     """The one line that all of the programs must print."""
     kinds = [kind for kind in kinds if "avx512" not in kind or " avx512f " in open("/proc/cpuinfo").read()]
     lines = {kind: output_of(os.path.join(folder, kind)) for kind in kinds}
@@ -49,11 +51,11 @@ def configure(consumer, folder, *options, expected=0):
 
 def check_find_package(consumer, prefix, work):
     printed = []
-    for kind, components in (("shared", "planning"), ("static", "static;planning")):
+    for kind, components, programs in (("shared", "planning", kPrograms), ("static", "static;planning", kStaticPrograms)):
         folder = os.path.join(work, kind)
         configure(consumer, folder, "-DCMAKE_PREFIX_PATH=" + prefix, "-DCLEARWAY_COMPONENTS=" + components)
-        output_of("cmake", "--build", folder)
-        printed.append(lines_of_programs(folder))
+        output_of("cmake", "--build", folder, "--target", "planning", *programs)
+        printed.append(lines_of_programs(folder, programs))
         clearance, valid = output_of(os.path.join(folder, "planning")).split()
         if not 1.5 - 1e-12 < float(clearance) <= 1.5 or valid != "1":  # the clearance is a lower bound
             fail("a part 2 away with a margin of 0.5 has clearance and validity %s %s, expected 1.5 1" % (clearance, valid))
@@ -155,8 +157,7 @@ def check_part_of_a_build(consumer, source, work, way, own_line):
     if "CGAL" in told or os.path.exists(os.path.join(folder, "clearway", "tests")):
         fail("as a part of another build (%s) clearway configures its tests:\n%s" % (way, told))
     if kFullRun:
-        output_of("cmake", "--build", folder, "--target", "distance_plain", "distance_avx512", "distance_cxx20",
-                  "distance_c")
+        output_of("cmake", "--build", folder, "--target", *kPrograms)
         # An instruction set may change the last digits.
         if abs(float(lines_of_programs(folder)) - float(own_line)) > 1e-14:
             fail("built as a part of another build (%s), the distance differs" % way)
@@ -276,7 +277,7 @@ def main():
     printed.append(check_pkg_config_static(consumer, prefix, work))
     if len(set(printed)) != 1:
         fail("the installed libraries' distances differ: %s" % printed)
-    for way in ("add_subdirectory", "FetchContent"):
+    for way in ("add_subdirectory", "FetchContent") if kFullRun else ("add_subdirectory",):
         check_part_of_a_build(consumer, source, work, way, printed[0])
     check_without(source, work)
     check_snippets(source, prefix, work)

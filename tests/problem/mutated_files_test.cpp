@@ -5,6 +5,7 @@
 
 #include "clearway/problem.h"
 #include "support/byu_mesh.h"
+#include "support/full_run.h"
 #include "support/ppl_scene.h"
 #include "support/temporary_folder.h"
 
@@ -17,7 +18,7 @@ using testing::TemporaryFolder;
 namespace {
 
 constexpr unsigned kSeed = 17;
-constexpr int kMutations = 3000;
+const int kMutations = testing::isFullRun() ? 3000 : 600;
 
 const std::string kProblem =
     "[problem]\nname = a\nrobot = p.stl\nworld = w.stl\nstart.x = 1\nstart.y = 2\nstart.z = 3\n"

@@ -122,14 +122,14 @@ BOOST_AUTO_TEST_CASE(a_box_shrinks_to_a_box) {
 BOOST_AUTO_TEST_CASE(every_point_of_a_shrunk_part_is_as_deep_as_promised) {
     checkShrunk(box({3, 2, 1}, 3), {0.25, 0.05});
     checkShrunk(tube(2, 3, 6, 12), {0.2, 0.2});
-    checkShrunk(sphere(2, 8), {0.5, 0.1});
-    checkShrunk(torus(4, 1, 8), {0.3, 0.15});
     checkShrunk(at(box({3, 2, 1}), {1e4, -2e4, 3e4}), {0.25, 0.1});  // far from the origin
     checkShrunk(box({0.02, 1, 1}), {0.01, 0.005});                   // a thin sheet
     checkShrunk(box({0.05, 0.05, 1}), {0.02, 0.01});                 // a needle
     checkShrunk(box({1e-5, 2e-5, 3e-5}), {1e-6, 1e-6});              // units do not matter
     checkShrunk(box({1e7, 2e7, 3e7}), {1e6, 1e6});
     if (!isFullRun()) return;
+    checkShrunk(sphere(2, 8), {0.5, 0.1});
+    checkShrunk(torus(4, 1, 8), {0.3, 0.15});
     checkShrunk(tube(2, 3, 6, 24), {0.2, 0.02});
     checkShrunk(sphere(2, 16), {0.5, 0.05});
     checkShrunk(torus(4, 1, 12), {0.3, 0.03});
