@@ -109,7 +109,8 @@ std::string toldByChild(const std::string& value, const std::string& question) {
     const TemporaryFolder folder;
     const std::string program = std::filesystem::read_symlink("/proc/self/exe").string();
     const std::string command = "CLEARWAY_TARGET='" + value + "' CLEARWAY_TEST_QUESTION=" + question +
-                                " CLEARWAY_TEST_ANSWER='" + folder.file("answer") + "' '" + program +
+                                " CLEARWAY_TEST_ANSWER='" + folder.file("answer") +
+                                "' " CLEARWAY_TEST_EMULATOR " '" + program +
                                 "' --run_test=targets_test/child_process > '" + folder.file("log") + "' 2>&1";
     BOOST_TEST(std::system(command.c_str()) == 0, readText(folder.file("log")));
     return readText(folder.file("answer"));
