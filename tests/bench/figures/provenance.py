@@ -6,6 +6,12 @@ from results import NotMeasured, distinct, matching, table
 PEERS = {"fcl": "FCL", "ompl": "OMPL", "pqp": "PQP", "coal": "Coal", "bullet": "Bullet", "cgal": "CGAL", "meshlib": "MeshLib"}
 
 
+def version_of(rows, peer):
+    """What of a peer took part. Some parts need no peer, so that their build may have been without it."""
+    versions = {row.get(peer, "") for row in rows} - {"", "not measured"}
+    return " or ".join(sorted(versions)) or "not measured"
+
+
 def measured_on(results):
     """A row for each part of runs.csv: how its rows were measured, and the machine once for all."""
     rows = results.rows("runs")
@@ -21,7 +27,7 @@ def measured_on(results):
     first = rows[0]
     if not lines:
         raise NotMeasured("runs.csv")
-    of_peers = ", ".join(f"{words} {first.get(name, 'not measured')}" for name, words in PEERS.items())
+    of_peers = ", ".join(f"{words} {version_of(rows, name)}" for name, words in PEERS.items())
     machine = [f"{first['cores']} cores of {first['cpu']}, {first['memory_gb']} GB, {first['instruction_set']}; {first['compiler']}, "
                f"`{first['flags']}`. {of_peers}.", ""]
     return machine + table(["part", "last measured", "clearway", "form", "most of the processors that other work took"], lines)

@@ -80,10 +80,11 @@ def all_ratios(results):
     """A column a scene, a row a comparison; then the time and work of a distance. `collides` has a table of its own."""
     rows = results.rows("queries")
     letters = scenes_of(rows)
+    best = {f"clearway, {row['instruction_set']}" for row in matching(results.rows("runs"), part="queries")} if results.has("runs") else set()
     lines = []
     for title, *keys in ROWS:
         of = [compared(rows, letter, *keys) for letter in letters]
-        if any(of) and keys[0] != "collides":
+        if any(of) and keys[0] != "collides" and keys[1] not in best:  # the best set's own row would repeat that of "clearway"
             lines.append([title] + [ratio_cell(row) for row in of])
     first = [matching(rows, scene=letter, question="distance", engine="clearway")[0] for letter in letters]
     for title, question in (("microseconds a distance", "distance"), ("microseconds a `collides`", "collides"),
@@ -136,13 +137,13 @@ def losses(results):
     for row in lost:
         lines.append([row["scene"], f"{row['question']}, {row['engine']}", f"{row['over_question']}, {row['over_engine']}", shown(row["ratio"])])
     builds_of = results.rows("builds") if results.has("builds") else []
-    for letter in scenes_of(builds_of):
-        of = matching(builds_of, scene=letter)
-        ours = next(row for row in of if row["build"] == "clearway best, 1 thread")
-        for row in of:
-            quotient = float(row["seconds"]) / float(ours["seconds"])
-            if not row["build"].startswith("clearway") and quotient < 1:
-                lines.append([letter, f"build, {ours['build']}", f"build, {row['build']}", shown(quotient)])
+    ours = "clearway best, 1 thread"
+    seconds = {(row["scene"], row["build"]): float(row["seconds"]) for row in builds_of}
+    for peer in distinct(builds_of, "build"):
+        quotients = {letter: seconds[letter, peer] / seconds[letter, ours] for letter in scenes_of(builds_of) if (letter, peer) in seconds}
+        faster = {letter: quotient for letter, quotient in quotients.items() if quotient < 1}
+        if faster and not peer.startswith("clearway"):
+            lines.append([", ".join(faster), f"build, {ours}", f"build, {peer}", span(list(faster.values()))])
     sentence = f"Of {whole(len(rows))} comparisons of queries, {len(lost) or 'none'} {'is' if len(lost) < 2 else 'are'} lost to a peer."
     return [sentence] + (["", *table(["", "clearway", "faster", "its time over clearway's"], lines)] if lines else [])
 
@@ -192,7 +193,9 @@ def builds(results):
         cells = []
         for letter in letters:
             row = matching(rows, scene=letter, build=name)
-            cells.append(f"{shown(row[0]['seconds'])} s, {shown(row[0]['bytes_per_triangle'])}" if row else "-")
+            # CGAL does not say how many bytes it takes.
+            size = shown(row[0]["bytes_per_triangle"]) if row and float(row[0]["bytes_per_triangle"]) > 0 else "-"
+            cells.append(f"{shown(row[0]['seconds'])} s, {size}" if row else "-")
         lines.append([name] + cells)
     sizes = [f"{letter}, {whole(row['part_triangles'])} / {whole(row['environment_triangles'])}"
              for letter in letters for row in matching(rows, scene=letter)[:1]]
