@@ -13,7 +13,7 @@ def times_as_long(results, question):
     return ", ".join([f"{first} times as long", *others])
 
 
-# What is asked, clearway's figure, and what it is compared with; each a function of the results.
+# Each row is a question, clearway's figure, and what it is compared with; the last two are functions of the results.
 LINES = [
     ("an exact distance", lambda r: f"{queries.times(r, 'distance')} us",
      lambda r: f"PQP with its warm start takes {queries.over(r, 'distance', 'PQP')} times as long, FCL RSS {queries.over(r, 'distance', 'FCL RSS')}, "

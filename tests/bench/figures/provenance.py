@@ -7,7 +7,7 @@ PEERS = {"fcl": "FCL", "ompl": "OMPL", "pqp": "PQP", "coal": "Coal", "bullet": "
 
 
 def version_of(rows, peer):
-    """What of a peer took part. Some parts need no peer, so that their build may have been without it."""
+    """The versions of a peer that took part. Some parts need no peer, so that their build may have been without it."""
     versions = {row.get(peer, "") for row in rows} - {"", "not measured"}
     return " or ".join(sorted(versions)) or "not measured"
 

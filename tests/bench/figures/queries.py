@@ -80,11 +80,10 @@ def all_ratios(results):
     """A column a scene, a row a comparison; then the time and work of a distance. `collides` has a table of its own."""
     rows = results.rows("queries")
     letters = scenes_of(rows)
-    best = {f"clearway, {row['instruction_set']}" for row in matching(results.rows("runs"), part="queries")} if results.has("runs") else set()
     lines = []
     for title, *keys in ROWS:
         of = [compared(rows, letter, *keys) for letter in letters]
-        if any(of) and keys[0] != "collides" and keys[1] not in best:  # the best set's own row would repeat that of "clearway"
+        if any(of) and keys[0] != "collides":
             lines.append([title] + [ratio_cell(row) for row in of])
     first = [matching(rows, scene=letter, question="distance", engine="clearway")[0] for letter in letters]
     for title, question in (("microseconds a distance", "distance"), ("microseconds a `collides`", "collides"),

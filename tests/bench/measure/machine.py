@@ -9,7 +9,7 @@ import resource
 import subprocess
 import time
 
-# What makes two machines different: rows of different machines are not compared.
+# Two machines differ if one of these does: rows of different machines are not compared.
 IDENTITY = ("cpu", "cores", "memory_gb", "instruction_set")
 
 
