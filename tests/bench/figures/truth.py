@@ -84,7 +84,7 @@ def cost_of_truth(results):
 def over_float(results):
     """How much longer the default takes than float alone, over the scenes."""
     return span([100 * (float(row["time_over_float_only"]) - 1) for row in results.select("speed_error", mode="default")],
-                lambda value: f"{value:.0f}") + " %"
+                lambda value: f"{round(value)}") + " %"
 
 
 def digits_gained(results):
