@@ -22,6 +22,27 @@ target_compile_definitions(clearway_render PRIVATE CLEARWAY_EMBREE_MAJOR=${EMBRE
 target_precompile_headers(clearway_render REUSE_FROM clearway_scenes)
 compile_together(clearway_render ${render_sources})
 
+# Messages between the ranks of `bench` under mpirun. This one file sees MPI, where there is MPI.
+add_library(clearway_ranks STATIC src/program/study/ranks.cpp)
+target_include_directories(clearway_ranks PRIVATE src)
+target_compile_features(clearway_ranks PUBLIC cxx_std_17)
+target_link_libraries(clearway_ranks PRIVATE clearway_warnings)
+if(MPI_CXX_FOUND)
+  target_link_libraries(clearway_ranks PRIVATE MPI::MPI_CXX)
+  target_compile_definitions(clearway_ranks PRIVATE CLEARWAY_WITH_MPI)
+endif()
+
+# Studies: planner runs and replays by the hundred, and what comes of them.
+file(GLOB study_sources CONFIGURE_DEPENDS src/program/study/*.cpp)
+list(FILTER study_sources EXCLUDE REGEX "/ranks\\.cpp$")
+add_library(clearway_study STATIC ${study_sources})
+target_include_directories(clearway_study PRIVATE src)
+target_link_libraries(clearway_study PUBLIC clearway clearway_planning
+                      PRIVATE clearway_ranks clearway_warnings nlohmann_json::nlohmann_json)
+target_precompile_headers(clearway_study PRIVATE <Eigen/Geometry> <ompl/base/SpaceInformation.h>)
+compile_quickly(clearway_study)
+compile_together(clearway_study ${study_sources})
+
 # The report page. Its texts become part of the program, so that a page needs no other file and no network.
 set(page_texts ${PROJECT_BINARY_DIR}/generated/page_texts.cpp)
 set(page_folder ${PROJECT_SOURCE_DIR}/src/program/report)
@@ -43,28 +64,9 @@ add_library(clearway_report STATIC ${report_sources} ${page_texts})
 target_include_directories(clearway_report PRIVATE src)
 target_link_libraries(clearway_report PUBLIC clearway clearway_planning clearway_render
                       PRIVATE clearway_warnings Boost::headers nlohmann_json::nlohmann_json)
-target_precompile_headers(clearway_report REUSE_FROM clearway_planning)
+target_precompile_headers(clearway_report REUSE_FROM clearway_study)
+compile_quickly(clearway_report)
 compile_together(clearway_report ${report_sources})
-
-# Messages between the ranks of `bench` under mpirun. This one file sees MPI, where there is MPI.
-add_library(clearway_ranks STATIC src/program/study/ranks.cpp)
-target_include_directories(clearway_ranks PRIVATE src)
-target_compile_features(clearway_ranks PUBLIC cxx_std_17)
-target_link_libraries(clearway_ranks PRIVATE clearway_warnings)
-if(MPI_CXX_FOUND)
-  target_link_libraries(clearway_ranks PRIVATE MPI::MPI_CXX)
-  target_compile_definitions(clearway_ranks PRIVATE CLEARWAY_WITH_MPI)
-endif()
-
-# Studies: planner runs and replays by the hundred, and what comes of them.
-file(GLOB study_sources CONFIGURE_DEPENDS src/program/study/*.cpp)
-list(FILTER study_sources EXCLUDE REGEX "/ranks\\.cpp$")
-add_library(clearway_study STATIC ${study_sources})
-target_include_directories(clearway_study PRIVATE src)
-target_link_libraries(clearway_study PUBLIC clearway clearway_planning
-                      PRIVATE clearway_ranks clearway_warnings nlohmann_json::nlohmann_json)
-target_precompile_headers(clearway_study REUSE_FROM clearway_planning)
-compile_together(clearway_study ${study_sources})
 
 # The program: its subcommands as a library, which tests link too, and main.
 file(GLOB cli_sources CONFIGURE_DEPENDS src/program/cli/*.cpp)
@@ -74,10 +76,15 @@ target_include_directories(clearway_cli PRIVATE src)
 target_link_libraries(clearway_cli PUBLIC clearway clearway_planning
                       PRIVATE clearway_scenes clearway_render clearway_report clearway_study clearway_warnings Boost::headers
                               nlohmann_json::nlohmann_json TBB::tbb)
-target_precompile_headers(clearway_cli REUSE_FROM clearway_planning)
+target_precompile_headers(clearway_cli REUSE_FROM clearway_study)
+compile_quickly(clearway_cli)
 compile_together(clearway_cli ${cli_sources})
 
 add_executable(clearway_program src/program/cli/main.cpp)
 set_target_properties(clearway_program PROPERTIES OUTPUT_NAME clearway)
 target_include_directories(clearway_program PRIVATE src)
 target_link_libraries(clearway_program PRIVATE clearway_cli clearway_warnings)
+compile_quickly(clearway_program)
+if(CLEARWAY_QUICK_BUILD)
+  link_first(clearway_program clearway clearway_planning clearway_scenes clearway_render)
+endif()

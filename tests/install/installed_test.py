@@ -2,7 +2,7 @@
 
 Through find_package (shared and static), pkg-config, add_subdirectory and FetchContent; every program must print the same
 distance. With CLEARWAY_FULL in the environment the last two also build, which compiles the library; otherwise the first of
-them configures, and fewer programs are linked statically. Fails with a line that says what was expected."""
+them configures, and one program, in C, is linked statically. Fails with a line that says what was expected."""
 
 import os
 import re
@@ -13,8 +13,9 @@ import sys
 from snippets import require_one_distance, write_snippets
 
 kFullRun = bool(os.environ.get("CLEARWAY_FULL"))
-kPrograms = ("distance_plain", "distance_avx512", "distance_cxx20", "distance_c")
-kStaticPrograms = kPrograms if kFullRun else ("distance_plain", "distance_c")
+kDistancePrograms = ("distance_plain", "distance_avx512", "distance_cxx20", "distance_c")
+kPrograms = kDistancePrograms + ("planning",)
+kStaticPrograms = kPrograms if kFullRun else ("distance_c",)
 
 
 def fail(message):
@@ -29,13 +30,14 @@ def output_of(*command, expected=0, **keywords):
     return result.stdout
 
 
-def lines_of_programs(folder, kinds=kPrograms):
-    """The one line that all of the programs must print."""
-    kinds = [kind for kind in kinds if "avx512" not in kind or " avx512f " in open("/proc/cpuinfo").read()]
+def line_of_programs(folder, programs):
+    """The one line that all of the programs that ask for a distance must print."""
+    kinds = [kind for kind in kDistancePrograms
+             if kind in programs and ("avx512" not in kind or " avx512f " in open("/proc/cpuinfo").read())]
     lines = {kind: output_of(os.path.join(folder, kind)) for kind in kinds}
     if len(set(lines.values())) != 1:
         fail("the programs of %s print different distances: %s" % (folder, lines))
-    return lines["distance_plain"]
+    return next(iter(lines.values()))
 
 
 def libraries_of(program):
@@ -45,7 +47,7 @@ def libraries_of(program):
 
 
 def configure(consumer, folder, *options, expected=0):
-    kind = "Release" if kFullRun else "Debug"  # which takes less time to compile
+    kind = "Release" if kFullRun else "None"  # which takes less time to compile
     return output_of("cmake", "-S", consumer, "-B", folder, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=" + kind, *options, expected=expected)
 
 
@@ -54,12 +56,12 @@ def check_find_package(consumer, prefix, work):
     for kind, components, programs in (("shared", "planning", kPrograms), ("static", "static;planning", kStaticPrograms)):
         folder = os.path.join(work, kind)
         configure(consumer, folder, "-DCMAKE_PREFIX_PATH=" + prefix, "-DCLEARWAY_COMPONENTS=" + components)
-        output_of("cmake", "--build", folder, "--target", "planning", *programs)
-        printed.append(lines_of_programs(folder, programs))
-        clearance, valid = output_of(os.path.join(folder, "planning")).split()
+        output_of("cmake", "--build", folder, "--target", *programs)
+        printed.append(line_of_programs(folder, programs))
+        clearance, valid = output_of(os.path.join(folder, "planning")).split() if "planning" in programs else ("1.5", "1")
         if not 1.5 - 1e-12 < float(clearance) <= 1.5 or valid != "1":  # the clearance is a lower bound
             fail("a part 2 away with a margin of 0.5 has clearance and validity %s %s, expected 1.5 1" % (clearance, valid))
-        for program in ("distance_plain", "planning"):
+        for program in programs:
             ours = [name for name in libraries_of(os.path.join(folder, program)) if "clearway" in name]
             if bool(ours) != (kind == "shared"):
                 fail("%s linked as %s needs the libraries %s" % (program, kind, ours))
@@ -157,9 +159,9 @@ def check_part_of_a_build(consumer, source, work, way, own_line):
     if "CGAL" in told or os.path.exists(os.path.join(folder, "clearway", "tests")):
         fail("as a part of another build (%s) clearway configures its tests:\n%s" % (way, told))
     if kFullRun:
-        output_of("cmake", "--build", folder, "--target", *kPrograms)
+        output_of("cmake", "--build", folder, "--target", *kDistancePrograms)
         # An instruction set may change the last digits.
-        if abs(float(lines_of_programs(folder)) - float(own_line)) > 1e-14:
+        if abs(float(line_of_programs(folder, kDistancePrograms)) - float(own_line)) > 1e-14:
             fail("built as a part of another build (%s), the distance differs" % way)
 
 

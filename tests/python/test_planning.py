@@ -246,13 +246,20 @@ def test_an_interrupt_keeps_the_path_found_so_far():
 
 
 @pytest.mark.parametrize("call", ["planning.plan(problem, scene=scene, seconds=1e6, progress=ready)",
-                                  "ready(), planning.check(problem, path, scene=scene)"])
+                                  "path = way(); ready(); planning.check(problem, path, scene=scene)"])
 def test_ctrl_c_ends_a_child_process(call):
     child = run_python("""
         import numpy as np
-        from test_planning import clearway, endless, planning, place, turned
+        from test_planning import endless, planning
         problem, scene = endless()
-        path = [turned(0.5 * i, -4 + 1e-4 * i) for i in range(400000)]
+        def way():
+            i = np.arange(400000)
+            path = np.tile(np.eye(4), (len(i), 1, 1))
+            path[:, 0, 0] = path[:, 1, 1] = np.cos(0.5 * i)
+            path[:, 1, 0] = np.sin(0.5 * i)
+            path[:, 0, 1] = -path[:, 1, 0]
+            path[:, 0, 3] = -4 + 1e-4 * i
+            return path
         ready = lambda *now: print("ready", flush=True)
         try:
             %s

@@ -106,7 +106,7 @@ def times(runs):
 def check_benchmark(folder):
     shutil.copytree(f"{DATA}/window", folder / "window")
     # RRTConnect ends with its first path. RRTstar uses up its iterations, so that there is time to kill it. Its run is the last.
-    words = ["window/window.cfg", "--planner", "RRTConnect", "--planner", "RRTstar", "--runs", "3", "--iterations", "3000"]
+    words = ["window/window.cfg", "--planner", "RRTConnect", "--planner", "RRTstar", "--runs", "3", "--iterations", "2000"]
     words += ["--no-simplify", "--log"]
     alone = run([PROGRAM, "bench", *words, "alone.log"], folder)
     require(alone.returncode == 0, "one process: " + show(alone))

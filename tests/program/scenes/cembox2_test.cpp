@@ -34,8 +34,9 @@ std::string refusal(const SceneOptions& options) {
 
 /// The sizes range from those that leave out most components to those with more components of every kind.
 BOOST_AUTO_TEST_CASE(triangle_counts_are_reached_within_five_percent) {
-    for (const auto& [part, environment] :
-         {std::pair<std::size_t, std::size_t>(2500, 5000), {3000, 20000}, {9000, 60000}, {60000, 300000}}) {
+    std::vector<std::pair<std::size_t, std::size_t>> sizes{{2500, 5000}, {3000, 20000}, {9000, 60000}};
+    if (isFullRun()) sizes.push_back({60000, 300000});
+    for (const auto& [part, environment] : sizes) {
         const GeneratedScene scene = makeCembox2({1, part, environment, 4});
         BOOST_TEST_CONTEXT("asked for " << part << " and " << environment) {
             BOOST_TEST(scene.part.triangles.size() <= part);
