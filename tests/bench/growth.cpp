@@ -4,7 +4,6 @@
 // Ends with exit code 1 when an answer is wrong, and with 2 when the benchmark cannot run.
 #include <algorithm>
 #include <chrono>
-#include <filesystem>
 #include <iomanip>
 #include <iostream>
 #include <sstream>
@@ -16,7 +15,6 @@
 #include "bench/task_options.h"
 #include "clearway/sweep.h"
 #include "core/number.h"
-#include "core/replace_file.h"
 
 namespace clearway::testing {
 namespace {
@@ -222,11 +220,7 @@ int run(int count, char** words) {
     for (const std::string& scene : choices.scenes)
         wrong += measure(makeTask(choices, scene), choices, table);
     std::cout << table;
-    if (!choices.out.empty()) {
-        std::filesystem::create_directories(choices.out);
-        replaceFile((std::filesystem::path(choices.out) / "growth.csv").string(),
-                    [&](std::ostream& out) { out << table; });
-    }
+    writeTable(choices.out, "growth.csv", table);
     return wrong == 0 ? 0 : 1;
 }
 

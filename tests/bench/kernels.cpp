@@ -4,7 +4,6 @@
 // Ends with exit code 1 when an answer is wrong, and with 2 when the benchmark cannot run.
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <iomanip>
 #include <iostream>
 #include <limits>
@@ -14,7 +13,6 @@
 #include "bench/pinned.h"
 #include "bench/series.h"
 #include "bench/task_options.h"
-#include "core/replace_file.h"
 #include "kernels/rounding.h"
 #include "support/processor_time.h"
 #include "support/random_meshes.h"
@@ -337,11 +335,7 @@ int run(int count, char** words) {
             measureSet(triangles, {choices.inputSizes.back()}, repetitions);
         }
     });
-    if (!choices.out.empty()) {
-        std::filesystem::create_directories(choices.out);
-        replaceFile((std::filesystem::path(choices.out) / "kernels.csv").string(),
-                    [&](std::ostream& out) { out << table; });
-    }
+    writeTable(choices.out, "kernels.csv", table);
     if (wrong > 0) std::cerr << "bench_kernels: " << wrong << " answers are wrong\n";
     return wrong == 0 ? 0 : 1;
 }

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <filesystem>
 #include <iomanip>
 #include <iostream>
 #include <memory>
@@ -19,7 +18,6 @@
 #include "bench/task_options.h"
 #include "clearway/sweep.h"
 #include "clearway/targets.h"
-#include "core/replace_file.h"
 
 namespace clearway::testing {
 namespace {
@@ -316,11 +314,7 @@ int run(int count, char** words) {
         wrong += measure(makeTask(choices, scene), choices, table);
     std::cout << table;
     if (wrong > 0) std::cout << wrong << " answers are wrong\n";
-    if (!choices.out.empty()) {
-        std::filesystem::create_directories(choices.out);
-        replaceFile((std::filesystem::path(choices.out) / "ladder.csv").string(),
-                    [&](std::ostream& out) { out << table; });
-    }
+    writeTable(choices.out, "ladder.csv", table);
     return wrong == 0 ? 0 : 1;
 }
 

@@ -2,13 +2,11 @@
 // every pose.
 //   bench_speed_error [--scenes F,K] [--out DIR] ...      see --help and README.md in this folder
 // Ends with exit code 1 when an answer of clearway is wrong, and with 2 when the benchmark cannot run.
-#include <filesystem>
 #include <iostream>
 
 #include "bench/error_report.h"
 #include "bench/task_options.h"
 #include "clearway/targets.h"
-#include "core/replace_file.h"
 
 namespace clearway::testing {
 namespace {
@@ -85,7 +83,6 @@ ErrorReport measure(const BenchTask& task, const ErrorChoices& choices) {
 }
 
 int run(const ErrorChoices& choices) {
-    if (!choices.out.empty()) std::filesystem::create_directories(choices.out);
     std::cout << "best target " << currentTarget() << "; of each time, the clock takes " << clockNanoseconds()
               << " ns\n";
     std::string table = errorHeader(kMarginShares);
@@ -95,9 +92,7 @@ int run(const ErrorChoices& choices) {
         print(std::cout, report);
         wrong += faults(report).size();
         table += errorRows(report);
-        if (choices.out.empty()) continue;
-        replaceFile((std::filesystem::path(choices.out) / "speed_error.csv").string(),
-                    [&](std::ostream& out) { out << table; });
+        writeTable(choices.out, "speed_error.csv", table);
     }
     return wrong == 0 ? 0 : 1;
 }

@@ -5,14 +5,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <filesystem>
 #include <iomanip>
 #include <iostream>
 #include <sstream>
 
 #include "bench/clearway_series.h"
 #include "bench/task_options.h"
-#include "core/replace_file.h"
 
 namespace clearway::testing {
 namespace {
@@ -121,11 +119,7 @@ int run(int count, char** words) {
     for (const std::string& scene : choices.scenes) {
         different += measure(makeTask(choices, scene), choices.schedule, table);
     }
-    if (!choices.out.empty()) {
-        std::filesystem::create_directories(choices.out);
-        replaceFile((std::filesystem::path(choices.out) / "strategies.csv").string(),
-                    [&](std::ostream& out) { out << table; });
-    }
+    writeTable(choices.out, "strategies.csv", table);
     return different == 0 ? 0 : 1;
 }
 

@@ -1,9 +1,11 @@
 #include "bench/task_options.h"
 
+#include <filesystem>
 #include <sstream>
 #include <stdexcept>
 
 #include "clearway/problem.h"
+#include "core/replace_file.h"
 #include "core/text.h"
 
 namespace clearway::testing {
@@ -84,6 +86,12 @@ BenchTask makeTask(const TaskChoices& choices, const std::string& scene) {
     if (choices.partTriangles) size.partTriangles = *choices.partTriangles;
     if (choices.environmentTriangles) size.environmentTriangles = *choices.environmentTriangles;
     return makeTask(row, size, choices.poseCount, choices.seed);
+}
+
+void writeTable(const std::string& folder, const std::string& file, const std::string& table) {
+    if (folder.empty()) return;
+    std::filesystem::create_directories(folder);
+    replaceFile((std::filesystem::path(folder) / file).string(), [&](std::ostream& out) { out << table; });
 }
 
 }  // namespace clearway::testing

@@ -41,4 +41,8 @@ BenchTask makeTask(const TaskChoices& choices, const std::string& scene);
 
 BenchTask taskFromFiles(const TaskChoices& choices);
 
+/// Writes a table into a folder, which it makes if need be; without a folder nothing. Throws std::runtime_error if the
+/// file cannot be written.
+void writeTable(const std::string& folder, const std::string& file, const std::string& table);
+
 }  // namespace clearway::testing
