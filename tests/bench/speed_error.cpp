@@ -2,6 +2,7 @@
 // every pose.
 //   bench_speed_error [--scenes F,K] [--out DIR] ...      see --help and README.md in this folder
 // Ends with exit code 1 when an answer of clearway is wrong, and with 2 when the benchmark cannot run.
+#include <filesystem>
 #include <iostream>
 
 #include "bench/error_report.h"
@@ -83,6 +84,7 @@ ErrorReport measure(const BenchTask& task, const ErrorChoices& choices) {
 }
 
 int run(const ErrorChoices& choices) {
+    if (!choices.out.empty()) std::filesystem::create_directories(choices.out);  // before what takes long
     std::cout << "best target " << currentTarget() << "; of each time, the clock takes " << clockNanoseconds()
               << " ns\n";
     std::string table = errorHeader(kMarginShares);

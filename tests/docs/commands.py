@@ -91,9 +91,9 @@ class Checker:
             raise Refused(f"no test's name matches '{pattern}'")
 
     def tests_run(self, words):
-        self.require_options(words, {"--full"}, "tests/run")
+        self.require_options(words, {"--full", "--stage"}, "tests/run")
         for pattern in words:
-            if not pattern.startswith("--"):
+            if not pattern.startswith("--") and "--stage" not in words:
                 self.require_test(pattern)
 
     def require_preset(self, kind, name):

@@ -1,4 +1,4 @@
-"""The figures of docs/leaf_strategies.md, and its tables, from the study's folders."""
+"""The figures of docs/leaf_strategies.md and docs/leaf_strategies_tables.md, from the study's folders."""
 
 from statistics import median
 
