@@ -108,6 +108,7 @@ CASES = [
     ("commands", fenced("sh", "./demos/run gone"), "has no demo 'gone'"),
     ("commands", fenced("sh", "./tests/run --fool"), "has no option '--fool'"),
     ("commands", fenced("sh", "./tests/run no_such_test"), "no test's name matches"),
+    ("commands", fenced("sh", "./tests/run --stage gone"), "has no stage 'gone'"),
     ("commands", fenced("sh", "cmake --preset gone"), "no preset 'gone'"),
     ("commands", fenced("sh", "cmake --preset dev -DCLEARWAY_GONE=1"), "no CMake file knows"),
     ("commands", fenced("sh", "cmake --build --preset dev --target gone"), "no target 'gone'"),

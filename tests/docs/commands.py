@@ -92,9 +92,14 @@ class Checker:
 
     def tests_run(self, words):
         self.require_options(words, {"--full", "--stage"}, "tests/run")
-        for pattern in words:
-            if not pattern.startswith("--") and "--stage" not in words:
-                self.require_test(pattern)
+        stages = re.search(r"^stages=\((.*)\)$", (self.root / "tests/run").read_text(), re.M).group(1).split()
+        for word in words:
+            if word.startswith("--"):
+                continue
+            if "--stage" not in words:
+                self.require_test(word)
+            elif word not in stages:
+                raise Refused(f"tests/run has no stage '{word}', expected one of {', '.join(stages)}")
 
     def require_preset(self, kind, name):
         presets = json.loads((self.root / "CMakePresets.json").read_text())[kind]

@@ -45,7 +45,7 @@ const GeneratedScene& smallScene() {
     return scene;
 }
 
-/// Sizes of the scene's meshes. With CLEARWAY_FULL=1 the full size is included.
+/// Sizes of the scene's meshes. With CLEARWAY_FULL=1 larger ones and the full size are included.
 std::vector<std::pair<std::size_t, std::size_t>> sizes() {
     std::vector<std::pair<std::size_t, std::size_t>> all{{3600, 46000}};
     if (isFullRun()) all.insert(all.end(), {{11000, 130000}, {30000, 500000}});
