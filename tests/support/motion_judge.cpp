@@ -122,7 +122,7 @@ class MotionJudge {
         }
     }
 
-    /// Of poses that are no farther than a step from each other, up to this displacement after a time.
+    /// Poses are looked at no farther than a step from each other, up to this displacement after a time.
     double leastClearanceAfter(double time, double displacement, double step) {
         const double travel =
             planning::displacementBound(*scene_.space, scene_.scene.part)(motion_.s1.get(), motion_.s2.get());
