@@ -104,7 +104,7 @@ FIGURES = {
     "public-solved": public_problems.solved_with_any_seed,
     "public-solved-others": public_problems.solved_by_others,
     "public-fcl": public_problems.with_fcl,
-    # leaf_strategies/*/*.csv
+    # leaf_strategies/*.csv
     "leaf-tables": leaf_summary.all_tables,
     "leaf-summary": leaf_summary.summary,
     "leaf-general": leaf_summary.general,

@@ -1,16 +1,16 @@
-"""The figures of docs/leaf_strategies.md and docs/leaf_strategies_tables.md, from the study's folders."""
+"""The figures of docs/leaf_strategies.md and docs/leaf_strategies_tables.md, from the folder leaf_strategies of the results."""
 
 from statistics import median
 
 import leaf_tables
 from results import NotMeasured, matching, numbers, shown, span, table
 
-SCENES = ("tunnel-console", "cembox", "large-environment")
 USUAL = {"leaf_size": "4", "node_width": "8", "instructions": "best"}
 
 
 def folders(results):
-    return [results.folder / "leaf_strategies" / scene for scene in SCENES if (results.folder / "leaf_strategies" / scene).exists()]
+    folder = results.folder / "leaf_strategies"
+    return [folder] if folder.exists() else []
 
 
 def read(results, name):

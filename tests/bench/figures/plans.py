@@ -8,8 +8,8 @@ from results import NotMeasured, distinct, matching, median_with_range, numbers,
 NAMES = {"elk/elk": "Elk v1.75", "tunnel-console-3-2mm/tunnel-console": "tunnel-console-3, clearance 2 mm",
          "tunnel-console-3/tunnel-console": "tunnel-console-3, clearance 10 mm", "tunnel-console-small/tunnel-console": "tunnel-console-small",
          "problem": "tunnel-console-3, clearance 10 mm"}
-# The most clearance that a path can have: that of the scene's own path, or of its widest gate, or of the window the part must pass.
-MOST = {"bracket/bracket": "6.5", "gates/gates": "12", "tunnel-console-small/tunnel-console": "11.56",
+# The clearance of the scene's own path, as `clearway check` certifies it, or of its widest gate, or of the window the part must pass.
+OWN = {"bracket/bracket": "6.5", "gates/gates": "12", "tunnel-console-small/tunnel-console": "11.56",
         "tunnel-console-3/tunnel-console": "12.37"}
 
 
@@ -61,11 +61,11 @@ def room(results):
         widest = matching(results.rows("plan_widest"), problem=problem) if results.has("plan_widest") else []
         if not widest and problem.startswith("tunnel-console-3/"):
             widest = matching(results.rows("plan_widest"), problem="problem")
-        lines.append([name_of(problem), MOST.get(problem, ""),
+        lines.append([name_of(problem), OWN.get(problem, ""),
                       shown(statistics.median(numbers(first, "least_clearance"))) if first else "",
                       median_with_range(numbers(found, "least_clearance"), tenths), shown(statistics.median(numbers(found, "room_seconds"))),
                       tenths(statistics.median(numbers(widest, "least_clearance"))) if widest else ""])
-    return table(["scene", "most", "first path", "with room, median (range)", "seconds for room", "with the objective"], lines)
+    return table(["scene", "scene's own", "first path", "with room, median (range)", "seconds for room", "with the objective"], lines)
 
 
 def tenths(value):
