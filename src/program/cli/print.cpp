@@ -197,8 +197,9 @@ void claimStandardOutput(const std::string& option) {
         throw std::invalid_argument(option + " is -, which " + claimedBy() +
                                     " is too, expected a file for one of them");
     claimedBy() = option;
-    static Sink sink;
-    standardOutput().rdbuf(std::cout.rdbuf(&sink));
+    // The sink is never destroyed: std::cout is flushed after all objects of the program are gone.
+    static Sink* const sink = new Sink;
+    standardOutput().rdbuf(std::cout.rdbuf(sink));
 }
 
 void writeOut(const std::string& file, const std::function<void(std::ostream&)>& write) {
