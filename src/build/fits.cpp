@@ -1,11 +1,10 @@
 // The fits of the table, and the fitting of all nodes of a tree.
 #include "build/fits.h"
 
-#include <tbb/parallel_invoke.h>
-
 #include <algorithm>
 #include <array>
 
+#include "build/invoke_both.h"
 #include "build/top_down.h"
 #include "tree/normalisation.h"
 
@@ -61,8 +60,8 @@ class Fitting {
         if (node.triangleCount <= kTaskTriangles || node.isLeaf())
             return fitAllBelow(index, parentAxes, scratch);
         fitOne(index, parentAxes, scratch);
-        tbb::parallel_invoke([&] { fitLarge(node.left, &node.volume.axes); },
-                             [&] { fitLarge(node.right, &node.volume.axes); });
+        invokeBoth([&] { fitLarge(node.left, &node.volume.axes); },
+                   [&] { fitLarge(node.right, &node.volume.axes); });
     }
 
     void fitAllBelow(std::int32_t root, const Matrix3* parentAxes, Scratch& scratch) {

@@ -1,12 +1,12 @@
 // Each task builds a subtree, or one large node and the tasks of its children; the parts are then joined.
 #include "build/top_down.h"
 
-#include <tbb/parallel_invoke.h>
-
 #include <algorithm>
 #include <cassert>
 #include <memory>
 #include <utility>
+
+#include "build/invoke_both.h"
 
 namespace clearway {
 
@@ -48,8 +48,8 @@ class TopDown {
             return part;
         }
         const std::size_t leftCount = leftCountOf(root, depth, split);
-        tbb::parallel_invoke([&] { part->left = build(leftChild(root, leftCount), depth + 1); },
-                             [&] { part->right = build(rightChild(root, leftCount), depth + 1); });
+        invokeBoth([&] { part->left = build(leftChild(root, leftCount), depth + 1); },
+                   [&] { part->right = build(rightChild(root, leftCount), depth + 1); });
         return part;
     }
 
