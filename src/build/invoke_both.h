@@ -15,7 +15,7 @@ template <class First, class Second>
 void invokeBoth(const First& first, const Second& second) {
 #ifdef __SANITIZE_THREAD__
     // ThreadSanitizer cannot see how TBB, which is built without it, synchronises. Without these calls it
-    // takes what the functions read for races, so many that the tests of building take ten times as long.
+    // takes what the functions read for races, so many that a test of building took seven times as long.
     char begun, done;
     const auto ordered = [&begun, &done](const auto& function) {
         __tsan_acquire(&begun);
