@@ -1,4 +1,4 @@
-// The main function of every test program. A program holds all test files of a folder. Each file is a suite with its name, so
+// The main function of every test program. A program holds the test files of some folders. Each file is a suite with its name, so
 // that `--run_test=NAME_test` runs NAME_test.cpp alone. BOOST_TEST_MODULE would not work with precompiled headers.
 #include <boost/test/unit_test.hpp>
 

@@ -117,7 +117,7 @@ BOOST_AUTO_TEST_CASE(the_module_measures_between_300_and_400_mm_and_stays_in_its
         for (const double richness : {0.2, 1.0, 3.0}) {
             const int quarter = static_cast<int>(std::ceil(richness));
             const Detail detail{quarter, 8 * quarter, 60 / richness, richness};
-            const Mesh part = buildModule(design, detail, Random(seed), /*studs*/ 3).mesh();
+            const Mesh part = buildModule(design, detail, scenes::Random(seed), /*studs*/ 3).mesh();
             const double diagonal = boundingBox(part).diagonal().norm();
             BOOST_TEST(diagonal > 300);
             BOOST_TEST(diagonal < 400);

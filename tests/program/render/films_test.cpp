@@ -7,7 +7,7 @@
 
 namespace clearway::testing {
 
-BOOST_AUTO_TEST_SUITE(film_test)
+BOOST_AUTO_TEST_SUITE(films_test)
 
 using namespace render;
 

@@ -9,7 +9,7 @@
 
 namespace clearway::testing {
 
-BOOST_AUTO_TEST_SUITE(render_test)
+BOOST_AUTO_TEST_SUITE(pictures_test)
 
 using namespace render;
 
