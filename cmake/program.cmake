@@ -6,7 +6,7 @@ add_library(clearway_scenes STATIC ${scenes_sources})
 target_include_directories(clearway_scenes PRIVATE src)
 target_link_libraries(clearway_scenes PUBLIC clearway PRIVATE clearway_warnings)
 target_precompile_headers(clearway_scenes PRIVATE <Eigen/Geometry>)
-compile_together(clearway_scenes ${scenes_sources})
+compile_together(clearway_scenes scenes ${scenes_sources})
 
 # Pictures.
 set(font_bytes ${PROJECT_BINARY_DIR}/generated/font_bytes.cpp)
@@ -20,7 +20,7 @@ target_include_directories(clearway_render PRIVATE src)
 target_link_libraries(clearway_render PUBLIC clearway PRIVATE clearway_warnings embree PkgConfig::CAIRO PNG::PNG TBB::tbb)
 target_compile_definitions(clearway_render PRIVATE CLEARWAY_EMBREE_MAJOR=${EMBREE_VERSION_MAJOR})
 target_precompile_headers(clearway_render REUSE_FROM clearway_scenes)
-compile_together(clearway_render ${render_sources})
+compile_together(clearway_render render ${render_sources})
 
 # Messages between the ranks of `bench` under mpirun. This one file sees MPI, where there is MPI.
 add_library(clearway_ranks STATIC src/program/study/ranks.cpp)
@@ -41,7 +41,7 @@ target_link_libraries(clearway_study PUBLIC clearway clearway_planning
                       PRIVATE clearway_ranks clearway_warnings nlohmann_json::nlohmann_json)
 target_precompile_headers(clearway_study PRIVATE <Eigen/Geometry> <ompl/base/SpaceInformation.h>)
 compile_quickly(clearway_study)
-compile_together(clearway_study ${study_sources})
+compile_together(clearway_study study ${study_sources})
 
 # The report page. Its texts become part of the program, so that a page needs no other file and no network.
 set(page_texts ${PROJECT_BINARY_DIR}/generated/page_texts.cpp)
@@ -66,7 +66,7 @@ target_link_libraries(clearway_report PUBLIC clearway clearway_planning clearway
                       PRIVATE clearway_warnings Boost::headers nlohmann_json::nlohmann_json)
 target_precompile_headers(clearway_report REUSE_FROM clearway_study)
 compile_quickly(clearway_report)
-compile_together(clearway_report ${report_sources})
+compile_together(clearway_report report ${report_sources})
 
 # The program: its subcommands as a library, which tests link too, and main.
 file(GLOB cli_sources CONFIGURE_DEPENDS src/program/cli/*.cpp)
@@ -78,7 +78,7 @@ target_link_libraries(clearway_cli PUBLIC clearway clearway_planning
                               nlohmann_json::nlohmann_json TBB::tbb)
 target_precompile_headers(clearway_cli REUSE_FROM clearway_study)
 compile_quickly(clearway_cli)
-compile_together(clearway_cli ${cli_sources})
+compile_together(clearway_cli cli ${cli_sources})
 
 add_executable(clearway_program src/program/cli/main.cpp)
 set_target_properties(clearway_program PROPERTIES OUTPUT_NAME clearway)

@@ -21,13 +21,13 @@ namespace clearway {
 namespace {
 
 /// Covers the rounding of a distance between two points in double, relative to it.
-constexpr double kDistanceRounding = 1 + 8 * 0x1p-53;
+constexpr double kLengthRounding = 1 + 8 * 0x1p-53;
 
 /// An upper bound of the largest distance at any scale of the coordinates.
 double largestDistance(const std::vector<Vector3>& points, const Vector3& from) {
     double largest = 0;
     for (const Vector3& point : points) largest = std::max(largest, (point - from).stableNorm());
-    return largest * kDistanceRounding;
+    return largest * kLengthRounding;
 }
 
 /// The exponent of the smallest power of two above the radius, clamped far beyond any mesh so that the

@@ -26,9 +26,9 @@ Frames areaAtLeast(const Frames& extent0, const Frames& extent1, const Frames& d
 }
 
 /// A side of the rectangle; flat and midway if the swept sphere covers the whole extent.
-struct Side {
+struct FrameSide {
     Frames low, high;
-    Side(const Frames& least, const Frames& greatest) {
+    FrameSide(const Frames& least, const Frames& greatest) {
         const Frames middle = 0.5f * (least + greatest);
         low = least.min(middle);
         high = greatest.max(middle);
@@ -111,8 +111,8 @@ FrameSearch::Frames FrameSearch::areas(int side0, int side1, int normal, const E
         outer1.low = outer1.low.min(point[side1] + reach);
         outer1.high = outer1.high.max(point[side1] - reach);
     }
-    const Side a(outer0.low, outer0.high);
-    const Side b(outer1.low, outer1.high);
+    const FrameSide a(outer0.low, outer0.high);
+    const FrameSide b(outer1.low, outer1.high);
     if (areaOf(a.length(), b.length(), radius).minCoeff() >= leastArea_)
         return Frames::Constant(kFloatInfinity);
 

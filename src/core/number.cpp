@@ -2,6 +2,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <stdexcept>
 #include <system_error>
 
 namespace clearway {
@@ -61,6 +62,11 @@ std::string roundedPoint(const Vector3& point) {
 
 std::string withUnit(const std::string& text, const std::string& unit) {
     return unit.empty() ? text : text + " " + unit;
+}
+
+void requireLength(const std::string& name, double value) {
+    if (value >= 0 && std::isfinite(value)) return;
+    throw std::invalid_argument(name + " is " + shortNumber(value) + ", expected a finite number >= 0");
 }
 
 }  // namespace clearway

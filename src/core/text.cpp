@@ -14,7 +14,6 @@ namespace clearway {
 namespace {
 
 constexpr std::string_view kWhiteSpace = " \t\r\n\v\f";
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 constexpr std::size_t kLongestQuote = 60;   // characters
 constexpr std::size_t kLeastBeginning = 2;  // characters of a name that a longer word may begin with
 

@@ -11,6 +11,8 @@
 
 namespace clearway {
 
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  ///< of UTF-8
+
 /// The lines of a file without their ends ("\n" or "\r\n") and without a byte order mark. Throws
 /// std::runtime_error when the file cannot be read; the message names the file and what was expected ("a
 /// problem file").

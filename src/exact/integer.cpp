@@ -21,11 +21,11 @@ Scaled leadingBitsOf(const Integer& value) {
     return {static_cast<double>(static_cast<std::int64_t>(leading)), extra > 0 ? extra : 0};
 }
 
-constexpr int kNone = std::numeric_limits<int>::max();
+constexpr int kNoBit = std::numeric_limits<int>::max();
 
-/// The least lastBitOf of the numbers that are not 0; kNone if all are 0.
+/// The least lastBitOf of the numbers that are not 0; kNoBit if all are 0.
 int leastLastBit(const double* x, int count) {
-    int last = kNone;
+    int last = kNoBit;
     for (int k = 0; k < count; ++k) {
         if (x[k] != 0) last = std::min(last, lastBitOf(x[k]));
     }
@@ -72,7 +72,7 @@ LengthBounds rootBounds(const Integer& numerator, const Integer& denominator, in
 
 int lastBitOf(const Pose& X_ab, const Vector3& p_b) {
     const int ofPoint = leastLastBit(p_b.data(), 3), ofTranslation = leastLastBit(X_ab.translation.data(), 3);
-    if (ofPoint == kNone) return ofTranslation == kNone ? 0 : ofTranslation;
+    if (ofPoint == kNoBit) return ofTranslation == kNoBit ? 0 : ofTranslation;
     return std::min(ofTranslation, leastLastBit(X_ab.rotation.data(), 9) + ofPoint);
 }
 
@@ -80,7 +80,7 @@ Triple<Integer> movedInteger(const Pose& X_ab, const Vector3& p_b, int exponent)
     const int ofR = leastLastBit(X_ab.rotation.data(), 9), ofPoint = leastLastBit(p_b.data(), 3);
     const auto row = [&](int i) {
         Integer sum = scaledInteger(X_ab.translation[i], exponent);
-        if (ofPoint == kNone) return sum;
+        if (ofPoint == kNoBit) return sum;
         Integer products = 0;
         for (int k = 0; k < 3; ++k) {
             products += scaledInteger(X_ab.rotation(i, k), ofR) * scaledInteger(p_b[k], ofPoint);

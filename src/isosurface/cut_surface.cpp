@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kLeastShare = 1.0 / 64;  ///< of an edge: its points keep so far from its ends
 
-std::uint64_t keyOf(const CutEdge& edge) {
+std::uint64_t edgeKey(const CutEdge& edge) {
     return (std::uint64_t(edge.inner) << 32) | edge.outer;
 }
 
@@ -47,7 +47,7 @@ class Cutting {
     }
 
     std::uint32_t at(const CutEdge& edge) {
-        const auto [entry, isNew] = onEdges_.try_emplace(keyOf(edge), 0);
+        const auto [entry, isNew] = onEdges_.try_emplace(edgeKey(edge), 0);
         if (isNew) entry->second = add(pointOn(edge));
         return entry->second;
     }
@@ -62,7 +62,7 @@ class Cutting {
         if (!points_.between) return std::nullopt;
         const std::optional<Vector3> point = points_.between(from, to);
         if (!point) return std::nullopt;
-        const auto [entry, isNew] = corners_.try_emplace(std::minmax(keyOf(from), keyOf(to)), 0);
+        const auto [entry, isNew] = corners_.try_emplace(std::minmax(edgeKey(from), edgeKey(to)), 0);
         if (isNew) entry->second = add(*point);
         return entry->second;
     }

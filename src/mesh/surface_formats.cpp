@@ -13,7 +13,6 @@ using namespace std::string_view_literals;
 
 constexpr std::size_t kHead = 4096;   ///< bytes that are looked at
 constexpr std::size_t kZipName = 30;  ///< where the name of an archive's first file begins
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 struct SurfaceFormat {
     std::string_view start;  ///< of the file

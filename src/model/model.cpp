@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <cmath>
 
 #include "build/build.h"
 #include "build/flatten.h"
+#include "core/clock.h"
 #include "mesh/clean.h"
 #include "mesh/components.h"
 #include "model/model_data.h"
@@ -24,7 +24,7 @@ std::uint64_t Model::newId() {
 }
 
 Model Model::build(const Mesh& mesh, const BuildOptions& options, const std::optional<Reach>& reach) {
-    const auto start = std::chrono::steady_clock::now();
+    const Clock::time_point start = Clock::now();
     requireBuildOptions(options);
     if (reach) requireReach(*reach);
     CleanMesh cleaned = clean(mesh);
@@ -43,7 +43,7 @@ Model Model::build(const Mesh& mesh, const BuildOptions& options, const std::opt
     data->report.clean = cleaned.report;
     data->report.triangles = cleaned.triangles.size();
     data->report.tree = statistics(data->tree);
-    data->report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    data->report.seconds = secondsSince(start);
     return Model(std::move(data));
 }
 

@@ -2,7 +2,6 @@
 #include "clearway/obstacle_groups.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <optional>
 #include <set>
@@ -27,11 +26,6 @@ struct Treatment {
         return std::make_tuple(margin, overlap, isSolid, isIgnoredAtStart, isIgnoredAtGoal, apart);
     }
 };
-
-void requireLength(const std::string& rule, double length) {
-    if (length >= 0 && std::isfinite(length)) return;
-    throw std::invalid_argument(rule + " is " + shortNumber(length) + ", expected a finite number >= 0");
-}
 
 class Rules {
   public:

@@ -21,7 +21,7 @@ namespace {
 
 constexpr char kMagic[8] = {'c', 'l', 'e', 'a', 'r', 'w', 'a', 'y'};
 constexpr std::uint64_t kVersion = 6;
-constexpr std::uint64_t kByteOrderMark = 0x0102030405060708u;
+constexpr std::uint64_t kByteOrder = 0x0102030405060708u;
 
 [[noreturn]] void refuseFile(const std::string& file, const std::string& reason) {
     throw std::runtime_error(file + ": " + reason + ", expected a model saved by this version of clearway");
@@ -210,9 +210,8 @@ void Model::save(const std::string& file) const {
     addRest(payload, data_->report, data_->components, data_->origin);
     ArchiveWriter header;
     header.addBytes(kMagic, sizeof kMagic);
-    for (const std::uint64_t field :
-         {kVersion, kByteOrderMark, data_->key, std::uint64_t(payload.bytes().size()),
-          hashOf(data_->key, payload.bytes())}) {
+    for (const std::uint64_t field : {kVersion, kByteOrder, data_->key, std::uint64_t(payload.bytes().size()),
+                                      hashOf(data_->key, payload.bytes())}) {
         header.add(field);
     }
     replaceFile(file, [&](std::ostream& out) { out << header.bytes() << payload.bytes(); });
@@ -229,7 +228,7 @@ Model Model::load(const std::string& file) {
         if (const auto version = in.read<std::uint64_t>(); version != kVersion) {
             throw std::runtime_error("has format version " + std::to_string(version));
         }
-        if (in.read<std::uint64_t>() != kByteOrderMark)
+        if (in.read<std::uint64_t>() != kByteOrder)
             throw std::runtime_error("was saved with another byte order");
         data->key = in.read<std::uint64_t>();
         const auto size = in.read<std::uint64_t>(), hash = in.read<std::uint64_t>();

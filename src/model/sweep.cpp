@@ -126,7 +126,7 @@ SweepResult sweep(const Model& part, const Model& environment, const MotionPiece
 namespace {
 
 /// Relative error of the distances that a search for a least distance begins with.
-constexpr double kRoughError = 0.3;
+constexpr double kRoughSweepError = 0.3;
 
 /// Finds a pair that is near at an end of the motion. Without one, a search meets hundreds of pairs, each nearer than those
 /// before. Adds to the counters.
@@ -139,7 +139,7 @@ PairAtTime nearAtEnds(const Model& part, const Model& environment, const MotionP
         const MotionPiece piece = motion(end, end);
         if (piece.counts != MotionPiece::Counts::kAtMiddle || piece.isForbidden) continue;
         DistanceOptions options;
-        options.relativeError = kRoughError;
+        options.relativeError = kRoughSweepError;
         options.cap = std::max(0.0, known.clearance + margin);
         const DistanceResult found = distance(part, environment, piece.middle, options, workspace);
         counters += found.counters;

@@ -13,7 +13,7 @@ namespace {
 constexpr const char* kMargin = "margin";
 constexpr const char* kOverlap = "overlap";
 constexpr const char* kTolerance = "clearway.overlap.tolerance";
-constexpr const char* kThin = "clearway.overlap.thin";
+constexpr const char* kThinKey = "clearway.overlap.thin";
 constexpr const char* kAllow = "allow";
 constexpr const char* kNames = "names, separated by commas";
 constexpr const char* kAll = "all";
@@ -60,15 +60,15 @@ OverlapRules readOverlap(ConfigValues& values) {
     if (!(rules.common >= 0)) values.refuse("clearway.overlap", "a number of at least 0");
     rules.tolerance = values.number(kTolerance);
     if (rules.tolerance && !(*rules.tolerance > 0)) values.refuse(kTolerance, "a number above 0");
-    if (const std::optional<std::string> thin = values.text(kThin)) {
-        if (*thin != kAllow) values.refuse(kThin, "allow, or no such key");
+    if (const std::optional<std::string> thin = values.text(kThinKey)) {
+        if (*thin != kAllow) values.refuse(kThinKey, "allow, or no such key");
         rules.isThinAllowed = true;
     }
     readLengths(values, kOverlap, rules.byName);
     if (rules.common == 0 && rules.byName.empty()) {
         const char* expected = "an overlap above 0, or an overlap.NAME, beside it";
         if (rules.tolerance) values.refuse(kTolerance, expected);
-        if (rules.isThinAllowed) values.refuse(kThin, expected);
+        if (rules.isThinAllowed) values.refuse(kThinKey, expected);
     }
     return rules;
 }
@@ -89,11 +89,6 @@ void addContact(const std::string& key, const std::optional<ContactRule>& contac
                                     ", expected a finite length above 0");
     }
     lines.emplace_back(key, namesOf(key, contact->names) + ", " + formatNumber(contact->distance));
-}
-
-void requireLength(const std::string& key, double length) {
-    if (length >= 0 && std::isfinite(length)) return;
-    throw std::invalid_argument(key + " is " + shortNumber(length) + ", expected a finite number >= 0");
 }
 
 void addLengths(const std::string& key, const std::map<std::string, double>& lengths,

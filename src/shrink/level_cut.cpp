@@ -37,7 +37,7 @@ constexpr double kMostShallow = 0.15;  ///< of the tolerance: how far above its 
 constexpr double kMostDeep = 0.7;      ///< of the tolerance: how far below
 
 using Outline = std::vector<CutEdge>;
-using Corners = std::array<std::uint32_t, 4>;
+using CellCorners = std::array<std::uint32_t, 4>;
 
 class LevelCut {
   public:
@@ -178,7 +178,7 @@ class LevelCut {
     /// level and nowhere too shallow.
     bool settles(std::size_t number, const std::vector<Outline>& outlines, Workspace& workspace) {
         const Tetrahedron& tetrahedron = tetrahedra_.all()[number];
-        const Corners& c = tetrahedron.corners;
+        const CellCorners& c = tetrahedron.corners;
         requireContinuity(c);
         if (outlines.empty() && heights_[c[0]] >= 0) return !mayHoldShell(c);
         if (outlines.size() > 1) return false;  // their fillings might cross
@@ -198,7 +198,7 @@ class LevelCut {
 
     bool isShallow(const Tetrahedron& tetrahedron, const std::vector<Polytope>& pieces,
                    const std::vector<std::uint32_t>& nearest, Workspace& workspace) const {
-        const Corners& c = tetrahedron.corners;
+        const CellCorners& c = tetrahedron.corners;
         if (tetrahedron.isShallow || isShallowBySize(c)) return true;
         const bool mayBeOutside =
             std::any_of(c.begin(), c.end(), [&](std::uint32_t v) { return places_[v].depth < 0; });
@@ -207,7 +207,7 @@ class LevelCut {
                            [&](const Polytope& piece) { return limit_.holdsIn(piece, planes, workspace); });
     }
 
-    std::vector<std::uint32_t> nearestTo(const Corners& c) const {
+    std::vector<std::uint32_t> nearestTo(const CellCorners& c) const {
         return {places_[c[0]].triangle, places_[c[1]].triangle, places_[c[2]].triangle,
                 places_[c[3]].triangle};
     }
@@ -239,12 +239,12 @@ class LevelCut {
 
     const Vector3& vertex(std::uint32_t number) const { return tetrahedra_.vertices()[number]; }
 
-    std::array<Vector3, 4> cornersOf(const Corners& c) const {
+    std::array<Vector3, 4> cornersOf(const CellCorners& c) const {
         return {vertex(c[0]), vertex(c[1]), vertex(c[2]), vertex(c[3])};
     }
 
     /// Whether a vertex of a shell of the part is near, so that the tetrahedron may hold all of a cavity.
-    bool mayHoldShell(const Corners& c) const {
+    bool mayHoldShell(const CellCorners& c) const {
         Box box;
         for (const std::uint32_t v : c) box.extend(vertex(v));
         return std::any_of(shellPoints_.begin(), shellPoints_.end(),
@@ -258,7 +258,7 @@ class LevelCut {
 
     /// The values at a tetrahedron's corners of a linear function that is at least 0 at all its points outside the cut
     /// surface: those lie in the convex hull of its outer corners and of the surface's outline.
-    std::vector<double> below(const Corners& c, const Outline& outline) const {
+    std::vector<double> below(const CellCorners& c, const Outline& outline) const {
         Matrix3 edges;
         Vector3 rises;
         for (int k = 0; k < 3; ++k) {
@@ -314,7 +314,7 @@ class LevelCut {
     }
 
     /// Depths change no faster than places.
-    bool isShallowBySize(const Corners& c) const {
+    bool isShallowBySize(const CellCorners& c) const {
         for (int i = 0; i < 4; ++i) {
             double reach = 0;
             for (int j = 0; j < 4; ++j) reach = std::max(reach, (vertex(c[j]) - vertex(c[i])).norm());
@@ -333,7 +333,7 @@ class LevelCut {
 
     /// Depths change no faster than places, except in gaps that count as filled. So tetrahedra need not be smaller
     /// than a tenth of the tolerance either.
-    void requireContinuity(const Corners& c) const {
+    void requireContinuity(const CellCorners& c) const {
         const double most = 2 * surface_.slack() + 100 * surface_.rounding();
         double longest = 0;
         for (int i = 0; i < 4; ++i) {

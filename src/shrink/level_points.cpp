@@ -9,10 +9,10 @@
 namespace clearway {
 namespace {
 
-constexpr double kLeastShare = 1e-3;  ///< of an edge: its points keep so far from its ends
-constexpr int kMostSteps = 12;        ///< of the search along an edge
-constexpr int kMostPlaneSteps = 6;    ///< of them along planes, before the interval is halved
-constexpr double kParallel = 0.999;   ///< cosine; planes nearer to each other than this have no crease
+constexpr double kLeastEdgeShare = 1e-3;  ///< of an edge: its points keep so far from its ends
+constexpr int kMostSteps = 12;            ///< of the search along an edge
+constexpr int kMostPlaneSteps = 6;        ///< of them along planes, before the interval is halved
+constexpr double kParallel = 0.999;       ///< cosine; planes nearer to each other than this have no crease
 constexpr double kLeastDeterminant =
     0.02;                         ///< of three directions of length 1 whose planes meet in a good point
 constexpr double kWithin = 1e-3;  ///< the least barycentric coordinate of a point within
@@ -48,7 +48,7 @@ LevelPoint LevelPoints::crossing(const End& outer, const End& inner, Workspace& 
                 if (met > low.share && met < high.share) share = met;
             }
         }
-        share = std::clamp(share, kLeastShare, 1 - kLeastShare);
+        share = std::clamp(share, kLeastEdgeShare, 1 - kLeastEdgeShare);
         const Vector3 point = outer.point + share * way;
         const SurfaceDepth::Place place = surface_.at(point, workspace);
         const Bound found = boundAt(share, point, place);

@@ -12,7 +12,7 @@ namespace {
 constexpr double kError = 1.0 / 32;      ///< of the tolerance: how closely small distances are known
 constexpr double kErrorShare = 0.1;      ///< of a distance: how closely larger ones are known
 constexpr double kLeastInterval = 1e-2;  ///< of the tolerance: pieces of a motion that are too close to tell
-constexpr double kRounding = 1e-9;       ///< of a distance between a triangle and a point
+constexpr double kTriangleRounding = 1e-9;  ///< of a distance between a triangle and a point
 
 Mesh pointAtOrigin() {
     Mesh mesh;
@@ -140,7 +140,7 @@ bool PlaceDistances::isWithinOfOnePlace(const SurfaceTriangle& triangle, double 
     const Model surface = modelOf(partTriangles_[std::size_t(place.partTriangle)]);
     const Vector3& corner = partTriangles_[std::size_t(place.partTriangle)][0];
     const Pose X_environmentPart = motions_[place.motion].pieces(place.time, place.time).middle;
-    const double most = (distance - poseError_) * (1 - kRounding);
+    const double most = (distance - poseError_) * (1 - kTriangleRounding);
     return std::all_of(triangle.begin(), triangle.end(), [&](const Vector3& point) {
         const Pose X_pointTriangle{X_environmentPart.rotation, X_environmentPart * corner - point};
         return isWithin(surface, point_, X_pointTriangle, most, workspace);

@@ -20,21 +20,21 @@
 namespace clearway {
 namespace {
 
-constexpr std::size_t kMostVertices = 8'000'000;
-constexpr std::size_t kBlock = 64;  ///< points between two questions whether to stop
+constexpr std::size_t kMostCorners = 8'000'000;
+constexpr std::size_t kPointsOfBlock = 64;  ///< points between two questions whether to stop
 
 // Shares of the tolerance. In a tetrahedron with edges of at most kEdge, a point of the surface is less than kEdge from
-// a corner on either side, whose distance to the part is kLevel with an error of a 32nd: it is certain to be off the
+// a corner on either side, whose distance to the part is kSurfaceLevel with an error of a 32nd: it is certain to be off the
 // part, and within the tolerance of it, both with an eighth to spare for the error of poses.
-constexpr double kLevel = 0.5, kEdge = 0.3, kMostPoseError = 0.125;
+constexpr double kSurfaceLevel = 0.5, kEdge = 0.3, kMostPoseError = 0.125;
 constexpr double kCoarsest = 16;     ///< larger tetrahedra are halved without a look at the surface in them
 constexpr double kRoom = 4;          ///< closed rooms that are narrower may be filled
 constexpr double kLeastApart = 0.1;  ///< of the part from the surface in larger tetrahedra
 constexpr double kLeastStep = 0.05;  ///< of a search along an edge
-constexpr int kMostSteps = 24;
+constexpr int kMostEdgeSteps = 24;
 constexpr int kMostQuarterings = 2;  ///< of a triangle of the surface, to show that it is near the part
 
-using Corners = std::array<std::uint32_t, 4>;
+using CellCorners = std::array<std::uint32_t, 4>;
 
 /// Marches tetrahedra along the surface. They are halved until each of them is certain to hold no piece of the surface,
 /// or a piece that is off the part and near it.
@@ -86,10 +86,10 @@ class Sweeping {
                 tetrahedra_.bisect(open_[i]);
             }
             open_ = std::move(next);
-            if (tetrahedra_.vertices().size() > kMostVertices) {
+            if (tetrahedra_.vertices().size() > kMostCorners) {
                 throw std::invalid_argument("the tolerance of the swept volume is " +
                                             shortNumber(options_.tolerance) + ", which takes more than " +
-                                            std::to_string(kMostVertices) + " points, expected a larger one");
+                                            std::to_string(kMostCorners) + " points, expected a larger one");
             }
         }
     }
@@ -97,16 +97,18 @@ class Sweeping {
     /// Calls work(i, workspace) for i below count, in parallel, until the caller wants it to stop.
     template <class Work>
     void forEach(std::size_t count, const Work& work) {
-        tbb::parallel_for(std::size_t(0), (count + kBlock - 1) / kBlock, [&](std::size_t block) {
-            if (isStopped_ || (options_.isStopped && options_.isStopped())) {
-                isStopped_ = true;
-                return;
-            }
-            Workspace& workspace = workspaces_.local();
-            workspace.forgetWarmStart();
-            for (std::size_t i = block * kBlock; i < std::min(count, (block + 1) * kBlock); ++i)
-                work(i, workspace);
-        });
+        tbb::parallel_for(std::size_t(0), (count + kPointsOfBlock - 1) / kPointsOfBlock,
+                          [&](std::size_t block) {
+                              if (isStopped_ || (options_.isStopped && options_.isStopped())) {
+                                  isStopped_ = true;
+                                  return;
+                              }
+                              Workspace& workspace = workspaces_.local();
+                              workspace.forgetWarmStart();
+                              for (std::size_t i = block * kPointsOfBlock;
+                                   i < std::min(count, (block + 1) * kPointsOfBlock); ++i)
+                                  work(i, workspace);
+                          });
     }
 
     void measureNewVertices() {
@@ -129,7 +131,7 @@ class Sweeping {
     }
 
     static double middle(const PlaceDistance& place) { return 0.5 * (place.lower + place.upper); }
-    double level() const { return kLevel * options_.tolerance; }
+    double level() const { return kSurfaceLevel * options_.tolerance; }
 
     /// Finds where the surface crosses the edges of open tetrahedra that it may cross without being halved.
     void findCutPoints() {
@@ -158,7 +160,7 @@ class Sweeping {
         const Vector3 &from = tetrahedra_.vertices()[outer], &to = tetrahedra_.vertices()[inner];
         const double length = (to - from).norm(), step = kLeastStep * options_.tolerance;
         double way = -heights_[outer];
-        for (int i = 0; i < kMostSteps && way < length; ++i) {
+        for (int i = 0; i < kMostEdgeSteps && way < length; ++i) {
             const double spare = middle(placeOf(from + way / length * (to - from), workspace)) - level();
             if (spare <= step) break;
             way += spare;
@@ -175,7 +177,7 @@ class Sweeping {
     }
 
     bool isSettled(const Tetrahedron& tetrahedron, Workspace& workspace) const {
-        const Corners& c = tetrahedron.corners;
+        const CellCorners& c = tetrahedron.corners;
         const auto outlines = outlinesIn(tetrahedra_, tetrahedron, heights_);
         if (outlines.size() > 1) return false;  // their fillings might cross
         if (isSmall(c)) return true;
@@ -183,7 +185,7 @@ class Sweeping {
         return !isLarge(c) && isSurfaceGood(tetrahedron, outlines[0], workspace);
     }
 
-    double longestEdge(const Corners& c) const {
+    double longestEdge(const CellCorners& c) const {
         const auto& v = tetrahedra_.vertices();
         double longest = 0;
         for (int i = 0; i < 4; ++i)
@@ -191,12 +193,12 @@ class Sweeping {
         return longest;
     }
 
-    bool isSmall(const Corners& c) const { return longestEdge(c) <= kEdge * options_.tolerance; }
-    bool isLarge(const Corners& c) const { return longestEdge(c) > kCoarsest * options_.tolerance; }
+    bool isSmall(const CellCorners& c) const { return longestEdge(c) <= kEdge * options_.tolerance; }
+    bool isLarge(const CellCorners& c) const { return longestEdge(c) > kCoarsest * options_.tolerance; }
 
     /// Whether the part's surface never comes into the tetrahedron, or the tetrahedron is all inside and either near the
     /// part or too narrow to hold a room that counts.
-    bool isSettledWithoutSurface(const Corners& c) const {
+    bool isSettledWithoutSurface(const CellCorners& c) const {
         const auto& v = tetrahedra_.vertices();
         const double spare = kMostPoseError * options_.tolerance;
         const bool isInside = heights_[c[0]] >= 0;
@@ -215,7 +217,7 @@ class Sweeping {
     bool isSurfaceGood(const Tetrahedron& tetrahedron, const std::vector<CutEdge>& outline,
                        Workspace& workspace) const {
         const auto& v = tetrahedra_.vertices();
-        const Corners& corners = tetrahedron.corners;
+        const CellCorners& corners = tetrahedron.corners;
         const Vector3 centre = 0.25 * (v[corners[0]] + v[corners[1]] + v[corners[2]] + v[corners[3]]);
         double radius = 0;
         for (const std::uint32_t c : corners) radius = std::max(radius, (v[c] - centre).norm());

@@ -39,7 +39,7 @@ std::vector<CornerLanes> normalisedCorners(const CleanMesh& mesh) {
 }
 
 /// Sums over weighted points, in float for a while and then in double.
-struct Moments {
+struct WeightedMoments {
     struct Sums {
         Lanes4 first = Lanes4::Zero();    ///< x, y, z
         Lanes4 squares = Lanes4::Zero();  ///< xx, yy, zz
@@ -92,8 +92,8 @@ class SahSplit {
         const std::size_t stride = run.size() < kLeastToSample ? 1 : kStride;
         gather(run, stride);
         cheapest_ = BinnedPlane();
-        Moments corners;
-        Moments area;
+        WeightedMoments corners;
+        WeightedMoments area;
         sumMoments(corners, area);
         tryFrame(corners.axes());
         if (area.weight > 0) tryFrame(area.axes());
@@ -117,10 +117,10 @@ class SahSplit {
     }
 
     /// Sums the moments of the gathered triangles' corners and of their area.
-    void sumMoments(Moments& corners, Moments& area) const {
+    void sumMoments(WeightedMoments& corners, WeightedMoments& area) const {
         constexpr std::size_t kInFloat = 256;  // few enough that floats lose little
         for (std::size_t first = 0; first < triangles_.size(); first += kInFloat) {
-            Moments::Sums ofCorners, ofArea;
+            WeightedMoments::Sums ofCorners, ofArea;
             const std::size_t last = std::min(first + kInFloat, triangles_.size());
             for (std::size_t i = first; i < last; ++i) addMoments(triangles_[i], ofCorners, ofArea);
             ofCorners.weight = 3.0f * static_cast<float>(last - first);
@@ -129,7 +129,8 @@ class SahSplit {
         }
     }
 
-    static void addMoments(const CornerLanes& triangle, Moments::Sums& corners, Moments::Sums& area) {
+    static void addMoments(const CornerLanes& triangle, WeightedMoments::Sums& corners,
+                           WeightedMoments::Sums& area) {
         const auto& [a, b, c] = triangle.corner;
         const Lanes4 sum = a + b + c;
         const Lanes4 squares = a.square() + b.square() + c.square();

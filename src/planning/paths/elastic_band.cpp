@@ -1,7 +1,6 @@
 #include "planning/paths/elastic_band.h"
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <stdexcept>
 #include <vector>
@@ -257,10 +256,7 @@ class Band {
 }  // namespace
 
 double makeRoom(og::PathGeometric& path, const MotionValidator& validator, const RoomOptions& options) {
-    if (!(options.clearance >= 0) || !std::isfinite(options.clearance)) {
-        throw std::invalid_argument("the clearance kept is " + shortNumber(options.clearance) +
-                                    ", expected a finite number >= 0");
-    }
+    requireLength("the clearance kept", options.clearance);
     if (!(options.gain > 0)) {
         throw std::invalid_argument("the gain is " + shortNumber(options.gain) + ", expected a number > 0");
     }

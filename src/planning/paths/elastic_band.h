@@ -19,6 +19,10 @@ constexpr double kFirstBandGain = 0.3;
 /// So many stages of 16 sweeps without gain, ever finer, show that there is hardly more to gain.
 constexpr int kMostIdleStages = 24;
 
+/// The clearance to keep while a path is shortened before its band, as a share of the diagonal of the part's box. A band that
+/// begins in contact begins slowly.
+constexpr double kClearanceBeforeBand = 1e-3;
+
 struct RoomOptions {
     /// Clearance that all motions of the path keep, by MotionValidator::keepsClearance. Environment units, >= 0.
     double clearance = 0;

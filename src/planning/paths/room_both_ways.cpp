@@ -11,12 +11,9 @@ namespace {
 
 namespace og = ompl::geometric;
 
-/// Kept where the path is shortened, as a share of the part's diagonal: a band that begins in contact begins slowly.
-constexpr double kShortenedFloor = 1e-3;
-
 WidePath wayShortened(const og::PathGeometric& path, const MotionValidator& validator, RoomOptions options) {
     WidePath way{std::make_shared<og::PathGeometric>(path), 0};
-    const double floor = kShortenedFloor * validator.scene().part.box().diagonal().norm();
+    const double floor = kClearanceBeforeBand * validator.scene().part.box().diagonal().norm();
     simplify(*way.path, validator, {std::max(floor, options.clearance), options.isSpent});
     // The shortened path keeps as much only to the audit's accuracy.
     options.clearance = 0;

@@ -4,9 +4,7 @@
 #include <ompl/geometric/PathSimplifier.h>
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
-#include <stdexcept>
 #include <vector>
 
 #include "core/number.h"
@@ -114,10 +112,7 @@ class Simplifier {
 
 PathAudit simplify(og::PathGeometric& path, const MotionValidator& validator,
                    const SimplifyOptions& options) {
-    if (!(options.floor >= 0) || !std::isfinite(options.floor)) {
-        throw std::invalid_argument("floor is " + shortNumber(options.floor) +
-                                    ", expected a finite number >= 0");
-    }
+    requireLength("floor", options.floor);
     PathAudit before = audit(path, validator);
     if (!before.isValid() || path.getStateCount() < 3) return before;
     og::PathGeometric shorter = path;

@@ -3,19 +3,18 @@
 #include <ompl/util/RandomNumbers.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <map>
 #include <optional>
 
 #include "clearway/scene_clearance.h"
+#include "core/clock.h"
 #include "planning/validity/ompl_states.h"
 
 namespace clearway::planning {
 namespace {
 
 namespace ob = ompl::base;
-using Clock = std::chrono::steady_clock;
 
 /// Targets of motions may be beyond the bounds by this share of the part's diagonal. Planners never aim there, but
 /// without such targets no motion would meet a bound.
@@ -138,7 +137,7 @@ void findBlockers(const FailedTrees& trees, const MotionValidator& validator, Sp
                   const WhyNoPathOptions& options, WhyNoPath& why) {
     const Clock::time_point begin = Clock::now();
     const auto isOver = [&] {
-        const double spent = std::chrono::duration<double>(Clock::now() - begin).count();
+        const double spent = secondsSince(begin);
         return (options.seconds && spent >= *options.seconds) || (options.isStopped && options.isStopped());
     };
     Trial trial(validator, space, options.seed);

@@ -3,7 +3,6 @@
 #include <ompl/geometric/planners/rrt/RRTConnect.h>
 
 #include <algorithm>
-#include <chrono>
 #include <future>
 #include <iterator>
 #include <utility>
@@ -12,6 +11,7 @@
 #include "clearway/planning/simplify.h"
 #include "clearway/planning/sliding_rrt_connect.h"
 #include "clearway/planning/validity_checker.h"
+#include "core/clock.h"
 #include "planning/motion/floor_validator.h"
 #include "planning/paths/elastic_band.h"
 #include "planning/validity/ompl_states.h"
@@ -21,7 +21,6 @@ namespace {
 
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
-using Clock = std::chrono::steady_clock;
 
 /// Floors, by turns, of the planners that look for short ways, as shares of the best clearance. A low one is quick, and a
 /// high one keeps out of ways that are short but narrow.
@@ -32,19 +31,14 @@ constexpr double kPatience = 4;           ///< times the duration of the seek th
 constexpr double kLeastPatience = 0.05;   ///< seconds
 constexpr double kGrowth = 1.5;           ///< of patience, when a seek finds nothing
 constexpr int kFirstIdleStages = 4;       ///< of a path's first band: another way may have more room
-constexpr double kGainLoss = 0.5;         ///< from one band of a path to the next
-constexpr double kLeastGain = 1e-3;  ///< the smallest steps; after them a band begins with large ones again
+constexpr double kBandGainLoss = 0.5;     ///< from one band of a path to the next
+constexpr double kLeastBandGain =
+    1e-3;  ///< the smallest steps; after them a band begins with large ones again
 constexpr double kShorteningShare =
     0.25;  ///< of what it took to find a path goes to shortening it before its band
 constexpr double kLeastShortening = 0.25;  ///< seconds
 constexpr double kSurelyKept =
     0.99;  ///< of the clearance that an audit certifies, by the validator's other searches
-constexpr double kShortenedFloor =
-    1e-3;  ///< of the part's diagonal, kept where a path is shortened before its band
-
-double secondsSince(Clock::time_point begin) {
-    return std::chrono::duration<double>(Clock::now() - begin).count();
-}
 
 }  // namespace
 
@@ -206,7 +200,7 @@ FloorSearch::Job FloorSearch::nextJob() {
     job.path = {std::make_shared<og::PathGeometric>(*best_->path), best_->clearance};
     job.gain = gain_;
     job.seconds = std::max(wideSeeks_.patience, kLeastPatience);
-    gain_ = gain_ > kLeastGain ? kGainLoss * gain_ : kFirstBandGain;
+    gain_ = gain_ > kLeastBandGain ? kBandGainLoss * gain_ : kFirstBandGain;
     ++widening_;
     return job;
 }
@@ -257,7 +251,7 @@ bool FloorSearch::isTooLong(const og::PathGeometric& path) const {
 /// A band of few states is quicker. Returns the clearance that the path keeps.
 double FloorSearch::shortenFirst(const Job& job, og::PathGeometric& path) const {
     const Clock::time_point begin = Clock::now();
-    const double floor = kShortenedFloor * validator_->scene().part.box().diagonal().norm();
+    const double floor = kClearanceBeforeBand * validator_->scene().part.box().diagonal().norm();
     const PathAudit found = simplify(path, *validator_,
                                      {std::max(floor, job.path.clearance),
                                       [&] { return isSpent_() || secondsSince(begin) > job.seconds; }});

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <cstdint>
 #include <future>
 #include <limits>
@@ -15,6 +14,7 @@
 
 #include "clearway/planning/clearance_objectives.h"
 #include "clearway/planning/sliding_rrt_connect.h"
+#include "core/clock.h"
 
 namespace clearway::planning {
 
@@ -22,8 +22,6 @@ namespace ob = ompl::base;
 namespace og = ompl::geometric;
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 /// Iterations of RRTConnect's shortest run: on easy problems of OMPL.app, most runs have ended by then.
 constexpr std::uint64_t kShortestRun = 3000;
@@ -91,7 +89,7 @@ class PlannerTeam::Turns {
         while (Member* member = next()) {
             const Clock::time_point begin = Clock::now();
             const ob::PlannerStatus status = member->takeTurn([this] { return isFound_ || isSpent_(); });
-            const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+            const double seconds = secondsSince(begin);
             finish(*member, status, isByTime_ ? seconds / kSecondsOfTurn : 1);
         }
     }

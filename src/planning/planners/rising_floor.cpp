@@ -15,8 +15,8 @@ namespace {
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
 
-constexpr double kNearlyMost = 0.99;   ///< of the most: as good as it, since clearances are known to 1 %
-constexpr double kWantedSlack = 1.15;  ///< costs are up to 10 % lower than clearances
+constexpr double kAsGoodAsMost = 0.99;  ///< of the most: as good as it, since clearances are known to 1 %
+constexpr double kWantedSlack = 1.15;   ///< costs are up to 10 % lower than clearances
 
 }  // namespace
 
@@ -110,7 +110,7 @@ ob::PlannerStatus RisingFloor::solve(const ob::PlannerTerminationCondition& isSp
     options.range = range_;
     options.threads = threads_;
     options.most = mostClearance();
-    options.enough = std::min(kNearlyMost * options.most, wantedClearance());
+    options.enough = std::min(kAsGoodAsMost * options.most, wantedClearance());
     options.wantsShortWays = wantsShortWays_;
     search_->run(options, [&] { return isSpent(); });
     if (!search_->best()) return ob::PlannerStatus::TIMEOUT;

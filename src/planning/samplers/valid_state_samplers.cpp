@@ -18,11 +18,11 @@ constexpr int kMoves = 5;                 ///< away from contact
 constexpr double kMoveMore = 1.05;        ///< of the missing clearance, because the next obstacle takes some
 
 constexpr double kGapPerDiagonal = 0.1;
-constexpr int kMostSteps = 16;       ///< across a gap
-constexpr double kStepShare = 0.9;   ///< of the clearance, so that a step touches nothing yet
-constexpr double kLeastStep = 0.02;  ///< of the gap's width
-constexpr int kGapHalvings = 5;      ///< to the middle of a gap
-constexpr double kOpposite = -0.3;   ///< the largest cosine between the normals of a gap's two sides
+constexpr int kMostGapSteps = 16;       ///< across a gap
+constexpr double kStepShare = 0.9;      ///< of the clearance, so that a step touches nothing yet
+constexpr double kLeastGapStep = 0.02;  ///< of the gap's width
+constexpr int kGapHalvings = 5;         ///< to the middle of a gap
+constexpr double kOpposite = -0.3;      ///< the largest cosine between the normals of a gap's two sides
 
 std::shared_ptr<const ValidityChecker> checkerOf(const ob::SpaceInformation& si, const char* sampler) {
     auto checker = std::dynamic_pointer_cast<const ValidityChecker>(si.getStateValidityChecker());
@@ -177,8 +177,8 @@ bool NarrowGapSampler::centre(ob::State* state) const {
     if (!begin.isValid || begin.clearance > 0.5 * gap_ || begin.away.isZero()) return false;
     double width = 0;
     Room room = begin;
-    for (int i = 0; i < kMostSteps; ++i) {
-        width += std::max(kStepShare * room.clearance, kLeastStep * gap_);
+    for (int i = 0; i < kMostGapSteps; ++i) {
+        width += std::max(kStepShare * room.clearance, kLeastGapStep * gap_);
         if (width > gap_) return false;
         si_->copyState(other_, state);
         translate(other_, width * begin.away);

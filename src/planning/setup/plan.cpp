@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <optional>
 #include <sstream>
 
@@ -12,6 +11,7 @@
 #include "clearway/planning/ompl_messages.h"
 #include "clearway/planning/plan_setup.h"
 #include "clearway/planning/planners.h"
+#include "core/clock.h"
 #include "planning/setup/problem_settings.h"
 #include "planning/setup/room.h"
 #include "planning/validity/ompl_states.h"
@@ -21,11 +21,6 @@ namespace {
 
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
-using Clock = std::chrono::steady_clock;
-
-double secondsSince(Clock::time_point begin) {
-    return std::chrono::duration<double>(Clock::now() - begin).count();
-}
 
 /// The share of the time that planners get that would use all of it. The rest is for shortening.
 constexpr double kImprovingShare = 0.75;

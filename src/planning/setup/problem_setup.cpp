@@ -1,7 +1,5 @@
 #include "clearway/planning/problem_setup.h"
 
-#include <ompl/base/spaces/SE2StateSpace.h>
-#include <ompl/base/spaces/SE3StateSpace.h>
 #include <ompl/util/Console.h>
 
 #include <memory>
@@ -13,19 +11,9 @@
 #include "planning/validity/ompl_states.h"
 
 namespace clearway::planning {
-namespace {
 
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
-
-Space kindOf(const ob::StateSpace& space) {
-    if (dynamic_cast<const ob::SE3StateSpace*>(&space)) return Space::kSe3;
-    if (dynamic_cast<const ob::SE2StateSpace*>(&space)) return Space::kSe2;
-    throw std::invalid_argument("state space '" + space.getName() +
-                                "' is neither SE(3) nor SE(2), expected one of them");
-}
-
-}  // namespace
 
 og::SimpleSetup makeSetup(const Problem& problem, const Scene& scene) {
     const Box bounds = boundsOf(problem, scene.environmentBox(), scene.part.box());

@@ -1,11 +1,11 @@
 #include "planning/setup/room.h"
 
 #include <algorithm>
-#include <chrono>
 #include <memory>
 #include <mutex>
 
 #include "clearway/planning/motion_validator.h"
+#include "core/clock.h"
 #include "planning/paths/kept_clearance.h"
 #include "planning/paths/room_both_ways.h"
 #include "planning/planners/rising_floor.h"
@@ -30,7 +30,7 @@ class Growth {
     template <class Clearance>
     bool isFast(const Clearance& clearance) {
         const std::lock_guard<std::mutex> lock(mutex_);
-        const double now = std::chrono::duration<double>(Clock::now() - begin_).count();
+        const double now = secondsSince(begin_);
         if (now - looked_ < kLookSeconds) return isFast_;
         looked_ = now;
         const double grown = clearance();
@@ -43,7 +43,6 @@ class Growth {
     }
 
   private:
-    using Clock = std::chrono::steady_clock;
     std::mutex mutex_;
     const Clock::time_point begin_ = Clock::now();
     double looked_ = 0, reference_ = 0, lastGrown_ = 0;

@@ -14,7 +14,6 @@ namespace {
 
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
-using Clock = std::chrono::steady_clock;
 
 /// A trial without iterations takes this share of the whole time when it finds no path, but at least kLeastSeconds.
 constexpr double kShareOfTrial = 1.0 / 16;
@@ -45,10 +44,6 @@ PlanOptions trialOptions(const ExplainOptions& options) {
     return trial;
 }
 
-double spentSince(Clock::time_point begin) {
-    return std::chrono::duration<double>(Clock::now() - begin).count();
-}
-
 }  // namespace
 
 Trials::Trials(const Problem& problem, const ExplainOptions& options)
@@ -58,7 +53,7 @@ Trials::Trials(const Problem& problem, const ExplainOptions& options)
       begin_(Clock::now()) {
     const auto isStopped = options.plan.isStopped;
     options_.isStopped = [this, isStopped] {
-        return (isStopped && isStopped()) || spentSince(begin_) >= share_ * seconds_;
+        return (isStopped && isStopped()) || secondsSince(begin_) >= share_ * seconds_;
     };
 }
 
@@ -74,7 +69,7 @@ std::optional<TrialPath> Trials::run(const Scene& scene) {
     std::atomic<std::uint64_t> asked{0};
     std::atomic<bool> isFound{false};
     const auto isSpent = [&] {
-        return isFound || isOver() || (options_.seconds && spentSince(begin) >= *options_.seconds);
+        return isFound || isOver() || (options_.seconds && secondsSince(begin) >= *options_.seconds);
     };
     PlanReport report;
     const PlanSetup setup = makePlanSetup(problem_, scene, options_, report, isSpent);

@@ -1,12 +1,12 @@
 // Trials of planning in changed scenes, each until its first path.
 #pragma once
 
-#include <chrono>
 #include <optional>
 #include <vector>
 
 #include "clearway/planning/explain.h"
 #include "clearway/planning/plan_setup.h"
+#include "core/clock.h"
 
 namespace clearway::planning {
 
@@ -43,7 +43,7 @@ class Trials {
     PlanOptions options_;
     double seconds_;
     double share_ = 1;
-    std::chrono::steady_clock::time_point begin_;
+    Clock::time_point begin_;
     std::size_t count_ = 0;
     std::vector<Blocker> blockers_;
 };

@@ -9,6 +9,7 @@
 #include <string>
 #include <typeinfo>
 
+#include "core/number.h"
 #include "planning/validity/ompl_states.h"
 
 namespace clearway::planning {
@@ -78,10 +79,7 @@ DisplacementBound makeBound(const ob::StateSpace& space, double radius, const Ra
 }  // namespace
 
 DisplacementBound displacementBound(const ob::StateSpace& space, double partRadius) {
-    if (!(partRadius >= 0) || !std::isfinite(partRadius)) {
-        throw std::invalid_argument("partRadius is " + std::to_string(partRadius) +
-                                    ", expected a finite number >= 0");
-    }
+    requireLength("partRadius", partRadius);
     return makeBound(space, partRadius, [partRadius](const Vector3&) { return partRadius; });
 }
 

@@ -47,6 +47,13 @@ bool isOmplSe3(const ob::StateSpace& space) {
     return typeid(space) == typeid(ob::SE3StateSpace) || typeid(space) == typeid(Se3Space);
 }
 
+Space kindOf(const ob::StateSpace& space) {
+    if (dynamic_cast<const ob::SE3StateSpace*>(&space)) return Space::kSe3;
+    if (dynamic_cast<const ob::SE2StateSpace*>(&space)) return Space::kSe2;
+    throw std::invalid_argument("state space '" + space.getName() +
+                                "' is neither SE(3) nor SE(2), expected one of them");
+}
+
 ob::StateSpacePtr makeSpace(Space kind, const Box& bounds, double turnWeight) {
     if (kind == Space::kSe2) return makeBounded<ob::SE2StateSpace>(bounds, 2, turnWeight);
     return makeBounded<Se3Space>(bounds, 3, turnWeight);

@@ -18,6 +18,9 @@ const ompl::base::StateSpace& spaceOf(const ompl::base::SpaceInformationPtr& si)
 /// Whether a space is OMPL's SE(3), and not one derived from it that may interpolate in its own way.
 bool isOmplSe3(const ompl::base::StateSpace& space);
 
+/// Throws std::invalid_argument when a space is neither SE(3) nor SE(2).
+Space kindOf(const ompl::base::StateSpace& space);
+
 /// SE(3) or SE(2) with the position within the bounds. turnWeight: the length, in environment units, that one
 /// unit of OMPL's rotation distance counts as (half the angle in SE(3), the angle in SE(2), in radians).
 ompl::base::StateSpacePtr makeSpace(Space kind, const Box& bounds, double turnWeight);

@@ -1,8 +1,5 @@
 #include "clearway/planning/outside_goal.h"
 
-#include <ompl/base/spaces/SE2StateSpace.h>
-#include <ompl/base/spaces/SE3StateSpace.h>
-
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -15,7 +12,7 @@ namespace {
 
 namespace ob = ompl::base;
 
-constexpr int kTries = 100;  ///< draws until one is valid
+constexpr int kMostDraws = 100;  ///< draws until one is valid
 /// States that a planner may ask for. BIT* and its kin ask for all of them before they begin.
 constexpr unsigned int kMostGoals = 100;
 /// Shares of the draws with any rotation, and straight ahead of the start. A part often leaves by an opening that it lies along
@@ -24,14 +21,8 @@ constexpr unsigned int kMostGoals = 100;
 constexpr double kTurnedShare = 0.25;
 constexpr double kStraightShare = 0.5;
 
-Space kindOf(const ob::StateSpace& space) {
-    if (dynamic_cast<const ob::SE3StateSpace*>(&space)) return Space::kSe3;
-    if (dynamic_cast<const ob::SE2StateSpace*>(&space)) return Space::kSe2;
-    throw std::invalid_argument("state space '" + space.getName() +
-                                "' is neither SE(3) nor SE(2), expected one of them for a goal outside");
-}
-
-Box boxOf(const ob::RealVectorBounds& bounds) {
+Box boundsOf(const ob::StateSpace& space, Space kind) {
+    const ob::RealVectorBounds& bounds = positionBounds(kind, space);
     Box box(Vector3::Zero(), Vector3::Zero());
     for (std::size_t i = 0; i < bounds.low.size(); ++i) {
         const auto axis = static_cast<Eigen::Index>(i);
@@ -39,11 +30,6 @@ Box boxOf(const ob::RealVectorBounds& bounds) {
         box.max()[axis] = bounds.high[i];
     }
     return box;
-}
-
-Box boundsOf(const ob::StateSpace& space, Space kind) {
-    return kind == Space::kSe3 ? boxOf(space.as<ob::SE3StateSpace>()->getBounds())
-                               : boxOf(space.as<ob::SE2StateSpace>()->getBounds());
 }
 
 int dimensionsOf(Space kind) {
@@ -133,7 +119,7 @@ unsigned int OutsideGoal::maxSampleCount() const {
 
 void OutsideGoal::sampleGoal(ob::State* state) const {
     PartState drawn;
-    for (int i = 0; i < kTries; ++i) {
+    for (int i = 0; i < kMostDraws; ++i) {
         {
             const std::lock_guard<std::mutex> lock(mutex_);
             drawn = draw(state);

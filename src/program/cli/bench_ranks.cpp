@@ -6,6 +6,7 @@
 #include <iterator>
 #include <stdexcept>
 
+#include "core/clock.h"
 #include "core/hash.h"
 #include "core/text.h"
 #include "program/cli/facts.h"
@@ -71,11 +72,11 @@ std::optional<study::ToldRun> readKept(const study::KeptRuns& kept, std::size_t 
 class Progress {
   public:
     Progress(const Benchmark& benchmark, std::size_t left, int ranks)
-        : benchmark_(benchmark), left_(left), ranks_(ranks), begin_(study::Clock::now()) {}
+        : benchmark_(benchmark), left_(left), ranks_(ranks), begin_(Clock::now()) {}
 
     void tellBegin(std::size_t run) const {
         if (!benchmark_.options.tell) return;
-        const double elapsed = study::secondsSince(begin_);
+        const double elapsed = secondsSince(begin_);
         const double each =
             ended_ > 0 ? elapsed / static_cast<double>(ended_) : benchmark_.options.secondsLimit() / ranks_;
         benchmark_.options.tell({benchmark_.planners[placeOf(run, benchmark_.options).planner].name,
@@ -88,7 +89,7 @@ class Progress {
     const Benchmark& benchmark_;
     std::size_t left_, ended_ = 0;
     int ranks_;
-    study::Clock::time_point begin_;
+    Clock::time_point begin_;
 };
 
 }  // namespace

@@ -159,11 +159,10 @@ Scene buildScene(const StudyProblem& study, const Engine& engine, const std::str
 }
 
 TimeLeft::TimeLeft(std::size_t pieces, double mostEach)
-    : pieces_(pieces), mostEach_(mostEach), begin_(std::chrono::steady_clock::now()) {}
+    : pieces_(pieces), mostEach_(mostEach), begin_(Clock::now()) {}
 
 std::string TimeLeft::text() const {
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin_;
-    const double each = done_ > 0 ? elapsed.count() / static_cast<double>(done_) : mostEach_;
+    const double each = done_ > 0 ? secondsSince(begin_) / static_cast<double>(done_) : mostEach_;
     return (done_ > 0 ? "about " : "at most ") + durationText(each * static_cast<double>(pieces_ - done_)) +
            " left";
 }

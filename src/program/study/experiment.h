@@ -2,7 +2,6 @@
 // problems, whose scenes are built again for each engine.
 #pragma once
 
-#include <chrono>
 #include <cstdint>
 #include <ctime>
 #include <functional>
@@ -14,6 +13,7 @@
 #include "clearway/obstacle_groups.h"
 #include "clearway/problem.h"
 #include "clearway/scene.h"
+#include "core/clock.h"
 #include "program/study/calls.h"
 #include "program/study/table.h"
 
@@ -120,7 +120,7 @@ class TimeLeft {
     std::size_t pieces_;
     double mostEach_;
     std::size_t done_ = 0;
-    std::chrono::steady_clock::time_point begin_;
+    Clock::time_point begin_;
 };
 
 /// Seconds of processor time that the calling thread has used so far; other programs do not add to them.

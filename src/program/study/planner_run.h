@@ -1,7 +1,6 @@
 // Runs one planner once, and collects the properties that OMPL's benchmark logs hold.
 #pragma once
 
-#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -14,18 +13,13 @@
 #include "clearway/problem.h"
 #include "clearway/scene.h"
 #include "clearway/scene_clearance.h"
+#include "core/clock.h"
 #include "program/study/calls.h"
 #include "program/study/table.h"
 
 namespace clearway::study {
 
 constexpr double kBytesPerMegabyte = 1024.0 * 1024.0;
-
-using Clock = std::chrono::steady_clock;
-
-inline double secondsSince(Clock::time_point begin) {
-    return std::chrono::duration<double>(Clock::now() - begin).count();
-}
 
 /// Run properties as texts, keyed as in OMPL's benchmark logs. A key ends with a type: "time REAL".
 using Properties = std::map<std::string, std::string>;

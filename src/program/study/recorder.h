@@ -4,7 +4,6 @@
 
 #include <ompl/base/StateSpace.h>
 
-#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <random>
@@ -14,6 +13,7 @@
 #include "clearway/planning/plan_setup.h"
 #include "clearway/scene.h"
 #include "clearway/scene_clearance.h"
+#include "core/clock.h"
 #include "program/study/calls.h"
 
 namespace clearway::study {
@@ -40,9 +40,9 @@ class Recorder {
     template <class Answer>
     auto time(const Answer& answer) {
         if (!isRecording()) return answer();
-        const auto begin = std::chrono::steady_clock::now();
+        const Clock::time_point begin = Clock::now();
         const auto result = answer();
-        seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+        seconds_ += secondsSince(begin);
         return result;
     }
 
