@@ -6,6 +6,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "bench/bench_scenes.h"
+#include "support/full_run.h"
 #include "support/oracle.h"
 
 BOOST_AUTO_TEST_SUITE(pose_sets_test)
@@ -15,7 +16,7 @@ using namespace clearway::testing;
 
 namespace {
 
-constexpr int kPoses = 100;
+const int kPoses = inForm(100, 40);
 constexpr std::uint64_t kSeed = 7;
 
 std::vector<std::string> sceneNames() {
@@ -52,7 +53,7 @@ BOOST_DATA_TEST_CASE(poses_collide_or_are_free_as_promised_by_the_oracle,
             BOOST_TEST(clearance >= scene.leastFree * (1 - 1e-9));
             BOOST_TEST(clearance <= scene.mostFree * (1 + 1e-9));
         }
-        BOOST_TEST(std::abs(touching / double{kPoses} - scene.collidingShare) <= 0.02);
+        BOOST_TEST(std::abs(touching / double(kPoses) - scene.collidingShare) <= 0.02);
     }
 }
 

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "clearway/model.h"
+#include "support/full_run.h"
 #include "support/random_meshes.h"
 
 namespace clearway::testing {
@@ -34,7 +35,7 @@ BOOST_AUTO_TEST_CASE(no_vertex_is_farther_from_the_axis_and_one_is_as_far_but_fo
     for (const int width : {2, 8}) {
         BuildOptions options;
         options.nodeWidth = width;
-        for (int seed = 1; seed <= 20; ++seed) {
+        for (int seed = 1; seed <= inForm(20, 7); ++seed) {
             Random random(seed);
             const Pose away = random.pose(std::pow(10, random.uniform(-2, 4)));
             const Mesh mesh = transformed(
@@ -94,7 +95,7 @@ BOOST_AUTO_TEST_CASE(no_vertex_moves_further_and_one_as_far_but_for_a_millionth)
     for (const int width : {2, 8}) {
         BuildOptions options;
         options.nodeWidth = width;
-        for (int seed = 1; seed <= 20; ++seed) {
+        for (int seed = 1; seed <= inForm(20, 7); ++seed) {
             Random random(seed);
             const Mesh mesh = transformed(cadAssembly(random, 100), random.pose(seed % 2 == 0 ? 0 : 1e4));
             const Model model = Model::build(mesh, options);

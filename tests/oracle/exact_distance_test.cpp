@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "support/exact_triangle.h"
+#include "support/full_run.h"
 #include "support/hard_triangles.h"
 
 namespace clearway::testing {
@@ -25,7 +26,7 @@ BOOST_AUTO_TEST_CASE(integers_and_fractions_agree_on_every_family) {
     constexpr std::uint64_t kSeed = 20261121;
     Random random(kSeed);
     for (const TriangleFamily& family : hardTriangleFamilies()) {
-        for (int i = 0; i < 24; ++i) {
+        for (int i = 0; i < inForm(24, 10); ++i) {
             BOOST_TEST_CONTEXT("family " << family.name << ", seed " << kSeed << ", pair " << i) {
                 const TrianglePair pair = family.make(random);
                 const Pose pose = i % 2 == 0 ? Pose{} : random.pose(10);
@@ -45,7 +46,7 @@ BOOST_AUTO_TEST_CASE(an_exact_distance_is_ordered_among_the_doubles_around_it) {
     Random random(kSeed);
     const double infinity = std::numeric_limits<double>::infinity();
     for (const TriangleFamily& family : hardTriangleFamilies()) {
-        for (int i = 0; i < 12; ++i) {
+        for (int i = 0; i < inForm(12, 6); ++i) {
             BOOST_TEST_CONTEXT("family " << family.name << ", seed " << kSeed << ", pair " << i) {
                 const TrianglePair pair = family.make(random);
                 const ExactDistance distance = exactDistance(Pose{}, pair.a, pair.b);

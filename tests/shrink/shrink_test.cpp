@@ -93,7 +93,7 @@ void checkShrunk(const ShrunkPart& shrunk, const Mesh& outside, int draws) {
     BOOST_TEST(inside < draws);
 }
 
-void checkShrunk(const Mesh& part, const ShrinkOptions& options, int draws = 150) {
+void checkShrunk(const Mesh& part, const ShrinkOptions& options, int draws = inForm(150, 50)) {
     checkShrunk(shrink(part, options), part, draws);
 }
 
@@ -160,7 +160,7 @@ BOOST_AUTO_TEST_CASE(threads_and_scenes_shrink_as_promised) {
     for (const char* name : {"bracket/bracket.stl", "puzzle/puzzle_part.obj"}) {
         const Mesh part = loadMesh(std::string(CLEARWAY_DATA_DIR) + "/" + name);
         const double diagonal = boundingBox(part).diagonal().norm();
-        checkShrunk(part, {0.008 * diagonal, 0.008 * diagonal}, 60);
+        checkShrunk(part, {0.008 * diagonal, 0.008 * diagonal}, inForm(60, 20));
         if (isFullRun()) checkShrunk(part, {0.002 * diagonal, 0.0004 * diagonal}, 60);
     }
 }

@@ -56,7 +56,7 @@ def builds(place, row):
 
 def speed_error(place, row):
     sizes = {
-        "ci": ["--small", "--pose-count", 20, "--near-bases", 3, "--repetitions", 1, "--peer-budget", 0.3],
+        "ci": ["--small", "--pose-count", 10, "--near-bases", 2, "--repetitions", 1, "--peer-budget", 0.1],
         "quick": ["--pose-count", 200, "--near-bases", 10, "--repetitions", 2, "--peer-budget", 1],
         "full": ["--pose-count", 200, "--near-bases", 10, "--repetitions", 7, "--peer-budget", 4],
     }
@@ -188,7 +188,7 @@ def samplers(table):
 
 
 def anytime_clearance(place, row):
-    limit, seeds = {"ci": (0.4, 1), "quick": (2, 2), "full": (2, 10)}[place.form]
+    limit, seeds = {"ci": (0.2, 1), "quick": (2, 2), "full": (2, 10)}[place.form]
     return [[place.bench("bench_anytime_clearance"), limit, seeds, place.scratch / "anytime_clearance.csv", row]]
 
 
@@ -203,12 +203,12 @@ def study_of_samplers(name, problem, ci_rows=()):
 
 
 PARTS = (
-    Part("queries", "queries of clearway and its peers, a row a scene", rows=SCENES, quick_rows=("K", "N", "F"), ci_rows=SCENES,
+    Part("queries", "queries of clearway and its peers, a row a scene", rows=SCENES, quick_rows=("K", "N", "F"), ci_rows=("K", "M", "N", "F"),
          programs=("bench_queries",), commands=queries, table="summary.csv", group=("scene",),
          keys=("scene", "question", "engine", "over_question", "over_engine"), shown=("ratio", "us_mean")),
     Part("builds", "seconds and bytes of trees", rows=("K", "I", "J", "M", "N", "F"), quick_rows=("N", "F"), ci_rows=("F",),
          programs=("bench_queries",), commands=builds, group=("scene",), keys=("scene", "build"), shown=("seconds", "bytes_per_triangle")),
-    Part("speed_error", "speed against error, and wrong verdicts near margins", rows=SCENES, quick_rows=("F",), ci_rows=("F", "K", "L", "N"),
+    Part("speed_error", "speed against error, and wrong verdicts near margins", rows=SCENES, quick_rows=("F",), ci_rows=("F", "N"),
          programs=("bench_speed_error",), commands=speed_error, group=("scene",), keys=("scene", "mode"),
          shown=("queries_per_second", "time_over_float_only", "error_worst")),
     Part("growth", "queries, motions and trees as one of two linked rings grows", rows=tuple(GROWTH), quick_rows=("environment 64k",),

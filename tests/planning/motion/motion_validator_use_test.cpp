@@ -14,6 +14,7 @@
 
 #include "clearway/scene_clearance.h"
 #include "planning/validity/ompl_states.h"
+#include "support/full_run.h"
 #include "support/motion_window.h"
 #include "support/part_in_space.h"
 #include "support/random_meshes.h"
@@ -123,7 +124,7 @@ BOOST_AUTO_TEST_CASE(a_profile_by_clearances_holds_up_to_the_last_valid_pose) {
     const MotionValidator byClearance(f.si, f.window.scene, stateToPose(*f.space),
                                       displacementBound(*f.space, f.window.scene.part));
     ob::ScopedState<> between(f.space);
-    for (int seed = 1; seed <= 20; ++seed) {
+    for (int seed = 1; seed <= testing::inForm(20, 8); ++seed) {
         testing::Random random(seed);
         const auto s1 = f.at(Vector3(-60, 0, 0) + random.inBox(20), random.uniform(0, 3));
         const auto s2 = f.at({0, 0, 30}, random.uniform(0, 3));
@@ -322,7 +323,7 @@ BOOST_AUTO_TEST_CASE(an_environment_within_reach_gives_the_same_verdicts) {
         };
         BOOST_TEST(scene().obstacles[0].model.reach().has_value());
         const MotionValidator validator(f.si, scene());
-        for (int seed = 1; seed <= 200; ++seed) {
+        for (int seed = 1; seed <= testing::inForm(200, 70); ++seed) {
             testing::Random random(seed);
             const auto s1 = f.at(Vector3(-60, 0, 0) + random.inBox(40), random.uniform(0, 3));
             const auto s2 = f.at(Vector3(-30, 0, 0) + random.inBox(40), random.uniform(0, 3));

@@ -78,7 +78,7 @@ BOOST_AUTO_TEST_CASE(
         const double diagonal = scene->scene.part.box().diagonal().norm();
         testing::Random random(21);
         int valid = 0;
-        for (int i = 0; i < 60; ++i) {
+        for (int i = 0; i < testing::inForm(60, 30); ++i) {
             const double reach = i % 3 == 0 ? 0.2 : 0.01, turn = 3 * reach;
             const auto s1 = scene->state(scene->nearPath(random, reach * diagonal, turn));
             const auto s2 = scene->state(scene->nearPath(random, reach * diagonal, turn));
@@ -94,7 +94,7 @@ BOOST_AUTO_TEST_CASE(
             }
             ++valid;
         }
-        BOOST_TEST(valid >= 5, scene->name);
+        BOOST_TEST(valid >= testing::inForm(5, 2), scene->name);
     }
 }
 
@@ -110,7 +110,7 @@ BOOST_AUTO_TEST_CASE(a_motion_and_its_reverse_cost_exactly_the_same_whatever_was
           static_cast<const ob::OptimizationObjective*>(&integral),
           static_cast<const ob::OptimizationObjective*>(&wanted)}) {
         BOOST_TEST(objective->isSymmetric());
-        for (int i = 0; i < 100; ++i) {
+        for (int i = 0; i < testing::inForm(100, 40); ++i) {
             const bool isParallel = i % 2 == 0;
             const auto s1 = isParallel ? f.at(Vector3(-50, 0, 0) + random.inBox(15)) : randomState(f, random);
             const auto s2 = isParallel ? f.at(Vector3(-50, 0, 0) + random.inBox(15)) : randomState(f, random);
@@ -213,7 +213,7 @@ BOOST_AUTO_TEST_CASE(heuristics_are_never_worse_than_the_costs_they_stand_for) {
     ob::GoalState goal(f.si);
     goal.setThreshold(0.5);
     testing::Random random(23);
-    for (int i = 0; i < 100; ++i) {
+    for (int i = 0; i < testing::inForm(100, 40); ++i) {
         const auto s1 = randomState(f, random), s2 = randomState(f, random);
         goal.setState(s2);
         for (const ob::OptimizationObjective* objective :

@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "clearway/planning/clearance_objectives.h"
+#include "support/full_run.h"
 #include "support/motion_scene.h"
 #include "support/motion_window.h"
 #include "support/random_meshes.h"
@@ -46,7 +47,7 @@ Judged judge(const testing::MotionScene& scene, const ob::OptimizationObjective&
     Judged judged;
     const double diagonal = scene.scene.part.box().diagonal().norm();
     testing::Random random(31);
-    for (int i = 0; i < 40; ++i) {
+    for (int i = 0; i < testing::inForm(40, 15); ++i) {
         const double reach = i % 3 == 0 ? 0.2 : 0.02, turn = 3 * reach;
         const auto s1 = scene.state(scene.nearPath(random, reach * diagonal, turn));
         const auto s2 = scene.state(scene.nearPath(random, reach * diagonal, turn));
@@ -81,7 +82,7 @@ BOOST_AUTO_TEST_CASE(a_cost_is_the_integral_of_the_stated_weight_to_the_resoluti
             motions += closeness.motions + length.motions;
         }
     }
-    BOOST_TEST(motions > 200);
+    BOOST_TEST(motions > testing::inForm(200, 75));
 }
 
 BOOST_AUTO_TEST_CASE(poses_are_looked_at_where_it_is_close_and_not_by_a_step) {

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "clearway/scene_clearance.h"
+#include "support/full_run.h"
 #include "support/oracle.h"
 #include "support/part_in_space.h"
 #include "support/random_meshes.h"
@@ -108,7 +109,7 @@ BOOST_AUTO_TEST_CASE(an_obstacle_is_ignored_while_no_vertex_is_further_from_the_
     const PartInSpace space(assembly.scene);
     Random random(71);
     int ignored = 0, valid = 0;
-    for (int i = 0; i < 600; ++i) {
+    for (int i = 0; i < inForm(600, 200); ++i) {
         PartState state = randomState(assembly, random);
         if (i % 2 == 0) {  // to the border of the zone
             state.rotation = Eigen::Quaterniond::Identity();
@@ -129,8 +130,8 @@ BOOST_AUTO_TEST_CASE(an_obstacle_is_ignored_while_no_vertex_is_further_from_the_
         valid += late > 0;
         ignored += late > 0 && assembly.oracles[1]->collides(X);
     }
-    BOOST_TEST(ignored > 30);
-    BOOST_TEST(valid > 200);
+    BOOST_TEST(ignored > inForm(30, 10));
+    BOOST_TEST(valid > inForm(200, 65));
     BOOST_TEST(space.isValid(assembly.start.translation));
     BOOST_TEST(space.checker->isValid(space.at(stateOf(assembly.goal)).get()));
 }
@@ -181,7 +182,7 @@ BOOST_AUTO_TEST_CASE(no_motion_called_valid_is_too_close_by_the_oracle_to_what_c
     const Assembly assembly;
     const PartInSpace space(assembly.scene);
     int valid = 0, crossing = 0, tried = 0;
-    for (int seed = 1; seed <= 150; ++seed) {
+    for (int seed = 1; seed <= inForm(150, 75); ++seed) {
         Random random(static_cast<std::uint64_t>(seed));
         const auto s1 =
             seed % 3 == 0 ? space.at(stateOf(assembly.start)) : space.at(randomState(assembly, random));
@@ -194,9 +195,9 @@ BOOST_AUTO_TEST_CASE(no_motion_called_valid_is_too_close_by_the_oracle_to_what_c
     }
     BOOST_TEST_MESSAGE(tried << " motions, " << valid << " valid, " << crossing
                              << " of these across the border");
-    BOOST_TEST(valid > 25);
-    BOOST_TEST(crossing > 8);
-    BOOST_TEST(valid < tried - 15);
+    BOOST_TEST(valid > inForm(25, 12));
+    BOOST_TEST(crossing > inForm(8, 4));
+    BOOST_TEST(valid < tried - inForm(15, 7));
 }
 
 BOOST_AUTO_TEST_CASE(a_part_is_lifted_off_its_tray_and_not_slid_along_it) {
