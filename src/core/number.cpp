@@ -64,7 +64,7 @@ std::string withUnit(const std::string& text, const std::string& unit) {
     return unit.empty() ? text : text + " " + unit;
 }
 
-void requireLength(const std::string& name, double value) {
+void requireNotNegative(const std::string& name, double value) {
     if (value >= 0 && std::isfinite(value)) return;
     throw std::invalid_argument(name + " is " + shortNumber(value) + ", expected a finite number >= 0");
 }

@@ -36,7 +36,7 @@ std::string roundedPoint(const Vector3& point);  ///< "(1.5, 2, 0.1)", numbers a
 std::string withUnit(const std::string& text, const std::string& unit);
 
 /// Throws std::invalid_argument "NAME is VALUE, expected a finite number >= 0" unless it is one.
-void requireLength(const std::string& name, double value);
+void requireNotNegative(const std::string& name, double value);
 
 }  // namespace clearway
 

@@ -17,7 +17,7 @@ namespace clearway {
 
 namespace {
 
-constexpr std::uint32_t kNoVertex = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t kNoNumber = std::numeric_limits<std::uint32_t>::max();
 
 /// Finds the first of equal items, by open addressing with linear probing. The caller keeps the items and
 /// numbers them 0, 1, 2, ...
@@ -26,7 +26,7 @@ class FirstOfEqual {
     explicit FirstOfEqual(std::size_t items) {
         std::size_t capacity = 16;
         while (capacity < 2 * items) capacity *= 2;
-        slots_.assign(capacity, kNoVertex);
+        slots_.assign(capacity, kNoNumber);
     }
 
     /// The number of an equal earlier item, or else newNumber, which the new item gets.
@@ -34,7 +34,7 @@ class FirstOfEqual {
     std::uint32_t findOrInsert(std::uint64_t hash, std::uint32_t newNumber, IsEqual isEqual) {
         const std::size_t mask = slots_.size() - 1;
         for (std::size_t slot = hash & mask;; slot = (slot + 1) & mask) {
-            if (slots_[slot] == kNoVertex) return slots_[slot] = newNumber;
+            if (slots_[slot] == kNoNumber) return slots_[slot] = newNumber;
             if (isEqual(slots_[slot])) return slots_[slot];
         }
     }
@@ -61,10 +61,10 @@ std::vector<bool> usedVertices(const Mesh& mesh) {
     return used;
 }
 
-/// Fills clean.vertices and returns the new number of each given vertex; kNoVertex for unused vertices.
+/// Fills clean.vertices and returns the new number of each given vertex; kNoNumber for unused vertices.
 std::vector<std::uint32_t> weld(const Mesh& mesh, CleanMesh& clean) {
     const std::vector<bool> used = usedVertices(mesh);
-    std::vector<std::uint32_t> numbers(mesh.vertices.size(), kNoVertex);
+    std::vector<std::uint32_t> numbers(mesh.vertices.size(), kNoNumber);
     FirstOfEqual table(mesh.vertices.size());
     for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
         if (!used[i]) {

@@ -30,8 +30,8 @@ struct Treatment {
 class Rules {
   public:
     Rules(const ObstacleNames& names, double margin, double overlap) : names_(names) {
-        requireLength("margin", margin);
-        requireLength("overlap", overlap);
+        requireNotNegative("margin", margin);
+        requireNotNegative("overlap", overlap);
         Treatment usual;
         usual.margin = margin;
         usual.overlap = overlap;
@@ -74,7 +74,7 @@ class Rules {
         std::vector<std::optional<Length>> found(treatments_.size());
         for (const auto& [name, length] : lengths) {
             const std::string key = rule + "." + name;
-            requireLength(key, length);
+            requireNotNegative(key, length);
             const std::vector<std::size_t> members = names_.find(key, name);
             for (const std::size_t i : members) {
                 if (found[i] && found[i]->count == members.size() && found[i]->length != length) {

@@ -25,7 +25,7 @@ constexpr double kSlack = 128 * 0x1p-53;
 /// A pose's rotation may lengthen the part by a share of 3/2 of the rotation's defect.
 constexpr double kStretch = 1 + 2 * kPoseDefect;
 
-using MovedCorners = std::array<Vector3, 3>;
+using CornerPoints = std::array<Vector3, 3>;
 
 double largestCoordinate(const Box& box) {
     return std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
@@ -44,7 +44,7 @@ class Surroundings {
     Surroundings(const Box& box, double limit) : box_(box), limit_(limit) {}
 
     /// Whether the triangle is surely farther from the box than the limit.
-    bool isFarther(const MovedCorners& triangle) const {
+    bool isFarther(const CornerPoints& triangle) const {
         Box around;
         for (const Vector3& corner : triangle) around.extend(corner);
         const Vector3 below = box_.min() - around.max(), above = around.min() - box_.max();
@@ -57,7 +57,7 @@ class Surroundings {
         return point.cwiseMax(box_.min()).cwiseMin(box_.max());
     }
 
-    bool isFartherAlongOtherLines(const MovedCorners& triangle) const {
+    bool isFartherAlongOtherLines(const CornerPoints& triangle) const {
         for (const Vector3& corner : triangle) {
             const Vector3 away = corner - nearestInBox(corner);
             if (away.stableNorm() <= limit_) return false;
@@ -72,7 +72,7 @@ class Surroundings {
         return false;
     }
 
-    bool edgeSeparates(const Vector3& from, const Vector3& edge, const MovedCorners& triangle) const {
+    bool edgeSeparates(const Vector3& from, const Vector3& edge, const CornerPoints& triangle) const {
         for (int axis = 0; axis < 3; ++axis) {
             if (separates(edge.cross(Vector3::Unit(axis)), triangle)) return true;
         }
@@ -83,7 +83,7 @@ class Surroundings {
         return false;
     }
 
-    bool separates(const Vector3& direction, const MovedCorners& triangle) const {
+    bool separates(const Vector3& direction, const CornerPoints& triangle) const {
         const Vector3 v = scaled(direction);
         const Vector3 toLow = v.cwiseProduct(box_.min()), toHigh = v.cwiseProduct(box_.max());
         double least = std::numeric_limits<double>::infinity(), most = -least;
@@ -100,7 +100,7 @@ class Surroundings {
     const double limit_;
 };
 
-MovedCorners cornersOf(const CleanMesh& mesh, const TriangleIndices& triangle) {
+CornerPoints cornersOf(const CleanMesh& mesh, const TriangleIndices& triangle) {
     return {mesh.vertices[triangle[0]], mesh.vertices[triangle[1]], mesh.vertices[triangle[2]]};
 }
 
@@ -119,8 +119,8 @@ void requireReach(const Reach& reach) {
                                     formatNumber(low[axis]) + " to " + formatNumber(high[axis]) +
                                     ", expected finite numbers, the first at most the second");
     }
-    requireLength("the reach's partRadius", reach.partRadius);
-    requireLength("the reach's cap", reach.cap);
+    requireNotNegative("the reach's partRadius", reach.partRadius);
+    requireNotNegative("the reach's cap", reach.cap);
 }
 
 std::size_t leaveOutUnreachable(CleanMesh& mesh, const Reach& reach) {

@@ -94,7 +94,7 @@ void addContact(const std::string& key, const std::optional<ContactRule>& contac
 void addLengths(const std::string& key, const std::map<std::string, double>& lengths,
                 std::vector<std::pair<std::string, std::string>>& lines) {
     for (const auto& [name, length] : lengths) {
-        requireLength(key + "." + name, length);
+        requireNotNegative(key + "." + name, length);
         std::string written = namesOf(key, {name});
         // Without quotes these would be keys of their own.
         if (key == kOverlap && (name == "tolerance" || name == "thin")) written = "\"" + name + "\"";
@@ -103,7 +103,7 @@ void addLengths(const std::string& key, const std::map<std::string, double>& len
 }
 
 void addOverlap(const OverlapRules& rules, std::vector<std::pair<std::string, std::string>>& lines) {
-    requireLength(kOverlap, rules.common);
+    requireNotNegative(kOverlap, rules.common);
     if (rules.common > 0) lines.emplace_back(kOverlap, formatNumber(rules.common));
     addLengths(kOverlap, rules.byName, lines);
     if (rules.tolerance) {

@@ -60,7 +60,7 @@ SceneClearance::SceneClearance(Scene scene)
       scratch_(std::make_unique<ThreadScratch>(scene_.obstacles.size())) {
     for (std::size_t i = 0; i < scene_.obstacles.size(); ++i) {
         const Obstacle& obstacle = scene_.obstacles[i];
-        requireLength("margin", obstacle.margin);
+        requireNotNegative("margin", obstacle.margin);
         if (obstacle.solids && !obstacle.shrunk && !scene_.partSolids) {
             throw std::invalid_argument(
                 "an obstacle is solid and partSolids is null, expected makeSolids of the part's mesh");

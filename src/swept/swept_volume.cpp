@@ -20,7 +20,7 @@
 namespace clearway {
 namespace {
 
-constexpr std::size_t kMostCorners = 8'000'000;
+constexpr std::size_t kMostPoints = 8'000'000;
 constexpr std::size_t kPointsOfBlock = 64;  ///< points between two questions whether to stop
 
 // Shares of the tolerance. In a tetrahedron with edges of at most kEdge, a point of the surface is less than kEdge from
@@ -86,10 +86,10 @@ class Sweeping {
                 tetrahedra_.bisect(open_[i]);
             }
             open_ = std::move(next);
-            if (tetrahedra_.vertices().size() > kMostCorners) {
+            if (tetrahedra_.vertices().size() > kMostPoints) {
                 throw std::invalid_argument("the tolerance of the swept volume is " +
                                             shortNumber(options_.tolerance) + ", which takes more than " +
-                                            std::to_string(kMostCorners) + " points, expected a larger one");
+                                            std::to_string(kMostPoints) + " points, expected a larger one");
             }
         }
     }

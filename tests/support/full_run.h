@@ -12,7 +12,7 @@ inline bool isFullRun() {
     return full != nullptr && std::string(full) == "1";
 }
 
-/// How often a test does something: `all` in its long form, `few` in its short one.
+/// How often a test does something, or how often it must: `all` in its long form, `few` in its short one.
 inline int inForm(int all, int few) {
     return isFullRun() ? all : few;
 }

@@ -139,7 +139,7 @@ std::string MotionValidator::whyInvalid(const ob::State* state) const {
 
 bool MotionValidator::keepsClearance(const ob::State* s1, const ob::State* s2, double more,
                                      const std::function<bool()>& isStopped) const {
-    requireLength("the clearance to keep", more);
+    requireNotNegative("the clearance to keep", more);
     return count(judge(s1, s2, {false, more, isStopped}));
 }
 

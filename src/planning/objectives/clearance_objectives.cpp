@@ -63,7 +63,7 @@ ClosenessWeight weightOf(const Scene& scene, const ClearanceIntegralOptions& opt
 ClosenessWeight weightOf(const Scene& scene, const LengthWithClearanceOptions& options) {
     const double wanted = wantedClearance(options, scene.part);
     const double strictness = options.strictness;
-    requireLength("strictness", strictness);
+    requireNotNegative("strictness", strictness);
     const auto extra = [=](double clearance) { return strictness * std::max(0.0, 1 - clearance / wanted); };
     return {extra, wanted};
 }

@@ -256,7 +256,7 @@ class Band {
 }  // namespace
 
 double makeRoom(og::PathGeometric& path, const MotionValidator& validator, const RoomOptions& options) {
-    requireLength("the clearance kept", options.clearance);
+    requireNotNegative("the clearance kept", options.clearance);
     if (!(options.gain > 0)) {
         throw std::invalid_argument("the gain is " + shortNumber(options.gain) + ", expected a number > 0");
     }

@@ -112,7 +112,7 @@ class Simplifier {
 
 PathAudit simplify(og::PathGeometric& path, const MotionValidator& validator,
                    const SimplifyOptions& options) {
-    requireLength("floor", options.floor);
+    requireNotNegative("floor", options.floor);
     PathAudit before = audit(path, validator);
     if (!before.isValid() || path.getStateCount() < 3) return before;
     og::PathGeometric shorter = path;

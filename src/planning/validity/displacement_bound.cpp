@@ -79,7 +79,7 @@ DisplacementBound makeBound(const ob::StateSpace& space, double radius, const Ra
 }  // namespace
 
 DisplacementBound displacementBound(const ob::StateSpace& space, double partRadius) {
-    requireLength("partRadius", partRadius);
+    requireNotNegative("partRadius", partRadius);
     return makeBound(space, partRadius, [partRadius](const Vector3&) { return partRadius; });
 }
 

@@ -12,6 +12,7 @@
 
 #include "clearway/planning/ompl_messages.h"
 #include "clearway/planning/plan_setup.h"
+#include "core/clock.h"
 #include "core/number.h"
 
 namespace clearway::study {

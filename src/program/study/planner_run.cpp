@@ -16,6 +16,7 @@
 #include "clearway/planning/finish.h"
 #include "clearway/planning/plan_setup.h"
 #include "clearway/planning/problem_setup.h"
+#include "core/clock.h"
 #include "core/number.h"
 #include "program/study/recorder.h"
 

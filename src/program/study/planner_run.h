@@ -13,7 +13,6 @@
 #include "clearway/problem.h"
 #include "clearway/scene.h"
 #include "clearway/scene_clearance.h"
-#include "core/clock.h"
 #include "program/study/calls.h"
 #include "program/study/table.h"
 

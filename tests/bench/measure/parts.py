@@ -203,7 +203,7 @@ def study_of_samplers(name, problem, ci_rows=()):
 
 
 PARTS = (
-    Part("queries", "queries of clearway and its peers, a row a scene", rows=SCENES, quick_rows=("K", "N", "F"), ci_rows=("K", "M", "N", "F"),
+    Part("queries", "queries of clearway and its peers, a row a scene", rows=SCENES, quick_rows=("K", "N", "F"), ci_rows=SCENES,
          programs=("bench_queries",), commands=queries, table="summary.csv", group=("scene",),
          keys=("scene", "question", "engine", "over_question", "over_engine"), shown=("ratio", "us_mean")),
     Part("builds", "seconds and bytes of trees", rows=("K", "I", "J", "M", "N", "F"), quick_rows=("N", "F"), ci_rows=("F",),

@@ -13,7 +13,18 @@
 
 namespace clearway::planning {
 
-BOOST_AUTO_TEST_SUITE(simplify_test)
+namespace {
+
+constexpr unsigned kSeedOfShortcuts = 5;
+
+/// OMPL's shortcuts are random; its seed can be set once.
+struct SeededShortcuts {
+    SeededShortcuts() { ompl::RNG::setSeed(kSeedOfShortcuts); }
+};
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(simplify_test, *boost::unit_test::fixture<SeededShortcuts>())
 
 namespace {
 
@@ -21,14 +32,6 @@ namespace ob = ompl::base;
 namespace og = ompl::geometric;
 
 using testing::MotionScene;
-
-constexpr unsigned kSeed = 5;
-
-/// OMPL's shortcuts are random; its seed can be set once.
-struct Seeded {
-    Seeded() { ompl::RNG::setSeed(kSeed); }
-};
-BOOST_TEST_GLOBAL_FIXTURE(Seeded);
 
 SimplifyOptions withFloor(double floor) {
     SimplifyOptions options;
@@ -68,7 +71,7 @@ double trueLeast(const MotionScene& scene, const og::PathGeometric& path) {
 BOOST_AUTO_TEST_CASE(the_least_clearance_never_falls_below_the_floor_or_what_it_was) {
     int shortened = 0, tight = 0;
     for (const auto& scene : testing::motionScenes()) {
-        testing::Random random(kSeed);
+        testing::Random random(kSeedOfShortcuts);
         const double size = scene->scene.part.box().diagonal().norm();
         for (int round = 0; round < 6; ++round) {
             const auto before = zigzag(*scene, random, 0.01 * size * (round % 3));
@@ -78,8 +81,8 @@ BOOST_AUTO_TEST_CASE(the_least_clearance_never_falls_below_the_floor_or_what_it_
             const PathAudit was = audit(path, *scene->close);
             const PathAudit is = simplify(path, *scene->close, withFloor(floor));
             const double kept = std::min(floor, was.lowerClearance);
-            BOOST_TEST_CONTEXT(scene->name << ", seed " << kSeed << ", round " << round << ", floor " << floor
-                                           << ", was " << was.lowerClearance) {
+            BOOST_TEST_CONTEXT(scene->name << ", seed " << kSeedOfShortcuts << ", round " << round
+                                           << ", floor " << floor << ", was " << was.lowerClearance) {
                 BOOST_TEST(was.isValid());
                 BOOST_TEST(is.isValid());
                 BOOST_TEST(is.upperClearance >= kept);

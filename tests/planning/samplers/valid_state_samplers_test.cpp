@@ -16,7 +16,21 @@
 
 namespace clearway::planning {
 
-BOOST_AUTO_TEST_SUITE(valid_state_samplers_test)
+namespace {
+
+constexpr unsigned kSeedOfSamples = 9;
+
+/// OMPL's samples are random; its seed can be set once.
+struct SeededSamples {
+    SeededSamples() {
+        ompl::RNG::setSeed(kSeedOfSamples);
+        ompl::msg::setLogLevel(ompl::msg::LOG_WARN);
+    }
+};
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(valid_state_samplers_test, *boost::unit_test::fixture<SeededSamples>())
 
 namespace {
 
@@ -24,24 +38,13 @@ namespace ob = ompl::base;
 
 using Fixture = testing::MotionWindow;
 
-constexpr unsigned kSeed = 9;
-
-/// OMPL's samples are random; its seed can be set once.
-struct Seeded {
-    Seeded() {
-        ompl::RNG::setSeed(kSeed);
-        ompl::msg::setLogLevel(ompl::msg::LOG_WARN);
-    }
-};
-BOOST_TEST_GLOBAL_FIXTURE(Seeded);
-
 /// States from the sampler, each checked to be valid.
 std::vector<ob::ScopedState<>> draw(const Fixture& f, ob::ValidStateSampler& sampler, int tries) {
     std::vector<ob::ScopedState<>> states;
     ob::ScopedState<> state(f.space);
     for (int i = 0; i < tries; ++i) {
         if (!sampler.sample(state.get())) continue;
-        BOOST_TEST(f.si->isValid(state.get()), "seed " << kSeed << ", try " << i);
+        BOOST_TEST(f.si->isValid(state.get()), "seed " << kSeedOfSamples << ", try " << i);
         states.push_back(state);
     }
     return states;

@@ -31,7 +31,7 @@ namespace {
 
 /// The scenes to test; more with CLEARWAY_FULL=1.
 std::vector<SceneOptions> cases() {
-    if (!isFullRun()) return {{1, 3600, 80000, 8}, {3, 5000, 80000, 0.5}};
+    if (!isFullRun()) return {{1, 3600, 80000, 4}, {3, 5000, 80000, 0.5}};
     std::vector<SceneOptions> all{{1, 3600, 80000, 4}, {2, 3600, 80000, 8}, {3, 5000, 80000, 0.5}};
     for (std::uint64_t seed = 4; seed <= 20; ++seed) all.push_back({seed, 3600, 80000, 4});
     for (std::uint64_t seed = 4; seed <= 10; ++seed) all.push_back({seed, 8000, 120000, 8});

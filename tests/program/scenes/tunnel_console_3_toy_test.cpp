@@ -13,7 +13,15 @@
 #include "program/scenes/scenes.h"
 #include "program/scenes/toy_checks.h"
 
-BOOST_AUTO_TEST_SUITE(tunnel_console_3_toy_test)
+namespace {
+
+struct QuietPlanners {
+    QuietPlanners() { ompl::msg::setLogLevel(ompl::msg::LOG_NONE); }
+};
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(tunnel_console_3_toy_test, *boost::unit_test::fixture<QuietPlanners>())
 
 using namespace clearway;
 using namespace clearway::scenes;
@@ -51,12 +59,6 @@ constexpr double kAnyLength = 1e5;   // a range that limits no edge
 std::uint32_t seedCount() {
     return isFullRun() ? 300 : 40;
 }
-
-struct Quiet {
-    Quiet() { ompl::msg::setLogLevel(ompl::msg::LOG_NONE); }
-};
-
-BOOST_TEST_GLOBAL_FIXTURE(Quiet);
 
 BOOST_DATA_TEST_CASE(the_straight_motion_collides_over_half_its_length_with_three_components, kClearances,
                      clearance) {
