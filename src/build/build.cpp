@@ -1,8 +1,6 @@
 // Puts a build together: the general split's topology, its leaves split further, then volumes for all nodes.
 #include "build/build.h"
 
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <cassert>
 #include <numeric>
@@ -11,6 +9,7 @@
 #include "build/fits.h"
 #include "build/general_splits.h"
 #include "build/leaf_splits.h"
+#include "core/parallel.h"
 
 namespace clearway {
 
@@ -44,14 +43,6 @@ void splitLeaves(BinaryTree& tree, const CleanMesh& mesh, LeafSplit leafSplit, G
         const auto first = tree.order.begin() + tree.nodes[i].firstTriangle;
         graft(tree, i, leafSplit(mesh, {first, first + tree.nodes[i].triangleCount}, generalSplit));
     }
-}
-
-/// Runs `work` on at most `threads` threads (0: the caller's arena) and returns its result.
-template <class Work>
-auto onThreads(int threads, const Work& work) {
-    if (threads == 0) return work();
-    tbb::task_arena arena(threads);
-    return arena.execute(work);
 }
 
 BinaryTree buildInThisArena(const CleanMesh& mesh, const BuildOptions& options) {

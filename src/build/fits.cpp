@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 
-#include "build/invoke_both.h"
 #include "build/top_down.h"
+#include "core/parallel.h"
 #include "tree/normalisation.h"
 
 namespace clearway {

@@ -6,7 +6,7 @@
 #include <memory>
 #include <utility>
 
-#include "build/invoke_both.h"
+#include "core/parallel.h"
 
 namespace clearway {
 

@@ -1,9 +1,9 @@
 #include "isosurface/tetrahedra.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
+
+#include "core/parallel.h"
 
 namespace clearway {
 namespace {
@@ -103,7 +103,7 @@ std::vector<std::uint32_t> Tetrahedra::verticesOn(const Tetrahedron& tetrahedron
 std::vector<std::size_t> Tetrahedra::withVerticesFrom(std::size_t first) const {
     std::vector<std::uint8_t> has(all_.size(), false);
     if (first >= vertices_.size()) return {};
-    tbb::parallel_for(std::size_t(0), all_.size(), [&](std::size_t i) {
+    forEachInParallel(all_.size(), [&](std::size_t i) {
         const std::vector<std::uint32_t> vertices = verticesOn(all_[i]);
         has[i] = std::any_of(vertices.begin(), vertices.end(), [&](std::uint32_t v) { return v >= first; });
     });

@@ -1,12 +1,10 @@
 // Answers lists of poses block by block, each block on one thread.
 #include "clearway/batch.h"
 
-#include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 
 #include "clearway/model.h"
+#include "core/parallel.h"
 #include "model/reach.h"
 
 namespace clearway {
@@ -24,11 +22,9 @@ void requirePoses(const Model& part, const Model& environment, const std::vector
 /// start.
 template <class Answer>
 void forEachInBlocks(std::size_t count, const Answer& answer) {
-    tbb::enumerable_thread_specific<Workspace> workspaces;
     const std::size_t blocks = (count + kBatchBlock - 1) / kBatchBlock;
-    tbb::parallel_for(std::size_t(0), blocks, [&](std::size_t block) {
-        Workspace& workspace = workspaces.local();
-        workspace.forgetWarmStart();
+    forEachInParallel(blocks, [&](std::size_t block) {
+        Workspace workspace;
         const std::size_t end = std::min(count, (block + 1) * kBatchBlock);
         for (std::size_t i = block * kBatchBlock; i < end; ++i) answer(i, workspace);
     });

@@ -1,10 +1,9 @@
 // Answers lists of poses block by block, each block on one thread.
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 
 #include "clearway/batch.h"
 #include "clearway/scene_clearance.h"
+#include "core/parallel.h"
 
 namespace clearway {
 namespace {
@@ -13,7 +12,7 @@ namespace {
 template <class Answer>
 void forEachPoseInBlocks(const SceneClearance& scene, std::size_t count, const Answer& answer) {
     const std::size_t blocks = (count + kBatchBlock - 1) / kBatchBlock;
-    tbb::parallel_for(std::size_t(0), blocks, [&](std::size_t block) {
+    forEachInParallel(blocks, [&](std::size_t block) {
         scene.forgetWarmStart();
         const std::size_t end = std::min(count, (block + 1) * kBatchBlock);
         for (std::size_t i = block * kBatchBlock; i < end; ++i) answer(i);

@@ -61,7 +61,8 @@ struct SceneClearance::Scratch {
 struct SceneClearance::ThreadScratch {
     explicit ThreadScratch(std::size_t obstacles)
         : perThread([obstacles] { return Scratch{std::vector<Workspace>(obstacles)}; }) {}
-    tbb::enumerable_thread_specific<Scratch> perThread;
+    /// Its memory is from the standard allocator, because that of TBB's own has locks, which do not survive a fork.
+    tbb::enumerable_thread_specific<Scratch, std::allocator<Scratch>> perThread;
 };
 
 struct SceneClearance::Enclosure {

@@ -2,7 +2,6 @@
 #include "shrink/level_cut.h"
 
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
@@ -15,6 +14,7 @@
 #include <unordered_map>
 
 #include "core/number.h"
+#include "core/parallel.h"
 #include "isosurface/cut_surface.h"
 #include "isosurface/polytope.h"
 #include "isosurface/tetrahedra.h"
@@ -114,7 +114,7 @@ class LevelCut {
 
     template <class Work>
     void forBlocks(std::size_t first, std::size_t end, const Work& work) {
-        tbb::parallel_for(std::size_t(0), (end - first + kBlock - 1) / kBlock, [&](std::size_t block) {
+        forEachInParallel((end - first + kBlock - 1) / kBlock, [&](std::size_t block) {
             if (isStopped_ && isStopped_()) throw ShrinkStopped("shrinking the part was stopped");
             Workspace& workspace = workspaces_.local();
             workspace.forgetWarmStart();

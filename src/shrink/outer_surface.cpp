@@ -1,13 +1,12 @@
 #include "shrink/outer_surface.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <atomic>
 #include <stdexcept>
 #include <string>
 
 #include "clearway/query.h"
+#include "core/parallel.h"
 #include "mesh/clean.h"
 
 namespace clearway {
@@ -269,7 +268,7 @@ OuterSurface outerSurface(const std::vector<SurfaceShell>& shells,
     for (std::size_t i = 0; i < shells.size(); ++i) {
         const Faces faces(shells[i]);
         std::vector<std::vector<Corners3>> kept(faces.all().size());
-        tbb::parallel_for(std::size_t(0), kept.size(), [&](std::size_t t) {
+        forEachInParallel(kept.size(), [&](std::size_t t) {
             kept[t] = TriangleCut(shells, i, faces, isCovered, fineness, pieces).cut(faces.all()[t]);
         });
         for (std::size_t t = 0; t < kept.size(); ++t) {

@@ -2,7 +2,6 @@
 #include "clearway/swept_volume.h"
 
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <atomic>
@@ -13,6 +12,7 @@
 #include <unordered_map>
 
 #include "core/number.h"
+#include "core/parallel.h"
 #include "isosurface/cut_surface.h"
 #include "isosurface/tetrahedra.h"
 #include "swept/place_distances.h"
@@ -97,18 +97,17 @@ class Sweeping {
     /// Calls work(i, workspace) for i below count, in parallel, until the caller wants it to stop.
     template <class Work>
     void forEach(std::size_t count, const Work& work) {
-        tbb::parallel_for(std::size_t(0), (count + kPointsOfBlock - 1) / kPointsOfBlock,
-                          [&](std::size_t block) {
-                              if (isStopped_ || (options_.isStopped && options_.isStopped())) {
-                                  isStopped_ = true;
-                                  return;
-                              }
-                              Workspace& workspace = workspaces_.local();
-                              workspace.forgetWarmStart();
-                              for (std::size_t i = block * kPointsOfBlock;
-                                   i < std::min(count, (block + 1) * kPointsOfBlock); ++i)
-                                  work(i, workspace);
-                          });
+        forEachInParallel((count + kPointsOfBlock - 1) / kPointsOfBlock, [&](std::size_t block) {
+            if (isStopped_ || (options_.isStopped && options_.isStopped())) {
+                isStopped_ = true;
+                return;
+            }
+            Workspace& workspace = workspaces_.local();
+            workspace.forgetWarmStart();
+            for (std::size_t i = block * kPointsOfBlock; i < std::min(count, (block + 1) * kPointsOfBlock);
+                 ++i)
+                work(i, workspace);
+        });
     }
 
     void measureNewVertices() {
