@@ -161,7 +161,7 @@ END = """
 time.sleep(0.1)
 """
 FORK = """
-for _ in range(20):
+for _ in range(6):
     child = os.fork()
     if child == 0:
         clearway.distance_batch(part, part, [pose] * 200)
