@@ -16,9 +16,9 @@ namespace clearway {
 constexpr std::size_t kBatchBlock = 64;
 
 /// distance() for every pose, in the given order. Uses as many threads as oneTBB gives the caller (limited by
-/// tbb::task_arena and tbb::global_control), and one thread in a process forked from one that has used several,
-/// because oneTBB's locks do not survive a fork. Throws what distance() throws for the first pose of the list
-/// that it refuses.
+/// tbb::task_arena and tbb::global_control). In a process forked after clearway used oneTBB it runs on the calling
+/// thread, because oneTBB's locks do not survive a fork. Throws what distance() throws for the first pose of the
+/// list that it refuses.
 std::vector<DistanceResult> distanceBatch(const Model& part, const Model& environment,
                                           const std::vector<Pose>& X_environmentPart,
                                           const DistanceOptions& options = {});

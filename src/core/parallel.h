@@ -13,8 +13,8 @@
 
 namespace clearway {
 
-/// False in a process forked from one in which this returned true: the locks of TBB that threads held when the process was
-/// forked stay held there for ever, so that it works on one thread.
+/// Tells whether this process may use TBB, and remembers that it does. False in a process forked after that: what TBB's locks
+/// guarded when the process was forked stays locked there for ever.
 bool mayShareWork();
 
 /// Calls work(i) for every i below count, in parallel, and returns when all have returned. It throws what one of them threw.

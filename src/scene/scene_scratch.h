@@ -61,7 +61,7 @@ struct SceneClearance::Scratch {
 struct SceneClearance::ThreadScratch {
     explicit ThreadScratch(std::size_t obstacles)
         : perThread([obstacles] { return Scratch{std::vector<Workspace>(obstacles)}; }) {}
-    /// Its memory is from the standard allocator, because that of TBB's own has locks, which do not survive a fork.
+    /// The scratch of a thread is from the standard allocator: TBB's has locks, which do not survive a fork.
     tbb::enumerable_thread_specific<Scratch, std::allocator<Scratch>> perThread;
 };
 

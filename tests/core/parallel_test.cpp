@@ -32,7 +32,12 @@ BOOST_AUTO_TEST_CASE(a_process_forked_from_one_that_shared_work_works_alone) {
     BOOST_TEST_REQUIRE(mayShareWork());
     BOOST_TEST(sumOfWork() == 999 * 1000 / 2 + 15);
     const pid_t child = fork();
-    if (child == 0) _exit(!mayShareWork() && sumOfWork() == 999 * 1000 / 2 + 15 ? 0 : 1);
+    if (child == 0) {
+        const pid_t grandchild = fork();
+        int status = -1;
+        if (grandchild != 0 && (waitpid(grandchild, &status, 0) != grandchild || status != 0)) _exit(2);
+        _exit(!mayShareWork() && sumOfWork() == 999 * 1000 / 2 + 15 ? 0 : 1);
+    }
     int status = -1;
     BOOST_TEST_REQUIRE(waitpid(child, &status, 0) == child);
     BOOST_TEST(status == 0);

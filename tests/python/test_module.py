@@ -165,6 +165,8 @@ for _ in range(6):
     child = os.fork()
     if child == 0:
         clearway.distance_batch(part, part, [pose] * 200)
+        scene.is_free_batch([pose] * 200)
+        clearway.Model(cube(1))
         break
     assert os.waitpid(child, 0)[1] == 0
 """

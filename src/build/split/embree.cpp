@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "build/general_splits.h"
+#include "core/parallel.h"
 #include "tree/normalisation.h"
 
 namespace clearway {
@@ -110,6 +111,7 @@ const Node* build(RTCBVH bvh, std::vector<RTCBuildPrimitive>& boxes, std::size_t
     arguments.setNodeBounds = ignoreBounds;
     arguments.createLeaf = createLeaf;
     arguments.userPtr = boxes.data();
+    mayShareWork();  // remembers that this process uses TBB, which Embree does
     tbb::task_arena alone(1);
     const void* root = alone.execute([&] { return rtcBuildBVH(&arguments); });
     if (root == nullptr)
