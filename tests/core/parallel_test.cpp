@@ -11,7 +11,7 @@
 namespace clearway {
 namespace {
 
-/// What the work has added up, done in the three ways.
+/// The sum that the three ways of sharing work add up.
 std::size_t sumOfWork() {
     std::vector<std::size_t> done(1000, 0);
     onThreads(2, [&] {
