@@ -1,4 +1,5 @@
 // Checkers, validators and objectives shared by threads.
+#include <ompl/base/samplers/UniformValidStateSampler.h>
 #include <ompl/geometric/PathGeometric.h>
 #include <ompl/util/RandomNumbers.h>
 
@@ -171,6 +172,13 @@ void planWith(const std::string& name, const Parameters& parameters, bool hasObj
     si->setStateValidityChecker(std::make_shared<ValidityChecker>(si, gates.scene));
     const auto validator = std::make_shared<MotionValidator>(si, gates.scene);
     si->setMotionValidator(validator);
+    // When OMPL's pSBL finds no valid state near another one, it keeps a lock for good and, from the next invalid motion on, waits
+    // for it until its time is over.
+    si->setValidStateSamplerAllocator([](const ob::SpaceInformation* of) {
+        const auto sampler = std::make_shared<ob::UniformValidStateSampler>(of);
+        sampler->setNrAttempts(1000);
+        return sampler;
+    });
     si->setup();
     const auto definition = std::make_shared<ob::ProblemDefinition>(si);
     definition->setStartAndGoalStates(toOmpl(space, Space::kSe2, gates.problem.start),
