@@ -1,4 +1,4 @@
-# The program clearway, and the libraries that only it needs: demo scenes, pictures, the report page, studies, subcommands.
+# The program clearway, and the libraries that only it needs: demo scenes, pictures, and all that its subcommands do.
 
 # The demo scenes.
 file(GLOB scenes_sources CONFIGURE_DEPENDS src/program/scenes/*.cpp)
@@ -32,18 +32,7 @@ if(MPI_CXX_FOUND)
   target_compile_definitions(clearway_ranks PRIVATE CLEARWAY_WITH_MPI)
 endif()
 
-# Studies: planner runs and replays by the hundred, and what comes of them.
-file(GLOB study_sources CONFIGURE_DEPENDS src/program/study/*.cpp)
-list(FILTER study_sources EXCLUDE REGEX "/ranks\\.cpp$")
-add_library(clearway_study STATIC ${study_sources})
-target_include_directories(clearway_study PRIVATE src)
-target_link_libraries(clearway_study PUBLIC clearway clearway_planning
-                      PRIVATE clearway_ranks clearway_warnings nlohmann_json::nlohmann_json)
-target_precompile_headers(clearway_study PRIVATE <Eigen/Geometry> <ompl/base/SpaceInformation.h>)
-compile_quickly(clearway_study)
-compile_together(clearway_study study ${study_sources})
-
-# The report page. Its texts become part of the program, so that a page needs no other file and no network.
+# Texts of the report page. They become part of the program, so that a page needs no other file and no network.
 set(page_texts ${PROJECT_BINARY_DIR}/generated/page_texts.cpp)
 set(page_folder ${PROJECT_SOURCE_DIR}/src/program/report)
 set(page_files page/page.html page/page.css page/shared.js page/meshes.js page/layers.js page/eye.js page/view.js page/profile.js
@@ -59,32 +48,23 @@ add_custom_command(OUTPUT ${page_texts} VERBATIM
                    COMMAND ${CMAKE_COMMAND} -DOUT=${page_texts} "-DTEXTS=${page_pairs}"
                            -P ${PROJECT_SOURCE_DIR}/cmake/embed.cmake
                    DEPENDS ${page_files} ${PROJECT_SOURCE_DIR}/cmake/embed.cmake)
-file(GLOB report_sources CONFIGURE_DEPENDS src/program/report/*.cpp)
-add_library(clearway_report STATIC ${report_sources} ${page_texts})
-target_include_directories(clearway_report PRIVATE src)
-target_link_libraries(clearway_report PUBLIC clearway clearway_planning clearway_render
-                      PRIVATE clearway_warnings Boost::headers nlohmann_json::nlohmann_json)
-target_precompile_headers(clearway_report REUSE_FROM clearway_study)
-compile_quickly(clearway_report)
-compile_together(clearway_report report ${report_sources})
 
-# The program: its subcommands as a library, which tests link too, and main.
-file(GLOB cli_sources CONFIGURE_DEPENDS src/program/cli/*.cpp)
-list(FILTER cli_sources EXCLUDE REGEX "/main\\.cpp$")
-add_library(clearway_cli STATIC ${cli_sources})
+# The program: studies, the report page and the subcommands as a library, which tests link too, and main.
+file(GLOB cli_sources CONFIGURE_DEPENDS src/program/study/*.cpp src/program/report/*.cpp src/program/cli/*.cpp)
+list(FILTER cli_sources EXCLUDE REGEX "/(study/ranks|cli/main)\\.cpp$")
+add_library(clearway_cli STATIC ${cli_sources} ${page_texts})
 target_include_directories(clearway_cli PRIVATE src)
-target_link_libraries(clearway_cli PUBLIC clearway clearway_planning
-                      PRIVATE clearway_scenes clearway_render clearway_report clearway_study clearway_warnings Boost::headers
-                              nlohmann_json::nlohmann_json TBB::tbb)
-target_precompile_headers(clearway_cli REUSE_FROM clearway_study)
+target_link_libraries(clearway_cli PUBLIC clearway clearway_planning clearway_render
+                      PRIVATE clearway_scenes clearway_ranks clearway_warnings Boost::headers nlohmann_json::nlohmann_json TBB::tbb)
+target_precompile_headers(clearway_cli PRIVATE <Eigen/Geometry> <ompl/base/SpaceInformation.h>)
 compile_quickly(clearway_cli)
-compile_together(clearway_cli cli ${cli_sources})
+compile_together(clearway_cli program ${cli_sources})
 
 add_executable(clearway_program src/program/cli/main.cpp)
 set_target_properties(clearway_program PROPERTIES OUTPUT_NAME clearway)
 target_include_directories(clearway_program PRIVATE src)
-target_link_libraries(clearway_program PRIVATE clearway_cli clearway_warnings)
-target_precompile_headers(clearway_program REUSE_FROM clearway_study)
+target_link_libraries(clearway_program PRIVATE clearway_cli clearway_warnings Boost::headers)  # whose definitions are in the precompiled headers
+target_precompile_headers(clearway_program REUSE_FROM clearway_cli)
 compile_quickly(clearway_program)
 if(CLEARWAY_QUICK_BUILD)
   link_first(clearway_program clearway clearway_planning clearway_scenes clearway_render)

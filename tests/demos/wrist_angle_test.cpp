@@ -7,6 +7,7 @@
 #include <boost/test/unit_test.hpp>
 #include <sstream>
 
+#include "support/full_run.h"
 #include "support/oracle.h"
 #include "support/random_meshes.h"
 #include "support/temporary_folder.h"
@@ -115,7 +116,8 @@ BOOST_AUTO_TEST_CASE(certified_motions_are_free_by_an_oracle) {
     const MeshOracle oracle(f.part, walls());
     Random random(3);
     int valid = 0, invalid = 0;
-    while (valid < 15 || invalid < 15) {
+    const int count = inForm(15, 7);
+    while (valid < count || invalid < count) {
         // From anywhere to a place nearby.
         const auto from = f.randomState(random);
         auto to = f.state(from[0] + random.uniform(-15, 15), from[1] + random.uniform(-15, 15),

@@ -53,12 +53,12 @@ BOOST_AUTO_TEST_CASE(of_ways_with_nearly_as_much_clearance_it_ends_with_one_that
     planner.lookForShortWays();
     planner.setup();
     planner.startFrom(first, {clearance, 0.05});
-    // The ways are random: one run in fifteen has not met a better one after 6 s.
+    // The ways are random: most runs meet a better one within a few seconds, one in fifteen not within 6 s.
     const double least = windingLength(first, radius) - M_PI * radius;
-    for (int round = 0; round < 5 && !(round > 0 && windingLength(setup.getSolutionPath(), radius) < least);
+    for (int round = 0; round < 30 && !(round > 0 && windingLength(setup.getSolutionPath(), radius) < least);
          ++round) {
         testing::withProcessorTime(
-            6, [&](double seconds) { return planner.solve(ob::timedPlannerTerminationCondition(seconds)); });
+            1, [&](double seconds) { return planner.solve(ob::timedPlannerTerminationCondition(seconds)); });
     }
     const og::PathGeometric& found = setup.getSolutionPath();
     BOOST_TEST_MESSAGE(clearance << ", then " << kept(found) << ", winding " << windingLength(first, radius)

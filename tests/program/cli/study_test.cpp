@@ -6,6 +6,7 @@
 #include "clearway/problem.h"
 #include "program/cli/run_program.h"
 #include "support/benchmark_log_reader.h"
+#include "support/full_run.h"
 #include "support/window_scene.h"
 
 namespace clearway::testing {
@@ -218,8 +219,15 @@ BOOST_AUTO_TEST_CASE(other_options_than_those_of_the_folder_are_refused) {
     requireRefused(folder, command, {"scene window"});
 }
 
+/// In the short form the console is a smaller one, which the folder holds as if a stopped study had made it.
 BOOST_AUTO_TEST_CASE(without_a_problem_a_short_study_makes_its_scenes_and_replays_their_poses) {
     const TemporaryFolder folder;
+    if (!testing::isFullRun()) {
+        const std::filesystem::path kept = folder.file("study/scenes/tunnel-console");
+        std::filesystem::create_directories(kept.parent_path());
+        std::filesystem::copy(CLEARWAY_DATA_DIR "/tunnel-console-small", kept);
+        std::ofstream(kept / "complete") << "tunnel-console.cfg\n";
+    }
     const std::string command =
         "bench --study leaf-strategies --short --seeds 1 --time 0.2 --planner RRTConnect --general-split "
         "axis "
