@@ -1,5 +1,5 @@
 // Records how the best certified least clearance grows with planning time, or with FMT's samples.
-//   bench_anytime_clearance SECONDS SEEDS OUT.csv [SCENE...]
+//   benchmarks anytime_clearance SECONDS SEEDS OUT.csv [SCENE...]
 // SCENE: posts, gates, window, or a problem's .cfg; by default the first three and tunnel-console-small. The
 // table has rows at SECONDS of processor time, and at a half, a quarter and an eighth of SECONDS.
 // RRTConnect's row is for its first path.
@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/benchmarks.h"
 #include "clearway/planning/clearance_objectives.h"
 #include "core/number.h"
 #include "core/replace_file.h"
@@ -16,7 +17,7 @@
 #include "support/posts_scene.h"
 #include "support/window_scene.h"
 
-namespace clearway::testing {
+namespace clearway::testing::anytime_clearance {
 namespace {
 
 using Parameters = AnytimePlanner::Parameters;
@@ -125,9 +126,11 @@ void measure(const Place& place, std::uint32_t seed, double seconds, Table& tabl
     table.add(place, first, seed, planner.planSeconds(seconds), planner);
 }
 
+}  // namespace
+
 int run(int count, char** words) {
     if (count < 4) {
-        std::cerr << "usage: bench_anytime_clearance SECONDS SEEDS OUT.csv [SCENE...]\n";
+        std::cerr << "usage: benchmarks anytime_clearance SECONDS SEEDS OUT.csv [SCENE...]\n";
         return 2;
     }
     const double seconds = parseNumber(words[1]).value();
@@ -145,14 +148,4 @@ int run(int count, char** words) {
     return 0;
 }
 
-}  // namespace
-}  // namespace clearway::testing
-
-int main(int count, char** words) {
-    try {
-        return clearway::testing::run(count, words);
-    } catch (const std::exception& error) {
-        std::cerr << "bench_anytime_clearance: " << error.what() << "\n";
-        return 2;
-    }
-}
+}  // namespace clearway::testing::anytime_clearance

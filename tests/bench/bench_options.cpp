@@ -31,7 +31,7 @@ std::optional<BenchChoices> readOptions(int count, char** words) {
     choices.scenes = allSceneNames();
     std::string targets = "avx2";
     cli::CommandLine line(
-        "bench_queries [options]",
+        "benchmarks queries [options]",
         "Times every kind of query of clearway and of its peers on the same meshes and poses.");
     addTaskOptions(line, "summary.csv, builds.csv and poses_SCENE.csv", choices);
     addFileOptions(line, choices);

@@ -1,4 +1,4 @@
-// The command line of bench_queries.
+// The command line of `benchmarks queries`.
 #pragma once
 
 #include <optional>

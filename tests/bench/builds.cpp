@@ -1,18 +1,12 @@
 #include "bench/builds.h"
 
-#include <chrono>
 #include <tuple>
 
 #include "clearway/model.h"
+#include "core/clock.h"
 
 namespace clearway::testing {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double secondsSince(Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 std::size_t trianglesOf(const BenchTask& task) {
     return task.part.triangles.size() + task.environment.triangles.size();

@@ -1,7 +1,7 @@
 // Compares the two ways of certifying motions, pair by pair and globally, on the motions of planners and of a path: verdicts,
 // times and work. Globally certifies what the callbacks' constructor of MotionValidator is given.
-//   bench_certified_motions PROBLEM.cfg PLANNER|PATH COUNT [margin=M] [parts=N] [seed=S] [scene=NAME] [table=T.csv] [verdicts=V.csv]
-//   bench_certified_motions PROBLEM.cfg V.csv NAME
+//   benchmarks certified_motions PROBLEM.cfg PLANNER|PATH COUNT [margin=M] [parts=N] [seed=S] [scene=NAME] [table=T.csv] [verdicts=V.csv]
+//   benchmarks certified_motions PROBLEM.cfg V.csv NAME
 // PLANNER: one of OMPL's, whose motions are recorded. PATH: a path file, whose segments are cut into `parts` motions each.
 // T.csv: the figures are appended to it. V.csv: the motions are appended to it with their global verdicts; the second form
 // compares these verdicts with those of sweeps. Ends with 1 when a verdict is lost: valid globally, but not by a sweep.
@@ -11,7 +11,6 @@
 #include <ompl/util/RandomNumbers.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <exception>
 #include <fstream>
@@ -21,21 +20,22 @@
 #include <stdexcept>
 #include <string>
 
+#include "bench/benchmarks.h"
 #include "clearway/planning/clearance_objectives.h"
 #include "clearway/planning/motion_validator.h"
 #include "clearway/planning/planners.h"
 #include "clearway/planning/validity_checker.h"
 #include "clearway/problem.h"
 #include "clearway/scene_clearance.h"
+#include "core/clock.h"
 #include "core/number.h"
 #include "planning/validity/ompl_states.h"
 
-namespace clearway::testing {
+namespace clearway::testing::certified_motions {
 namespace {
 
 namespace ob = ompl::base;
 using planning::MotionValidator;
-using Clock = std::chrono::steady_clock;
 
 struct RecordedMotion {
     ob::ScopedState<> from, to;
@@ -209,7 +209,7 @@ class Comparison {
         answer.isValid = motion.isForward
                              ? validator.checkMotion(motion.from.get(), motion.to.get(), lastValid)
                              : validator.checkMotion(motion.from.get(), motion.to.get());
-        answer.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+        answer.seconds = secondsSince(begin);
         if (sofar.seconds > 0) answer.seconds = std::min(answer.seconds, sofar.seconds);
         answer.certifiedTime = answer.isValid ? 1 : lastValid.second;
         const QueryTally tally = takeQueryTally();
@@ -283,7 +283,7 @@ class Comparison {
             const auto seconds = [&](const planning::MinClearanceObjective& objective) {
                 const auto begin = Clock::now();
                 objective.motionCost(from, to);
-                return std::chrono::duration<double>(Clock::now() - begin).count();
+                return secondsSince(begin);
             };
             before += seconds(globally);
             after += seconds(pairs);
@@ -350,12 +350,14 @@ std::ofstream openTable(const std::string& file) {
     return out;
 }
 
+}  // namespace
+
 int run(int count, char** words) {
     if (count < 4) {
-        std::cerr
-            << "usage: bench_certified_motions PROBLEM.cfg PLANNER|PATH COUNT [margin=M] [parts=N] [seed=S] "
-               "[scene=NAME] [table=T.csv] [verdicts=V.csv]\n"
-               "       bench_certified_motions PROBLEM.cfg V.csv NAME\n";
+        std::cerr << "usage: benchmarks certified_motions PROBLEM.cfg PLANNER|PATH COUNT [margin=M] "
+                     "[parts=N] [seed=S] "
+                     "[scene=NAME] [table=T.csv] [verdicts=V.csv]\n"
+                     "       benchmarks certified_motions PROBLEM.cfg V.csv NAME\n";
         return 2;
     }
     const std::string what = words[2];
@@ -385,14 +387,4 @@ int run(int count, char** words) {
     return lost > 0;
 }
 
-}  // namespace
-}  // namespace clearway::testing
-
-int main(int count, char** words) {
-    try {
-        return clearway::testing::run(count, words);
-    } catch (const std::exception& error) {
-        std::cerr << "bench_certified_motions: " << error.what() << "\n";
-        return 2;
-    }
-}
+}  // namespace clearway::testing::certified_motions

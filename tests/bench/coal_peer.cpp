@@ -2,11 +2,11 @@
 #include <coal/collision.h>
 #include <coal/distance.h>
 
-#include <chrono>
 #include <memory>
 #include <stdexcept>
 
 #include "bench/peer.h"
+#include "core/clock.h"
 
 namespace clearway::testing {
 namespace {
@@ -43,11 +43,11 @@ coal::Transform3s placedAt(const Pose& X_environmentPart) {
 Peer makeCoal(const Mesh& part, const Mesh& environment) {
     Peer peer;
     peer.name = "Coal OBBRSS";
-    const auto start = std::chrono::steady_clock::now();
+    const auto start = Clock::now();
     const auto trees = std::make_shared<Trees>();
     fill(trees->part, part);
     fill(trees->environment, environment);
-    peer.buildSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    peer.buildSeconds = secondsSince(start);
     peer.bytes = bytesOf(trees->part) + bytesOf(trees->environment);
     peer.distance = [trees](const Pose& X_environmentPart) {
         const coal::DistanceRequest request(/*enable_nearest_points*/ false,

@@ -1,19 +1,20 @@
 // Judges FCL's continuous check, as OMPL.app sets it up, on the random motions that test certified motions;
 // the oracle decides which of them collide. The scenes have no margin, because FCL knows none.
-//   bench_fcl_continuous MOTIONS SEED [OUT.csv]
+//   benchmarks fcl_continuous MOTIONS SEED [OUT.csv]
 #include <ompl/base/DiscreteMotionValidator.h>
 #include <ompl/util/Console.h>
 
-#include <chrono>
 #include <exception>
 #include <iostream>
 
+#include "bench/benchmarks.h"
 #include "bench/fcl_planning.h"
+#include "core/clock.h"
 #include "core/number.h"
 #include "core/replace_file.h"
 #include "support/random_motion.h"
 
-namespace clearway::testing {
+namespace clearway::testing::fcl_continuous {
 namespace {
 
 namespace ob = ompl::base;
@@ -35,9 +36,9 @@ struct Tally {
 };
 
 void ask(Checked& checked, const RandomMotion& motion, bool isColliding, bool isCertified) {
-    const auto begin = std::chrono::steady_clock::now();
+    const auto begin = Clock::now();
     const bool isValid = checked.validator->checkMotion(motion.s1.get(), motion.s2.get());
-    checked.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    checked.seconds += secondsSince(begin);
     checked.missed += isValid && isColliding;
     checked.falseAlarms += !isValid && isCertified;
 }
@@ -75,9 +76,11 @@ std::string judge(const MotionScene& scene, int motions, std::uint64_t seed) {
     return rows;
 }
 
+}  // namespace
+
 int run(int count, char** words) {
     if (count < 3) {
-        std::cerr << "usage: bench_fcl_continuous MOTIONS SEED [OUT.csv]\n";
+        std::cerr << "usage: benchmarks fcl_continuous MOTIONS SEED [OUT.csv]\n";
         return 2;
     }
     ompl::msg::noOutputHandler();
@@ -97,14 +100,4 @@ int run(int count, char** words) {
     return 0;
 }
 
-}  // namespace
-}  // namespace clearway::testing
-
-int main(int count, char** words) {
-    try {
-        return clearway::testing::run(count, words);
-    } catch (const std::exception& error) {
-        std::cerr << "bench_fcl_continuous: " << error.what() << "\n";
-        return 2;
-    }
-}
+}  // namespace clearway::testing::fcl_continuous

@@ -2,7 +2,7 @@
 // RRTConnect with FCL at states a step apart. The step is the coarsest at which 95 % of the paths are free. A
 // path counts if every motion of it is certified. A run without such a path counts with the time limit. Times
 // are processor times of one thread, so other work on the machine hardly matters.
-//   bench_fcl_first_path PROBLEM.cfg SEEDS LIMIT STEP|find [OUT.csv]
+//   benchmarks fcl_first_path PROBLEM.cfg SEEDS LIMIT STEP|find [OUT.csv]
 #include <ompl/geometric/planners/rrt/RRTConnect.h>
 #include <ompl/util/Console.h>
 #include <ompl/util/RandomNumbers.h>
@@ -13,6 +13,7 @@
 #include <iostream>
 #include <optional>
 
+#include "bench/benchmarks.h"
 #include "bench/fcl_planning.h"
 #include "clearway/planning/discrete_motion_validator.h"
 #include "clearway/planning/motion_validator.h"
@@ -21,7 +22,7 @@
 #include "core/replace_file.h"
 #include "planning/validity/ompl_states.h"
 
-namespace clearway::testing {
+namespace clearway::testing::fcl_first_path {
 namespace {
 
 namespace ob = ompl::base;
@@ -169,9 +170,11 @@ std::vector<Series> findStep(const Bench& bench, std::uint32_t seeds) {
     throw std::runtime_error("no step of those tried makes " + shortNumber(kEnough) + " of the paths free");
 }
 
+}  // namespace
+
 int run(int count, char** words) {
     if (count < 5) {
-        std::cerr << "usage: bench_fcl_first_path PROBLEM.cfg SEEDS LIMIT STEP|find [OUT.csv]\n";
+        std::cerr << "usage: benchmarks fcl_first_path PROBLEM.cfg SEEDS LIMIT STEP|find [OUT.csv]\n";
         return 2;
     }
     ompl::msg::noOutputHandler();
@@ -197,14 +200,4 @@ int run(int count, char** words) {
     return 0;
 }
 
-}  // namespace
-}  // namespace clearway::testing
-
-int main(int count, char** words) {
-    try {
-        return clearway::testing::run(count, words);
-    } catch (const std::exception& error) {
-        std::cerr << "bench_fcl_first_path: " << error.what() << "\n";
-        return 2;
-    }
-}
+}  // namespace clearway::testing::fcl_first_path

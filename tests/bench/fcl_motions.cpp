@@ -1,25 +1,26 @@
 // Compares FCL and clearway as checkers of one planner. Both judge equal recorded states and motions, behind
 // OMPL's discrete motion validator at its default resolution, and at states the problem's step apart.
-//   bench_fcl_motions PROBLEM.cfg EDGES SEED [OUT.csv]
+//   benchmarks fcl_motions PROBLEM.cfg EDGES SEED [OUT.csv]
 #include <ompl/base/DiscreteMotionValidator.h>
 #include <ompl/util/Console.h>
 #include <ompl/util/RandomNumbers.h>
 
 #include <algorithm>
-#include <chrono>
 #include <exception>
 #include <iostream>
 #include <limits>
 #include <stdexcept>
 
+#include "bench/benchmarks.h"
 #include "bench/fcl_planning.h"
 #include "bench/recorded_edges.h"
 #include "clearway/planning/discrete_motion_validator.h"
+#include "core/clock.h"
 #include "core/number.h"
 #include "core/replace_file.h"
 #include "support/oracle.h"
 
-namespace clearway::testing {
+namespace clearway::testing::fcl_motions {
 namespace {
 
 namespace ob = ompl::base;
@@ -55,10 +56,9 @@ struct Side {
 
 template <typename Ask>
 void time(Question& question, const Ask& ask) {
-    const auto begin = std::chrono::steady_clock::now();
+    const auto begin = Clock::now();
     question.answer = ask();
-    question.seconds = std::min(
-        question.seconds, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+    question.seconds = std::min(question.seconds, secondsSince(begin));
 }
 
 void pass(Side& side, const std::vector<Edge>& edges) {
@@ -125,9 +125,11 @@ int settle(const std::vector<Edge>& edges, const Side& clearway, const Side& fcl
     return wrong;
 }
 
+}  // namespace
+
 int run(int count, char** words) {
     if (count < 4) {
-        std::cerr << "usage: bench_fcl_motions PROBLEM.cfg EDGES SEED [OUT.csv]\n";
+        std::cerr << "usage: benchmarks fcl_motions PROBLEM.cfg EDGES SEED [OUT.csv]\n";
         return 2;
     }
     ompl::msg::noOutputHandler();
@@ -160,14 +162,4 @@ int run(int count, char** words) {
     return settle(edges, clearway, fcl, oracle, problem) == 0 ? 0 : 1;
 }
 
-}  // namespace
-}  // namespace clearway::testing
-
-int main(int count, char** words) {
-    try {
-        return clearway::testing::run(count, words);
-    } catch (const std::exception& error) {
-        std::cerr << "bench_fcl_motions: " << error.what() << "\n";
-        return 2;
-    }
-}
+}  // namespace clearway::testing::fcl_motions

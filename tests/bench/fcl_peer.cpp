@@ -4,11 +4,11 @@
 #include <fcl/narrowphase/collision.h>
 #include <fcl/narrowphase/distance.h>
 
-#include <chrono>
 #include <memory>
 #include <stdexcept>
 
 #include "bench/peer.h"
+#include "core/clock.h"
 
 namespace clearway::testing {
 namespace {
@@ -39,11 +39,11 @@ std::size_t bytesOf(const fcl::BVHModel<Volume>& model) {
 
 template <typename Volume>
 std::shared_ptr<Trees<Volume>> build(const Mesh& part, const Mesh& environment, Peer& peer) {
-    const auto start = std::chrono::steady_clock::now();
+    const auto start = Clock::now();
     auto trees = std::make_shared<Trees<Volume>>();
     fill(trees->part, part);
     fill(trees->environment, environment);
-    peer.buildSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    peer.buildSeconds = secondsSince(start);
     peer.bytes = bytesOf(trees->part) + bytesOf(trees->environment);
     return trees;
 }

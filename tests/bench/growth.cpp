@@ -1,34 +1,29 @@
 // Measures how time and memory grow with the number of triangles: a distance, a certified motion, and the trees of clearway
 // and of its peers. A run measures one size of one scene.
-//   bench_growth [--part-triangles N] [--environment-triangles N] [--out DIR] ...      see --help and README.md in this folder
+//   benchmarks growth [--part-triangles N] [--environment-triangles N] [--out DIR] ...      see --help and README.md in this folder
 // Ends with exit code 1 when an answer is wrong, and with 2 when the benchmark cannot run.
 #include <algorithm>
-#include <chrono>
 #include <iomanip>
 #include <iostream>
 #include <sstream>
 #include <stdexcept>
 
+#include "bench/benchmarks.h"
 #include "bench/clearway_series.h"
 #include "bench/judge.h"
 #include "bench/pinned.h"
 #include "bench/task_options.h"
 #include "clearway/sweep.h"
+#include "core/clock.h"
 #include "core/number.h"
 
-namespace clearway::testing {
+namespace clearway::testing::growth {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 constexpr double kAgreement = 1e-9;  // share of the scene's size
 constexpr int kBuildRounds = 5;
 constexpr double kBuildBudget = 3;  // seconds; no further round of builds starts after them
 constexpr int kProbes = 3;          // queries that tell how long a pass of a peer will take
-
-double secondsSince(Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 /// A row of the table.
 struct Row {
@@ -204,10 +199,12 @@ std::size_t measure(const BenchTask& task, const TaskChoices& choices, std::stri
     return rows[0].wrong;
 }
 
+}  // namespace
+
 int run(int count, char** words) {
     TaskChoices choices;
     choices.scenes = {"M"};
-    cli::CommandLine line("bench_growth [options]",
+    cli::CommandLine line("benchmarks growth [options]",
                           "Times distances, certified motions and builds at one number of triangles.");
     addTaskOptions(line, "growth.csv", choices);
     if (!line.parse({words + 1, words + count})) return 0;
@@ -224,14 +221,4 @@ int run(int count, char** words) {
     return wrong == 0 ? 0 : 1;
 }
 
-}  // namespace
-}  // namespace clearway::testing
-
-int main(int count, char** words) {
-    try {
-        return clearway::testing::run(count, words);
-    } catch (const std::exception& error) {
-        std::cerr << "bench_growth: " << error.what() << '\n';
-        return 2;
-    }
-}
+}  // namespace clearway::testing::growth

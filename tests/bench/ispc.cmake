@@ -1,5 +1,5 @@
-# The kernels of bench_kernels that are written in ISPC, if there is an ispc: with -DCLEARWAY_ISPC=/path/to/ispc, or in the path.
-find_program(CLEARWAY_ISPC ispc DOC "The compiler of ISPC for bench_kernels; none is fine")
+# The kernels of `benchmarks kernels` that are written in ISPC, if there is an ispc: with -DCLEARWAY_ISPC=/path/to/ispc, or in the path.
+find_program(CLEARWAY_ISPC ispc DOC "The compiler of ISPC for `benchmarks kernels`; none is fine")
 
 # add_ispc_kernels(TARGET SOURCE...): compiles each source for each instruction set. ispc names the objects and functions of a
 # set by its own suffix.

@@ -1,6 +1,6 @@
 // Times kernels that test pairs of triangles, as tables 1 to 4 of R. Ytterlid's thesis do: each of n triangles
 // against each of n others, and a call tests one triangle against the next `input size` others.
-//   bench_kernels --question distance [--triangles 3000,5000,10000] [--out DIR] ...      see --help
+//   benchmarks kernels --question distance [--triangles 3000,5000,10000] [--out DIR] ...      see --help
 // Ends with exit code 1 when an answer is wrong, and with 2 when the benchmark cannot run.
 #include <algorithm>
 #include <cmath>
@@ -9,6 +9,7 @@
 #include <limits>
 #include <sstream>
 
+#include "bench/benchmarks.h"
 #include "bench/pair_kernels.h"
 #include "bench/pinned.h"
 #include "bench/series.h"
@@ -18,7 +19,7 @@
 #include "support/random_meshes.h"
 #include "support/triangle_distance.h"
 
-namespace clearway::testing {
+namespace clearway::testing::kernels {
 namespace {
 
 // Triangles have their centres in a cube of side 1, and their corners in a cube around the centre.
@@ -293,9 +294,12 @@ cli::Reader numbers(std::vector<int>& to) {
     };
 }
 
+}  // namespace
+
 int run(int count, char** words) {
     Choices choices;
-    cli::CommandLine line("bench_kernels [options]", "Times kernels that test pairs of triangles, in turns.");
+    cli::CommandLine line("benchmarks kernels [options]",
+                          "Times kernels that test pairs of triangles, in turns.");
     line.option("--question NAME", "collides or distance [collides]", [&](const std::string& value) {
         choices.question = cli::oneOf(value, {"collides", "distance"});
     });
@@ -336,18 +340,8 @@ int run(int count, char** words) {
         }
     });
     writeTable(choices.out, "kernels.csv", table);
-    if (wrong > 0) std::cerr << "bench_kernels: " << wrong << " answers are wrong\n";
+    if (wrong > 0) std::cerr << "benchmarks kernels: " << wrong << " answers are wrong\n";
     return wrong == 0 ? 0 : 1;
 }
 
-}  // namespace
-}  // namespace clearway::testing
-
-int main(int count, char** words) {
-    try {
-        return clearway::testing::run(count, words);
-    } catch (const std::exception& error) {
-        std::cerr << "bench_kernels: " << error.what() << '\n';
-        return 2;
-    }
-}
+}  // namespace clearway::testing::kernels

@@ -1,15 +1,15 @@
 // Climbs from the engine of Ytterlid's thesis to clearway's, one step at a time: what each step does to the work and the time of a
 // query.
-//   bench_ladder [--scenes K,I] [--out DIR] ...      see --help and README.md in this folder
+//   benchmarks ladder [--scenes K,I] [--out DIR] ...      see --help and README.md in this folder
 // Ends with exit code 1 when an answer is farther off than its step allows, and with 2 when the benchmark cannot run.
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <iomanip>
 #include <iostream>
 #include <memory>
 #include <sstream>
 
+#include "bench/benchmarks.h"
 #include "bench/clearway_series.h"
 #include "bench/float_only.h"
 #include "bench/judge.h"
@@ -18,11 +18,10 @@
 #include "bench/task_options.h"
 #include "clearway/sweep.h"
 #include "clearway/targets.h"
+#include "core/clock.h"
 
-namespace clearway::testing {
+namespace clearway::testing::ladder {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 // Shares of the scene's size.
 constexpr double kDoubleError = 1e-12;
@@ -209,7 +208,7 @@ class MotionChecks {
             for (std::size_t i = 0; i < motions_.size(); ++i) {
                 const auto start = Clock::now();
                 row.work += ask(i);
-                const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+                const double seconds = secondsSince(start);
                 if (pass > 0) times[i].push_back(1e6 * seconds);
             }
         }
@@ -295,13 +294,15 @@ std::size_t measure(const BenchTask& task, const TaskChoices& choices, std::stri
     return wrong;
 }
 
+}  // namespace
+
 int run(int count, char** words) {
     TaskChoices choices;
     choices.scenes = {"K", "I"};
     choices.poseCount = 100;
     choices.schedule.peerBudget = 10;
     cli::CommandLine line(
-        "bench_ladder [options]",
+        "benchmarks ladder [options]",
         "Times distances from the thesis's engine to clearway's, with one more step each time.");
     addTaskOptions(line, "ladder.csv", choices);
     if (!line.parse({words + 1, words + count})) return 0;
@@ -318,14 +319,4 @@ int run(int count, char** words) {
     return wrong == 0 ? 0 : 1;
 }
 
-}  // namespace
-}  // namespace clearway::testing
-
-int main(int count, char** words) {
-    try {
-        return clearway::testing::run(count, words);
-    } catch (const std::exception& error) {
-        std::cerr << "bench_ladder: " << error.what() << '\n';
-        return 2;
-    }
-}
+}  // namespace clearway::testing::ladder

@@ -1,24 +1,25 @@
 // Measures the cost of certified motions on the edges that RRTConnect proposes, valid and invalid edges
 // apart. Compares them with OMPL's discrete validator and clearway's checker at OMPL's default resolution,
 // and with steps as short as a small margin.
-//   bench_motions PROBLEM.cfg|SCENE [EDGES [SEED [OUT.csv NAME]]]      NAME: the scene's, in the table
+//   benchmarks motions PROBLEM.cfg|SCENE [EDGES [SEED [OUT.csv NAME]]]      NAME: the scene's, in the table
 #include <ompl/base/DiscreteMotionValidator.h>
 #include <ompl/util/RandomNumbers.h>
 
 #include <algorithm>
-#include <chrono>
 #include <exception>
 #include <iostream>
 #include <string>
 
+#include "bench/benchmarks.h"
 #include "bench/recorded_edges.h"
 #include "clearway/planning/discrete_motion_validator.h"
 #include "clearway/planning/motion_validator.h"
+#include "core/clock.h"
 #include "core/number.h"
 #include "core/replace_file.h"
 #include "program/scenes/scenes.h"
 
-namespace clearway::testing {
+namespace clearway::testing::motions {
 
 using namespace scenes;
 namespace {
@@ -26,7 +27,6 @@ namespace {
 namespace ob = ompl::base;
 using planning::MotionValidator;
 using planning::ValidityChecker;
-using Clock = std::chrono::steady_clock;
 
 constexpr double kRangePerDiagonal = 0.25;  // as in `clearway plan` where no step is known
 constexpr double kSmallMargin = 0.1;        // environment units
@@ -146,7 +146,7 @@ class Bench {
     static double seconds(const ob::MotionValidator& validator, const Edge& edge, bool& isValid) {
         const auto begin = Clock::now();
         isValid = validator.checkMotion(edge.from.get(), edge.to.get());
-        return std::chrono::duration<double>(Clock::now() - begin).count();
+        return secondsSince(begin);
     }
 
     /// Empty fields where nothing was measured.
@@ -172,9 +172,11 @@ class Bench {
     Figures valid_, invalid_, roomy_;
 };
 
+}  // namespace
+
 int run(int count, char** words) {
     if (count < 2) {
-        std::cerr << "usage: bench_motions PROBLEM.cfg|SCENE [EDGES [SEED [OUT.csv NAME]]]\n";
+        std::cerr << "usage: benchmarks motions PROBLEM.cfg|SCENE [EDGES [SEED [OUT.csv NAME]]]\n";
         return 2;
     }
     const std::string what = words[1];
@@ -195,14 +197,4 @@ int run(int count, char** words) {
     return 0;
 }
 
-}  // namespace
-}  // namespace clearway::testing
-
-int main(int count, char** words) {
-    try {
-        return clearway::testing::run(count, words);
-    } catch (const std::exception& error) {
-        std::cerr << "bench_motions: " << error.what() << "\n";
-        return 2;
-    }
-}
+}  // namespace clearway::testing::motions

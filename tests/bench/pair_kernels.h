@@ -1,5 +1,5 @@
 // Kernels that test pairs of triangles: one triangle against the next few of a set, in one call. Every
-// contender of bench_kernels answers both questions through this interface.
+// contender of `benchmarks kernels` answers both questions through this interface.
 #pragma once
 
 #include <cstdint>

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/benchmarks.h"
 #include "clearway/planning/plan.h"
 #include "clearway/problem.h"
 #include "core/number.h"
@@ -18,7 +19,7 @@
 #include "support/oracle.h"
 #include "support/path_check.h"
 
-namespace clearway::testing {
+namespace clearway::testing::plan_success {
 namespace {
 
 using planning::PlanOptions;
@@ -34,7 +35,7 @@ struct Choices {
 
 bool readChoices(int count, char** words, Choices& to) {
     cli::CommandLine line(
-        "bench_plan_success [PROBLEM.cfg...] [options]",
+        "benchmarks plan_success [PROBLEM.cfg...] [options]",
         "Plans each problem with several seeds and prints a line for each run, then medians.");
     line.argument("[PROBLEM.cfg...]", cli::appendedTo(to.problems));
     line.option("--seeds N", "each problem is planned with seeds 1 to N (20)",
@@ -134,6 +135,8 @@ std::vector<Run> planAll(const Choices& choices, const std::string& file, const 
     return runs;
 }
 
+}  // namespace
+
 int run(int count, char** words) {
     Choices choices;
     if (!readChoices(count, words, choices)) return 0;
@@ -151,14 +154,4 @@ int run(int count, char** words) {
     return 0;
 }
 
-}  // namespace
-}  // namespace clearway::testing
-
-int main(int count, char** words) {
-    try {
-        return clearway::testing::run(count, words);
-    } catch (const std::exception& error) {
-        std::cerr << "bench_plan_success: " << error.what() << "\n";
-        return 2;
-    }
-}
+}  // namespace clearway::testing::plan_success

@@ -1,11 +1,11 @@
 #include <PQP.h>
 
-#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <stdexcept>
 
 #include "bench/peer.h"
+#include "core/clock.h"
 
 namespace clearway::testing {
 namespace {
@@ -81,11 +81,11 @@ Answer isWithinBy(Trees& trees, const Pose& X_environmentPart, double d) {
 Peer makePqp(const Mesh& part, const Mesh& environment) {
     Peer peer;
     peer.name = "PQP";
-    const auto start = std::chrono::steady_clock::now();
+    const auto start = Clock::now();
     const auto trees = std::make_shared<Trees>();
     fill(trees->part, part);
     fill(trees->environment, environment);
-    peer.buildSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    peer.buildSeconds = secondsSince(start);
     // PQP counts bytes in an int, which overflows from 5 million triangles on. Without its sign the number holds up to 9.9 million.
     peer.bytes = std::size_t{static_cast<std::uint32_t>(trees->part.MemUsage(0))} +
                  static_cast<std::uint32_t>(trees->environment.MemUsage(0));

@@ -1,6 +1,6 @@
 // Judges and solves rigid-body problems that others published, found in a user's checkouts of their repositories
 // (public/checkouts.h says which); this repository holds nothing of theirs.
-//   bench_public CHECKOUTS OUT
+//   benchmarks public CHECKOUTS OUT
 // Every run is a process of its own. A run that stands in OUT's tables already is not repeated, so a benchmark that was
 // stopped goes on where it was.
 #include <algorithm>
@@ -16,6 +16,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "bench/benchmarks.h"
 #include "bench/public/assembly_part.h"
 #include "bench/public/checkouts.h"
 #include "bench/public/contenders.h"
@@ -29,7 +30,7 @@
 #include "program/study/hand_out.h"
 #include "program/study/ranks.h"
 
-namespace clearway::testing {
+namespace clearway::testing::public_problems {
 namespace {
 
 namespace fs = std::filesystem;
@@ -45,7 +46,7 @@ struct Choices {
 
 bool readChoices(int count, char** words, Choices& to) {
     cli::CommandLine line(
-        "bench_public CHECKOUTS OUT [options]",
+        "benchmarks public CHECKOUTS OUT [options]",
         "Audits, solves and compares problems that others published, read from your checkouts of their\n"
         "repositories. Writes paths.csv, invalid_segments.csv, runs.csv and parts.csv to OUT; a run that "
         "stands\n"
@@ -113,10 +114,15 @@ struct Job {
 };
 
 std::vector<std::string> wordsFor(const Choices& choices, const Job& job) {
-    return {choices.checkouts, choices.out,
-            "--time",          shortNumber(choices.seconds),
-            "--part-time",     shortNumber(choices.partSeconds),
-            "--job",           job.text};
+    return {"public",
+            choices.checkouts,
+            choices.out,
+            "--time",
+            shortNumber(choices.seconds),
+            "--part-time",
+            shortNumber(choices.partSeconds),
+            "--job",
+            job.text};
 }
 
 /// The last line of what a job's process printed.
@@ -321,17 +327,13 @@ int run(int count, char** words, study::Ranks* ranks) {
 }
 
 }  // namespace
-}  // namespace clearway::testing
 
-int main(int count, char** words) {
-    try {
-        const std::unique_ptr<clearway::study::Ranks> ranks = clearway::cli::joinRanks();
-        if (ranks && ranks->rank() > 0) return clearway::cli::serveRank(*ranks);
-        const int code = clearway::testing::run(count, words, ranks.get());
-        if (ranks) clearway::study::dismiss(*ranks);
-        return code;
-    } catch (const std::exception& error) {
-        std::cerr << "bench_public: " << error.what() << "\n";
-        return 2;
-    }
+int run(int count, char** words) {
+    const std::unique_ptr<study::Ranks> ranks = cli::joinRanks();
+    if (ranks && ranks->rank() > 0) return cli::serveRank(*ranks);
+    const int code = run(count, words, ranks.get());
+    if (ranks) study::dismiss(*ranks);
+    return code;
 }
+
+}  // namespace clearway::testing::public_problems

@@ -1,6 +1,6 @@
 // Measures every kind of query of clearway and of its peers, on equal meshes and poses, in one process, in
 // turns.
-//   bench_queries [--scenes F,K] [--out DIR] ...      see --help and README.md in this folder
+//   benchmarks queries [--scenes F,K] [--out DIR] ...      see --help and README.md in this folder
 // Ends with exit code 1 when an answer of clearway is wrong, and with 2 when the benchmark cannot run.
 #include <filesystem>
 #include <iostream>
@@ -8,10 +8,11 @@
 
 #include "bench/bench_options.h"
 #include "bench/bench_report.h"
+#include "bench/benchmarks.h"
 #include "clearway/targets.h"
 #include "core/replace_file.h"
 
-namespace clearway::testing {
+namespace clearway::testing::queries {
 namespace {
 
 constexpr double kAgreement = 1e-9;  // share of the scene's size
@@ -79,14 +80,10 @@ int run(const BenchChoices& choices) {
 }
 
 }  // namespace
-}  // namespace clearway::testing
 
-int main(int count, char** words) {
-    try {
-        const auto choices = clearway::testing::readOptions(count, words);
-        return choices ? clearway::testing::run(*choices) : 0;
-    } catch (const std::exception& error) {
-        std::cerr << "bench_queries: " << error.what() << '\n';
-        return 2;
-    }
+int run(int count, char** words) {
+    const auto choices = readOptions(count, words);
+    return choices ? run(*choices) : 0;
 }
+
+}  // namespace clearway::testing::queries

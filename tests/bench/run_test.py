@@ -87,7 +87,7 @@ class Tables(unittest.TestCase):
                 return next(shares)
 
         attempts = []
-        part = types.SimpleNamespace(name="part", programs=(), repetitions={}, spread=(), keys=("scene",), commands=lambda place, row: [],
+        part = types.SimpleNamespace(name="part", repetitions={}, spread=(), keys=("scene",), commands=lambda place, row: [],
                                      table=lambda place, row: attempts.append(row) or (["scene"], [{"scene": len(attempts)}]))
         given = types.SimpleNamespace(form="full", build=self.folder, checkouts=None, cpu=0)
         watch, RUN.Watch = RUN.Watch, Disturbed

@@ -1,17 +1,18 @@
 // Measures how much each sampler of valid states helps a roadmap: plans problems by PRM with each sampler and
 // seeds 1 to N, and writes how many paths were found and how soon.
-//   bench_samplers PROBLEM.cfg SEEDS SECONDS OUT.csv [SAMPLER...]
+//   benchmarks samplers PROBLEM.cfg SEEDS SECONDS OUT.csv [SAMPLER...]
 #include <algorithm>
 #include <exception>
 #include <iostream>
 #include <string>
 #include <vector>
 
+#include "bench/benchmarks.h"
 #include "clearway/planning/plan.h"
 #include "core/number.h"
 #include "core/replace_file.h"
 
-namespace clearway::testing {
+namespace clearway::testing::samplers {
 namespace {
 
 using planning::PlanReport;
@@ -24,9 +25,11 @@ double median(std::vector<double> values) {
     return values[values.size() / 2];
 }
 
+}  // namespace
+
 int run(int count, char** words) {
     if (count < 5) {
-        std::cerr << "usage: bench_samplers PROBLEM.cfg SEEDS SECONDS OUT.csv [SAMPLER...]\n";
+        std::cerr << "usage: benchmarks samplers PROBLEM.cfg SEEDS SECONDS OUT.csv [SAMPLER...]\n";
         return 2;
     }
     Problem problem = readProblem(words[1]);
@@ -61,14 +64,4 @@ int run(int count, char** words) {
     return 0;
 }
 
-}  // namespace
-}  // namespace clearway::testing
-
-int main(int count, char** words) {
-    try {
-        return clearway::testing::run(count, words);
-    } catch (const std::exception& error) {
-        std::cerr << "bench_samplers: " << error.what() << "\n";
-        return 2;
-    }
-}
+}  // namespace clearway::testing::samplers

@@ -1,15 +1,16 @@
 // Measures speed against error: times several ways to measure a distance in one process. The oracle judges
 // every pose.
-//   bench_speed_error [--scenes F,K] [--out DIR] ...      see --help and README.md in this folder
+//   benchmarks speed_error [--scenes F,K] [--out DIR] ...      see --help and README.md in this folder
 // Ends with exit code 1 when an answer of clearway is wrong, and with 2 when the benchmark cannot run.
 #include <filesystem>
 #include <iostream>
 
+#include "bench/benchmarks.h"
 #include "bench/error_report.h"
 #include "bench/task_options.h"
 #include "clearway/targets.h"
 
-namespace clearway::testing {
+namespace clearway::testing::speed_error {
 namespace {
 
 const std::vector<double> kMarginShares = {0, 1e-6, 1e-3};  // shares of the scene's size
@@ -21,7 +22,7 @@ struct ErrorChoices : TaskChoices {
 std::optional<ErrorChoices> readOptions(int count, char** words) {
     ErrorChoices choices;
     choices.scenes = allSceneNames();
-    cli::CommandLine line("bench_speed_error [options]",
+    cli::CommandLine line("benchmarks speed_error [options]",
                           "Times the ways to answer \"how far?\" and has the oracle say their errors.");
     addTaskOptions(line, "speed_error.csv", choices);
     line.option("--near-bases N",
@@ -100,14 +101,10 @@ int run(const ErrorChoices& choices) {
 }
 
 }  // namespace
-}  // namespace clearway::testing
 
-int main(int count, char** words) {
-    try {
-        const auto choices = clearway::testing::readOptions(count, words);
-        return choices ? clearway::testing::run(*choices) : 0;
-    } catch (const std::exception& error) {
-        std::cerr << "bench_speed_error: " << error.what() << '\n';
-        return 2;
-    }
+int run(int count, char** words) {
+    const auto choices = readOptions(count, words);
+    return choices ? run(*choices) : 0;
 }
+
+}  // namespace clearway::testing::speed_error

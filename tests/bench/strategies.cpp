@@ -1,18 +1,19 @@
 // Compares the strategies that trees are built by: the time of each question over that with the default trees,
 // and what the trees take to build.
-//   bench_strategies [--scenes F,K] [--out DIR] ...      see --help and README.md in this folder
+//   benchmarks strategies [--scenes F,K] [--out DIR] ...      see --help and README.md in this folder
 // Ends with exit code 1 when two strategies answer differently, and with 2 when the benchmark cannot run.
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <iomanip>
 #include <iostream>
 #include <sstream>
 
+#include "bench/benchmarks.h"
 #include "bench/clearway_series.h"
 #include "bench/task_options.h"
+#include "core/clock.h"
 
-namespace clearway::testing {
+namespace clearway::testing::strategies {
 namespace {
 
 constexpr double kAgreement = 1e-9;  // share of the scene's size
@@ -51,9 +52,9 @@ struct Built {
 };
 
 Built build(const BenchTask& task, const BuildOptions& options) {
-    const auto begin = std::chrono::steady_clock::now();
+    const auto begin = Clock::now();
     const TreePair trees = buildTrees(task, options);
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    const double seconds = secondsSince(begin);
     const auto bytes =
         static_cast<double>(trees.part.report().tree.bytes + trees.environment.report().tree.bytes);
     const auto triangles =
@@ -101,10 +102,12 @@ std::size_t measure(const BenchTask& task, const Schedule& schedule, std::string
     return different;
 }
 
+}  // namespace
+
 int run(int count, char** words) {
     TaskChoices choices;
     choices.scenes = allSceneNames();
-    cli::CommandLine line("bench_strategies [options]",
+    cli::CommandLine line("benchmarks strategies [options]",
                           "Times every question with trees built by every strategy, in turns.");
     addTaskOptions(line, "strategies.csv", choices);
     addFileOptions(line, choices);
@@ -123,14 +126,4 @@ int run(int count, char** words) {
     return different == 0 ? 0 : 1;
 }
 
-}  // namespace
-}  // namespace clearway::testing
-
-int main(int count, char** words) {
-    try {
-        return clearway::testing::run(count, words);
-    } catch (const std::exception& error) {
-        std::cerr << "bench_strategies: " << error.what() << '\n';
-        return 2;
-    }
-}
+}  // namespace clearway::testing::strategies

@@ -140,8 +140,14 @@ class Checker:
         program = self.build / "tests" / name
         if not program.exists():
             raise Refused(f"there is no program {program}")
+        command = [str(program)]
+        if name == "benchmarks":
+            command += words[:1]
+            known = re.findall(r"^  (\w+)$", subprocess.run([program, "--help"], capture_output=True, text=True).stdout, re.M)
+            if not words or words[0] not in known:
+                raise Refused(f"there is no benchmark '{' '.join(words[:1])}', expected one of {', '.join(known)}")
         if options_in(words):
-            self.require_options(words, self.help_options(str(program)), name)
+            self.require_options(words, self.help_options(*command), " ".join([name] + command[1:]))
 
     def script(self, name, words):
         if not (self.root / name).exists():
@@ -164,7 +170,7 @@ class Checker:
             self.cmake(rest)
         elif name == "ctest":
             self.ctest(rest)
-        elif re.fullmatch(r"build/\w+/tests/\w+|bench_\w+|torture|test_\w+", name):
+        elif re.fullmatch(r"build/\w+/tests/\w+|benchmarks|torture|test_\w+", name):
             self.test_program(name.split("/")[-1], rest)
         elif re.fullmatch(r"tests/[\w/.]+", name):
             self.script(name, rest)
@@ -286,4 +292,4 @@ def check_commands(root, build, program, documents, report):
 
 
 def looks_like_commands(block):
-    return block.language == "sh" or re.match(r"(cmake|clearway|build/|tests/|bench_\w+)", block.text) is not None
+    return block.language == "sh" or re.match(r"(cmake|clearway|build/|tests/|benchmarks )", block.text) is not None

@@ -1,4 +1,4 @@
-"""The tables of docs/public_problems.md, from those that bench_public writes."""
+"""The tables of docs/public_problems.md, from those that `benchmarks public` writes."""
 
 from results import distinct, matching, median_with_range, seconds, shown, table
 

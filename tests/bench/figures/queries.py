@@ -2,7 +2,7 @@
 
 from results import NotMeasured, distinct, matching, percent, shown, span, table, whole
 
-# The scenes that bench_queries measures now, in the order of the tables; others in a results folder come after them.
+# The scenes that `benchmarks queries` measures now, in the order of the tables; others in a results folder come after them.
 ORDER = ["K", "L", "I", "J", "M", "N", "E", "F"]
 REMARKS = {
     "F": "parallel faces",

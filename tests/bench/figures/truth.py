@@ -7,7 +7,7 @@ PEERS = ("FCL RSS", "PQP", "Coal OBBRSS", "MeshLib")
 MODE_NAMES = {"isWithin": "`isWithin`", "default": "`distance`, valid when lower > margin"}
 SHORT_LIST = ("isWithin", "default") + PEERS
 
-# Scenes of speed_error.csv by letter, as bench_queries has them or had them.
+# Scenes of speed_error.csv by letter, as `benchmarks queries` has them or had them.
 OLDER = {"A": "tunnel-console-2, in the tunnel", "B": "tunnel-console-2, outside", "C": "cembox-1", "D": "large-environment-1",
          "E": "puzzle-1"}
 NOW = {"F": "boxes-1", "I": "cembox-2", "J": "large-environment-2", "K": "tunnel-console-3, in the tunnel", "L": "tunnel-console-3, outside",

@@ -70,15 +70,15 @@ def run(given, build_programs):
             raise Refused(f"there is no file {file}")
     if not given.build:
         given.build = given.root / "build/release"
-        build_programs(["bench_queries", "bench_strategies"], given)
+        build_programs(given)
     repetitions, budget = SIZES[given.form]
     files = ["--part", part, "--environment", environment, "--poses", given.poses]
     given.out.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as scratch:
         place = Place(given.form, given.root, given.build, pathlib.Path(scratch), cpu=given.cpu)
         common = [*files, "--repetitions", repetitions, "--cpu", place.cpu, "--peer-budget", budget, "--out", scratch]
-        place.run([place.bench("bench_queries"), *common, "--build-rounds", 0])
-        place.run([place.bench("bench_strategies"), *common])
+        place.run([*place.benchmark("queries"), *common, "--build-rounds", 0])
+        place.run([*place.benchmark("strategies"), *common])
         columns, queries = read(place.scratch / "summary.csv")
         strategy_columns, strategies = read(place.scratch / "strategies.csv")
     write(given.out / "own_queries.csv", columns, queries)

@@ -16,7 +16,6 @@ class Part:
     name: str
     about: str
     rows: tuple  # of the whole form
-    programs: tuple  # targets to build
     commands: Callable  # (place, row) -> the commands that measure the row
     group: tuple  # the columns that all lines of a row share, and no other row has; none: the table is one row
     keys: tuple  # the columns that tell the lines of the table apart
@@ -33,7 +32,7 @@ class Part:
         return {"ci": self.ci_rows, "quick": self.quick_rows, "full": self.rows}[form]
 
 
-SCENES = ("K", "L", "I", "J", "M", "N", "F")  # of bench_queries
+SCENES = ("K", "L", "I", "J", "M", "N", "F")  # of `benchmarks queries`
 SMALL_PROBLEM = "data/tunnel-console-small/tunnel-console.cfg"
 
 
@@ -45,12 +44,12 @@ def queries(place, row):
     }
     if place.form == "ci" and row not in ("F", "N"):  # some peers take seconds for a pass over a larger scene
         sizes["ci"].append("--without-peers")
-    return [[place.bench("bench_queries"), "--scenes", row, *sizes[place.form], "--build-rounds", 0, "--cpu", place.cpu, "--out", place.scratch]]
+    return [[*place.benchmark("queries"), "--scenes", row, *sizes[place.form], "--build-rounds", 0, "--cpu", place.cpu, "--out", place.scratch]]
 
 
 def builds(place, row):
     sizes = {"ci": ["--small", "--build-rounds", 1], "quick": ["--build-rounds", 2], "full": ["--build-rounds", 5]}
-    return [[place.bench("bench_queries"), "--scenes", row, *sizes[place.form], "--pose-count", 2, "--repetitions", 1, "--peer-budget", 0,
+    return [[*place.benchmark("queries"), "--scenes", row, *sizes[place.form], "--pose-count", 2, "--repetitions", 1, "--peer-budget", 0,
              "--targets", "best", "--out", place.scratch]]
 
 
@@ -60,12 +59,12 @@ def speed_error(place, row):
         "quick": ["--pose-count", 200, "--near-bases", 10, "--repetitions", 2, "--peer-budget", 1],
         "full": ["--pose-count", 200, "--near-bases", 10, "--repetitions", 7, "--peer-budget", 4],
     }
-    return [[place.bench("bench_speed_error"), "--scenes", row, *sizes[place.form], "--cpu", place.cpu, "--out", place.scratch]]
+    return [[*place.benchmark("speed_error"), "--scenes", row, *sizes[place.form], "--cpu", place.cpu, "--out", place.scratch]]
 
 
 def motions(place, row):
     count = {"ci": 100, "quick": 300, "full": 1000}[place.form]
-    return [place.pinned(place.bench("bench_motions"), place.problem(row), count, 1, place.scratch / "motions.csv", row)]
+    return [place.pinned(*place.benchmark("motions"), place.problem(row), count, 1, place.scratch / "motions.csv", row)]
 
 
 # The rows of certified_motions: the scene, whose motions, how many, and more choices.
@@ -85,34 +84,34 @@ def certified_motions(place, row):
     scene, motions_of, count, more = CERTIFIED[row]
     of = place.path(scene) if motions_of == "path" else motions_of
     count = {"ci": 60, "quick": min(count, 300), "full": count}[place.form]
-    return [place.pinned(place.bench("bench_certified_motions"), place.problem(scene), of, count, *more, f"scene={scene}",
+    return [place.pinned(*place.benchmark("certified_motions"), place.problem(scene), of, count, *more, f"scene={scene}",
                          f"table={place.scratch / 'certified_motions.csv'}")]
 
 
 def fcl_motions(place, row):
     count = {"ci": 200, "quick": 300, "full": 1000}[place.form]
-    return [place.pinned(place.bench("bench_fcl_motions"), place.problem(row), count, 1, place.scratch / "fcl_motions.csv")]
+    return [place.pinned(*place.benchmark("fcl_motions"), place.problem(row), count, 1, place.scratch / "fcl_motions.csv")]
 
 
 def fcl_continuous(place, _row):
     count = {"ci": 10, "quick": 60, "full": 300}[place.form]
-    return [place.pinned(place.bench("bench_fcl_continuous"), count, 1, place.scratch / "fcl_continuous.csv")]
+    return [place.pinned(*place.benchmark("fcl_continuous"), count, 1, place.scratch / "fcl_continuous.csv")]
 
 
 def fcl_first_path(place, row):
     seeds, limit, step = {"ci": (1, 2, 4.5), "quick": (3, 20, "find"), "full": (20, 20, "find")}[place.form]
-    return [[place.bench("bench_fcl_first_path"), place.problem(row), seeds, limit, step, place.scratch / "fcl_first_path.csv"]]
+    return [[*place.benchmark("fcl_first_path"), place.problem(row), seeds, limit, step, place.scratch / "fcl_first_path.csv"]]
 
 
 def torture(place, _row):
     pairs, poses = {"ci": (2600, 90), "quick": (500_000, 5000), "full": (10_010_000, 100_000)}[place.form]
-    return [[place.bench("torture"), "--pairs", pairs, "--poses", poses, "--csv", place.scratch / "torture.csv"]]
+    return [[place.test_program("torture"), "--pairs", pairs, "--poses", poses, "--csv", place.scratch / "torture.csv"]]
 
 
 def strategies(place, row):
     sizes = {"ci": ["--small", "--pose-count", 10, "--repetitions", 1], "quick": ["--pose-count", 200, "--repetitions", 2],
              "full": ["--pose-count", 400, "--repetitions", 5]}
-    return [[place.bench("bench_strategies"), "--scenes", row, *sizes[place.form], "--cpu", place.cpu, "--out", place.scratch]]
+    return [[*place.benchmark("strategies"), "--scenes", row, *sizes[place.form], "--cpu", place.cpu, "--out", place.scratch]]
 
 
 def kernels(place, row):
@@ -121,7 +120,7 @@ def kernels(place, row):
         "quick": ["--triangles", 2000, "--repetitions", 2],
         "full": ["--repetitions", 3],
     }
-    return [[place.bench("bench_kernels"), "--question", row, *sizes[place.form], "--cpu", place.cpu, "--out", place.scratch]]
+    return [[*place.benchmark("kernels"), "--question", row, *sizes[place.form], "--cpu", place.cpu, "--out", place.scratch]]
 
 
 # The rows of growth: triangles of part and environment. One of the two linked rings grows while the other stays; then both are as large
@@ -140,7 +139,7 @@ def growth(place, row):
         "quick": ["--pose-count", 300, "--repetitions", 1, "--peer-budget", 3],
         "full": ["--pose-count", 300, "--repetitions", 5, "--peer-budget", 12],
     }
-    return [[place.bench("bench_growth"), "--part-triangles", part, "--environment-triangles", environment, *sizes[place.form], "--cpu", place.cpu,
+    return [[*place.benchmark("growth"), "--part-triangles", part, "--environment-triangles", environment, *sizes[place.form], "--cpu", place.cpu,
              "--out", place.scratch]]
 
 
@@ -150,7 +149,7 @@ def ladder(place, row):
         "quick": ["--pose-count", 100, "--repetitions", 2, "--peer-budget", 2],
         "full": ["--pose-count", 400, "--repetitions", 5, "--peer-budget", 12],
     }
-    return [[place.bench("bench_ladder"), "--scenes", row, *sizes[place.form], "--cpu", place.cpu, "--out", place.scratch]]
+    return [[*place.benchmark("ladder"), "--scenes", row, *sizes[place.form], "--cpu", place.cpu, "--out", place.scratch]]
 
 
 # The planner studies.
@@ -161,11 +160,11 @@ ROOM = ("bracket", "gates", "tunnel-console-small", "tunnel-console-3")
 
 
 def plans(table, choices):
-    """bench_plan_success on one problem. choices: row -> its other options, and its seeds and seconds in the full form."""
+    """`benchmarks plan_success` on one problem. choices: row -> its other options, and its seeds and seconds in the full form."""
     def commands(place, row):
         more, seeds, limit = choices(row)
         seeds, limit = {"ci": (1, 10), "quick": (min(seeds, 3), limit), "full": (seeds, limit)}[place.form]
-        return [[place.bench("bench_plan_success"), place.problem(row), *more, "--seeds", seeds, "--time", limit, "--out",
+        return [[*place.benchmark("plan_success"), place.problem(row), *more, "--seeds", seeds, "--time", limit, "--out",
                  place.scratch / f"{table}.csv"]]
 
     return commands
@@ -182,68 +181,68 @@ def widest(row):
 def samplers(table):
     def commands(place, row):
         seeds, limit = {"ci": (1, 1), "quick": (3, 10), "full": (20, 10) if row == "window" else (2, 15)}[place.form]
-        return [[place.bench("bench_samplers"), place.problem(row), seeds, limit, place.scratch / f"{table}.csv"]]
+        return [[*place.benchmark("samplers"), place.problem(row), seeds, limit, place.scratch / f"{table}.csv"]]
 
     return commands
 
 
 def anytime_clearance(place, row):
     limit, seeds = {"ci": (0.2, 1), "quick": (2, 2), "full": (2, 10)}[place.form]
-    return [[place.bench("bench_anytime_clearance"), limit, seeds, place.scratch / "anytime_clearance.csv", row]]
+    return [[*place.benchmark("anytime_clearance"), limit, seeds, place.scratch / "anytime_clearance.csv", row]]
 
 
 def study_of_plans(name, about, rows, choices, ci_rows=()):
-    return Part(name, about, rows=rows, programs=("bench_plan_success",), commands=plans(name, choices), group=("problem",), keys=("problem", "seed"),
+    return Part(name, about, rows=rows, commands=plans(name, choices), group=("problem",), keys=("problem", "seed"),
                 shown=("found", "planning_seconds", "least_clearance"), ci_rows=ci_rows, is_study=True)
 
 
 def study_of_samplers(name, problem, ci_rows=()):
-    return Part(name, "PRM with samplers of valid states", rows=(problem,), programs=("bench_samplers",), commands=samplers(name), group=(),
+    return Part(name, "PRM with samplers of valid states", rows=(problem,), commands=samplers(name), group=(),
                 keys=("sampler", "seed"), shown=("found", "planning_seconds"), ci_rows=ci_rows, is_study=True)
 
 
 PARTS = (
     Part("queries", "queries of clearway and its peers, a row a scene", rows=SCENES, quick_rows=("K", "N", "F"), ci_rows=SCENES,
-         programs=("bench_queries",), commands=queries, table="summary.csv", group=("scene",),
+         commands=queries, table="summary.csv", group=("scene",),
          keys=("scene", "question", "engine", "over_question", "over_engine"), shown=("ratio", "us_mean")),
     Part("builds", "seconds and bytes of trees", rows=("K", "I", "J", "M", "N", "F"), quick_rows=("N", "F"), ci_rows=("F",),
-         programs=("bench_queries",), commands=builds, group=("scene",), keys=("scene", "build"), shown=("seconds", "bytes_per_triangle")),
+         commands=builds, group=("scene",), keys=("scene", "build"), shown=("seconds", "bytes_per_triangle")),
     Part("speed_error", "speed against error, and wrong verdicts near margins", rows=SCENES, quick_rows=("F",), ci_rows=("F", "N"),
-         programs=("bench_speed_error",), commands=speed_error, group=("scene",), keys=("scene", "mode"),
+         commands=speed_error, group=("scene",), keys=("scene", "mode"),
          shown=("queries_per_second", "time_over_float_only", "error_worst")),
     Part("growth", "queries, motions and trees as one of two linked rings grows", rows=tuple(GROWTH), quick_rows=("environment 64k",),
-         ci_rows=("environment 1k", "part 1k", "rings"), programs=("bench_growth",), commands=growth,
+         ci_rows=("environment 1k", "part 1k", "rings"), commands=growth,
          group=("scene", "part_triangles", "environment_triangles"), keys=("part_triangles", "environment_triangles", "engine"),
          shown=("us_median", "us_motion_median", "build_seconds", "bytes_per_triangle")),
-    Part("ladder", "from the thesis's engine to clearway's, step by step", rows=("K", "I"), ci_rows=("N",), programs=("bench_ladder",),
+    Part("ladder", "from the thesis's engine to clearway's, step by step", rows=("K", "I"), ci_rows=("N",),
          commands=ladder, group=("scene",), keys=("scene", "step"), shown=("us_mean", "volume_tests", "triangle_tests")),
     Part("scenes", "the demo scenes, and a distance at their poses", rows=tuple(scene_rows.ROWS), quick_rows=("puzzle-2",), ci_rows=("boxes-1",),
-         programs=("clearway_program",), commands=scene_rows.commands, table=scene_rows.table, group=("scene", "clearance_asked"),
+         commands=scene_rows.commands, table=scene_rows.table, group=("scene", "clearance_asked"),
          keys=("scene", "clearance_asked"), shown=("us_mean", "volume_tests", "clearance_certified")),
     Part("motions", "certified motions against checks in steps", rows=("tunnel-console-3",), quick_rows=("tunnel-console-3",),
-         ci_rows=("tunnel-console-small",), programs=("bench_motions",), commands=motions, group=("scene",), keys=("scene", "what"),
+         ci_rows=("tunnel-console-small",), commands=motions, group=("scene",), keys=("scene", "what"),
          shown=("us_certified", "us_compared", "times"), spread=("us_certified", "us_compared", "times"), repetitions={"full": 5}),
     Part("certified_motions", "motions certified pair by pair and by clearances of the whole part", rows=tuple(CERTIFIED),
-         quick_rows=("cembox-2 path",), programs=("bench_certified_motions",), commands=certified_motions,
+         quick_rows=("cembox-2 path",), commands=certified_motions,
          group=("scene", "motions", "margin", "parts"), keys=("scene", "motions", "margin", "parts", "kind"),
          shown=("us_globally", "us_by_pairs", "times_faster"), spread=("us_globally", "us_by_pairs", "times_faster"), repetitions={"full": 3}),
     Part("fcl_motions", "states and motions judged by FCL and by clearway", rows=("tunnel-console-3",), ci_rows=("tunnel-console-small",),
-         programs=("bench_fcl_motions",), commands=fcl_motions, group=(), keys=("what",), shown=("clearway_us", "fcl_us", "times_faster"),
+         commands=fcl_motions, group=(), keys=("what",), shown=("clearway_us", "fcl_us", "times_faster"),
          spread=("clearway_us", "fcl_us", "times_faster"), repetitions={"full": 3}),
     Part("fcl_continuous", "FCL's continuous check, judged", rows=("all",), quick_rows=("all",), ci_rows=("all",),
-         programs=("bench_fcl_continuous",), commands=fcl_continuous, group=(), keys=("scene", "checked_by"),
+         commands=fcl_continuous, group=(), keys=("scene", "checked_by"),
          shown=("of_these_called_valid", "of_these_called_invalid", "us_a_motion")),
     Part("strategies", "splits of trees beside the default, a row a scene", rows=SCENES, quick_rows=("N", "F"), ci_rows=("N",),
-         programs=("bench_strategies",), commands=strategies, group=("scene",), keys=("scene", "question", "strategy"),
+         commands=strategies, group=("scene",), keys=("scene", "question", "strategy"),
          shown=("over_default", "us_mean", "build_seconds")),
     Part("kernels", "kernels of pairs of triangles, as in the thesis's tables 1 to 4", rows=("collides", "distance"),
-         quick_rows=("collides", "distance"), ci_rows=("collides", "distance"), programs=("bench_kernels",), commands=kernels,
+         quick_rows=("collides", "distance"), ci_rows=("collides", "distance"), commands=kernels,
          group=("question",), keys=("question", "test", "contender", "instruction_set", "triangles", "input_size"),
          shown=("seconds", "largest_error")),
-    Part("torture", "hard pairs and poses against exact arithmetic", rows=("all",), ci_rows=("all",), programs=("torture",), commands=torture,
+    Part("torture", "hard pairs and poses against exact arithmetic", rows=("all",), ci_rows=("all",), commands=torture,
          group=(), keys=("group", "family", "figure"), shown=("value",), is_shown=lambda row: row["figure"] in ("violations", "false valid")),
     Part("fcl_first_path", "a first path that is free, by steps with FCL and certified", rows=("tunnel-console-3",),
-         ci_rows=("tunnel-console-small",), programs=("bench_fcl_first_path",), commands=fcl_first_path, group=(), keys=("checked_by", "step"),
+         ci_rows=("tunnel-console-small",), commands=fcl_first_path, group=(), keys=("checked_by", "step"),
          shown=("found", "free", "median_seconds_to_a_free_path"), is_study=True),
     study_of_plans("plan_first_path", "clearway plan, its first path", OWN_PROBLEMS + OMPLAPP + ("elk",), first_path,
                    ci_rows=("bracket", "gates")),
@@ -252,7 +251,7 @@ PARTS = (
     study_of_plans("plan_widest", "clearway plan for the widest path", ROOM, widest),
     study_of_samplers("samplers_window", "window", ci_rows=("window",)),
     study_of_samplers("samplers_tunnel_console_small", "tunnel-console-small"),
-    Part("anytime_clearance", "clearance gained with planning time", rows=("posts",), ci_rows=("gates",), programs=("bench_anytime_clearance",),
+    Part("anytime_clearance", "clearance gained with planning time", rows=("posts",), ci_rows=("gates",),
          commands=anytime_clearance, group=("scene",), keys=("scene", "planner", "parameters", "objective", "seed", "seconds"),
          shown=("certified_clearance",), is_study=True),
 )

@@ -25,8 +25,12 @@ class Place:
         # The last processor: the first one serves most interrupts.
         self.cpu = max(os.sched_getaffinity(0)) if cpu is None else cpu
 
-    def bench(self, name):
+    def test_program(self, name):
         return self.build / "tests" / name
+
+    def benchmark(self, name):
+        """The first words of a command that runs a benchmark."""
+        return self.test_program("benchmarks"), name
 
     def program(self):
         return self.build / "bin/clearway"

@@ -3,7 +3,6 @@
 #include <ompl/base/SpaceInformation.h>
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <optional>
 #include <stdexcept>
@@ -12,24 +11,20 @@
 #include "clearway/planning/motion_validator.h"
 #include "clearway/planning/plan.h"
 #include "clearway/planning/validity_checker.h"
+#include "core/clock.h"
 #include "core/number.h"
 #include "planning/validity/ompl_states.h"
 
-namespace clearway::testing {
+namespace clearway::testing::public_problems {
 namespace {
 
 namespace ob = ompl::base;
-using Clock = std::chrono::steady_clock;
 
 constexpr double kLeastOverlapPerDiagonal = 0.002;
 constexpr double kMoreThanDepth = 1.02;  ///< depths are known to 1 %
 constexpr double kNextOverlap = 1.1;     ///< where the shrunk part still touches: the next one tried
 constexpr int kMostOverlaps = 12;
 constexpr int kDirections = 1000;
-
-double secondsSince(Clock::time_point begin) {
-    return std::chrono::duration<double>(Clock::now() - begin).count();
-}
 
 Problem problemOf(const Assembly& assembly, std::size_t part) {
     Problem problem;
@@ -161,4 +156,4 @@ std::string runPart(const Assembly& assembly, std::size_t part, double seconds, 
            note;
 }
 
-}  // namespace clearway::testing
+}  // namespace clearway::testing::public_problems

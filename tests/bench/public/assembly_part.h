@@ -5,7 +5,7 @@
 
 #include "bench/public/checkouts.h"
 
-namespace clearway::testing {
+namespace clearway::testing::public_problems {
 
 constexpr const char* kPartColumns =
     "triangles,touching,depth,overlap,tolerance,preparing_seconds,found,seconds,found_by,clearance,straight,"
@@ -21,4 +21,4 @@ constexpr const char* kPartColumns =
 std::string runPart(const Assembly& assembly, std::size_t part, double seconds, const std::string& config,
                     const std::string& path);
 
-}  // namespace clearway::testing
+}  // namespace clearway::testing::public_problems

@@ -8,7 +8,7 @@
 #include "core/replace_file.h"
 #include "support/ppl_scene.h"
 
-namespace clearway::testing {
+namespace clearway::testing::public_problems {
 namespace {
 
 namespace fs = std::filesystem;
@@ -193,4 +193,4 @@ PublicProblems findPublicProblems(const std::string& checkouts, const std::strin
     return Finder(checkouts, converted).find();
 }
 
-}  // namespace clearway::testing
+}  // namespace clearway::testing::public_problems

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace clearway::testing {
+namespace clearway::testing::public_problems {
 
 /// A problem that the program can read, and the paths published for it.
 struct PublicProblem {
@@ -40,4 +40,4 @@ struct PublicProblems {
 /// of the formats do.
 PublicProblems findPublicProblems(const std::string& checkouts, const std::string& converted);
 
-}  // namespace clearway::testing
+}  // namespace clearway::testing::public_problems

@@ -7,17 +7,17 @@
 #include <ompl/util/RandomNumbers.h>
 
 #include <algorithm>
-#include <chrono>
 
 #include "bench/fcl_planning.h"
 #include "clearway/planning/check_path.h"
 #include "clearway/planning/plan.h"
+#include "core/clock.h"
 #include "core/number.h"
 #include "planning/validity/ompl_states.h"
 #include "support/oracle.h"
 #include "support/path_check.h"
 
-namespace clearway::testing {
+namespace clearway::testing::public_problems {
 namespace {
 
 namespace ob = ompl::base;
@@ -76,10 +76,10 @@ Run planWithFcl(const Problem& problem, const Scene& scene, std::uint32_t seed, 
     og::RRTConnect planner(si);
     planner.setProblemDefinition(definition);
     planner.setup();
-    const auto begin = std::chrono::steady_clock::now();
+    const auto begin = Clock::now();
     planner.solve(ob::timedPlannerTerminationCondition(seconds));
     Run run;
-    run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    run.seconds = secondsSince(begin);
     run.foundBy = "RRTConnect";
     run.isFound = definition->hasExactSolution();
     if (!run.isFound) return run;
@@ -137,4 +137,4 @@ std::string runContender(const std::string& file, const std::string& contender, 
     return rowOf(run, colliding);
 }
 
-}  // namespace clearway::testing
+}  // namespace clearway::testing::public_problems

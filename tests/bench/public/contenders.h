@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace clearway::testing {
+namespace clearway::testing::public_problems {
 
 constexpr const char* kOurs = "clearway";       ///< `clearway plan` with its defaults
 constexpr const char* kFcl = "RRTConnect+FCL";  ///< RRTConnect, FCL's collide, OMPL's discrete motion check
@@ -24,4 +24,4 @@ constexpr const char* kRunColumns =
 std::string runContender(const std::string& problem, const std::string& contender, std::uint32_t seed,
                          double seconds, const std::string& path);
 
-}  // namespace clearway::testing
+}  // namespace clearway::testing::public_problems

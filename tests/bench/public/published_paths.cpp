@@ -10,7 +10,7 @@
 #include "support/oracle.h"
 #include "support/path_check.h"
 
-namespace clearway::testing {
+namespace clearway::testing::public_problems {
 namespace {
 
 namespace ob = ompl::base;
@@ -81,7 +81,7 @@ PathVerdict judgePath(const PublicProblem& published, const std::string& path) {
         words.push_back(std::to_string(report.closest.partTriangle));
         words.push_back(inQuotes(segment.environmentMesh));
         words.push_back(std::to_string(report.closest.environmentTriangle));
-        verdict.invalidRows.push_back(joined(words, ","));
+        verdict.invalidRows.push_back(clearway::joined(words, ","));
     }
     verdict.row = published.name + "," + name;
     for (const std::size_t count : {states.size(), audit.segments.size(), audit.notValid.size(),
@@ -93,4 +93,4 @@ PathVerdict judgePath(const PublicProblem& published, const std::string& path) {
     return verdict;
 }
 
-}  // namespace clearway::testing
+}  // namespace clearway::testing::public_problems

@@ -6,7 +6,7 @@
 
 #include "bench/public/checkouts.h"
 
-namespace clearway::testing {
+namespace clearway::testing::public_problems {
 
 /// The audit of one path, as rows of tables.
 struct PathVerdict {
@@ -29,4 +29,4 @@ constexpr const char* kSegmentColumns =
 /// their diagonal.
 PathVerdict judgePath(const PublicProblem& problem, const std::string& path);
 
-}  // namespace clearway::testing
+}  // namespace clearway::testing::public_problems

@@ -1,0 +1,64 @@
+// Runs a benchmark: benchmarks NAME [ARGUMENT...]. README.md in this folder describes each.
+#include <algorithm>
+#include <exception>
+#include <iostream>
+#include <iterator>
+#include <string>
+
+#include "bench/benchmarks.h"
+
+namespace clearway::testing {
+namespace {
+
+struct Benchmark {
+    const char* name;
+    int (*run)(int count, char** words);
+};
+
+constexpr Benchmark kBenchmarks[] = {
+    {"anytime_clearance", anytime_clearance::run},
+    {"certified_motions", certified_motions::run},
+    {"fcl_continuous", fcl_continuous::run},
+    {"fcl_first_path", fcl_first_path::run},
+    {"fcl_motions", fcl_motions::run},
+    {"growth", growth::run},
+    {"kernels", kernels::run},
+    {"ladder", ladder::run},
+    {"motions", motions::run},
+    {"plan_success", plan_success::run},
+    {"public", public_problems::run},
+    {"queries", queries::run},
+    {"samplers", samplers::run},
+    {"speed_error", speed_error::run},
+    {"strategies", strategies::run},
+};
+
+int tellNames(std::ostream& out, int code) {
+    out << "Usage: benchmarks NAME [ARGUMENT...]\n\nNames:\n";
+    for (const Benchmark& each : kBenchmarks) out << "  " << each.name << '\n';
+    return code;
+}
+
+int runNamed(int count, char** words) {
+    const std::string name = count > 1 ? words[1] : "--help";
+    if (name == "--help") return tellNames(std::cout, 0);
+    const auto found = std::find_if(std::begin(kBenchmarks), std::end(kBenchmarks),
+                                    [&](const Benchmark& each) { return each.name == name; });
+    if (found == std::end(kBenchmarks)) {
+        std::cerr << "benchmarks: there is no benchmark '" << name << "', expected one of:\n";
+        return tellNames(std::cerr, 2);
+    }
+    try {
+        return found->run(count - 1, words + 1);
+    } catch (const std::exception& error) {
+        std::cerr << "benchmarks " << name << ": " << error.what() << '\n';
+        return 2;
+    }
+}
+
+}  // namespace
+}  // namespace clearway::testing
+
+int main(int count, char** words) {
+    return clearway::testing::runNamed(count, words);
+}
