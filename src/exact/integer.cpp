@@ -58,8 +58,8 @@ double quotient(const Integer& numerator, const Integer& denominator) {
 }
 
 LengthBounds rootBounds(const Integer& numerator, const Integer& denominator, int exponent) {
-    constexpr double kInfinity = std::numeric_limits<double>::infinity();
-    if (denominator.sign() == 0) return {kInfinity, kInfinity};
+    constexpr double kUnbounded = std::numeric_limits<double>::infinity();
+    if (denominator.sign() == 0) return {kUnbounded, kUnbounded};
     if (numerator.sign() == 0) return {0, 0};
     const Scaled n = leadingBitsOf(numerator), d = leadingBitsOf(denominator);
     const int squareExponent = n.exponent - d.exponent, odd = squareExponent & 1;
