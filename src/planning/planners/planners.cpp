@@ -85,6 +85,21 @@ ob::PlannerPtr makeNearest(const ob::SpaceInformationPtr& si) {
         si, std::is_same_v<PlannerClass, og::BITstar> ? "kBITstar" : "kABITstar");
 }
 
+/// pSBL whose samplers hardly ever give up. When OMPL's own finds no valid state near another one, it keeps a lock for good and,
+/// from the next invalid motion on, waits for it until its time is over.
+class PatientSbl : public og::pSBL {
+  public:
+    using og::pSBL::pSBL;
+
+    ob::PlannerStatus solve(const ob::PlannerTerminationCondition& isSpent) override {
+        constexpr unsigned int kAttempts = 10000;
+        samplerArray_.resize(threadCount_);
+        for (std::size_t i = 0; i < samplerArray_.size(); ++i)
+            samplerArray_[i]->setNrAttempts(std::max(kAttempts, samplerArray_[i]->getNrAttempts()));
+        return og::pSBL::solve(isSpent);
+    }
+};
+
 struct NamedPlanner {
     const char* name;
     ob::PlannerPtr (*make)(const ob::SpaceInformationPtr&);
@@ -133,7 +148,7 @@ constexpr NamedPlanner kPlanners[] = {
     {"STRIDE", make<og::STRIDE>, true},
     {"TRRT", make<og::TRRT>, true},
     {"pRRT", make<og::pRRT>, false},
-    {"pSBL", make<og::pSBL>, false},
+    {"pSBL", make<PatientSbl>, false},
 };
 
 struct ShortName {

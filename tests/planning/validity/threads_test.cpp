@@ -172,11 +172,10 @@ void planWith(const std::string& name, const Parameters& parameters, bool hasObj
     si->setStateValidityChecker(std::make_shared<ValidityChecker>(si, gates.scene));
     const auto validator = std::make_shared<MotionValidator>(si, gates.scene);
     si->setMotionValidator(validator);
-    // When OMPL's pSBL finds no valid state near another one, it keeps a lock for good and, from the next invalid motion on, waits
-    // for it until its time is over.
+    // Samplers of valid states give up at once, which keeps a lock of OMPL's pSBL for good; makePlanner's has others.
     si->setValidStateSamplerAllocator([](const ob::SpaceInformation* of) {
         const auto sampler = std::make_shared<ob::UniformValidStateSampler>(of);
-        sampler->setNrAttempts(1000);
+        sampler->setNrAttempts(1);
         return sampler;
     });
     si->setup();
