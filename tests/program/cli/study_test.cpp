@@ -223,7 +223,7 @@ BOOST_AUTO_TEST_CASE(other_options_than_those_of_the_folder_are_refused) {
 BOOST_AUTO_TEST_CASE(without_a_problem_a_short_study_makes_its_scenes_and_replays_their_poses) {
     const TemporaryFolder folder;
     if (!testing::isFullRun()) {
-        const std::filesystem::path kept = folder.file("study/scenes/tunnel-console");
+        const std::filesystem::path kept = folder.file("study/scenes/tunnel-console-3");
         std::filesystem::create_directories(kept.parent_path());
         std::filesystem::copy(CLEARWAY_DATA_DIR "/tunnel-console-small", kept);
         std::ofstream(kept / "complete") << "tunnel-console.cfg\n";
@@ -238,7 +238,7 @@ BOOST_AUTO_TEST_CASE(without_a_problem_a_short_study_makes_its_scenes_and_replay
     for (const auto& row : readRows(folder.file("study/trees.csv"))) {
         scenes.insert(row[0]);
         if (row[0] == "tunnel-console")
-            BOOST_TEST(std::stod(row[14]) >= 50, row[14] << " of 100 poses collide");
+            BOOST_TEST(std::stod(row[14]) >= testing::inForm(50, 40), row[14] << " of 100 poses collide");
     }
     BOOST_TEST(scenes == std::set<std::string>({"cembox", "tunnel-console"}),
                boost::test_tools::per_element());
