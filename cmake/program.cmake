@@ -63,8 +63,9 @@ compile_together(clearway_cli program ${cli_sources})
 add_executable(clearway_program src/program/cli/main.cpp)
 set_target_properties(clearway_program PROPERTIES OUTPUT_NAME clearway)
 target_include_directories(clearway_program PRIVATE src)
-target_link_libraries(clearway_program PRIVATE clearway_cli clearway_warnings Boost::headers)  # whose definitions are in the precompiled headers
+target_link_libraries(clearway_program PRIVATE clearway_cli clearway_warnings)
 target_precompile_headers(clearway_program REUSE_FROM clearway_cli)
+target_compile_definitions(clearway_program PRIVATE $<TARGET_PROPERTY:clearway_cli,COMPILE_DEFINITIONS>)  # whoever reuses them needs the same
 compile_quickly(clearway_program)
 if(CLEARWAY_QUICK_BUILD)
   link_first(clearway_program clearway clearway_planning clearway_scenes clearway_render)

@@ -3,7 +3,6 @@
 // SCENE: posts, gates, window, or a problem's .cfg; by default the first three and tunnel-console-small. The
 // table has rows at SECONDS of processor time, and at a half, a quarter and an eighth of SECONDS.
 // RRTConnect's row is for its first path.
-#include <exception>
 #include <iostream>
 #include <string>
 #include <vector>

@@ -1,5 +1,6 @@
 // The benchmarks, one file each. words: the benchmark's name and its arguments. Each returns the program's exit code: 1 when an
-// answer is wrong, 2 when it is used wrongly. Each throws std::exception when it cannot run.
+// answer is wrong, 2 when it is used wrongly; `public` 77, with which a test is skipped, when there is nothing to measure. Each throws
+// std::exception when it cannot run.
 #pragma once
 
 namespace clearway::testing::anytime_clearance {

@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
 #include <fstream>
 #include <iostream>
 #include <optional>

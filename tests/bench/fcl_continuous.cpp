@@ -4,7 +4,6 @@
 #include <ompl/base/DiscreteMotionValidator.h>
 #include <ompl/util/Console.h>
 
-#include <exception>
 #include <iostream>
 
 #include "bench/benchmarks.h"

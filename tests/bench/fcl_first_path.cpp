@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <ctime>
-#include <exception>
 #include <iostream>
 #include <optional>
 

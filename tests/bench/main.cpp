@@ -40,7 +40,8 @@ int tellNames(std::ostream& out, int code) {
 }
 
 int runNamed(int count, char** words) {
-    const std::string name = count > 1 ? words[1] : "--help";
+    if (count < 2) return tellNames(std::cerr, 2);
+    const std::string name = words[1];
     if (name == "--help") return tellNames(std::cout, 0);
     const auto found = std::find_if(std::begin(kBenchmarks), std::end(kBenchmarks),
                                     [&](const Benchmark& each) { return each.name == name; });

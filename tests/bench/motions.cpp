@@ -6,7 +6,6 @@
 #include <ompl/util/RandomNumbers.h>
 
 #include <algorithm>
-#include <exception>
 #include <iostream>
 #include <string>
 

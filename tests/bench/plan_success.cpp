@@ -1,7 +1,6 @@
 // Counts how often and how fast problems are solved: plans each problem with seeds 1 to N, as `clearway plan` does. The
 // oracle checks poses of every path, outside the times.
 #include <algorithm>
-#include <exception>
 #include <filesystem>
 #include <iostream>
 #include <limits>

@@ -2,7 +2,6 @@
 // seeds 1 to N, and writes how many paths were found and how soon.
 //   benchmarks samplers PROBLEM.cfg SEEDS SECONDS OUT.csv [SAMPLER...]
 #include <algorithm>
-#include <exception>
 #include <iostream>
 #include <string>
 #include <vector>

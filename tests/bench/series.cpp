@@ -6,11 +6,10 @@
 #include <numeric>
 
 #include "bench/pinned.h"
+#include "core/clock.h"
 
 namespace clearway::testing {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t kBatchPoses = 2048;
 

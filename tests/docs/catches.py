@@ -113,6 +113,8 @@ CASES = [
     ("commands", fenced("sh", "cmake --preset dev -DCLEARWAY_GONE=1"), "no CMake file knows"),
     ("commands", fenced("sh", "cmake --build --preset dev --target gone"), "no target 'gone'"),
     ("commands", fenced("sh", "build/release/tests/gone"), "there is no program"),
+    ("commands", fenced("sh", "benchmarks gone"), "there is no benchmark 'gone'"),
+    ("commands", fenced("sh", "build/release/tests/benchmarks queries --gone"), "benchmarks queries has no option '--gone'"),
     ("commands", fenced("sh", "tests/bench/gone.py"), "there is no script"),
     ("commands", "text\n\n    clearway query --gone\n", "has no option '--gone'"),
     ("commands", fenced("ini", "[clearway]"), "needs a directive"),

@@ -142,9 +142,9 @@ class Checker:
             raise Refused(f"there is no program {program}")
         command = [str(program)]
         if name == "benchmarks":
-            command += words[:1]
+            command += [word for word in words[:1] if not word.startswith("-")]
             known = re.findall(r"^  (\w+)$", subprocess.run([program, "--help"], capture_output=True, text=True).stdout, re.M)
-            if not words or words[0] not in known:
+            if not words or words[0] not in known + ["--help"]:
                 raise Refused(f"there is no benchmark '{' '.join(words[:1])}', expected one of {', '.join(known)}")
         if options_in(words):
             self.require_options(words, self.help_options(*command), " ".join([name] + command[1:]))

@@ -2,8 +2,7 @@
 
 Through find_package (shared and static), pkg-config, add_subdirectory and FetchContent; every program must print the same
 distance. With CLEARWAY_FULL in the environment the last two also build, which compiles the library; otherwise the first of
-them configures, one program, in C, is linked statically, and the C++ program by pkg-config is the one of
-docs/coming_from.md.
+them configures, one program, in C, is linked statically, and of the C++ programs only the planner's is built by pkg-config.
 Fails with a line that says what was expected."""
 
 import os

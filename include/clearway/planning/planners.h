@@ -29,8 +29,8 @@ std::string plannerClassName(const std::string& name);
 /// threads, their own clock or values that were never set. name: as plannerClassName takes it.
 bool isRepeatable(const std::string& name);
 
-/// Makes a planner, not yet set up. pSBL tries its samplers of valid states 10,000 times or more: OMPL's own comes to a standstill when
-/// one of them finds nothing. Throws as plannerClassName does.
+/// Makes a planner, not yet set up. Where pSBL's sampler finds no valid state near another one, it takes that one again: OMPL's own pSBL
+/// comes to a standstill there. Throws as plannerClassName does.
 ompl::base::PlannerPtr makePlanner(const ompl::base::SpaceInformationPtr& si, const std::string& name);
 
 /// True when the planner declares such a parameter.

@@ -1,5 +1,6 @@
 #include "clearway/planning/planners.h"
 
+#include <ompl/base/ValidStateSampler.h>
 #include <ompl/geometric/planners/AnytimePathShortening.h>
 #include <ompl/geometric/planners/cforest/CForest.h>
 #include <ompl/geometric/planners/est/BiEST.h>
@@ -85,19 +86,36 @@ ob::PlannerPtr makeNearest(const ob::SpaceInformationPtr& si) {
         si, std::is_same_v<PlannerClass, og::BITstar> ? "kBITstar" : "kABITstar");
 }
 
-/// pSBL whose samplers hardly ever give up. When OMPL's own finds no valid state near another one, it keeps a lock for good and,
-/// from the next invalid motion on, waits for it until its time is over.
-class PatientSbl : public og::pSBL {
+/// A sampler that takes the near state itself where another sampler finds none.
+class NearOrSame : public ob::ValidStateSampler {
   public:
-    using og::pSBL::pSBL;
+    explicit NearOrSame(const ob::SpaceInformation* si)
+        : ob::ValidStateSampler(si), sampler_(si->allocValidStateSampler()) {}
 
-    ob::PlannerStatus solve(const ob::PlannerTerminationCondition& isSpent) override {
-        constexpr unsigned int kAttempts = 10000;
-        samplerArray_.resize(threadCount_);
-        for (std::size_t i = 0; i < samplerArray_.size(); ++i)
-            samplerArray_[i]->setNrAttempts(std::max(kAttempts, samplerArray_[i]->getNrAttempts()));
-        return og::pSBL::solve(isSpent);
+    bool sample(ob::State* state) override { return sampler_->sample(state); }
+
+    bool sampleNear(ob::State* state, const ob::State* near, double distance) override {
+        if (!sampler_->sampleNear(state, near, distance)) si_->copyState(state, near);
+        return true;
     }
+
+  private:
+    ob::ValidStateSamplerPtr sampler_;
+};
+
+/// pSBL whose samplers always have a state near another one. Where they have none, OMPL's own keeps a lock for good and, from the next
+/// invalid motion on, waits for it until its time is over.
+class SteadySbl : public og::pSBL {
+  public:
+    explicit SteadySbl(const ob::SpaceInformationPtr& si)
+        : og::pSBL(si), samplers_(std::make_shared<ob::SpaceInformation>(si->getStateSpace())) {
+        samplers_->setValidStateSamplerAllocator(
+            [asked = si.get()](const ob::SpaceInformation*) { return std::make_shared<NearOrSame>(asked); });
+        samplerArray_ = ob::StateSamplerArray<ob::ValidStateSampler>(samplers_);
+    }
+
+  private:
+    ob::SpaceInformationPtr samplers_;  ///< allocates them
 };
 
 struct NamedPlanner {
@@ -148,7 +166,7 @@ constexpr NamedPlanner kPlanners[] = {
     {"STRIDE", make<og::STRIDE>, true},
     {"TRRT", make<og::TRRT>, true},
     {"pRRT", make<og::pRRT>, false},
-    {"pSBL", make<PatientSbl>, false},
+    {"pSBL", make<SteadySbl>, false},
 };
 
 struct ShortName {

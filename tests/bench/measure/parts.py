@@ -1,4 +1,4 @@
-"""The parts of the benchmark: for each the program that measures it, its arguments in every form, and the table that it makes.
+"""The parts of the benchmark: for each the commands that measure it in every form, and the table that they make.
 
 A part PART writes PART.csv. A row of it, PART/ROW, is measured by itself; one row of a part may be several lines of its table.
 """

@@ -172,7 +172,7 @@ void planWith(const std::string& name, const Parameters& parameters, bool hasObj
     si->setStateValidityChecker(std::make_shared<ValidityChecker>(si, gates.scene));
     const auto validator = std::make_shared<MotionValidator>(si, gates.scene);
     si->setMotionValidator(validator);
-    // Samplers of valid states give up at once, which keeps a lock of OMPL's pSBL for good; makePlanner's has others.
+    // Samplers of valid states give up at once. OMPL's pSBL then keeps a lock for good; makePlanner's does not notice.
     si->setValidStateSamplerAllocator([](const ob::SpaceInformation* of) {
         const auto sampler = std::make_shared<ob::UniformValidStateSampler>(of);
         sampler->setNrAttempts(1);

@@ -234,6 +234,8 @@ BOOST_AUTO_TEST_CASE(without_a_problem_a_short_study_makes_its_scenes_and_replay
         "--leaf-split none --leaf-split chain --out study";
     const Outcome outcome = runIn(folder, command);
     BOOST_TEST_REQUIRE(outcome.code == 0, outcome.err);
+    const bool hasMadeConsole = outcome.out.find("study/scenes/tunnel-console-3") != std::string::npos;
+    BOOST_TEST(hasMadeConsole == testing::isFullRun());
     std::set<std::string> scenes;
     for (const auto& row : readRows(folder.file("study/trees.csv"))) {
         scenes.insert(row[0]);
