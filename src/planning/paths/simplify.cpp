@@ -82,7 +82,7 @@ class Simplifier {
     /// Works on a copy with a space information of its own, because OMPL asks the path's space information.
     void shortenBy(double floor, og::PathGeometric& path) const {
         const ob::SpaceInformationPtr& given = path.getSpaceInformation();
-        const auto si = std::make_shared<ob::SpaceInformation>(given->getStateSpace());
+        const auto si = makeOnSharedSpace(given->getStateSpace());
         si->setStateValidityChecker(given->getStateValidityChecker());
         si->setMotionValidator(std::make_shared<FloorValidator>(si, validator_, floor, options_.isSpent));
         setUpOnSharedSpace(*si);

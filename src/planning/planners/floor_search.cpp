@@ -56,7 +56,7 @@ struct FloorSearch::Job {
 class FloorSearch::Seeker {
   public:
     Seeker(const FloorSearch& search, const Job& job)
-        : si_(std::make_shared<ob::SpaceInformation>(search.si_->getStateSpace())),
+        : si_(makeOnSharedSpace(search.si_->getStateSpace())),
           definition_(std::make_shared<ob::ProblemDefinition>(si_)) {
         Scene raised = search.validator_->scene();
         for (Obstacle& obstacle : raised.obstacles) obstacle.margin += job.floor;

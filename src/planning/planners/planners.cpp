@@ -50,6 +50,7 @@
 #include "core/number.h"
 #include "core/text.h"
 #include "planning/planners/rising_floor.h"
+#include "planning/validity/ompl_states.h"
 
 namespace clearway::planning {
 namespace {
@@ -108,7 +109,7 @@ class NearOrSame : public ob::ValidStateSampler {
 class SteadySbl : public og::pSBL {
   public:
     explicit SteadySbl(const ob::SpaceInformationPtr& si)
-        : og::pSBL(si), samplers_(std::make_shared<ob::SpaceInformation>(si->getStateSpace())) {
+        : og::pSBL(si), samplers_(makeOnSharedSpace(si->getStateSpace())) {
         samplers_->setValidStateSamplerAllocator(
             [asked = si.get()](const ob::SpaceInformation*) { return std::make_shared<NearOrSame>(asked); });
         samplerArray_ = ob::StateSamplerArray<ob::ValidStateSampler>(samplers_);

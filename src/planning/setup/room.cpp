@@ -53,7 +53,7 @@ class Growth {
 class RoomSetup {
   public:
     RoomSetup(const PlanSetup& setup, const RoomLimits& limits)
-        : si_(std::make_shared<ob::SpaceInformation>(setup.si->getStateSpace())),
+        : si_(makeOnSharedSpace(setup.si->getStateSpace())),
           definition_(std::make_shared<ob::ProblemDefinition>(si_)) {
         const Scene& scene = setup.auditor->scene();
         validator_ = std::make_shared<MotionValidator>(

@@ -36,6 +36,11 @@ std::shared_ptr<SpaceClass> makeBounded(const Box& box, unsigned int dimension, 
     return space;
 }
 
+std::mutex& sharedSpaces() {
+    static std::mutex mutex;
+    return mutex;
+}
+
 }  // namespace
 
 const ob::StateSpace& spaceOf(const ob::SpaceInformationPtr& si) {
@@ -80,9 +85,13 @@ std::string whyOutOfBounds(const ob::StateSpace& space, const ob::State* state) 
     return why;
 }
 
+ob::SpaceInformationPtr makeOnSharedSpace(const ob::StateSpacePtr& space) {
+    const std::lock_guard<std::mutex> lock(sharedSpaces());
+    return std::make_shared<ob::SpaceInformation>(space);
+}
+
 void setUpOnSharedSpace(ob::SpaceInformation& si) {
-    static std::mutex mutex;
-    const std::lock_guard<std::mutex> lock(mutex);
+    const std::lock_guard<std::mutex> lock(sharedSpaces());
     si.setup();
 }
 

@@ -31,8 +31,9 @@ const ompl::base::RealVectorBounds& positionBounds(Space kind, const ompl::base:
 /// Why a state is outside of its space's bounds: names the coordinate of SE(3) and SE(2), its value and the bounds.
 std::string whyOutOfBounds(const ompl::base::StateSpace& space, const ompl::base::State* state);
 
-/// Sets up a space information whose space others use, too. OMPL's setup writes to the space, as if no other thread could
-/// set up another space information on it.
+/// Make and set up a space information whose space others use, too. OMPL reads the space's parameters to make one and writes them to
+/// set one up, as if no other thread could do so meanwhile.
+ompl::base::SpaceInformationPtr makeOnSharedSpace(const ompl::base::StateSpacePtr& space);
 void setUpOnSharedSpace(ompl::base::SpaceInformation& si);
 
 ompl::base::ScopedState<> toOmpl(const ompl::base::StateSpacePtr& space, Space kind, const PartState& state);

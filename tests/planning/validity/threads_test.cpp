@@ -161,6 +161,24 @@ BOOST_AUTO_TEST_CASE(threads_that_live_on_never_meet_the_scratch_of_a_scene_that
     }
 }
 
+/// Setting one up frees the texts of the space's parameters, which making one reads.
+BOOST_AUTO_TEST_CASE(space_informations_of_one_space_are_made_and_set_up_at_once) {
+    const testing::MotionWindow f;
+    const ob::StateSpacePtr space = f.si->getStateSpace();
+    std::array<bool, kThreads> areSetUp{};
+    inThreads([&](int t) {
+        bool all = true;
+        for (int round = 0; round < 5000; ++round) {
+            const ob::SpaceInformationPtr si = makeOnSharedSpace(space);
+            si->setStateValidityChecker(f.si->getStateValidityChecker());
+            setUpOnSharedSpace(*si);
+            all = all && si->isSetup();
+        }
+        areSetUp[static_cast<std::size_t>(t)] = all;
+    });
+    for (const bool each : areSetUp) BOOST_TEST(each);
+}
+
 using Parameters = std::vector<std::pair<std::string, std::string>>;
 
 /// The planner's path, each motion of it certified.
