@@ -18,7 +18,12 @@ if(clearway_ompl_FOUND AND NOT TARGET clearway::ompl)
   if(TARGET ompl::ompl)
     target_link_libraries(clearway::ompl INTERFACE ompl::ompl Threads::Threads)
   else()
-    target_include_directories(clearway::ompl SYSTEM INTERFACE ${OMPL_INCLUDE_DIRS})
+    # Debian 13's omplConfig lists folders of HDF5 and MPI, which its package does not require. CMake refuses folders that are missing.
+    foreach(clearway_ompl_folder IN LISTS OMPL_INCLUDE_DIRS)
+      if(IS_DIRECTORY "${clearway_ompl_folder}")
+        target_include_directories(clearway::ompl SYSTEM INTERFACE ${clearway_ompl_folder})
+      endif()
+    endforeach()
     # omplConfig also lists ODE and serialization libraries, which only OMPL.app's programs need.
     list(FILTER OMPL_LIBRARIES INCLUDE REGEX "libompl")
     target_link_libraries(clearway::ompl INTERFACE ${OMPL_LIBRARIES} Threads::Threads)
