@@ -21,7 +21,7 @@ STYLES = {
 }
 NONE = 1e-19  # the height at which an error of 0 is drawn
 HEIGHTS = {1e-19: "none", 1e-16: "1e-16", 1e-13: "1e-13", 1e-10: "1e-10", 1e-7: "1e-7", 1e-4: "1e-4", 1e-1: "0.1"}
-COLUMNS, WIDTH, HEIGHT = 3, 320, 250  # of panels
+COLUMNS, WIDTH, HEIGHT = 3, 312, 250  # of panels
 
 
 def draw(page, scene, rows, left, top, speeds):
@@ -32,7 +32,7 @@ def draw(page, scene, rows, left, top, speeds):
     speed = speeds[0]
     while speed <= speeds[1] * 1.001:
         page.line(x(speed), y.begin, x(speed), y.end, LIGHT)
-        page.text(x(speed), y.begin + 14, f"{speed:.0e}".replace("e+0", "e"), 10, "middle")
+        page.text(x(speed), y.begin + 14, f"{speed:.0e}".replace("e+0", "e"), 11, "middle")
         speed *= 10
     page.line(x.begin, y.begin, x.end, y.begin)
     page.line(x.begin, y.begin, x.begin, y.end)
@@ -65,10 +65,10 @@ def plot(results):
         if i % COLUMNS == 0:
             y = Log(NONE / 3, 3, top + HEIGHT - 50, top)
             for height, label in HEIGHTS.items():
-                page.text(left - 6, y(height) + 4, label, 10, "end")
+                page.text(left - 6, y(height) + 4, label, 11, "end")
     bottom = 30 + lines * HEIGHT
     page.text(page.size[0] / 2, bottom, "queries a second, one core", 12, "middle")
     page.text(14, 30 + lines * HEIGHT / 2 - 20, "error / scene size: worst (mark) and median (bar)", 12, "middle", GREY, -90)
     modes = [mode for mode in STYLES if any(row["mode"] == mode for row in rows)]
-    page.legend([(STYLES[mode][2], STYLES[mode][1], True, STYLES[mode][0]) for mode in modes], 70, bottom + 26, 240, 4)
+    page.legend([(STYLES[mode][2], STYLES[mode][1], True, STYLES[mode][0]) for mode in modes], 70, bottom + 26)
     return page.write()
