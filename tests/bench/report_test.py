@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""Shows that `report --check` refuses what is wrong with a document, each fault by itself, and that `report` mends what it can.
+"""Shows that `report --check` refuses what is wrong with a document, each fault by itself, that `report` mends what it can, and that a
+page of documents shows all text of the committed plots.
 
-Every case is a small repository of one document and one table.
+Every case of a document is a small repository of one document and one table.
 """
 
 import pathlib
@@ -9,6 +10,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import xml.etree.ElementTree
 
 REPORT = pathlib.Path(__file__).with_name("report")
 TABLE = """scene,scene_name,part_triangles,environment_triangles,poses,colliding,question,engine,over_question,over_engine,ratio,ratio_least,\
@@ -92,6 +94,35 @@ class Report(unittest.TestCase):
             self.document.write_text("<!-- figures: queries-losses -->\n<!-- end -->\n")
             self.assertEqual(self.report()[0], 0)
             self.assertIn(words, self.document.read_text())
+
+
+class Plots(unittest.TestCase):
+    SHOWN = 830  # pixels: the width of a page on GitHub, to which it shrinks wider pictures
+
+    def texts(self):
+        """Yields for each text of each plot: the plot's name and page, the text, its size, and its box (left, top, right, bottom)."""
+        for file in sorted(pathlib.Path(__file__).parent.glob("results/*/*.svg")):
+            page = xml.etree.ElementTree.parse(file).getroot()
+            for text in page.iter("{http://www.w3.org/2000/svg}text"):
+                x, y, size = (float(text.get(name)) for name in ("x", "y", "font-size"))
+                before = {"start": 0, "middle": 0.5, "end": 1}[text.get("text-anchor")]
+                width = 0.6 * size * len(text.text)
+                box = (-before * width, -0.8 * size, (1 - before) * width, 0.25 * size)
+                if "rotate(-90 " in text.get("transform", ""):
+                    box = (box[1], -box[2], box[3], -box[0])
+                yield file.name, page, text.text, size, (x + box[0], y + box[1], x + box[2], y + box[3])
+
+    def test_no_text_leaves_the_page(self):
+        for name, page, text, _, (left, top, right, bottom) in self.texts():
+            with self.subTest(plot=name, text=text):
+                self.assertGreaterEqual(min(left, top), 0)
+                self.assertLessEqual(right, float(page.get("width")))
+                self.assertLessEqual(bottom, float(page.get("height")))
+
+    def test_text_is_large_enough_to_read_where_a_page_shows_it(self):
+        for name, page, text, size, _ in self.texts():
+            with self.subTest(plot=name, text=text):
+                self.assertGreaterEqual(size * min(1, self.SHOWN / float(page.get("width"))), 9)
 
 
 if __name__ == "__main__":

@@ -129,7 +129,7 @@ def plot_line(results):
 
 def plot(results):
     """A panel for each ring that grows: distances of all engines, and clearway's certified motions; then the builds."""
-    page = Page(1020, 400)
+    page = Page(1000, 400)
     panels = [("microseconds a distance, the environment grows", "environment", "us_median"),
               ("microseconds a distance, the part grows", "part", "us_median"),
               ("seconds to build both, the environment grows", "environment", "build_seconds")]
@@ -138,16 +138,16 @@ def plot(results):
     times = decades([float(row[column]) for row in every for column in ("us_median", "us_motion_median") if row[column]])
     builds = decades([float(row["build_seconds"]) for row in every])
     for number, (title, grows, column) in enumerate(panels):
-        left, top = 60 + 330 * number, 40
-        x = Log(*sizes, left, left + 270)
+        left, top = 60 + 322 * number, 40
+        x = Log(*sizes, left, left + 262)
         y = Log(*(builds if column == "build_seconds" else times), top + 260, top)
         page.text(left, top - 14, title, 11)
         for value in powers(x):
             page.line(x(value), y.begin, x(value), y.end, LIGHT)
-            page.text(x(value), y.begin + 14, thousands(value), 10, "middle")
+            page.text(x(value), y.begin + 14, thousands(value), 11, "middle")
         for value in powers(y):
             page.line(x.begin, y(value), x.end, y(value), LIGHT)
-            page.text(x.begin - 6, y(value) + 4, f"{value:g}", 10, "end")
+            page.text(x.begin - 6, y(value) + 4, f"{value:g}", 11, "end")
         page.line(x.begin, y.begin, x.end, y.begin)
         page.line(x.begin, y.begin, x.begin, y.end)
         rows = series(results, grows)
@@ -160,7 +160,7 @@ def plot(results):
                 page.line(x1, y1, x2, y2, colour, 0.8)
             for point in points:
                 page.mark(shape, *point, colour)
-    page.text(510, 340, "triangles of the ring that grows; the other has 30k", 12, "middle")
+    page.text(500, 340, "triangles of the ring that grows; the other has 30k", 12, "middle")
     entries = [(shape, colour, True, label) for label, colour, shape in [STYLES[engine] for engine in engines(every)] + [MOTION]]
-    page.legend(entries, 70, 370, 190, 5)
+    page.legend(entries, 70, 370)
     return page.write()

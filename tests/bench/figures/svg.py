@@ -11,6 +11,11 @@ def number(value):
     return f"{value:.1f}".rstrip("0").rstrip(".")
 
 
+def text_width(text, size):
+    """About how wide a text is in pixels; common fonts are narrower."""
+    return 0.6 * size * len(text)
+
+
 class Log:
     """A logarithmic scale from values to pixels."""
 
@@ -56,14 +61,18 @@ class Page:
         strokes = {"cross": [(-1, -1, 1, 1), (-1, 1, 1, -1)], "plus": [(-1.2, 0, 1.2, 0), (0, -1.2, 0, 1.2)], "bar": [(-1.2, 0, 1.2, 0)],
                    "star": [(0, 0, 0, 1.3), (0, 0, -1.1, -0.7), (0, 0, 1.1, -0.7)]}
         for x1, y1, x2, y2 in strokes[shape]:
-            self.line(x + size * x1, y + size * y1, x + size * x2, y + size * y2, colour, 1.5)
+            self.line(x + size * x1, y + size * y1, x + size * x2, y + size * y2, colour, 0.375 * size)
 
-    def legend(self, entries, x, y, column, columns):
-        """entries: (shape, colour, full, label); filled row by row."""
-        for i, (shape, colour, full, label) in enumerate(entries):
-            left, top = x + column * (i % columns), y + 18 * (i // columns)
-            self.mark(shape, left, top - 4, colour, 4, full)
-            self.text(left + 10, top, label, 11)
+    def legend(self, entries, x, y):
+        """entries: (shape, colour, full, label); a line holds as many as fit on the page."""
+        left = x
+        for shape, colour, full, label in entries:
+            right = left + 10 + text_width(label, 12)
+            if right > self.size[0]:
+                left, right, y = x, right - left + x, y + 20
+            self.mark(shape, left, y - 4, colour, 4, full)
+            self.text(left + 10, y, label, 12)
+            left = right + 20
 
     def write(self):
         width, height = self.size
