@@ -20,12 +20,13 @@ install_missing() {
         echo "clearway: these packages are missing and need apt-get and root (or sudo) to install: ${missing[*]}" >&2
         exit 2
     fi
-    echo "Installing: ${missing[*]}"
+    show "installing ${#missing[@]} packages"
     local log
     log=$(mktemp)
     if ! { "${as_root[@]}" apt-get update -q &&
         "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends "${missing[@]}"; } \
         >"$log" 2>&1; then
+        show ""
         cat "$log" >&2
         rm -f "$log"
         echo "clearway: apt-get could not install: ${missing[*]}" >&2
@@ -34,10 +35,39 @@ install_missing() {
     rm -f "$log"
 }
 
-# build_preset PRESET [TARGET...]: configures the preset and builds the targets, by default all of them.
+# show TEXT: tells on stderr what is going on, in one line that the next call overwrites; "" takes the line away. Without a terminal, or with
+# CI set, each text is a line of its own.
+show() {
+    if is_shown_in_place; then
+        printf '\r\033[K%s' "$1" >&2
+    elif [ -n "$1" ]; then
+        echo "$1" >&2
+    fi
+}
+
+is_shown_in_place() {
+    [ -t 2 ] && [ -z "${CI:-}" ]
+}
+
+# build_preset PRESET [TARGET...]: configures the preset and builds the targets, by default all of them. What CMake and the compiler say is
+# shown only when they fail.
 build_preset() {
-    local preset=$1
+    local preset=$1 log status=0 line
     shift
-    (cd "$root" && cmake --preset "$preset" -Wno-dev --log-level=WARNING >/dev/null &&
-        cmake --build --preset "$preset" ${1:+--target "$@"})
+    log=$(mktemp)
+    show "configuring"
+    (cd "$root" && cmake --preset "$preset" -Wno-dev --log-level=WARNING) >"$log" 2>&1 || status=$?
+    if [ $status = 0 ]; then
+        show "building"
+        (cd "$root" && cmake --build --preset "$preset" ${1:+--target "$@"} 2>&1) | while IFS= read -r line; do
+            printf '%s\n' "$line"
+            if is_shown_in_place && [[ "$line" =~ ^\[([0-9]+)/([0-9]+)\] ]]; then
+                show "building ${BASH_REMATCH[1]} of ${BASH_REMATCH[2]}"
+            fi
+        done >"$log" || status=$?
+    fi
+    show ""
+    [ $status = 0 ] || grep -vE '^\[[0-9]+/[0-9]+\] (Building|Linking|Generating)' "$log" >&2
+    rm -f "$log"
+    return $status
 }

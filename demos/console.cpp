@@ -1,29 +1,33 @@
-// demos/console.cpp PROBLEM.cfg OUT.path: plans a part's way out of an assembly with motions that are
-// certified along their whole length, shortens the path without letting it come closer, writes it and prints
-// its audit.
-#include <clearway/planning/problem_setup.h>
-#include <clearway/planning/simplify.h>
-#include <ompl/geometric/planners/rrt/RRTConnect.h>
+// demos/console.cpp PROBLEM.cfg OUT.path [SEED]: plans a part's way out of an assembly, then looks for one with as much clearance as
+// possible, and writes the better one. Every motion of both is certified along its whole length.
+#include <clearway/planning/plan.h>
 
 #include <cstdio>
 #include <iostream>
 
 namespace cp = clearway::planning;
 
-void printAudit(const cp::PathAudit& audit) {
+constexpr double kSeconds = 3.5;  // for clearance: this console has no more to gain after about two
+
+bool isFound(const cp::PlanReport& report) {
+    return report.outcome == cp::PlanReport::Outcome::kFound;
+}
+
+void printPath(const char* title, const cp::PlanReport& report) {
+    const cp::PathAudit& audit = report.audit;
     const cp::SegmentAudit& tight = audit.segments[audit.closest];
-    std::printf("  %zu segments, length %.0f, turned %.0f degrees; %s\n", audit.segments.size(), audit.length,
-                audit.turned * 180 / M_PI, audit.isValid() ? "valid along the whole path" : "NOT valid");
-    std::printf("  least clearance %.3f to %.3f, in segment %zu at t = %.3f, between '%s' and '%s'\n",
-                audit.lowerClearance, audit.upperClearance, audit.closest + 1, tight.motion.closestTime,
-                tight.partMesh.c_str(), tight.environmentMesh.c_str());
+    std::printf("%s\n  after %.2f s, by %s: %zu motions, length %.0f, turned %.0f degrees\n", title,
+                report.planningSeconds, report.foundBy.c_str(), audit.segments.size(), report.length,
+                report.turned * 180 / M_PI);
+    std::printf("  clearance %.2f, certified", audit.lowerClearance);
+    if (!tight.environmentMesh.empty())
+        std::printf("; the tightest place is between '%s' and '%s', in motion %zu", tight.partMesh.c_str(),
+                    tight.environmentMesh.c_str(), audit.closest + 1);
+    std::printf("\n");
 }
 
 int main(int argc, char** argv) try {
-    if (argc != 3) throw std::invalid_argument("expected two arguments, PROBLEM.cfg OUT.path");
-    ompl::msg::setLogLevel(ompl::msg::LOG_WARN);
-    ompl::RNG::setSeed(1);
-
+    if (argc != 3 && argc != 4) throw std::invalid_argument("expected PROBLEM.cfg OUT.path [SEED]");
     const clearway::Problem problem = clearway::readProblem(argv[1]);
     const clearway::Scene scene = clearway::loadScene(problem).scene;
     std::printf("part: %zu triangles\n", scene.part.report().triangles);
@@ -31,30 +35,24 @@ int main(int argc, char** argv) try {
         std::printf("environment: %zu triangles, margin %g\n", obstacle.model.report().triangles,
                     obstacle.margin);
 
-    // OMPL's space, with our checker and motion validator, and the problem's start and goal.
-    ompl::geometric::SimpleSetup setup = cp::makeSetup(problem, scene);
-    setup.setPlanner(std::make_shared<ompl::geometric::RRTConnect>(setup.getSpaceInformation()));
-    setup.getPlanner()->params().setParam("range", std::to_string(20 * problem.fineness.value_or(1)));
-    const auto status = setup.solve(/*seconds*/ 30.0);
-    const cp::MotionValidator& motions = cp::motionValidatorOf(setup.getSpaceInformation());
-    const cp::MotionCounters counters = motions.counters();
-    std::printf("%s after %.2f s: %lu motions asked about, %lu certified, %lu undecided\n",
-                status == ompl::base::PlannerStatus::EXACT_SOLUTION ? "path found" : "no path",
-                setup.getLastPlanComputationTime(), counters.valid + counters.invalid, counters.valid,
-                counters.undecided);
-    if (status != ompl::base::PlannerStatus::EXACT_SOLUTION) return 1;
+    cp::PlanOptions options;
+    options.seed = argc == 4 ? std::stoul(argv[3]) : 1;
+    options.quick = true;  // leaves the path as short as it can be
+    const cp::PlanReport first = cp::plan(problem, scene, options);
+    if (!isFound(first)) {
+        std::printf("no path found after %.0f s\n", first.planningSeconds);
+        return 1;
+    }
+    printPath("the first path, shortened:", first);
 
-    ompl::geometric::PathGeometric path = setup.getSolutionPath();
-    std::printf("as planned:\n");
-    printAudit(cp::audit(path, motions));
-    cp::SimplifyOptions keep;
-    keep.floor = 1;  // clearance that shortcuts keep, environment units
-    const cp::PathAudit audit = cp::simplify(path, motions, keep);
-    std::printf("shortened, by motions that keep %g or, where it had less, no less than that:\n", keep.floor);
-    printAudit(audit);
-    clearway::writePath(cp::partStates(path), problem.space, argv[2]);
-    std::printf("written to %s\n", argv[2]);
-    return audit.isValid() ? 0 : 1;
+    options.quick = false;
+    options.objective = "max_min_clearance";
+    options.seconds = kSeconds;
+    const cp::PlanReport wide = cp::plan(problem, scene, options);
+    const bool isWider = isFound(wide) && wide.audit.lowerClearance > first.audit.lowerClearance;
+    if (isWider) printPath("the path with the most clearance:", wide);
+    clearway::writePath((isWider ? wide : first).path, problem.space, argv[2]);
+    return 0;
 } catch (const std::exception& error) {
     std::cerr << "console: " << error.what() << "\n";
     return 2;

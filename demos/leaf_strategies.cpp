@@ -1,95 +1,134 @@
-// demos/leaf_strategies.cpp PROBLEM.cfg: compares how fast trees with different leaf splits answer a
-// planner's queries. The states of one run of RRTConnect are asked again of trees built with each leaf split,
-// so that all of them answer equal questions.
-#include <clearway/planning/discrete_motion_validator.h>
+// demos/leaf_strategies.cpp PROBLEM.cfg: does splitting the leaves of a tree help a planner? Plans with OMPL's RRTConnect and certified
+// motions in trees with each leaf split. Verdicts are exact, so that with one seed the planner makes the same decisions in all of them.
 #include <clearway/planning/problem_setup.h>
 #include <clearway/planning/validity_checker.h>
 #include <ompl/geometric/planners/rrt/RRTConnect.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <functional>
 #include <iostream>
 
 namespace cp = clearway::planning;
+namespace ob = ompl::base;
+using Clock = std::chrono::steady_clock;
 
-/// The poses of the first states that a planner asks about.
-std::vector<clearway::Pose> recordRun(const clearway::Problem& problem, const clearway::Scene& scene,
-                                      std::size_t most) {
-    std::vector<clearway::Pose> poses;
-    ompl::geometric::SimpleSetup setup = cp::makeSetup(problem, scene);
-    const auto si = setup.getSpaceInformation();
-    const double step = problem.fineness.value_or(1);
-    si->setMotionValidator(
-        std::make_shared<cp::DiscreteMotionValidator>(si, scene.part, step));  // asks for states
-    const auto checker = std::make_shared<cp::ValidityChecker>(si, scene);
-    setup.setStateValidityChecker([&](const ompl::base::State* state) {
-        if (poses.size() < most) poses.push_back(checker->pose(state));
-        return checker->isValid(state);
-    });
-    setup.setPlanner(std::make_shared<ompl::geometric::RRTConnect>(si));
-    setup.getPlanner()->params().setParam("range", std::to_string(20 * step));
-    setup.solve(ompl::base::PlannerTerminationCondition([&] { return poses.size() >= most; }));
-    return poses;
+constexpr double kSeconds = 6;       // for all runs, besides the last round
+constexpr double kMostSeconds = 60;  // for one of them
+constexpr double kNoise =
+    0.03;  // share of a median runtime by which two measurements of one thing may differ
+
+double secondsSince(Clock::time_point begin) {
+    return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-struct Replay {
-    double microseconds = 0;  ///< per query, the least of three rounds
-    clearway::QueryCounters work;
-    std::size_t near = 0;  ///< poses that collide
+/// Passes the planner's motions on to clearway's validator, and measures the time that it takes.
+struct TimedMotions : ob::MotionValidator {
+    TimedMotions(const ob::SpaceInformationPtr& si, const clearway::Scene& scene)
+        : ob::MotionValidator(si), judge(si, scene) {}
+    bool checkMotion(const ob::State* from, const ob::State* to) const override {
+        const Clock::time_point begin = Clock::now();
+        const bool isValid = judge.checkMotion(from, to);
+        seconds += secondsSince(begin);
+        return isValid;
+    }
+    bool checkMotion(const ob::State* from, const ob::State* to,
+                     std::pair<ob::State*, double>& lastValid) const override {
+        return judge.checkMotion(from, to, lastValid);
+    }
+    const cp::MotionValidator judge;
+    mutable double seconds = 0;
 };
 
-/// Calls the query, which returns true when the part collides, for all poses in the planner's order, each
-/// with the warm start of the last.
-Replay replay(const std::vector<clearway::Pose>& poses,
-              const std::function<bool(const clearway::Pose&, clearway::Workspace&)>& query) {
-    Replay best;
-    for (int round = 0; round < 3; ++round) {
-        Replay now;
-        clearway::Workspace workspace;
-        const auto begin = std::chrono::steady_clock::now();
-        for (const clearway::Pose& X : poses) {
-            now.near += query(X, workspace);
-            now.work += workspace.counters();
-        }
-        const std::chrono::duration<double, std::micro> took = std::chrono::steady_clock::now() - begin;
-        now.microseconds = took.count() / poses.size();
-        if (round == 0 || now.microseconds < best.microseconds) best = now;
-    }
-    return best;
+struct Run {
+    std::string split;
+    double seconds = 0, secondsInTree = 0;
+    cp::MotionCounters motions;
+    bool isFound = false;
+};
+
+bool isFaster(const Run& a, const Run& b) {
+    return a.seconds < b.seconds;
+}
+
+Run planOnce(const clearway::Problem& problem, const clearway::Scene& scene, const std::string& split) {
+    ompl::RNG::setSeed(1);
+    ompl::geometric::SimpleSetup setup = cp::makeSetup(problem, scene);
+    const auto timed = std::make_shared<TimedMotions>(setup.getSpaceInformation(), scene);
+    setup.getSpaceInformation()->setMotionValidator(timed);
+    setup.setPlanner(std::make_shared<ompl::geometric::RRTConnect>(setup.getSpaceInformation()));
+    setup.getPlanner()->params().setParam("range", std::to_string(20 * problem.fineness.value_or(1)));
+    setup.setup();
+    const Clock::time_point begin = Clock::now();
+    setup.solve(kMostSeconds);
+    return {split, secondsSince(begin), timed->seconds, timed->judge.counters(),
+            setup.haveExactSolutionPath()};
+}
+
+/// Whether the planner found its path by the same decisions in all trees.
+bool areComparable(const std::vector<Run>& runs) {
+    return std::all_of(runs.begin(), runs.end(), [&](const Run& run) {
+        return run.isFound && run.motions.valid == runs[0].motions.valid &&
+               run.motions.invalid == runs[0].motions.invalid;
+    });
+}
+
+/// One sentence on whether any leaf split gains the planner time; runs[0] is the one in trees whose leaves are not split.
+void printAnswer(const std::vector<Run>& runs) {
+    const Run &none = runs[0], &best = *std::min_element(runs.begin() + 1, runs.end(), isFaster);
+    const double ratio = best.seconds / none.seconds;
+    std::printf(
+        "\nSplitting leaves %s here: with '%s', the fastest split, the planner takes %.2f times as long as "
+        "with '%s'; "
+        "if its trees took no time at all, it would take %.2f times as long.\n",
+        ratio < 1 - kNoise ? "pays" : "does not pay", best.split.c_str(), ratio, none.split.c_str(),
+        1 - none.secondsInTree / none.seconds);
 }
 
 int main(int argc, char** argv) try {
     if (argc != 2) throw std::invalid_argument("expected one argument, PROBLEM.cfg");
-    ompl::msg::setLogLevel(ompl::msg::LOG_ERROR);
-    ompl::RNG::setSeed(1);
+    ompl::msg::setLogLevel(ompl::msg::LOG_NONE);  // OMPL warns when a seed is set again
     const clearway::Problem problem = clearway::readProblem(argv[1]);
-    const std::vector<clearway::Pose> poses = recordRun(problem, clearway::loadScene(problem).scene, 4000);
-    std::printf("%zu states of one run of RRTConnect, asked again of trees with each leaf split\n\n",
-                poses.size());
-    std::printf(
-        "leaf   build          collides: tests of           distance: tests of\n"
-        "split     ms  leaves        us  volumes triangles        us  volumes triangles  colliding\n");
-    for (const std::string& name : clearway::leafSplitNames()) {
+    const std::vector<std::string> splits = clearway::leafSplitNames();
+    std::vector<clearway::Scene> scenes;
+    for (const std::string& split : splits) {
         clearway::BuildOptions options;
-        options.leafSplit = name;
-        const clearway::Scene scene = clearway::loadScene(problem, options).scene;
-        if (scene.obstacles.size() != 1)
-            throw std::invalid_argument(
-                "the problem's obstacles do not all count alike, expected one margin");
-        const clearway::Model &part = scene.part, &environment = scene.obstacles.at(0).model;
-        const Replay c =
-            replay(poses, [&](const auto& X, auto& w) { return collides(part, environment, X, w); });
-        const Replay d = replay(
-            poses, [&](const auto& X, auto& w) { return distance(part, environment, X, {}, w).collides(); });
-        const double n = poses.size();
-        std::printf("%-6s %5.0f %7zu   %7.2f %8.1f %9.1f   %7.2f %8.1f %9.1f  %9zu\n", name.c_str(),
-                    1e3 * (part.report().seconds + environment.report().seconds),
-                    part.report().tree.leaves + environment.report().tree.leaves, c.microseconds,
-                    c.work.volumeTests / n, c.work.triangleTests / n, d.microseconds, d.work.volumeTests / n,
-                    d.work.triangleTests / n, d.near);
-        if (c.near != d.near) return 1;
+        options.leafSplit = split;
+        scenes.push_back(clearway::loadScene(problem, options).scene);
     }
+    // The splits take turns. All runs with one split do the same work, so that the fastest of them was disturbed least.
+    std::vector<Run> runs(splits.size());
+    const Clock::time_point begin = Clock::now();
+    int rounds = 0;
+    do {
+        for (std::size_t i = 0; i < splits.size(); ++i) {
+            const Run run = planOnce(problem, scenes[i], splits[i]);
+            if (rounds == 0 || isFaster(run, runs[i])) runs[i] = run;
+        }
+        ++rounds;
+    } while (secondsSince(begin) < kSeconds);
+
+    std::printf(
+        "RRTConnect with certified motions in trees with each leaf split; one seed, the fastest of %d "
+        "runs\n\n"
+        "leaf   seconds   of these  motions                        leaves\n"
+        "split  to path    in tree  checked    valid  queries    of trees\n",
+        rounds);
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        const Run& run = runs[i];
+        std::size_t leaves = scenes[i].part.report().tree.leaves;
+        for (const auto& obstacle : scenes[i].obstacles) leaves += obstacle.model.report().tree.leaves;
+        std::printf("%-6s %7.3f %8.0f %% %8lu %8lu %8lu %11zu\n", run.split.c_str(), run.seconds,
+                    100 * run.secondsInTree / run.seconds, run.motions.valid + run.motions.invalid,
+                    run.motions.valid, run.motions.queries, leaves);
+    }
+    if (!areComparable(runs)) {
+        std::printf(
+            "\nThe runs do not compare: expected a path within %g s, by the same motions, in every tree.\n",
+            kMostSeconds);
+        return 1;
+    }
+    printAnswer(runs);
     return 0;
 } catch (const std::exception& error) {
     std::cerr << "leaf_strategies: " << error.what() << "\n";

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
+#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <regex>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -68,20 +70,26 @@ void requireClearance(double claimed, const std::string& problemFile, const std:
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(console_is_planned_with_certified_motions_and_comes_no_closer_than_it_says) {
+BOOST_AUTO_TEST_CASE(console_keeps_a_clearance_of_ten_within_five_seconds_and_comes_no_closer_than_it_says) {
     const TemporaryFolder folder;
-    const Story story = tell(folder, "console", "'" + kConsole + "' '" + folder.file("console.path") + "'");
-    const auto counts = numbers(
-        story.out, "path found after .*: " + kNumber + " motions asked about, " + kNumber + " certified");
-    BOOST_TEST(counts[0] > counts[1]);
-    BOOST_TEST(counts[1] > 0);
-    const std::size_t shortened = story.out.find("shortened");
-    BOOST_TEST_REQUIRE(shortened != std::string::npos);
-    const std::string least = "valid along the whole path\n  least clearance " + kNumber;
-    const double planned = numbers(story.out, least)[0];
-    const double kept = numbers(story.out.substr(shortened), least)[0];
-    BOOST_TEST(kept >= planned);
-    requireClearance(kept, kConsole, folder.file("console.path"));
+    for (int seed = 1; seed <= (testing::isFullRun() ? 6 : 1); ++seed) {
+        const auto begin = std::chrono::steady_clock::now();
+        const Story story =
+            tell(folder, "console",
+                 "'" + kConsole + "' '" + folder.file("console.path") + "' " + std::to_string(seed));
+        const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+        const std::size_t second = story.out.find("the path with the most clearance:");
+        BOOST_TEST_REQUIRE(second != std::string::npos, story.out);
+        const std::string least = "after " + kNumber + " s, by [^]*clearance " + kNumber + ", certified";
+        const double planned = numbers(story.out, least)[1];
+        const double kept = numbers(story.out.substr(second), least)[1];
+        BOOST_TEST(kept > planned);
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // they make everything slower
+        BOOST_TEST(kept >= 10);
+        BOOST_TEST(took.count() < 5);
+#endif
+        requireClearance(kept, kConsole, folder.file("console.path"));
+    }
 }
 
 BOOST_AUTO_TEST_CASE(certificate_refuses_what_checks_at_states_pass_and_bounds_what_is_valid) {
@@ -124,28 +132,29 @@ BOOST_AUTO_TEST_CASE(clearance_optimal_gains_clearance_and_keeps_what_it_says) {
     requireClearance(audited, kGates, folder.file("gates.path"));
 }
 
-BOOST_AUTO_TEST_CASE(leaf_strategies_give_every_split_the_same_states_and_get_the_same_answers) {
+BOOST_AUTO_TEST_CASE(leaf_strategies_plan_by_the_same_motions_in_trees_with_every_split_and_answer) {
     const TemporaryFolder folder;
     const Story story = tell(folder, "leaf_strategies", "'" + kConsole + "'");
     std::vector<std::string> names;
-    std::vector<double> leaves, colliding;
+    std::vector<double> seconds, leaves;
+    std::set<std::vector<double>> decisions;
     std::istringstream lines(story.out);
     for (std::string line; std::getline(lines, line);) {
-        std::istringstream words(line);
-        std::string name;
-        double value[9];
-        if (!(words >> name)) continue;
-        int read = 0;
-        while (read < 9 && words >> value[read]) ++read;
-        if (read < 9) continue;
-        names.push_back(name);
-        leaves.push_back(value[1]);
-        colliding.push_back(value[8]);
+        std::smatch row;
+        const std::regex form("(\\w+) +" + kNumber + " +" + kNumber + " % +(\\d+) +(\\d+) +(\\d+) +(\\d+)");
+        if (!std::regex_match(line, row, form)) continue;
+        names.push_back(row[1]);
+        seconds.push_back(std::stod(row[2]));
+        BOOST_TEST(std::stod(row[3]) > 0);
+        BOOST_TEST(std::stod(row[3]) < 100);
+        decisions.insert({std::stod(row[4]), std::stod(row[5])});
+        leaves.push_back(std::stod(row[7]));
     }
     BOOST_TEST(names == leafSplitNames(), boost::test_tools::per_element());
-    BOOST_TEST(std::count(colliding.begin(), colliding.end(), colliding.at(0)) ==
-               static_cast<long>(colliding.size()));
+    BOOST_TEST(decisions.size() == 1u);
     BOOST_TEST(*std::max_element(leaves.begin(), leaves.end()) > 2 * leaves.at(0));
+    const double ratio = numbers(story.out, "the planner takes " + kNumber + " times as long as")[0];
+    BOOST_TEST(std::abs(ratio - *std::min_element(seconds.begin() + 1, seconds.end()) / seconds[0]) < 0.02);
 }
 
 BOOST_AUTO_TEST_CASE(replan_says_where_the_old_path_is_blocked_and_finds_another) {
@@ -206,9 +215,8 @@ BOOST_AUTO_TEST_CASE(demos_take_problems_whose_obstacles_count_apart_or_not_at_a
     problem.rules.ignored = {"right"};
     writeProblem(problem, file);
     tell(folder, "replan", "'" + file + "' '" + folder.path() + "'");
-    const Story splits = run(folder, CLEARWAY_DEMOS "/demo_leaf_strategies '" + file + "'");
-    BOOST_TEST(splits.code == 2);
-    BOOST_TEST(splits.err.find("expected one margin") != std::string::npos, splits.err);
+    const std::string splits = tell(folder, "leaf_strategies", "'" + file + "'").out;
+    BOOST_TEST(splits.find("Splitting leaves") != std::string::npos, splits);
 }
 
 BOOST_AUTO_TEST_CASE(demos_without_their_arguments_say_what_is_expected) {
@@ -238,7 +246,8 @@ BOOST_AUTO_TEST_CASE(the_runner_lists_every_demo_and_refuses_others) {
         BOOST_TEST(help.out.find("    " + name + " ") != std::string::npos, name << " in " << help.out);
         BOOST_TEST(unknown.err.find(name) != std::string::npos, name << " in " << unknown.err);
     }
-    BOOST_TEST(demos == std::count(help.out.begin(), help.out.end(), '\n') - 2);
+    BOOST_TEST(help.out.find("    pages ") != std::string::npos);  // a demo without a program of its own
+    BOOST_TEST(demos + 1 == std::count(help.out.begin(), help.out.end(), '\n') - 2);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,6 +1,7 @@
 #include "program/render/axes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -19,11 +20,13 @@ struct Arrow {
     double right, down;  ///< in the picture, in lengths of an arrow
 };
 
-std::vector<Arrow> arrowsOf(const Camera& camera) {
-    std::vector<Arrow> arrows;
-    for (int axis = 0; axis < 3; ++axis)
-        arrows.push_back({static_cast<char>('x' + axis), camera.right[axis], -camera.up[axis]});
-    return arrows;
+using Arrows = std::array<Arrow, 3>;  // of x, y and z
+
+Arrows arrowsOf(const Camera& camera) {
+    const auto arrow = [&](char letter, int axis) -> Arrow {
+        return {letter, camera.right[axis], -camera.up[axis]};
+    };
+    return {arrow('x', 0), arrow('y', 1), arrow('z', 2)};
 }
 
 void drawHead(double x, double y, double alongX, double alongY, double size, double width, InkMask& ink) {
@@ -33,8 +36,7 @@ void drawHead(double x, double y, double alongX, double alongY, double size, dou
 }
 
 /// widen: how much thicker all lines are, in widths of a line.
-void drawArrows(const std::vector<Arrow>& arrows, double x, double y, double length, double widen,
-                InkMask& ink) {
+void drawArrows(const Arrows& arrows, double x, double y, double length, double widen, InkMask& ink) {
     const double width = std::max(1.2, 0.035 * length) * widen;
     const double letters = 0.24 * length;
     for (const Arrow& arrow : arrows) {
@@ -59,7 +61,7 @@ void drawArrows(const std::vector<Arrow>& arrows, double x, double y, double len
 void drawAxes(const Camera& camera, Image& image) {
     const double length = std::max(22.0, kAxisLength * std::min(image.width, image.height));
     const double x = 1.6 * length, y = image.height - 1.6 * length;
-    const std::vector<Arrow> arrows = arrowsOf(camera);
+    const Arrows arrows = arrowsOf(camera);
     InkMask halo(0, image.width, image.height), ink(0, image.width, image.height);
     drawArrows(arrows, x, y, length, 3, halo);
     drawArrows(arrows, x, y, length, 1, ink);
