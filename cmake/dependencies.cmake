@@ -61,7 +61,14 @@ if(CLEARWAY_PROGRAM)
 endif()
 
 if(CLEARWAY_TESTS)
-  find_package(Boost 1.71 REQUIRED COMPONENTS unit_test_framework)
+  set(without "-DCLEARWAY_TESTS=OFF leaves the tests out")
+  find_package(Boost 1.71 QUIET COMPONENTS unit_test_framework)
+  need("the tests" "Boost.Test 1.71 or later" Boost_UNIT_TEST_FRAMEWORK_FOUND libboost-test-dev "${without}")
   set(CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE TRUE)
-  find_package(CGAL 5.4 REQUIRED CONFIG)  # a second opinion on the tests' oracle
+  find_package(CGAL 5.4 QUIET CONFIG)  # a second opinion on the tests' oracle
+  need("the tests" "CGAL 5.4 or later, with GMP and MPFR" CGAL_FOUND "libcgal-dev with libgmp-dev and libmpfr-dev" "${without}")
+  if(CLEARWAY_PROGRAM AND CLEARWAY_DEMOS)
+    find_package(fcl 0.7 QUIET CONFIG)  # benchmarks measure against it
+    need("the benchmarks" "FCL 0.7" fcl_FOUND libfcl-dev "${without}")
+  endif()
 endif()

@@ -6,7 +6,6 @@ set(CLEARWAY_BENCH_PQP_FLAGS "-O3" CACHE STRING "Flags that PQP is compiled with
 set(CLEARWAY_BENCH_COAL "" CACHE PATH "The prefix Coal is installed under, to measure against; empty for none")
 set(CLEARWAY_BENCH_MESHLIB "" CACHE PATH "The prefix MeshLib is installed under, to measure against; empty for none")
 
-find_package(fcl 0.7 REQUIRED CONFIG)
 target_sources(clearway_bench_support PRIVATE bench/peers.cpp bench/fcl_peer.cpp bench/fcl_planning.cpp)
 target_link_libraries(clearway_bench_support PRIVATE fcl)
 

@@ -13,7 +13,7 @@ constexpr const char* kFilm = "render window.cfg in.path --seconds 0.5 --fps 10 
 
 bool hasFfmpeg() {
     const bool isThere = std::system("command -v ffmpeg > /dev/null 2>&1") == 0;
-    if (!isThere) std::cout << "skipped: ffmpeg is not installed\n";
+    if (!isThere) std::cout << "not run: program/cli/video needs ffmpeg\n";
     return isThere;
 }
 
