@@ -1,26 +1,38 @@
-// demos/smallest_checker.cpp PART ENVIRONMENT: uses clearway in an OMPL program, on two mesh files.
+// demos/smallest_checker.cpp PART ENVIRONMENT: clearway in an OMPL program. Takes two mesh files, such as
+// data/window/plate.obj and data/window/wall.obj, and moves the part along x from one side of the environment to the other.
 #include <clearway/planning/motion_validator.h>
+#include <clearway/planning/planners.h>
 #include <clearway/planning/validity_checker.h>
 #include <ompl/base/spaces/SE3StateSpace.h>
 #include <ompl/geometric/SimpleSetup.h>
-#include <ompl/geometric/planners/rrt/RRTConnect.h>
 
-int main(int, char** files) {
+int main(int argc, char** argv) {
+    if (argc != 3) return std::cerr << "expected two mesh files, PART ENVIRONMENT\n", 2;
     const auto build = [](const char* file) { return clearway::Model::build(clearway::loadMesh(file)); };
-    const clearway::Scene scene{build(files[1]), build(files[2]), /*margin, mesh units*/ 1.0};
+    const clearway::Scene scene{build(argv[1]), build(argv[2]), /*margin, mesh units*/ 1.0};
+    const clearway::Box box = scene.environmentBox();
+    const double radius = scene.part.radiusAboutOrigin();
+
     auto space = std::make_shared<ompl::base::SE3StateSpace>();
-    space->as<ompl::base::RealVectorStateSpace>(0)->setBounds(-80, 80);
-    space->setSubspaceWeight(1, scene.part.radiusAboutOrigin());  // without it rotations hardly count
+    ompl::base::RealVectorBounds bounds(3);  // of the part's origin: the environment's box, longer along x
+    for (int i = 0; i < 3; ++i) bounds.setLow(i, box.min()[i]), bounds.setHigh(i, box.max()[i]);
+    bounds.low[0] -= 2 * radius, bounds.high[0] += 2 * radius;
+    space->setBounds(bounds);
+    space->setSubspaceWeight(1, radius);  // without it rotations hardly count
+
     ompl::geometric::SimpleSetup setup(space);
     const auto si = setup.getSpaceInformation();
     si->setStateValidityChecker(std::make_shared<clearway::planning::ValidityChecker>(si, scene));
     si->setMotionValidator(std::make_shared<clearway::planning::MotionValidator>(si, scene));  // certified
-    setup.setPlanner(std::make_shared<ompl::geometric::RRTConnect>(si));
-    setup.getPlanner()->params().setParam("range", "20");
+    // Any planner of OMPL fits here. Where RRTConnect has a bad day, this team often takes a second.
+    setup.setPlanner(clearway::planning::makePlanner(si, "PlannerTeam"));
+
+    const clearway::Vector3 middle = box.center();
     ompl::base::ScopedState<ompl::base::SE3StateSpace> start(space), goal(space);
-    start->setXYZ(-60, 0, 0), start->rotation().setIdentity();
-    goal->setXYZ(60, 0, 0), goal->rotation().setAxisAngle(1, 0, 0, 1.57);
+    start->setXYZ(bounds.low[0] + radius / 2, middle.y(), middle.z()), start->rotation().setIdentity();
+    goal->setXYZ(bounds.high[0] - radius / 2, middle.y(), middle.z()), goal->rotation().setIdentity();
     setup.setStartAndGoalStates(start, goal);
     setup.solve(/*seconds*/ 10);
-    if (setup.haveExactSolutionPath()) setup.getSolutionPath().printAsMatrix(std::cout);
+    if (!setup.haveExactSolutionPath()) return 1;
+    setup.getSolutionPath().printAsMatrix(std::cout);
 }

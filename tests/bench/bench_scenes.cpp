@@ -47,7 +47,8 @@ BenchTask makeTask(const BenchScene& scene, const BenchSize& size, int poses, st
                 ring(size.environmentTriangles),
                 linkedRingPoses(poses)};
     }
-    const NamedScene& row = sceneNamed(scene.scene);
+    const std::string name = scene.scene;
+    const NamedScene& row = sceneNamed(name);
     SceneOptions options = row.defaults;
     options.partTriangles = size.partTriangles;
     options.environmentTriangles = size.environmentTriangles;

@@ -45,6 +45,8 @@ clearway_free(model);
 mesh = clearway::boxMesh(box);
 {FENCE}
 
+In `data/gates/new.cfg`, a copy of `data/gates/gates.cfg` with a line more:
+
 <!-- test: file data/gates/new.cfg begins as data/gates/gates.cfg -->
 {FENCE}ini
 margin = 0.5
@@ -112,14 +114,15 @@ CASES = [
     ("commands", fenced("sh", "cmake --preset gone"), "no preset 'gone'"),
     ("commands", fenced("sh", "cmake --preset dev -DCLEARWAY_GONE=1"), "no CMake file knows"),
     ("commands", fenced("sh", "cmake --build --preset dev --target gone"), "no target 'gone'"),
-    ("commands", fenced("sh", "build/release/tests/gone"), "there is no program"),
+    ("commands", fenced("sh", "build/benchmarks/tests/gone"), "there is no program"),
     ("commands", fenced("sh", "benchmarks gone"), "there is no benchmark 'gone'"),
-    ("commands", fenced("sh", "build/release/tests/benchmarks queries --gone"), "benchmarks queries has no option '--gone'"),
+    ("commands", fenced("sh", "build/benchmarks/tests/benchmarks queries --gone"), "benchmarks queries has no option '--gone'"),
     ("commands", fenced("sh", "tests/bench/gone.py"), "there is no script"),
     ("commands", "text\n\n    clearway query --gone\n", "has no option '--gone'"),
     ("commands", fenced("ini", "[clearway]"), "needs a directive"),
-    ("commands", "<!-- test: file data/gates/a.cfg -->\n" + fenced("ini", PROBLEM + "[clearway]\nmarign = 1"), "unknown key"),
-    ("commands", "<!-- test: file data/gates/a.cfg -->\n" + fenced("ini", PROBLEM + "colour = red"), "warns"),
+    ("commands", "<!-- test: file data/gates/a.cfg -->\n" + fenced("ini", PROBLEM), "does not name `data/gates/a.cfg`"),
+    ("commands", "`data/gates/a.cfg`\n\n<!-- test: file data/gates/a.cfg -->\n" + fenced("ini", PROBLEM + "[clearway]\nmarign = 1"), "unknown key"),
+    ("commands", "`data/gates/a.cfg`\n\n<!-- test: file data/gates/a.cfg -->\n" + fenced("ini", PROBLEM + "colour = red"), "warns"),
 ]
 
 

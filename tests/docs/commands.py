@@ -11,7 +11,7 @@ import subprocess
 import tempfile
 
 SECONDS = 3600  # for one command
-KNOWN = "clearway, ./demos/run, ./tests/run, cmake, ctest, export, programs below build/release and scripts below tests, and mpirun -n N before any of them"
+KNOWN = "clearway, ./demos/run, ./tests/run, cmake, ctest, export, sed, programs below build/release and scripts below tests, and mpirun -n N before any of them"
 
 
 class Refused(Exception):
@@ -176,7 +176,7 @@ class Checker:
             self.script(name, rest)
         elif name == "mpirun" and len(rest) > 2 and rest[0] == "-n" and rest[1].isdigit():
             self.check(rest[2:])
-        elif name != "export":
+        elif name not in ("export", "sed"):
             raise Refused(f"unknown command '{name}', expected one of {KNOWN}")
 
 
@@ -198,7 +198,7 @@ class Runner:
         text = self.adjusted(block, directives)
         file = next((directive for directive in directives if directive.startswith("file ")), None)
         if file:
-            self.write(file, text)
+            self.write(file, text, block.line)
         elif block.language == "ini":
             raise Refused("an ini block needs a directive `file NAME`")
         elif block.language == "sh":
@@ -220,10 +220,17 @@ class Runner:
                 text = text.replace(*change.groups())
         return text
 
-    def write(self, directive, text):
+    def require_named(self, name, line):
+        """A reader sees no directive: the text above the block must say which file it is."""
+        if not any(text == name and at < line for at, text in self.document.spans):
+            raise Refused(f"the text before the block does not name `{name}`")
+
+    def write(self, directive, text, line):
         name, _, base = directive[len("file ") :].partition(" begins as ")
+        self.require_named(name, line)
         if base:
             base, _, end = base.partition(" up to ")
+            self.require_named(base, line)
             start = (self.folder / base).read_text()
             if end not in start:
                 raise Refused(f"{base} does not hold '{end}'")
@@ -239,7 +246,7 @@ class Runner:
             if not is_full():
                 return
             folder = self.checker.root
-        elif words[0] not in ("clearway", "build/release/bin/clearway"):
+        elif words[0] not in ("clearway", "build/release/bin/clearway", "sed"):
             return
         done = subprocess.run(
             ["bash", "-c", line], cwd=folder, env=self.environment, capture_output=True, text=True, timeout=SECONDS

@@ -90,12 +90,17 @@ class ProblemText {
   public:
     void comment(const std::string& text) { text_ << "# " << text << "\n"; }
     void section(const std::string& name) { text_ << "\n[" << name << "]\n"; }
-    void line(const std::string& key, const std::string& value, const std::string& about) {
-        std::string line = key + " = " + value;
+    void line(const std::string& key, const std::string& value, const std::string& about,
+              const std::string& before = "") {
+        std::string line = before + key + " = " + value;
         if (!about.empty())
             line +=
                 std::string(line.size() < kValueColumn ? kValueColumn - line.size() : 1, ' ') + "# " + about;
         text_ << line << "\n";
+    }
+    /// A line that counts once its first "# " is taken out.
+    void choice(const std::string& key, const std::string& value, const std::string& about) {
+        line(key, value, about, "# ");
     }
     std::string str() const { return text_.str(); }
 
@@ -116,12 +121,32 @@ std::string relativeTo(const std::string& config, const std::string& file) {
     return name;
 }
 
+/// The side of the surroundings where the part is not, as problem files name sides, and the one where it is.
+struct FarSide {
+    std::string far, near;
+};
+
+/// Nothing when the boxes touch. Where the part is outside along several axes, the widest gap decides.
+std::optional<FarSide> farSideOf(const Box& part, const Box& environment) {
+    std::optional<FarSide> side;
+    double widest = 0;
+    for (int i = 0; i < 3; ++i) {
+        const double below = environment.min()[i] - part.max()[i],
+                     above = part.min()[i] - environment.max()[i];
+        if (std::max(below, above) <= widest) continue;
+        widest = std::max(below, above);
+        const std::string minus = std::string("-") + kAxisNames[i], plus = std::string("+") + kAxisNames[i];
+        side = below > above ? FarSide{plus, minus} : FarSide{minus, plus};
+    }
+    return side;
+}
+
 struct Seen {
     std::string part, environment;  ///< what they hold
     Box bounds;
     double partSize;
     std::vector<std::string> touched;
-    bool isOutside;  ///< the part, at its start
+    std::optional<FarSide> farSide;  ///< of the surroundings, when the part starts outside of them
 };
 
 std::string textOf(const InitArguments& given, const Seen& seen) {
@@ -149,23 +174,24 @@ std::string textOf(const InitArguments& given, const Seen& seen) {
     for (int i = 0; i < 3; ++i)
         text.line(std::string("volume.max.") + kAxisNames[i], rounded(seen.bounds.max()[i], true), "");
     text.section("clearway");
-    text.comment(
-        "unit = mm               the unit of all lengths here, um, mm, cm, m, km, in or ft: shown beside "
-        "them");
+    text.choice("unit", "mm", "the unit of all lengths here, um, mm, cm, m, km, in or ft: shown beside them");
     text.line("reading", "stored", "coordinates as the files hold them");
-    text.line("goal", "outside",
-              seen.isOutside ? "where the part is at its start already: state goal.x ... above instead"
-                             : "any pose at which the boxes of part and surroundings are apart");
-    text.comment("outside = +z: on this side only; +x, -x, +y, -y, +z or -z");
+    text.line("goal", "outside", "any pose at which the boxes of part and surroundings are apart");
+    if (seen.farSide) {
+        text.line("outside", seen.farSide->far,
+                  "on this side; the part starts outside on " + seen.farSide->near);
+    } else {
+        text.choice("outside", "+z", "on this side only; +x, -x, +y, -y, +z or -z");
+    }
     text.line("margin", "0", "distance to keep from everything");
     if (!seen.touched.empty()) {
         const std::optional<std::string> list = writtenNames(seen.touched);
         text.comment("The part touches other meshes at its start. Choose one of these:");
-        text.comment("contact.start = " + list.value_or("NAME") + ", " +
-                     rounded(kUsualContact * seen.partSize, true) +
-                     ": ignores them until some point of the part has moved so far");
-        text.comment(
-            "overlap = X: lets obstacles reach so deep into the part (clearway info PROBLEM --lift tells X)");
+        text.choice("contact.start",
+                    list.value_or("NAME") + ", " + rounded(kUsualContact * seen.partSize, true),
+                    "ignores them until some point of the part has moved so far");
+        text.choice("overlap", "X",
+                    "lets obstacles reach so deep into the part: clearway info PROBLEM --lift tells X");
     }
     return text.str();
 }
@@ -202,7 +228,7 @@ int init(const Arguments& words) {
     const Vector3 farthest = boundingBox(part).min().cwiseAbs().cwiseMax(boundingBox(part).max().cwiseAbs());
     const Vector3 room = Vector3::Constant(kRoom * farthest.norm());
     seen.bounds = Box(seen.bounds.min() - room, seen.bounds.max() + room);
-    seen.isOutside = !boundingBox(part).intersects(boundingBox(environment));
+    seen.farSide = farSideOf(boundingBox(part), boundingBox(environment));
     seen.touched = touchedAtStart(problem, part, obstaclesOf(problem, worlds));
 
     if (const std::string note = unitNote(boundingBox(part), boundingBox(environment), ""); !note.empty())
@@ -226,8 +252,9 @@ int init(const Arguments& words) {
         printRow("start",
                  "touches " + joined(names) + (more > 0 ? " and " + std::to_string(more) + " more" : ""));
     }
-    if (seen.isOutside)
-        printRow("goal", "outside, where the part is already: state goal.x ... in place of goal = outside");
+    printRow("goal", !seen.farSide ? "outside"
+                                   : "outside on " + seen.farSide->far + "; the part starts outside on " +
+                                         seen.farSide->near);
     const std::string text = textOf(given, seen);
     const std::optional<std::string> old = setAside(given.out);
     replaceFile(given.out, [&](std::ostream& stream) { stream << text; });

@@ -138,7 +138,8 @@ std::vector<std::string> makeScenes(bool isShort, const std::string& folder) {
     std::vector<std::string> problems;
     for (const MadeScene& wanted : scenes) {
         if (isInterrupted()) break;
-        const scenes::NamedScene& named = scenes::sceneNamed(wanted.name);
+        const std::string name = wanted.name;
+        const scenes::NamedScene& named = scenes::sceneNamed(name);
         const std::string at = folder + "/scenes/" + named.name;
         scenes::SceneOptions options = named.defaults;
         if (wanted.partTriangles > 0) options.partTriangles = wanted.partTriangles;

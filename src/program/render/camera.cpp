@@ -63,8 +63,8 @@ const NamedView& viewNamed(const std::string& name) {
     for (const NamedView& view : namedViews()) {
         if (name == view.name) return view;
     }
-    std::vector<std::string> known = namesOf(namedViews());
-    known.insert(known.begin(), "inside");
+    std::vector<std::string> known{"inside"};
+    for (const NamedView& view : namedViews()) known.push_back(view.name);
     throw std::invalid_argument("view is '" + name + "'" + didYouMean(name, known) + ", expected one of " +
                                 joined(known));
 }

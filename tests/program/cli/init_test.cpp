@@ -45,9 +45,38 @@ BOOST_AUTO_TEST_CASE(init_writes_a_problem_that_plan_solves) {
     const Outcome seat = runIn(folder, "init block.obj rest.obj seat.obj --out seat.cfg");
     BOOST_TEST(row(seat, "start").find("touches 'seat") == 0u, seat.out);
     BOOST_TEST(readText(folder.file("seat.cfg")).find("# contact.start = seat") != std::string::npos);
+    BOOST_TEST(row(made, "goal") == "outside");
     BOOST_TEST(runIn(folder, "init block.obj --out p.cfg").code == 2);
     BOOST_TEST(runIn(folder, "init block.obj rest.obj --out p.txt").err.find("ends in .cfg") !=
                std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(init_sends_a_part_that_starts_outside_to_the_far_side) {
+    const MeshFolder folder;
+    saveMesh(named(box({1, 1, 1}), "block", {5, 0, 2}), folder.file("left.obj"));
+    saveMesh(named(box({1, 1, 1}), "block", {20, 0.5, 90}), folder.file("above.obj"));
+    const Outcome left = runIn(folder, "init left.obj rest.obj --out left.cfg");
+    BOOST_TEST(row(left, "goal") == "outside on +x; the part starts outside on -x");
+    BOOST_TEST(runIn(folder, "plan left.cfg --path o.path --quick --iterations 5000").code == 0);
+    BOOST_TEST(readPath(folder.file("o.path"), problem.space).back().position.x() > 15);
+    const Outcome above = runIn(folder, "init above.obj rest.obj --out above.cfg");
+    BOOST_TEST(row(above, "goal") == "outside on -z; the part starts outside on +z");
+}
+
+/// Lines of choice stand in comments: each counts once its "# " is taken out.
+BOOST_AUTO_TEST_CASE(lines_of_choice_that_init_writes_can_be_switched_on) {
+    const MeshFolder folder;
+    runIn(folder, "init block.obj rest.obj seat.obj --out p.cfg");
+    std::string text = readText(folder.file("p.cfg"));
+    for (const std::string key : {"unit", "outside", "contact.start"}) {
+        const std::size_t at = text.find("# " + key + " = ");
+        BOOST_TEST_REQUIRE(at != std::string::npos, key);
+        text.erase(at, 2);
+    }
+    folder.write("p.cfg", text);
+    const Problem problem = readProblem(folder.file("p.cfg"));
+    BOOST_TEST(problem.unit == "mm");
+    BOOST_TEST(problem.rules.startContact.has_value());
 }
 
 BOOST_AUTO_TEST_CASE(init_keeps_an_old_problem_and_writes_no_name_that_cannot_be_read_back) {
