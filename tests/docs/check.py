@@ -99,12 +99,14 @@ def check_link(root, document, line, target, by_path, report):
 
 
 def check_paths(root, documents, report):
-    """A path of the repository in `code` must exist, unless it has a placeholder in capitals or a wildcard."""
+    """A path of the repository in `code` must exist, unless the document makes the file, or the path has a placeholder in capitals."""
     for document in documents:
+        made = {text.split()[1] for block in document.blocks for _, text in block.directives if text.startswith("file ")}
+        made |= set(re.findall(r"--out (\S+)", "".join(block.text for block in document.blocks)))
         for line, text in document.spans:
             if not re.fullmatch(r"(src|include|tests|docs|demos|data|cmake)/[\w./+-]+", text) or re.search(r"\b[A-Z]{3,}", text):
                 continue
-            if document.name != "CHANGELOG.md" and not (root / text).exists():
+            if document.name != "CHANGELOG.md" and text not in made and not (root / text).exists():
                 report.refuse(document, line, f"`{text}` is not there")
 
 
