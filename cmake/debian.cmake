@@ -78,7 +78,8 @@ if(CLEARWAY_PROGRAM)
   add_package(clearway-tools science "Plans and checks motions of a rigid part in a tight assembly
 The program clearway plans paths with OMPL for a rigid part, checks and
 shortens paths with certified clearance, and draws pictures and reports
-of them. It answers problem files that OMPL.app wrote, too.")
+of them. It answers problem files that OMPL.app wrote, too.
+clearway-scene makes demo scenes, clearway-study compares trees.")
 endif()
 
 if(CLEARWAY_PYTHON)

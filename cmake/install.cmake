@@ -77,16 +77,19 @@ foreach(name IN LISTS pc_files)
   install(FILES ${generated}/${name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT libclearway-dev)
 endforeach()
 
-# The program, with the man pages and the completion script that it prints.
+# The programs, with the man pages and the completion script that they print.
 if(CLEARWAY_PROGRAM)
-  install(TARGETS clearway_program COMPONENT clearway-tools)
+  set(programs clearway_program clearway_scene_program clearway_study_program)
+  install(TARGETS ${programs} COMPONENT clearway-tools)
   set(manual ${PROJECT_BINARY_DIR}/manual)
   add_custom_command(OUTPUT ${manual}/done VERBATIM
                      COMMAND ${CMAKE_COMMAND} -DPROGRAM=$<TARGET_FILE:clearway_program> -DOUT=${manual}
                              -P ${CMAKE_CURRENT_LIST_DIR}/write_manual.cmake
-                     DEPENDS clearway_program ${CMAKE_CURRENT_LIST_DIR}/write_manual.cmake)
+                     DEPENDS ${programs} ${CMAKE_CURRENT_LIST_DIR}/write_manual.cmake)
   add_custom_target(clearway_manual ALL DEPENDS ${manual}/done)
   install(DIRECTORY ${manual}/man1 DESTINATION ${CMAKE_INSTALL_MANDIR} COMPONENT clearway-tools)
-  install(FILES ${manual}/completion RENAME clearway DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
-          COMPONENT clearway-tools)
+  foreach(name clearway clearway-scene clearway-study)  # bash looks for a file of the program's name
+    install(FILES ${manual}/completion RENAME ${name} DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
+            COMPONENT clearway-tools)
+  endforeach()
 endif()

@@ -1,7 +1,7 @@
-# The program clearway, and the libraries that only it needs: demo scenes, pictures, and all that its subcommands do. They reuse the
-# precompiled headers of clearway_planning, which take seconds to make.
+# The programs clearway, clearway-scene and clearway-study, and the libraries that only they need. They reuse the precompiled headers of
+# clearway_planning, which take seconds to make.
 
-# The demo scenes.
+# The demo scenes. The program clearway links none of them.
 file(GLOB scenes_sources CONFIGURE_DEPENDS src/program/scenes/*.cpp)
 add_library(clearway_scenes STATIC ${scenes_sources})
 target_include_directories(clearway_scenes PRIVATE src)
@@ -24,7 +24,7 @@ target_compile_definitions(clearway_render PRIVATE CLEARWAY_EMBREE_MAJOR=${EMBRE
 target_precompile_headers(clearway_render REUSE_FROM clearway_planning)
 compile_together(clearway_render render ${render_sources})
 
-# Messages between the ranks of `bench` under mpirun. This one file sees MPI, where there is MPI.
+# Messages between ranks under mpirun. This one file sees MPI, where there is MPI.
 add_library(clearway_ranks STATIC src/program/study/ranks.cpp)
 target_include_directories(clearway_ranks PRIVATE src)
 target_compile_features(clearway_ranks PUBLIC cxx_std_17)
@@ -54,20 +54,43 @@ add_custom_command(OUTPUT ${page_texts} VERBATIM
 # -O3 would take half as long again to compile for code that reads options and prints tables.
 set(moderately $<$<CONFIG:Release>:-O2>)
 
-# The program: studies, the report page and the subcommands as a library, which tests link too, and main.
-file(GLOB cli_sources CONFIGURE_DEPENDS src/program/study/*.cpp src/program/report/*.cpp src/program/cli/*.cpp)
-list(FILTER cli_sources EXCLUDE REGEX "/(study/ranks|cli/main)\\.cpp$")
+# The command line and the subcommands of clearway, which all three programs and tests link.
+file(GLOB study_sources CONFIGURE_DEPENDS src/program/study/*.cpp)
+file(GLOB cli_sources CONFIGURE_DEPENDS src/program/report/*.cpp src/program/cli/*.cpp src/program/study/*.cpp)
+# Files of the study that `clearway bench` needs.
+set(of_bench "/study/(benchmark|benchmark_log|child_process|hand_out|kept_runs|planner_run|run_text|settings|table)\\.cpp$")
+list(FILTER study_sources EXCLUDE REGEX "${of_bench}|/study/ranks\\.cpp$")
+list(FILTER cli_sources EXCLUDE REGEX "/(cli/main|study/ranks)\\.cpp$")
+list(REMOVE_ITEM cli_sources ${study_sources})
 add_library(clearway_page_texts OBJECT ${page_texts})
 add_library(clearway_cli STATIC ${cli_sources} $<TARGET_OBJECTS:clearway_page_texts>)
 target_include_directories(clearway_cli PRIVATE src)
 target_link_libraries(clearway_cli PUBLIC clearway clearway_planning clearway_render
-                      PRIVATE clearway_scenes clearway_ranks clearway_warnings Boost::headers nlohmann_json::nlohmann_json TBB::tbb)
+                      PRIVATE clearway_ranks clearway_warnings Boost::headers nlohmann_json::nlohmann_json TBB::tbb)
 target_precompile_headers(clearway_cli REUSE_FROM clearway_planning)
 target_compile_options(clearway_cli PRIVATE ${moderately})
 compile_together(clearway_cli program ${cli_sources})
 
-add_executable(clearway_program src/program/cli/main.cpp)
-set_target_properties(clearway_program PROPERTIES OUTPUT_NAME clearway)
-target_include_directories(clearway_program PRIVATE src)
-target_link_libraries(clearway_program PRIVATE clearway_cli clearway_warnings)
-target_precompile_headers(clearway_program REUSE_FROM clearway_planning)
+# The study of leaf splits.
+add_library(clearway_study STATIC ${study_sources})
+target_include_directories(clearway_study PRIVATE src)
+target_link_libraries(clearway_study PUBLIC clearway_cli PRIVATE clearway_warnings nlohmann_json::nlohmann_json)
+target_precompile_headers(clearway_study REUSE_FROM clearway_planning)
+target_compile_options(clearway_study PRIVATE ${moderately})
+compile_together(clearway_study study ${study_sources})
+
+# add_tool(TARGET NAME "LIBRARY..." SOURCE...): a program that is built as NAME.
+function(add_tool target name libraries)
+  add_executable(${target} ${ARGN})
+  set_target_properties(${target} PROPERTIES OUTPUT_NAME ${name})
+  target_include_directories(${target} PRIVATE src)
+  target_link_libraries(${target} PRIVATE ${libraries} clearway_warnings nlohmann_json::nlohmann_json TBB::tbb)
+  target_precompile_headers(${target} REUSE_FROM clearway_planning)
+  target_compile_options(${target} PRIVATE ${moderately})
+endfunction()
+set(folder src/program)
+add_tool(clearway_program clearway clearway_cli ${folder}/cli/main.cpp)
+add_tool(clearway_scene_program clearway-scene "clearway_cli;clearway_scenes"
+         ${folder}/clearway_scene/main.cpp ${folder}/clearway_scene/record_scene.cpp)
+add_tool(clearway_study_program clearway-study "clearway_study;clearway_scenes"
+         ${folder}/clearway_study/main.cpp ${folder}/clearway_study/print_study.cpp ${folder}/clearway_scene/record_scene.cpp)

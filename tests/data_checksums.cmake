@@ -23,12 +23,12 @@ function(require_files name)
 endfunction()
 
 require_files(tunnel-console-small
-    tunnel-console.cfg ac78e4fa7d903fa8d61f6fe71788fe3fc5d33cd445df20f870e6f37497d3a903
-    tunnel-console.path 60a4fce6f4f2e51d537fb391621ad59e0294a2c42ff81aca69688534236e275f
+    tunnel-console.cfg 8df8c1030b6cf126d6c36450f4348660e4d33aa9e12ad735fafe8c99cfaf4cd4
+    tunnel-console.path a1543e3cc83a07ef360da17a3b85bb1fbb72132efee401bf0255910dbc059d10
     tunnel-console.png 99100d69ac4480fedf23683b217017a83b7769ad3fa332d26046f2d202750381
     tunnel-console_environment.obj 6b590d47a758b5e1f7c1db89bb7bc08d868ae93cc183210b18c629a6e757edaf
     tunnel-console_part.obj 3aea9b34de9b9c602f9f3007b7fbf4c2960eca43849750dd8c8af99862cdba87
-    tunnel-console_replay.poses 4244f80e36c41d5ac24c1d29b1881b30d8ddcd269b5939fd30b1ada1b7eefab7)
+    tunnel-console_replay.poses 8e59c7383a1b3710ee2f84c1bb7b6da64d393b4bc09fd21569387dedb8f84291)
 require_files(bracket
     bracket.cfg 8c126d89d4fc122bcfd3500cff915a606cab3aa8aeac0bc4e9e67da2a4690ee9
     bracket.stl 7a815f72aa7f5946a7eeb00abca46afff79c75841d225beb750a5fa686de0b7b

@@ -34,14 +34,15 @@ set(planning/setup_may_include core model problem planning/validity planning/mot
 set(planning planning/validity planning/motion planning/objectives planning/samplers planning/paths planning/planners
              planning/setup)
 
-# The program's rooms see the library through its public headers and core.
+# The programs' rooms see the library through its public headers and core. The program clearway has no scenes.
 set(program/scenes_may_include core mesh problem)
-set(program/render_may_include core mesh model problem program/scenes)
-set(program/report_may_include core mesh model problem program/scenes program/render)
-set(program/study_may_include core mesh model problem program/scenes)
-set(program/cli_may_include core mesh tree exact model problem program/scenes program/render program/report
-                            program/study)
-set(program program/scenes program/render program/report program/study program/cli)
+set(program/render_may_include core mesh model problem)
+set(program/report_may_include core mesh model problem program/render)
+set(program/study_may_include core mesh model problem)
+set(program/cli_may_include core mesh tree exact model problem program/render program/report program/study)
+set(program/clearway_scene_may_include core problem program/scenes program/render program/report program/cli)
+set(program/clearway_study_may_include core problem program/scenes program/study program/cli program/clearway_scene)
+set(program program/scenes program/render program/report program/study program/cli program/clearway_scene program/clearway_study)
 set(layers ${library} ${planning} ${program})
 
 # The room of planning that holds each public planning header's source: including the header counts as including the room.
@@ -61,10 +62,10 @@ set(hwy_users "^src/(kernels|query)/")
 set(assimp_users "^src/(mesh/(load|save)|program/cli/help)[.]cpp$")
 set(embree3_users "^src/(build/split/embree|program/render/rays|program/cli/help)[.]cpp$")
 set(embree4_users ${embree3_users})
-set(ompl_users "^(src/(planning|program/(cli|study))|include/clearway/planning|demos)/")
+set(ompl_users "^(src/(planning|program/(cli|study|clearway_study))|include/clearway/planning|demos)/")
 set(png.h_users "^src/program/render/image[.]cpp$")
 set(cairo_users "^src/program/render/(ink_mask[.](h|cpp)|legend[.]cpp)$")
-set(nlohmann_users "^src/(core/json[.](h|cpp)|mesh/glb[.]cpp|program/report/page_data[.]cpp|program/study/run_text[.]cpp|program/cli/[a-z_]+[.](h|cpp))$")
+set(nlohmann_users "^src/(core/json[.](h|cpp)|mesh/glb[.]cpp|program/report/page_data[.]cpp|program/study/(study_)?run_text[.](h|cpp)|program/(cli|clearway_scene)/[a-z_]+[.](h|cpp))$")
 set(mpi.h_users "^src/program/study/ranks[.]cpp$")
 set(guarded_libraries hwy assimp embree3 embree4 ompl png.h cairo nlohmann mpi.h)
 
@@ -97,7 +98,7 @@ function(judge_public_header layer header rule_variable)
   set(rule "")
   if(layer IN_LIST layers_below_model AND NOT header IN_LIST value_headers)
     set(rule "src/${layer} may include of the public headers only ${value_headers}")
-  elseif(header MATCHES "^planning/" AND NOT layer MATCHES "^(planning/|program/(cli|render|report|study)$)")
+  elseif(header MATCHES "^planning/" AND NOT layer MATCHES "^(planning/|program/(cli|render|report|study|clearway_scene|clearway_study)$)")
     set(rule "src/${layer} must not know the planning headers")
   elseif(layer MATCHES "^planning/")
     foreach(room IN LISTS planning)

@@ -47,6 +47,7 @@ expect_refusal(src/kernels/x-inl.h "#include \"clearway/model.h\"" "src/kernels 
 expect_refusal(src/kernels/x-inl.h "#include <clearway/model.h>" "src/kernels may include of the public headers only")
 expect_refusal(src/problem/x.cpp "#include \"clearway/planning/c.h\"" "src/problem must not know the planning headers")
 expect_refusal(src/program/cli/x.cpp "#include \"kernels/x-inl.h\"" "src/program/cli may include only program/cli")
+expect_refusal(src/program/cli/x.cpp "#include \"program/scenes/x.h\"" "src/program/cli may include only program/cli")
 expect_refusal(src/problem/x.cpp "#include \"program/scenes/x.h\"" "src/problem may include only problem core mesh model")
 expect_refusal(src/program/scenes/x.cpp "#include \"program/cli/x.h\"" "src/program/scenes may include only program/scenes")
 expect_refusal(src/planning/validity/x.cpp "#include \"planning/motion/x.h\"" "src/planning/validity may include only planning/validity")

@@ -329,11 +329,7 @@ int run(int count, char** words, study::Ranks* ranks) {
 }  // namespace
 
 int run(int count, char** words) {
-    const std::unique_ptr<study::Ranks> ranks = cli::joinRanks();
-    if (ranks && ranks->rank() > 0) return cli::serveRank(*ranks);
-    const int code = run(count, words, ranks.get());
-    if (ranks) study::dismiss(*ranks);
-    return code;
+    return cli::runOnRanks([&](study::Ranks* ranks) { return run(count, words, ranks); });
 }
 
 }  // namespace clearway::testing::public_problems

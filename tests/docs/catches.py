@@ -58,10 +58,10 @@ margin = 0.5
 export PATH=$PWD/build/release/bin:$PATH   # a comment
 clearway info data/gates/new.cfg && clearway info \\
     data/gates/cart.obj
-clearway scene boxes --out S --poses nothing
+clearway-scene boxes --out S --poses nothing
 {FENCE}
 
-    clearway scene boxes --out S
+    clearway-scene boxes --out S
 """
 
 
@@ -99,7 +99,7 @@ CASES = [
     ("commands", fenced("sh", "clearway plan data/gates/gates.cfg --paths a.path"), "has no option '--paths'"),
     ("commands", "<!-- test: options only -->\n" + fenced("sh", "clearway plan --paths=a"), "has no option '--paths'"),
     ("commands", "<!-- test: full -->\n" + fenced("sh", "clearway plan --paths a"), "has no option '--paths'"),
-    ("commands", fenced("sh", "clearway bench --study leaf-strategies --runs 2"), "has no option '--runs'"),
+    ("commands", fenced("sh", "clearway-study --runs 2"), "has no option '--runs'"),
     ("commands", fenced("sh", "clearway plane"), "has no subcommand 'plane'"),
     ("commands", fenced("sh", "rm everything"), "unknown command 'rm'"),
     ("commands", fenced("sh", "clearway info data/gates/gone.cfg"), "ends with 2, expected 0"),

@@ -11,7 +11,8 @@ import subprocess
 import tempfile
 
 SECONDS = 3600  # for one command
-KNOWN = "clearway, ./demos/run, ./tests/run, cmake, ctest, export, sed, programs below build/release and scripts below tests, and mpirun -n N before any of them"
+TOOLS = ("clearway-scene", "clearway-study")  # programs without subcommands
+KNOWN = "clearway, clearway-scene, clearway-study, ./demos/run, ./tests/run, cmake, ctest, export, sed, programs below build/release and scripts below tests, and mpirun -n N before any of them"
 
 
 class Refused(Exception):
@@ -75,9 +76,10 @@ class Checker:
             return self.require_options(words, {"--help", "--version"}, "clearway")
         if words[0] not in self.subcommands:
             raise Refused(f"clearway has no subcommand '{words[0]}', expected one of {', '.join(self.subcommands)}")
-        study = ["--study", "leaf-strategies"] if "--study" in words else []
-        known = self.help_options(str(self.program), words[0], *study)
-        self.require_options(words[1:], known, f"clearway {' '.join([words[0]] + study)}")
+        self.require_options(words[1:], self.help_options(str(self.program), words[0]), f"clearway {words[0]}")
+
+    def tool_options(self, name):
+        return self.help_options(str(self.program.with_name(name)))
 
     def demos_run(self, words):
         usage = subprocess.run([self.root / "demos/run", "--help"], capture_output=True, text=True, check=True).stdout
@@ -162,6 +164,8 @@ class Checker:
         name, rest = words[0], words[1:]
         if name in ("clearway", "build/release/bin/clearway"):
             self.clearway(rest)
+        elif name in TOOLS:
+            self.require_options(rest, self.tool_options(name) | {"--version"}, name)
         elif name in ("./demos/run", "demos/run"):
             self.demos_run(rest)
         elif name in ("./tests/run", "tests/run"):
@@ -190,7 +194,8 @@ class Runner:
             shutil.copytree(checker.root / "data", self.folder / "data")
         bin_folder = self.folder / "build/release/bin"
         bin_folder.mkdir(parents=True)
-        (bin_folder / "clearway").symlink_to(checker.program)
+        for name in ("clearway", *TOOLS):
+            (bin_folder / name).symlink_to(checker.program.with_name(name))
         self.environment = dict(os.environ, PATH=f"{bin_folder}:{os.environ['PATH']}")
 
     def take(self, block):
@@ -246,7 +251,7 @@ class Runner:
             if not is_full():
                 return
             folder = self.checker.root
-        elif words[0] not in ("clearway", "build/release/bin/clearway", "sed"):
+        elif words[0] not in ("clearway", "build/release/bin/clearway", *TOOLS, "sed"):
             return
         done = subprocess.run(
             ["bash", "-c", line], cwd=folder, env=self.environment, capture_output=True, text=True, timeout=SECONDS
@@ -267,13 +272,16 @@ def check_spans(checker, document, report):
     known = {"--help", "--version", "--full"}
     for subcommand in checker.subcommands:
         known |= checker.help_options(str(checker.program), subcommand)
-    known |= checker.help_options(str(checker.program), "bench", "--study", "leaf-strategies")
+    for tool in TOOLS:
+        known |= checker.tool_options(tool)
     for line, text in document.spans:
         words = text.split()
         named = words[1:] if words[:1] == ["clearway"] else words
         try:
             if named and named[0] in checker.subcommands:
                 checker.clearway(named)
+            elif words and words[0] in TOOLS:
+                checker.check(words)
             elif text.startswith("--"):
                 checker.require_options(words, known, "clearway")
         except Refused as refusal:

@@ -13,11 +13,9 @@
 #include "program/cli/facts.h"
 #include "program/cli/print.h"
 #include "program/cli/shared_options.h"
-#include "program/cli/study.h"
 #include "program/study/benchmark.h"
 #include "program/study/benchmark_log.h"
 #include "program/study/child_process.h"
-#include "program/study/hand_out.h"
 #include "program/study/run_text.h"
 
 namespace clearway::cli {
@@ -61,7 +59,7 @@ bool readArguments(const Arguments& arguments, BenchArguments& given) {
         "is lost,\n"
         "with exit code 1. The same command goes on with what is missing: the runs that ended are in "
         "LOG.runs.\n"
-        "For studies see `clearway bench --study leaf-strategies --help`.");
+        "For the study of leaf splits see `clearway-study --help`.");
     addProblem(line, given.problem);
     line.option("--log FILE", "the log (PROBLEM.log, in the problem's output folder)", to(given.log));
     line.option("--time S", "seconds for each run, in place of the problem's time_limit (30)",
@@ -223,6 +221,9 @@ std::string troubleOf(const Benchmark& benchmark, std::size_t lost) {
 
 /// ranks: null unless mpirun started this process.
 int benchProblem(const Arguments& arguments, study::Ranks* ranks) {
+    const auto isStudy = [](const std::string& argument) { return argument.rfind("--study", 0) == 0; };
+    if (std::any_of(arguments.begin(), arguments.end(), isStudy))
+        throw std::invalid_argument("--study is a program of its own: clearway-study");
     BenchArguments given;
     if (!readArguments(arguments, given)) return kDone;
     const Problem problem = readProblemFor(given);
@@ -271,15 +272,7 @@ int benchProblem(const Arguments& arguments, study::Ranks* ranks) {
 }  // namespace
 
 int bench(const Arguments& arguments) {
-    // Before the arguments are read, so that of several ranks one alone answers.
-    const std::unique_ptr<study::Ranks> ranks = joinRanks();
-    if (ranks && ranks->rank() > 0) return serveRank(*ranks);
-    const auto isStudy = [](const std::string& argument) { return argument.rfind("--study", 0) == 0; };
-    const bool hasStudy = std::any_of(arguments.begin(), arguments.end(), isStudy);
-    const auto run = hasStudy ? benchStudy : benchProblem;
-    const int code = run(arguments, ranks.get());
-    if (ranks) dismiss(*ranks);
-    return code;
+    return runOnRanks([&](study::Ranks* ranks) { return benchProblem(arguments, ranks); });
 }
 
 }  // namespace clearway::cli

@@ -13,7 +13,6 @@
 #include "program/cli/print.h"
 #include "program/study/child_process.h"
 #include "program/study/hand_out.h"
-#include "program/study/planner_runs.h"
 #include "program/study/run_text.h"
 
 namespace clearway::cli {
@@ -94,19 +93,22 @@ class Progress {
 
 }  // namespace
 
-std::unique_ptr<study::Ranks> joinRanks() {
-    return study::isRank() ? std::make_unique<study::Ranks>() : nullptr;
-}
-
-int serveRank(study::Ranks& ranks) {
-    heedInterrupts();
-    study::serve(ranks, isInterrupted);
-    return kDone;
+int runOnRanks(const std::function<int(study::Ranks*)>& run) {
+    if (!study::isRank()) return run(nullptr);
+    study::Ranks ranks;
+    if (ranks.rank() > 0) {
+        heedInterrupts();
+        study::serve(ranks, isInterrupted);
+        return kDone;
+    }
+    const int code = run(&ranks);
+    study::dismiss(ranks);
+    return code;
 }
 
 void addOneRun(CommandLine& commandLine, std::optional<std::size_t>& run) {
     commandLine.option("--one-run K",
-                       "for the processes that bench starts under mpirun: does the run K, counted from 0, "
+                       "for the processes that this one starts under mpirun: does the run K, counted from 0, "
                        "and prints it for the process that started this one",
                        integer<std::size_t>(run, 0, INT64_MAX));
 }
@@ -164,37 +166,6 @@ bool BenchmarkOnRanks::doRuns(Benchmark& benchmark) {
 
 void BenchmarkOnRanks::finish(bool isComplete) const {
     if (isComplete) kept_.remove();
-}
-
-bool doStudyRuns(study::Ranks& ranks, const Arguments& words, const study::StudyOptions& options,
-                 const std::vector<std::size_t>& runs,
-                 const std::function<void(const study::StudyRun&)>& keep) {
-    const std::vector<study::PlannedRun> planned = plannedRuns(options);
-    std::vector<study::Job> jobs;
-    for (const std::size_t run : runs) {
-        const std::string problem = std::to_string(run / planned.size() + 1);
-        jobs.push_back(
-            jobFor(run, "problem " + problem + ", " + planned[run % planned.size()].name(), words));
-    }
-    bool isAnyLost = false;
-    study::TimeLeft left(jobs.size(), options.seconds / ranks.count());
-    study::Meanwhile meanwhile;
-    meanwhile.isStopped = [&] { return options.mustStop(); };
-    meanwhile.begin = [&](std::size_t job, int rank) {
-        options.report("run " + std::to_string(job + 1) + " of " + std::to_string(jobs.size()) + ", " +
-                       jobs[job].name + ", rank " + std::to_string(rank) + ", " + left.text() +
-                       " for all runs");
-    };
-    meanwhile.end = [&](const JobEnd& end) {
-        left.step();
-        const std::string& name = jobs[end.job].name;
-        if (end.isDone) return keep(study::readStudyRun(end.text, name));
-        isAnyLost = true;
-        options.report("warning: the run is lost: " + name + ": " + end.text);
-    };
-    const bool isComplete = handOut(ranks, jobs, meanwhile) && !isAnyLost;
-    if (isComplete) dismiss(ranks);
-    return isComplete;
 }
 
 }  // namespace clearway::cli

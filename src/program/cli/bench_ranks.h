@@ -3,24 +3,20 @@
 
 #include <cstddef>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "program/cli/command_line.h"
 #include "program/study/benchmark.h"
-#include "program/study/experiment.h"
 #include "program/study/kept_runs.h"
 #include "program/study/ranks.h"
 
 namespace clearway::cli {
 
-/// Joins the processes that mpirun or srun started together with this one. Null when this one was started alone.
-std::unique_ptr<study::Ranks> joinRanks();
-
-/// For all ranks but the first: does what rank 0 hands out. Returns the exit code.
-int serveRank(study::Ranks& ranks);
+/// Calls `run`, whose exit code it returns: with the processes that mpirun or srun started together with this one, or with null
+/// when this one was started alone. Of several processes one alone calls `run`; the others do what it hands out.
+int runOnRanks(const std::function<int(study::Ranks*)>& run);
 
 /// Declares --one-run, by which the processes know which run is theirs.
 void addOneRun(CommandLine& commandLine, std::optional<std::size_t>& run);
@@ -55,11 +51,5 @@ class BenchmarkOnRanks {
     study::KeptRuns kept_;
     std::vector<LostRun> lost_;
 };
-
-/// See study::StudyOptions::doRuns. Dismisses the other ranks when all runs have ended, because replays follow, which are timed.
-/// Reports lost runs. words: those of the command line after `bench`.
-bool doStudyRuns(study::Ranks& ranks, const Arguments& words, const study::StudyOptions& options,
-                 const std::vector<std::size_t>& runs,
-                 const std::function<void(const study::StudyRun&)>& keep);
 
 }  // namespace clearway::cli

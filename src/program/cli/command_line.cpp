@@ -167,12 +167,13 @@ void CommandLine::printHelp() const {
     for (const Declared& option : options_) printOption(option.shown, option.help);
 }
 
-/// The usage begins with "clearway SUBCOMMAND".
+/// The usage begins with "clearway SUBCOMMAND", or with another program.
 void CommandLine::printManPage() const {
     std::istringstream usage(usage_);
     std::string program, subcommand;
     usage >> program >> subcommand;
-    ManPage page{program + "-" + subcommand, usage_, purpose_, "OPTIONS", {}};
+    if (program == "clearway") program += "-" + subcommand;
+    ManPage page{program, usage_, purpose_, "OPTIONS", {}};
     for (const Declared& option : options_) page.rows.emplace_back(option.shown, option.help);
     cli::printManPage(page);
 }

@@ -11,8 +11,8 @@ namespace clearway::cli {
 
 using Arguments = std::vector<std::string>;  ///< the words after the subcommand's name
 
-/// Exit codes of the program. Every subcommand returns one of the first two. When it throws, main prints the
-/// message as one line on stderr and returns kBadInput.
+/// Exit codes of the program. Every subcommand returns one of the first two. When it throws, runProgram() prints
+/// the message as one line on stderr and returns kBadInput.
 constexpr int kDone = 0;
 constexpr int kAnswerIsNo = 1;  ///< no path found, path not valid
 constexpr int kBadInput = 2;
@@ -31,7 +31,6 @@ int plan(const Arguments& arguments);
 int check(const Arguments& arguments);
 int bench(const Arguments& arguments);
 int render(const Arguments& arguments);
-int scene(const Arguments& arguments);
 
 /// From now on the first Ctrl-C (SIGINT, SIGTERM) ends the current work, not the program: finished work is
 /// still written. The second Ctrl-C has its usual effect: it ends the program at once, with exit code 130 in a shell.

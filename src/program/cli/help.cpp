@@ -84,21 +84,22 @@ std::vector<std::pair<std::string, std::string>> libraryVersions() {
 }
 
 std::string completionScript(const std::vector<std::string>& subcommands) {
-    return R"(# Completes the words of clearway in bash: . <(clearway --completion)
+    return R"(# Completes the words of clearway, clearway-scene and clearway-study in bash: . <(clearway --completion)
 _clearway() {
     local word=${COMP_WORDS[COMP_CWORD]} subcommands=")" +
-           joined(subcommands, " ") + R"( help"
+           joined(subcommands, " ") + R"( help" command=("$1" "${COMP_WORDS[1]}")
     COMPREPLY=()
-    if [ "$COMP_CWORD" -eq 1 ]; then
+    [ "${1##*/}" = clearway ] || command=("$1")
+    if [ "$COMP_CWORD" -lt "${#command[@]}" ]; then
         COMPREPLY=($(compgen -W "$subcommands --help --man --version --completion" -- "$word"))
     elif [[ $word == -* ]]; then
-        COMPREPLY=($(compgen -W "$("${COMP_WORDS[0]}" "${COMP_WORDS[1]}" --list-options 2>/dev/null) --help --man" -- "$word"))
+        COMPREPLY=($(compgen -W "$("${command[@]}" --list-options 2>/dev/null) --help --man" -- "$word"))
     elif [ "${COMP_WORDS[1]}" = help ]; then
         COMPREPLY=($(compgen -W "$subcommands )" +
            joined(topicNames(), " ") + R"(" -- "$word"))
     fi
 }
-complete -o default -F _clearway clearway
+complete -o default -F _clearway clearway clearway-scene clearway-study
 )";
 }
 

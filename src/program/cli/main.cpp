@@ -1,22 +1,16 @@
-// The clearway program: finds the subcommand, runs it, and turns what it throws into one line on stderr.
+// The program clearway: finds the subcommand and runs it.
 #include <algorithm>
-#include <csignal>
-#include <exception>
 #include <iostream>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "clearway/shrink.h"
 #include "clearway/targets.h"
-#include "clearway/version.h"
 #include "core/text.h"
 #include "program/cli/command_line.h"
-#include "program/cli/facts.h"
 #include "program/cli/help.h"
 #include "program/cli/man_page.h"
-#include "program/cli/print.h"
+#include "program/cli/program.h"
 
 namespace clearway::cli {
 
@@ -33,7 +27,6 @@ constexpr Subcommand kSubcommands[] = {
     {"bench", "runs a problem's planners several times and writes OMPL's benchmark log", bench},
     {"render", "draws a problem and the part on its way, coloured by clearance, as a picture or a film",
      render},
-    {"scene", "makes a demo scene: two meshes, a problem and a path that solves it", scene},
 };
 
 std::string names() {
@@ -78,12 +71,6 @@ void printProgramsPage() {
     printManPage(page);
 }
 
-void printVersion() {
-    std::cout << "clearway " CLEARWAY_VERSION "\n";
-    printRow("instruction set", currentTarget());
-    for (const auto& [library, version] : libraryVersions()) printRow(library, version);
-}
-
 int help(const Arguments& words) {
     if (words.empty()) return printHelp(), kDone;
     if (words.size() > 1)
@@ -105,13 +92,13 @@ int run(const Arguments& words) {
     if (words[0] == "--help" || words[0] == "-h") return printHelp(), kDone;
     if (words[0] == "help") return help(rest);
     if (words[0] == "--man") return printProgramsPage(), kDone;
-    if (words[0] == "--version") return printVersion(), kDone;
     if (words[0] == "--completion") return std::cout << completionScript(namesOf(kSubcommands)), kDone;
     for (const Subcommand& subcommand : kSubcommands) {
         if (words[0] != subcommand.name) continue;
         currentTarget();  // refuses CLEARWAY_TARGET before any work
         return subcommand.run(rest);
     }
+    if (words[0] == "scene") throw std::invalid_argument("scene is a program of its own: clearway-scene");
     std::vector<std::string> known = namesOf(kSubcommands);
     known.insert(known.end(), {"help", "--help", "--man", "--version", "--completion"});
     throw std::invalid_argument("unknown subcommand '" + words[0] + "'" + didYouMean(words[0], known) +
@@ -122,24 +109,5 @@ int run(const Arguments& words) {
 }  // namespace clearway::cli
 
 int main(int argc, char** argv) {
-    // A closed pipe and a file that may not grow become errors to report, instead of ending the program.
-    std::signal(SIGPIPE, SIG_IGN);
-    std::signal(SIGXFSZ, SIG_IGN);
-    const clearway::cli::Arguments words(argv + 1, argv + argc);
-    try {
-        const int code = clearway::cli::run(words);
-        clearway::cli::writeFacts();
-        clearway::cli::requirePrinted();
-        return code;
-    } catch (const clearway::ShrinkStopped& stopped) {
-        clearway::cli::printRow("interrupted", std::string(stopped.what()) + "; nothing is written");
-        clearway::cli::facts()["interrupted"] = true;
-        clearway::cli::writeFacts();
-        clearway::cli::requirePrinted();
-        return clearway::cli::kAnswerIsNo;
-    } catch (const std::exception& error) {
-        std::cout.flush();
-        std::cerr << "clearway: " << clearway::cli::oneLine(error.what()) << "\n";
-        return clearway::cli::kBadInput;
-    }
+    return clearway::cli::runProgram(argc, argv, "clearway", clearway::cli::run);
 }

@@ -18,7 +18,6 @@
 #include "clearway/planning/problem_setup.h"
 #include "core/clock.h"
 #include "core/number.h"
-#include "program/study/recorder.h"
 
 namespace clearway::study {
 namespace {
@@ -123,26 +122,15 @@ class RunEnd {
     std::atomic<std::uint64_t> asked_{0};  // several threads may ask
 };
 
-void measureCalls(const Recorder& recorder, double seconds, BenchmarkRun& run) {
-    RunMeasures& measures = run.measures;
-    static_cast<Work&>(measures) = Work(recorder.tally());
-    measures.motionChecks = recorder.calls(CallKind::kMotion) + recorder.calls(CallKind::kForwardMotion);
-    measures.motionCosts = recorder.calls(CallKind::kMotionCost);
-    measures.querySeconds = recorder.seconds();
-    measures.queryShare = seconds > 0 ? recorder.seconds() / seconds : 0;
-    run.calls = recorder.sample();
-}
-
-/// recorder: null unless calls are recorded.
-void solve(const PlanSetup& setup, const RunLimits& limits, RunEnd& end, Recorder* recorder,
-           BenchmarkRun& run, std::vector<std::string>& warnings) {
+void solve(const PlanSetup& setup, const RunLimits& limits, RunEnd& end, BenchmarkRun& run,
+           std::vector<std::string>& warnings) {
     ob::Planner& planner = *setup.planners[0];
     RunMeasures& measures = run.measures;
     const double period = std::isfinite(limits.seconds)
                               ? std::max(kLeastPeriod, limits.seconds / kLooksPerRun)
                               : kUnlimitedPeriod;
     RunWatch watch(planner, limits.bytes, period);
-    if (recorder) recorder->begin();
+    if (limits.watch) limits.watch->begin();
     const std::clock_t processorBegin = std::clock();
     end.begin();
     const Improvements improvements(*setup.definition, Clock::now());
@@ -158,10 +146,7 @@ void solve(const PlanSetup& setup, const RunLimits& limits, RunEnd& end, Recorde
     measures.seconds = seconds;
     measures.processorSeconds = static_cast<double>(std::clock() - processorBegin) / CLOCKS_PER_SEC;
     run.progress = watch.finish();
-    if (recorder) {
-        recorder->end();
-        measureCalls(*recorder, seconds, run);
-    }
+    if (limits.watch) limits.watch->end(measures);
     if (setup.definition->hasExactSolution()) {
         measures.firstSolutionSeconds = improvements.first().value_or(seconds);
         measures.finalSolutionSeconds = improvements.last().value_or(seconds);
@@ -301,15 +286,12 @@ std::optional<BenchmarkRun> runOnce(const Problem& problem, const Scene& scene,
     planning::PlanReport settings;
     RunEnd end(limits);
     const auto isOver = [&] { return end.isReached(); };
-    std::optional<Recorder> recorder;
-    const auto record = [&](PlanSetup& setup) {
-        if (!limits.sampling) return;
-        recorder.emplace(setup.si->getStateSpace(), *limits.sampling);
-        recordInto(*recorder, setup, scene, isOver);
+    const auto join = [&](PlanSetup& setup) {
+        if (limits.watch) limits.watch->join(setup, isOver);
     };
-    const PlanSetup setup = planning::makePlanSetup(problem, scene, options, settings, isOver, record);
+    const PlanSetup setup = planning::makePlanSetup(problem, scene, options, settings, isOver, join);
     BenchmarkRun run;
-    solve(setup, limits, end, recorder ? &*recorder : nullptr, run, warnings);
+    solve(setup, limits, end, run, warnings);
     if (end.isStopped()) return std::nullopt;
 
     run.measures.megabytes = static_cast<double>(ompl::machine::getProcessMemoryUsage()) / kBytesPerMegabyte;

@@ -9,11 +9,10 @@
 #include <variant>
 #include <vector>
 
-#include "clearway/planning/plan.h"
+#include "clearway/planning/plan_setup.h"
 #include "clearway/problem.h"
 #include "clearway/scene.h"
 #include "clearway/scene_clearance.h"
-#include "program/study/calls.h"
 #include "program/study/table.h"
 
 namespace clearway::study {
@@ -72,7 +71,14 @@ struct BenchmarkRun {
     double length = 0;  ///< of the path, as OMPL's space measures it
     /// Simplified if paths are, else as the planner found it; empty unless solved.
     std::vector<PartState> path;
-    std::vector<CallBlock> calls;  ///< a sample, if one was asked for
+};
+
+/// Watches what the planner of a run asks: see recordingInto().
+struct CallWatch {
+    /// Before planners are made. isOver: as in makePlanSetup.
+    std::function<void(planning::PlanSetup&, const std::function<bool()>& isOver)> join;
+    std::function<void()> begin;            ///< before the planner begins
+    std::function<void(RunMeasures&)> end;  ///< after its end: adds measures
 };
 
 struct RunLimits {
@@ -80,8 +86,7 @@ struct RunLimits {
     unsigned long long bytes = 0;  ///< of the whole process
     bool simplify = true;
     std::function<bool()> isStopped;
-    /// If given, the run counts and times the planner's calls, and samples them.
-    std::optional<CallSampling> sampling = {};
+    std::optional<CallWatch> watch = {};
     std::optional<std::uint64_t> iterations = {};  ///< how often the planner may ask whether to end
 };
 

@@ -16,6 +16,7 @@
 #include "core/replace_file.h"
 #include "program/study/benchmark.h"
 #include "program/study/benchmark_log.h"
+#include "program/study/recorder.h"
 
 namespace clearway::study {
 namespace {
@@ -206,8 +207,10 @@ std::optional<StudyRun> runPlanned(const StudyProblem& problem, const Scene& sce
     limits.bytes = static_cast<unsigned long long>(options.megabytes * 1024 * 1024);
     limits.simplify = false;
     limits.isStopped = options.isStopped;
-    limits.sampling = options.sampling;
-    limits.sampling->seed = static_cast<std::uint64_t>(planned.seed);
+    CallSampling sampling = options.sampling;
+    sampling.seed = static_cast<std::uint64_t>(planned.seed);
+    std::optional<Recorder> recorder;
+    limits.watch = recordingInto(recorder, scene, sampling);
     const planning::OmplMessages unheard;
     StudyRun result;
     const auto run =
@@ -215,7 +218,7 @@ std::optional<StudyRun> runPlanned(const StudyProblem& problem, const Scene& sce
     if (!run) return std::nullopt;
     result.row = rowOf(problem.name, planned);
     static_cast<RunMeasures&>(result.row) = run->measures;
-    if (planned.keepsCalls) result.calls = callsText(run->calls);
+    if (planned.keepsCalls) result.calls = callsText(recorder->sample());
     result.machine = machineName();
     return result;
 }

@@ -90,6 +90,33 @@ void recordObjective(Recorder& recorder, planning::PlanSetup& setup, const Scene
     setup.definition->setOptimizationObjective(recording);
 }
 
+/// Puts recording decorators in place of the setup's checker, certified validator and clearance objective.
+/// The decorators answer as the originals do. They derive from the originals' classes, because planners and
+/// samplers cast to these classes.
+void recordInto(Recorder& recorder, planning::PlanSetup& setup, const Scene& scene,
+                const std::function<bool()>& isOver) {
+    setup.si->setStateValidityChecker(std::make_shared<RecordingChecker>(recorder, setup.si, setup.checker));
+    if (setup.certified) {
+        planning::MotionOptions options;
+        options.leastInterval = setup.certified->leastInterval();
+        options.isStopped = isOver;
+        setup.certified = std::make_shared<RecordingValidator>(recorder, setup.si, scene, options);
+        setup.si->setMotionValidator(setup.certified);
+    }
+    recordObjective<planning::MinClearanceObjective>(recorder, setup, scene);
+    recordObjective<planning::ClearanceIntegralObjective>(recorder, setup, scene);
+    recordObjective<planning::LengthWithClearanceObjective>(recorder, setup, scene);
+}
+
+void measureCalls(const Recorder& recorder, RunMeasures& measures) {
+    static_cast<Work&>(measures) = Work(recorder.tally());
+    measures.motionChecks = recorder.calls(CallKind::kMotion) + recorder.calls(CallKind::kForwardMotion);
+    measures.motionCosts = recorder.calls(CallKind::kMotionCost);
+    measures.querySeconds = recorder.seconds();
+    const double seconds = measures.seconds.value_or(0);
+    measures.queryShare = seconds > 0 ? recorder.seconds() / seconds : 0;
+}
+
 }  // namespace
 
 Recorder::Recorder(const ob::StateSpacePtr& space, const CallSampling& sampling)
@@ -142,19 +169,19 @@ std::vector<CallBlock> Recorder::sample() const {
     return blocks;
 }
 
-void recordInto(Recorder& recorder, planning::PlanSetup& setup, const Scene& scene,
-                const std::function<bool()>& isOver) {
-    setup.si->setStateValidityChecker(std::make_shared<RecordingChecker>(recorder, setup.si, setup.checker));
-    if (setup.certified) {
-        planning::MotionOptions options;
-        options.leastInterval = setup.certified->leastInterval();
-        options.isStopped = isOver;
-        setup.certified = std::make_shared<RecordingValidator>(recorder, setup.si, scene, options);
-        setup.si->setMotionValidator(setup.certified);
-    }
-    recordObjective<planning::MinClearanceObjective>(recorder, setup, scene);
-    recordObjective<planning::ClearanceIntegralObjective>(recorder, setup, scene);
-    recordObjective<planning::LengthWithClearanceObjective>(recorder, setup, scene);
+CallWatch recordingInto(std::optional<Recorder>& recorder, const Scene& scene, const CallSampling& sampling) {
+    CallWatch watch;
+    watch.join = [&recorder, &scene, sampling](planning::PlanSetup& setup,
+                                               const std::function<bool()>& isOver) {
+        recorder.emplace(setup.si->getStateSpace(), sampling);
+        recordInto(*recorder, setup, scene, isOver);
+    };
+    watch.begin = [&recorder] { recorder->begin(); };
+    watch.end = [&recorder](RunMeasures& measures) {
+        recorder->end();
+        measureCalls(*recorder, measures);
+    };
+    return watch;
 }
 
 }  // namespace clearway::study

@@ -5,16 +5,16 @@
 #include <ompl/base/StateSpace.h>
 
 #include <cstdint>
-#include <functional>
+#include <optional>
 #include <random>
 #include <thread>
 #include <vector>
 
-#include "clearway/planning/plan_setup.h"
 #include "clearway/scene.h"
 #include "clearway/scene_clearance.h"
 #include "core/clock.h"
 #include "program/study/calls.h"
+#include "program/study/planner_run.h"
 
 namespace clearway::study {
 
@@ -79,11 +79,8 @@ class Recorder {
     QueryTally tally_;
 };
 
-/// Puts recording decorators in place of the setup's checker, certified validator and clearance objective.
-/// The decorators answer as the originals do. They derive from the originals' classes, because planners and
-/// samplers cast to these classes. Must be called before the setup's planners are made. The recorder must
-/// outlive the setup. isOver: as in makePlanSetup.
-void recordInto(Recorder& recorder, planning::PlanSetup& setup, const Scene& scene,
-                const std::function<bool()>& isOver);
+/// For RunLimits: makes the recorder, which counts, times and samples the calls of a run in this scene. Recorder and scene
+/// must outlive the run.
+CallWatch recordingInto(std::optional<Recorder>& recorder, const Scene& scene, const CallSampling& sampling);
 
 }  // namespace clearway::study

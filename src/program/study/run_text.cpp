@@ -7,23 +7,6 @@
 namespace clearway::study {
 namespace {
 
-using Text = nlohmann::json;  // numbers are doubles, unlike those of core/json.h
-
-/// On one line. Bytes that are not UTF-8, from names of files, are replaced.
-std::string jsonLine(const Text& json) {
-    return json.dump(-1, ' ', false, Text::error_handler_t::replace) + "\n";
-}
-
-/// Calls `read` with the JSON. Whatever it misses there makes the text that of no run.
-template <class Read>
-auto readWith(const std::string& text, const std::string& of, const Read& read) {
-    try {
-        return read(Text::parse(text));
-    } catch (const Text::exception& error) {
-        throw std::runtime_error("what the process of " + of + " printed is no run: " + error.what());
-    }
-}
-
 Text toText(const PartState& state) {
     const auto& p = state.position;
     const auto& q = state.rotation.coeffs();
@@ -40,6 +23,18 @@ PartState stateIn(const Text& json) {
 
 }  // namespace
 
+std::string jsonLine(const Text& json) {
+    return json.dump(-1, ' ', false, Text::error_handler_t::replace) + "\n";
+}
+
+void readWith(const std::string& text, const std::string& of, const std::function<void(const Text&)>& read) {
+    try {
+        read(Text::parse(text));
+    } catch (const Text::exception& error) {
+        throw std::runtime_error("what the process of " + of + " printed is no run: " + error.what());
+    }
+}
+
 std::string textOf(const ToldRun& told) {
     const BenchmarkRun& run = told.run;
     Text json = {{"properties", run.properties}, {"progress", run.progress}, {"solved", run.isSolved},
@@ -49,37 +44,16 @@ std::string textOf(const ToldRun& told) {
 }
 
 ToldRun readToldRun(const std::string& text, const std::string& of) {
-    return readWith(text, of, [](const Text& json) {
-        ToldRun told;
+    ToldRun told;
+    readWith(text, of, [&](const Text& json) {
         told.run.properties = json.at("properties").get<Properties>();
         told.run.progress = json.at("progress").get<std::vector<Properties>>();
         told.run.isSolved = json.at("solved").get<bool>();
         told.run.length = json.at("length").get<double>();
         for (const Text& state : json.at("path")) told.run.path.push_back(stateIn(state));
         told.warnings = json.at("warnings").get<std::vector<std::string>>();
-        return told;
     });
-}
-
-std::string textOf(const StudyRun& run) {
-    Text json = {
-        {"row", cellsOf(runColumns(), run.row)}, {"machine", run.machine}, {"warnings", run.warnings}};
-    if (run.calls) json["calls"] = *run.calls;
-    return jsonLine(json);
-}
-
-StudyRun readStudyRun(const std::string& text, const std::string& of) {
-    return readWith(text, of, [&](const Text& json) {
-        StudyRun run;
-        const Columns<RunRow> columns = runColumns();
-        const Cells cells = json.at("row").get<Cells>();
-        if (cells.size() != columns.size() || readCells(columns, cells, run.row) < columns.size())
-            throw std::runtime_error("what the process of " + of + " printed is no row of runs.csv");
-        run.machine = json.at("machine").get<std::string>();
-        if (json.contains("calls")) run.calls = json["calls"].get<std::string>();
-        run.warnings = json.at("warnings").get<std::vector<std::string>>();
-        return run;
-    });
+    return told;
 }
 
 }  // namespace clearway::study

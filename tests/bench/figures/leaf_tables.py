@@ -1,4 +1,4 @@
-"""The tables of `clearway bench --study leaf-strategies`: docs/leaf_strategies_tables.md, and `report --study` for a user's own study.
+"""The tables of `clearway-study`: docs/leaf_strategies_tables.md, and `report --study` for a user's own study.
 
 Each scene may have its own folder.
 """

@@ -32,8 +32,8 @@ class Place:
         """The first words of a command that runs a benchmark."""
         return self.test_program("benchmarks"), name
 
-    def program(self):
-        return self.build / "bin/clearway"
+    def program(self, name="clearway"):
+        return self.build / "bin" / name
 
     def pinned(self, *command):
         """For programs that do not pin themselves."""
@@ -47,7 +47,7 @@ class Place:
             temporary = pathlib.Path(f"{folder}.part")
             shutil.rmtree(temporary, ignore_errors=True)
             temporary.parent.mkdir(parents=True, exist_ok=True)
-            self.run([self.program(), "scene", scene, *options, "--no-preview", "--out", temporary])
+            self.run([self.program("clearway-scene"), scene, *options, "--no-preview", "--out", temporary])
             temporary.rename(folder)
         return folder
 

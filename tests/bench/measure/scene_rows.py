@@ -31,7 +31,7 @@ def commands(place, row):
     """Makes the scene; the queries follow in `table`, because they need the names of its files."""
     scene, clearance = ROWS[row]
     more = ["--clearance", clearance] if clearance is not None else []
-    return [[place.program(), "scene", scene, *more, "--no-preview", "--out", place.scratch / "scene"]]
+    return [[place.program("clearway-scene"), scene, *more, "--no-preview", "--out", place.scratch / "scene"]]
 
 
 def facts_of(problem):

@@ -173,8 +173,8 @@ BOOST_AUTO_TEST_CASE(lengths_carry_the_unit_that_the_problem_states) {
 
 BOOST_AUTO_TEST_CASE(facts_of_other_subcommands_are_json_too) {
     const MeshFolder folder;
-    const auto factsOf = [&](const std::string& words) {
-        const Outcome told = runIn(folder, words + " --json -");
+    const auto factsOf = [&](const std::string& words, const std::string& program = kProgram) {
+        const Outcome told = runIn(folder, words + " --json -", program);
         BOOST_TEST(told.code == 0, told.err);
         return nlohmann::json::parse(told.out);
     };
@@ -191,8 +191,8 @@ BOOST_AUTO_TEST_CASE(facts_of_other_subcommands_are_json_too) {
     const auto drawn = factsOf("render p.cfg --out p.png --size 32x24 --samples 1");
     BOOST_TEST(drawn["poses"][0]["valid"].get<bool>());
     BOOST_TEST(drawn["picture"] == "p.png");
-    const auto scene =
-        factsOf("scene puzzle --out s --no-preview --part-triangles 500 --environment-triangles 500");
+    const auto scene = factsOf("puzzle --out s --no-preview --part-triangles 500 --environment-triangles 500",
+                               kSceneProgram);
     BOOST_TEST(scene["least_clearance"].get<double>() > 0);
     const auto bench = factsOf("bench p.cfg --runs 1 --time 5 --planner RRTConnect --log b.log");
     BOOST_TEST(bench["planners"][0]["runs"].size() == 1u);
@@ -208,8 +208,9 @@ BOOST_AUTO_TEST_CASE(words_that_are_nearly_right_are_told) {
     BOOST_TEST(runIn(folder, "check --man").out.find(".TH CLEARWAY-CHECK 1") == 0u);
     BOOST_TEST(runIn(folder, "--man").out.find(".TH CLEARWAY 1") == 0u);
     BOOST_TEST(runIn(folder, "--man").out.find("\n.B clearway plan\n") != std::string::npos);
-    BOOST_TEST(runIn(folder, "--completion").out.find("complete -o default -F _clearway clearway") !=
-               std::string::npos);
+    BOOST_TEST(
+        runIn(folder, "--completion").out.find("complete -o default -F _clearway clearway clearway-scene") !=
+        std::string::npos);
 }
 
 }  // namespace

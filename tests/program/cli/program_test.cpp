@@ -69,7 +69,24 @@ BOOST_AUTO_TEST_CASE(an_empty_argument_is_refused_by_its_name_in_the_usage) {
     requireRefused(folder, "info ''", {"clearway: MESH|PROBLEM.cfg is '', expected: clearway info"});
     requireRefused(folder, "plan '' --path out.path",
                    {"clearway: PROBLEM.cfg is '', expected: clearway plan"});
-    requireRefused(folder, "scene '' --out out", {"clearway: NAME is '', expected: clearway scene"});
+}
+
+BOOST_AUTO_TEST_CASE(scenes_and_the_study_are_programs_of_their_own) {
+    const TemporaryFolder folder;
+    requireRefused(folder, "scene tunnel-console --out out",
+                   {"scene is a program of its own: clearway-scene"});
+    for (const char* option : {"--study leaf-strategies", "--study=leaf-strategies", "--study --help"})
+        requireRefused(folder, std::string("bench ") + option,
+                       {"--study is a program of its own: clearway-study"});
+    for (const std::string program : {kSceneProgram, kStudyProgram}) {
+        const std::string name = program.substr(program.rfind('/') + 1);
+        BOOST_TEST(runIn(folder, "--version", program).out.find(name + " ") == 0u);
+        BOOST_TEST(runIn(folder, "--help", program).out.find("Usage: " + name + " ") == 0u);
+        BOOST_TEST(runIn(folder, "--man", program).out.find(".TH CLEARWAY-S") == 0u);
+        setenv("CLEARWAY_TARGET", "avx9", 1);
+        requireRefused(folder, "", {"CLEARWAY_TARGET is 'avx9'"}, program);
+        unsetenv("CLEARWAY_TARGET");
+    }
 }
 
 BOOST_AUTO_TEST_CASE(output_that_cannot_be_written_is_an_error) {

@@ -1,4 +1,4 @@
-"""`clearway bench` under mpirun: a killed run, a killed rank, and the same command again.
+"""`clearway bench` and `clearway-study` under mpirun: a killed run, a killed rank, and the same command again.
 
     ranks_test.py PROGRAM DATA [MPIEXEC]
 Without MPIEXEC the program was built without MPI, and must say so.
@@ -32,7 +32,8 @@ def require(condition, message):
 
 
 def ranked(words):
-    return [MPIEXEC, "-n", "4", PROGRAM, "bench", *words]
+    """words: a command of clearway's, or those of clearway-study."""
+    return [MPIEXEC, "-n", "4", PROGRAM if words[0] == "bench" else PROGRAM + "-study", *words]
 
 
 def run(words, folder, **more):
@@ -51,7 +52,8 @@ def process_of_run(words, number):
             line = (process / "cmdline").read_bytes().split(b"\0")[1:-1]
         except OSError:
             continue  # it has ended
-        if [word.decode() for word in line] == ["bench", "--one-run", str(number), *words]:
+        command = [word for word in words if word == "bench"]
+        if [word.decode() for word in line] == [*command, "--one-run", str(number), *words[len(command) :]]:
             found.append(int(process.name))
     return found
 
@@ -106,9 +108,9 @@ def times(runs):
 def check_benchmark(folder):
     shutil.copytree(f"{DATA}/window", folder / "window")
     # RRTConnect ends with its first path. RRTstar uses up its iterations, so that there is time to kill it. Its run is the last.
-    words = ["window/window.cfg", "--planner", "RRTConnect", "--planner", "RRTstar", "--runs", "3", "--iterations", "2000"]
+    words = ["bench", "window/window.cfg", "--planner", "RRTConnect", "--planner", "RRTstar", "--runs", "3", "--iterations", "2000"]
     words += ["--no-simplify", "--log"]
-    alone = run([PROGRAM, "bench", *words, "alone.log"], folder)
+    alone = run([PROGRAM, *words, "alone.log"], folder)
     require(alone.returncode == 0, "one process: " + show(alone))
     expected = read_log(folder / "alone.log")
     require([len(runs) for runs in expected.values()] == [3, 3], f"one process ran {expected}")
@@ -144,7 +146,7 @@ def check_benchmark(folder):
 
 def check_interrupt(folder):
     """SIGTERM at mpirun leaves a log of the runs that ended."""
-    words = ["window/window.cfg", "--planner", "RRTConnect", "--planner", "RRTstar", "--runs", "2", "--time", "200"]
+    words = ["bench", "window/window.cfg", "--planner", "RRTConnect", "--planner", "RRTstar", "--runs", "2", "--time", "200"]
     words += ["--log", "stopped.log"]
     patient = dict(ENVIRONMENT, OMPI_MCA_odls_base_sigkill_timeout="3")  # seconds after SIGTERM, also on a busy machine
     started = subprocess.Popen(ranked(words), cwd=folder, env=patient, stdout=subprocess.PIPE, text=True)
@@ -163,7 +165,7 @@ def rows_of(table):
 
 
 def check_study(folder):
-    words = ["--study", "leaf-strategies", "window/window.cfg", "--short", "--planner", "RRTConnect", "--planner", "RRTstar"]
+    words = ["window/window.cfg", "--short", "--planner", "RRTConnect", "--planner", "RRTstar"]
     words += ["--seeds", "1", "--general-split", "sah", "--leaf-split", "none", "--leaf-split", "all", "--time", "1"]
     words += ["--out", "study"]
     killed = kill_during(words, folder, 3, "run")
@@ -179,9 +181,9 @@ def check_study(folder):
 
 
 def check_refusals(folder):
-    wrong = run(ranked(["window/window.cfg", "--runs", "0"]), folder)
+    wrong = run(ranked(["bench", "window/window.cfg", "--runs", "0"]), folder)
     require(wrong.returncode == 2 and wrong.stderr.count("--runs is '0'") == 1, "a wrong option: " + show(wrong))
-    shown = run(ranked(["--help"]), folder)
+    shown = run(ranked(["bench", "--help"]), folder)
     require(shown.returncode == 0 and shown.stdout.count("Usage:") == 1, "--help: " + show(shown))
 
 

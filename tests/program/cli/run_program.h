@@ -1,4 +1,4 @@
-// Runs the clearway program in a folder and catches what it prints.
+// Runs the program clearway, or another one, in a folder and catches what it prints.
 #pragma once
 
 #include <sys/wait.h>
@@ -14,6 +14,10 @@
 
 namespace clearway::testing {
 
+constexpr const char* kProgram = CLEARWAY_PROGRAM;
+constexpr const char* kSceneProgram = CLEARWAY_PROGRAM "-scene";
+constexpr const char* kStudyProgram = CLEARWAY_PROGRAM "-study";
+
 struct Outcome {
     int code = -1;  ///< exit code; -1 when the program did not end by itself
     std::string out;
@@ -21,10 +25,11 @@ struct Outcome {
 };
 
 /// Runs the program in the folder. arguments: as a shell takes them; may redirect standard output.
-inline Outcome runIn(const TemporaryFolder& folder, const std::string& arguments) {
+inline Outcome runIn(const TemporaryFolder& folder, const std::string& arguments,
+                     const std::string& program = kProgram) {
     const TemporaryFolder caught;
-    const std::string command = "cd '" + folder.path() + "' && " CLEARWAY_PROGRAM " 2> '" +
-                                caught.file("err") + "' > '" + caught.file("out") + "' " + arguments;
+    const std::string command = "cd '" + folder.path() + "' && " + program + " 2> '" + caught.file("err") +
+                                "' > '" + caught.file("out") + "' " + arguments;
     const int status = std::system(command.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, readText(caught.file("out")),
             readText(caught.file("err"))};
@@ -32,7 +37,8 @@ inline Outcome runIn(const TemporaryFolder& folder, const std::string& arguments
 
 /// Runs the program until it is sent SIGINT, after more and more time: on a busy machine it may still be
 /// starting. The signal is sent once: a second one would end the program at once.
-inline Outcome interruptIn(const TemporaryFolder& folder, const std::string& arguments) {
+inline Outcome interruptIn(const TemporaryFolder& folder, const std::string& arguments,
+                           const std::string& program = kProgram) {
     constexpr int kEndedBySignal = 128 + SIGINT;
     const TemporaryFolder caught;
     Outcome outcome;
@@ -40,7 +46,7 @@ inline Outcome interruptIn(const TemporaryFolder& folder, const std::string& arg
     for (int seconds = 1; outcome.code == kEndedBySignal && seconds < 100; seconds *= 2) {
         const std::string command = "cd '" + folder.path() +
                                     "' && timeout --foreground --preserve-status -s INT " +
-                                    std::to_string(seconds) + " " CLEARWAY_PROGRAM " " + arguments + " > '" +
+                                    std::to_string(seconds) + " " + program + " " + arguments + " > '" +
                                     caught.file("out") + "' 2> '" + caught.file("err") + "'";
         const int status = std::system(command.c_str());
         outcome = {WIFEXITED(status) ? WEXITSTATUS(status) : -1, readText(caught.file("out")),
@@ -61,9 +67,9 @@ inline std::string row(const Outcome& outcome, const std::string& label) {
 /// Checks that bad input or usage gives exit code 2 and exactly one line on stderr that holds all the words,
 /// and neither adds nor removes a file.
 inline void requireRefused(const TemporaryFolder& folder, const std::string& arguments,
-                           const std::vector<std::string>& words) {
+                           const std::vector<std::string>& words, const std::string& program = kProgram) {
     const std::vector<std::string> before = folder.names();
-    const Outcome outcome = runIn(folder, arguments);
+    const Outcome outcome = runIn(folder, arguments, program);
     BOOST_TEST(outcome.code == 2, "exit code " << outcome.code << " of: " << arguments);
     BOOST_TEST(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1,
                arguments << " said: " << outcome.err);

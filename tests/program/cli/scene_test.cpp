@@ -13,7 +13,11 @@ BOOST_AUTO_TEST_SUITE(scene_test)
 namespace {
 
 constexpr const char* kScene =
-    "scene tunnel-console-3 --seed 3 --part-triangles 15000 --environment-triangles 50000 --clearance 10 ";
+    "tunnel-console-3 --seed 3 --part-triangles 15000 --environment-triangles 50000 --clearance 10 ";
+
+Outcome runScene(const TemporaryFolder& folder, const std::string& arguments) {
+    return runIn(folder, arguments, kSceneProgram);
+}
 
 /// The name of the file with which a row begins.
 std::string fileOf(const Outcome& outcome, const std::string& label) {
@@ -43,7 +47,7 @@ void requireSameState(const PartState& a, const PartState& b) {
 
 BOOST_AUTO_TEST_CASE(a_scene_is_written_with_a_path_from_its_start_to_its_goal_that_keeps_the_clearance) {
     const TemporaryFolder folder;
-    const Outcome made = runIn(folder, kScene + std::string("--out made"));
+    const Outcome made = runScene(folder, kScene + std::string("--out made"));
     BOOST_TEST_REQUIRE(made.code == 0, made.err);
     BOOST_TEST(made.err == "");
     std::set<std::string> written;
@@ -74,7 +78,7 @@ BOOST_AUTO_TEST_CASE(a_scene_is_written_with_a_path_from_its_start_to_its_goal_t
 
 BOOST_AUTO_TEST_CASE(what_is_said_of_the_path_and_of_the_poses_holds) {
     const TemporaryFolder folder;
-    const Outcome made = runIn(folder, kScene + std::string("--no-preview --out made"));
+    const Outcome made = runScene(folder, kScene + std::string("--no-preview --out made"));
     BOOST_TEST_REQUIRE(made.code == 0, made.err);
     BOOST_TEST(made.out.find("preview") == std::string::npos);
     const std::string problem = folder.file(fileOf(made, "problem")),
@@ -105,10 +109,10 @@ BOOST_AUTO_TEST_CASE(what_is_said_of_the_path_and_of_the_poses_holds) {
 
 BOOST_AUTO_TEST_CASE(the_same_options_make_the_same_files_and_another_seed_others) {
     const TemporaryFolder folder;
-    const std::string sizes = "scene puzzle-2 --seed ";
-    BOOST_TEST_REQUIRE(runIn(folder, sizes + "5 --no-preview --out a").code == 0);
-    BOOST_TEST_REQUIRE(runIn(folder, sizes + "5 --no-preview --out b").code == 0);
-    BOOST_TEST_REQUIRE(runIn(folder, sizes + "6 --no-preview --out c").code == 0);
+    const std::string sizes = "puzzle-2 --seed ";
+    BOOST_TEST_REQUIRE(runScene(folder, sizes + "5 --no-preview --out a").code == 0);
+    BOOST_TEST_REQUIRE(runScene(folder, sizes + "5 --no-preview --out b").code == 0);
+    BOOST_TEST_REQUIRE(runScene(folder, sizes + "6 --no-preview --out c").code == 0);
     int different = 0;
     for (const std::string& name : namesIn(folder.file("a"))) {
         BOOST_TEST(readText(folder.file("a/" + name)) == readText(folder.file("b/" + name)), name);
@@ -120,12 +124,12 @@ BOOST_AUTO_TEST_CASE(the_same_options_make_the_same_files_and_another_seed_other
 BOOST_AUTO_TEST_CASE(the_command_that_the_files_state_makes_them_again) {
     const TemporaryFolder folder;
     BOOST_TEST_REQUIRE(
-        runIn(folder, "scene puzzle-2 --seed 3 --clearance 4.1234567890123 --no-preview --out a").code == 0);
+        runScene(folder, "puzzle-2 --seed 3 --clearance 4.1234567890123 --no-preview --out a").code == 0);
     std::istringstream problem(readText(folder.file("a/puzzle.cfg")));
     std::string line;
-    const std::string begin = "# clearway ";
+    const std::string begin = "# clearway-scene ";
     while (line.rfind(begin, 0) != 0) BOOST_TEST_REQUIRE(!std::getline(problem, line).fail());
-    const Outcome again = runIn(folder, line.substr(begin.size()) + " --no-preview --out b");
+    const Outcome again = runScene(folder, line.substr(begin.size()) + " --no-preview --out b");
     BOOST_TEST_REQUIRE(again.code == 0, again.err);
     for (const std::string& name : namesIn(folder.file("a")))
         BOOST_TEST(readText(folder.file("a/" + name)) == readText(folder.file("b/" + name)), name);
@@ -134,28 +138,29 @@ BOOST_AUTO_TEST_CASE(the_command_that_the_files_state_makes_them_again) {
 BOOST_AUTO_TEST_CASE(what_else_is_in_the_folder_stays_as_it_is) {
     const TemporaryFolder folder;
     folder.write("notes.txt", "mine");
-    const Outcome made = runIn(folder, kScene + std::string("--no-preview --out ."));
+    const Outcome made = runScene(folder, kScene + std::string("--no-preview --out ."));
     BOOST_TEST_REQUIRE(made.code == 0, made.err);
     BOOST_TEST(readText(folder.file("notes.txt")) == "mine");
     BOOST_TEST(folder.names().size() == 6);
-    const Outcome again = runIn(folder, kScene + std::string("--no-preview --out ."));  // over its own files
+    const Outcome again =
+        runScene(folder, kScene + std::string("--no-preview --out ."));  // over its own files
     BOOST_TEST_REQUIRE(again.code == 0, again.err);
     BOOST_TEST(folder.names().size() == 6);
 }
 
 BOOST_AUTO_TEST_CASE(a_picture_of_another_scene_does_not_stay) {
     const TemporaryFolder folder;
-    BOOST_TEST_REQUIRE(runIn(folder, "scene peg-in-hole-1 --out .").code == 0);
+    BOOST_TEST_REQUIRE(runScene(folder, "peg-in-hole-1 --out .").code == 0);
     BOOST_TEST(folder.names().size() == 6);
-    BOOST_TEST_REQUIRE(runIn(folder, "scene peg-in-hole-1 --clearance 2 --no-preview --out .").code == 0);
+    BOOST_TEST_REQUIRE(runScene(folder, "peg-in-hole-1 --clearance 2 --no-preview --out .").code == 0);
     BOOST_TEST(folder.names().size() == 5);
 }
 
 BOOST_AUTO_TEST_CASE(files_that_may_not_grow_are_named_and_leave_no_half_and_no_other_scene) {
     const TemporaryFolder folder;
-    BOOST_TEST_REQUIRE(runIn(folder, "scene peg-in-hole-1 --no-preview --out .").code == 0);
-    const Outcome outcome = runIn(folder, "--version > /dev/null; ulimit -f 60; " CLEARWAY_PROGRAM
-                                          " scene peg-in-hole-1 --clearance 2 --out . 2> said");
+    BOOST_TEST_REQUIRE(runScene(folder, "peg-in-hole-1 --no-preview --out .").code == 0);
+    const Outcome outcome = runScene(folder, "--version > /dev/null; ulimit -f 60; " CLEARWAY_PROGRAM
+                                             "-scene peg-in-hole-1 --clearance 2 --out . 2> said");
     BOOST_TEST(outcome.code == 2);
     const std::string said = readText(folder.file("said"));
     BOOST_TEST(said.find("cannot write './peg-in-hole_part.obj'") != std::string::npos, said);
@@ -165,31 +170,31 @@ BOOST_AUTO_TEST_CASE(files_that_may_not_grow_are_named_and_leave_no_half_and_no_
 BOOST_AUTO_TEST_CASE(wrong_usage_is_refused_and_makes_nothing) {
     const TemporaryFolder folder;
     folder.write("file", "x");
-    requireRefused(folder, "scene", {"NAME is missing", "clearway scene"});
-    requireRefused(folder, "scene tunnel --out made", {"'tunnel'", "tunnel-console"});
-    requireRefused(folder, "scene tunnel-console", {"--out is missing"});
-    requireRefused(folder, "scene tunnel-console more --out made", {"'more'"});
-    requireRefused(folder, "scene tunnel-console --out file", {"--out is 'file'", "expected a folder"});
-    requireRefused(folder, "scene tunnel-console --out file/made", {"file/made"});
-    requireRefused(folder, "scene tunnel-console --out made --seed x",
-                   {"--seed is 'x', expected an integer from 0"});
-    requireRefused(folder, "scene tunnel-console --out made --seed -1",
-                   {"--seed is '-1', expected an integer from 0"});
-    requireRefused(folder, "scene tunnel-console --out made --part-triangles 1e3",
-                   {"--part-triangles is '1e3', expected an integer"});
-    requireRefused(folder, "scene tunnel-console --out made --part-triangles 10", {"10", "expected"});
-    requireRefused(folder, "scene tunnel-console --out made --environment-triangles 10", {"10", "expected"});
-    requireRefused(folder, "scene tunnel-console --out made --clearance 0",
-                   {"--clearance is '0', expected a number above 0"});
-    requireRefused(folder, "scene tunnel-console --out made --clearance nan",
-                   {"--clearance is 'nan', expected a number"});
-    requireRefused(folder, "scene tunnel-console --out made --clearance 1000", {"1000", "expected"});
-    requireRefused(folder, "scene tunnel-console --out made --colour red", {"--colour"});
+    const auto refused = [&](const std::string& arguments, const std::vector<std::string>& words) {
+        requireRefused(folder, arguments, words, kSceneProgram);
+    };
+    refused("", {"NAME is missing", "clearway-scene"});
+    refused("'' --out out", {"clearway: NAME is '', expected: clearway-scene"});
+    refused("tunnel --out made", {"'tunnel'", "tunnel-console"});
+    refused("tunnel-console", {"--out is missing"});
+    refused("tunnel-console more --out made", {"'more'"});
+    refused("tunnel-console --out file", {"--out is 'file'", "expected a folder"});
+    refused("tunnel-console --out file/made", {"file/made"});
+    refused("tunnel-console --out made --seed x", {"--seed is 'x', expected an integer from 0"});
+    refused("tunnel-console --out made --seed -1", {"--seed is '-1', expected an integer from 0"});
+    refused("tunnel-console --out made --part-triangles 1e3",
+            {"--part-triangles is '1e3', expected an integer"});
+    refused("tunnel-console --out made --part-triangles 10", {"10", "expected"});
+    refused("tunnel-console --out made --environment-triangles 10", {"10", "expected"});
+    refused("tunnel-console --out made --clearance 0", {"--clearance is '0', expected a number above 0"});
+    refused("tunnel-console --out made --clearance nan", {"--clearance is 'nan', expected a number"});
+    refused("tunnel-console --out made --clearance 1000", {"1000", "expected"});
+    refused("tunnel-console --out made --colour red", {"--colour"});
 }
 
 BOOST_AUTO_TEST_CASE(an_interrupt_leaves_no_part_of_a_scene) {
     const TemporaryFolder folder;
-    const Outcome outcome = interruptIn(folder, "scene tunnel-console-3 --out made");
+    const Outcome outcome = interruptIn(folder, "tunnel-console-3 --out made", kSceneProgram);
     BOOST_TEST(outcome.code == 1, outcome.err);
     BOOST_TEST(outcome.err == "");
     BOOST_TEST(row(outcome, "scene") == "none, interrupted");

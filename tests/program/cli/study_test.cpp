@@ -17,8 +17,12 @@ namespace {
 
 /// Eight runs: two planners, two strategies, two seeds. RRTstar takes all of its time.
 constexpr const char* kStudy =
-    "bench --study leaf-strategies window.cfg --short --time 0.3 --planner RRTConnect --planner rrtstar "
+    "window.cfg --short --time 0.3 --planner RRTConnect --planner rrtstar "
     "--general-split sah --leaf-split none --leaf-split all";
+
+Outcome runStudy(const TemporaryFolder& folder, const std::string& arguments) {
+    return runIn(folder, arguments, kStudyProgram);
+}
 
 struct StudyFolder : TemporaryFolder {
     StudyFolder() {
@@ -87,16 +91,16 @@ void overwrite(const std::string& file, const std::string& text) {
 /// Ends the study by the signal when this many runs are in its table.
 Outcome runAndEnd(const StudyFolder& folder, const char* signal, int runs) {
     const std::string countLines = "$(cat '" + folder.file("study/runs.csv") + "' 2>/dev/null | wc -l)";
-    return runIn(folder, std::string(kStudy) + " --out study & program=$!; while [ " + countLines + " -le " +
-                             std::to_string(runs) + " ]; do sleep 0.02; done; kill -" + signal +
-                             " $program; wait $program");
+    return runStudy(folder, std::string(kStudy) + " --out study & program=$!; while [ " + countLines +
+                                " -le " + std::to_string(runs) + " ]; do sleep 0.02; done; kill -" + signal +
+                                " $program; wait $program");
 }
 
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(a_study_that_was_stopped_or_killed_goes_on_without_losing_or_repeating_runs) {
     const StudyFolder whole, stopped;
-    BOOST_TEST_REQUIRE(runIn(whole, std::string(kStudy) + " --out study").code == 0);
+    BOOST_TEST_REQUIRE(runStudy(whole, std::string(kStudy) + " --out study").code == 0);
     const Rows expected = readRows(whole.file("study/runs.csv"));
     BOOST_TEST_REQUIRE(expected.size() == 8u);
 
@@ -114,7 +118,7 @@ BOOST_AUTO_TEST_CASE(a_study_that_was_stopped_or_killed_goes_on_without_losing_o
         std::ofstream cut(stopped.file("study/runs.csv"), std::ios::app);
         cut << "window,RRTConnect,sah,all";
     }
-    const Outcome last = runIn(stopped, std::string(kStudy) + " --out study");
+    const Outcome last = runStudy(stopped, std::string(kStudy) + " --out study");
     BOOST_TEST(last.code == 0, last.err);
     BOOST_TEST(readText(stopped.file("study/runs.csv")).find(second) == 0u);
     const Rows rows = readRows(stopped.file("study/runs.csv"));
@@ -131,7 +135,7 @@ BOOST_AUTO_TEST_CASE(a_study_that_was_stopped_or_killed_goes_on_without_losing_o
         const std::string text = readText(stopped.file(table));
         const std::size_t cut = text.rfind('\n', text.size() - 2) + 1;
         overwrite(stopped.file(table), text.substr(0, cut));
-        BOOST_TEST(runIn(stopped, std::string(kStudy) + " --out study").code == 0);
+        BOOST_TEST(runStudy(stopped, std::string(kStudy) + " --out study").code == 0);
         const std::string again = readText(stopped.file(table));
         BOOST_TEST(std::count(again.begin(), again.end(), '\n') ==
                    std::count(text.begin(), text.end(), '\n'));
@@ -140,7 +144,7 @@ BOOST_AUTO_TEST_CASE(a_study_that_was_stopped_or_killed_goes_on_without_losing_o
 
     const std::string before =
         readText(stopped.file("study/replay.csv")) + readText(stopped.file("study/runs.csv"));
-    BOOST_TEST(runIn(stopped, std::string(kStudy) + " --out study").code == 0);
+    BOOST_TEST(runStudy(stopped, std::string(kStudy) + " --out study").code == 0);
     BOOST_TEST(readText(stopped.file("study/replay.csv")) + readText(stopped.file("study/runs.csv")) ==
                before);
 }
@@ -148,19 +152,19 @@ BOOST_AUTO_TEST_CASE(a_study_that_was_stopped_or_killed_goes_on_without_losing_o
 BOOST_AUTO_TEST_CASE(a_run_that_is_there_twice_is_refused) {
     const StudyFolder folder;
     const std::string command =
-        "bench --study leaf-strategies window.cfg --short --planner RRTConnect --seeds 1 --time 2 "
+        "window.cfg --short --planner RRTConnect --seeds 1 --time 2 "
         "--general-split sah --leaf-split none --leaf-split all --out study";
-    BOOST_TEST_REQUIRE(runIn(folder, command).code == 0);
+    BOOST_TEST_REQUIRE(runStudy(folder, command).code == 0);
     const std::string runs = readText(folder.file("study/runs.csv"));
     overwrite(folder.file("study/runs.csv"), runs + runs.substr(runs.rfind('\n', runs.size() - 2) + 1));
-    const Outcome twice = runIn(folder, command);
+    const Outcome twice = runStudy(folder, command);
     BOOST_TEST(twice.code == 2);
     BOOST_TEST(twice.err.find("RRTConnect sah/all seed 1 in window twice") != std::string::npos, twice.err);
 }
 
 BOOST_AUTO_TEST_CASE(a_study_leaves_tables_and_logs_with_the_strategy_as_parameter) {
     const StudyFolder folder;
-    const Outcome outcome = runIn(folder, std::string(kStudy) + " --out study");
+    const Outcome outcome = runStudy(folder, std::string(kStudy) + " --out study");
     BOOST_TEST_REQUIRE(outcome.code == 0, outcome.err);
     for (const char* words :
          {"cost of the answers", "seconds of the same calls, replayed", "the thesis's claims",
@@ -194,29 +198,29 @@ BOOST_AUTO_TEST_CASE(a_study_leaves_tables_and_logs_with_the_strategy_as_paramet
 BOOST_AUTO_TEST_CASE(other_options_than_those_of_the_folder_are_refused) {
     const StudyFolder folder;
     const std::string command =
-        "bench --study leaf-strategies window.cfg --short --planner RRTConnect --seeds 1 --time 2 "
+        "window.cfg --short --planner RRTConnect --seeds 1 --time 2 "
         "--general-split sah --leaf-split none --leaf-split all --out study";
-    BOOST_TEST_REQUIRE(runIn(folder, command).code == 0);
+    BOOST_TEST_REQUIRE(runStudy(folder, command).code == 0);
     const auto other = [&](std::string text, const std::string& from, const std::string& to) {
         return text.replace(text.find(from), from.size(), to);
     };
-    requireRefused(folder, other(command, "--time 2", "--time 3"),
-                   {"seconds '2', not '3'", "another folder"});
-    requireRefused(folder, other(command, "--seeds 1", "--seeds 2"), {"seeds '1', not '2'"});
+    requireRefused(folder, other(command, "--time 2", "--time 3"), {"seconds '2', not '3'", "another folder"},
+                   kStudyProgram);
+    requireRefused(folder, other(command, "--seeds 1", "--seeds 2"), {"seeds '1', not '2'"}, kStudyProgram);
     requireRefused(folder, other(command, "split none --leaf-split all", "split none --leaf-split edge"),
-                   {"leaf splits 'none all', not 'none edge'"});
+                   {"leaf splits 'none all', not 'none edge'"}, kStudyProgram);
     Problem problem = readProblem(folder.file("window.cfg"));
     std::filesystem::rename(folder.file("plate.obj"), folder.file("moved.obj"));
     problem.robot = folder.file("moved.obj");
     writeProblem(problem, folder.file("window.cfg"));
-    BOOST_TEST(runIn(folder, command).code == 0, "the same scene in another file is taken for another");
+    BOOST_TEST(runStudy(folder, command).code == 0, "the same scene in another file is taken for another");
     problem.start.position.x() += 1;
     writeProblem(problem, folder.file("window.cfg"));
-    requireRefused(folder, command, {"scene window"});
+    requireRefused(folder, command, {"scene window"}, kStudyProgram);
     problem.start.position.x() -= 1;
     problem.planners = {{"RRTConnect", {{"range", "7"}}}};
     writeProblem(problem, folder.file("window.cfg"));
-    requireRefused(folder, command, {"scene window"});
+    requireRefused(folder, command, {"scene window"}, kStudyProgram);
 }
 
 /// In the short form the console is a smaller one, which the folder holds as if a stopped study had made it.
@@ -229,10 +233,10 @@ BOOST_AUTO_TEST_CASE(without_a_problem_a_short_study_makes_its_scenes_and_replay
         std::ofstream(kept / "complete") << "tunnel-console.cfg\n";
     }
     const std::string command =
-        "bench --study leaf-strategies --short --seeds 1 --time 0.2 --planner RRTConnect --general-split "
+        "--short --seeds 1 --time 0.2 --planner RRTConnect --general-split "
         "axis "
         "--leaf-split none --leaf-split chain --out study";
-    const Outcome outcome = runIn(folder, command);
+    const Outcome outcome = runStudy(folder, command);
     BOOST_TEST_REQUIRE(outcome.code == 0, outcome.err);
     const bool hasMadeConsole = outcome.out.find("study/scenes/tunnel-console-3") != std::string::npos;
     BOOST_TEST(hasMadeConsole == testing::isFullRun());
@@ -251,20 +255,17 @@ BOOST_AUTO_TEST_CASE(without_a_problem_a_short_study_makes_its_scenes_and_replay
 BOOST_AUTO_TEST_CASE(bad_input_is_one_line_and_exit_code_2) {
     const StudyFolder folder;
     const auto refused = [&](const std::string& arguments, const std::vector<std::string>& words) {
-        requireRefused(folder, "bench --study " + arguments, words);
+        requireRefused(folder, arguments, words, kStudyProgram);
     };
-    refused("leaves window.cfg --out study", {"--study is 'leaves'", "leaf-strategies"});
-    refused("leaf-strategies window.cfg", {"--out is missing"});
-    refused("leaf-strategies none.cfg --out study", {"none.cfg"});
-    refused("leaf-strategies window.cfg --out study --seeds 0", {"--seeds is '0'"});
-    refused("leaf-strategies window.cfg --out study --time 0", {"--time is '0'"});
-    refused("leaf-strategies window.cfg --out study --planner RRTConnect:speed",
-            {"unknown objective 'speed'"});
-    refused("leaf-strategies window.cfg --out study --planner nonesuch", {"unknown planner 'nonesuch'"});
-    refused("leaf-strategies window.cfg --out study --leaf-split some", {"--leaf-split is 'some'", "chain"});
-    refused("leaf-strategies window.cfg window.cfg --out study", {"two problems are named 'window'"});
-    refused("leaf-strategies window.cfg --out study --leaf-split all",
-            {"one leaf split, expected at least two"});
+    refused("window.cfg", {"--out is missing"});
+    refused("none.cfg --out study", {"none.cfg"});
+    refused("window.cfg --out study --seeds 0", {"--seeds is '0'"});
+    refused("window.cfg --out study --time 0", {"--time is '0'"});
+    refused("window.cfg --out study --planner RRTConnect:speed", {"unknown objective 'speed'"});
+    refused("window.cfg --out study --planner nonesuch", {"unknown planner 'nonesuch'"});
+    refused("window.cfg --out study --leaf-split some", {"--leaf-split is 'some'", "chain"});
+    refused("window.cfg window.cfg --out study", {"two problems are named 'window'"});
+    refused("window.cfg --out study --leaf-split all", {"one leaf split, expected at least two"});
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -376,7 +376,7 @@ def main():
             return
         for name, part, environment in (("tunnel-console", 73425, 300401), ("large-environment", 120000, 1700000)):
             scene = os.path.join(folder, name)
-            subprocess.run([program, "scene", name, "--out", scene, "--part-triangles", str(part),
+            subprocess.run([program + "-scene", name, "--out", scene, "--part-triangles", str(part),
                             "--environment-triangles", str(environment)], check=True, stdout=subprocess.DEVNULL)
             stem = os.path.join(scene, name)
             testPage(program, stem + ".cfg", stem + ".path", folder)

@@ -19,8 +19,12 @@ namespace {
 
 using testing::windowScene;
 
-BenchmarkRun runTraced(Problem problem, const Scene& scene, const std::string& planner,
-                       const std::string& objective, double seconds) {
+struct TracedRun : BenchmarkRun {
+    std::vector<CallBlock> calls;
+};
+
+TracedRun runTraced(Problem problem, const Scene& scene, const std::string& planner,
+                    const std::string& objective, double seconds) {
     problem.planners = {{planner}};
     planning::PlanOptions options;
     options.threads = 1;
@@ -28,16 +32,18 @@ BenchmarkRun runTraced(Problem problem, const Scene& scene, const std::string& p
     RunLimits limits;
     limits.bytes = std::uint64_t(1) << 40;
     limits.simplify = false;
-    limits.sampling = CallSampling{};
+    std::optional<Recorder> recorder;
+    limits.watch = recordingInto(recorder, scene, {});
     const planning::OmplMessages unheard;
     std::vector<std::string> warnings;
     return testing::withProcessorTime(seconds, [&](double limit) {
         options.seconds = limits.seconds = limit;
-        return runOnce(problem, scene, options, limits, warnings).value();
+        const BenchmarkRun run = runOnce(problem, scene, options, limits, warnings).value();
+        return TracedRun{run, recorder->sample()};
     });
 }
 
-BenchmarkRun runTraced(const std::string& planner, const std::string& objective, double seconds) {
+TracedRun runTraced(const std::string& planner, const std::string& objective, double seconds) {
     const auto window = windowScene();
     return runTraced(window.problem, window.scene, planner, objective, seconds);
 }
@@ -80,7 +86,7 @@ BOOST_AUTO_TEST_CASE(planners_that_improve_tell_of_their_first_and_their_last_so
 BOOST_AUTO_TEST_CASE(recorded_calls_answer_alike_with_all_trees) {
     for (const auto& [planner, objective] :
          {std::pair("RRTConnect", ""), std::pair("KPIECE1", ""), std::pair("BITstar", "max_min_clearance")}) {
-        const BenchmarkRun run = runTraced(planner, objective, 0.5);
+        const TracedRun run = runTraced(planner, objective, 0.5);
         BOOST_TEST_REQUIRE(!run.calls.empty());
         std::set<CallKind> kinds;
         for (const CallBlock& block : run.calls) {

@@ -3,6 +3,7 @@
 #include <boost/test/unit_test.hpp>
 #include <stdexcept>
 
+#include "program/study/study_run_text.h"
 #include "support/window_scene.h"
 
 namespace clearway::study {

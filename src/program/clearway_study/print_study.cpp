@@ -1,4 +1,4 @@
-#include "program/cli/print_study.h"
+#include "program/clearway_study/print_study.h"
 
 #include <algorithm>
 #include <cstdint>

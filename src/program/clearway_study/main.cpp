@@ -1,24 +1,25 @@
-// clearway bench --study: answers one question by planner runs and replays by the hundred.
-#include "program/cli/study.h"
-
+// The program clearway-study: answers one question by planner runs and replays by the hundred.
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
 
 #include "clearway/planning/objectives.h"
 #include "clearway/planning/planners.h"
+#include "clearway/targets.h"
 #include "core/replace_file.h"
 #include "core/text.h"
+#include "program/clearway_scene/record_scene.h"
+#include "program/clearway_study/print_study.h"
 #include "program/cli/bench_ranks.h"
 #include "program/cli/load_guard.h"
 #include "program/cli/print.h"
-#include "program/cli/print_study.h"
-#include "program/cli/scene.h"
+#include "program/cli/program.h"
 #include "program/cli/shared_options.h"
 #include "program/scenes/scenes.h"
 #include "program/study/child_process.h"
-#include "program/study/run_text.h"
+#include "program/study/hand_out.h"
 #include "program/study/study.h"
+#include "program/study/study_run_text.h"
 
 namespace clearway::cli {
 
@@ -66,7 +67,7 @@ bool readArguments(const Arguments& arguments, StudyArguments& given) {
     TreeChoice trees;
     std::vector<study::StudyPlanner> planners;
     std::vector<std::string> generalSplits, leafSplits;
-    CommandLine line("clearway bench --study leaf-strategies [PROBLEM.cfg...] --out DIR [options]",
+    CommandLine line("clearway-study [PROBLEM.cfg...] --out DIR [options]",
                      "Measures how leaf splits change the work of planners: runs planners with every leaf "
                      "split and seed, then\n"
                      "repeats their queries in trees of other splits, leaf sizes, widths and instruction "
@@ -78,12 +79,6 @@ bool readArguments(const Arguments& arguments, StudyArguments& given) {
                      "Under `mpirun -n N` the planners' runs are handed out to N ranks; one rank does the "
                      "rest, which is timed.");
     line.argument("[PROBLEM.cfg...]", appendedTo(given.problems));
-    line.option(
-        "--study NAME", "leaf-strategies",
-        [](const std::string& name) {
-            if (name != "leaf-strategies") throw Expected{"leaf-strategies"};
-        },
-        kRequired);
     line.option("--out DIR", "folder of the study, made if need be", folder(given.folder), kRequired);
     // --short is read before the options below, which then change its values.
     line.option("--short", "small scenes, few and short runs, fewer replays: shows that everything works",
@@ -198,9 +193,41 @@ int doOneRun(const StudyArguments& given, const std::vector<std::string>& files)
     return run ? tellRun(textOf(*run)) : kAnswerIsNo;
 }
 
-}  // namespace
+/// See study::StudyOptions::doRuns. Dismisses the other ranks when all runs have ended, because replays follow, which are timed.
+/// Reports lost runs. words: the program's.
+bool doRuns(study::Ranks& ranks, const Arguments& words, const study::StudyOptions& options,
+            const std::vector<std::size_t>& runs, const std::function<void(const study::StudyRun&)>& keep) {
+    const std::vector<study::PlannedRun> planned = plannedRuns(options);
+    std::vector<study::Job> jobs;
+    for (const std::size_t run : runs) {
+        const std::string problem = std::to_string(run / planned.size() + 1);
+        jobs.push_back({"problem " + problem + ", " + planned[run % planned.size()].name(),
+                        {"--one-run", std::to_string(run)}});
+        jobs.back().words.insert(jobs.back().words.end(), words.begin(), words.end());
+    }
+    bool isAnyLost = false;
+    study::TimeLeft left(jobs.size(), options.seconds / ranks.count());
+    study::Meanwhile meanwhile;
+    meanwhile.isStopped = [&] { return options.mustStop(); };
+    meanwhile.begin = [&](std::size_t job, int rank) {
+        options.report("run " + std::to_string(job + 1) + " of " + std::to_string(jobs.size()) + ", " +
+                       jobs[job].name + ", rank " + std::to_string(rank) + ", " + left.text() +
+                       " for all runs");
+    };
+    meanwhile.end = [&](const study::JobEnd& end) {
+        left.step();
+        const std::string& name = jobs[end.job].name;
+        if (end.isDone) return keep(study::readStudyRun(end.text, name));
+        isAnyLost = true;
+        options.report("warning: the run is lost: " + name + ": " + end.text);
+    };
+    const bool isComplete = handOut(ranks, jobs, meanwhile) && !isAnyLost;
+    if (isComplete) dismiss(ranks);
+    return isComplete;
+}
 
-int benchStudy(const Arguments& arguments, study::Ranks* ranks) {
+/// ranks: null unless mpirun started this process.
+int runStudy(const Arguments& arguments, study::Ranks* ranks) {
     StudyArguments given;
     if (!readArguments(arguments, given)) return kDone;
     std::vector<std::string> files = given.problems;
@@ -216,7 +243,7 @@ int benchStudy(const Arguments& arguments, study::Ranks* ranks) {
     if (isInterrupted()) return tellIncomplete(given.folder);
     if (ranks) {
         given.options.doRuns = [&](const auto& runs, const auto& keep) {
-            return doStudyRuns(*ranks, arguments, given.options, runs, keep);
+            return doRuns(*ranks, arguments, given.options, runs, keep);
         };
     }
     const study::StudyResult result = studyLeafStrategies(problems, given.options, given.folder);
@@ -227,4 +254,14 @@ int benchStudy(const Arguments& arguments, study::Ranks* ranks) {
     return kDone;
 }
 
+int studyOnRanks(const Arguments& arguments) {
+    currentTarget();  // refuses CLEARWAY_TARGET before any work
+    return runOnRanks([&](study::Ranks* ranks) { return runStudy(arguments, ranks); });
+}
+
+}  // namespace
 }  // namespace clearway::cli
+
+int main(int argc, char** argv) {
+    return clearway::cli::runProgram(argc, argv, "clearway-study", clearway::cli::studyOnRanks);
+}

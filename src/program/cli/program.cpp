@@ -1,0 +1,53 @@
+#include "program/cli/program.h"
+
+#include <csignal>
+#include <exception>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "clearway/shrink.h"
+#include "clearway/targets.h"
+#include "clearway/version.h"
+#include "program/cli/facts.h"
+#include "program/cli/help.h"
+#include "program/cli/print.h"
+
+namespace clearway::cli {
+
+namespace {
+
+int printVersion(const char* name) {
+    std::cout << name << " " CLEARWAY_VERSION "\n";
+    printRow("instruction set", currentTarget());
+    for (const auto& [library, version] : libraryVersions()) printRow(library, version);
+    return kDone;
+}
+
+int finish(int code) {
+    writeFacts();
+    requirePrinted();
+    return code;
+}
+
+}  // namespace
+
+int runProgram(int argc, char** argv, const char* name, int (*run)(const Arguments& words)) {
+    // A closed pipe and a file that may not grow become errors to report, instead of ending the program.
+    std::signal(SIGPIPE, SIG_IGN);
+    std::signal(SIGXFSZ, SIG_IGN);
+    const Arguments words(argv + 1, argv + argc);
+    try {
+        const bool isVersion = !words.empty() && words[0] == "--version";
+        return finish(isVersion ? printVersion(name) : run(words));
+    } catch (const ShrinkStopped& stopped) {
+        printRow("interrupted", std::string(stopped.what()) + "; nothing is written");
+        facts()["interrupted"] = true;
+        return finish(kAnswerIsNo);
+    } catch (const std::exception& error) {
+        std::cout.flush();
+        std::cerr << "clearway: " << oneLine(error.what()) << "\n";
+        return kBadInput;
+    }
+}
+
+}  // namespace clearway::cli
