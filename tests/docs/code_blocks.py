@@ -8,7 +8,7 @@ import shlex
 import subprocess
 import tempfile
 
-OPTIONS_WITH_VALUE = {"-o", "-MF", "-MT", "-MQ"}
+OPTIONS_WITH_VALUE = {"-o", "-MF", "-MT", "-MQ", "-include"}  # the last one for precompiled headers, which are optimised
 
 
 def compile_command(build):
