@@ -32,5 +32,5 @@ require_files(tunnel-console-small
 require_files(bracket
     bracket.cfg 8c126d89d4fc122bcfd3500cff915a606cab3aa8aeac0bc4e9e67da2a4690ee9
     bracket.stl 7a815f72aa7f5946a7eeb00abca46afff79c75841d225beb750a5fa686de0b7b
-    housing.stl 5fb745a1f9b8fd58bd796d89e210873b2cb92183554decdd2b9f81e40e020f63
+    housing.stl 8706f14ed77aabe085eab611d903456d15abc985a9c7359021763731104b33b9
     wall.stl a99fefb1b052f4ae0a0d4da0eb40b467907d2abc6376a7b0122960b4d06474cb)

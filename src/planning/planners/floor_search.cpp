@@ -235,7 +235,9 @@ void FloorSearch::widen(const Job& job) {
         options.clearance = shortenFirst(job, path);
         if (job.isShortWay && isTooLong(path)) return;
     }
-    const double clearance = makeRoom(path, *validator_, options);
+    // A path that has enough needs no band. Where no obstacle counts, any path has: its clearance is infinite.
+    const bool isEnough = options.clearance >= options.enough;
+    const double clearance = isEnough ? options.clearance : makeRoom(path, *validator_, options);
     const WidePath widened{std::make_shared<og::PathGeometric>(path), clearance};
     const std::lock_guard<std::mutex> lock(mutex_);
     takeIfBetter(widened, kFirstBandGain);

@@ -58,7 +58,7 @@ BOOST_AUTO_TEST_CASE(init_sends_a_part_that_starts_outside_to_the_far_side) {
     const Outcome left = runIn(folder, "init left.obj rest.obj --out left.cfg");
     BOOST_TEST(row(left, "goal") == "outside on +x; the part starts outside on -x");
     BOOST_TEST(runIn(folder, "plan left.cfg --path o.path --quick --iterations 5000").code == 0);
-    BOOST_TEST(readPath(folder.file("o.path"), problem.space).back().position.x() > 15);
+    BOOST_TEST(readPath(folder.file("o.path"), Space::kSe3).back().position.x() > 15);
     const Outcome above = runIn(folder, "init above.obj rest.obj --out above.cfg");
     BOOST_TEST(row(above, "goal") == "outside on -z; the part starts outside on +z");
 }
