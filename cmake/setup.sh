@@ -20,6 +20,7 @@ install_missing() {
         echo "clearway: these packages are missing and need apt-get and root (or sudo) to install: ${missing[*]}" >&2
         exit 2
     fi
+    if [ ${#as_root[@]} -gt 0 ] && ! sudo -n true 2>/dev/null; then sudo -v; fi # asks for the password on a line of its own
     show "installing ${#missing[@]} packages"
     local log
     log=$(mktemp)
@@ -33,6 +34,7 @@ install_missing() {
         exit 2
     fi
     rm -f "$log"
+    show ""
 }
 
 # show TEXT: tells on stderr what is going on, in one line that the next call overwrites; "" takes the line away. Without a terminal, or with
@@ -59,7 +61,7 @@ build_preset() {
     (cd "$root" && cmake --preset "$preset" -Wno-dev --log-level=WARNING) >"$log" 2>&1 || status=$?
     if [ $status = 0 ]; then
         show "building"
-        (cd "$root" && cmake --build --preset "$preset" ${1:+--target "$@"} 2>&1) | while IFS= read -r line; do
+        (cd "$root" && cmake --build --preset "$preset" ${1:+--target "$@"} 2>&1) | while IFS= read -r line || [ -n "$line" ]; do
             printf '%s\n' "$line"
             if is_shown_in_place && [[ "$line" =~ ^\[([0-9]+)/([0-9]+)\] ]]; then
                 show "building ${BASH_REMATCH[1]} of ${BASH_REMATCH[2]}"
@@ -67,7 +69,10 @@ build_preset() {
         done >"$log" || status=$?
     fi
     show ""
-    [ $status = 0 ] || grep -vE '^\[[0-9]+/[0-9]+\] (Building|Linking|Generating)' "$log" >&2
+    if [ $status != 0 ]; then
+        grep -vE '^\[[0-9]+/[0-9]+\] (Building|Linking|Generating)' "$log" >&2 || cat "$log" >&2
+        echo "clearway: the preset $preset could not be built" >&2
+    fi
     rm -f "$log"
     return $status
 }

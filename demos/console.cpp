@@ -3,6 +3,7 @@
 #include <clearway/planning/plan.h>
 
 #include <cstdio>
+#include <cstdlib>
 #include <iostream>
 
 namespace cp = clearway::planning;
@@ -26,8 +27,18 @@ void printPath(const char* title, const cp::PlanReport& report) {
     std::printf("\n");
 }
 
+std::uint32_t seedFrom(const char* text) {
+    char* end = nullptr;
+    const long long seed = std::strtoll(text, &end, 10);
+    if (end == text || *end != 0 || seed < 1 || seed > UINT32_MAX)
+        throw std::invalid_argument("SEED is '" + std::string(text) + "', expected a whole number above 0");
+    return static_cast<std::uint32_t>(seed);
+}
+
 int main(int argc, char** argv) try {
     if (argc != 3 && argc != 4) throw std::invalid_argument("expected PROBLEM.cfg OUT.path [SEED]");
+    cp::PlanOptions options;
+    if (argc == 4) options.seed = seedFrom(argv[3]);
     const clearway::Problem problem = clearway::readProblem(argv[1]);
     const clearway::Scene scene = clearway::loadScene(problem).scene;
     std::printf("part: %zu triangles\n", scene.part.report().triangles);
@@ -35,8 +46,6 @@ int main(int argc, char** argv) try {
         std::printf("environment: %zu triangles, margin %g\n", obstacle.model.report().triangles,
                     obstacle.margin);
 
-    cp::PlanOptions options;
-    options.seed = argc == 4 ? std::stoul(argv[3]) : 1;
     options.quick = true;  // leaves the path as short as it can be
     const cp::PlanReport first = cp::plan(problem, scene, options);
     if (!isFound(first)) {

@@ -6,8 +6,8 @@
 #include <ompl/base/spaces/SE3StateSpace.h>
 #include <ompl/geometric/SimpleSetup.h>
 
-int main(int argc, char** argv) {
-    if (argc != 3) return std::cerr << "expected two mesh files, PART ENVIRONMENT\n", 2;
+int main(int argc, char** argv) try {
+    if (argc != 3) throw std::invalid_argument("expected two mesh files, PART ENVIRONMENT");
     const auto build = [](const char* file) { return clearway::Model::build(clearway::loadMesh(file)); };
     const clearway::Scene scene{build(argv[1]), build(argv[2]), /*margin, mesh units*/ 1.0};
     const clearway::Box box = scene.environmentBox();
@@ -35,4 +35,8 @@ int main(int argc, char** argv) {
     setup.solve(/*seconds*/ 10);
     if (!setup.haveExactSolutionPath()) return 1;
     setup.getSolutionPath().printAsMatrix(std::cout);
+    return 0;
+} catch (const std::exception& error) {
+    std::cerr << "smallest_checker: " << error.what() << "\n";
+    return 2;
 }

@@ -151,7 +151,8 @@ BOOST_AUTO_TEST_CASE(leaf_strategies_plan_by_the_same_motions_in_trees_with_ever
     BOOST_TEST(decisions.size() == 1u);
     BOOST_TEST(*std::max_element(leaves.begin(), leaves.end()) > 2 * leaves.at(0));
     const double ratio = numbers(story.out, "the planner takes " + kNumber + " times as long as")[0];
-    BOOST_TEST(std::abs(ratio - *std::min_element(seconds.begin() + 1, seconds.end()) / seconds[0]) < 0.02);
+    BOOST_TEST(std::abs(ratio - *std::min_element(seconds.begin() + 1, seconds.end()) / seconds[0]) <
+               0.01 + 0.001 / seconds[0]);
 }
 
 BOOST_AUTO_TEST_CASE(replan_says_where_the_old_path_is_blocked_and_finds_another) {
@@ -213,12 +214,14 @@ BOOST_AUTO_TEST_CASE(demos_take_problems_whose_obstacles_count_apart_or_not_at_a
     writeProblem(problem, file);
     tell(folder, "replan", "'" + file + "' '" + folder.path() + "'");
     const std::string splits = tell(folder, "leaf_strategies", "'" + file + "'").out;
-    BOOST_TEST(splits.find("Splitting leaves") != std::string::npos, splits);
+    BOOST_TEST(splits.find("plitting leaves") != std::string::npos,
+               splits);  // an answer, or too quick to tell
 }
 
 BOOST_AUTO_TEST_CASE(demos_without_their_arguments_say_what_is_expected) {
     const TemporaryFolder folder;
-    for (const std::string demo : {"console", "clearance_optimal", "leaf_strategies", "replan", "distance"}) {
+    for (const std::string demo :
+         {"console", "clearance_optimal", "leaf_strategies", "replan", "distance", "smallest_checker"}) {
         const Story story = run(folder, CLEARWAY_DEMOS "/demo_" + demo);
         BOOST_TEST(story.code == 2);
         BOOST_TEST(story.err.find("expected") != std::string::npos, story.err);

@@ -12,7 +12,7 @@ import tempfile
 
 SECONDS = 3600  # for one command
 TOOLS = ("clearway-scene", "clearway-study")  # programs without subcommands
-KNOWN = "clearway, clearway-scene, clearway-study, ./demos/run, ./tests/run, cmake, ctest, export, sed, programs below build/release and scripts below tests, and mpirun -n N before any of them"
+KNOWN = "clearway, clearway-scene, clearway-study, ./demos/run, ./tests/run, cmake, ctest, export, sed, programs below build/benchmarks and scripts below tests, and mpirun -n N before any of them"
 
 
 class Refused(Exception):

@@ -42,7 +42,9 @@ bool readArguments(const Arguments& words, InitArguments& given) {
         "clearway init PART ENVIRONMENT... --out PROBLEM.cfg",
         "Writes a problem file for a part and the meshes around it, with a comment beside each key. The "
         "part\n"
-        "starts where its file puts it, and the goal is anywhere outside. Says what it saw in the meshes.");
+        "starts where its file puts it, and the goal is anywhere outside: on the far side, if the part "
+        "starts\n"
+        "outside. Says what it saw in the meshes.");
     line.argument("PART", to(given.part));
     line.argument("[ENVIRONMENT...]", appendedTo(given.environment));
     line.option("--out FILE", "the problem file, .cfg", to(given.out), CommandLine::Count::kRequired);
@@ -151,8 +153,8 @@ struct Seen {
 
 std::string textOf(const InitArguments& given, const Seen& seen) {
     ProblemText text;
-    text.comment("A problem for clearway: clearway plan " + fs::path(given.out).filename().string() +
-                 " --path out.path");
+    text.comment("A problem for clearway: clearway plan '" + fs::path(given.out).filename().string() +
+                 "' --path out.path");
     text.section("problem");
     const std::string robot = relativeTo(given.out, given.part);
     text.line("robot", robot, "the part: " + seen.part);
@@ -187,11 +189,18 @@ std::string textOf(const InitArguments& given, const Seen& seen) {
     if (!seen.touched.empty()) {
         const std::optional<std::string> list = writtenNames(seen.touched);
         text.comment("The part touches other meshes at its start. Choose one of these:");
-        text.choice("contact.start",
-                    list.value_or("NAME") + ", " + rounded(kUsualContact * seen.partSize, true),
-                    "ignores them until some point of the part has moved so far");
-        text.choice("overlap", "X",
-                    "lets obstacles reach so deep into the part: clearway info PROBLEM --lift tells X");
+        const std::string distance = rounded(kUsualContact * seen.partSize, true);
+        if (list) {
+            text.choice("contact.start", *list + ", " + distance,
+                        "ignores them until some point of the part has moved so far");
+        } else {
+            text.comment("contact.start with their names and " + distance +
+                         " ignores them until some point of the part has moved so far; these names do not "
+                         "fit into a problem file");
+        }
+        text.comment(
+            "overlap = 0.1, say: lets obstacles reach so deep into the part; clearway info PROBLEM --lift "
+            "tells the least");
     }
     return text.str();
 }
@@ -203,6 +212,8 @@ int init(const Arguments& words) {
     if (!readArguments(words, given)) return kDone;
     std::vector<std::string> inputs = given.environment;
     inputs.push_back(given.part);
+    if (given.out.find_first_of("\n\r") != std::string::npos)
+        throw std::invalid_argument("--out is '" + given.out + "', expected a name without line breaks");
     for (const std::string& file : inputs) relativeTo(given.out, file);  // refused before anything is said
     OutputFiles files(inputs);
     files.add("--out", given.out, {".cfg"});

@@ -45,7 +45,7 @@ int runProgram(int argc, char** argv, const char* name, int (*run)(const Argumen
         return finish(kAnswerIsNo);
     } catch (const std::exception& error) {
         std::cout.flush();
-        std::cerr << "clearway: " << oneLine(error.what()) << "\n";
+        std::cerr << name << ": " << oneLine(error.what()) << "\n";
         return kBadInput;
     }
 }

@@ -193,7 +193,7 @@ def main():
         if not MPIEXEC:
             done = run(["env", "OMPI_COMM_WORLD_RANK=1", PROGRAM, "bench", "--help"], folder)
             require(done.returncode == 2 and "built without MPI" in done.stderr, show(done))
-            print("skipped: this program was built without MPI")
+            print("skipped: program/cli/ranks was not tried: this program was built without MPI")
             return
         for check in (check_benchmark, check_interrupt, check_study, check_refusals):
             begin = time.monotonic()

@@ -73,7 +73,8 @@ inline void requireRefused(const TemporaryFolder& folder, const std::string& arg
     BOOST_TEST(outcome.code == 2, "exit code " << outcome.code << " of: " << arguments);
     BOOST_TEST(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1,
                arguments << " said: " << outcome.err);
-    BOOST_TEST(outcome.err.compare(0, 10, "clearway: ") == 0, arguments << " said: " << outcome.err);
+    const std::string name = program.substr(program.find_last_of('/') + 1) + ": ";
+    BOOST_TEST(outcome.err.compare(0, name.size(), name) == 0, arguments << " said: " << outcome.err);
     for (const std::string& word : words) {
         BOOST_TEST(outcome.err.find(word) != std::string::npos,
                    "no \"" << word << "\" in what " << arguments << " said: " << outcome.err);

@@ -174,7 +174,7 @@ BOOST_AUTO_TEST_CASE(wrong_usage_is_refused_and_makes_nothing) {
         requireRefused(folder, arguments, words, kSceneProgram);
     };
     refused("", {"NAME is missing", "clearway-scene"});
-    refused("'' --out out", {"clearway: NAME is '', expected: clearway-scene"});
+    refused("'' --out out", {"clearway-scene: NAME is '', expected: clearway-scene"});
     refused("tunnel --out made", {"'tunnel'", "tunnel-console"});
     refused("tunnel-console", {"--out is missing"});
     refused("tunnel-console more --out made", {"'more'"});
