@@ -64,6 +64,6 @@ class CleanRoot:
         shutil.rmtree(self.folder, ignore_errors=True)
 
     def command(self, script):
-        """What runs a script of bash in the root. Nothing of the caller's environment is there."""
+        """What runs a script of bash in the root. Nothing of the caller's environment is there; lscpu, which OMPL 1.6 calls, needs /sys."""
         return ON_THEIR_OWN + ["--mount-proc=" + self.folder + "/proc", "chroot", self.folder, "env", "-i", "HOME=/root", "LC_ALL=C.UTF-8",
-                               "DEBIAN_FRONTEND=noninteractive", "PATH=/usr/sbin:/usr/bin:/sbin:/bin", "bash", "-c", script]
+                               "DEBIAN_FRONTEND=noninteractive", "PATH=/usr/sbin:/usr/bin:/sbin:/bin", "bash", "-c", "mount -t sysfs sysfs /sys; " + script]
