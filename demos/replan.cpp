@@ -30,11 +30,21 @@ PathGeometric plan(ompl::geometric::SimpleSetup setup, const clearway::Problem& 
     return path;
 }
 
-/// A box with the given half sides, where the path comes closest to the other obstacles.
-clearway::Mesh boxInTheWayOf(const PathGeometric& path, const cp::MotionValidator& motions,
-                             const Vector3& half) {
+/// A box with the given half sides, where the path comes closest to the other obstacles. It stays out of the part's range at both ends.
+clearway::Mesh boxInTheWayOf(PathGeometric path, const cp::MotionValidator& motions, const Vector3& half,
+                             const clearway::Model& part) {
+    path.interpolate(100);
     const cp::PathAudit audit = cp::audit(path, motions);
-    const Vector3 place = audit.segments[audit.closest].X_environmentPart.translation;
+    const double range = part.radiusAboutOrigin() + half.norm();
+    const Vector3 start = cp::partStates(path).front().position, goal = cp::partStates(path).back().position;
+    const cp::SegmentAudit* closest = nullptr;
+    for (const cp::SegmentAudit& segment : audit.segments) {
+        const Vector3& place = segment.X_environmentPart.translation;
+        if ((place - start).norm() <= range || (place - goal).norm() <= range) continue;
+        if (!closest || segment.motion.upperClearance < closest->motion.upperClearance) closest = &segment;
+    }
+    if (!closest) throw std::runtime_error("the box is in the way at the start or goal wherever it stands");
+    const Vector3 place = closest->X_environmentPart.translation;
     return clearway::boxMesh({place - half, place + half}, "forgotten box");
 }
 
@@ -54,7 +64,7 @@ int main(int argc, char** argv) try {
 
     const double margin = 0.5;
     const clearway::Mesh box =
-        boxInTheWayOf(old, cp::motionValidatorOf(before.getSpaceInformation()), {3, 3, 3});
+        boxInTheWayOf(old, cp::motionValidatorOf(before.getSpaceInformation()), {3, 3, 3}, scene.part);
     scene.obstacles.push_back(
         {clearway::Model::build(box), margin});  // the other models are shared, not built again
     std::printf("a box appears: %zu triangles, margin %g, built in %.2f ms\n", box.triangles.size(), margin,

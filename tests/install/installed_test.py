@@ -175,7 +175,7 @@ def check_snippets(source, prefix, work):
     os.makedirs(folder)
     environment = dict(os.environ, PATH="/usr/bin:" + os.environ["PATH"], CMAKE_PREFIX_PATH=prefix, CMAKE_GENERATOR="Ninja",
                        PKG_CONFIG_PATH=os.path.join(prefix, "lib", "pkgconfig"), LD_LIBRARY_PATH=os.path.join(prefix, "lib"),
-                       PYTHONPATH=os.path.join(prefix, "lib", "python3", "dist-packages"))
+                       PYTHONPATH=os.path.join(prefix, "lib", "python3", "dist-packages"), PYTHONDONTWRITEBYTECODE="1")
     require_one_distance([output_of("bash", "-c", command, cwd=folder, env=environment)
                           for command in write_snippets(source, folder)])
 

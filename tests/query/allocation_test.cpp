@@ -1,6 +1,7 @@
 // A query allocates nothing once a similar query has run before.
 #include <atomic>
 #include <boost/test/unit_test.hpp>
+#include <cerrno>
 #include <cstdlib>
 
 #include "support/each_target.h"
@@ -56,6 +57,13 @@ void* realloc(void* memory, std::size_t size) {
 void* aligned_alloc(std::size_t alignment, std::size_t size) {
     ++allocations;
     return __libc_memalign(alignment, size);
+}
+
+int posix_memalign(void** memory, std::size_t alignment,
+                   std::size_t size) {  // g++ 14's aligned operator new calls it
+    ++allocations;
+    *memory = __libc_memalign(alignment, size);
+    return *memory == nullptr ? ENOMEM : 0;
 }
 
 }  // extern "C"

@@ -22,7 +22,8 @@ TIMES = re.compile(r"(time|share|memory|megabytes|seconds) |^time|^memory")
 
 # Open MPI refuses root and more ranks than processors unless it is told not to. Other MPIs do not look at these variables.
 ENVIRONMENT = dict(
-    os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1", OMPI_MCA_rmaps_base_oversubscribe="1"
+    os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1", OMPI_MCA_rmaps_base_oversubscribe="1",
+    PRTE_MCA_rmaps_default_mapping_policy=":oversubscribe"
 )
 
 
