@@ -173,12 +173,12 @@ bool FloorSearch::isOver() const {
 void FloorSearch::work() {
     while (!isOver()) {
         const Job job = nextJob();
-        const Clock::time_point begin = Clock::now();
+        const double begin = threadSeconds();
         const bool isSeek = job.kind == Job::Kind::kSeek;
         isSeek ? seek(job) : widen(job);
         const std::lock_guard<std::mutex> lock(mutex_);
         Seeks& seeks = job.isShortWay ? shortSeeks_ : wideSeeks_;
-        (isSeek ? seeks.spent : widened_) += secondsSince(begin);
+        (isSeek ? seeks.spent : widened_) += threadSeconds() - begin;
         widening_ -= !isSeek;
     }
 }
@@ -221,12 +221,12 @@ FloorSearch::Job FloorSearch::seekingJob() {
 }
 
 void FloorSearch::widen(const Job& job) {
-    const Clock::time_point begin = Clock::now();
+    const double begin = threadSeconds();
     RoomOptions options;
     options.enough = options_.enough;
     options.clearance = job.path.clearance;
     const double seconds = job.kind == Job::Kind::kWidenOn ? job.seconds : 0;
-    options.isSpent = [&] { return isSpent_() || (seconds > 0 && secondsSince(begin) > seconds); };
+    options.isSpent = [&] { return isSpent_() || (seconds > 0 && threadSeconds() - begin > seconds); };
     og::PathGeometric path = *job.path.path;
     if (job.kind == Job::Kind::kWidenOn) {
         options.gain = job.gain;
@@ -252,11 +252,11 @@ bool FloorSearch::isTooLong(const og::PathGeometric& path) const {
 
 /// A band of few states is quicker. Returns the clearance that the path keeps.
 double FloorSearch::shortenFirst(const Job& job, og::PathGeometric& path) const {
-    const Clock::time_point begin = Clock::now();
+    const double begin = threadSeconds();
     const double floor = kClearanceBeforeBand * validator_->scene().part.box().diagonal().norm();
     const PathAudit found = simplify(path, *validator_,
                                      {std::max(floor, job.path.clearance),
-                                      [&] { return isSpent_() || secondsSince(begin) > job.seconds; }});
+                                      [&] { return isSpent_() || threadSeconds() - begin > job.seconds; }});
     return found.isValid() ? std::max(0.0, kSurelyKept * found.lowerClearance) : 0;
 }
 
@@ -267,22 +267,23 @@ void FloorSearch::takeIfBetter(const WidePath& path, double gain) {
 }
 
 void FloorSearch::seek(const Job& job) {
-    const Clock::time_point begin = Clock::now();
+    const double begin = threadSeconds();
     const auto isPassed = [&] {
         const std::lock_guard<std::mutex> lock(mutex_);
         return !job.isShortWay && (paths_ > job.known || (best_ && best_->clearance > job.floor));
     };
-    const ob::PlannerTerminationCondition isOver(
-        [&] { return isSpent_() || (job.seconds > 0 && secondsSince(begin) > job.seconds) || isPassed(); });
+    const ob::PlannerTerminationCondition isOver([&] {
+        return isSpent_() || (job.seconds > 0 && threadSeconds() - begin > job.seconds) || isPassed();
+    });
     auto seeker = std::make_unique<Seeker>(*this, job);
     const std::shared_ptr<og::PathGeometric> states = seeker->solve(isOver);
     const std::lock_guard<std::mutex> lock(mutex_);
     if (states) {
         WidePath found{std::make_shared<og::PathGeometric>(si_), job.floor};
         for (const ob::State* state : states->getStates()) found.path->append(state);
-        if (job.isShortWay) return widenLater(found, secondsSince(begin), true);
+        if (job.isShortWay) return widenLater(found, threadSeconds() - begin, true);
         ++paths_;
-        add(found, secondsSince(begin));
+        add(found, threadSeconds() - begin);
     } else if (job.isShortWay) {
         shortSeeks_.patience *= kGrowth;
     } else if (!best_) {

@@ -114,6 +114,12 @@ ob::PlannerStatus RisingFloor::solve(const ob::PlannerTerminationCondition& isSp
     options.wantsShortWays = wantsShortWays_;
     search_->run(options, [&] { return isSpent(); });
     if (!search_->best()) return ob::PlannerStatus::TIMEOUT;
+    // The widest path replaces this planner's earlier ones, which OMPL would prefer where they are shorter.
+    const std::vector<ob::PlannerSolution> earlier = pdef_->getSolutions();
+    pdef_->clearSolutionPaths();
+    for (const ob::PlannerSolution& other : earlier) {
+        if (other.plannerName_ != getName()) pdef_->addSolutionPath(other);
+    }
     ob::PlannerSolution solution(std::make_shared<og::PathGeometric>(*search_->bestWay()->path));
     solution.setPlannerName(getName());
     pdef_->addSolutionPath(solution);

@@ -123,13 +123,6 @@ class TimeLeft {
     Clock::time_point begin_;
 };
 
-/// Seconds of processor time that the calling thread has used so far; other programs do not add to them.
-inline double threadSeconds() {
-    timespec used = {};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &used);
-    return static_cast<double>(used.tv_sec) + 1e-9 * static_cast<double>(used.tv_nsec);
-}
-
 /// The columns general_split, leaf_size, node_width, instructions and leaf_split of an engine's rows.
 template <class Row>
 Columns<Row> engineColumns() {
