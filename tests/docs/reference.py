@@ -146,7 +146,7 @@ def faults_of_small_tree(doxygen, doxyfile, edits):
             path = folder / ("docs" if name.endswith(".md") else "include/clearway") / name
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text(text)
-        more = f'INPUT = "{folder}/docs" "{folder}/include"\nSTRIP_FROM_PATH = "{folder}/include"\nIMAGE_PATH =\nGENERATE_HTML = NO\n'
+        more = f'INPUT = "{folder}/docs" "{folder}/include"\nUSE_MDFILE_AS_MAINPAGE = "{folder}/docs/reference.md"\nSTRIP_FROM_PATH = "{folder}/include"\nIMAGE_PATH =\nGENERATE_HTML = NO\n'
         return faults(doxygen, doxyfile, folder, more)
 
 
