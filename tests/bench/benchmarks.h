@@ -27,6 +27,9 @@ int run(int count, char** words);
 namespace clearway::testing::ladder {
 int run(int count, char** words);
 }
+namespace clearway::testing::loading {
+int run(int count, char** words);
+}
 namespace clearway::testing::motions {
 int run(int count, char** words);
 }

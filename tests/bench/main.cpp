@@ -24,6 +24,7 @@ constexpr Benchmark kBenchmarks[] = {
     {"growth", growth::run},
     {"kernels", kernels::run},
     {"ladder", ladder::run},
+    {"loading", loading::run},
     {"motions", motions::run},
     {"plan_success", plan_success::run},
     {"public", public_problems::run},

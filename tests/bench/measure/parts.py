@@ -143,6 +143,11 @@ def growth(place, row):
              "--out", place.scratch]]
 
 
+def loading(place, row):
+    sizes = {"ci": ["--triangles", 2000, "--repetitions", 1], "quick": ["--repetitions", 3], "full": ["--repetitions", 9]}
+    return [[*place.benchmark("loading"), "--formats", row, *sizes[place.form], "--cpu", place.cpu, "--out", place.scratch]]
+
+
 def ladder(place, row):
     sizes = {
         "ci": ["--pose-count", 10, "--repetitions", 1, "--peer-budget", 0.3],
@@ -214,6 +219,9 @@ PARTS = (
          ci_rows=("environment 1k", "part 1k", "rings"), commands=growth,
          group=("scene", "part_triangles", "environment_triangles"), keys=("part_triangles", "environment_triangles", "engine"),
          shown=("us_median", "us_motion_median", "build_seconds", "bytes_per_triangle")),
+    Part("loading", "mesh files of 1.7 million triangles read by clearway and by assimp", rows=("stl", "obj", "glb", "ply"),
+         quick_rows=("stl", "obj", "glb"), ci_rows=("stl", "obj", "glb", "ply"), commands=loading, group=("format",),
+         keys=("format", "reader"), shown=("seconds", "megabytes")),
     Part("ladder", "from the thesis's engine to clearway's, step by step", rows=("K", "I"), ci_rows=("N",),
          commands=ladder, group=("scene",), keys=("scene", "step"), shown=("us_mean", "volume_tests", "triangle_tests")),
     Part("scenes", "the demo scenes, and a distance at their poses", rows=tuple(scene_rows.ROWS), quick_rows=("puzzle-2",), ci_rows=("boxes-1",),
