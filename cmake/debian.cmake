@@ -69,10 +69,10 @@ add_package(libclearway-dev libdevel "Exact distance and contact queries (develo
 Headers, static libraries and the files through which CMake and
 pkg-config find clearway. The component planning needs the packages
 libclearway-planning and libompl-dev. Static linking needs libassimp-dev,
-libembree-dev, libhwy-dev and libtbb-dev." libclearway)
+libembree-dev, libhwy-dev, libpugixml-dev, libtbb-dev and libzip-dev." libclearway)
 set(CPACK_DEBIAN_LIBCLEARWAY-DEV_PACKAGE_DEPENDS libeigen3-dev)
 set(CPACK_DEBIAN_LIBCLEARWAY-DEV_PACKAGE_SUGGESTS
-    "libclearway-planning, libompl-dev, libassimp-dev, libembree-dev, libhwy-dev, libtbb-dev")
+    "libclearway-planning, libompl-dev, libassimp-dev, libembree-dev, libhwy-dev, libpugixml-dev, libtbb-dev, libzip-dev")
 
 if(CLEARWAY_PROGRAM)
   add_package(clearway-tools science "Plans and checks motions of a rigid part in a tight assembly

@@ -7,6 +7,9 @@ function(need target what found package cure)
   endif()
 endfunction()
 set(elsewhere "CMAKE_PREFIX_PATH names other places to look in")
+if(POLICY CMP0167)
+  cmake_policy(SET CMP0167 NEW)  # Boost's own CMake files find it, not CMake's module
+endif()
 
 find_package(Eigen3 3.3 QUIET NO_MODULE)
 need(clearway::clearway "Eigen 3.3 or later" Eigen3_FOUND libeigen3-dev "${elsewhere}")
@@ -20,6 +23,12 @@ find_package(nlohmann_json 3.11 QUIET CONFIG)
 need(clearway::clearway "nlohmann's JSON library 3.11 or later" nlohmann_json_FOUND nlohmann-json3-dev "${elsewhere}")
 find_package(assimp 5 QUIET CONFIG)
 need(clearway::clearway "assimp 5" assimp_FOUND libassimp-dev "${elsewhere}")
+find_package(pugixml 1.12 QUIET CONFIG)  # reads the XML of 3MF and COLLADA files
+need(clearway::clearway "pugixml 1.12 or later" pugixml_FOUND libpugixml-dev "${elsewhere}")
+find_path(ZIP_INCLUDE_DIR zip.h)  # libzip, which unpacks 3MF files; Debian 12's CMake files of it name tools that its package lacks
+find_library(ZIP_LIBRARY zip)
+need(clearway::clearway libzip ZIP_LIBRARY libzip-dev "${elsewhere}")
+need(clearway::clearway "libzip's header zip.h" ZIP_INCLUDE_DIR libzip-dev "${elsewhere}")
 if(CLEARWAY_EMBREE)
   find_package(embree 4 CONFIG QUIET)
   if(NOT embree_FOUND)

@@ -52,7 +52,7 @@ install(FILES ${generated}/clearwayConfig.cmake ${generated}/clearwayConfigVersi
 # pkg-config. Who links the static libraries also links what these need: everybody where there are no others. Where there are, these
 # are named as libraries: pkg-config refuses a package whose Requires.private is not installed even to users of the shared libraries.
 set(pc_libraries -lclearway)
-set(pc_libraries_privately -lassimp -lhwy -ltbb)
+set(pc_libraries_privately -lassimp -lhwy -lpugixml -ltbb -lzip)
 if(CLEARWAY_EMBREE)
   list(APPEND pc_libraries_privately -lembree${EMBREE_VERSION_MAJOR})
 endif()

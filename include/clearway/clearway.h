@@ -51,7 +51,7 @@ typedef struct clearway_distance_result {
     int64_t environment_triangle;    ///< position in the environment's mesh, from 0
 } clearway_distance_result;
 
-/// Makes a model of a mesh file (.stl, .obj, .ply, .glb and what else assimp reads), whose coordinates are
+/// Makes a model of a mesh file (.stl, .obj, .ply, .off, .gltf, .glb, .3mf, .dae and what else assimp reads), whose coordinates are
 /// multiplied by `scale`, or reads a model that clearway_save wrote: the file's first bytes tell which. `scale`
 /// must be 1 for a saved model.
 clearway_status clearway_load(const char* file, double scale, clearway_handle* model);

@@ -29,7 +29,19 @@ struct MeshOrigin {
     std::string file;                 ///< empty for a mesh made in memory
     double scale = 1.0;               ///< LoadOptions::scale
     Vector3 shift = Vector3::Zero();  ///< applied after the scale, in stored units
-    std::size_t ignoredFaces = 0;     ///< points, lines and faces that could not be triangulated
+    std::string format;               ///< of the file, such as "OBJ"; empty for a mesh made in memory
+    /// Whether a reader of clearway's counted the file's faces against what the file declares. Other formats are read by assimp alone, which
+    /// may lose some of them silently.
+    bool isChecked = true;
+    double unitMetres = 0;  ///< the unit that the file states, in metres; 0 if it states none
+    char upAxis = 0;        ///< 'x', 'y' or 'z' if the file states it, else 0
+    std::size_t ignoredFaces =
+        0;  ///< points, lines and crossingFaces; a polygon of n corners counts as n - 2
+    std::size_t crossingFaces =
+        0;  ///< polygons that cross themselves, so that no triangles fill them: they are left out
+    std::size_t bentFaces =
+        0;              ///< polygons that are not flat; their triangles fill them in one of several ways
+    double bentBy = 0;  ///< the largest distance of a corner from its polygon's plane; file units
     /// One line for each other conversion that was applied or left out: units, up axis, assimp's own
     /// conversions, re-centring.
     std::vector<std::string> notes;
@@ -59,32 +71,31 @@ struct LoadOptions {
     double scale = 1.0;                            ///< > 0; stored = scale * file coordinates
 };
 
-/// Reads a mesh in any format that assimp reads. Node transforms are applied and polygons triangulated;
-/// points and lines are left out and counted. Equal vertices are not welded yet. Debian's assimp holds
-/// coordinates and transforms in float.
+/// Reads a mesh file. STL, OBJ, PLY, OFF, glTF, GLB, 3MF and COLLADA (.dae) are checked: what is read is counted against what the file
+/// declares, in double where the file has it, and what cannot be read is refused by name. All other formats are read by assimp alone, in
+/// float, and origin.isChecked is false.
 ///
-/// kAsStored applies the transforms in double; without transforms the coordinates are exactly assimp's
-/// floats, times the scale. It leaves out a COLLADA file's unit and up axis, which assimp would put into the
-/// root's transform. The other readings use float and assimp's defaults, as OMPL.app does: unit and up axis
-/// are applied, vertices whose attributes all agree to 1e-5 may be joined, and the scale comes last.
-/// origin.notes lists the applied and omitted conversions.
+/// Node transforms are applied in double. Polygons are triangulated inside their outline; those that cross themselves are left out, and
+/// counted in origin with points, lines and polygons that are not flat. Equal vertices are not welded yet.
 ///
-/// Each mesh of each node is a component, in the order of the file's nodes (in the OMPL.app readings, of the
-/// nodes that OMPL.app's steps leave). Its name is "node/mesh", or only one of the names when both are equal
-/// or one is missing. Repeated names get #2, #3, ...; a component without a name gets the file's stem.
+/// kAsStored applies neither the unit nor the up axis that a file states; origin has both. The other readings do as OMPL.app does, in
+/// float: assimp applies unit and up axis, may join vertices whose attributes all agree to 1e-5, and the scale comes last. A file of which
+/// assimp finds another number of triangles or another box than clearway is then refused. origin.notes lists the conversions.
 ///
-/// Throws std::runtime_error when the file is missing, cannot be read, holds no triangle or has a triangle
-/// with a vertex that is not finite (naming the first such triangle). Throws std::invalid_argument when the
-/// scale is not a finite number above 0.
+/// Each mesh of each node, each object of a 3MF file, each group or object of an OBJ file and each solid of an STL file is a component, in
+/// the order of the file (in the OMPL.app readings, of the nodes that OMPL.app's steps leave). Its name is "node/mesh", or only one of the
+/// names when both are equal or one is missing. Repeated names get #2, #3, ...; a component without a name gets the file's stem.
+///
+/// Throws std::runtime_error when the file is missing, is not what its format prescribes, holds no triangle or has a triangle with a vertex
+/// that is not finite (naming the first such triangle). Throws std::invalid_argument when the scale is not a finite number above 0.
 Mesh loadMesh(const std::string& file, const LoadOptions& options = {});
 
 /// Writes the mesh in the format of the file's ending: .glb, .obj, .ply, .stl or .dae. Coordinates are
 /// rounded to float, as the formats store them. The file is written under a temporary name, then renamed.
 ///
-/// .glb reads back to equal floats, the triangles in equal order, and equal component names (if distinct and
-/// not empty). .obj and .dae keep order and names, but are text: assimp reads coordinates below 1e-4 or from
-/// 1e9 on back with an error of one or two units in the last place. .ply and .stl (both binary) keep floats
-/// and order and lose the components. Components without triangles are left out.
+/// .glb and .obj read back to equal floats, the triangles in equal order, and equal component names (if distinct and not empty). .dae keeps
+/// order and names, and its text has two digits less than a double needs: coordinates read back within 1e-8 of their size. .ply and .stl
+/// (both binary) keep floats and order and lose the components. Components without triangles are left out.
 ///
 /// Throws std::invalid_argument for an unknown ending, a mesh that Model::build would refuse, and a
 /// coordinate beyond float's range. Throws std::runtime_error when the file cannot be written.

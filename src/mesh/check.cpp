@@ -1,80 +1,16 @@
-// Checks of mesh files before assimp reads them, and of meshes before anything is built from them.
+// Checks of mesh files before they are read, and of meshes before anything is built from them.
 #include "mesh/check.h"
 
-#include <algorithm>
-#include <boost/algorithm/string/predicate.hpp>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
 
+#include "core/number.h"
 #include "mesh/surface_formats.h"
 
 namespace clearway {
-
-namespace {
-
-void requirePlyHeader(const std::string& file, std::istream& stream) {
-    const std::string end = "end_header";
-    std::string line;
-    while (std::getline(stream, line)) {
-        if (line.compare(0, end.size(), end) != 0) continue;
-        if (line.find_first_not_of(" \t\r", end.size()) == std::string::npos) return;
-    }
-    refuseMeshFile(file, "its PLY header has no end_header");
-}
-
-/// Refuses counts above the file's bytes: a vertex takes at least six bytes ("0 0 0" and the line's end), a
-/// face two.
-void requireOffCounts(const std::string& file, std::istream& stream, std::uintmax_t bytes) {
-    std::string word;
-    for (const char* const things : {"vertices", "faces"}) {
-        do {
-            if (!(stream >> word)) return;
-            if (word[0] == '#') std::getline(stream, word), word = "#";
-        } while (word[0] == '#');
-        if (word.find_first_not_of("0123456789") != std::string::npos) return;
-        if (word.size() > 18 || std::stoull(word) > bytes) {
-            refuseMeshFile(file, "its header states " + word + " " + things + ", the file has " +
-                                     std::to_string(bytes) + " bytes");
-        }
-    }
-}
-
-/// Refuses a binary STL file that ends too soon, for which assimp says only that it is no STL.
-void requireWholeStl(const std::string& file, std::istream& stream, std::uintmax_t bytes) {
-    constexpr std::uintmax_t kHeader = 84, kPerTriangle = 50;
-    unsigned char header[kHeader] = {};
-    stream.read(reinterpret_cast<char*>(header), kHeader);
-    if (std::none_of(header, header + std::min(bytes, kHeader),
-                     [](unsigned char c) { return c < 9 || c > 126; }))
-        return;  // a text
-    const std::string isCut = "it ends after " + std::to_string(bytes) + " bytes of ";
-    if (bytes < kHeader) refuseMeshFile(file, isCut + "the 84 with which a binary STL file begins");
-    const std::uintmax_t triangles =
-        header[80] + 256u * header[81] + 65536u * header[82] + 16777216u * std::uintmax_t(header[83]);
-    const std::uintmax_t whole = kHeader + kPerTriangle * triangles;
-    if (bytes >= whole) return;
-    refuseMeshFile(
-        file, isCut + std::to_string(whole) + ", which its " + std::to_string(triangles) + " triangles take");
-}
-
-/// assimp searches for the end of a PLY header forever, and allocates as many vertices and faces as an OFF
-/// header states.
-void requireSoundHeader(const std::string& file, std::istream& stream, std::uintmax_t bytes) {
-    std::string start(10, ' ');
-    stream.read(&start[0], 10);
-    stream.clear();
-    const std::string word = start.substr(0, start.find_first_of(" \t\r\n"));
-    const std::string magic = word.substr(0, 3),
-                      ending = word.substr(std::max<std::size_t>(word.size(), 3) - 3);
-    stream.seekg(static_cast<std::streamoff>(word.size()));
-    if (magic == "ply" || magic == "PLY") requirePlyHeader(file, stream);
-    if (ending == "OFF") requireOffCounts(file, stream, bytes);
-}
-
-}  // namespace
 
 void refuseMeshFile(const std::string& file, std::string reason) {
     for (char& character : reason) {
@@ -107,12 +43,6 @@ void requireReadableMeshFile(const std::string& file) {
             ", which holds surfaces, not triangles, expected a mesh: export STL, OBJ, 3MF or "
             "glTF from the CAD program");
     }
-    stream.clear();
-    stream.seekg(0);
-    requireSoundHeader(file, stream, bytes);
-    stream.clear();
-    stream.seekg(0);
-    if (boost::iends_with(file, ".stl")) requireWholeStl(file, stream, bytes);
 }
 
 namespace {
@@ -177,6 +107,44 @@ void requireSoundMesh(const Mesh& mesh) {
             if (vertex >= mesh.vertices.size()) refuseIndex(mesh, id, vertex);
             if (!mesh.vertices[vertex].allFinite()) refuseVertex(mesh, id, mesh.vertices[vertex]);
         }
+    }
+}
+
+std::vector<std::string> readingWarnings(const MeshOrigin& origin) {
+    std::vector<std::string> warnings;
+    const auto count = [](std::size_t faces) {
+        return std::to_string(faces) + (faces == 1 ? " face" : " faces");
+    };
+    if (!origin.isChecked) {
+        warnings.push_back(origin.file + ": not checked: " + origin.format + " is read by assimp alone");
+    }
+    if (origin.crossingFaces > 0) {
+        warnings.push_back(origin.file + ": " + count(origin.crossingFaces) +
+                           " left out, whose outlines cross themselves; nothing is kept clear of them");
+    }
+    if (origin.bentFaces > 0) {
+        warnings.push_back(origin.file + ": " + count(origin.bentFaces) + " not flat, by up to " +
+                           roundedNumber(origin.bentBy) + "; triangles fill them in one of several ways");
+    }
+    return warnings;
+}
+
+std::string turnedByAssimp(const MeshOrigin& origin) {
+    for (const std::string& note : origin.notes) {
+        const std::size_t at = note.find(kAssimpsTurn);
+        if (at != note.npos) return note.substr(at + std::string(kAssimpsTurn).size());
+    }
+    return "";
+}
+
+void requireSoundMeshFile(const Mesh& mesh, const std::string& file) {
+    try {
+        requireSoundMesh(mesh);
+    } catch (const std::invalid_argument& error) {
+        std::string reason = error.what();
+        const std::size_t at = reason.find(inFile(mesh));  // the message names the file already
+        if (at != reason.npos) reason.erase(at, inFile(mesh).size());
+        throw std::runtime_error("cannot read mesh '" + file + "': " + reason);
     }
 }
 

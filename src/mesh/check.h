@@ -3,17 +3,20 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 #include "clearway/mesh.h"
 
 namespace clearway {
 
+/// Begins the note about the transform of assimp's root node, into which its readers put their own conventions.
+constexpr const char* kAssimpsTurn = "transform of the root node applied: ";
+
 /// Throws std::runtime_error with one line: the file, the reason and what was expected. The reason may be a
 /// reader's own words, with several lines and a full stop.
 [[noreturn]] void refuseMeshFile(const std::string& file, std::string reason);
 
-/// Refuses a file that is missing, a folder, unreadable or empty, a CAD file that holds surfaces, a PLY file that ends
-/// within its header, and an OFF file whose header states more items than the file can hold.
+/// Refuses a file that is missing, a folder, unreadable or empty, and a CAD file that holds surfaces.
 void requireReadableMeshFile(const std::string& file);
 
 /// "triangle 17 of component 'bracket' in 'engine.stl'", as far as component and file are known.
@@ -23,5 +26,14 @@ std::string nameOfTriangle(const Mesh& mesh, std::size_t triangle);
 /// cover the triangles in order, or a triangle refers to a vertex that does not exist or is not finite (the
 /// first such triangle is named).
 void requireSoundMesh(const Mesh& mesh);
+
+/// The same for a mesh that a file holds: throws std::runtime_error, "cannot read mesh 'FILE': ...".
+void requireSoundMeshFile(const Mesh& mesh, const std::string& file);
+
+/// What a reader of verdicts must know: that assimp alone read the file, and which polygons were left out or are not flat.
+std::vector<std::string> readingWarnings(const MeshOrigin& origin);
+
+/// What assimp turned although the file is read as stored: "x' = x, y' = z, z' = -y"; empty when it turned nothing.
+std::string turnedByAssimp(const MeshOrigin& origin);
 
 }  // namespace clearway

@@ -160,6 +160,12 @@ Mesh joinedEnvironment(const std::vector<Mesh>& files) {
         }
         all.origin.file += (all.origin.file.empty() ? "" : ", ") + file.origin.file;
         all.origin.ignoredFaces += file.origin.ignoredFaces;
+        all.origin.crossingFaces += file.origin.crossingFaces;
+        all.origin.bentFaces += file.origin.bentFaces;
+        all.origin.bentBy = std::max(all.origin.bentBy, file.origin.bentBy);
+        if (all.origin.isChecked)
+            all.origin.format = file.origin.format;  // of those that are not checked, the first
+        all.origin.isChecked = all.origin.isChecked && file.origin.isChecked;
         for (const std::string& note : file.origin.notes) {
             all.origin.notes.push_back(file.origin.file + ": " + note);
         }

@@ -20,7 +20,7 @@ namespace clearway {
 namespace {
 
 constexpr char kMagic[8] = {'c', 'l', 'e', 'a', 'r', 'w', 'a', 'y'};
-constexpr std::uint64_t kVersion = 6;
+constexpr std::uint64_t kVersion = 7;
 constexpr std::uint64_t kByteOrder = 0x0102030405060708u;
 
 [[noreturn]] void refuseFile(const std::string& file, const std::string& reason) {
@@ -133,7 +133,14 @@ void addRest(ArchiveWriter& out, const BuildReport& report, const std::vector<Co
     out.add(origin.file);
     out.add(origin.scale);
     addVector(out, origin.shift);
+    out.add(origin.format);
+    out.add(std::uint64_t(origin.isChecked));
+    out.add(origin.unitMetres);
+    out.add(std::uint64_t(origin.upAxis));
     out.add(std::uint64_t(origin.ignoredFaces));
+    out.add(std::uint64_t(origin.crossingFaces));
+    out.add(std::uint64_t(origin.bentFaces));
+    out.add(origin.bentBy);
     out.add(std::uint64_t(origin.notes.size()));
     for (const std::string& note : origin.notes) out.add(note);
 }
@@ -155,7 +162,14 @@ void readRest(ArchiveReader& in, BuildReport& report, std::vector<Component>& co
     origin.file = in.readText();
     origin.scale = in.read<double>();
     origin.shift = readVector(in);
+    origin.format = in.readText();
+    origin.isChecked = in.read<std::uint64_t>() != 0;
+    origin.unitMetres = in.read<double>();
+    origin.upAxis = static_cast<char>(in.read<std::uint64_t>());
     origin.ignoredFaces = in.read<std::uint64_t>();
+    origin.crossingFaces = in.read<std::uint64_t>();
+    origin.bentFaces = in.read<std::uint64_t>();
+    origin.bentBy = in.read<double>();
     origin.notes.resize(in.readCount(8));
     for (std::string& note : origin.notes) note = in.readText();
 }

@@ -4,6 +4,7 @@
 #include "clearway/obstacle_groups.h"
 #include "clearway/problem.h"
 #include "core/number.h"
+#include "mesh/check.h"
 #include "problem/outside.h"
 
 namespace clearway {
@@ -60,11 +61,16 @@ std::vector<ShrunkPart> shrinkPart(const Problem& problem, const Mesh& part, con
 
 LoadedScene loadScene(const Problem& problem, const BuildOptions& options, const SceneLoading& loading) {
     const Mesh partMesh = loadPart(problem, loading.read);
-    const ObstacleGroups obstacles = obstaclesOf(problem, loadWorlds(problem, loading.read));
+    const std::vector<Mesh> worlds = loadWorlds(problem, loading.read);
+    const ObstacleGroups obstacles = obstaclesOf(problem, worlds);
     const Model part = loading.build(partMesh, options, std::nullopt);
     std::optional<Reach> reach;
     if (loading.reach) reach = loading.reach(part, obstacles.environmentBox());
-    std::vector<std::string> notes = obstacles.notes;
+    std::vector<std::string> notes = readingWarnings(partMesh.origin);
+    for (const Mesh& world : worlds) {
+        for (const std::string& warning : readingWarnings(world.origin)) notes.push_back(warning);
+    }
+    notes.insert(notes.end(), obstacles.notes.begin(), obstacles.notes.end());
     if (const std::string note = readingNote(problem, partMesh); !note.empty()) notes.push_back(note);
     if (const std::string note = unitNote(part.box(), obstacles.environmentBox(), problem.unit);
         !note.empty())

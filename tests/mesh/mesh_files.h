@@ -1,12 +1,51 @@
 // Small mesh files, written by hand in the formats that matter. All hold one tetrahedron of exact floats.
 #pragma once
 
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "clearway/mesh.h"
+#include "support/temporary_folder.h"
 
 namespace clearway::testing {
+
+/// Loads a file with this name and content.
+inline Mesh loadText(const std::string& name, const std::string& content, const LoadOptions& options = {}) {
+    const TemporaryFolder folder;
+    return loadMesh(folder.write(name, content), options);
+}
+
+/// Why the file is refused, without its name; "accepted" when it is not.
+inline std::string refusalOfText(const std::string& name, const std::string& content) {
+    const TemporaryFolder folder;
+    const std::string file = folder.write(name, content), begin = "cannot read mesh '" + file + "': ";
+    try {
+        loadMesh(file);
+    } catch (const std::runtime_error& error) {
+        const std::string message = error.what();
+        if (message.compare(0, begin.size(), begin) != 0) return "without the file's name: " + message;
+        return message.substr(begin.size());
+    }
+    return "accepted";
+}
+
+/// The sum of the triangles' areas.
+inline double areaOf(const Mesh& mesh) {
+    double area = 0;
+    for (const TriangleIndices& t : mesh.triangles) {
+        const Vector3 u = mesh.vertices[t[1]] - mesh.vertices[t[0]],
+                      v = mesh.vertices[t[2]] - mesh.vertices[t[0]];
+        area += u.cross(v).norm() / 2;
+    }
+    return area;
+}
+
+inline std::vector<std::string> namesOf(const Mesh& mesh) {
+    std::vector<std::string> names;
+    for (const Component& component : mesh.components) names.push_back(component.name);
+    return names;
+}
 
 /// Four triangles with different coordinates everywhere, so that a swap of axes is noticed.
 inline Mesh tetrahedron() {

@@ -63,9 +63,9 @@ std::string awkwardFile(std::uint64_t seed) {
     mesh.triangles.resize(mesh.triangles.size() - 5);
     std::string nodes;
     for (int i = 0; i < 4; ++i) {
-        const std::string turn = "<rotate>" + std::to_string(random.uniform(-1, 1)) + " " +
-                                 std::to_string(random.uniform(-1, 1)) + " 0.7 " +
-                                 std::to_string(random.uniform(-180, 180)) + "</rotate>";
+        const Vector3 axis = Vector3(random.uniform(-1, 1), random.uniform(-1, 1), 0.7).normalized();
+        const std::string turn =
+            "<rotate>" + words(axis) + " " + std::to_string(random.uniform(-180, 180)) + "</rotate>";
         const std::string step = "<translate>" + words(random.inBox(300)) + "</translate>";
         const std::string show = "<instance_geometry url=\"#shape\"/>";
         nodes += "<node name=\"arm" + std::to_string(i) + "\">" + step + turn + (i % 2 ? show : "") +

@@ -98,7 +98,11 @@ BOOST_DATA_TEST_CASE(coordinates_in_millimetres_come_back_the_same_in_order, dat
             Random random(seed);
             const Mesh mesh =
                 namedMesh(random, [&] { return static_cast<float>(random.uniform(-3000, 3000)); });
-            const Mesh loaded = savedAndLoaded(mesh, std::string("part") + ending);
+            Mesh loaded = savedAndLoaded(mesh, std::string("part") + ending);
+            if (ending ==
+                std::string(".dae")) {  // its text tells floats apart, with fewer digits than doubles need
+                for (Vector3& vertex : loaded.vertices) vertex = vertex.cast<float>().cast<double>();
+            }
             BOOST_TEST(differingCorners(loaded, mesh) == 0u);
             if (keepsComponents) {
                 requireSameComponents(loaded, mesh);
@@ -109,7 +113,7 @@ BOOST_DATA_TEST_CASE(coordinates_in_millimetres_come_back_the_same_in_order, dat
     }
 }
 
-BOOST_AUTO_TEST_CASE(text_formats_are_off_by_two_units_in_the_last_place_at_most) {
+BOOST_AUTO_TEST_CASE(texts_keep_floats_and_collada_nearly_so) {
     for (const char* const name : {"a.obj", "a.dae"}) {
         Random random(7);
         BOOST_TEST_CONTEXT(name << ", seed 7") {
@@ -126,7 +130,7 @@ BOOST_AUTO_TEST_CASE(text_formats_are_off_by_two_units_in_the_last_place_at_most
                     worst = std::max(worst, error.cwiseAbs().cwiseQuotient(saved).maxCoeff());
                 }
             }
-            BOOST_TEST(worst < std::ldexp(1.0, -22));
+            BOOST_TEST(worst <= (name == std::string("a.obj") ? 0 : 1e-8));
         }
     }
 }

@@ -1,0 +1,95 @@
+#include "mesh/read/collector.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+#include <stdexcept>
+
+#include "core/number.h"
+#include "mesh/check.h"
+#include "mesh/components.h"
+#include "mesh/read/polygon.h"
+
+namespace clearway {
+namespace {
+
+/// Share of a polygon's size. Rounding to float, or to six digits of a text, bends polygons by less.
+constexpr double kFlat = 1e-4;
+
+}  // namespace
+
+MeshCollector::MeshCollector(const std::string& file) {
+    mesh_.origin.file = file;
+}
+
+void MeshCollector::refuse(const std::string& reason) const {
+    throw std::runtime_error("cannot read mesh '" + file() + "': " + reason);
+}
+
+void MeshCollector::beginComponent(std::string_view name) {
+    closeComponent();
+    name_ = name;
+}
+
+void MeshCollector::closeComponent() {
+    const std::size_t count = mesh_.triangles.size() - first_;
+    if (count > 0) {
+        mesh_.components.push_back(
+            {name_, static_cast<std::uint32_t>(first_), static_cast<std::uint32_t>(count)});
+    }
+    first_ = mesh_.triangles.size();
+}
+
+void MeshCollector::reserve(std::size_t vertices, std::size_t triangles) {
+    mesh_.vertices.reserve(vertices);
+    mesh_.triangles.reserve(triangles);
+}
+
+std::uint32_t MeshCollector::addVertex(const Vector3& vertex) {
+    if (mesh_.vertices.size() == std::numeric_limits<std::uint32_t>::max())
+        refuse("it has more than 2^32 - 1 vertices");
+    mesh_.vertices.push_back(vertex);
+    return static_cast<std::uint32_t>(mesh_.vertices.size() - 1);
+}
+
+void MeshCollector::addFace(const std::uint32_t* corners, std::size_t count) {
+    if (count == 3) return addTriangle(corners[0], corners[1], corners[2]);
+    if (count < 3) return ignoreFaces(1);
+    MeshOrigin& origin = mesh_.origin;
+    const PolygonShape shape = triangulate(mesh_.vertices, corners, count, mesh_.triangles);
+    if (!shape.isFilled) {
+        ++origin.crossingFaces;
+        origin.ignoredFaces += count - 2;
+    } else if (shape.height > kFlat * shape.size) {
+        ++origin.bentFaces;
+        origin.bentBy = std::max(origin.bentBy, shape.height);
+    }
+}
+
+void MeshCollector::acceptTail(std::string_view tail, const std::string& declared) {
+    constexpr std::size_t kMost = 49;  // less than a facet of a binary STL file takes
+    if (tail.empty()) return;
+    const std::string follow = std::to_string(tail.size()) + " bytes after " + declared;
+    const bool isBlank = tail.find_first_not_of(std::string_view(" \t\r\n\f\v\0", 7)) == tail.npos;
+    if (tail.size() > kMost && !isBlank) refuse("it has " + follow + ", expected none");
+    if (!isBlank) note("left out: " + follow);
+}
+
+void MeshCollector::setUnit(double metres) {
+    mesh_.origin.unitMetres = metres;
+}
+
+void MeshCollector::setUpAxis(char axis) {
+    mesh_.origin.upAxis = axis;
+}
+
+Mesh MeshCollector::take() {
+    closeComponent();
+    if (mesh_.triangles.empty()) refuse("it holds no triangle, expected at least one");
+    if (mesh_.triangles.size() > std::numeric_limits<std::uint32_t>::max())
+        refuse("it has more than 2^32 - 1 triangles");
+    makeNamesDistinct(mesh_.components, std::filesystem::path(file()).stem().string());
+    return std::move(mesh_);
+}
+
+}  // namespace clearway

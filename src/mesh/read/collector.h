@@ -1,0 +1,82 @@
+// What a reader of mesh files collects: vertices, polygons, components and notes.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "clearway/mesh.h"
+
+namespace clearway {
+
+/// An affine map from the coordinates of a node, an object or an instance to those of the file; in double.
+struct Placement {
+    Matrix3 linear = Matrix3::Identity();
+    Vector3 translation = Vector3::Zero();
+
+    Vector3 operator()(const Vector3& point) const { return linear * point + translation; }
+    bool isMirrored() const { return linear.determinant() < 0; }
+};
+
+/// First b, then a.
+inline Placement operator*(const Placement& a, const Placement& b) {
+    return {a.linear * b.linear, a(b.translation)};
+}
+
+/// Collects a mesh from a file. Polygons are triangulated as they come.
+class MeshCollector {
+  public:
+    /// file: the path, for messages and for files that the file refers to.
+    explicit MeshCollector(const std::string& file);
+
+    const std::string& file() const { return mesh_.origin.file; }
+
+    /// Throws std::runtime_error: cannot read mesh 'FILE': REASON. The reason names the element and its number, the value and what was
+    /// expected.
+    [[noreturn]] void refuse(const std::string& reason) const;
+
+    /// Faces from here on belong to a component of this name; it may be empty, or another component's.
+    void beginComponent(std::string_view name);
+
+    void reserve(std::size_t vertices, std::size_t triangles);
+
+    std::size_t vertexCount() const { return mesh_.vertices.size(); }
+
+    /// Returns the position among the vertices.
+    std::uint32_t addVertex(const Vector3& vertex);
+
+    /// A face of three or more corners, which are positions of vertices that have been added. The caller has checked that they are in
+    /// range. what: names the face in messages, such as "face 12". Counts a face of one or two corners as ignored.
+    void addFace(const std::uint32_t* corners, std::size_t count);
+
+    /// The fastest way to add a triangle.
+    void addTriangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+        mesh_.triangles.push_back({a, b, c});
+    }
+
+    /// Counts points and lines, which a mesh leaves out.
+    void ignoreFaces(std::size_t count) { mesh_.origin.ignoredFaces += count; }
+
+    void note(std::string text) { mesh_.origin.notes.push_back(std::move(text)); }
+
+    /// What follows the last element that the file declares. Notes up to 49 bytes, and any number of zeros and blanks: some writers add
+    /// them. Refuses more, which may be elements that the file does not count. declared: what it counts, such as "its 12 triangles".
+    void acceptTail(std::string_view tail, const std::string& declared);
+
+    /// The unit that the file states, in metres, and its up axis ('x', 'y' or 'z'). Both are shown, and never applied in the stored reading.
+    void setUnit(double metres);
+    void setUpAxis(char axis);
+
+    /// The mesh; components without faces are left out, the others get names as loadMesh promises. Refuses a mesh without triangles.
+    Mesh take();
+
+  private:
+    void closeComponent();
+
+    Mesh mesh_;
+    std::string name_;
+    std::size_t first_ = 0;  ///< triangle of the component that is being collected
+};
+
+}  // namespace clearway

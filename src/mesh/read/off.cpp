@@ -1,0 +1,148 @@
+// OFF and its variants with colours, normals and texture coordinates, as text.
+// Source: Geomview's manual, "OFF: the generic polyhedral format".
+#include <algorithm>
+#include <vector>
+
+#include "mesh/read/readers.h"
+#include "mesh/read/scanner.h"
+
+namespace clearway {
+namespace {
+
+/// A scanner to which the rest of a line after # is white space.
+class OffScanner : public Scanner {
+  public:
+    using Scanner::Scanner;
+
+    bool isAtItemEnd() { return isAtLineEnd() || *at_ == '#'; }
+
+    /// Goes to the next item, over comments and blank lines.
+    bool skipToItem() {
+        while (skipSpace()) {
+            if (*at_ != '#') return true;
+            nextLine();
+        }
+        return false;
+    }
+};
+
+class OffFile {
+  public:
+    OffFile(std::string_view bytes, MeshCollector& mesh) : scanner_(bytes, mesh), mesh_(mesh) {}
+
+    void read() {
+        readHeader();
+        mesh_.reserve(vertices_, faces_);
+        for (std::size_t i = 0; i < vertices_; ++i) readVertex(i);
+        for (std::size_t i = 0; i < faces_; ++i) readFace(i);
+        if (scanner_.skipToItem()) {
+            scanner_.refuse(quote(scanner_.word()) + " stands after the " + std::to_string(faces_) +
+                            " faces that the header states, expected the end of the file");
+        }
+    }
+
+  private:
+    void readHeader() {
+        if (!scanner_.skipToItem()) mesh_.refuse("it holds no OFF header");
+        const char* const first = scanner_.at();
+        if (*first < '0' || *first > '9') readKeyword();
+        vertices_ = readCount("vertices");
+        faces_ = readCount("faces");
+        if (!scanner_.isAtItemEnd()) scanner_.integer([] { return std::string("the number of edges"); });
+        if (!scanner_.isAtItemEnd())
+            scanner_.refuse("the header has " + quote(scanner_.word()) + " after its counts");
+    }
+
+    void readKeyword() {
+        const std::string_view keyword = scanner_.word();
+        const std::size_t off = keyword.size() < 3 ? keyword.npos : keyword.size() - 3;
+        const std::string_view kind = keyword.substr(0, std::min(off, keyword.size()));
+        const bool isKnown = off != keyword.npos && keyword.substr(off) == "OFF" &&
+                             kind.find_first_not_of("STCN") == kind.npos;
+        if (!isKnown)
+            scanner_.refuse("the header is " + quote(keyword) +
+                            ", expected OFF, COFF, NOFF, STOFF or a mixture");
+        hasExtras_ = !kind.empty();
+        if (!scanner_.isAtItemEnd() && (*scanner_.at() < '0' || *scanner_.at() > '9')) {
+            scanner_.refuse("the header has " + quote(scanner_.word()) + " after " + quote(keyword) +
+                            ", expected a text file's numbers");
+        }
+    }
+
+    /// An item takes at least two bytes.
+    std::size_t readCount(const std::string& things) {
+        if (!scanner_.skipToItem()) mesh_.refuse("it ends before the number of its " + things);
+        const std::int64_t count = scanner_.integer([&] { return "the number of " + things; });
+        if (count < 0 || std::uint64_t(count) > scanner_.bytesLeft() / 2) {
+            scanner_.refuse("the header states " + std::to_string(count) + " " + things + ", and " +
+                            std::to_string(scanner_.bytesLeft()) + " bytes follow");
+        }
+        return std::size_t(count);
+    }
+
+    void readVertex(std::size_t id) {
+        const auto name = [&] { return "vertex " + std::to_string(id); };
+        beginItem(name, vertices_, "vertices");
+        Vector3 vertex;
+        for (int i = 0; i < 3; ++i) vertex[i] = scanner_.number(name);
+        const std::size_t more = countRest(name);
+        if (!hasExtras_ && more != 0 && more != 3 && more != 4) {
+            scanner_.refuse(name() + " has " + std::to_string(3 + more) +
+                            " numbers, expected 3, or 6 or 7 with a colour");
+        }
+        mesh_.addVertex(vertex);
+    }
+
+    void readFace(std::size_t id) {
+        const auto name = [&] { return "face " + std::to_string(id); };
+        beginItem(name, faces_, "faces");
+        const std::int64_t count = scanner_.integer(name);
+        if (count < 1 || std::uint64_t(count) > scanner_.bytesLeft()) {
+            scanner_.refuse(name() + " has " + std::to_string(count) + " corners, expected at least 1");
+        }
+        corners_.clear();
+        for (std::int64_t i = 0; i < count; ++i) {
+            const std::int64_t corner = scanner_.integer(name);
+            if (corner < 0 || std::uint64_t(corner) >= vertices_) {
+                scanner_.refuse(name() + " refers to vertex " + std::to_string(corner) +
+                                ", expected one below " + std::to_string(vertices_));
+            }
+            corners_.push_back(static_cast<std::uint32_t>(corner));
+        }
+        if (const std::size_t more = countRest(name); more > 4) {
+            scanner_.refuse(name() + " has " + std::to_string(more) +
+                            " numbers after its corners, expected a colour of at most 4");
+        }
+        mesh_.addFace(corners_.data(), corners_.size());
+    }
+
+    template <class Name>
+    void beginItem(const Name& name, std::size_t stated, const char* things) {
+        if (scanner_.skipToItem()) return;
+        scanner_.refuse("the file ends before " + name() + ", expected the " + std::to_string(stated) + " " +
+                        things + " that its header states");
+    }
+
+    /// The number of numbers up to the end of the line: colours, normals, texture coordinates.
+    template <class Name>
+    std::size_t countRest(const Name& name) {
+        std::size_t count = 0;
+        for (; !scanner_.isAtItemEnd(); ++count) scanner_.number(name);
+        scanner_.nextLine();
+        return count;
+    }
+
+    OffScanner scanner_;
+    MeshCollector& mesh_;
+    std::size_t vertices_ = 0, faces_ = 0;
+    bool hasExtras_ = false;
+    std::vector<std::uint32_t> corners_;
+};
+
+}  // namespace
+
+void readOff(std::string_view bytes, MeshCollector& mesh) {
+    OffFile(bytes, mesh).read();
+}
+
+}  // namespace clearway
