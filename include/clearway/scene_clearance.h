@@ -273,8 +273,8 @@ struct QueryTally {
 /// Returns the tally of the calling thread's queries, of all scenes, and starts a new one at 0.
 QueryTally takeQueryTally();
 
-/// Names of the two meshes of a pair: a component's name, else its file's. Both are empty when `nearest` is
-/// no pair of triangles.
+/// Names of the two meshes of a pair: a component's name, else its file's. Equal names begin with the files' names: "plug.stl/Body" and
+/// "socket.stl/Body". Both are empty when `nearest` is no pair of triangles.
 struct MeshNames {
     std::string part;         ///< the mesh of the part
     std::string environment;  ///< the mesh of the obstacle

@@ -9,14 +9,18 @@
 namespace clearway {
 namespace {
 
+std::string fileName(const Model& model) {
+    const std::string& file = model.origin().file;
+    return file.empty() ? "unnamed" : file.substr(file.find_last_of('/') + 1);
+}
+
 std::string meshName(const Model& model, std::int64_t component) {
     const auto& components = model.components();
     if (component >= 0 && static_cast<std::size_t>(component) < components.size()) {
         const std::string& name = components[static_cast<std::size_t>(component)].name;
         if (!name.empty()) return name;
     }
-    const std::string& file = model.origin().file;
-    return file.empty() ? "unnamed" : file.substr(file.find_last_of('/') + 1);
+    return fileName(model);
 }
 
 double marginOf(const Scene& scene, const SceneDistance& nearest) {
@@ -82,7 +86,16 @@ std::string SceneClearance::whyInvalid(const Pose& X_environmentPart) const {
 MeshNames meshNames(const Scene& scene, const SceneDistance& nearest) {
     if (nearest.partTriangle < 0 || nearest.obstacle < 0) return {};
     const Model& environment = scene.obstacles[static_cast<std::size_t>(nearest.obstacle)].model;
-    return {meshName(scene.part, nearest.partComponent), meshName(environment, nearest.environmentComponent)};
+    MeshNames names = {meshName(scene.part, nearest.partComponent),
+                       meshName(environment, nearest.environmentComponent)};
+    if (names.part == names.environment) {
+        const std::string part = fileName(scene.part), obstacle = fileName(environment);
+        if (names.part != part) names.part = part + "/" + names.part;
+        if (names.environment != obstacle) names.environment = obstacle + "/" + names.environment;
+        if (names.part == names.environment)
+            names = {"part/" + names.part, "environment/" + names.environment};
+    }
+    return names;
 }
 
 }  // namespace clearway

@@ -100,7 +100,7 @@ void print(const Problem& problem, const Scene& scene, const planning::PathCheck
     printRow("length", shownLength(check.audit.length));
     printRow("turned", readable(check.audit.turned * 180 / M_PI) + " degrees");
     printRow("queries", std::to_string(check.audit.queries));
-    printAudit(check.audit);
+    printAudit(check.audit, scene);
     if (!check.audit.isValid())
         printRow("valid", "at least " + shortened(100 * validShare(scene, check.audit)) +
                               " % of the length: each segment counts up to where it is not valid");

@@ -103,7 +103,9 @@ Json toJson(const Pose& pose) {
 }
 
 Json toJson(const Model& model) {
-    Json json = {{"file", model.origin().file}, {"triangles", model.report().triangles}};
+    Json json = {{"file", model.origin().file},
+                 {"reading", readingWord(model.origin())},
+                 {"triangles", model.report().triangles}};
     if (model.report().unreachableTriangles > 0) json["left_out"] = model.report().unreachableTriangles;
     return json;
 }

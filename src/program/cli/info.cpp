@@ -9,6 +9,7 @@
 #include "clearway/planning/plan.h"
 #include "clearway/problem.h"
 #include "clearway/scene_clearance.h"
+#include "mesh/check.h"
 #include "mesh/clean.h"
 #include "mesh/topology.h"
 #include "program/cli/enclosure.h"
@@ -36,12 +37,17 @@ void describeReading(const Mesh& mesh, const std::string& reading) {
     const MeshOrigin& origin = mesh.origin;
     const Box box = boundingBox(mesh);
     printRow("mesh", origin.file);
-    printRow("read", reading);
+    printRow("read", reading + (origin.format.empty() ? "" : ", " + origin.format));
+    if (const std::string turn = turnedByAssimp(origin); !turn.empty())
+        printRow("  but turned", "by assimp: " + turn);
+    if (origin.unitMetres > 0) printRow("unit stated", unitName(origin.unitMetres) + ", not applied");
+    if (origin.upAxis != 0) printRow("up axis stated", std::string(1, origin.upAxis) + ", not applied");
     printRow("applied", "scale " + readable(origin.scale) + ", then shift " + readable(origin.shift));
     for (const std::string& note : origin.notes) printRow("note", note);
+    for (const std::string& warning : readingWarnings(origin)) printRow("warning", warning);
     if (origin.ignoredFaces > 0) {
         printRow("left out", counted(origin.ignoredFaces, "face") +
-                                 " (points, lines, and faces that cannot be triangulated)");
+                                 " (points, lines, and triangles of faces whose outlines cross themselves)");
     }
     printRow("box in file units", readable(inFileUnits(box, origin)));
     printRow("box as applied", inUnit(readable(box)));

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "mesh/topology.h"
+#include "program/cli/print.h"
 
 namespace clearway::cli {
 
@@ -56,8 +57,14 @@ Json meshFacts(const Mesh& mesh, const CleanMesh& cleaned, const Model& model) {
     return {{"file", origin.file},
             {"scale", toJson(origin.scale)},
             {"shift", toJson(origin.shift)},
+            {"format", origin.format},
+            {"reading", readingWord(origin)},
+            {"unit_stated", origin.unitMetres > 0 ? Json(unitName(origin.unitMetres)) : Json()},
+            {"up_axis_stated", origin.upAxis != 0 ? Json(std::string(1, origin.upAxis)) : Json()},
             {"notes", origin.notes},
             {"faces_left_out", origin.ignoredFaces},
+            {"faces_that_cross_themselves", origin.crossingFaces},
+            {"faces_not_flat", origin.bentFaces},
             {"box", toJson(boundingBox(mesh))},
             {"triangles", mesh.triangles.size()},
             {"vertices", {{"read", mesh.vertices.size()}, {"different", cleaned.vertices.size()}}},
@@ -91,7 +98,7 @@ Json problemFacts(const Problem& problem, const Box& bounds) {
                  {"contact_start", contactFacts(problem.rules.startContact)},
                  {"contact_goal", contactFacts(problem.rules.goalContact)},
                  {"fineness", orNull(problem.fineness)},
-                 {"reading", problem.asOmplApp ? "omplapp" : "stored"},
+                 {"coordinates", problem.asOmplApp ? "omplapp" : "stored"},
                  {"planners", Json::array()},
                  {"time_limit_seconds", orNull(problem.timeLimit)},
                  {"memory_limit_megabytes", orNull(problem.memoryLimit)},

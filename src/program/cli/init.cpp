@@ -11,6 +11,7 @@
 #include "core/number.h"
 #include "core/replace_file.h"
 #include "core/text.h"
+#include "mesh/check.h"
 #include "mesh/clean.h"
 #include "mesh/components.h"
 #include "mesh/topology.h"
@@ -75,7 +76,8 @@ std::string describe(const Mesh& mesh) {
 
 Json factsOf(const Mesh& mesh) {
     const EdgeReport edges = checkEdges(clean(mesh).triangles);
-    return {{"triangles", mesh.triangles.size()},
+    return {{"reading", readingWord(mesh.origin)},
+            {"triangles", mesh.triangles.size()},
             {"closed", edges.isClosed() && edges.closedEdges > 0},
             {"box", toJson(boundingBox(mesh))}};
 }
@@ -149,7 +151,34 @@ struct Seen {
     double partSize;
     std::vector<std::string> touched;
     std::optional<FarSide> farSide;  ///< of the surroundings, when the part starts outside of them
+    std::string unit;                ///< that all files state; empty when one of them states none, or another
+    bool isTurned;                   ///< whether assimp turned a mesh
 };
+
+/// The unit that all of the meshes state, as problem files name it.
+std::string commonUnit(const std::vector<Mesh>& meshes) {
+    for (const LengthUnit& unit : lengthUnits()) {
+        const bool isCommon = std::all_of(meshes.begin(), meshes.end(), [&](const Mesh& mesh) {
+            return std::abs(mesh.origin.unitMetres - unit.metres) <= 1e-9 * unit.metres;
+        });
+        if (isCommon) return unit.name;
+    }
+    return "";
+}
+
+/// Warns when two files state different units.
+void warnOfUnits(const std::vector<Mesh>& meshes) {
+    const Mesh* first = nullptr;
+    for (const Mesh& mesh : meshes) {
+        const double metres = mesh.origin.unitMetres;
+        if (metres == 0) continue;
+        if (!first) first = &mesh;
+        if (std::abs(metres - first->origin.unitMetres) <= 1e-9 * metres) continue;
+        printWarnings({"'" + first->origin.file + "' states the unit " + unitName(first->origin.unitMetres) +
+                       " and '" + mesh.origin.file + "' the unit " + unitName(metres) +
+                       "; robot.scale and world.scale in [clearway] are factors for their coordinates"});
+    }
+}
 
 std::string textOf(const InitArguments& given, const Seen& seen) {
     ProblemText text;
@@ -176,8 +205,15 @@ std::string textOf(const InitArguments& given, const Seen& seen) {
     for (int i = 0; i < 3; ++i)
         text.line(std::string("volume.max.") + kAxisNames[i], rounded(seen.bounds.max()[i], true), "");
     text.section("clearway");
-    text.choice("unit", "mm", "the unit of all lengths here, um, mm, cm, m, km, in or ft: shown beside them");
-    text.line("reading", "stored", "coordinates as the files hold them");
+    if (seen.unit.empty()) {
+        text.choice("unit", "mm",
+                    "the unit of all lengths here, um, mm, cm, m, km, in or ft: shown beside them");
+    } else {
+        text.line("unit", seen.unit, "the unit that the files state; shown beside all lengths here");
+    }
+    text.line("reading", "stored",
+              std::string("coordinates as the files hold them") +
+                  (seen.isTurned ? ", but for what assimp turns" : ""));
     text.line("goal", "outside", "any pose at which the boxes of part and surroundings are apart");
     if (seen.farSide) {
         text.line("outside", seen.farSide->far,
@@ -228,8 +264,13 @@ int init(const Arguments& words) {
     const Mesh part = loadPart(problem, guardedLoadMesh);
     const std::vector<Mesh> worlds = loadWorlds(problem, guardedLoadMesh);
     const Mesh environment = joinedEnvironment(worlds);
+    std::vector<Mesh> meshes = worlds;
+    meshes.push_back(part);
 
     Seen seen;
+    seen.unit = commonUnit(meshes);
+    seen.isTurned = std::any_of(meshes.begin(), meshes.end(),
+                                [](const Mesh& mesh) { return !turnedByAssimp(mesh.origin).empty(); });
     seen.part = describe(part);
     seen.environment = describe(environment);
     seen.partSize = boundingBox(part).diagonal().norm();
@@ -245,6 +286,8 @@ int init(const Arguments& words) {
     if (const std::string note = unitNote(boundingBox(part), boundingBox(environment), ""); !note.empty())
         printWarnings(
             {note + " robot.scale and world.scale in [clearway] are factors for their coordinates"});
+    for (const Mesh& mesh : meshes) printWarnings(readingWarnings(mesh.origin));
+    warnOfUnits(meshes);
     facts()["problem"] = given.out;
     facts()["part"] = factsOf(part);
     facts()["environment"] = factsOf(environment);

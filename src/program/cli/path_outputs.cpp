@@ -9,6 +9,7 @@
 
 #include "clearway/swept_volume.h"
 #include "core/replace_file.h"
+#include "mesh/check.h"
 #include "problem/rotation.h"
 #include "program/cli/load_guard.h"
 #include "program/cli/print.h"
@@ -35,10 +36,14 @@ std::string shortName(const std::string& file) {
 Rows problemRows(const Problem& problem, const Mesh& part, const Mesh& environment) {
     std::string worlds;
     for (const std::string& file : worldFiles(problem)) worlds += shortName(file) + ", ";
-    return {{"problem", shortName(problem.file)},
-            {"part", shortName(problem.robot) + ", " + counted(part.triangles.size(), "triangle")},
-            {"environment", worlds + counted(environment.triangles.size(), "triangle")},
-            {"margin", statedLength(problem.margin)}};
+    Rows rows = {{"problem", shortName(problem.file)},
+                 {"part", shortName(problem.robot) + ", " + counted(part.triangles.size(), "triangle")},
+                 {"environment", worlds + counted(environment.triangles.size(), "triangle")},
+                 {"margin", statedLength(problem.margin)}};
+    for (const Mesh* mesh : {&part, &environment}) {
+        for (const std::string& warning : readingWarnings(mesh->origin)) rows.push_back({"warning", warning});
+    }
+    return rows;
 }
 
 Rows pathRows(const std::vector<PartState>& path, const planning::PathAudit& audit) {
@@ -67,8 +72,8 @@ report::ReportTable overlapTable(const std::vector<FoundOverlap>& overlaps) {
     return table;
 }
 
-std::string verdictOf(const planning::PathAudit& audit) {
-    if (audit.isValid()) return "valid along the whole path, certified";
+std::string verdictOf(const planning::PathAudit& audit, const Scene& scene) {
+    if (audit.isValid()) return "valid along the whole path, certified" + certificateScope(scene);
     return "NOT valid: " + std::to_string(audit.notValid.size()) + " of " +
            counted(audit.segments.size(), "segment");
 }
@@ -83,7 +88,7 @@ void writePage(const Problem& problem, const Mesh& part, const Mesh& environment
                const std::vector<PartState>& path, const planning::PathAudit& audit, const Rows& planner,
                const std::vector<FoundOverlap>& overlaps, const std::string& file) {
     report::ReportInput input{problem.name.empty() ? shortName(problem.file) : problem.name,
-                              verdictOf(audit),
+                              verdictOf(audit, scene),
                               part,
                               environment,
                               scene,

@@ -212,15 +212,16 @@ planning::PathAudit printTrialPath(const std::vector<PartState>& path, const Pro
     const planning::PathAudit audit = planning::checkPath(problem, scene, path).audit;
     printRows({{"found by", "a trial of --explain, among all obstacles; give --time more for a shorter one"},
                {"states", std::to_string(path.size())}});
-    printAudit(audit);
+    printAudit(audit, scene);
     writeOrPrint(path, problem.space, file);
     printRow("path", file);
     return audit;
 }
 
-void printPath(const PlanReport& report, const Problem& problem, const std::string& file) {
+void printPath(const PlanReport& report, const Problem& problem, const Scene& scene,
+               const std::string& file) {
     printRows(pathRows(report));
-    printAudit(report.audit);
+    printAudit(report.audit, scene);
     if (report.isStopped) printRow("interrupted", "the path is the best so far");
     writeOrPrint(report.path, problem.space, file);
     printRow("path", file);
@@ -286,7 +287,7 @@ int planAndWrite(const PlanArguments& given, const Problem& problem, OldPath& ol
         // The same audit as that of `clearway check`, so that both name the same closest pair.
         report.audit = planning::checkPath(problem, scene, path).audit;
         isValid = isValid && report.audit.isValid();
-        printPath(report, problem, given.path);
+        printPath(report, problem, scene, given.path);
         for (const auto& row : pathRows(report)) figures.push_back(row);
     } else {
         printRow("path", report.isStopped       ? "none, interrupted"

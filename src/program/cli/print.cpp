@@ -180,6 +180,27 @@ void printMesh(const std::string& label, const Model& model) {
                         (leftOut > 0 ? ", " + std::to_string(leftOut) + " out of reach left out" : ""));
 }
 
+std::string unitName(double metres) {
+    for (const LengthUnit& unit : lengthUnits()) {
+        if (std::abs(unit.metres - metres) <= 1e-9 * metres) return unit.name;
+    }
+    return readable(metres) + " m";
+}
+
+std::string readingWord(const MeshOrigin& origin) {
+    return origin.isChecked ? "checked" : "unchecked";
+}
+
+bool isChecked(const Scene& scene) {
+    return scene.part.origin().isChecked &&
+           std::all_of(scene.obstacles.begin(), scene.obstacles.end(),
+                       [](const Obstacle& obstacle) { return obstacle.model.origin().isChecked; });
+}
+
+std::string certificateScope(const Scene& scene) {
+    return isChecked(scene) ? "" : " for the triangles that assimp delivered";
+}
+
 void printWarnings(const std::vector<std::string>& warnings) {
     for (const std::string& warning : warnings) std::cerr << "clearway: warning: " << warning << "\n";
 }

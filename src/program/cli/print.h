@@ -53,6 +53,18 @@ void printMesh(const std::string& label, const Model& model);
 void printObstacles(const Scene& scene);
 void printObstacles(const ObstacleGroups& obstacles);
 
+/// "mm" for 0.001; "0.3 m" for a unit that problems cannot state.
+std::string unitName(double metres);
+
+/// "checked", or "unchecked" for a mesh that assimp alone read.
+std::string readingWord(const MeshOrigin& origin);
+
+/// Whether all meshes of the scene are checked.
+bool isChecked(const Scene& scene);
+
+/// Ends a certificate's row: empty when all meshes of the scene are checked.
+std::string certificateScope(const Scene& scene);
+
 /// Prints one line each on stderr.
 void printWarnings(const std::vector<std::string>& warnings);
 

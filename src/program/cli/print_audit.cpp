@@ -184,10 +184,10 @@ std::string leastClearanceOf(const PathAudit& audit) {
     return inUnit(least + " to " + shortenedUp(audit.upperClearance));
 }
 
-void printAudit(const PathAudit& audit) {
+void printAudit(const PathAudit& audit, const Scene& scene) {
     const std::size_t count = audit.segments.size();
     if (audit.isValid()) {
-        printRow("audit", "valid along the whole path, certified");
+        printRow("audit", "valid along the whole path, certified" + certificateScope(scene));
     } else {
         const SegmentAudit& first = audit.segments[audit.notValid[0]];
         printRow("audit",

@@ -13,7 +13,7 @@
 namespace clearway::cli {
 
 /// Prints rows about whether the path is valid, and where it is closest: both points, their triangles and the pose.
-void printAudit(const planning::PathAudit& audit);
+void printAudit(const planning::PathAudit& audit, const Scene& scene);
 
 /// Where on the path obstacles were left out because the part was within a contact zone; no rows if nowhere.
 Rows contactRows(const planning::PathAudit& audit);
