@@ -93,9 +93,9 @@ Mesh loadMesh(const std::string& file, const LoadOptions& options = {});
 /// Writes the mesh in the format of the file's ending: .glb, .obj, .ply, .stl or .dae. Coordinates are
 /// rounded to float, as the formats store them. The file is written under a temporary name, then renamed.
 ///
-/// .glb and .obj read back to equal floats, the triangles in equal order, and equal component names (if distinct and not empty). .dae keeps
-/// order and names, and its text has two digits less than a double needs: coordinates read back within 1e-8 of their size. .ply and .stl
-/// (both binary) keep floats and order and lose the components. Components without triangles are left out.
+/// .glb reads back to equal floats, the triangles in equal order, and equal component names (if distinct and not empty). .obj and .dae keep
+/// order and names; their text tells floats apart, with fewer digits than doubles need: coordinates read back within 1e-8 of their size. .ply
+/// and .stl (both binary) keep floats and order and lose the components. Components without triangles are left out.
 ///
 /// Throws std::invalid_argument for an unknown ending, a mesh that Model::build would refuse, and a
 /// coordinate beyond float's range. Throws std::runtime_error when the file cannot be written.

@@ -273,8 +273,8 @@ struct QueryTally {
 /// Returns the tally of the calling thread's queries, of all scenes, and starts a new one at 0.
 QueryTally takeQueryTally();
 
-/// Names of the two meshes of a pair: a component's name, else its file's. Equal names begin with the files' names: "plug.stl/Body" and
-/// "socket.stl/Body". Both are empty when `nearest` is no pair of triangles.
+/// Names of the two meshes of a pair: a component's name, else its file's. Both are empty when `nearest` is
+/// no pair of triangles.
 struct MeshNames {
     std::string part;         ///< the mesh of the part
     std::string environment;  ///< the mesh of the obstacle
@@ -282,6 +282,10 @@ struct MeshNames {
 
 /// The names of the two meshes that `nearest` is about.
 MeshNames meshNames(const Scene& scene, const SceneDistance& nearest);
+
+/// The names of the two meshes for people. Equal ones begin with their files' names, "plug.stl/Body" and "socket.stl/Body", or with the
+/// files' paths when their names are equal, too; meshes without a file keep equal names.
+MeshNames distinctMeshNames(const Scene& scene, const SceneDistance& nearest);
 
 }  // namespace clearway
 

@@ -4,10 +4,10 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <iomanip>
 #include <sstream>
 #include <stdexcept>
 
-#include "core/number.h"
 #include "mesh/surface_formats.h"
 
 namespace clearway {
@@ -123,8 +123,10 @@ std::vector<std::string> readingWarnings(const MeshOrigin& origin) {
                            " left out, whose outlines cross themselves; nothing is kept clear of them");
     }
     if (origin.bentFaces > 0) {
+        std::ostringstream height;
+        height << std::setprecision(3) << origin.bentBy;
         warnings.push_back(origin.file + ": " + count(origin.bentFaces) + " not flat, by up to " +
-                           roundedNumber(origin.bentBy) + "; triangles fill them in one of several ways");
+                           height.str() + "; triangles fill them in one of several ways");
     }
     return warnings;
 }

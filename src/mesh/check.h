@@ -12,6 +12,9 @@ namespace clearway {
 /// Begins the note about the transform of assimp's root node, into which its readers put their own conventions.
 constexpr const char* kAssimpsTurn = "transform of the root node applied: ";
 
+/// Begins the note about a COLLADA file's unit and up axis, which assimp puts into that transform, too.
+constexpr const char* kAssimpsUnit = "unit and up axis that the file declares applied: ";
+
 /// Throws std::runtime_error with one line: the file, the reason and what was expected. The reason may be a
 /// reader's own words, with several lines and a full stop.
 [[noreturn]] void refuseMeshFile(const std::string& file, std::string reason);

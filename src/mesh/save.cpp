@@ -1,4 +1,4 @@
-// Writes mesh files: .glb by writeGlb, .obj with all digits, the other formats through assimp's exporter.
+// Writes mesh files: .glb by writeGlb, the other formats through assimp's exporter.
 #include <assimp/scene.h>
 
 #include <algorithm>
@@ -9,7 +9,6 @@
 #include <stdexcept>
 
 #include "clearway/mesh.h"
-#include "core/number.h"
 #include "core/replace_file.h"
 #include "core/text.h"
 #include "mesh/glb.h"
@@ -18,34 +17,12 @@ namespace clearway {
 
 namespace {
 
-/// assimp's exporter writes fewer digits than a float's double needs.
-void writeObj(const std::vector<SavePart>& parts, std::ostream& stream) {
-    std::size_t first = 1;
-    for (const SavePart& part : parts) {
-        stream << "o " << part.name << "\n";
-        for (const auto& vertex : part.vertices) {
-            stream << "v";
-            for (const float coordinate : vertex) stream << ' ' << shortNumber(double(coordinate));
-            stream << "\n";
-        }
-        for (const TriangleIndices& triangle : part.triangles) {
-            stream << "f " << first + triangle[0] << ' ' << first + triangle[1] << ' ' << first + triangle[2]
-                   << "\n";
-        }
-        first += part.vertices.size();
-    }
-}
-
 struct ExportFormat {
-    const char* name;  ///< the file's ending
-    void (*write)(const std::vector<SavePart>& parts, std::ostream& stream);
-    const char* assimpId;  ///< where there is no function
+    const char* name;      ///< the file's ending
+    const char* assimpId;  ///< null: written by writeGlb
 };
-constexpr ExportFormat kExportFormats[] = {{".glb", writeGlb, nullptr},
-                                           {".obj", writeObj, nullptr},
-                                           {".ply", nullptr, "plyb"},
-                                           {".stl", nullptr, "stlb"},
-                                           {".dae", nullptr, "collada"}};
+constexpr ExportFormat kExportFormats[] = {
+    {".glb", nullptr}, {".obj", "objnomtl"}, {".ply", "plyb"}, {".stl", "stlb"}, {".dae", "collada"}};
 
 const ExportFormat& formatOf(const std::string& file) {
     std::string ending = std::filesystem::path(file).extension().string();
@@ -111,10 +88,10 @@ void writeByAssimp(const std::vector<SavePart>& parts, const ExportFormat& forma
 void saveMesh(const Mesh& mesh, const std::string& file) {
     const ExportFormat& format = formatOf(file);
     const std::vector<SavePart> parts = savePartsOf(mesh, std::filesystem::path(file).stem().string());
-    if (format.write) {
-        replaceFile(file, [&](std::ostream& stream) { format.write(parts, stream); });
-    } else {
+    if (format.assimpId) {
         writeByAssimp(parts, format, file);
+    } else {
+        replaceFile(file, [&](std::ostream& stream) { writeGlb(parts, stream); });
     }
 }
 

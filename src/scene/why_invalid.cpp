@@ -35,7 +35,7 @@ const ShrunkModel* shrunkFor(const Scene& scene, const SceneDistance& nearest) {
 /// Describes a pair that touches or is closer than the margin.
 std::string describePair(const Scene& scene, const SceneDistance& nearest) {
     const double margin = marginOf(scene, nearest);
-    const MeshNames names = meshNames(scene, nearest);
+    const MeshNames names = distinctMeshNames(scene, nearest);
     std::ostringstream message;
     const ShrunkModel* shrunk = shrunkFor(scene, nearest);
     const auto inUnit = [&](double length) { return withUnit(roundedNumber(length), scene.unit); };
@@ -86,15 +86,18 @@ std::string SceneClearance::whyInvalid(const Pose& X_environmentPart) const {
 MeshNames meshNames(const Scene& scene, const SceneDistance& nearest) {
     if (nearest.partTriangle < 0 || nearest.obstacle < 0) return {};
     const Model& environment = scene.obstacles[static_cast<std::size_t>(nearest.obstacle)].model;
-    MeshNames names = {meshName(scene.part, nearest.partComponent),
-                       meshName(environment, nearest.environmentComponent)};
-    if (names.part == names.environment) {
-        const std::string part = fileName(scene.part), obstacle = fileName(environment);
-        if (names.part != part) names.part = part + "/" + names.part;
-        if (names.environment != obstacle) names.environment = obstacle + "/" + names.environment;
-        if (names.part == names.environment)
-            names = {"part/" + names.part, "environment/" + names.environment};
-    }
+    return {meshName(scene.part, nearest.partComponent), meshName(environment, nearest.environmentComponent)};
+}
+
+MeshNames distinctMeshNames(const Scene& scene, const SceneDistance& nearest) {
+    MeshNames names = meshNames(scene, nearest);
+    if (names.part != names.environment || names.part.empty()) return names;
+    const Model& environment = scene.obstacles[static_cast<std::size_t>(nearest.obstacle)].model;
+    const std::string partFile = scene.part.origin().file, environmentFile = environment.origin().file;
+    if (partFile.empty() || environmentFile.empty()) return names;
+    const bool isTold = fileName(scene.part) != fileName(environment);
+    names.part = (isTold ? fileName(scene.part) : partFile) + "/" + names.part;
+    names.environment = (isTold ? fileName(environment) : environmentFile) + "/" + names.environment;
     return names;
 }
 

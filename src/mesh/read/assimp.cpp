@@ -184,7 +184,7 @@ Placement noteRoot(const Assimp::Importer& importer, const aiScene& scene, std::
         notes.push_back(kAssimpsTurn + map);
         return {};
     }
-    notes.push_back("unit and up axis that the file declares applied: " + map);
+    notes.push_back(kAssimpsUnit + map);
     Placement placement;
     for (unsigned i = 0; i < 3; ++i) {
         for (unsigned k = 0; k < 3; ++k) placement.linear(i, k) = transform[i][k];

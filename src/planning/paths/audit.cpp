@@ -67,7 +67,7 @@ SegmentAudit describe(const og::PathGeometric& path, const MotionValidator& vali
     segment.turned = angleBetween(from, to);
     segment.X_environmentPart =
         askAt(path, validator, ends, segment.motion.closestTime, &MotionValidator::pose);
-    const MeshNames names = meshNames(validator.scene(), segment.motion.closest);
+    const MeshNames names = distinctMeshNames(validator.scene(), segment.motion.closest);
     segment.partMesh = names.part;
     segment.environmentMesh = names.environment;
     return segment;

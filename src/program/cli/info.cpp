@@ -37,14 +37,9 @@ void describeReading(const Mesh& mesh, const std::string& reading) {
     const MeshOrigin& origin = mesh.origin;
     const Box box = boundingBox(mesh);
     printRow("mesh", origin.file);
-    printRow("read", reading + (origin.format.empty() ? "" : ", " + origin.format));
-    if (const std::string turn = turnedByAssimp(origin); !turn.empty())
-        printRow("  but turned", "by assimp: " + turn);
-    if (origin.unitMetres > 0) printRow("unit stated", unitName(origin.unitMetres) + ", not applied");
-    if (origin.upAxis != 0) printRow("up axis stated", std::string(1, origin.upAxis) + ", not applied");
+    printRow("read", reading);
+    for (const auto& [label, text] : readingRows(origin)) printRow(label, text);
     printRow("applied", "scale " + readable(origin.scale) + ", then shift " + readable(origin.shift));
-    for (const std::string& note : origin.notes) printRow("note", note);
-    for (const std::string& warning : readingWarnings(origin)) printRow("warning", warning);
     if (origin.ignoredFaces > 0) {
         printRow("left out", counted(origin.ignoredFaces, "face") +
                                  " (points, lines, and triangles of faces whose outlines cross themselves)");
@@ -189,7 +184,7 @@ void describePose(const char* label, const SceneClearance& clearance, const Part
     if (!note.empty()) printWarnings({std::string(label) + " " + note});
     const PoseClearance at = clearance.at(X_environmentPart);
     if (at.nearest.partTriangle < 0) return printRow(label, "valid, with nothing near");
-    const MeshNames names = meshNames(clearance.scene(), at.nearest);
+    const MeshNames names = distinctMeshNames(clearance.scene(), at.nearest);
     printRow(label, "valid, clearance " + shownLength(at.lower) + ", between '" + names.part + "' and '" +
                         names.environment + "'" + leftOutAt(at));
 }

@@ -129,7 +129,7 @@ Json poseFacts(const SceneClearance& clearance, const PartState& state) {
     const Pose X_environmentPart = poseOf(state);
     const std::string why = clearance.whyInvalid(X_environmentPart);
     const PoseClearance at = clearance.at(X_environmentPart);
-    const MeshNames names = meshNames(clearance.scene(), at.nearest);
+    const MeshNames names = distinctMeshNames(clearance.scene(), at.nearest);
     return {{"valid", why.empty()},
             {"why_not", why.empty() ? Json() : Json(why)},
             {"clearance", toJson(at.lower)},

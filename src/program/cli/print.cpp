@@ -12,6 +12,7 @@
 #include "core/number.h"
 #include "core/replace_file.h"
 #include "core/text.h"
+#include "mesh/check.h"
 #include "program/cli/command_line.h"
 
 namespace clearway::cli {
@@ -185,6 +186,24 @@ std::string unitName(double metres) {
         if (std::abs(unit.metres - metres) <= 1e-9 * metres) return unit.name;
     }
     return readable(metres) + " m";
+}
+
+Rows readingRows(const MeshOrigin& origin) {
+    Rows rows;
+    const std::string turn = turnedByAssimp(origin);
+    if (!turn.empty()) rows.push_back({"but turned", "by assimp: " + turn});
+    // As OMPL.app reads a COLLADA file they are applied, and a note says so.
+    const bool isApplied = std::any_of(origin.notes.begin(), origin.notes.end(),
+                                       [](const std::string& note) { return note.find(kAssimpsUnit) == 0; });
+    if (!isApplied && origin.unitMetres > 0) {
+        rows.push_back({"unit stated", unitName(origin.unitMetres) + ", not applied"});
+    }
+    if (!isApplied && origin.upAxis != 0) {
+        rows.push_back({"up axis stated", std::string(1, origin.upAxis) + ", not applied"});
+    }
+    for (const std::string& note : origin.notes) rows.push_back({"note", note});
+    for (const std::string& warning : readingWarnings(origin)) rows.push_back({"warning", warning});
+    return rows;
 }
 
 std::string readingWord(const MeshOrigin& origin) {

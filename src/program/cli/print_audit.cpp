@@ -77,7 +77,7 @@ std::string pairCells(const SceneClearance& clearance, const Pose& X_environment
     SceneDistance nearest;
     if (!clearance.isOutOfReach(X_environmentPart)) nearest = clearance.at(X_environmentPart).nearest;
     if (nearest.partTriangle < 0) return ",,,,,,,,,";
-    const MeshNames names = meshNames(clearance.scene(), nearest);
+    const MeshNames names = distinctMeshNames(clearance.scene(), nearest);
     return textCell(names.part) + "," + std::to_string(nearest.partTriangle) + "," +
            numberCells(nearest.pointOnPart) + "," + textCell(names.environment) + "," +
            std::to_string(nearest.environmentTriangle) + "," + numberCells(nearest.pointOnEnvironment);

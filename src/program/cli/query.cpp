@@ -13,7 +13,6 @@
 #include "clearway/problem.h"
 #include "clearway/targets.h"
 #include "core/number.h"
-#include "mesh/check.h"
 #include "program/cli/facts.h"
 #include "program/cli/load_guard.h"
 #include "program/cli/print.h"
@@ -212,8 +211,7 @@ bool readArguments(const Arguments& arguments, QueryArguments& given) {
 
 void describeMesh(const char* label, const Model& model) {
     printRow(label, counted(model.report().triangles, "triangle"));
-    for (const std::string& note : model.origin().notes) printRow("  note", note);
-    for (const std::string& warning : readingWarnings(model.origin())) printRow("  warning", warning);
+    for (const auto& [name, text] : readingRows(model.origin())) printRow("  " + name, text);
 }
 
 }  // namespace

@@ -83,7 +83,7 @@ std::vector<PartState> endsOf(const Problem& problem) {
 
 void printPose(double share, const Scene& scene, const PoseClearance& at) {
     const SceneDistance& nearest = at.nearest;
-    const MeshNames names = meshNames(scene, nearest);
+    const MeshNames names = distinctMeshNames(scene, nearest);
     const std::string between = nearest.partTriangle < 0
                                     ? " or more"
                                     : ", between '" + names.part + "' and '" + names.environment + "'";
@@ -99,7 +99,7 @@ Json placeFacts(double share, const PartState& state) {
 }
 
 void tellPose(double share, const PartState& state, const Scene& scene, const PoseClearance& at) {
-    const MeshNames names = meshNames(scene, at.nearest);
+    const MeshNames names = distinctMeshNames(scene, at.nearest);
     Json json = placeFacts(share, state);
     json["valid"] = at.isValid();
     json["clearance"] = toJson(at.lower);

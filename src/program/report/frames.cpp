@@ -15,7 +15,7 @@ ReportFrame frameAt(double share, const PartState& state, const SceneClearance& 
     frame.isInReach = !clearance.isOutOfReach(frame.X_environmentPart);
     if (!frame.isInReach) return frame;
     frame.clearance = clearance.at(frame.X_environmentPart);
-    const MeshNames names = meshNames(clearance.scene(), frame.clearance.nearest);
+    const MeshNames names = distinctMeshNames(clearance.scene(), frame.clearance.nearest);
     frame.partMesh = names.part;
     frame.environmentMesh = names.environment;
     return frame;

@@ -243,7 +243,8 @@ BOOST_AUTO_TEST_CASE(what_a_file_declares_and_is_not_applied_is_said) {
     const std::string tail = "--environment environment.obj --poses poses.txt --query distance";
     const Outcome outcome = runIn(folder, "query --part part.dae " + tail);
     BOOST_TEST_REQUIRE(outcome.code == 0, outcome.err);
-    BOOST_TEST(row(outcome, "  note").find("not applied") != std::string::npos);
+    BOOST_TEST(row(outcome, "  unit stated") == "cm, not applied");
+    BOOST_TEST(row(outcome, "  up axis stated") == "z, not applied");
     BOOST_TEST(row(outcome, "most distance") == "8 at pose 3");  // 10 less 2: neither scaled nor turned
     BOOST_TEST(runIn(folder, "query --part part.obj " + tail).out.find("note") == std::string::npos);
 }
