@@ -20,7 +20,7 @@ void refuseMeshFile(const std::string& file, std::string reason) {
     if (reason.empty()) reason = "the reader gives no reason";
     throw std::runtime_error(
         "cannot read mesh '" + file + "': " + reason +
-        ", expected a mesh file that assimp reads (stl, obj, ply, dae, gltf, glb, off, ...)");
+        ", expected a mesh file (stl, obj, ply, off, gltf, glb, 3mf, dae, or what else assimp reads)");
 }
 
 void requireReadableMeshFile(const std::string& file) {
@@ -112,21 +112,21 @@ void requireSoundMesh(const Mesh& mesh) {
 
 std::vector<std::string> readingWarnings(const MeshOrigin& origin) {
     std::vector<std::string> warnings;
-    const auto count = [](std::size_t faces) {
-        return std::to_string(faces) + (faces == 1 ? " face" : " faces");
-    };
     if (!origin.isChecked) {
         warnings.push_back(origin.file + ": not checked: " + origin.format + " is read by assimp alone");
     }
-    if (origin.crossingFaces > 0) {
-        warnings.push_back(origin.file + ": " + count(origin.crossingFaces) +
-                           " left out, whose outlines cross themselves; nothing is kept clear of them");
+    if (const std::size_t count = origin.crossingFaces; count > 0) {
+        warnings.push_back(origin.file + ": " + std::to_string(count) +
+                           (count == 1 ? " face left out, whose outline crosses itself"
+                                       : " faces left out, whose outlines cross themselves") +
+                           "; nothing is kept clear there");
     }
-    if (origin.bentFaces > 0) {
+    if (const std::size_t count = origin.bentFaces; count > 0) {
         std::ostringstream height;
         height << std::setprecision(3) << origin.bentBy;
-        warnings.push_back(origin.file + ": " + count(origin.bentFaces) + " not flat, by up to " +
-                           height.str() + "; triangles fill them in one of several ways");
+        warnings.push_back(origin.file + ": " + std::to_string(count) + (count == 1 ? " face" : " faces") +
+                           " not flat, by up to " + height.str() +
+                           "; triangles fill them in one of several ways");
     }
     return warnings;
 }

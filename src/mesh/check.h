@@ -33,7 +33,7 @@ void requireSoundMesh(const Mesh& mesh);
 /// The same for a mesh that a file holds: throws std::runtime_error, "cannot read mesh 'FILE': ...".
 void requireSoundMeshFile(const Mesh& mesh, const std::string& file);
 
-/// What a reader of verdicts must know: that assimp alone read the file, and which polygons were left out or are not flat.
+/// MeshOrigin::warnings of a mesh that was read from one file.
 std::vector<std::string> readingWarnings(const MeshOrigin& origin);
 
 /// What assimp turned although the file is read as stored: "x' = x, y' = z, z' = -y"; empty when it turned nothing.

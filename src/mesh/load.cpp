@@ -3,6 +3,7 @@
 #include <boost/interprocess/file_mapping.hpp>
 #include <boost/interprocess/mapped_region.hpp>
 #include <cmath>
+#include <new>
 #include <sstream>
 #include <stdexcept>
 #include <string_view>
@@ -116,13 +117,20 @@ Mesh readAsOmplApp(const MeshFormat* format, const std::string& file, std::strin
     }
     AssimpMesh theirs = readByAssimp(file, reading);
     requireSameSurface(theirs, ours, file);
-    theirs.mesh.origin.format = format->name;
-    theirs.mesh.origin.isChecked = true;
-    theirs.mesh.origin.crossingFaces = ours.origin.crossingFaces;
-    theirs.mesh.origin.bentFaces = ours.origin.bentFaces;
-    theirs.mesh.origin.bentBy = ours.origin.bentBy;
-    theirs.mesh.origin.unitMetres = ours.origin.unitMetres;
-    theirs.mesh.origin.upAxis = ours.origin.upAxis;
+    MeshOrigin &origin = theirs.mesh.origin, &stored = ours.origin;
+    origin.format = format->name;
+    origin.isChecked = true;
+    origin.unitMetres = stored.unitMetres;
+    origin.upAxis = stored.upAxis;
+    origin.bentFaces = stored.bentFaces;
+    origin.bentBy = stored.bentBy;
+    origin.notes.insert(origin.notes.end(), stored.notes.begin(), stored.notes.end());
+    if (theirs.mesh.triangles.size() == ours.triangles.size()) {
+        origin.crossingFaces = stored.crossingFaces;
+    } else {
+        origin.notes.push_back(std::to_string(stored.crossingFaces) +
+                               " faces whose outlines cross themselves are filled as OMPL.app fills them");
+    }
     return std::move(theirs.mesh);
 }
 
@@ -138,12 +146,18 @@ Mesh loadMesh(const std::string& file, const LoadOptions& options) {
     const MappedFile mapped(file);
     const MeshFormat* const format = meshFormatOf(file, mapped.bytes());
     Mesh mesh;
-    if (readsAsOmplApp(options.reading)) {
-        mesh = readAsOmplApp(format, file, mapped.bytes(), options.reading);
-    } else {
-        mesh = format ? readMesh(*format, file, mapped.bytes()) : readByAssimp(file, options.reading).mesh;
+    try {
+        if (readsAsOmplApp(options.reading)) {
+            mesh = readAsOmplApp(format, file, mapped.bytes(), options.reading);
+        } else {
+            mesh =
+                format ? readMesh(*format, file, mapped.bytes()) : readByAssimp(file, options.reading).mesh;
+        }
+    } catch (const std::bad_alloc&) {
+        throw std::runtime_error("cannot read mesh '" + file + "': it takes more memory than there is");
     }
     requireSoundMeshFile(mesh, file);
+    mesh.origin.warnings = readingWarnings(mesh.origin);
     mesh.origin.scale = options.scale;
     mesh.origin.shift *= options.scale;
     if (options.scale == 1) return mesh;

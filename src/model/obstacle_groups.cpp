@@ -163,9 +163,11 @@ Mesh joinedEnvironment(const std::vector<Mesh>& files) {
         all.origin.crossingFaces += file.origin.crossingFaces;
         all.origin.bentFaces += file.origin.bentFaces;
         all.origin.bentBy = std::max(all.origin.bentBy, file.origin.bentBy);
-        if (all.origin.isChecked)
-            all.origin.format = file.origin.format;  // of those that are not checked, the first
         all.origin.isChecked = all.origin.isChecked && file.origin.isChecked;
+        if (all.origin.format.find(file.origin.format) == std::string::npos) {
+            all.origin.format += (all.origin.format.empty() ? "" : ", ") + file.origin.format;
+        }
+        for (const std::string& warning : file.origin.warnings) all.origin.warnings.push_back(warning);
         for (const std::string& note : file.origin.notes) {
             all.origin.notes.push_back(file.origin.file + ": " + note);
         }

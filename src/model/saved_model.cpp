@@ -141,8 +141,10 @@ void addRest(ArchiveWriter& out, const BuildReport& report, const std::vector<Co
     out.add(std::uint64_t(origin.crossingFaces));
     out.add(std::uint64_t(origin.bentFaces));
     out.add(origin.bentBy);
-    out.add(std::uint64_t(origin.notes.size()));
-    for (const std::string& note : origin.notes) out.add(note);
+    for (const std::vector<std::string>* const lines : {&origin.warnings, &origin.notes}) {
+        out.add(std::uint64_t(lines->size()));
+        for (const std::string& line : *lines) out.add(line);
+    }
 }
 
 void readRest(ArchiveReader& in, BuildReport& report, std::vector<Component>& components,
@@ -170,8 +172,10 @@ void readRest(ArchiveReader& in, BuildReport& report, std::vector<Component>& co
     origin.crossingFaces = in.read<std::uint64_t>();
     origin.bentFaces = in.read<std::uint64_t>();
     origin.bentBy = in.read<double>();
-    origin.notes.resize(in.readCount(8));
-    for (std::string& note : origin.notes) note = in.readText();
+    for (std::vector<std::string>* const lines : {&origin.warnings, &origin.notes}) {
+        lines->resize(in.readCount(8));
+        for (std::string& line : *lines) line = in.readText();
+    }
 }
 
 std::size_t trianglesOf(const TreeStatistics& tree) {

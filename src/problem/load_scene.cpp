@@ -4,7 +4,6 @@
 #include "clearway/obstacle_groups.h"
 #include "clearway/problem.h"
 #include "core/number.h"
-#include "mesh/check.h"
 #include "problem/outside.h"
 
 namespace clearway {
@@ -66,9 +65,9 @@ LoadedScene loadScene(const Problem& problem, const BuildOptions& options, const
     const Model part = loading.build(partMesh, options, std::nullopt);
     std::optional<Reach> reach;
     if (loading.reach) reach = loading.reach(part, obstacles.environmentBox());
-    std::vector<std::string> notes = readingWarnings(partMesh.origin);
+    std::vector<std::string> notes = partMesh.origin.warnings;
     for (const Mesh& world : worlds) {
-        for (const std::string& warning : readingWarnings(world.origin)) notes.push_back(warning);
+        for (const std::string& warning : world.origin.warnings) notes.push_back(warning);
     }
     notes.insert(notes.end(), obstacles.notes.begin(), obstacles.notes.end());
     if (const std::string note = readingNote(problem, partMesh); !note.empty()) notes.push_back(note);

@@ -223,6 +223,17 @@ BOOST_AUTO_TEST_CASE(a_skin_is_read_in_its_bind_pose) {
     requireVertices(controlled(skin("shape", "0"), "skin"), moved);
     BOOST_TEST(load(controlled(skin("shape", "0"), "skin")).origin.notes.size() == 1u);
     requireRefused(controlled(skin("skin", "3"), "skin"), "or refers to itself");
+    // The joints place a skin, not the node that shows it.
+    const std::string text = controlled(skin("shape", "3"), "skin"), node = "<node name=\"a\">";
+    requireVertices(replaced(text, node, node + "<translate>100 0 0</translate>"), moved);
+}
+
+BOOST_AUTO_TEST_CASE(transforms_without_a_direction_are_refused) {
+    const std::string node = "<node name=\"a\">";
+    requireRefused(replaced(kText, node, node + "<rotate>0 0 0 45</rotate>"),
+                   "<rotate> of node 'a' has no direction");
+    requireRefused(replaced(kText, node, node + "<lookat>1 2 3 1 2 3 0 1 0</lookat>"),
+                   "<lookat> of node 'a' has no direction");
 }
 
 BOOST_AUTO_TEST_CASE(a_morph_is_read_with_its_weights) {

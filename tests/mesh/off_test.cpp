@@ -52,7 +52,7 @@ BOOST_AUTO_TEST_CASE(what_is_not_whole_is_refused_by_its_line) {
         {"OFF\n4 1 0\n0 0 0 1 0 0 1 1 0 0 1 0\n4 0 1 2 3\n", "vertex 0 has 12 numbers"},
         {"OFF\n4 1 0\n" + kSquare + "4 0 1 2 x\n", "face 0 has 'x', expected a whole number"},
         {"OFF BINARY\n4 1 0\n", "the header has 'BINARY' after 'OFF'"},
-        {"4OFF\n4 1 0\n", "'4OFF'"},
+        {"4OFF\n4 1 0\n", "the header is '4OFF', expected OFF"},
         {"OFF\n400000 1 0\n" + kSquare, "the header states 400000 vertices, and "},
     };
     for (const auto& [text, reason] : cases) {

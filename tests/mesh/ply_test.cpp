@@ -67,7 +67,7 @@ BOOST_AUTO_TEST_CASE(binary_data_in_both_orders_are_read_whatever_their_first_by
         BOOST_TEST(loadText("a.ply", text).triangles.size() == 2u);
         BOOST_TEST((loadText("a.ply", text + "\n").vertices[2] == Vector3(1.3, 1, 0)));
         BOOST_TEST(holds(refusalOfText("a.ply", text.substr(0, text.size() - 1)), "the file ends at face 0"));
-        BOOST_TEST(holds(refusalOfText("a.ply", text + std::string(60, 'x')), "60 bytes after the elements"));
+        BOOST_TEST(holds(refusalOfText("a.ply", text + std::string(13, 'x')), "13 bytes after the elements"));
     }
 }
 
@@ -106,6 +106,10 @@ BOOST_AUTO_TEST_CASE(what_is_not_whole_is_refused) {
         {ply(kVertices + "element face 0\nproperty list uchar int vertex_indices\n", kSquare),
          "it holds no triangle"},
         {ply(kVertices + kFaces, kSquare + "4 0 1 2 3\n", "binary"), "the format is 'binary'"},
+        {ply(kVertices + kFaces + "element triangle 1\nproperty list uchar int vertex_indices\n",
+             kSquare + "4 0 1 2 3\n3 0 1 2\n"),
+         "element 'triangle' has a list of vertices"},
+        {ply(kVertices + kFaces + kFaces, kSquare + "4 0 1 2 3\n4 0 1 2 3\n"), "it has two elements 'face'"},
         {"ply\nformat ascii 1.0\nelement vertex 4\nproperty half x\nend_header\n",
          "a property has the type 'half'"},
         {"ply\n" + kVertices + kFaces + "end_header\n" + kSquare, "the header has no format"},

@@ -34,18 +34,18 @@ BOOST_AUTO_TEST_CASE(texts_as_programs_write_them_are_read) {
     std::string oneLine = solid(kFacet);
     for (char& c : oneLine) c = c == '\n' ? ' ' : c;
     oneLine[oneLine.find(" facet")] = '\n';  // the name ends with its line
-    for (const std::string& text :
-         std::vector<std::string>{solid(kFacet), upper, oneLine, "\xEF\xBB\xBF" + solid(kFacet),
-                                  solid(kFacet,
-                                        "pi\xC3\xA8"
-                                        "ce \xC3\xA9"),
-                                  solid(kFacet, ""), "\n\n " + solid("\n" + kFacet + "\n\n"),
-                                  replaced(solid(kFacet), "endloop", "endloop 1"),
-                                  replaced(solid(kFacet), "outer loop", "outer loop first"),
-                                  replaced(solid(kFacet), "facet normal 0 0 1", "facet"),
-                                  replaced(solid(kFacet), "normal 0 0 1", "normal nan nan nan"),
-                                  replaced(solid(kFacet), "endloop", "\n\nendloop"),
-                                  replaced(solid(kFacet), "vertex 1 0 0", "vertex\t+1.0e0   0.  .0")}) {
+    for (const std::string& text : std::vector<std::string>{
+             solid(kFacet), upper, oneLine, "\xEF\xBB\xBF" + solid(kFacet),
+             solid(kFacet,
+                   "pi\xC3\xA8"
+                   "ce \xC3\xA9"),
+             solid(kFacet, ""), "\n\n " + solid("\n" + kFacet + "\n\n"),
+             replaced(solid(kFacet), "endloop", "endloop 1"),
+             replaced(solid(kFacet), "outer loop", "outer loop first"),
+             replaced(solid(kFacet), "facet normal 0 0 1", "facet"),
+             replaced(solid(kFacet), "normal 0 0 1", "normal nan nan nan"), solid("color 1 0 0\n" + kFacet),
+             solid(kFacet) + std::string("\0\x1A", 2), replaced(solid(kFacet), "endloop", "\n\nendloop"),
+             replaced(solid(kFacet), "vertex 1 0 0", "vertex\t+1.0e0   0.  .0")}) {
         const Mesh mesh = loadText("a.stl", text);
         BOOST_TEST(mesh.triangles.size() == 1u, text);
         BOOST_TEST(areaOf(mesh) == 0.5, text);
@@ -63,7 +63,7 @@ BOOST_AUTO_TEST_CASE(each_solid_is_a_component_and_keeps_its_whole_name) {
 
 BOOST_AUTO_TEST_CASE(coordinates_of_a_text_are_the_nearest_doubles) {
     const Mesh mesh =
-        loadText("a.stl", replaced(solid(kFacet), "vertex 1 0 0", "vertex 0.3 1755.1234567890123 1e-400"));
+        loadText("a.stl", replaced(solid(kFacet), "vertex 1 0 0", "vertex 0.3 1755.1234567890123 1e-5000"));
     BOOST_TEST((mesh.vertices[1] == Vector3(0.3, 1755.1234567890123, 0)));
 }
 
@@ -91,6 +91,9 @@ BOOST_AUTO_TEST_CASE(what_is_not_whole_is_refused_by_its_line) {
         {replaced(solid(kFacet), "vertex 1 0 0", "vertex 1 0"), "line 5: a vertex of facet 0 ends too soon"},
         {replaced(solid(kFacet), "vertex 1 0 0", "vertex 1,5 0 0"), "has '1,5', expected a number"},
         {replaced(solid(kFacet), "vertex 1 0 0", "vertex 1 0 0 5"), "has '5' after its three numbers"},
+        {replaced(solid(kFacet), "vertex 1 0 0", "vertex 1e5000 0 0"), "has a vertex at (inf, 0, 0)"},
+        {"\xFF\xFEs\0o\0l\0i\0d\0", "it is text in UTF-16"},
+        {"# made by hand\n" + solid(kFacet), "its text begins with '#', expected solid"},
         {solid(kFacet) + "facet", "'facet' stands after facet 1, expected solid"},
         {solid(""), "it holds no triangle"},
     };

@@ -66,12 +66,11 @@ void MeshCollector::addFace(const std::uint32_t* corners, std::size_t count) {
     }
 }
 
-void MeshCollector::acceptTail(std::string_view tail, const std::string& declared) {
-    constexpr std::size_t kMost = 49;  // less than a facet of a binary STL file takes
+void MeshCollector::acceptTail(std::string_view tail, std::size_t most, const std::string& declared) {
     if (tail.empty()) return;
     const std::string follow = std::to_string(tail.size()) + " bytes after " + declared;
     const bool isBlank = tail.find_first_not_of(std::string_view(" \t\r\n\f\v\0", 7)) == tail.npos;
-    if (tail.size() > kMost && !isBlank) refuse("it has " + follow + ", expected none");
+    if (tail.size() > most && !isBlank) refuse("it has " + follow + ", expected none");
     if (!isBlank) note("left out: " + follow);
 }
 
@@ -85,7 +84,13 @@ void MeshCollector::setUpAxis(char axis) {
 
 Mesh MeshCollector::take() {
     closeComponent();
-    if (mesh_.triangles.empty()) refuse("it holds no triangle, expected at least one");
+    if (mesh_.triangles.empty()) {
+        const std::size_t crossing = mesh_.origin.crossingFaces;
+        refuse("it holds no triangle" +
+               (crossing > 0 ? ": the outlines of its " + std::to_string(crossing) + " faces cross themselves"
+                             : std::string()) +
+               ", expected at least one");
+    }
     if (mesh_.triangles.size() > std::numeric_limits<std::uint32_t>::max())
         refuse("it has more than 2^32 - 1 triangles");
     makeNamesDistinct(mesh_.components, std::filesystem::path(file()).stem().string());

@@ -47,7 +47,7 @@ class MeshCollector {
     std::uint32_t addVertex(const Vector3& vertex);
 
     /// A face of three or more corners, which are positions of vertices that have been added. The caller has checked that they are in
-    /// range. what: names the face in messages, such as "face 12". Counts a face of one or two corners as ignored.
+    /// range. Counts a face of one or two corners as ignored.
     void addFace(const std::uint32_t* corners, std::size_t count);
 
     /// The fastest way to add a triangle.
@@ -60,9 +60,10 @@ class MeshCollector {
 
     void note(std::string text) { mesh_.origin.notes.push_back(std::move(text)); }
 
-    /// What follows the last element that the file declares. Notes up to 49 bytes, and any number of zeros and blanks: some writers add
-    /// them. Refuses more, which may be elements that the file does not count. declared: what it counts, such as "its 12 triangles".
-    void acceptTail(std::string_view tail, const std::string& declared);
+    /// What follows the last element that the file declares. Notes up to `most` bytes, and accepts any number of zeros and blanks: some
+    /// writers add them. Refuses more, which may be elements that the file does not count. declared: what it counts, such as "its 12
+    /// triangles".
+    void acceptTail(std::string_view tail, std::size_t most, const std::string& declared);
 
     /// The unit that the file states, in metres, and its up axis ('x', 'y' or 'z'). Both are shown, and never applied in the stored reading.
     void setUnit(double metres);

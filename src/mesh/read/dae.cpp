@@ -25,9 +25,9 @@ class SceneReader {
             for (const xml_node geometry : geometries) placeShape(geometry, geometry, {}, {});
             if (!geometries.empty()) mesh_.note("the file has no scene: all of its geometries are read");
         }
-        if (hasControllers_)
-            mesh_.note(
-                "its skins are read in their bind pose, its morphs with the weights that the file holds");
+        if (hasSkins_) mesh_.note("its skins are read in their bind pose");
+        const std::size_t animations = all("library_animations", "animation").size();
+        if (animations > 0) mesh_.note("animations not applied: " + std::to_string(animations));
         const std::size_t shown = shapes_.geometryCount();
         if (shown >= geometries.size()) return;
         mesh_.note(std::to_string(geometries.size() - shown) + " of its " +
@@ -79,8 +79,11 @@ class SceneReader {
                 placeShape(geometry, geometry, node, X_fileNode);
             } else if (name == "instance_controller") {
                 const xml_node controller = document_.find(url, {"controller"}, what);
-                placeShape(controller, shapes_.geometryOf(controller), node, X_fileNode);
-                hasControllers_ = true;
+                // Joints place a skin, the node does not. In the bind pose they leave it where the bind shape matrix puts it.
+                const bool isSkin = shapes_.hasSkin(controller);
+                placeShape(controller, shapes_.geometryOf(controller), node,
+                           isSkin ? Placement() : X_fileNode);
+                hasSkins_ = hasSkins_ || isSkin;
             } else if (!isLeftOut(name)) {
                 mesh_.refuse(what + " holds <" + child.name() + ">, which is not read");
             }
@@ -120,7 +123,7 @@ class SceneReader {
     MeshCollector& mesh_;
     DaeShapes shapes_;
     PlacementPath path_;
-    bool hasControllers_ = false;
+    bool hasSkins_ = false;
 };
 
 }  // namespace

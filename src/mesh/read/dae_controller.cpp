@@ -52,6 +52,15 @@ xml_node DaeShapes::sourceOf(const xml_node& controller) const {
                           DaeDocument::textOf(controller));
 }
 
+bool DaeShapes::hasSkin(xml_node controller) const {
+    for (std::size_t length = 0;
+         std::string_view(controller.name()) == "controller" && length <= kLongestChain;
+         controller = sourceOf(controller), ++length) {
+        if (controller.child("skin")) return true;
+    }
+    return false;
+}
+
 xml_node DaeShapes::geometryOf(xml_node controller) const {
     for (std::size_t length = 0; std::string_view(controller.name()) == "controller";
          controller = sourceOf(controller)) {

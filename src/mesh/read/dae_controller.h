@@ -13,6 +13,9 @@ class DaeShapes {
     /// The shape of a <geometry>, or of a <controller>: a skin in its bind pose, a morph with its weights. Each is read once.
     const DaeShape& of(const pugi::xml_node& element) { return of(element, 0); }
 
+    /// Whether a controller, or the chain of them, is a skin.
+    bool hasSkin(pugi::xml_node controller) const;
+
     /// The <geometry> that a controller, or a chain of them, changes.
     pugi::xml_node geometryOf(pugi::xml_node controller) const;
 

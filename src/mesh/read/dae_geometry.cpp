@@ -69,11 +69,17 @@ class GeometryReader {
             content_ = child;
             for (const xml_node part : child) readPart(part);
         }
-        if (!content_) mesh_.refuse(geometry_ + " holds no <mesh>");
+        if (!content_) return;  // some exporters leave empty geometries
         if (!shape_.vertices.empty()) return;
         // Morphs blend with vertices that need no primitives.
         std::size_t count = 0;
-        for (const xml_node vertices : content_.children("vertices")) addVertices(vertices, count);
+        for (const xml_node vertices : content_.children("vertices")) {
+            if (!primitives_ && !content_.find_node([](const xml_node& n) {
+                    return std::string_view(n.name()) == "accessor";
+                }))
+                continue;
+            addVertices(vertices, count);
+        }
     }
 
     DaeShape take() { return std::move(shape_); }
@@ -92,7 +98,9 @@ class GeometryReader {
         if (name == "source" || name == "vertices" || name == "extra") return;
         const std::string what =
             "primitive " + std::to_string(primitives_++) + " (<" + part.name() + ">) of " + geometry_;
-        const std::size_t count = document_.countIn(part, "count", what);
+        const bool isLine = name == "lines" || name == "linestrips";  // whose count some exporters leave out
+        const std::size_t count =
+            part.attribute("count") || !isLine ? document_.countIn(part, "count", what) : kUncounted;
         if (count == 0 && !part.child("p") && !part.child("ph")) return;
         if (part.child("ph")) mesh_.refuse(what + " has a polygon with holes (<ph>), which is not read");
         if (name == "polylist") return readPolygonList(part, count, what);
@@ -141,7 +149,7 @@ class GeometryReader {
     }
 
     void requireCount(std::size_t found, std::size_t count, const std::string& what) const {
-        if (found == count) return;
+        if (found == count || count == kUncounted) return;
         mesh_.refuse(what + " holds " + std::to_string(found) + ", expected its count, " +
                      std::to_string(count));
     }
@@ -201,6 +209,7 @@ class GeometryReader {
     }
 
     static constexpr std::size_t kMostInputs = 1000;
+    static constexpr std::size_t kUncounted = std::size_t(-1);
 
     const DaeDocument& document_;
     const MeshCollector& mesh_;

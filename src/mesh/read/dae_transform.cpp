@@ -18,6 +18,13 @@ std::vector<double> numbersOf(const DaeDocument& document, const xml_node& eleme
                            std::to_string(count));
 }
 
+void requireDirection(const DaeDocument& document, const xml_node& node, const Vector3& direction,
+                      const char* element) {
+    if (direction.norm() > 0) return;
+    document.mesh().refuse(std::string(element) + " of " + DaeDocument::textOf(node) +
+                           " has no direction, expected one that is not 0");
+}
+
 /// Quarter turns are exact, so that boxes stay boxes.
 Placement rotationOf(const std::vector<double>& numbers) {
     const double degrees = std::remainder(numbers[3], 360.0);
@@ -51,7 +58,8 @@ Placement lookAtOf(const std::vector<double>& numbers) {
 
 Placement daeMatrixOf(const DaeDocument& document, const xml_node& element) {
     const std::vector<double> m = numbersOf(document, element, 16);
-    if (m[12] != 0 || m[13] != 0 || m[14] != 0 || m[15] != 1) {
+    constexpr double kRounding = 1e-6;  // of texts with few digits
+    if (std::abs(m[12]) + std::abs(m[13]) + std::abs(m[14]) + std::abs(m[15] - 1) > kRounding) {
         document.mesh().refuse(std::string("<") + element.name() + "> of " +
                                DaeDocument::textOf(element.parent()) + " has another last row than 0 0 0 1");
     }
@@ -75,9 +83,16 @@ Placement daeTransformOf(const DaeDocument& document, const xml_node& node) {
             const std::vector<double> numbers = numbersOf(document, element, 3);
             step.linear.diagonal() << numbers[0], numbers[1], numbers[2];
         } else if (name == "rotate") {
-            step = rotationOf(numbersOf(document, element, 4));
+            const std::vector<double> numbers = numbersOf(document, element, 4);
+            if (numbers[3] != 0)
+                requireDirection(document, node, Vector3(numbers[0], numbers[1], numbers[2]), "<rotate>");
+            step = rotationOf(numbers);
         } else if (name == "lookat") {
-            step = lookAtOf(numbersOf(document, element, 9));
+            const std::vector<double> numbers = numbersOf(document, element, 9);
+            const Vector3 view(numbers[0] - numbers[3], numbers[1] - numbers[4], numbers[2] - numbers[5]);
+            requireDirection(document, node, Vector3(numbers[6], numbers[7], numbers[8]).cross(view),
+                             "<lookat>");
+            step = lookAtOf(numbers);
         } else if (name == "skew") {
             document.mesh().refuse(DaeDocument::textOf(node) + " has a <skew>, which is not read");
         } else {

@@ -33,7 +33,8 @@ const MeshFormat* formatOfBytes(std::string_view bytes) {
     if (boost::algorithm::starts_with(head, "<"sv) && head.find("<COLLADA") != head.npos)
         return &kFormats[kDae];
     const std::string_view word = head.substr(0, head.find_first_of(" \t\r\n"));
-    const bool isOff = word.size() >= 3 && word.size() <= 8 && word.substr(word.size() - 3) == "OFF";
+    const bool isOff =
+        word.size() >= 3 && word[0] != '#' && word.size() <= 8 && word.substr(word.size() - 3) == "OFF";
     return isOff ? &kFormats[kOff] : nullptr;
 }
 

@@ -203,9 +203,7 @@ std::vector<std::size_t> GltfScene::shownRoots() {
     const std::size_t scenes = file_.count("scenes");
     if (!stated && scenes == 0) return roots();
     const GltfItem scene = file_.item("scenes", stated.value_or(0), root);
-    if (scenes > 1)
-        mesh_.note(scene.name + " is read, the first of " + std::to_string(scenes) +
-                   " or the one that it names");
+    if (scenes > 1) mesh_.note(scene.name + " is read, one of " + std::to_string(scenes) + " scenes");
     const std::vector<std::size_t> numbers = scene.wholeNumbers("nodes");
     std::vector<bool> isListed(parents_.size());
     for (const std::size_t number : numbers) {

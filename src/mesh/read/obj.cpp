@@ -4,6 +4,7 @@
 #include <iterator>
 #include <vector>
 
+#include "core/number.h"
 #include "mesh/read/readers.h"
 #include "mesh/read/scanner.h"
 
@@ -11,10 +12,10 @@ namespace clearway {
 namespace {
 
 /// Statements that bring no surface by themselves.
-constexpr std::string_view kIgnored[] = {"vt",       "vn",     "vp",         "usemtl",   "mtllib",
-                                         "s",        "mg",     "lod",        "bevel",    "c_interp",
-                                         "d_interp", "usemap", "maplib",     "cstype",   "deg",
-                                         "ctech",    "stech",  "shadow_obj", "trace_obj"};
+constexpr std::string_view kIgnored[] = {"vc",       "vt",       "vn",     "vp",         "usemtl",
+                                         "mtllib",   "s",        "mg",     "lod",        "bevel",
+                                         "c_interp", "d_interp", "usemap", "maplib",     "cstype",
+                                         "deg",      "ctech",    "stech",  "shadow_obj", "trace_obj"};
 
 /// Statements that bring surfaces or other files.
 constexpr std::string_view kRefused[] = {"call", "csh",  "curv", "curv2", "surf", "bzp",  "bsp",
@@ -32,11 +33,14 @@ class ObjFile {
     ObjFile(std::string_view bytes, MeshCollector& mesh) : bytes_(bytes), mesh_(mesh) {}
 
     void read() {
-        for (Scanner scanner(bytes_, mesh_); scanner.skipSpace(); scanner.nextLine()) {
+        Scanner start(bytes_, mesh_);
+        start.trimEnd();
+        start.passOverComments('#');
+        for (Scanner scanner = start; scanner.skipSpace(); scanner.nextLine()) {
             if (*scanner.at() == 'v' && scanner.word() == "v") readVertex(scanner);
         }
-        for (Scanner scanner(bytes_, mesh_); scanner.skipSpace(); scanner.nextLine()) {
-            if (*scanner.at() != '#') readStatement(scanner, scanner.word());
+        for (Scanner scanner = start; scanner.skipSpace(); scanner.nextLine()) {
+            readStatement(scanner, scanner.word());
         }
     }
 
@@ -51,9 +55,10 @@ class ObjFile {
         // The others are a colour, or the weight with which only free-form surfaces use the vertex.
         const bool isKnown = count == 3 || count == 6 || count == 7 || (count == 4 && numbers[3] == 1);
         if (!isKnown || !scanner.isAtLineEnd()) {
-            scanner.refuse(name() + " has " + quote(scanner.restOfLine()) + " after " +
-                           std::to_string(count) +
-                           " numbers, expected 3, or 4 of which the last is 1, or 6 or 7 with a colour");
+            scanner.refuse(name() + " has " + std::to_string(count) + " numbers" +
+                           (count == 4 ? ", the last of which is " + shortNumber(numbers[3]) : "") +
+                           ", then " + quote(scanner.restOfLine()) +
+                           ", expected 3, or 4 of which the last is 1, or 6 or 7 with a colour");
         }
         scanner.joinLines(false);
         mesh_.addVertex({numbers[0], numbers[1], numbers[2]});

@@ -9,33 +9,19 @@
 namespace clearway {
 namespace {
 
-/// A scanner to which the rest of a line after # is white space.
-class OffScanner : public Scanner {
-  public:
-    using Scanner::Scanner;
-
-    bool isAtItemEnd() { return isAtLineEnd() || *at_ == '#'; }
-
-    /// Goes to the next item, over comments and blank lines.
-    bool skipToItem() {
-        while (skipSpace()) {
-            if (*at_ != '#') return true;
-            nextLine();
-        }
-        return false;
-    }
-};
-
 class OffFile {
   public:
-    OffFile(std::string_view bytes, MeshCollector& mesh) : scanner_(bytes, mesh), mesh_(mesh) {}
+    OffFile(std::string_view bytes, MeshCollector& mesh) : scanner_(bytes, mesh), mesh_(mesh) {
+        scanner_.trimEnd();
+        scanner_.passOverComments('#');
+    }
 
     void read() {
         readHeader();
         mesh_.reserve(vertices_, faces_);
         for (std::size_t i = 0; i < vertices_; ++i) readVertex(i);
         for (std::size_t i = 0; i < faces_; ++i) readFace(i);
-        if (scanner_.skipToItem()) {
+        if (scanner_.skipSpace()) {
             scanner_.refuse(quote(scanner_.word()) + " stands after the " + std::to_string(faces_) +
                             " faces that the header states, expected the end of the file");
         }
@@ -43,13 +29,14 @@ class OffFile {
 
   private:
     void readHeader() {
-        if (!scanner_.skipToItem()) mesh_.refuse("it holds no OFF header");
-        const char* const first = scanner_.at();
-        if (*first < '0' || *first > '9') readKeyword();
+        if (!scanner_.skipSpace()) mesh_.refuse("it holds no OFF header");
+        Scanner ahead = scanner_;
+        const std::string_view word = ahead.word();
+        if (word.find_first_not_of("0123456789") != word.npos) readKeyword();
         vertices_ = readCount("vertices");
         faces_ = readCount("faces");
-        if (!scanner_.isAtItemEnd()) scanner_.integer([] { return std::string("the number of edges"); });
-        if (!scanner_.isAtItemEnd())
+        if (!scanner_.isAtLineEnd()) scanner_.integer([] { return std::string("the number of edges"); });
+        if (!scanner_.isAtLineEnd())
             scanner_.refuse("the header has " + quote(scanner_.word()) + " after its counts");
     }
 
@@ -63,7 +50,7 @@ class OffFile {
             scanner_.refuse("the header is " + quote(keyword) +
                             ", expected OFF, COFF, NOFF, STOFF or a mixture");
         hasExtras_ = !kind.empty();
-        if (!scanner_.isAtItemEnd() && (*scanner_.at() < '0' || *scanner_.at() > '9')) {
+        if (!scanner_.isAtLineEnd() && (*scanner_.at() < '0' || *scanner_.at() > '9')) {
             scanner_.refuse("the header has " + quote(scanner_.word()) + " after " + quote(keyword) +
                             ", expected a text file's numbers");
         }
@@ -71,7 +58,7 @@ class OffFile {
 
     /// An item takes at least two bytes.
     std::size_t readCount(const std::string& things) {
-        if (!scanner_.skipToItem()) mesh_.refuse("it ends before the number of its " + things);
+        if (!scanner_.skipSpace()) mesh_.refuse("it ends before the number of its " + things);
         const std::int64_t count = scanner_.integer([&] { return "the number of " + things; });
         if (count < 0 || std::uint64_t(count) > scanner_.bytesLeft() / 2) {
             scanner_.refuse("the header states " + std::to_string(count) + " " + things + ", and " +
@@ -118,7 +105,7 @@ class OffFile {
 
     template <class Name>
     void beginItem(const Name& name, std::size_t stated, const char* things) {
-        if (scanner_.skipToItem()) return;
+        if (scanner_.skipSpace()) return;
         scanner_.refuse("the file ends before " + name() + ", expected the " + std::to_string(stated) + " " +
                         things + " that its header states");
     }
@@ -127,12 +114,12 @@ class OffFile {
     template <class Name>
     std::size_t countRest(const Name& name) {
         std::size_t count = 0;
-        for (; !scanner_.isAtItemEnd(); ++count) scanner_.number(name);
+        for (; !scanner_.isAtLineEnd(); ++count) scanner_.number(name);
         scanner_.nextLine();
         return count;
     }
 
-    OffScanner scanner_;
+    Scanner scanner_;
     MeshCollector& mesh_;
     std::size_t vertices_ = 0, faces_ = 0;
     bool hasExtras_ = false;

@@ -133,21 +133,42 @@ Header readHeader(Scanner& scanner) {
     return header;
 }
 
+/// Bytes after the data that are less than any face takes.
+constexpr std::size_t kMostTail = 3;
+
 class PlyData {
   public:
     PlyData(const Scanner& scanner, const Header& header, MeshCollector& mesh)
         : scanner_(scanner), header_(header), isText_(header.form == Form::kText), mesh_(mesh) {}
 
     void read() {
+        for (const Element& element : header_.elements) requireOne(element);
         for (const Element& element : header_.elements) requireRoom(element);
         for (const Element& element : header_.elements) readRows(element);
         addFaces();
         const std::string_view rest(scanner_.at(), scanner_.bytesLeft());
-        if (!isText_) return mesh_.acceptTail(rest, "the elements that its header states");
+        if (!isText_) return mesh_.acceptTail(rest, kMostTail, "the elements that its header states");
         if (scanner_.skipSpace()) scanner_.refuse("a row follows those that the header states");
     }
 
   private:
+    /// Refuses a second element, and a second property, of a name.
+    void requireOne(const Element& element) const {
+        const auto count = [](const auto& rows, std::string_view name) {
+            return std::count_if(rows.begin(), rows.end(), [&](const auto& row) { return row.name == name; });
+        };
+        if (count(header_.elements, element.name) > 1)
+            mesh_.refuse("it has two elements " + quote(element.name) + ", expected one");
+        for (const Property& property : element.properties) {
+            if (count(element.properties, property.name) == 1) continue;
+            mesh_.refuse("element " + quote(element.name) + " has two properties " + quote(property.name) +
+                         ", expected one");
+        }
+        if (count(element.properties, "vertex_index") + count(element.properties, "vertex_indices") > 1) {
+            mesh_.refuse("element " + quote(element.name) + " has two lists of vertices, expected one");
+        }
+    }
+
     /// Refuses a count above what the data can hold. A number of a text takes a digit and what ends it.
     void requireRoom(const Element& element) const {
         if (element.count == 0) return;
@@ -173,7 +194,12 @@ class PlyData {
         } else if (kind == "range_grid") {
             mesh_.refuse("its surface is an element range_grid, expected faces");
         } else {
-            forEachRow(element, element.properties.size(), [] {});
+            const std::size_t none = element.properties.size();
+            if (element.find("vertex_indices", "vertex_index") < none) {
+                mesh_.refuse("element " + quote(kind) +
+                             " has a list of vertices, expected it of face or tristrips only");
+            }
+            forEachRow(element, none, [] {});
         }
     }
 
@@ -306,6 +332,7 @@ class PlyData {
 void readPly(std::string_view bytes, MeshCollector& mesh) {
     Scanner scanner(bytes, mesh);
     const Header header = readHeader(scanner);
+    if (header.form == Form::kText) scanner.trimEnd();
     PlyData(scanner, header, mesh).read();
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "exact/ball.h"
@@ -79,25 +80,34 @@ class Outline {
         return false;
     }
 
-    /// Whether two edges cross, each from one side of the other to the other side.
-    bool crossesItself() const {
+    /// Whether edges cross, each from one side of the other to the other side. By less than rounding to six digits, they may only touch.
+    enum class Crossing { none, touching, crossing };
+    Crossing crossing() const {
         const std::size_t count = corners_.size();
         std::vector<std::array<std::size_t, 2>> edges;
         for (std::size_t i = 0; i < count; ++i) edges.push_back({i, (i + 1) % count});
         std::sort(edges.begin(), edges.end(),
                   [&](const auto& a, const auto& b) { return least(a, 0) < least(b, 0); });
+        double deepest = 0;
         for (std::size_t i = 0; i < count; ++i) {
             const double end = most(edges[i], 0);
             for (std::size_t j = i + 1; j < count && least(edges[j], 0) <= end; ++j) {
-                if (areCrossing(edges[i], edges[j])) return true;
+                deepest = std::max(deepest, crossingDepth(edges[i], edges[j]));
+                if (deepest > kTouching * size_) return Crossing::crossing;
             }
         }
-        return false;
+        return deepest > 0 ? Crossing::touching : Crossing::none;
+    }
+
+    /// As side(), but 0 for a corner that rounding may have moved off the line.
+    int roundedSide(std::size_t a, std::size_t b, std::size_t c) const {
+        return offset({a, b}, c) <= kTouching * size_ ? 0 : side(a, b, c);
     }
 
   private:
     static constexpr double kRelativeError = 2e-15;  ///< of nine roundings and more
     static constexpr double kLeast = 1e-290;         ///< smaller products may have lost digits
+    static constexpr double kTouching = 1e-6;        ///< share of the size
     static constexpr double kSlack = 1e-12;          ///< of flat coordinates, share of the size
 
     Vector3 scaled(const Vector3& corner) const { return (corner - corners_[0]) / (size_ > 0 ? size_ : 1); }
@@ -116,10 +126,20 @@ class Outline {
         return value + kSlack * size_;
     }
 
-    bool areCrossing(const std::array<std::size_t, 2>& a, const std::array<std::size_t, 2>& b) const {
-        if (a[0] == b[1] || a[1] == b[0] || areApart(a, b)) return false;
-        return side(a[0], a[1], b[0]) * side(a[0], a[1], b[1]) < 0 &&
-               side(b[0], b[1], a[0]) * side(b[0], b[1], a[1]) < 0;
+    /// How far the edge that reaches less far beyond the other one does so; 0 if they do not cross.
+    double crossingDepth(const std::array<std::size_t, 2>& a, const std::array<std::size_t, 2>& b) const {
+        if (a[0] == b[1] || a[1] == b[0] || areApart(a, b)) return 0;
+        if (side(a[0], a[1], b[0]) * side(a[0], a[1], b[1]) >= 0) return 0;
+        if (side(b[0], b[1], a[0]) * side(b[0], b[1], a[1]) >= 0) return 0;
+        const double depth = std::min({offset(a, b[0]), offset(a, b[1]), offset(b, a[0]), offset(b, a[1])});
+        return std::max(depth, std::numeric_limits<double>::min());
+    }
+
+    /// Distance of a corner from an edge's line, as they are seen; rounded.
+    double offset(const std::array<std::size_t, 2>& edge, std::size_t corner) const {
+        const auto &p = flat_[edge[0]], &q = flat_[edge[1]], &r = flat_[corner];
+        const double x = q[0] - p[0], y = q[1] - p[1];
+        return std::abs(x * (r[1] - p[1]) - y * (r[0] - p[0])) / std::hypot(x, y);
     }
 
     template <class Number>
@@ -152,11 +172,15 @@ class Outline {
 /// Cuts ears off an outline until a triangle is left.
 class EarClipper {
   public:
-    EarClipper(const Outline& outline, std::size_t count)
-        : outline_(outline), next_(count), previous_(count) {
+    /// isRounded: corners count as on a line that they miss by no more than rounding.
+    EarClipper(const Outline& outline, std::size_t count, bool isRounded)
+        : outline_(outline), isRounded_(isRounded), next_(count), previous_(count), isLeft_(count, true) {
         for (std::size_t i = 0; i < count; ++i) {
             next_[i] = (i + 1) % count;
             previous_[i] = (i + count - 1) % count;
+        }
+        for (std::size_t i = 0; i < count; ++i) {
+            if (!isConvex(i)) reflex_.push_back(i);
         }
     }
 
@@ -171,6 +195,7 @@ class EarClipper {
                 add(previous_[corner], corner, next_[corner]);
                 next_[previous_[corner]] = next_[corner];
                 previous_[next_[corner]] = previous_[corner];
+                isLeft_[corner] = false;
                 --left;
                 refused = 0;
                 takesFlat = false;
@@ -181,18 +206,30 @@ class EarClipper {
             }
             corner = next_[corner];
         }
-        if (outline_.side(previous_[corner], corner, next_[corner]) < 0) return false;
+        if (sideOf(previous_[corner], corner, next_[corner]) < 0) return false;
         add(previous_[corner], corner, next_[corner]);
         return true;
     }
 
   private:
-    bool isEar(std::size_t corner, bool takesFlat) const {
+    bool isConvex(std::size_t corner) const { return sideOf(previous_[corner], corner, next_[corner]) > 0; }
+
+    /// Only corners that are not convex can reach into an ear. Once convex, a corner stays so.
+    bool isEar(std::size_t corner, bool takesFlat) {
         const std::array<std::size_t, 3> ear = {previous_[corner], corner, next_[corner]};
-        const int turn = outline_.side(ear[0], ear[1], ear[2]);
+        const int turn = sideOf(ear[0], ear[1], ear[2]);
         if (turn <= 0) return turn == 0 && takesFlat;
-        for (std::size_t i = next_[corner]; i != corner; i = next_[i]) {
-            if (!outline_.areApart(ear, std::array<std::size_t, 1>{i}) && reachesInto(ear, i)) return false;
+        const auto isDone = [&](std::size_t i) { return !isLeft_[i] || isConvex(i); };
+        for (std::size_t k = 0; k < reflex_.size();) {
+            const std::size_t i = reflex_[k];
+            const bool isNear = !outline_.areApart(ear, std::array<std::size_t, 1>{i});
+            if ((isNear || !isLeft_[i]) && isDone(i)) {
+                reflex_[k] = reflex_.back();
+                reflex_.pop_back();
+                continue;
+            }
+            if (isNear && i != corner && reachesInto(ear, i)) return false;
+            ++k;
         }
         return true;
     }
@@ -202,22 +239,28 @@ class EarClipper {
     bool reachesInto(const std::array<std::size_t, 3>& ear, std::size_t corner) const {
         std::array<int, 3> side{};
         for (std::size_t k = 0; k < 3; ++k) {
-            side[k] = outline_.side(ear[k], ear[(k + 1) % 3], corner);
+            side[k] = sideOf(ear[k], ear[(k + 1) % 3], corner);
             if (side[k] < 0) return false;
         }
         for (const std::size_t other : {previous_[corner], next_[corner]}) {
             bool goesInside = true;
             for (std::size_t k = 0; k < 3; ++k) {
-                goesInside =
-                    goesInside && (side[k] > 0 || outline_.side(ear[k], ear[(k + 1) % 3], other) > 0);
+                goesInside = goesInside && (side[k] > 0 || sideOf(ear[k], ear[(k + 1) % 3], other) > 0);
             }
             if (goesInside) return true;
         }
         return false;
     }
 
+    int sideOf(std::size_t a, std::size_t b, std::size_t c) const {
+        return isRounded_ ? outline_.roundedSide(a, b, c) : outline_.side(a, b, c);
+    }
+
     const Outline& outline_;
+    bool isRounded_;
     std::vector<std::size_t> next_, previous_;
+    std::vector<char> isLeft_;
+    std::vector<std::size_t> reflex_;  ///< the corners that may not be convex, in any order
 };
 
 bool isConvexQuad(const Outline& outline, std::size_t count) {
@@ -244,10 +287,12 @@ PolygonShape triangulate(const std::vector<Vector3>& vertices, const std::uint32
     const std::size_t first = triangles.size();
     if (isConvexQuad(outline, count)) {
         addFan();
-    } else if (!outline.hasArea() || outline.crossesItself() || !EarClipper(outline, count).run(add)) {
-        triangles.resize(first);
-        shape.isFilled = false;
+        return shape;
     }
+    const Outline::Crossing found = outline.hasArea() ? outline.crossing() : Outline::Crossing::crossing;
+    shape.isFilled = found != Outline::Crossing::crossing &&
+                     EarClipper(outline, count, found == Outline::Crossing::touching).run(add);
+    if (!shape.isFilled) triangles.resize(first);
     return shape;
 }
 

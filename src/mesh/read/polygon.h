@@ -17,7 +17,7 @@ struct PolygonShape {
 };
 
 /// Appends the count - 2 triangles of a polygon with at least three corners. Corners on a line, equal corners and outlines that touch
-/// themselves (as around a hole) make triangles without area, which the mesh keeps. A polygon without any area is a fan.
+/// themselves (as around a hole) make triangles without area, which the mesh keeps. A polygon whose corners lie on a line is a fan.
 PolygonShape triangulate(const std::vector<Vector3>& vertices, const std::uint32_t* corners,
                          std::size_t count, std::vector<TriangleIndices>& triangles);
 

@@ -9,6 +9,7 @@
 
 #include "core/text.h"
 #include "mesh/read/collector.h"
+#include "mesh/read/decimal.h"
 
 namespace clearway {
 
@@ -17,10 +18,17 @@ class Scanner {
   public:
     Scanner(std::string_view text, const MeshCollector& mesh)
         : at_(text.data()), end_(text.data() + text.size()), mesh_(mesh) {
+        const std::string_view start = text.substr(0, 2);
+        if (start == "\xFF\xFE" || start == "\xFE\xFF")
+            mesh.refuse("it is text in UTF-16, expected UTF-8 or ASCII");
         if (text.substr(0, kByteOrderMark.size()) == kByteOrderMark) at_ += kByteOrderMark.size();
     }
 
-    std::size_t line() const { return line_; }
+    /// Leaves out the zeros and the Ctrl-Z with which some writers end a text.
+    void trimEnd() {
+        while (end_ != at_ && (end_[-1] == '\0' || end_[-1] == '\x1A')) --end_;
+    }
+
     std::size_t bytesLeft() const { return std::size_t(end_ - at_); }
     const char* at() const { return at_; }
 
@@ -35,13 +43,16 @@ class Scanner {
     bool isAtLineEnd() {
         for (; at_ != end_; ++at_) {
             if (isBlank(*at_)) continue;
-            if (!isContinuation(at_)) return *at_ == '\n' || *at_ == '\r';
+            if (!isContinuation(at_)) return *at_ == '\n' || *at_ == '\r' || *at_ == comment_;
             ++line_;
             ++at_;
             if (*at_ == '\r' && end_ - at_ > 1 && at_[1] == '\n') ++at_;
         }
         return true;
     }
+
+    /// From this character on, where a word could begin, the rest of a line counts as blank.
+    void passOverComments(char begin) { comment_ = begin; }
 
     /// Whether a backslash at a line's end joins the next line to it.
     void joinLines(bool areJoined) { areLinesJoined_ = areJoined; }
@@ -83,16 +94,8 @@ class Scanner {
     template <class What>
     double number(const What& what) {
         double value = 0;
-        const char* const first = startOfNumber();
-        const auto [last, error] = std::from_chars(first, end_, value);
-        if (error == std::errc::result_out_of_range) {
-            long double wide = 0;  // its range tells what is too small for a double from what is too large
-            std::from_chars(first, end_, wide);
-            value = static_cast<double>(wide);
-        } else if (error != std::errc()) {
-            refuseWord(what, "a number");
-        }
-        if (!endsWord(last)) refuseWord(what, "a number");
+        const auto [last, error] = fromDecimal(startOfNumber(), end_, value);
+        if (error != std::errc() || !endsWord(last)) refuseWord(what, "a number");
         at_ = last;
         return value;
     }
@@ -159,6 +162,7 @@ class Scanner {
     const MeshCollector& mesh_;
     std::size_t line_ = 1;
     bool areLinesJoined_ = false;
+    char comment_ = '\n';
 };
 
 }  // namespace clearway

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <vector>
 
 #include "mesh/read/readers.h"
 #include "mesh/read/scanner.h"
@@ -38,7 +39,9 @@ bool isText(std::string_view bytes, const MeshCollector& mesh) {
 /// Reads facets by keywords, in upper or lower case. Some writers add words after a keyword.
 class StlText {
   public:
-    StlText(std::string_view bytes, MeshCollector& mesh) : scanner_(bytes, mesh), mesh_(mesh) {}
+    StlText(std::string_view bytes, MeshCollector& mesh) : scanner_(bytes, mesh), mesh_(mesh) {
+        scanner_.trimEnd();
+    }
 
     void read() {
         while (scanner_.skipSpace()) {
@@ -54,8 +57,13 @@ class StlText {
   private:
     /// False at the solid's end.
     bool readFacet() {
-        const std::string first = nextKeyword();
+        std::string first = nextKeyword();
+        while (first == "color") {  // of the facets that follow, in some programs
+            scanner_.nextLine();
+            first = nextKeyword();
+        }
         if (first == "endsolid") return false;
+        if (first == "end" && lower(scanner_.word()) == "solid") return false;
         if (first != "facet") refuseWord(first, "facet or endsolid");
         require("outer");
         require("loop");
@@ -112,13 +120,18 @@ class StlText {
 };
 
 void readBinary(std::string_view bytes, MeshCollector& mesh) {
+    const std::string_view start = bytes.substr(0, kStart);
+    if (std::all_of(start.begin(), start.end(), [](unsigned char c) { return c >= 9; })) {
+        const std::vector<std::string_view> all = words(start);
+        mesh.refuse("its text begins with " + quote(all.empty() ? "" : all[0]) + ", expected solid");
+    }
     const std::string cut = "it ends after " + std::to_string(bytes.size()) + " bytes of ";
     if (bytes.size() < kStart) mesh.refuse(cut + "the 84 with which a binary STL file begins");
     const std::size_t count = statedTriangles(bytes), whole = kStart + kFacet * count;
     if (bytes.size() < whole) {
         mesh.refuse(cut + std::to_string(whole) + ", which its " + std::to_string(count) + " triangles take");
     }
-    mesh.acceptTail(bytes.substr(whole), "its " + std::to_string(count) + " triangles");
+    mesh.acceptTail(bytes.substr(whole), kFacet - 1, "its " + std::to_string(count) + " triangles");
     mesh.reserve(3 * count, count);
     for (std::size_t facet = 0; facet < count; ++facet) {
         float corners[9];

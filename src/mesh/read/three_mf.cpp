@@ -231,7 +231,7 @@ class Reader {
         note(package_.objectCount() - placed_.size(), " left out, which no build item reaches");
         note(hollow_, " read without a triangle");
         note(sliced_, " read as a mesh only, without slices that the file has, too");
-        note(unprintable_, " read that the build marks as not printable");
+        note(unprintable_, " placed by items that are marked as not printable");
         for (const auto& [type, count] : types_)
             note(count, " read of type " + quote(type) + ", not 'model'");
         noteSlicerVolumes();

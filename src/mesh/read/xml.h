@@ -14,6 +14,7 @@
 #include "core/number.h"
 #include "core/text.h"
 #include "mesh/read/collector.h"
+#include "mesh/read/decimal.h"
 
 namespace clearway {
 
@@ -66,7 +67,13 @@ template <typename Number>
 bool takeNumber(std::string_view& text, Number& value) {
     const char* const end = text.data() + text.size();
     const bool hasPlus = text.size() > 1 && text[0] == '+' && text[1] != '-';
-    const auto [stop, error] = std::from_chars(text.data() + hasPlus, end, value);
+    std::from_chars_result read{};
+    if constexpr (std::is_same_v<Number, double>) {
+        read = fromDecimal(text.data() + hasPlus, end, value);
+    } else {
+        read = std::from_chars(text.data() + hasPlus, end, value);
+    }
+    const auto [stop, error] = read;
     if (error != std::errc{} || (stop != end && !isXmlBlank(*stop))) return false;
     text.remove_prefix(static_cast<std::size_t>(stop - text.data()));
     return true;

@@ -286,7 +286,7 @@ int init(const Arguments& words) {
     if (const std::string note = unitNote(boundingBox(part), boundingBox(environment), ""); !note.empty())
         printWarnings(
             {note + " robot.scale and world.scale in [clearway] are factors for their coordinates"});
-    for (const Mesh& mesh : meshes) printWarnings(readingWarnings(mesh.origin));
+    for (const Mesh& mesh : meshes) printWarnings(mesh.origin.warnings);
     warnOfUnits(meshes);
     facts()["problem"] = given.out;
     facts()["part"] = factsOf(part);

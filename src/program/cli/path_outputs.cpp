@@ -9,7 +9,6 @@
 
 #include "clearway/swept_volume.h"
 #include "core/replace_file.h"
-#include "mesh/check.h"
 #include "problem/rotation.h"
 #include "program/cli/load_guard.h"
 #include "program/cli/print.h"
@@ -41,7 +40,7 @@ Rows problemRows(const Problem& problem, const Mesh& part, const Mesh& environme
                  {"environment", worlds + counted(environment.triangles.size(), "triangle")},
                  {"margin", statedLength(problem.margin)}};
     for (const Mesh* mesh : {&part, &environment}) {
-        for (const std::string& warning : readingWarnings(mesh->origin)) rows.push_back({"warning", warning});
+        for (const std::string& warning : mesh->origin.warnings) rows.push_back({"warning", warning});
     }
     return rows;
 }

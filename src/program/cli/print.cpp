@@ -202,7 +202,7 @@ Rows readingRows(const MeshOrigin& origin) {
         rows.push_back({"up axis stated", std::string(1, origin.upAxis) + ", not applied"});
     }
     for (const std::string& note : origin.notes) rows.push_back({"note", note});
-    for (const std::string& warning : readingWarnings(origin)) rows.push_back({"warning", warning});
+    for (const std::string& warning : origin.warnings) rows.push_back({"warning", warning});
     return rows;
 }
 
