@@ -8,6 +8,7 @@
 
 #include <array>
 #include <filesystem>
+#include <functional>
 #include <iomanip>
 #include <iostream>
 #include <sstream>
@@ -41,20 +42,15 @@ Mesh read(const std::string& file, bool byAssimp) {
     return byAssimp ? readByAssimp(file, MeshReading::kAsStored).mesh : loadMesh(file);
 }
 
-/// Loads the file once, in a child process.
-Load loadOnce(const std::string& file, bool byAssimp, int cpu) {
+/// What the work tells, done in a child process on this CPU: its memory is not that of work before.
+Load inChild(int cpu, const std::function<Load()>& work) {
     std::array<int, 2> ends{};
     if (pipe(ends.data()) != 0) throw std::runtime_error("a pipe could not be made");
     const pid_t child = fork();
     if (child < 0) throw std::runtime_error("a process could not be made");
     if (child == 0) {
         Load load;
-        runPinned(cpu, [&] {
-            const double before = megabytesSoFar();
-            const auto begin = Clock::now();
-            const Mesh mesh = read(file, byAssimp);
-            load = {secondsSince(begin), megabytesSoFar() - before, mesh.triangles.size()};
-        });
+        runPinned(cpu, [&] { load = work(); });
         _exit(write(ends[1], &load, sizeof load) == ssize_t(sizeof load) ? 0 : 1);
     }
     close(ends[1]);
@@ -63,8 +59,21 @@ Load loadOnce(const std::string& file, bool byAssimp, int cpu) {
     close(ends[0]);
     int status = 0;
     waitpid(child, &status, 0);
-    if (!isTold || status != 0) throw std::runtime_error("loading " + file + " failed");
+    if (!isTold || status != 0) throw std::runtime_error("a child process failed");
     return load;
+}
+
+Load writeRing(std::size_t triangles, const std::string& file) {
+    const Mesh mesh = ring(triangles);
+    saveMesh(mesh, file);
+    return {0, 0, mesh.triangles.size()};
+}
+
+Load loadOnce(const std::string& file, bool byAssimp) {
+    const double before = megabytesSoFar();
+    const auto begin = Clock::now();
+    const Mesh mesh = read(file, byAssimp);
+    return {secondsSince(begin), megabytesSoFar() - before, mesh.triangles.size()};
 }
 
 }  // namespace
@@ -88,16 +97,12 @@ int run(int count, char** words) {
     bool isWrong = false;
     for (const std::string& format : splitAtCommas(formats)) {
         const std::string file = folder.file("ring." + format);
-        std::size_t expected = 0;
-        {
-            const Mesh mesh = ring(std::size_t(triangles));
-            expected = mesh.triangles.size();
-            saveMesh(mesh, file);
-        }
+        const std::size_t expected =
+            inChild(cpu, [&] { return writeRing(std::size_t(triangles), file); }).triangles;
         std::array<std::vector<Load>, 2> loads;
         for (int i = 0; i < repetitions; ++i) {
             for (const bool byAssimp : {false, true})
-                loads[byAssimp].push_back(loadOnce(file, byAssimp, cpu));
+                loads[byAssimp].push_back(inChild(cpu, [&] { return loadOnce(file, byAssimp); }));
         }
         for (const bool byAssimp : {false, true}) {
             std::vector<double> seconds, megabytes;
