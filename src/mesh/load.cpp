@@ -46,6 +46,7 @@ bool hasNearVertices(const Mesh& mesh) {
     using Entry = std::tuple<std::uint64_t, double, double, double>;  // the cell's hash, the vertex
     std::vector<Entry> entries;
     for (const Vector3& vertex : mesh.vertices) {
+        if (!vertex.allFinite()) continue;  // no triangle uses it, or the mesh is refused
         const Vector3 least = ((vertex.array() - kJoined) / kCell).floor(),
                       most = ((vertex.array() + kJoined) / kCell).floor();
         for (int corner = 0; corner < 8; ++corner) {
