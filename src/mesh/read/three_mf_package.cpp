@@ -63,7 +63,8 @@ ModelPart& ThreeMfPackage::root() {
     if (archive_.has("_rels/.rels")) {
         std::string bytes = archive_.read("_rels/.rels");
         pugi::xml_document document;
-        for (const xml_node relationship : parseXml(document, bytes, "part '_rels/.rels'", mesh_)) {
+        const xml_node relationships = parseXml(document, bytes, "part '_rels/.rels'", mesh_);
+        for (const xml_node relationship : relationships) {
             if (relationship.attribute("Type").value() != kModelRelationship) continue;
             const std::string target = relationship.attribute("Target").value();
             names.emplace(ZipArchive::partName(target), target);
