@@ -50,8 +50,8 @@ constexpr Topic kTopics[] = {
     {"formats",
      R"(Formats of files.
 
-Meshes     what assimp reads: stl, obj, ply, 3mf, glb, gltf, dae, off and more. STEP, IGES and CAD programs' own
-           files hold surfaces, not triangles: export one of these.
+Meshes     stl, obj, ply, off, 3mf, glb, gltf and dae; others are read by assimp alone, and not checked. STEP, IGES
+           and CAD programs' own files hold surfaces, not triangles: export one of these.
 Problems   .cfg, as OMPL.app's, with a section [clearway]: clearway help keys
 Paths      one state a line: x y z qx qy qz qw, the quaternion's w last (SE(2): x y yaw, radians)
 Poses      one a line: x y z qx qy qz qw, or 12 numbers: the rotation's rows and the translation of each
