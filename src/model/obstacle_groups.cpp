@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "core/number.h"
+#include "core/text.h"
 #include "mesh/components.h"
 #include "model/obstacle_names.h"
 #include "model/solids.h"
@@ -139,6 +140,32 @@ std::vector<std::uint32_t> firstTrianglesOf(const std::vector<Mesh>& files) {
     return first;
 }
 
+/// The sums of what the files' origins count, their lines, and the unit and axis that all of them state.
+MeshOrigin joinedOrigin(const std::vector<Mesh>& files) {
+    MeshOrigin all;
+    all.unitMetres = files.front().origin.unitMetres;
+    all.upAxis = files.front().origin.upAxis;
+    std::vector<std::string> names, formats;
+    for (const Mesh& file : files) {
+        const MeshOrigin& one = file.origin;
+        names.push_back(one.file);
+        if (std::find(formats.begin(), formats.end(), one.format) == formats.end())
+            formats.push_back(one.format);
+        all.isChecked = all.isChecked && one.isChecked;
+        if (all.unitMetres != one.unitMetres) all.unitMetres = 0;
+        if (all.upAxis != one.upAxis) all.upAxis = 0;
+        all.ignoredFaces += one.ignoredFaces;
+        all.crossingFaces += one.crossingFaces;
+        all.bentFaces += one.bentFaces;
+        all.bentBy = std::max(all.bentBy, one.bentBy);
+        all.warnings.insert(all.warnings.end(), one.warnings.begin(), one.warnings.end());
+        for (const std::string& note : one.notes) all.notes.push_back(one.file + ": " + note);
+    }
+    all.file = joined(names);
+    all.format = joined(formats);
+    return all;
+}
+
 }  // namespace
 
 Mesh joinedEnvironment(const std::vector<Mesh>& files) {
@@ -158,20 +185,8 @@ Mesh joinedEnvironment(const std::vector<Mesh>& files) {
             component.firstTriangle += firstTriangle;
             all.components.push_back(component);
         }
-        all.origin.file += (all.origin.file.empty() ? "" : ", ") + file.origin.file;
-        all.origin.ignoredFaces += file.origin.ignoredFaces;
-        all.origin.crossingFaces += file.origin.crossingFaces;
-        all.origin.bentFaces += file.origin.bentFaces;
-        all.origin.bentBy = std::max(all.origin.bentBy, file.origin.bentBy);
-        all.origin.isChecked = all.origin.isChecked && file.origin.isChecked;
-        if (all.origin.format.find(file.origin.format) == std::string::npos) {
-            all.origin.format += (all.origin.format.empty() ? "" : ", ") + file.origin.format;
-        }
-        for (const std::string& warning : file.origin.warnings) all.origin.warnings.push_back(warning);
-        for (const std::string& note : file.origin.notes) {
-            all.origin.notes.push_back(file.origin.file + ": " + note);
-        }
     }
+    all.origin = joinedOrigin(files);
     return all;
 }
 

@@ -42,7 +42,7 @@ Mesh read(const std::string& file, bool byAssimp) {
     return byAssimp ? readByAssimp(file, MeshReading::kAsStored).mesh : loadMesh(file);
 }
 
-/// What the work tells, done in a child process on this CPU: its memory is not that of work before.
+/// Does the work in a child process on this CPU, so that its memory is not that of earlier work, and returns its result.
 Load inChild(int cpu, const std::function<Load()>& work) {
     std::array<int, 2> ends{};
     if (pipe(ends.data()) != 0) throw std::runtime_error("a pipe could not be made");

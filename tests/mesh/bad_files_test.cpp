@@ -35,16 +35,6 @@ std::string refusalOf(const std::string& file, MeshReading reading = MeshReading
     return "accepted";
 }
 
-bool holds(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-    const std::size_t at = text.find(from);
-    BOOST_REQUIRE(at != std::string::npos);
-    return text.replace(at, from.size(), to);
-}
-
 BOOST_AUTO_TEST_CASE(a_missing_file_a_folder_and_an_empty_file_are_refused) {
     const TemporaryFolder folder;
     BOOST_TEST(holds(refusalOf(folder.file("none.stl")), "there is no such file"));

@@ -33,11 +33,6 @@ void requireRefused(const std::string& text, const std::string& reason) {
     }
 }
 
-std::string replaced(std::string text, const std::string& old, const std::string& now) {
-    BOOST_REQUIRE(text.find(old) != std::string::npos);
-    return text.replace(text.find(old), old.size(), now);
-}
-
 std::string withPrimitives(const std::string& primitives) {
     return replaced(kText, kTriangles, primitives);
 }

@@ -1,8 +1,10 @@
 // Small mesh files, written by hand in the formats that matter. All hold one tetrahedron of exact floats.
 #pragma once
 
+#include <boost/test/unit_test.hpp>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "clearway/mesh.h"
@@ -28,6 +30,27 @@ inline std::string refusalOfText(const std::string& name, const std::string& con
         return message.substr(begin.size());
     }
     return "accepted";
+}
+
+inline bool holds(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+/// The text with its first `from` replaced.
+inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    const std::size_t at = text.find(from);
+    if (at == std::string::npos) throw std::invalid_argument("there is no '" + from + "' in the text");
+    return text.replace(at, from.size(), to);
+}
+
+/// Texts of files of one name, each with a part of the reason for which it is refused.
+using Refused = std::vector<std::pair<std::string, const char*>>;
+
+inline void requireRefused(const std::string& name, const Refused& cases) {
+    for (const auto& [text, reason] : cases) {
+        const std::string refusal = refusalOfText(name, text);
+        BOOST_TEST(holds(refusal, reason), refusal << " does not hold " << reason);
+    }
 }
 
 /// The sum of the triangles' areas.

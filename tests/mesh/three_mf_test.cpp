@@ -92,10 +92,6 @@ void requireRefused(const std::string& text, const std::string& reason) {
     requireRefused({{"_rels/.rels", relationships("/3D/a.model")}, {"3D/a.model", text}}, reason);
 }
 
-std::string replaced(std::string text, const std::string& old, const std::string& now) {
-    return text.replace(text.find(old), old.size(), now);
-}
-
 /// The triangles of the tetrahedron begin at `first`, each corner mapped; turned over if mirrored.
 template <typename Map>
 void requireTetrahedron(const Mesh& mesh, std::size_t first, Map map, bool isMirrored = false) {

@@ -1,4 +1,5 @@
-// What assimp reads: formats that clearway has no reader for, as stored, and all formats with OMPL.app's arithmetic (float, assimp's defaults).
+// Reads files through assimp: as stored where clearway has no reader of its own, and any format with OMPL.app's arithmetic (float, assimp's
+// defaults).
 #include "mesh/read/assimp.h"
 
 #include <assimp/BaseImporter.h>

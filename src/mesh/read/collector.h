@@ -1,4 +1,4 @@
-// What a reader of mesh files collects: vertices, polygons, components and notes.
+// Collects what readers of mesh files find: vertices, polygons, components and notes.
 #pragma once
 
 #include <cstdint>
@@ -60,7 +60,7 @@ class MeshCollector {
 
     void note(std::string text) { mesh_.origin.notes.push_back(std::move(text)); }
 
-    /// What follows the last element that the file declares. Notes up to `most` bytes, and accepts any number of zeros and blanks: some
+    /// Judges the bytes after the last element that the file declares. Notes up to `most` bytes, and accepts any number of zeros and blanks: some
     /// writers add them. Refuses more, which may be elements that the file does not count. declared: what it counts, such as "its 12
     /// triangles".
     void acceptTail(std::string_view tail, std::size_t most, const std::string& declared);

@@ -19,7 +19,7 @@ constexpr MeshFormat kFormats[] = {
     {"glTF", ".gltf", "", readGltf, true}, {"GLB", ".glb", ".vrm", readGltf, true},
     {"3MF", ".3mf", "", read3mf, true},    {"DAE", ".dae", ".collada", readDae, true}};
 
-/// What the first bytes tell for certain.
+/// The format that the first bytes name for certain; null when they do not.
 const MeshFormat* formatOfBytes(std::string_view bytes) {
     if (boost::algorithm::starts_with(bytes, "glTF"sv)) return &kFormats[kGlb];
     for (const std::string_view magic : {"ply\n"sv, "ply\r"sv, "PLY\n"sv, "PLY\r"sv}) {

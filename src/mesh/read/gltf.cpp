@@ -38,10 +38,10 @@ constexpr std::string_view kExtensions[] = {"KHR_mesh_quantization",
                                             "CESIUM_primitive_outline",
                                             "FB_ngon_encoding"};
 
-/// By which the length of a rotation's quaternion may differ from 1: for floats, and for normalized bytes.
+/// Tolerances of the length of a rotation's quaternion, 1: for floats, and for normalized bytes.
 constexpr double kUnitLength = 1e-3, kUnitLengthOfBytes = 1e-2;
 
-/// By which the last row of a matrix may differ from 0 0 0 1: as an inverse in float does.
+/// Tolerance of the last row of a matrix, 0 0 0 1, for inverses in float.
 constexpr double kAffine = 1e-6;
 
 bool isKnown(const std::string& extension) {

@@ -14,7 +14,7 @@ namespace {
 /// Vertices or corners that are read at a time; divisible by 6, as triangles and the turns of strips need.
 constexpr std::size_t kBlock = 1536;
 
-/// By which a vertex's skin weights may differ from 1 in sum: exporters round them. They are divided by the sum.
+/// Tolerance of the sum of a vertex's skin weights, 1: exporters round them. They are divided by the sum.
 constexpr double kWeightSum = 1e-2;
 
 enum Mode : std::size_t { kPoints, kLines, kLineLoop, kLineStrip, kTriangles, kStrip, kFan };

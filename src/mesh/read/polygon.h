@@ -9,7 +9,7 @@
 
 namespace clearway {
 
-/// What became of a polygon.
+/// The outcome of triangulating a polygon.
 struct PolygonShape {
     bool isFilled = true;  ///< false: it crosses itself, and no triangle was made
     double height = 0;     ///< the largest distance of a corner from the polygon's plane; mesh units

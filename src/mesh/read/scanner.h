@@ -82,7 +82,7 @@ class Scanner {
         return {first, std::size_t(at_ - first)};
     }
 
-    /// What the line holds from here on, without blanks at its ends.
+    /// The line from here on, without blanks at its ends.
     std::string_view restOfLine() {
         isAtLineEnd();
         const char* const first = at_;

@@ -1,4 +1,4 @@
-// What readers of XML formats share: parsing, numbers in texts, and bounds on what a small file may unfold into.
+// Shared by the readers of XML formats: parsing, numbers in texts, and bounds on what a small file may unfold into.
 // Positions in messages count from 0.
 #pragma once
 

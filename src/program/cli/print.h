@@ -56,7 +56,7 @@ void printObstacles(const ObstacleGroups& obstacles);
 /// "mm" for 0.001; "0.3 m" for a unit that problems cannot state.
 std::string unitName(double metres);
 
-/// What was turned, stated and not applied, noted and warned of when the mesh's file was read.
+/// Rows about how the mesh's file was read: turned axes, the unit and axis that it states, notes and warnings.
 Rows readingRows(const MeshOrigin& origin);
 
 /// "checked", or "unchecked" for a mesh that assimp alone read.

@@ -1,4 +1,4 @@
-// What the program says of how meshes were read: checked or not, units, polygons that are left out, equal names.
+// The program says how meshes were read: checked or not, units, polygons that are left out, equal names.
 #include <assimp/scene.h>
 
 #include <assimp/Exporter.hpp>
