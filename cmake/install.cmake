@@ -71,6 +71,10 @@ file(RELATIVE_PATH pc_prefix /x/${CMAKE_INSTALL_LIBDIR}/pkgconfig /x)  # from wh
 set(pc_files clearway)
 if(CLEARWAY_PLANNING)
   list(APPEND pc_files clearway-planning)
+  # OMPL's own ompl.pc is not asked: in Debian 12 it names libraries of Boost that its package does not require.
+  find_path(pc_ompl_headers ompl/config.h HINTS ${OMPL_INCLUDE_DIRS} NO_CACHE REQUIRED)
+  find_library(pc_ompl_library ompl HINTS ${OMPL_LIBRARY_DIRS} NO_CACHE REQUIRED)
+  get_filename_component(pc_ompl_libraries ${pc_ompl_library} DIRECTORY)
 endif()
 foreach(name IN LISTS pc_files)
   configure_file(${CMAKE_CURRENT_LIST_DIR}/${name}.pc.in ${generated}/${name}.pc @ONLY)
