@@ -32,6 +32,20 @@ std::string formatWith(Float value, Format... format) {
     return std::string(text, std::to_chars(text, text + sizeof text, value, format...).ptr);
 }
 
+/// The decimal of at most so many digits that is next to the value's shortest one, on the way to zero or from it.
+double toDigits(double value, int digits, bool isUp) {
+    if (value == 0 || !std::isfinite(value)) return value;
+    const std::string text = formatWith(std::abs(value), std::chars_format::scientific);
+    const std::size_t end = text.find('e');
+    std::string kept = text.substr(0, 1) + (end > 2 ? text.substr(2, end - 2) : "");
+    if (kept.size() <= static_cast<std::size_t>(digits)) return value;
+    kept.resize(digits);
+    const std::int64_t whole = *parseInteger(kept) + (isUp ? 1 : 0);
+    const std::int64_t exponent = *parseInteger(text.substr(end + 1)) + 1 - digits;
+    const auto next = parseNumber(std::to_string(whole) + "e" + std::to_string(exponent));
+    return next ? std::copysign(*next, value) : value;
+}
+
 }  // namespace
 
 std::optional<double> parseNumber(std::string_view text) {
@@ -51,8 +65,19 @@ std::string shortNumber(double value) {
     return formatWith(value);
 }
 
+double towardsZero(double value, int digits) {
+    return toDigits(value, digits, false);
+}
+
+double awayFromZero(double value, int digits) {
+    return toDigits(value, digits, true);
+}
+
 std::string roundedNumber(double value) {
-    return formatWith(static_cast<float>(value));
+    const auto single = static_cast<float>(value);
+    // A float holds neither 1e300 nor 1e-300.
+    const bool isHeld = std::isnormal(single) || value == 0 || !std::isfinite(value);
+    return isHeld ? formatWith(single) : formatWith(value, std::chars_format::general, 7);
 }
 
 std::string roundedPoint(const Vector3& point) {

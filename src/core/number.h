@@ -28,7 +28,14 @@ std::string formatNumber(double value);
 /// people.
 std::string shortNumber(double value);
 
-/// A computed number for messages: as a float, so without digits that rounding made.
+/// The number with so many significant digits that is next to the value on the way to zero: of the digits of shortNumber, those are
+/// kept. A certified bound that is shown this way is never shown as more than it is.
+double towardsZero(double value, int digits);
+
+/// The same on the way from zero; the value itself where a double has no such number.
+double awayFromZero(double value, int digits);
+
+/// A computed number for messages: with a float's digits, so without those that rounding made.
 std::string roundedNumber(double value);
 std::string roundedPoint(const Vector3& point);  ///< "(1.5, 2, 0.1)", numbers as roundedNumber gives them
 

@@ -28,14 +28,6 @@ constexpr int kReplayPoses = 1000;
 constexpr std::uint64_t kReplaySeed = 1;
 constexpr int kPreviewWidth = 960, kPreviewHeight = 540;
 
-/// Rounds down to so many decimals.
-std::string roundedDown(double value, int decimals) {
-    const double unit = std::pow(10.0, decimals);
-    char text[64];
-    std::snprintf(text, sizeof text, "%.*f", decimals, std::floor(value * unit) / unit);
-    return text;
-}
-
 std::string percent(double share) {
     return readable(std::round(1000 * share) / 10) + " %";
 }
@@ -148,7 +140,7 @@ bool recordScene(const SceneOrigin& origin, const scenes::SceneFiles& files, con
         }
         least = std::min(least, stated + motion.lowerClearance);
     }
-    const std::string kept = roundedDown(least, 3) + " (certified), expected " + readable(stated);
+    const std::string kept = shortened(least) + " (certified), expected " + readable(stated);
     const std::string near =
         percent(recorder.nearShare()) + " of the path is within " + readable(kNear * stated);
     if (isInterrupted()) return true;

@@ -9,6 +9,7 @@
 #include "clearway/planning/plan.h"
 #include "clearway/problem.h"
 #include "clearway/scene_clearance.h"
+#include "core/number.h"
 #include "mesh/check.h"
 #include "mesh/clean.h"
 #include "mesh/topology.h"
@@ -237,15 +238,9 @@ std::string whyStartIsInvalid(Problem problem, double overlap) {
     }
 }
 
-/// The number with three digits, not less than it was.
-double roundedUp(double depth) {
-    const double unit = std::pow(10, std::floor(std::log10(depth)) - 2);
-    return std::ceil(depth / unit) * unit;
-}
-
 /// For a start at which surfaces only touch.
 void printSmallLift(const Problem& problem, double partSize) {
-    const double overlap = roundedUp(kSmallLift * partSize);
+    const double overlap = awayFromZero(kSmallLift * partSize, 3);
     const std::string why = whyStartIsInvalid(problem, overlap);
     if (!why.empty())
         return printRow("lift", "overlap = " + depthText(overlap) + " does not free the start: " + why);
@@ -276,7 +271,7 @@ void describeLift(const std::string& file) {
     }
     double least = 0, enough = 0;
     for (const FoundOverlap& found : overlaps) enough = std::max(enough, found.deepest.upper);
-    enough = roundedUp(enough);
+    enough = awayFromZero(enough, 3);
     std::string why = whyStartIsInvalid(problem, enough);
     for (int doublings = 0; !why.empty() && doublings < kMostDoublings; ++doublings) {
         least = enough;
@@ -287,7 +282,7 @@ void describeLift(const std::string& file) {
         throw std::invalid_argument("no overlap up to " + shownLength(enough) + " frees the start: " + why);
     const bool isFromSearch = least > 0;
     while (isFromSearch && enough - least > kLiftError * enough) {
-        const double middle = roundedUp(0.5 * (least + enough));
+        const double middle = awayFromZero(0.5 * (least + enough), 3);
         (whyStartIsInvalid(problem, middle).empty() ? enough : least) = middle;
     }
     facts()["lift"] = {{"overlap", toJson(enough)}};

@@ -59,10 +59,7 @@ bool readArguments(const Arguments& words, InitArguments& given) {
 
 /// A number as people write it, rounded up to four digits if `up`, else down.
 std::string rounded(double value, bool up) {
-    if (value == 0) return "0";
-    const double unit = std::pow(10, std::floor(std::log10(std::abs(value))) - 3);
-    const double whole = up ? std::ceil(value / unit) : std::floor(value / unit);
-    return roundedNumber(whole * unit);
+    return shortNumber(up == (value > 0) ? awayFromZero(value, 4) : towardsZero(value, 4));
 }
 
 /// "1234 triangles, closed, 120 x 40 x 35"

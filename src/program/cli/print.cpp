@@ -88,18 +88,13 @@ std::string readable(const Box& box) {
 }
 
 std::string shortened(double value, int digits) {
-    if (value == 0 || !std::isfinite(value)) return value == 0 ? "0" : "inf";
-    const double unit = std::pow(10.0, std::floor(std::log10(std::abs(value))) + 1 - digits);
     char text[32];
-    std::snprintf(text, sizeof text, "%.*g", digits, std::trunc(value / unit) * unit);
+    std::snprintf(text, sizeof text, "%.*g", digits, towardsZero(value, digits));
     return text;
 }
 
 std::string shortenedUp(double value) {
-    if (value == 0 || !std::isfinite(value)) return shortened(value);
-    const double unit = std::pow(10.0, std::floor(std::log10(std::abs(value))) - 3);
-    const double units = value / unit;
-    return readable(std::copysign(std::ceil(std::abs(units) * (1 - kRounded)), units) * unit);
+    return readable(awayFromZero(value * (1 - kRounded), 4));
 }
 
 void useUnit(const std::string& unit) {

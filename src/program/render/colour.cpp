@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace clearway::render {
 
@@ -65,11 +66,12 @@ Colour contactColour() {
 
 double niceCeiling(double value) {
     if (!(value > 0) || !std::isfinite(value)) return 1;
-    const double power = std::pow(10.0, std::floor(std::log10(value)));
+    using Limits = std::numeric_limits<double>;
+    const double power = std::max(std::pow(10.0, std::floor(std::log10(value))), Limits::denorm_min());
     for (const double digit : {1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0}) {
-        if (digit * power >= value) return digit * power;
+        if (digit * power >= value) return std::min(digit * power, Limits::max());
     }
-    return 10 * power;
+    return std::min(10 * power, Limits::max());
 }
 
 double scaleFor(double least, double most, bool hasContact) {

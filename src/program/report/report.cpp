@@ -6,6 +6,7 @@
 #include <ostream>
 #include <string_view>
 
+#include "core/number.h"
 #include "core/replace_file.h"
 #include "program/report/coding.h"
 #include "program/report/frames.h"
@@ -49,10 +50,8 @@ std::string filled(std::string_view page, const Places& places) {
 /// Rounds towards zero, so that a certified clearance is never rounded up.
 std::string shortened(double value) {
     if (!std::isfinite(value)) return "-";
-    if (value == 0) return "0";
-    const double unit = std::pow(10.0, std::floor(std::log10(std::abs(value))) - 3);
     char text[32];
-    std::snprintf(text, sizeof text, "%.4g", std::trunc(value / unit) * unit);
+    std::snprintf(text, sizeof text, "%.4g", towardsZero(value, 4));
     return text;
 }
 

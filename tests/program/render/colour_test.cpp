@@ -69,6 +69,8 @@ BOOST_AUTO_TEST_CASE(a_scale_ends_at_a_round_number_that_holds_the_value) {
     BOOST_TEST(niceCeiling(0.0042) == 0.005, boost::test_tools::tolerance(1e-12));
     BOOST_TEST(niceCeiling(0) == 1);
     BOOST_TEST(niceCeiling(INFINITY) == 1);
+    for (const double value : {5e-324, 3e-320, 1.7e308})
+        BOOST_TEST((niceCeiling(value) >= value && std::isfinite(niceCeiling(value))));
     for (double value = 1e-8; value < 1e8; value *= 1.7) {
         BOOST_TEST(niceCeiling(value) >= value * (1 - 1e-12));
         BOOST_TEST(niceCeiling(value) <= 1.51 * value);
