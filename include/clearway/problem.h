@@ -210,7 +210,7 @@ LoadedScene loadScene(const Problem& problem, const BuildOptions& options = {},
 /// when the bounds leave out the start or the goal, leave no room for the part outside even when it is turned
 /// to need least, or have no extent along an axis, and when the start, the goal or the volume is more than a
 /// million sizes of the scene from the environment.
-Box boundsOf(const Problem& problem, const Box& environmentBox, const Box& partBox = Box());
+Box boundsOf(const Problem& problem, const Box& environmentBox, const Box& partBox);
 
 /// Writes one state a line with 17 digits: x y z qx qy qz qw, or x y yaw in SE(2). The file is written under
 /// a temporary name, then renamed. Throws std::runtime_error when it cannot be written.

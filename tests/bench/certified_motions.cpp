@@ -74,8 +74,9 @@ class Comparison {
     Comparison(const Problem& problem, double margin)
         : problem_(problem),
           scene_(Model::build(loadPart(problem)), Model::build(loadEnvironment(problem)), margin) {
-        space_ = planning::makeSpace(problem.space, boundsOf(problem, scene_.environmentBox()),
-                                     scene_.part.radiusAboutOrigin());
+        space_ =
+            planning::makeSpace(problem.space, boundsOf(problem, scene_.environmentBox(), scene_.part.box()),
+                                scene_.part.radiusAboutOrigin());
         si_ = std::make_shared<ob::SpaceInformation>(space_);
         si_->setStateValidityChecker(std::make_shared<planning::ValidityChecker>(si_, scene_));
         si_->setup();

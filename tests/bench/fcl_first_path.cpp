@@ -76,7 +76,8 @@ class Bench {
     Run run(const Checking& checking, std::uint32_t seed) const {
         ompl::RNG::setSeed(seed);
         const auto si = std::make_shared<ob::SpaceInformation>(planning::makeSpace(
-            problem_.space, boundsOf(problem_, scene_.environmentBox()), scene_.part.radiusAboutOrigin()));
+            problem_.space, boundsOf(problem_, scene_.environmentBox(), scene_.part.box()),
+            scene_.part.radiusAboutOrigin()));
         si->setStateValidityChecker(checking.checker(si));
         si->setMotionValidator(checking.validator(si));
         si->setup();

@@ -36,7 +36,7 @@ EdgeRecorder::EdgeRecorder(const Problem& problem, const Scene& scene, double ra
     : problem_(problem),
       scene_(scene),
       range_(range),
-      space_(planning::makeSpace(problem.space, boundsOf(problem, scene.environmentBox()),
+      space_(planning::makeSpace(problem.space, boundsOf(problem, scene.environmentBox(), scene.part.box()),
                                  scene.part.radiusAboutOrigin())) {}
 
 ob::SpaceInformationPtr EdgeRecorder::makeSpaceInformation(const Scene& scene) const {

@@ -13,7 +13,7 @@ namespace {
 
 std::string refusalOf(const Problem& problem, const Box& environment) {
     try {
-        boundsOf(problem, environment);
+        boundsOf(problem, environment, Box());
     } catch (const std::invalid_argument& error) {
         return error.what();
     }
@@ -60,7 +60,7 @@ BOOST_AUTO_TEST_CASE(without_a_volume_the_environments_box_grows_to_hold_start_a
     Problem problem;
     problem.start.position = Vector3(-2, 0.5, 0.5);
     problem.goal.position = Vector3(0.5, 3, 0.5);
-    const Box bounds = boundsOf(problem, kUnitBox);
+    const Box bounds = boundsOf(problem, kUnitBox, Box());
     BOOST_TEST(bounds.min() == Vector3(-2, 0, 0));
     BOOST_TEST(bounds.max() == Vector3(1, 3, 1));
 }
@@ -70,7 +70,7 @@ BOOST_AUTO_TEST_CASE(a_volume_is_the_bounds_and_must_hold_start_and_goal) {
     problem.file = "a.cfg";
     problem.volume = Box(Vector3(0, 0, 0), Vector3(2, 2, 2));
     problem.goal.position = Vector3(2, 1, 1);  // on the border is inside
-    BOOST_TEST(boundsOf(problem, kUnitBox).max() == Vector3(2, 2, 2));
+    BOOST_TEST(boundsOf(problem, kUnitBox, Box()).max() == Vector3(2, 2, 2));
     problem.start.position = Vector3(1, -0.5, 1);
     BOOST_TEST(refusalOf(problem, kUnitBox) ==
                "a.cfg: start.y is -0.5, outside the bounds, expected from 0 to 2");
@@ -83,7 +83,7 @@ BOOST_AUTO_TEST_CASE(a_volume_is_the_bounds_and_must_hold_start_and_goal) {
 BOOST_AUTO_TEST_CASE(in_the_plane_z_is_zero_and_bounds_nothing) {
     Problem problem;
     problem.space = Space::kSe2;
-    const Box bounds = boundsOf(problem, Box(Vector3(-1, -1, 4), Vector3(1, 1, 5)));
+    const Box bounds = boundsOf(problem, Box(Vector3(-1, -1, 4), Vector3(1, 1, 5)), Box());
     BOOST_TEST(bounds.min() == Vector3(-1, -1, 0));
     BOOST_TEST(bounds.max() == Vector3(1, 1, 0));
 }

@@ -33,7 +33,7 @@ AnytimePlanner::AnytimePlanner(const Problem& problem, const Scene& scene, const
                                std::uint32_t seed) {
     const planning::OmplMessages unheard;
     ompl::RNG::setSeed(seed);
-    const Box bounds = boundsOf(problem, scene.environmentBox());
+    const Box bounds = boundsOf(problem, scene.environmentBox(), scene.part.box());
     const auto space = planning::makeSpace(problem.space, bounds, scene.part.radiusAboutOrigin());
     si_ = std::make_shared<ob::SpaceInformation>(space);
     si_->setStateValidityChecker(std::make_shared<planning::ValidityChecker>(si_, scene));

@@ -25,8 +25,9 @@ struct ExplainOptions {
 
 /// The answer of explain().
 struct Explanation {
+    bool areObstaclesTried = false;  ///< there are at least two obstacles, all with names
     /// Sets of obstacles without which a path was found, each of as few obstacles as any. Greedy: smaller sets may
-    /// exist. Empty: none was found.
+    /// exist. Empty: none was found, or none was tried.
     std::vector<std::vector<std::string>> withoutThese;
     /// The largest factor of all margins with which a path was found. Nothing: no path was found even with
     /// margins of 0, or no margin is above 0.
@@ -41,7 +42,7 @@ struct Explanation {
     bool isStopped = false;    ///< PlanOptions::isStopped ended the trials
 };
 
-/// True when the scene has at least two obstacles, the components of its meshes, and all have names.
+/// True when the scene has a margin above 0, or at least two obstacles, the components of its meshes, all with names.
 bool isExplainable(const Scene& scene);
 
 /// Throws std::invalid_argument that says what is missing, unless isExplainable.
@@ -49,7 +50,8 @@ void requireExplainable(const Scene& scene);
 
 /// Plans again without the obstacles that stopped most motions, then puts back, one by one, those without which no path
 /// is lost. Of the obstacles left out only those that a path runs into are needed to be out. Then scales all margins
-/// alike, by bisection. `why`: of the planning that found no path. Throws as requireExplainable and plan do.
+/// alike, by bisection. Leaves out nothing where there is one obstacle, or one without a name. `why`: of the planning that
+/// found no path. Throws std::invalid_argument when options.seconds is not above 0, and as requireExplainable and plan do.
 /// Source: greedy minimum constraint removal after Hauser, The Minimum Constraint Removal Problem with Three Robotics
 /// Applications, 2012.
 Explanation explain(const Problem& problem, const WhyNoPath& why, const ExplainOptions& options);

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "clearway/planning/check_path.h"
+#include "core/number.h"
 #include "planning/setup/trials.h"
 
 namespace clearway::planning {
@@ -35,6 +36,12 @@ Names obstaclesOf(const Scene& scene) {
         for (const Component& component : obstacle.model.components()) names.push_back(component.name);
     }
     return names;
+}
+
+/// Without names none can be left out, and without the only one there is always a path.
+bool hasChoice(const Scene& scene) {
+    const Names names = obstaclesOf(scene);
+    return names.size() >= 2 && !contains(names, "");
 }
 
 /// Adds the obstacles among the blockers that are not yet there. The bounds are no obstacle.
@@ -128,8 +135,9 @@ class Search {
 
     Explanation run() {
         const bool hasMargins = scenes_.whole().largestMargin() > 0;
-        if (hasMargins) trials_.allow(kShareForObstacles);
-        findSets();
+        result_.areObstaclesTried = hasChoice(scenes_.whole());
+        if (hasMargins && result_.areObstaclesTried) trials_.allow(kShareForObstacles);
+        if (result_.areObstaclesTried) findSets();
         result_.isOutOfTime = trials_.isOver();
         trials_.allow(1);
         if (hasMargins && result_.path.empty()) findMargin();
@@ -144,7 +152,7 @@ class Search {
     /// The bounds must not depend on the obstacles of a trial.
     static Problem bounded(Problem problem, const Scene& scene) {
         requireExplainable(scene);
-        problem.volume = boundsOf(problem, scene.environmentBox());
+        problem.volume = boundsOf(problem, scene.environmentBox(), scene.part.box());
         return problem;
     }
 
@@ -253,8 +261,7 @@ class Search {
 }  // namespace
 
 bool isExplainable(const Scene& scene) {
-    const Names names = obstaclesOf(scene);
-    return names.size() >= 2 && !contains(names, "");
+    return hasChoice(scene) || scene.largestMargin() > 0;
 }
 
 void requireExplainable(const Scene& scene) {
@@ -263,11 +270,16 @@ void requireExplainable(const Scene& scene) {
     throw std::invalid_argument(
         "the environment has " + std::to_string(names.size()) +
         (names.size() == 1 ? " obstacle" : " obstacles") +
-        (contains(names, "") ? ", not all with a name" : "") +
-        ", expected at least two with names: meshes of several components, or several files");
+        (contains(names, "") ? ", not all with a name," : "") +
+        " and no margin, expected a margin above 0, or at least two obstacles with names: meshes of several "
+        "components, or several files");
 }
 
 Explanation explain(const Problem& problem, const WhyNoPath& why, const ExplainOptions& options) {
+    if (!(options.seconds > 0)) {
+        throw std::invalid_argument("seconds is " + shortNumber(options.seconds) +
+                                    ", expected a number above 0");
+    }
     return Search(problem, why, options).run();
 }
 

@@ -157,11 +157,11 @@ void printExplanation(const planning::Explanation& explanation, double largestMa
                                  (explanation.isStopped     ? ", until interrupted"
                                   : explanation.isOutOfTime ? ", until the time was over"
                                                             : "") +
-                                 "; greedy: fewer obstacles may do");
+                                 (explanation.areObstaclesTried ? "; greedy: fewer obstacles may do" : ""));
     if (!explanation.path.empty()) return;  // nothing has to go
     for (const std::vector<std::string>& set : explanation.withoutThese)
         printRow("found without", quoted(set));
-    if (explanation.withoutThese.empty()) {
+    if (explanation.areObstaclesTried && explanation.withoutThese.empty()) {
         printRow("found without", "none of the sets of obstacles that were tried");
     }
     printMarginFound(explanation, largestMargin);

@@ -33,14 +33,18 @@ Explanation explained(const Problem& problem, const std::function<Scene(const Pr
     return explain(problem, *report.whyNoPath, {options, /*seconds*/ 300, load});
 }
 
-BOOST_AUTO_TEST_CASE(a_part_in_a_closed_box_comes_out_without_the_door_alone) {
-    const testing::DoorScene door = testing::doorScene();
-    const auto load = [&](const Problem& problem) {
-        const ObstacleGroups obstacles = groupObstacles({door.box}, 0, problem.rules);
+std::function<Scene(const Problem&)> loaderOf(const testing::DoorScene& door) {
+    return [door](const Problem& problem) {
+        const ObstacleGroups obstacles = groupObstacles({door.box}, problem.margin, problem.rules);
         return makeScene(Model::build(door.part), nullptr, obstacles, problem.rules, poseOf(problem.start),
                          poseOf(problem.goal), [](const Mesh& mesh) { return Model::build(mesh); });
     };
-    const Explanation explanation = explained(door.problem, load, withIterations(1000));
+}
+
+BOOST_AUTO_TEST_CASE(a_part_in_a_closed_box_comes_out_without_the_door_alone) {
+    const testing::DoorScene door = testing::doorScene();
+    const Explanation explanation = explained(door.problem, loaderOf(door), withIterations(1000));
+    BOOST_TEST(explanation.areObstaclesTried);
     BOOST_REQUIRE(explanation.withoutThese.size() == 1u);
     BOOST_TEST(explanation.withoutThese[0] == std::vector<std::string>{"door"},
                boost::test_tools::per_element());
@@ -48,6 +52,38 @@ BOOST_AUTO_TEST_CASE(a_part_in_a_closed_box_comes_out_without_the_door_alone) {
     BOOST_TEST(!explanation.marginScale.has_value());
     BOOST_TEST(explanation.path.empty());
     BOOST_TEST(!explanation.isOutOfTime);
+}
+
+BOOST_AUTO_TEST_CASE(the_way_outside_is_explained_as_the_way_to_a_pose_is) {
+    testing::DoorScene door = testing::doorScene();
+    door.problem.outside = Outside{sideNamed("+x")};
+    for (const bool isBounded : {true, false}) {
+        if (!isBounded) door.problem.volume.reset();
+        const Explanation explanation = explained(door.problem, loaderOf(door), withIterations(2000));
+        BOOST_REQUIRE(!explanation.withoutThese.empty());
+        for (const auto& set : explanation.withoutThese) BOOST_TEST(set.size() == 1u);
+        if (isBounded) BOOST_TEST(explanation.withoutThese[0][0] == "door");
+    }
+}
+
+BOOST_AUTO_TEST_CASE(with_one_obstacle_its_margin_alone_is_scaled) {
+    constexpr double kMost = 11, kTooMuch = 12;  // a plate 10 thick in a window 32 high
+    for (const char* name : {"wall", ""}) {
+        const auto load = [&](const Problem& problem) {
+            Mesh wall = loadEnvironment(problem);
+            wall.components = {{name, 0, static_cast<std::uint32_t>(wall.triangles.size())}};
+            return Scene(Model::build(loadPart(problem)), Model::build(wall), problem.margin);
+        };
+        Problem problem = readProblem(CLEARWAY_DATA_DIR "/window/window.cfg");
+        problem.margin = kTooMuch;
+        const Explanation explanation = explained(problem, load, withIterations(3000));
+        BOOST_TEST(!explanation.areObstaclesTried);
+        BOOST_TEST(explanation.withoutThese.empty());
+        BOOST_TEST(explanation.isMarginTried);
+        BOOST_REQUIRE(explanation.marginScale.has_value());
+        BOOST_TEST(*explanation.marginScale * kTooMuch <= kMost);
+        BOOST_TEST(*explanation.marginScale > 0);
+    }
 }
 
 BOOST_AUTO_TEST_CASE(the_margin_with_which_a_path_is_found_is_the_widest_gates) {
@@ -67,7 +103,7 @@ BOOST_AUTO_TEST_CASE(the_margin_with_which_a_path_is_found_is_the_widest_gates) 
         // The set does what it is said to do.
         Problem without = problem;
         without.rules.ignored = set;
-        without.volume = boundsOf(problem, loaded(problem).environmentBox());
+        without.volume = boundsOf(problem, loaded(problem).environmentBox(), loaded(problem).part.box());
         BOOST_TEST((plan(without, loaded(without), withIterations(20000)).outcome == Outcome::kFound));
     }
 }
@@ -96,15 +132,19 @@ BOOST_AUTO_TEST_CASE(an_interrupt_ends_the_trials) {
     BOOST_TEST(explanation.withoutThese.empty());
 }
 
-BOOST_AUTO_TEST_CASE(one_obstacle_is_nothing_to_choose_from) {
+BOOST_AUTO_TEST_CASE(one_obstacle_without_a_margin_is_nothing_to_choose_from) {
     const testing::DoorScene door = testing::doorScene();
     const Scene scene(Model::build(door.part),
                       Model::build(boxMesh({Vector3(4, -4, -4), Vector3(5, 4, 4)}, "door")));
     BOOST_CHECK_EXCEPTION(requireExplainable(scene), std::invalid_argument, [](const std::exception& error) {
-        return std::string(error.what()).find("has 1 obstacle, expected at least two with names") !=
-               std::string::npos;
+        return std::string(error.what())
+                   .find(
+                       "has 1 obstacle and no margin, expected a margin above 0, or at least two obstacles "
+                       "with names") != std::string::npos;
     });
     BOOST_CHECK_NO_THROW(requireExplainable(Scene(Model::build(door.part), Model::build(door.box))));
+    BOOST_CHECK_THROW(explain(door.problem, {}, {withIterations(1), /*seconds*/ -1, loaderOf(door)}),
+                      std::invalid_argument);
 }
 
 }  // namespace

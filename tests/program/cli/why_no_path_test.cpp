@@ -102,11 +102,11 @@ BOOST_AUTO_TEST_CASE(a_path_that_a_trial_finds_among_all_obstacles_is_written) {
     BOOST_TEST(contains(readText(folder.file("out.html")), "</html>"));
 }
 
-BOOST_AUTO_TEST_CASE(without_names_there_is_nothing_to_explain) {
+BOOST_AUTO_TEST_CASE(without_names_and_margins_there_is_nothing_to_explain) {
     const DoorFolder folder;
     saveMesh(boxMesh({Vector3(4, -4, -4), Vector3(5, 4, 4)}), folder.file("box.obj"));
     requireRefused(folder, added("--explain 5"),
-                   {"--explain", "1 obstacle", "expected at least two with names"});
+                   {"--explain", "1 obstacle and no margin", "expected a margin above 0, or at least two"});
     requireRefused(folder, added("--explain 0"), {"--explain is '0'"});
     requireRefused(folder, added("--nearest ./box.obj"), {"--nearest is './box.obj'", "input file"});
     requireRefused(folder, added("--nearest out.path"), {"another file"});
@@ -127,3 +127,25 @@ BOOST_AUTO_TEST_CASE(an_end_at_a_derived_bound_is_told_with_the_key_that_moves_t
 BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace clearway::testing
+BOOST_AUTO_TEST_CASE(the_way_outside_is_explained_and_with_one_obstacle_the_margin_is) {
+    const DoorFolder folder;
+    Problem problem = folder.door.problem;
+    problem.outside = Outside{};
+    writeProblem(problem, folder.file("outside.cfg"));
+    const Outcome outside = runIn(folder, "plan outside.cfg --path out.path --iterations 1000 --explain 100");
+    BOOST_TEST(outside.code == 1, outside.err);
+    BOOST_TEST(row(outside, "found without") == "'door'");
+    problem = readProblem(CLEARWAY_DATA_DIR "/window/window.cfg");
+    Mesh wall = loadMesh(problem.world);
+    wall.components = {{"wall", 0, static_cast<std::uint32_t>(wall.triangles.size())}};
+    saveMesh(wall, folder.file("wall.obj"));
+    problem.world = folder.file("wall.obj");
+    writeProblem(problem, folder.file("one.cfg"));
+    const Outcome one =
+        runIn(folder, "plan one.cfg --margin 12 --path out.path --iterations 1000 --explain 100");
+    BOOST_TEST(one.code == 1, one.err);
+    BOOST_TEST(contains(row(one, "found with margin"), " in place of 12 (all margins times "), one.out);
+    BOOST_TEST(!contains(one.out, "found without"));
+    BOOST_TEST(!contains(one.out, "greedy"));
+}
+

@@ -55,7 +55,8 @@ BOOST_AUTO_TEST_CASE(written_files_read_back_as_the_scene) {
         BOOST_TEST((madeBox.min() - readBox.min()).norm() < 2e-3);
         BOOST_TEST((madeBox.max() - readBox.max()).norm() < 2e-3);
     }
-    BOOST_TEST((boundsOf(read.problem, boundingBox(read.environment)).contains(read.problem.start.position)));
+    BOOST_TEST((boundsOf(read.problem, boundingBox(read.environment), boundingBox(read.part))
+                    .contains(read.problem.start.position)));
     BOOST_TEST(walkPath(read, 10, 15, 5).proven);
 }
 
