@@ -23,7 +23,9 @@ namespace clearway::planning {
 /// Planners that found no path.
 struct FailedPlanning {
     std::vector<ompl::base::PlannerPtr> planners;  ///< with the trees they have grown
-    ompl::base::ProblemDefinitionPtr definition;   ///< with the problem's start and goal; in its space
+    /// With the problem's start; in its space. Its goal may be of any kind that the problem's goal satisfies, or a
+    /// GoalSampleableRegion elsewhere.
+    ompl::base::ProblemDefinitionPtr definition;
     std::shared_ptr<const MotionValidator>
         validator;  ///< tells which motions are valid, and what stops others
 };
@@ -93,7 +95,8 @@ struct WhyNoPathOptions {
 /// random states of the trees towards random poses are followed until they are blocked. Positions of these poses are
 /// drawn from the bounds widened by a quarter of the part's diagonal, so that the bounds can be what blocks.
 ///
-/// Planners that do not tell their trees (RisingFloor, CForest) count as having grown none.
+/// Planners that do not tell their trees (RisingFloor, CForest) count as having grown none. Throws std::invalid_argument
+/// when the definition has no start or no goal, or no state of the goal is known.
 WhyNoPath whyNoPath(const FailedPlanning& failed, const Problem& problem,
                     const WhyNoPathOptions& options = {});
 

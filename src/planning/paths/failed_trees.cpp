@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <functional>
 #include <limits>
+#include <stdexcept>
 
 namespace clearway::planning {
 namespace {
@@ -109,6 +110,19 @@ void addTrees(const ob::PlannerData& data, const ob::ProblemDefinition& definiti
     }
 }
 
+/// A goal need not be a region, nor a region one to draw from.
+std::shared_ptr<ob::ScopedState<>> drawnGoal(const ob::ProblemDefinition& definition) {
+    const auto* goal = dynamic_cast<const ob::GoalSampleableRegion*>(definition.getGoal().get());
+    if (goal == nullptr || !goal->canSample()) {
+        throw std::invalid_argument(
+            "no state of the goal is known: it draws none and refuses the problem's goal, expected a "
+            "GoalSampleableRegion with states, or a goal that the problem's pose satisfies");
+    }
+    const auto state = std::make_shared<ob::ScopedState<>>(definition.getSpaceInformation());
+    goal->sampleGoal(state->get());
+    return state;
+}
+
 }  // namespace
 
 std::vector<const ob::State*> FailedTree::wayToRoot(std::size_t state) const {
@@ -120,7 +134,9 @@ std::vector<const ob::State*> FailedTree::wayToRoot(std::size_t state) const {
 }
 
 FailedTrees failedTrees(const std::vector<ob::PlannerPtr>& planners, const ob::ProblemDefinition& definition,
-                        const MotionValidator& validator) {
+                        const MotionValidator& validator, const ob::State* goal) {
+    if (definition.getStartStateCount() == 0 || !definition.getGoal())
+        throw std::invalid_argument("the problem definition lacks a start or a goal, expected both");
     FailedTrees trees;
     for (const ob::PlannerPtr& planner : planners) {
         if (!tellsItsStates(*planner)) continue;
@@ -136,12 +152,11 @@ FailedTrees failedTrees(const std::vector<ob::PlannerPtr>& planners, const ob::P
         if (tree.states.empty()) tree.states.push_back({root, -1});
     };
     addRoot(trees.start, definition.getStartState(0));
-    const auto* goal = definition.getGoal()->as<ob::GoalSampleableRegion>();
-    if (trees.goal.states.empty()) {
-        trees.drawnGoal = std::make_shared<ob::ScopedState<>>(definition.getSpaceInformation());
-        goal->sampleGoal(trees.drawnGoal->get());
-        addRoot(trees.goal, trees.drawnGoal->get());
+    if (trees.goal.states.empty() && goal == nullptr) {
+        trees.drawnGoal = drawnGoal(definition);
+        goal = trees.drawnGoal->get();
     }
+    addRoot(trees.goal, goal);
     return trees;
 }
 

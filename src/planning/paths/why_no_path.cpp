@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "planning/paths/failed_trees.h"
 #include "planning/paths/what_blocks.h"
@@ -79,17 +80,28 @@ void findNearestMiss(const FailedTrees& trees, const FailedPlanning& failed, Spa
     why.isJoined = failed.validator->checkMotion(a, b);
 }
 
+/// The problem's goal. Nothing for a goal outside, and where the definition has a goal of the caller's elsewhere.
+std::optional<ob::ScopedState<>> posedGoal(const Problem& problem, const ob::ProblemDefinition& definition) {
+    if (problem.outside || !definition.getGoal()) return std::nullopt;
+    const auto& space = definition.getSpaceInformation()->getStateSpace();
+    ob::ScopedState<> state = toOmpl(space, problem.space, problem.goal);
+    if (!definition.getGoal()->isSatisfied(state.get())) return std::nullopt;
+    return state;
+}
+
 }  // namespace
 
 WhyNoPath whyNoPath(const FailedPlanning& failed, const Problem& problem, const WhyNoPathOptions& options) {
     WhyNoPath why;
     why.diagonal = failed.validator->scene().part.box().diagonal().norm();
-    const FailedTrees trees = failedTrees(failed.planners, *failed.definition, *failed.validator);
+    const std::optional<ob::ScopedState<>> goal = posedGoal(problem, *failed.definition);
+    const FailedTrees trees =
+        failedTrees(failed.planners, *failed.definition, *failed.validator, goal ? goal->get() : nullptr);
     why.start = reachedFrom(trees.start, failed, problem, problem.start);
-    if (problem.outside) {
-        why.goal.states = trees.goal.states.size();  // from many poses: none to measure from
-    } else {
+    if (goal) {
         why.goal = reachedFrom(trees.goal, failed, problem, problem.goal);
+    } else {
+        why.goal.states = trees.goal.states.size();  // from many poses: none to measure from
     }
     findNearestMiss(trees, failed, problem.space, why);
     if (!why.isJoined) findBlockers(trees, *failed.validator, problem.space, options, why);

@@ -3,8 +3,14 @@
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 
+#include <ompl/base/goals/GoalRegion.h>
+#include <ompl/base/goals/GoalStates.h>
+#include <ompl/base/spaces/SE3StateSpace.h>
+#include <ompl/geometric/planners/rrt/RRT.h>
+
 #include "clearway/planning/check_path.h"
-#include "clearway/planning/plan.h"
+#include "clearway/planning/ompl_messages.h"
+#include "clearway/planning/plan_setup.h"
 #include "support/door_scene.h"
 #include "support/random_meshes.h"
 
@@ -142,6 +148,83 @@ BOOST_AUTO_TEST_CASE(a_planner_without_a_tree_from_the_goal_says_nothing_about_t
     BOOST_TEST(!why.goal.hasTree);
     BOOST_TEST(why.goal.states == 1u);
     BOOST_TEST(!why.isShutIn(why.goal));
+}
+
+namespace ob = ompl::base;
+
+double xOf(const ob::State* state) {
+    return state->as<ob::SE3StateSpace::StateType>()->getX();
+}
+
+/// A caller's goal: positions beyond an x.
+class Beyond : public ob::Goal {
+  public:
+    Beyond(const ob::SpaceInformationPtr& si, double x) : Goal(si), x_(x) {}
+    bool isSatisfied(const ob::State* state) const override { return xOf(state) >= x_; }
+
+  private:
+    double x_;
+};
+
+/// The same positions as a region, from which no state can be drawn.
+class RegionBeyond : public ob::GoalRegion {
+  public:
+    RegionBeyond(const ob::SpaceInformationPtr& si, double x) : GoalRegion(si), x_(x) {}
+    double distanceGoal(const ob::State* state) const override { return std::max(0.0, x_ - xOf(state)); }
+
+  private:
+    double x_;
+};
+
+/// Plans for a goal of the caller's in vain, by RRT, which takes any goal.
+WhyNoPath whyNotTo(const std::function<ob::GoalPtr(const ob::SpaceInformationPtr&)>& makeGoal) {
+    const ClosedBox closed;
+    PlanReport report;
+    const OmplMessages unheard;
+    const PlanSetup setup =
+        makePlanSetup(closed.door.problem, closed.scene, withIterations(1), report, [] { return false; });
+    const auto definition = std::make_shared<ob::ProblemDefinition>(setup.si);
+    definition->addStartState(setup.definition->getStartState(0));
+    definition->setGoal(makeGoal(setup.si));
+    const auto planner = std::make_shared<ompl::geometric::RRT>(setup.si);
+    planner->setRange(report.range);
+    planner->setProblemDefinition(definition);
+    planner->setup();
+    int asked = 0;
+    planner->solve(ob::PlannerTerminationCondition([&] { return ++asked > 1000; }));
+    return whyNoPath({{planner}, definition, setup.auditor}, closed.door.problem);
+}
+
+BOOST_AUTO_TEST_CASE(a_callers_goal_that_draws_no_states_is_the_problems_goal_or_refused) {
+    const double goal = doorScene().problem.goal.position.x();
+    const auto requireMissed = [&](const WhyNoPath& why) {
+        BOOST_TEST(why.start.states > 10u);
+        BOOST_TEST(why.goal.states == 1u);
+        BOOST_TEST(why.nearest.path.back().position.x() == goal);
+        BOOST_TEST(why.nearest.displacement > 0);
+        BOOST_TEST(why.nearest.displacement < 1e3);
+    };
+    requireMissed(whyNotTo([&](const auto& si) { return std::make_shared<Beyond>(si, goal - 1); }));
+    requireMissed(whyNotTo([&](const auto& si) { return std::make_shared<RegionBeyond>(si, goal - 1); }));
+    const auto isToldPlainly = [](const std::invalid_argument& error) {
+        return std::string(error.what()).find("no state of the goal is known") != std::string::npos;
+    };
+    BOOST_CHECK_EXCEPTION(whyNotTo([&](const auto& si) { return std::make_shared<Beyond>(si, goal + 1); }),
+                          std::invalid_argument, isToldPlainly);
+    BOOST_CHECK_EXCEPTION(
+        whyNotTo([&](const auto& si) { return std::make_shared<RegionBeyond>(si, goal + 1); }),
+        std::invalid_argument, isToldPlainly);
+    BOOST_CHECK_EXCEPTION(whyNotTo([](const auto& si) { return std::make_shared<ob::GoalStates>(si); }),
+                          std::invalid_argument, isToldPlainly);
+    const WhyNoPath elsewhere = whyNotTo([&](const auto& si) {
+        const auto states = std::make_shared<ob::GoalStates>(si);
+        ob::ScopedState<ob::SE3StateSpace> state(si);
+        state->setXYZ(goal + 1, 0, 0);
+        state->rotation().setIdentity();
+        states->addState(state);
+        return states;
+    });
+    BOOST_TEST(elsewhere.nearest.path.back().position.x() == goal + 1);
 }
 
 BOOST_AUTO_TEST_CASE(trees_that_a_valid_motion_joins_are_a_path) {
