@@ -85,23 +85,25 @@ std::string megabytes(std::size_t bytes) {
 
 void writePage(const Problem& problem, const Mesh& part, const Mesh& environment, const Scene& scene,
                const std::vector<PartState>& path, const planning::PathAudit& audit, const Rows& planner,
-               const std::vector<FoundOverlap>& overlaps, const std::string& file) {
-    report::ReportInput input{problem.name.empty() ? shortName(problem.file) : problem.name,
-                              verdictOf(audit, scene),
-                              part,
-                              environment,
-                              scene,
-                              path,
-                              audit,
-                              {}};
+               const std::vector<FoundOverlap>& overlaps, const PathOutputs& outputs) {
+    report::ReportInput input{
+        problem.name.empty() ? shortName(problem.file) : problem.name,
+        (outputs.isOfMiss ? "no path was found; the nearest miss is " : "") + verdictOf(audit, scene),
+        part,
+        environment,
+        scene,
+        path,
+        audit,
+        {}};
     input.unit = problem.unit;
     input.tables.push_back(tableOf("Problem", problemRows(problem, part, environment)));
     if (!planner.empty()) input.tables.push_back(tableOf("Planner", planner));
     input.tables.push_back(tableOf("Path", pathRows(path, audit)));
     if (!overlaps.empty()) input.tables.push_back(overlapTable(overlaps));
     input.tables.push_back(report::segmentTable(audit, path, scene.part.radiusAboutOrigin(), input.unit));
-    const report::WrittenReport written = writeReport(input, file);
-    printRow("report", file + ", " + megabytes(written.bytes));
+    const report::WrittenReport written = writeReport(input, outputs.report);
+    printRow("report", outputs.report + ", " + megabytes(written.bytes) +
+                           (outputs.isOfMiss ? ", of the nearest miss" : ""));
 }
 
 /// The motions between the states of a path. OMPL interpolates positions evenly, and turns by the shorter way.
@@ -164,7 +166,7 @@ bool PathOutputs::write(const Problem& problem, const Scene& scene, const std::v
     if (isEmpty()) return true;
     const Mesh part = loadPart(problem, guardedLoadMesh);
     const Mesh environment = shownEnvironment(problem);
-    if (!report.empty()) writePage(problem, part, environment, scene, path, audit, planner, overlaps, report);
+    if (!report.empty()) writePage(problem, part, environment, scene, path, audit, planner, overlaps, *this);
     if (!motion.empty()) {
         const std::optional<double> metres = metresPerUnit(problem);
         report::exportMotion(part, environment, path, scene.part.radiusAboutOrigin(), metres.value_or(1),
@@ -175,10 +177,18 @@ bool PathOutputs::write(const Problem& problem, const Scene& scene, const std::v
            writeSwept(problem, part, scene.part, path, cli::sweptTolerance(*this, scene.part), swept);
 }
 
+void PathOutputs::tellUnwritten(const std::string& why) const {
+    if (!report.empty()) printRow("report", "not written: " + why);
+    if (!motion.empty()) printRow("export", "not written: " + why);
+    if (!swept.empty()) printRow("swept", "not written: " + why);
+}
+
 void addPathOutputs(CommandLine& commandLine, PathOutputs& outputs) {
-    commandLine.option("--report FILE",
-                       "writes a page to look at the path in a browser: 3D view, clearance profile, tables",
-                       to(outputs.report));
+    commandLine.option(
+        "--report FILE",
+        "writes a page to look at the path in a browser: 3D view, clearance profile, tables; where plan "
+        "finds no path, at the nearest miss",
+        to(outputs.report));
     commandLine.option("--export FILE", "writes the motion as an animated .glb file, for Blender and others",
                        to(outputs.motion));
     commandLine.option(

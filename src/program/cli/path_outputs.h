@@ -18,6 +18,7 @@ namespace clearway::cli {
 struct PathOutputs {
     std::string report, motion, swept;
     std::optional<double> sweptTolerance;
+    bool isOfMiss = false;  ///< the path is the nearest miss of planning that found none
 
     bool isEmpty() const { return report.empty() && motion.empty() && swept.empty(); }
     void require(OutputFiles& files) const;
@@ -28,6 +29,9 @@ struct PathOutputs {
     bool write(const Problem& problem, const Scene& scene, const std::vector<PartState>& path,
                const planning::PathAudit& audit, const Rows& planner,
                const std::vector<FoundOverlap>& overlaps) const;
+
+    /// Prints a row about each file that is not written, with the reason.
+    void tellUnwritten(const std::string& why) const;
 };
 
 /// Declares --report, --export, --swept and --swept-tolerance.

@@ -25,6 +25,9 @@ namespace {
 
 using planning::PlanReport;
 
+/// The error that follows on stderr says more.
+constexpr const char* kRefused = "nothing was planned";
+
 struct PlanArguments {
     ProblemChoice problem;
     planning::PlanOptions plan;
@@ -187,23 +190,40 @@ std::vector<PartState> tellWhy(const PlanArguments& given, const planning::WhyNo
         path = std::move(explanation.path);
     }
     if (path.empty()) {
-        printHints(why, problem, scene, {given.explainSeconds.has_value(), !given.nearest.empty()});
+        printHints(
+            why, problem, scene,
+            {given.explainSeconds.has_value(), !given.nearest.empty() || !given.outputs.report.empty()});
     }
     return path;
 }
 
-void writeNearest(const PlanArguments& given, const PlanReport& report, const Problem& problem,
-                  bool isFound) {
-    if (given.nearest.empty()) return;
-    if (isFound) return printRow("nearest", "not written: a path was found");
+void tellNearestUnwritten(const PlanArguments& given, const std::string& why) {
+    if (!given.nearest.empty()) printRow("nearest", "not written: " + why);
+}
+
+/// Without a path, the files that were asked for are about the nearest miss, or a row tells why they are not written.
+void writeMiss(const PlanArguments& given, const PlanReport& report, const Problem& problem,
+               const Scene& scene, const Rows& figures) {
+    PathOutputs outputs = given.outputs;
     if (!report.whyNoPath) {
-        return printRow("nearest", report.isStopped
-                                       ? "not written: planning came to no end"
-                                       : "not written: the planner's path did not pass its audit");
+        const std::string why = report.isStopped ? "planning was interrupted before there was a path"
+                                                 : "the planner's path did not pass its audit";
+        tellNearestUnwritten(given, why);
+        return outputs.tellUnwritten(why);
     }
     const planning::NearestMiss& nearest = report.whyNoPath->nearest;
-    writePath(nearest.path, problem.space, given.nearest);
-    printRow("nearest", given.nearest + ", segment " + std::to_string(nearest.gap + 1) + " is not valid");
+    if (!given.nearest.empty()) {
+        writePath(nearest.path, problem.space, given.nearest);
+        printRow("nearest", given.nearest + ", segment " + std::to_string(nearest.gap + 1) + " is not valid");
+    }
+    if (!outputs.report.empty()) {
+        PathOutputs page;
+        std::swap(page.report, outputs.report);
+        page.isOfMiss = true;
+        page.write(problem, scene, nearest.path, planning::checkPath(problem, scene, nearest.path).audit,
+                   figures, overlapsAlong(problem, scene, nearest.path));
+    }
+    outputs.tellUnwritten("no path was found");
 }
 
 /// The path is as the trial's planner found it: neither widened nor shortened.
@@ -271,9 +291,13 @@ int planAndWrite(const PlanArguments& given, const Problem& problem, OldPath& ol
     const std::string tooFine = whySweptIsTooFine(given.outputs, scene, {problem.start});
     if (!tooFine.empty()) throw planning::RefusedOption(tooFine);
     PlanReport report;
-    {
+    try {
         const ElapsedLine elapsed("planning");
         report = planning::plan(problem, scene, given.plan);
+    } catch (const std::exception&) {  // the start or the goal is not valid, or an option is refused
+        tellNearestUnwritten(given, kRefused);
+        given.outputs.tellUnwritten(kRefused);
+        throw;
     }
     printWarnings(problem.warnings);
     printWarnings(report.warnings);
@@ -300,12 +324,13 @@ int planAndWrite(const PlanArguments& given, const Problem& problem, OldPath& ol
         }
     }
     if (!path.empty()) oldPath.isReplaced();
-    writeNearest(given, report, problem, !path.empty());
+    if (!path.empty()) tellNearestUnwritten(given, "a path was found");
     const std::vector<FoundOverlap> overlaps =
         path.empty() ? std::vector<FoundOverlap>() : overlapsAlong(problem, scene, path);
     printOverlaps(overlaps);
     if (isValid) requireAllowed(overlaps);
     tellFacts(given, report, scene, overlaps);
+    if (path.empty()) writeMiss(given, report, problem, scene, figures);
     const bool isWhole =
         path.empty() || writeOutputs(given.outputs, problem, scene, path, report.audit, figures, overlaps);
     requirePrinted();

@@ -180,7 +180,8 @@ void printHints(const WhyNoPath& why, const Problem& problem, const Scene& scene
         printRow("hint", "--explain 60 looks for obstacles and margins without which there is a path");
     }
     if (!asked.hasNearest)
-        printRow("hint", "--nearest FILE writes the nearest miss as a path, to check or render");
+        printRow("hint",
+                 "--nearest FILE writes the nearest miss as a path, --report FILE a page to look at it");
 }
 
 }  // namespace clearway::cli

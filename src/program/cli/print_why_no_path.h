@@ -19,7 +19,7 @@ void printExplanation(const planning::Explanation& explanation, double largestMa
 /// Options that the user set already, so that no hint names them.
 struct AskedFor {
     bool isExplained = false;
-    bool hasNearest = false;
+    bool hasNearest = false;  ///< as a path or a page
 };
 
 /// Prints a row for each option or key of the problem file that may help.

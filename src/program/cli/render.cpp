@@ -205,9 +205,9 @@ int render(const Arguments& arguments) {
         for (const FoundOverlap& found : overlaps) given.drawing.marks.push_back(found.deepest.point);
     }
     const FilmScene shown{part, environment, line, clearance, way, elapsed};
-    const bool isDone = (given.out.empty() || writePicture(given, scene.part, shown)) &&
-                        (!given.film.isWanted() || writeFilm(given.film, shown, given.drawing));
-    return isDone ? kDone : kAnswerIsNo;
+    const bool hasPicture = given.out.empty() || writePicture(given, scene.part, shown);
+    const bool hasFilm = !given.film.isWanted() || writeFilm(given.film, shown, given.drawing);
+    return hasPicture && hasFilm ? kDone : kAnswerIsNo;
 }
 
 }  // namespace clearway::cli

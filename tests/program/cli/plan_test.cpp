@@ -184,9 +184,9 @@ BOOST_AUTO_TEST_CASE(a_report_and_an_animation_of_the_path_are_written_beside_it
          {"</html>", "PlannerTeam, seed 1", "valid along the whole path, certified", "plate"})
         BOOST_TEST(page.find(text) != std::string::npos, text);
     BOOST_TEST(
-        runIn(folder, "plan window.cfg --path other.path --report other.html --time 0.3 --margin 12").code !=
+        runIn(folder, "plan window.cfg --path other.path --export other.glb --time 0.3 --margin 12").code !=
         0);
-    BOOST_TEST(readText(folder.file("other.html")) == "");
+    BOOST_TEST(readText(folder.file("other.glb")) == "");
     BOOST_TEST(runIn(folder, added("--export out.glb")).code == 0);
     BOOST_TEST(readText(folder.file("out.glb")).substr(0, 4) == "glTF");
     requireRefused(folder, added("--export out.obj"), {"out.obj", "expected a name that ends in .glb"});

@@ -66,6 +66,48 @@ BOOST_AUTO_TEST_CASE(the_nearest_miss_is_a_path_that_check_refuses_where_the_pro
     BOOST_TEST(row(checked, "audit").substr(0, 16) == "NOT valid: 1 of ");
 }
 
+BOOST_AUTO_TEST_CASE(without_a_path_the_page_shows_the_nearest_miss_and_rows_tell_what_is_not_written) {
+    const DoorFolder folder;
+    const Outcome outcome = runIn(folder, added("--report out.html --export out.glb --swept out.stl"));
+    BOOST_TEST(outcome.code == 1, outcome.err);
+    const std::string report = row(outcome, "report");
+    BOOST_TEST(report.find("out.html, ") == 0u, report);
+    BOOST_TEST(contains(report, "of the nearest miss"), report);
+    const std::string page = readText(folder.file("out.html"));
+    BOOST_TEST(contains(page, "no path was found; the nearest miss is NOT valid: 1 of "));
+    BOOST_TEST(contains(page, "</html>"));
+    BOOST_TEST(row(outcome, "export") == "not written: no path was found");
+    BOOST_TEST(row(outcome, "swept") == "not written: no path was found");
+    const std::vector<std::string> names = folder.names();
+    for (const char* name : {"out.glb", "out.stl", "near.path"})
+        BOOST_TEST(std::count(names.begin(), names.end(), name) == 0);
+}
+
+constexpr const char* kAllFiles = " --nearest near.path --report out.html --export out.glb --swept out.stl";
+
+BOOST_AUTO_TEST_CASE(an_invalid_end_and_an_interrupt_leave_no_file_out_in_silence) {
+    const DoorFolder folder;
+    Problem problem = folder.door.problem;
+    problem.goal.position.x() = 4;  // in the door
+    writeProblem(problem, folder.file("goal.cfg"));
+    std::swap(problem.start, problem.goal);
+    writeProblem(problem, folder.file("start.cfg"));
+    const std::vector<std::string> before = folder.names();
+    for (const std::string name : {"goal", "start"}) {
+        const Outcome outcome = runIn(folder, "plan " + name + ".cfg --path out.path" + kAllFiles);
+        BOOST_TEST(outcome.code == 2, outcome.out);
+        BOOST_TEST(contains(outcome.err, name + " is in collision"), outcome.err);
+        for (const char* label : {"nearest", "report", "export", "swept"})
+            BOOST_TEST(row(outcome, label) == "not written: nothing was planned");
+    }
+    const Outcome ended =
+        interruptIn(folder, std::string("plan door.cfg --path out.path --time 300") + kAllFiles);
+    BOOST_TEST(ended.code == 1, ended.err);
+    for (const char* label : {"nearest", "report", "export", "swept"})
+        BOOST_TEST(row(ended, label) == "not written: planning was interrupted before there was a path");
+    BOOST_TEST(folder.names() == before, boost::test_tools::per_element());
+}
+
 BOOST_AUTO_TEST_CASE(no_nearest_miss_is_written_when_a_path_was_found) {
     const DoorFolder folder;
     Problem problem = folder.door.problem;
@@ -85,6 +127,28 @@ BOOST_AUTO_TEST_CASE(the_explanation_names_the_door) {
     BOOST_TEST(contains(row(outcome, "explained by"), "greedy"));
     BOOST_TEST(row(outcome, "found without") == "'door'");
     BOOST_TEST(!contains(outcome.out, "hint:               --explain"));
+}
+
+BOOST_AUTO_TEST_CASE(the_way_outside_is_explained_and_with_one_obstacle_the_margin_is) {
+    const DoorFolder folder;
+    Problem problem = folder.door.problem;
+    problem.outside = Outside{};
+    writeProblem(problem, folder.file("outside.cfg"));
+    const Outcome outside = runIn(folder, "plan outside.cfg --path out.path --iterations 1000 --explain 100");
+    BOOST_TEST(outside.code == 1, outside.err);
+    BOOST_TEST(row(outside, "found without") == "'door'");
+    problem = readProblem(CLEARWAY_DATA_DIR "/window/window.cfg");
+    Mesh wall = loadMesh(problem.world);
+    wall.components = {{"wall", 0, static_cast<std::uint32_t>(wall.triangles.size())}};
+    saveMesh(wall, folder.file("wall.obj"));
+    problem.world = folder.file("wall.obj");
+    writeProblem(problem, folder.file("one.cfg"));
+    const Outcome one =
+        runIn(folder, "plan one.cfg --margin 12 --path out.path --iterations 1000 --explain 100");
+    BOOST_TEST(one.code == 1, one.err);
+    BOOST_TEST(contains(row(one, "found with margin"), " in place of 12 (all margins times "), one.out);
+    BOOST_TEST(!contains(one.out, "found without"));
+    BOOST_TEST(!contains(one.out, "greedy"));
 }
 
 BOOST_AUTO_TEST_CASE(a_path_that_a_trial_finds_among_all_obstacles_is_written) {
@@ -127,25 +191,3 @@ BOOST_AUTO_TEST_CASE(an_end_at_a_derived_bound_is_told_with_the_key_that_moves_t
 BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace clearway::testing
-BOOST_AUTO_TEST_CASE(the_way_outside_is_explained_and_with_one_obstacle_the_margin_is) {
-    const DoorFolder folder;
-    Problem problem = folder.door.problem;
-    problem.outside = Outside{};
-    writeProblem(problem, folder.file("outside.cfg"));
-    const Outcome outside = runIn(folder, "plan outside.cfg --path out.path --iterations 1000 --explain 100");
-    BOOST_TEST(outside.code == 1, outside.err);
-    BOOST_TEST(row(outside, "found without") == "'door'");
-    problem = readProblem(CLEARWAY_DATA_DIR "/window/window.cfg");
-    Mesh wall = loadMesh(problem.world);
-    wall.components = {{"wall", 0, static_cast<std::uint32_t>(wall.triangles.size())}};
-    saveMesh(wall, folder.file("wall.obj"));
-    problem.world = folder.file("wall.obj");
-    writeProblem(problem, folder.file("one.cfg"));
-    const Outcome one =
-        runIn(folder, "plan one.cfg --margin 12 --path out.path --iterations 1000 --explain 100");
-    BOOST_TEST(one.code == 1, one.err);
-    BOOST_TEST(contains(row(one, "found with margin"), " in place of 12 (all margins times "), one.out);
-    BOOST_TEST(!contains(one.out, "found without"));
-    BOOST_TEST(!contains(one.out, "greedy"));
-}
-
