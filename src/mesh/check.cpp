@@ -1,6 +1,7 @@
 // Checks of mesh files before they are read, and of meshes before anything is built from them.
 #include "mesh/check.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -8,6 +9,9 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "core/text.h"
+#include "mesh/clean.h"
+#include "mesh/components.h"
 #include "mesh/surface_formats.h"
 
 namespace clearway {
@@ -47,6 +51,8 @@ void requireReadableMeshFile(const std::string& file) {
 
 namespace {
 
+constexpr std::size_t kMostNamed = 3;  ///< components in a warning
+
 std::string inFile(const Mesh& mesh) {
     return mesh.origin.file.empty() ? std::string() : " in '" + mesh.origin.file + "'";
 }
@@ -71,6 +77,27 @@ void requireComponents(const Mesh& mesh) {
                 << mesh.triangles.size() << ", all of the mesh";
         throw std::invalid_argument(message.str());
     }
+}
+
+bool hasArea(const Mesh& mesh, const Component& component) {
+    for (std::size_t i = 0; i < component.triangleCount; ++i) {
+        const TriangleIndices& corners = mesh.triangles[component.firstTriangle + i];
+        if (!isDegenerate(mesh.vertices[corners[0]], mesh.vertices[corners[1]], mesh.vertices[corners[2]]))
+            return true;
+    }
+    return false;
+}
+
+/// "'line', 'dot' and 3 more": the components without a triangle that has area.
+std::string namesWithoutArea(const Mesh& mesh) {
+    std::vector<std::string> names;
+    for (const Component& component : componentsOf(mesh)) {
+        if (component.triangleCount == 0 || hasArea(mesh, component)) continue;
+        names.push_back(component.name.empty() ? "the mesh" : "'" + component.name + "'");
+    }
+    const std::size_t more = names.size() - std::min(names.size(), kMostNamed);
+    names.resize(names.size() - more);
+    return joined(names) + (more > 0 ? " and " + std::to_string(more) + " more" : "");
 }
 
 [[noreturn]] void refuseIndex(const Mesh& mesh, std::size_t triangle, std::uint32_t vertex) {
@@ -110,7 +137,8 @@ void requireSoundMesh(const Mesh& mesh) {
     }
 }
 
-std::vector<std::string> readingWarnings(const MeshOrigin& origin) {
+std::vector<std::string> readingWarnings(const Mesh& mesh) {
+    const MeshOrigin& origin = mesh.origin;
     std::vector<std::string> warnings;
     if (!origin.isChecked) {
         warnings.push_back(origin.file + ": not checked: " + origin.format + " is read by assimp alone");
@@ -127,6 +155,10 @@ std::vector<std::string> readingWarnings(const MeshOrigin& origin) {
         warnings.push_back(origin.file + ": " + std::to_string(count) + (count == 1 ? " face" : " faces") +
                            " not flat, by up to " + height.str() +
                            "; triangles fill them in one of several ways");
+    }
+    if (const std::string names = namesWithoutArea(mesh); !names.empty()) {
+        warnings.push_back(origin.file + ": zero area: every triangle of " + names +
+                           " is a line or a point, and only these are kept clear");
     }
     return warnings;
 }

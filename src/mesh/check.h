@@ -34,7 +34,7 @@ void requireSoundMesh(const Mesh& mesh);
 void requireSoundMeshFile(const Mesh& mesh, const std::string& file);
 
 /// MeshOrigin::warnings of a mesh that was read from one file.
-std::vector<std::string> readingWarnings(const MeshOrigin& origin);
+std::vector<std::string> readingWarnings(const Mesh& mesh);
 
 /// The map by which assimp turned a file although it is read as stored: "x' = x, y' = z, z' = -y"; empty when it turned nothing.
 std::string turnedByAssimp(const MeshOrigin& origin);

@@ -161,7 +161,7 @@ Mesh loadMesh(const std::string& file, const LoadOptions& options) {
         throw std::runtime_error("cannot read mesh '" + file + "': it takes more memory than there is");
     }
     requireSoundMeshFile(mesh, file);
-    mesh.origin.warnings = readingWarnings(mesh.origin);
+    mesh.origin.warnings = readingWarnings(mesh);
     mesh.origin.scale = options.scale;
     mesh.origin.shift *= options.scale;
     if (options.scale == 1) return mesh;

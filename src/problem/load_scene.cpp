@@ -16,7 +16,7 @@ constexpr double kMostLarger = 10;       ///< one that is larger by this factor,
 }  // namespace
 
 std::string unitNote(const Box& part, const Box& environment, const std::string& unit) {
-    if (environment.isEmpty()) return "";
+    if (environment.isEmpty() || environment.min() == environment.max()) return "";
     const double ratio = part.diagonal().norm() / environment.diagonal().norm();
     if (ratio < kMostLarger && ratio > 1 / kMostSmaller) return "";
     return "the part is " + withUnit(roundedNumber(part.diagonal().norm()), unit) +

@@ -105,6 +105,22 @@ BOOST_AUTO_TEST_CASE(what_may_mislead_about_the_start_is_said) {
     BOOST_TEST(runIn(folder, "init block.obj rest.obj --out p.cfg").err == "");
 }
 
+BOOST_AUTO_TEST_CASE(a_mesh_without_area_is_named) {
+    const MeshFolder folder;
+    folder.write("flat.obj", "o line\nv 0 0 9\nv 1 0 9\nv 3 0 9\nf 1 2 3\no dot\nv 5 5 9\nf 4 4 4\n");
+    const Outcome made = runIn(folder, "init block.obj rest.obj flat.obj --out p.cfg");
+    BOOST_TEST(made.code == 0, made.err);
+    BOOST_TEST(made.err.find("flat.obj: zero area: every triangle of 'line', 'dot' is a line or a point") !=
+                   std::string::npos,
+               made.err);
+    BOOST_TEST(runIn(folder, "init flat.obj rest.obj --out q.cfg").err.find("flat.obj: zero area: ") !=
+               std::string::npos);
+    folder.write("dot.obj", "o dot\nv 5 5 9\nf 1 1 1\n");
+    const std::string alone = runIn(folder, "init block.obj dot.obj --out q.cfg").err;
+    BOOST_TEST(alone.find("dot.obj: zero area: ") != std::string::npos, alone);
+    BOOST_TEST(alone.find("in one unit?") == std::string::npos, alone);  // there is no size to compare
+}
+
 BOOST_AUTO_TEST_CASE(facts_are_json_with_the_names_of_the_rows) {
     const MeshFolder folder;
     runIn(folder, "init block.obj rest.obj --out p.cfg");
