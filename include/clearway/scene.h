@@ -45,8 +45,11 @@ struct ShrunkModel {
 
 /// Meshes that share a margin and count at equal poses, as one model.
 struct Obstacle {
-    Model model;        ///< its mesh coordinates are the environment's frame
-    double margin = 0;  ///< environment units, >= 0; a pose is valid when the distance is larger
+    /// Throws std::invalid_argument unless the margin is finite and >= 0.
+    Obstacle(Model theModel, double theMargin = 0);
+
+    Model model;    ///< its mesh coordinates are the environment's frame
+    double margin;  ///< environment units, >= 0; a pose is valid when the distance is larger
 
     /// For each of the model's components, the position of its first triangle in the component's file.
     /// Reports name triangles by these positions. Empty: the positions in the model's own mesh.
@@ -70,8 +73,11 @@ struct Obstacle {
 /// part is within the zone while Model::displacement from the assembled pose is at most the distance. Beyond
 /// it the obstacles count fully.
 struct ContactZone {
+    /// Throws std::invalid_argument unless the distance is finite and > 0.
+    ContactZone(const Pose& pose, double theDistance);
+
     Pose X_environmentPart;  ///< the assembled pose
-    double distance = 0;     ///< environment units, finite, > 0
+    double distance;         ///< environment units, finite, > 0
 };
 
 /// One part among obstacles. Obstacles may be added, changed and removed one by one without building the
@@ -79,7 +85,7 @@ struct ContactZone {
 struct Scene {
     /// A part without obstacles.
     explicit Scene(Model thePart) : part(std::move(thePart)) {}
-    /// A part and one obstacle. The margin is in environment units and is checked when the scene is used.
+    /// A part and one obstacle. The margin is in environment units. Throws as Obstacle does.
     Scene(Model thePart, Model environment, double margin = 0)
         : part(std::move(thePart)), obstacles{{std::move(environment), margin}} {}
 

@@ -256,9 +256,13 @@ Scene makeScene(Model part, std::shared_ptr<const Solids> partSolids, const Obst
         scene.startContact = ContactZone{X_environmentStart, rules.startContact->distance};
     if (rules.goalContact) scene.goalContact = ContactZone{X_environmentGoal, rules.goalContact->distance};
     for (const ObstacleGroup& group : obstacles.groups) {
-        scene.obstacles.push_back({build(group.mesh), group.margin, group.fileTriangles, group.solids,
-                                   group.isIgnoredAtStart, group.isIgnoredAtGoal,
-                                   shrunkBy(group.overlap, shrunk)});
+        Obstacle obstacle(build(group.mesh), group.margin);
+        obstacle.fileTriangles = group.fileTriangles;
+        obstacle.solids = group.solids;
+        obstacle.isIgnoredAtStart = group.isIgnoredAtStart;
+        obstacle.isIgnoredAtGoal = group.isIgnoredAtGoal;
+        obstacle.shrunk = shrunkBy(group.overlap, shrunk);
+        scene.obstacles.push_back(std::move(obstacle));
     }
     return scene;
 }

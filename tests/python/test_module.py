@@ -227,8 +227,9 @@ def test_scenes():
     assert scene.check_motion(place(-4, 3), place(4, 3)) == ("certified", 1.0, math.inf)
     with pytest.raises(ValueError, match="start"):
         scene.check_motion(np.eye(3), place())
-    with pytest.raises(ValueError, match="margin"):
-        clearway.Scene(part, [clearway.Obstacle(wall, -1)])
+    for margin in (-1, math.nan, math.inf):
+        with pytest.raises(ValueError, match=f"^margin is {margin}, expected a finite number"):
+            clearway.Obstacle(wall, margin)
 
 
 def test_inside_of_a_solid_nothing_is_free():

@@ -88,7 +88,8 @@ BOOST_AUTO_TEST_CASE(inside_a_solid_there_is_no_clearance) {
         transformed(boxMesh(Box(Vector3(-200, -200, -200), Vector3(200, 200, 200)), "shell"), {});
     Scene& scene = way.window.scene;
     scene.partSolids = makeSolids(way.window.partMesh).solids;
-    scene.obstacles.push_back({Model::build(shell), 0, {}, makeSolids(shell).solids});
+    scene.obstacles.push_back(Model::build(shell));
+    scene.obstacles.back().solids = makeSolids(shell).solids;
     const auto clearances = obstacleClearances(scene, shell, way.frames, 99);
     BOOST_TEST_REQUIRE(clearances.size() == 1u);
     BOOST_TEST(clearances[0].isContact);
