@@ -11,9 +11,6 @@
 
 namespace clearway {
 
-/// The length to suggest for contact.start, as a share of the part's diagonal.
-constexpr double kUsualContact = 0.02;
-
 /// Names of the obstacles that are no farther from the part than their margins at problem.start. Leaves out those that
 /// contact.start names, and those with an overlap.
 std::vector<std::string> touchedAtStart(const Problem& problem, const Mesh& part,

@@ -18,8 +18,9 @@
 #include "core/number.h"
 #include "core/text.h"
 #include "planning/motion/motion_search.h"
-#include "planning/setup/start_cures.h"
 #include "problem/config.h"
+#include "problem/start_cures.h"
+#include "problem/touched.h"
 
 namespace clearway::planning {
 namespace {
@@ -147,6 +148,30 @@ void applySettings(ob::SpaceInformation& si, const Problem& problem, std::vector
     }
 }
 
+namespace {
+
+/// Empty when the meshes cannot be read again: a problem's scene may be made without files.
+std::vector<std::string> touched(const Problem& problem) {
+    try {
+        return touchedAtStart(problem, loadPart(problem), obstaclesOf(problem, loadWorlds(problem)));
+    } catch (const std::exception&) {
+        return {};
+    }
+}
+
+/// The keys of [clearway] that let the problem begin at its start, which is in collision.
+std::string adviceFor(const Problem& problem, const ValidityChecker& checker, const ob::State* start) {
+    const Scene& scene = checker.scene();
+    const SceneDistance nearest = checker.distance(start);
+    std::vector<std::string> names = touched(problem);
+    if (names.empty()) names.push_back(meshNames(scene, nearest).environment);
+    const double margin = scene.largestMargin();
+    return startAdvice(problem, names, kUsualContact * scene.part.box().diagonal().norm() + 2 * margin,
+                       nearest.collides() && margin == 0);
+}
+
+}  // namespace
+
 double requireValid(const Problem& problem, const ValidityChecker& checker, const ob::State* state,
                     const std::string& what) {
     double clearance = 0;
@@ -154,7 +179,7 @@ double requireValid(const Problem& problem, const ValidityChecker& checker, cons
     const std::string why = checker.whyInvalid(state);
     const bool isCollision = why.find(kCollision) == 0 && what == kStart;
     throw std::invalid_argument(what + " is " + why +
-                                (isCollision ? startCures(problem, checker, state) : ""));
+                                (isCollision ? adviceFor(problem, checker, state) : ""));
 }
 
 double stepOf(const Problem& problem, const PlanOptions& options, const Model& part) {

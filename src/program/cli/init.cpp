@@ -16,6 +16,7 @@
 #include "mesh/components.h"
 #include "mesh/topology.h"
 #include "problem/config.h"
+#include "problem/start_cures.h"
 #include "problem/touched.h"
 #include "program/cli/enclosure.h"
 #include "program/cli/facts.h"
@@ -145,8 +146,8 @@ std::optional<FarSide> farSideOf(const Box& part, const Box& environment) {
 struct Seen {
     std::string part, environment;  ///< what they hold
     Box bounds;
-    double partSize;
     std::vector<std::string> touched;
+    std::vector<StartCure> cures;    ///< of what is touched
     std::optional<FarSide> farSide;  ///< of the surroundings, when the part starts outside of them
     std::string unit;                ///< that all files state; empty when one of them states none, or another
     bool isTurned;                   ///< whether assimp turned a mesh
@@ -220,20 +221,9 @@ std::string textOf(const InitArguments& given, const Seen& seen) {
     }
     text.line("margin", "0", "distance to keep from everything");
     if (!seen.touched.empty()) {
-        const std::optional<std::string> list = writtenNames(seen.touched);
-        text.comment("The part touches other meshes at its start. Choose one of these:");
-        const std::string distance = rounded(kUsualContact * seen.partSize, true);
-        if (list) {
-            text.choice("contact.start", *list + ", " + distance,
-                        "ignores them until some point of the part has moved so far");
-        } else {
-            text.comment("contact.start with their names and " + distance +
-                         " ignores them until some point of the part has moved so far; these names do not "
-                         "fit into a problem file");
-        }
         text.comment(
-            "overlap = 0.1, say: lets obstacles reach so deep into the part; clearway info PROBLEM --lift "
-            "tells the least");
+            "The part touches other meshes at its start. If they are assembled so, choose one of these:");
+        for (const StartCure& cure : seen.cures) text.choice(cure.key, cure.value, cure.effect);
     }
     return text.str();
 }
@@ -270,7 +260,6 @@ int init(const Arguments& words) {
                                 [](const Mesh& mesh) { return !turnedByAssimp(mesh.origin).empty(); });
     seen.part = describe(part);
     seen.environment = describe(environment);
-    seen.partSize = boundingBox(part).diagonal().norm();
     seen.bounds = boundingBox(environment);
     seen.bounds.extend(boundingBox(part));
     seen.bounds.extend(Vector3::Zero());
@@ -283,6 +272,8 @@ int init(const Arguments& words) {
     if (const std::string note = unitNote(boundingBox(part), boundingBox(environment), ""); !note.empty())
         printWarnings(
             {note + " robot.scale and world.scale in [clearway] are factors for their coordinates"});
+    const double contactLength = kUsualContact * boundingBox(part).diagonal().norm();
+    seen.cures = startCures(problem, seen.touched, contactLength, true);
     for (const Mesh& mesh : meshes) printWarnings(mesh.origin.warnings);
     warnOfUnits(meshes);
     facts()["problem"] = given.out;
@@ -300,8 +291,9 @@ int init(const Arguments& words) {
         for (std::size_t i = 0; i < seen.touched.size() && i < kMostNamed; ++i)
             names.push_back("'" + seen.touched[i] + "'");
         const std::size_t more = seen.touched.size() - names.size();
-        printRow("start",
-                 "touches " + joined(names) + (more > 0 ? " and " + std::to_string(more) + " more" : ""));
+        printRow("start", "touches " + joined(names) +
+                              (more > 0 ? " and " + std::to_string(more) + " more" : "") +
+                              startAdvice(problem, seen.touched, contactLength, true));
     }
     printRow("goal", !seen.farSide ? "outside"
                                    : "outside on " + seen.farSide->far + "; the part starts outside on " +

@@ -121,6 +121,22 @@ BOOST_AUTO_TEST_CASE(a_mesh_without_area_is_named) {
     BOOST_TEST(alone.find("in one unit?") == std::string::npos, alone);  // there is no size to compare
 }
 
+BOOST_AUTO_TEST_CASE(init_and_plan_give_the_same_advice_about_parts_that_touch_at_the_start) {
+    const MeshFolder folder;
+    const Outcome made = runIn(folder, "init block.obj rest.obj seat.obj --out p.cfg");
+    const std::string refused = runIn(folder, "plan p.cfg --path o.path").err;
+    const std::size_t begin = refused.find("; if the parts are assembled so, write in [clearway] ");
+    BOOST_TEST_REQUIRE(begin != std::string::npos, refused);
+    const std::string advice = refused.substr(begin, refused.find('\n') - begin), told = row(made, "start");
+    BOOST_TEST_REQUIRE(told.size() > advice.size(), told);
+    BOOST_TEST(told.substr(told.size() - advice.size()) == advice);
+    const std::string text = readText(folder.file("p.cfg"));
+    for (const std::string key : {"contact.start", "ignore", "overlap"}) {
+        BOOST_TEST(advice.find(key + " = ") != std::string::npos, advice);
+        BOOST_TEST(text.find("# " + key + " = ") != std::string::npos, text);
+    }
+}
+
 BOOST_AUTO_TEST_CASE(facts_are_json_with_the_names_of_the_rows) {
     const MeshFolder folder;
     runIn(folder, "init block.obj rest.obj --out p.cfg");

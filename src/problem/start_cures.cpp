@@ -1,0 +1,57 @@
+#include "problem/start_cures.h"
+
+#include <algorithm>
+
+#include "core/number.h"
+#include "problem/config.h"
+
+namespace clearway {
+namespace {
+
+constexpr std::size_t kMostNamed = 20;  ///< obstacles in a message
+
+/// The names of a rule and those not yet among them, as a problem file lists them.
+std::string listed(std::vector<std::string> names, const std::vector<std::string>& more) {
+    for (const std::string& name : more) {
+        if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    }
+    return writtenNames(names).value_or("NAMES");
+}
+
+}  // namespace
+
+std::vector<StartCure> startCures(const Problem& problem, const std::vector<std::string>& touched,
+                                  double length, bool mayOverlap) {
+    const ObstacleRules& rules = problem.rules;
+    const std::optional<ContactRule>& contact = rules.startContact;
+    if (contact) length = std::max(length, contact->distance);
+    std::vector<StartCure> cures = {{"contact.start",
+                                     listed(contact ? contact->names : std::vector<std::string>(), touched) +
+                                         ", " + shortNumber(awayFromZero(length, 3)),
+                                     std::string("ignored until some point of the part has moved so far") +
+                                         (contact ? "; in place of the contact.start that is there" : "")},
+                                    {"ignore", listed(rules.ignored, touched), "left out"}};
+    if (mayOverlap) {
+        const bool isThere = rules.overlap.common > 0 || !rules.overlap.byName.empty();
+        cures.push_back({"overlap", "X",
+                         std::string(isThere ? "more than is there: " : "") +
+                             "may reach so deep into the part; clearway info PROBLEM --lift tells X"});
+    }
+    return cures;
+}
+
+std::string startAdvice(const Problem& problem, const std::vector<std::string>& touched, double length,
+                        bool mayOverlap) {
+    const bool areMany = touched.size() > kMostNamed;
+    const auto cures =
+        startCures(problem, areMany ? std::vector<std::string>{"NAMES"} : touched, length, mayOverlap);
+    std::string advice = "; if the parts are assembled so, write in [clearway] ";
+    for (std::size_t i = 0; i < cures.size(); ++i) {
+        const bool isLast = i + 1 == cures.size();
+        if (i > 0) advice += !isLast ? ", " : cures.size() > 2 ? ", or " : " or ";
+        advice += cures[i].key + " = " + cures[i].value + " (" + cures[i].effect + ")";
+    }
+    return advice;
+}
+
+}  // namespace clearway

@@ -1,0 +1,33 @@
+// How to write a problem whose part touches obstacles at its start: `init` and `plan` give the same advice.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "clearway/problem.h"
+
+// clearway::planning uses it too, from another shared library.
+#pragma GCC visibility push(default)
+
+namespace clearway {
+
+/// The length to suggest for contact.start, as a share of the part's diagonal.
+constexpr double kUsualContact = 0.02;
+
+/// A key of [clearway] that lets the problem begin at its start.
+struct StartCure {
+    std::string key, value;
+    std::string effect;  ///< in a few words
+};
+
+/// touched: names of obstacles, see touchedAtStart. length: for contact.start. mayOverlap: an overlap would be enough.
+std::vector<StartCure> startCures(const Problem& problem, const std::vector<std::string>& touched,
+                                  double length, bool mayOverlap);
+
+/// The cures as the end of a message, which begins with "; ". Many names are left out.
+std::string startAdvice(const Problem& problem, const std::vector<std::string>& touched, double length,
+                        bool mayOverlap);
+
+}  // namespace clearway
+
+#pragma GCC visibility pop
