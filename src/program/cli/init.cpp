@@ -197,9 +197,13 @@ std::string textOf(const InitArguments& given, const Seen& seen) {
     text.line("start.theta", "0", "radians; or start.degrees in [clearway]");
     text.comment("A goal pose, in place of goal = outside below:");
     text.comment("goal.x = 0, and so on, the keys that start has");
+    text.comment(
+        "The bounds: on its way, the part's origin, the point (0, 0, 0) of its file, stays in this box.");
+    text.comment(
+        "It holds all meshes, and room to turn the part beside them. A smaller box is searched faster and");
+    text.comment("keeps the part out of places; one that is too small leaves no way.");
     for (int i = 0; i < 3; ++i)
-        text.line(std::string("volume.min.") + kAxisNames[i], rounded(seen.bounds.min()[i], false),
-                  i == 0 ? "where the part's origin may be on its way" : "");
+        text.line(std::string("volume.min.") + kAxisNames[i], rounded(seen.bounds.min()[i], false), "");
     for (int i = 0; i < 3; ++i)
         text.line(std::string("volume.max.") + kAxisNames[i], rounded(seen.bounds.max()[i], true), "");
     text.section("clearway");
@@ -268,12 +272,12 @@ int init(const Arguments& words) {
     seen.bounds = Box(seen.bounds.min() - room, seen.bounds.max() + room);
     seen.farSide = farSideOf(boundingBox(part), boundingBox(environment));
     seen.touched = touchedAtStart(problem, part, obstaclesOf(problem, worlds));
+    const double contactLength = kUsualContact * boundingBox(part).diagonal().norm();
+    seen.cures = startCures(problem, seen.touched, contactLength, true);
 
     if (const std::string note = unitNote(boundingBox(part), boundingBox(environment), ""); !note.empty())
         printWarnings(
             {note + " robot.scale and world.scale in [clearway] are factors for their coordinates"});
-    const double contactLength = kUsualContact * boundingBox(part).diagonal().norm();
-    seen.cures = startCures(problem, seen.touched, contactLength, true);
     for (const Mesh& mesh : meshes) printWarnings(mesh.origin.warnings);
     warnOfUnits(meshes);
     facts()["problem"] = given.out;

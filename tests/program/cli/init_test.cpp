@@ -137,6 +137,17 @@ BOOST_AUTO_TEST_CASE(init_and_plan_give_the_same_advice_about_parts_that_touch_a
     }
 }
 
+BOOST_AUTO_TEST_CASE(init_says_what_the_bounds_are_for) {
+    const MeshFolder folder;
+    runIn(folder, "init block.obj rest.obj --out p.cfg");
+    const std::string text = readText(folder.file("p.cfg"));
+    const std::size_t at = text.find("\nvolume.min.x");
+    BOOST_TEST_REQUIRE(at != std::string::npos);
+    const std::string before = text.substr(0, at);
+    for (const char* words : {"the part's origin, the point (0, 0, 0) of its file", "leaves no way"})
+        BOOST_TEST(before.find(words) != std::string::npos, before);
+}
+
 BOOST_AUTO_TEST_CASE(facts_are_json_with_the_names_of_the_rows) {
     const MeshFolder folder;
     runIn(folder, "init block.obj rest.obj --out p.cfg");
