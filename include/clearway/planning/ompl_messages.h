@@ -11,25 +11,25 @@
 
 namespace clearway::planning {
 
-/// While an object lives, OMPL's messages go to it instead of to the terminal. Objects must be destroyed in
-/// the reverse order of their construction.
-class OmplMessages : public ompl::msg::OutputHandler {
+/// While an object lives, OMPL's messages go to it instead of to the terminal: those of its own thread, and those of threads that
+/// have no object. Of a thread's objects the newest counts. Objects may be made and destroyed in any thread and order; the
+/// handler that OMPL had before the first one comes back after the last one.
+class OmplMessages {
   public:
     /// Begins to receive OMPL's messages.
     OmplMessages();
-    /// Gives the messages back to the former receiver.
-    ~OmplMessages() override;
+    /// No message comes any more, once this returns.
+    ~OmplMessages();
     OmplMessages(const OmplMessages&) = delete;
     OmplMessages& operator=(const OmplMessages&) = delete;
 
-    /// Called by OMPL, from any thread. Keeps warnings and errors, drops all other messages.
-    void log(const std::string& text, ompl::msg::LogLevel level, const char* file, int line) override;
+    /// Keeps a warning or an error, drops all other messages. Any thread may call it.
+    void log(const std::string& text, ompl::msg::LogLevel level);
 
     /// Returns the warnings and errors so far, each text once, in order.
     std::vector<std::string> warnings() const;
 
   private:
-    ompl::msg::OutputHandler* previous_;
     mutable std::mutex mutex_;
     std::vector<std::string> warnings_;
 };

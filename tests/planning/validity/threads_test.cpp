@@ -1,6 +1,7 @@
 // Checkers, validators and objectives shared by threads.
 #include <ompl/base/samplers/UniformValidStateSampler.h>
 #include <ompl/geometric/PathGeometric.h>
+#include <ompl/util/Console.h>
 #include <ompl/util/RandomNumbers.h>
 
 #include <algorithm>
@@ -8,14 +9,22 @@
 #include <boost/test/unit_test.hpp>
 #include <condition_variable>
 #include <functional>
+#include <future>
+#include <memory>
 #include <mutex>
+#include <string>
 #include <thread>
 #include <vector>
 
+#include "clearway/obstacle_groups.h"
+#include "clearway/planning/check_path.h"
 #include "clearway/planning/clearance_objectives.h"
+#include "clearway/planning/explain.h"
 #include "clearway/planning/ompl_messages.h"
+#include "clearway/planning/plan.h"
 #include "clearway/planning/planners.h"
 #include "planning/validity/ompl_states.h"
+#include "support/door_scene.h"
 #include "support/gates_scene.h"
 #include "support/motion_window.h"
 #include "support/random_meshes.h"
@@ -228,6 +237,67 @@ BOOST_AUTO_TEST_CASE(planners_of_eight_threads_find_valid_paths) {
     std::string eight = inner;
     for (int i = 1; i < kThreads; ++i) eight += "," + inner;
     planWith("AnytimePathShortening", {{"planners", eight}}, true);
+}
+
+BOOST_AUTO_TEST_CASE(messages_come_to_those_who_live_in_whatever_order_they_end) {
+    ompl::msg::OutputHandler* const before = ompl::msg::getOutputHandler();
+    auto first = std::make_unique<OmplMessages>(), second = std::make_unique<OmplMessages>();
+    const auto warn = [](const char* text) { std::thread([=] { OMPL_WARN("%s", text); }).join(); };
+    warn("to the second, of the same thread");
+    first.reset();
+    std::unique_ptr<OmplMessages> other;
+    std::promise<void> isMade, isOver;
+    std::thread holder([&] {
+        other = std::make_unique<OmplMessages>();
+        isMade.set_value();
+        isOver.get_future().wait();
+    });
+    isMade.get_future().wait();
+    warn("to both threads");
+    OMPL_WARN("to the own thread");
+    BOOST_TEST(second->warnings().size() == 3u);
+    BOOST_TEST(other->warnings() == std::vector<std::string>{"to both threads"},
+               boost::test_tools::per_element());
+    second.reset();
+    warn("to what is left");
+    BOOST_TEST(other->warnings().size() == 2u);
+    other.reset();
+    isOver.set_value();
+    holder.join();
+    BOOST_TEST(ompl::msg::getOutputHandler() == before);
+}
+
+/// Each thread begins before the one before it ends, and ends after it.
+BOOST_AUTO_TEST_CASE(plans_checks_and_explanations_may_overlap_in_time) {
+    const testing::GatesScene gates = testing::gatesScene();
+    const testing::DoorScene door = testing::doorScene();
+    const auto load = [&](const Problem& problem) {
+        const ObstacleGroups obstacles = groupObstacles({door.box}, 0, problem.rules);
+        return makeScene(Model::build(door.part), nullptr, obstacles, problem.rules, poseOf(problem.start),
+                         poseOf(problem.goal), [](const Mesh& mesh) { return Model::build(mesh); });
+    };
+    constexpr int kPlanners = 4;
+    std::vector<std::thread> threads;
+    std::vector<int> found(kPlanners, 0);
+    for (int i = 0; i < kPlanners; ++i) {
+        threads.emplace_back([&, i] {
+            for (int round = 0; round < 2; ++round) {
+                PlanOptions options;
+                options.iterations = 20000;
+                options.quick = true;
+                options.seed = static_cast<std::uint32_t>(i + 1);
+                const PlanReport report = plan(gates.problem, gates.scene, options);
+                found[i] += report.outcome == PlanReport::Outcome::kFound &&
+                            checkPath(gates.problem, gates.scene, report.path).audit.isValid();
+                options.iterations = 300;
+                const PlanReport none = plan(door.problem, load(door.problem), options);
+                found[i] += none.whyNoPath &&
+                            explain(door.problem, *none.whyNoPath, {options, 0.2, load}).path.empty();
+            }
+        });
+    }
+    for (std::thread& thread : threads) thread.join();
+    for (int i = 0; i < kPlanners; ++i) BOOST_TEST(found[i] == 4, "thread " << i);
 }
 
 }  // namespace
