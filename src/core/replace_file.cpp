@@ -1,5 +1,9 @@
 #include "core/replace_file.h"
 
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -28,20 +32,26 @@ struct TemporaryFile {
     ~TemporaryFile() { std::remove(name.c_str()); }
 };
 
-/// The type of the file that a name leads to. /dev/stdout and other links to a process's streams count as devices even where
-/// the stream goes to a regular file: it is the link that would be renamed or replaced.
-std::filesystem::file_type typeOf(const std::string& file) {
+/// Where a name leads.
+struct Target {
+    std::string name;  ///< of the file itself, at the end of all links; it need not exist
+    std::filesystem::file_type type;
+};
+
+/// /dev/stdout and other links to a process's streams count as devices even where the stream goes to a regular file, which
+/// belongs to whoever opened it.
+Target targetOf(const std::string& file) {
     namespace fs = std::filesystem;
     constexpr int kMostLinks = 40;  // as many as the system follows
     std::error_code ignored;
-    fs::path name = fs::absolute(file, ignored);
+    fs::path name = file;
     for (int i = 0; i < kMostLinks; ++i) {
-        const fs::path folder = fs::weakly_canonical(name.parent_path(), ignored);
-        if (folder.string().rfind("/proc/", 0) == 0) return fs::file_type::character;
+        const fs::path folder = fs::weakly_canonical(fs::absolute(name, ignored).parent_path(), ignored);
+        if (folder.string().rfind("/proc/", 0) == 0) return {file, fs::file_type::character};
         if (!fs::is_symlink(name, ignored)) break;
         name = folder / fs::read_symlink(name, ignored);
     }
-    return fs::status(file, ignored).type();
+    return {name.string(), fs::status(file, ignored).type()};
 }
 
 /// The first free name for a file that is set aside.
@@ -56,9 +66,9 @@ std::string freeName(const std::string& file) {
 }
 
 /// Refuses devices and pipes, which renaming would replace, and folders, over which renaming fails only after
-/// all the work.
-void requireFileOrNothing(const std::string& file) {
-    const auto kind = typeOf(file);
+/// all the work. Returns the name of the file to replace: a link stays one.
+std::string requireFileOrNothing(const std::string& file) {
+    const auto [name, kind] = targetOf(file);
     if (kind == std::filesystem::file_type::directory) {
         throw std::runtime_error("cannot write '" + file + "': it is a folder, expected the name of a file");
     }
@@ -66,6 +76,33 @@ void requireFileOrNothing(const std::string& file) {
         throw std::runtime_error("cannot write '" + file +
                                  "': it is not a regular file, expected a regular file or a new name");
     }
+    return name;
+}
+
+constexpr const char* kRoom = "room for the whole file";
+
+/// Waits until the disk holds the file or the folder: after a power failure, a renamed file must not be empty.
+void save(const std::string& name, int kind, const std::string& file) {
+    errno = 0;
+    const int opened = ::open(name.c_str(), O_RDONLY | O_CLOEXEC | kind);
+    const bool isSaved = opened >= 0 && (::fsync(opened) == 0 || errno == EINVAL || errno == ENOTSUP);
+    const int reason = errno;
+    if (opened >= 0) ::close(opened);
+    errno = reason;
+    if (!isSaved) refuse(file, kRoom);
+}
+
+/// Puts the temporary file, which is complete, in place of the target. `file`: the name for messages.
+void putInPlace(const TemporaryFile& temporary, const std::string& target, const std::string& file) {
+    struct stat old;
+    errno = 0;
+    if (::stat(target.c_str(), &old) == 0 && ::chmod(temporary.name.c_str(), old.st_mode & 07777) != 0)
+        refuse(file, "a file whose mode may be set");
+    save(temporary.name, 0, file);
+    errno = 0;
+    if (std::rename(temporary.name.c_str(), target.c_str()) != 0) refuse(file, "a name that may be replaced");
+    const std::string folder = std::filesystem::path(target).parent_path().string();
+    save(folder.empty() ? "." : folder, O_DIRECTORY, file);
 }
 
 std::ofstream open(const TemporaryFile& temporary, const std::string& file) {
@@ -78,33 +115,30 @@ std::ofstream open(const TemporaryFile& temporary, const std::string& file) {
 }  // namespace
 
 void replaceFile(const std::string& file, const std::function<void(std::ostream&)>& write) {
-    requireFileOrNothing(file);
-    const TemporaryFile temporary{temporaryName(file)};
+    const std::string target = requireFileOrNothing(file);
+    const TemporaryFile temporary{temporaryName(target)};
     std::ofstream stream = open(temporary, file);
     write(stream);
     stream.close();
-    if (!stream) refuse(file, "room for the whole file");
-    errno = 0;
-    if (std::rename(temporary.name.c_str(), file.c_str()) != 0) refuse(file, "a name that may be replaced");
+    if (!stream) refuse(file, kRoom);
+    putInPlace(temporary, target, file);
 }
 
 bool replaceFileByName(const std::string& file, const std::function<bool(const std::string&)>& write) {
-    requireFileOrNothing(file);
-    const TemporaryFile temporary{temporaryName(file)};
+    const std::string target = requireFileOrNothing(file);
+    const TemporaryFile temporary{temporaryName(target)};
     if (!write(temporary.name)) return false;
-    errno = 0;
-    if (std::rename(temporary.name.c_str(), file.c_str()) != 0) refuse(file, "a name that may be replaced");
+    putInPlace(temporary, target, file);
     return true;
 }
 
 void requireReplaceable(const std::string& file) {
-    requireFileOrNothing(file);
-    const TemporaryFile temporary{temporaryName(file)};
+    const TemporaryFile temporary{temporaryName(requireFileOrNothing(file))};
     open(temporary, file);
 }
 
 std::optional<std::string> setAside(const std::string& file) {
-    if (typeOf(file) != std::filesystem::file_type::regular) return std::nullopt;
+    if (targetOf(file).type != std::filesystem::file_type::regular) return std::nullopt;
     // A hard link never replaces a file, even one that another program has just made. Where the file system has no hard links
     // the file is renamed.
     std::error_code failed;

@@ -9,7 +9,8 @@
 namespace clearway {
 
 /// Calls `write` with a stream to a temporary file (file + ".<number>.tmp"), then renames this file to
-/// `file`, replacing an existing one. Throws std::runtime_error naming the file when it cannot be written.
+/// `file`, once the disk holds it, replacing an existing one, whose mode it takes. Of a link it is the file at its end that is
+/// replaced. Throws std::runtime_error naming the file when it cannot be written.
 /// After any exception, including one from `write`, the temporary file is gone and an existing file is
 /// unchanged.
 void replaceFile(const std::string& file, const std::function<void(std::ostream&)>& write);

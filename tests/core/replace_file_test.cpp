@@ -6,6 +6,7 @@
 
 #include <boost/test/unit_test.hpp>
 #include <filesystem>
+#include <fstream>
 #include <ostream>
 #include <stdexcept>
 
@@ -105,6 +106,34 @@ BOOST_AUTO_TEST_CASE(a_stream_of_the_process_is_refused_wherever_it_leads) {
     ::close(stream);
     BOOST_TEST(readText(redirected) == "shown");
     BOOST_TEST(std::filesystem::is_symlink(link));
+}
+
+BOOST_AUTO_TEST_CASE(links_stay_and_modes_are_kept) {
+    namespace fs = std::filesystem;
+    const TemporaryFolder folder;
+    makeFolder(folder.file("deep"));
+    const std::string there = folder.write("deep/there.csv", "old"), link = folder.file("link"),
+                      second = folder.file("second"), dangling = folder.file("dangling");
+    fs::permissions(there, fs::perms(0640));
+    fs::create_symlink("deep/there.csv", link);
+    fs::create_symlink("link", second);
+    fs::create_symlink("deep/new.csv", dangling);
+    for (const std::string& name : {second, dangling}) {
+        BOOST_TEST(messageOf(name) == "");
+        BOOST_TEST(fs::is_symlink(name));
+        BOOST_TEST(readText(name) == "new");
+    }
+    BOOST_TEST(readText(there) == "new");
+    BOOST_TEST(fs::is_regular_file(folder.file("deep/new.csv")));
+    BOOST_TEST((fs::status(there).permissions() == fs::perms(0640)));
+    const mode_t mask = umask(0);
+    umask(mask);
+    BOOST_TEST((fs::status(folder.file("deep/new.csv")).permissions() == fs::perms(0666 & ~mask)));
+    replaceFileByName(second, [](const std::string& name) { return std::ofstream(name) << "by name", true; });
+    BOOST_TEST(readText(there) == "by name");
+    BOOST_TEST((fs::status(there).permissions() == fs::perms(0640)));
+    fs::create_symlink("round", folder.file("round"));
+    BOOST_TEST(messageOf(folder.file("round")).find("cannot write") == 0u);
 }
 
 BOOST_AUTO_TEST_CASE(a_file_set_aside_never_overwrites_another) {
