@@ -280,7 +280,8 @@ CachedModel buildCached(const Mesh& mesh, const BuildOptions& options, const std
     name << std::hex << key << ".clearway";
     const std::filesystem::path file = std::filesystem::path(folder) / name.str();
     std::string warning;
-    if (std::filesystem::exists(file)) {
+    std::error_code ignored;
+    if (std::filesystem::exists(file, ignored)) {
         try {
             Model model = Model::load(file.string());
             if (model.key() == key) return {model, true, ""};
@@ -291,8 +292,12 @@ CachedModel buildCached(const Mesh& mesh, const BuildOptions& options, const std
         }
     }
     const Model model = Model::build(mesh, options, reach);
-    makeFolder(folder);
-    model.save(file.string());
+    try {
+        makeFolder(folder);
+        model.save(file.string());
+    } catch (const std::runtime_error& error) {
+        warning = std::string(error.what()) + "; the model is used, but not kept for the next time";
+    }
     return {model, false, warning};
 }
 

@@ -57,6 +57,25 @@ bool areNodesSound(const std::vector<WideNode<kWidth>>& nodes, const std::vector
     return true;
 }
 
+/// Whether every node but the first, and every leaf, is the child of exactly one node: the search of a tree with shared children
+/// would visit them once for each way that leads there. The nodes must be sound.
+template <int kWidth>
+bool isTree(const std::vector<WideNode<kWidth>>& nodes, const std::vector<bool>& isLeaf) {
+    std::vector<bool> isNodeFree(nodes.size(), true), isLeafFree = isLeaf;
+    std::size_t left = nodes.size() - 1 + std::size_t(std::count(isLeaf.begin(), isLeaf.end(), true));
+    for (const WideNode<kWidth>& node : nodes) {
+        for (const std::int32_t child : node.child) {
+            if (child == kNoChild) continue;
+            std::vector<bool>& isFree = child < 0 ? isLeafFree : isNodeFree;
+            const auto place = std::size_t(child < 0 ? ~child : child);
+            if (!isFree[place]) return false;
+            isFree[place] = false;
+            --left;
+        }
+    }
+    return left == 0;
+}
+
 template <int... kWidths>
 bool isNodeWidth(int nodeWidth, std::integer_sequence<int, kWidths...>) {
     return ((nodeWidth == kWidths) || ...);
@@ -150,6 +169,9 @@ const char* faultOf(const FlatTree& tree, std::size_t meshTriangles) {
     std::vector<bool> isLeaf;
     if (const char* fault = faultOfLeaves(tree, meshTriangles, isLeaf)) return fault;
     if (!areNodesSound(tree, isLeaf, NodeWidths())) return "its nodes refer to what is not there";
+    bool isOneTree = false;
+    withNodeWidth(tree.nodeWidth, [&](auto width) { isOneTree = isTree(tree.nodes<width>(), isLeaf); });
+    if (!isOneTree) return "its nodes share children, or leave out some";
     const auto isFinite = [](const Vector3& vertex) { return vertex.allFinite(); };
     if (!std::all_of(tree.vertices.begin(), tree.vertices.end(), isFinite) || !tree.origin.allFinite() ||
         !std::isfinite(tree.radius) || std::abs(tree.unitExponent) > 1000 || !tree.box.min().allFinite() ||

@@ -202,8 +202,8 @@ constexpr std::size_t kLeafPadding = 16;
 /// Counts what the tree holds. Node 0, which holds only the root's volume, counts like any other.
 TreeStatistics statistics(const FlatTree& tree);
 
-/// Checks a tree from outside: returns nullptr when every reference stays within the tree and no search can
-/// run in a circle, otherwise the fault in words. All triangle ids must be below meshTriangles.
+/// Checks a tree from outside: returns nullptr when every reference stays within the tree and each node and leaf has one parent, so
+/// that a search visits it at most once; otherwise the fault in words. All triangle ids must be below meshTriangles.
 const char* faultOf(const FlatTree& tree, std::size_t meshTriangles);
 
 }  // namespace clearway

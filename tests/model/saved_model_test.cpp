@@ -141,6 +141,20 @@ BOOST_FIXTURE_TEST_CASE(the_key_tells_meshes_and_options_apart, Fixture) {
     BOOST_TEST(key != modelKey(moved, {}));
 }
 
+BOOST_AUTO_TEST_CASE(a_cache_that_cannot_be_written_costs_no_model) {
+    const testing::TemporaryFolder folder;
+    const Mesh part = testing::box({1, 2, 3}, 2);
+    const std::string file = folder.write("file", "no folder");
+    for (const std::string& cache : {file, file + "/deep"}) {
+        const CachedModel cached = buildCached(part, {}, cache);
+        BOOST_TEST(!cached.isLoaded);
+        BOOST_TEST(cached.warning.find("'" + cache + "'") != std::string::npos, cached.warning);
+        BOOST_TEST(cached.warning.find("; the model is used, but not kept") != std::string::npos);
+        BOOST_TEST(cached.model.report().triangles == Model::build(part).report().triangles);
+    }
+    BOOST_TEST(testing::readText(file) == "no folder");
+}
+
 BOOST_FIXTURE_TEST_CASE(the_cache_builds_once_and_replaces_what_is_damaged, Fixture) {
     const std::string cache = folder.file("cache");
     BOOST_TEST(!buildCached(part, {}, cache).isLoaded);

@@ -82,11 +82,15 @@ BOOST_AUTO_TEST_CASE(each_fault_of_a_tree_is_found) {
     };
     const std::string noNode = "its nodes refer to what is not there", cut = "its last leaf is cut off",
                       many = "its leaves hold an impossible number of triangles",
-                      notFinite = "its coordinates are not finite";
+                      notFinite = "its coordinates are not finite",
+                      shared = "its nodes share children, or leave out some";
     BOOST_TEST(faultAfter([](FlatTree&) {}) == "");
     BOOST_TEST(faultAfter([](FlatTree& tree) { tree.nodes<8>()[1].child[0] = ~1; }) == noNode);
     BOOST_TEST(faultAfter([](FlatTree& tree) { tree.nodes<8>()[1].child[0] = ~10000; }) == noNode);
     BOOST_TEST(faultAfter([](FlatTree& tree) { tree.nodes<8>()[2].child[0] = 1; }) == noNode);
+    BOOST_TEST(faultAfter([](FlatTree& tree) { tree.nodes<8>()[2].child[0] = ~0; }) == shared);
+    BOOST_TEST(faultAfter([](FlatTree& tree) { tree.nodes<8>()[1].child[3] = 2; }) == shared);
+    BOOST_TEST(faultAfter([](FlatTree& tree) { tree.nodes<8>()[1].child[2] = kNoChild; }) == shared);
     BOOST_TEST(faultAfter([](FlatTree& tree) { tree.leafBlocks.pop_back(); }) == cut);
     BOOST_TEST(faultAfter([](FlatTree& tree) { tree.leafBlocks.clear(); }) == noNode);
     BOOST_TEST(faultAfter([&](FlatTree& tree) { write(tree, 4, 0); }) == many);
