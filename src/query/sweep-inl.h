@@ -60,9 +60,9 @@ class Sweep {
           answer_(answer),
           stop_(request.until),
           contactTime_(request.isContactAtEnd ? request.until : std::numeric_limits<double>::infinity()),
-          leastUpper_(request.known.clearance < request.cap ? request.known.clearance : request.cap),
+          leastUpper_(std::fmin(request.known.clearance, request.beyondCap())),
           leastInterval_(request.leastInterval),
-          isReached_(request.known.clearance < request.cap) {
+          isReached_(request.known.clearance < request.beyondCap()) {
         answer_.nearest = request.known;
         endIfNear();
         if (!state.pieces) state.pieces = std::make_unique<PieceCache>();
@@ -134,9 +134,14 @@ class Sweep {
     double neededDouble(const PairQuery& query) const {
         double length = request_.margin;
         if (request_.goal == SweepGoal::kLeastDistance) {
-            length += isReached_ ? leastUpper_ - request_.resolution.of(leastUpper_) : leastUpper_;
+            length += certified();
         }
         return (length + request_.poseError) * query.perMeshUnit;
+    }
+
+    /// kLeastDistance: what is certified where nothing is left open.
+    double certified() const {
+        return isReached_ ? leastUpper_ - request_.resolution.of(leastUpper_) : request_.cap;
     }
 
     /// For float, which proves no less than kLeastProved.
@@ -422,8 +427,7 @@ class Sweep {
         answer_.certifiedUntil = stop_ > request_.from ? stop_ : request_.from;
         answer_.contactTime = contactTime_;
         answer_.isContact = answer_.isContact || (request_.isContactAtEnd && stop_ < request_.until);
-        const double certified = isReached_ ? leastUpper_ - request_.resolution.of(leastUpper_) : leastUpper_;
-        answer_.lower = certified < openLower_ ? certified : openLower_;
+        answer_.lower = std::fmin(certified(), openLower_);
         if (isDone_) answer_.lower = -request_.margin;
         state_.counters.kernelPairs += leaves_.kernelPairs();
         state_.counters.kernelLanes += leaves_.kernelLanes();
@@ -444,7 +448,7 @@ class Sweep {
     double begunAt_ = 1;  ///< stop_ when the whole motion was put on the stack
     double openLower_ = std::numeric_limits<double>::infinity();  ///< kLeastDistance: of what was left open
     int steps_ = 1;   ///< to the next look at isStopped, which comes at once
-    bool isReached_;  ///< kLeastDistance: leastUpper_ is a distance found, not the cap
+    bool isReached_;  ///< kLeastDistance: leastUpper_ is a distance found
     bool isDone_ = false;
 };
 

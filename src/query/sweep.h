@@ -32,10 +32,14 @@ struct SweepRequest {
     bool isContactAtEnd = false;  ///< the pose at `until` is known to be in contact
     double contactTime = 0;       ///< kForward
     double cap = 0;               ///< kLeastDistance: larger distances less the margin do not matter
-    PairAtTime known{};           ///< kLeastDistance: a pair with less than the cap
+    PairAtTime known{};           ///< kLeastDistance: a pair with less than beyondCap()
     ClearanceResolution resolution{};
     const std::function<bool()>* isStopped = nullptr;
     std::size_t mostEntries = 0;
+
+    /// Pairs that are farther than the cap, but not by the resolution, are taken as found, too. Of a motion that keeps the cap
+    /// exactly, and no more, it could be proved only interval by least interval that it keeps it.
+    double beyondCap() const { return cap + resolution.of(cap); }
 };
 
 struct SweepAnswer {
@@ -47,7 +51,7 @@ struct SweepAnswer {
     bool isPair = false;        ///< the contact is that of a pair, not a forbidden pose or one known before
     TrianglesAt contact;
     double lower = 0;      ///< kLeastDistance: of the distance less the margin
-    PairAtTime nearest{};  ///< kLeastDistance: the closest pair found below the cap
+    PairAtTime nearest{};  ///< kLeastDistance: the closest pair found below beyondCap()
 };
 
 /// More pairs in wait end a sweep as undecided. Depth first, a sweep of a tree of usual depth keeps about a thousand.

@@ -133,6 +133,27 @@ BOOST_AUTO_TEST_CASE(a_least_distance_leaves_room_for_the_error_of_poses) {
     }
 }
 
+/// A box slides past another one, at the cap exactly. To prove that it keeps it would take as many steps as there are least
+/// intervals.
+BOOST_AUTO_TEST_CASE(a_motion_that_keeps_the_cap_exactly_takes_no_longer_than_others) {
+    const SweptPair pair("boxes", box({1, 2, 3}, 2), box({40, 2, 3}, 2), 8);
+    const RigidMotion motion{{Matrix3::Identity(), {-30, 0, 8}}, {60, 0, 0}, Vector3::Zero()};
+    Workspace workspace;
+    for (const double cap : {1.9, 1.99, 2.0, 2.0 + 1e-7, 2.02, 2.1}) {
+        LeastDistanceOptions options;
+        options.cap = cap;
+        options.resolution.least = 1e-9;
+        long asked = 0;
+        options.isStopped = [&] { return ++asked > 100; };
+        const LeastDistance found =
+            leastDistance(pair.part, pair.environment, piecesOf(motion, pair.part), options, workspace);
+        BOOST_TEST(!found.isStopped, "cap " << cap);
+        BOOST_TEST(found.lower <= 2, "cap " << cap);
+        BOOST_TEST(found.lower >= std::min(cap, 2.0) - options.resolution.of(2), "cap " << cap);
+        BOOST_TEST((cap < 2.01 || std::abs(found.upper - 2) < 1e-6), "cap " << cap);
+    }
+}
+
 template <class Call>
 void requireRefused(const Call& call, const std::string& words) {
     BOOST_CHECK_EXCEPTION(call(), std::invalid_argument, [&](const std::invalid_argument& error) {
