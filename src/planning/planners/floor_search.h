@@ -34,6 +34,9 @@ class FloorSearch {
                 std::shared_ptr<const MotionValidator> validator);
     ~FloorSearch();
 
+    /// Whether the search is for this definition. Starts that were added to it count from the next run() on.
+    bool isFor(const ompl::base::ProblemDefinitionPtr& definition) const { return definition_ == definition; }
+
     /// A path to widen. seconds: what it took to find it.
     void add(const WidePath& path, double seconds);
 

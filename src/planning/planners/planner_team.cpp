@@ -58,6 +58,29 @@ struct PlannerTeam::Member {
     double spent = 0;                  ///< turns
     bool isBusy = false;
 
+    /// Takes over the starts that were added. With other starts or another goal the planner begins anew.
+    void follow(const ob::ProblemDefinition& given) {
+        if (!definition || definition->getGoal() != given.getGoal() || !beginsAs(given)) {
+            if (definition) planner->clear();
+            definition = std::make_shared<ob::ProblemDefinition>(given.getSpaceInformation());
+            definition->setGoal(given.getGoal());
+            planner->setProblemDefinition(definition);
+        }
+        for (unsigned int i = definition->getStartStateCount(); i < given.getStartStateCount(); ++i)
+            definition->addStartState(given.getStartState(i));
+    }
+
+    /// Whether the definition's starts are the first ones of the given definition.
+    bool beginsAs(const ob::ProblemDefinition& given) const {
+        const unsigned int count = definition->getStartStateCount();
+        if (count > given.getStartStateCount()) return false;
+        const ob::StateSpace& space = *given.getSpaceInformation()->getStateSpace();
+        for (unsigned int i = 0; i < count; ++i) {
+            if (!space.equalStates(definition->getStartState(i), given.getStartState(i))) return false;
+        }
+        return true;
+    }
+
     /// Returns the status of a turn that ends early when isOver returns true.
     ob::PlannerStatus takeTurn(const std::function<bool()>& isOver) {
         if (left == 0) {
@@ -183,15 +206,7 @@ void PlannerTeam::clear() {
 
 ob::PlannerStatus PlannerTeam::solve(const ob::PlannerTerminationCondition& isSpent) {
     checkValidity();
-    for (const auto& member : members_) {
-        if (member->definition && member->definition->getGoal() == pdef_->getGoal()) continue;
-        member->definition = std::make_shared<ob::ProblemDefinition>(si_);
-        for (unsigned int i = 0; i < pdef_->getStartStateCount(); ++i) {
-            member->definition->addStartState(pdef_->getStartState(i));
-        }
-        member->definition->setGoal(pdef_->getGoal());
-        member->planner->setProblemDefinition(member->definition);
-    }
+    for (const auto& member : members_) member->follow(*pdef_);
     Turns turns(members_, threads_ > 1, isSpent);
     std::vector<std::future<void>> others;
     for (unsigned int i = 1; i < threads_; ++i) {

@@ -4,6 +4,7 @@
 #include <ompl/util/Console.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string>
 
@@ -62,17 +63,18 @@ void RisingFloor::startFrom(const og::PathGeometric& path, const First& first) {
     first_ = {{states, first.clearance}, first.seconds};
 }
 
-/// No path can have more clearance than its ends, nor more than the environment's reach or the objective's
-/// cap. A goal of many states is taken to have one with as much as the start.
+/// No path can have more clearance than its ends, nor more than the environment's reach. A goal of many states is taken to have
+/// one with as much as the start. Where no obstacle is in reach, any length is as good.
 double RisingFloor::mostClearance() const {
     const MinClearanceObjective objective(si_, validator_->scene());
-    double most = objective.cap();
+    double most = -std::numeric_limits<double>::infinity();
     for (unsigned int i = 0; i < pdef_->getStartStateCount(); ++i) {
-        most = std::min(most, objective.stateCost(pdef_->getStartState(i)).value());
+        most = std::max(most, objective.stateCost(pdef_->getStartState(i)).value());
     }
     const auto* goal = dynamic_cast<const ob::GoalState*>(pdef_->getGoal().get());
     if (goal != nullptr) most = std::min(most, objective.stateCost(goal->getState()).value());
-    return most;
+    return std::min(most,
+                    std::isfinite(most) ? objective.cap() : validator_->scene().part.box().diagonal().norm());
 }
 
 /// The objective's threshold, and a little more because its costs are lower than clearances; infinite for others.
@@ -100,7 +102,7 @@ ob::PlannerStatus RisingFloor::solve(const ob::PlannerTerminationCondition& isSp
     }
     validator_ = std::dynamic_pointer_cast<const MotionValidator>(si_->getMotionValidator());
     if (!validator_) validator_ = std::make_shared<MotionValidator>(si_, sceneOf(si_));
-    if (!search_) {
+    if (!search_ || !search_->isFor(pdef_)) {
         const std::lock_guard<std::mutex> lock(searchMutex_);
         search_ = std::make_shared<FloorSearch>(si_, pdef_, validator_);
     }

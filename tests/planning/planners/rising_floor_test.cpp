@@ -1,6 +1,9 @@
 // The planner that widens paths also straightens the ways they take.
 #include "planning/planners/rising_floor.h"
 
+#include <ompl/base/ScopedState.h>
+#include <ompl/base/spaces/SE2StateSpace.h>
+
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <mutex>
@@ -102,6 +105,32 @@ BOOST_AUTO_TEST_CASE(the_clearance_told_while_it_plans_never_falls_and_its_data_
     BOOST_TEST(data.numEdges() == found.getStateCount() - 1);
     BOOST_TEST(data.numStartVertices() == 1u);
     BOOST_TEST(data.numGoalVertices() == 1u);
+}
+
+/// A start with little room bounds the clearance. One with more is added, and the planner goes on.
+BOOST_AUTO_TEST_CASE(a_start_that_is_added_between_solves_gives_more_clearance) {
+    testing::GatesScene gates = testing::gatesScene();
+    gates.problem.start.position = {-40, 0, 0};
+    og::SimpleSetup setup = makeSetup(gates.problem, gates.scene);
+    setup.setup();
+    RisingFloor planner(setup.getSpaceInformation());
+    planner.setProblemDefinition(setup.getProblemDefinition());
+    planner.setRange(60);
+    planner.setup();
+    const auto solve = [&] {
+        testing::withProcessorTime(2, [&](double seconds) {
+            planner.solve(ob::timedPlannerTerminationCondition(seconds));
+            return 0;
+        });
+        return planner.clearance().value();
+    };
+    const double near = solve();
+    ob::ScopedState<> added(setup.getStateSpace(), setup.getProblemDefinition()->getStartState(0));
+    added->as<ob::SE2StateSpace::StateType>()->setX(-80);
+    setup.getProblemDefinition()->addStartState(added);
+    BOOST_TEST(solve() > near + 1);
+    const og::PathGeometric& path = setup.getSolutionPath();
+    BOOST_TEST(path.getState(0)->as<ob::SE2StateSpace::StateType>()->getX() == -80);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include <boost/test/unit_test.hpp>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "clearway/planning/ompl_messages.h"
@@ -164,6 +165,33 @@ BOOST_AUTO_TEST_CASE(a_team_of_several_threads_finds_a_path_and_names_its_finder
     BOOST_TEST((finder.find("RRTConnect") != std::string::npos), finder);
     const auto path = std::static_pointer_cast<og::PathGeometric>(task.definition->getSolutionPath());
     BOOST_TEST(path->check());
+}
+
+/// The first start is shut in, so that a path begins at the one that was added.
+template <class Tree>
+void checkTakesAddedStart() {
+    WindowScene window = windowScene();
+    const Mesh shell = transformed(box({70, 50, 50}, 1), {Matrix3::Identity(), {-300, 0, 0}});
+    window.scene.obstacles.push_back({Model::build(shell)});
+    PartState shutIn = window.problem.start;
+    shutIn.position.x() = -300;
+    const PartState start = std::exchange(window.problem.start, shutIn);
+    const Task task(window.problem, window.scene, Box(Vector3(-400, -60, -60), Vector3(100, 60, 60)));
+    const auto planner = task.planner<Tree>();
+    BOOST_TEST(!bool(planner->solve(ob::timedPlannerTerminationCondition(0.1)) ==
+                     ob::PlannerStatus::EXACT_SOLUTION));
+    task.definition->clearSolutionPaths();
+    task.definition->addStartState(toOmpl(task.si->getStateSpace(), Space::kSe3, start));
+    BOOST_TEST(
+        bool(planner->solve(ob::timedPlannerTerminationCondition(60)) == ob::PlannerStatus::EXACT_SOLUTION));
+    const auto path = std::static_pointer_cast<og::PathGeometric>(task.definition->getSolutionPath());
+    BOOST_TEST(task.si->equalStates(path->getState(0), task.definition->getStartState(1)));
+}
+
+BOOST_AUTO_TEST_CASE(a_start_that_is_added_between_solves_is_taken) {
+    const OmplMessages quiet;
+    checkTakesAddedStart<SlidingRRTConnect>();
+    checkTakesAddedStart<PlannerTeam>();
 }
 
 BOOST_AUTO_TEST_CASE(a_space_or_a_checker_of_another_kind_is_refused_by_name) {
