@@ -248,6 +248,7 @@ class SceneClearance {
     struct TimeRange {
         double from, to;
     };
+    void lookBehind(const PartMotion& motion, SceneSweepOptions options, MotionAnswer& answer) const;
     SolidsAlong stayOutsideSolid(std::size_t obstacle, const PartMotion& motion, const SolidsAlong& others,
                                  double poseError, double leastInterval) const;
     SweepVerdict sideAlong(std::size_t obstacle, const PartMotion& motion, const TimeRange& range,
@@ -261,6 +262,18 @@ class SceneClearance {
     bool hasSolids_ = false;
     std::unique_ptr<ThreadScratch> scratch_;
 };
+
+/// A proof that no path joins two poses: one lies inside a closed surface, and the other does not.
+struct ShutIn {
+    std::string obstacle;  ///< the name of the surface's component, else of its file
+    bool isStart = false;  ///< the start is inside; otherwise the goal
+};
+
+/// Proves that there is no path between two valid poses, or from a pose to the outside of all obstacles where no goal is given. A
+/// point of the part crosses no surface on the way, so that each closed surface winds around it as often at one end as at the
+/// other; windings are exact. Obstacles that are ignored in a contact zone, or may overlap the part, prove nothing. Returns
+/// nothing where nothing is proved.
+std::optional<ShutIn> provedShutIn(const Scene& scene, const Pose& start, const std::optional<Pose>& goal);
 
 /// Queries of scenes, and their work.
 struct QueryTally {

@@ -1,5 +1,6 @@
 // The scene's answers about motions: every obstacle is swept past, with its margin and as far as contact zones let it count.
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <utility>
@@ -138,9 +139,24 @@ SceneSweep SceneClearance::sweep(const PartMotion& motion, const SceneSweepOptio
         if (isFirst || found.verdict == SweepVerdict::kContact) answer.verdict = found.verdict;
         answer.contactTime = std::min(answer.contactTime, found.contactTime);
         answer.certifiedUntil = std::min(answer.certifiedUntil, found.certifiedUntil);
-        return options.isForward && answer.certifiedUntil > options.from;
+        return options.isForward
+                   ? answer.certifiedUntil > options.from
+                   : found.verdict == SweepVerdict::kUndecided;  // another one may be in contact
     });
     return answer;
+}
+
+/// Where it cannot be told whether the part is free, it may collide later on.
+void SceneClearance::lookBehind(const PartMotion& motion, SceneSweepOptions options,
+                                MotionAnswer& answer) const {
+    options.isForward = false;
+    options.from = answer.certifiedUntil;
+    double contactTime = std::numeric_limits<double>::infinity();
+    if (options.from < 1) contactTime = sweep(motion, options).contactTime;
+    if (!isFree(motion.pieces(1, 1).middle)) contactTime = std::min(contactTime, 1.0);
+    if (!std::isfinite(contactTime)) return;
+    answer.verdict = SweepVerdict::kContact;
+    answer.contactTime = contactTime;
 }
 
 MotionAnswer SceneClearance::check(const RigidMotion& motion, double poseError) const {
@@ -170,6 +186,7 @@ MotionAnswer SceneClearance::check(const RigidMotion& motion, double poseError) 
     const bool isWorse =
         answer.verdict == SweepVerdict::kCertified || solids.verdict == SweepVerdict::kContact;
     if (solids.verdict != SweepVerdict::kCertified && isWorse) answer.verdict = solids.verdict;
+    if (answer.verdict == SweepVerdict::kUndecided) lookBehind(whole, options, answer);
     return answer;
 }
 

@@ -108,4 +108,21 @@ BOOST_AUTO_TEST_CASE(inside_a_solid_no_motion_is_free) {
     BOOST_TEST((SceneClearance(scene).check(within).verdict == SweepVerdict::kCertified));
 }
 
+/// The cube slides along the floor, closer than poses are known, and then meets the block.
+BOOST_AUTO_TEST_CASE(a_collision_behind_a_stretch_that_is_too_close_to_tell_is_found) {
+    const double apart = 1e-7, poseError = 1e-6;
+    Scene scene(kCube, boxModel({-20, -20, -2}, {20, 20, -0.5 - apart}));
+    scene.obstacles.push_back({boxModel({4, -1, -0.4}, {5, 1, 0.4})});
+    const SceneClearance room(scene);
+    BOOST_TEST(
+        (room.check(motionBetween(at(0, 0, 0), at(3, 0, 0)), poseError).verdict == SweepVerdict::kUndecided));
+    const MotionAnswer atEnd = room.check(motionBetween(at(0, 0, 0), at(4, 0, 0)), poseError);
+    BOOST_TEST((atEnd.verdict == SweepVerdict::kContact));
+    BOOST_TEST(!room.isFree(at(4 * atEnd.contactTime, 0, 0)));
+    const MotionAnswer onTheWay = room.check(motionBetween(at(0, 0, 0), at(9, 0, 0)), poseError);
+    BOOST_TEST((onTheWay.verdict == SweepVerdict::kContact));
+    BOOST_TEST(!room.isFree(at(9 * onTheWay.contactTime, 0, 0)));
+    BOOST_TEST(onTheWay.certifiedUntil == 0);
+}
+
 BOOST_AUTO_TEST_SUITE_END()
