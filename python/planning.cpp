@@ -191,6 +191,10 @@ py::dict dictOf(const PlanReport& report) {
     result["turned"] = report.turned;
     result["audit"] = report.path.empty() ? py::object(py::none()) : py::object(dictOf(report.audit));
     result["why_no_path"] = report.whyNoPath ? py::object(dictOf(*report.whyNoPath)) : py::object(py::none());
+    result["shut_in"] =
+        report.shutIn
+            ? py::object(py::make_tuple(report.shutIn->isStart ? "start" : "goal", report.shutIn->obstacle))
+            : py::object(py::none());
     result["planners"] = report.planners;
     result["found_by"] = report.foundBy;
     result["objective"] = report.objective;

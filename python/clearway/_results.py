@@ -239,7 +239,9 @@ class PlanResult:
     audit: Optional[Audit]
     """The proved verdict about the path; None without one. The path is valid, but for one that was planned with a step."""
     why_no_path: Optional[WhyNoPath]
-    """Why there is no path, where that is known."""
+    """What the planners learnt without finding a path; None where nothing was planned."""
+    shut_in: Optional[Tuple[str, str]]
+    """A proof that there is no path: "start" or "goal", and the closed surface that it is inside of, unlike the other end."""
     planners: Tuple[str, ...]
     """Those that ran side by side."""
     found_by: str

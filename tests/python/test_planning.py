@@ -22,9 +22,13 @@ CONSOLE = DATA / "tunnel-console-small" / "tunnel-console.cfg"
 
 
 def endless():
-    """A problem without a path, and its scene: the goal is within a closed box, of which only the surface counts."""
+    """A problem without a path, and its scene: the goal is within a box, of which only the surface counts. A slit leaves it open."""
     problem = clearway.Problem(place(-9), place(), bounds=[[-10] * 3, [10] * 3])
-    return problem, clearway.Scene(clearway.Model(cube(0.5)), [clearway.Obstacle(clearway.Model(cube(2)))])
+    whole = cube(2)
+    box = clearway.Mesh(whole.vertices, whole.triangles[1:], name="cube")
+    cover = clearway.Mesh(1.01 * whole.vertices, whole.triangles[:1], name="cover")
+    obstacles = [clearway.Obstacle(clearway.Model(mesh)) for mesh in (box, cover)]
+    return problem, clearway.Scene(clearway.Model(cube(0.5)), obstacles)
 
 
 def run_python(text, *arguments, **keywords):
@@ -113,6 +117,14 @@ def test_a_profile_bounds_the_clearance_of_every_pose():
     assert (profile.lower_to_next[at_states] <= clearances).all()
     assert planning.check(CONSOLE, states, profile=False).profile is None
     assert not planning.check(CONSOLE, states, margin=12)
+
+
+def test_a_goal_in_a_closed_surface_is_told_as_a_proof():
+    problem = clearway.Problem(place(-9), place(), bounds=[[-10] * 3, [10] * 3])
+    shut = clearway.Scene(clearway.Model(cube(0.5)), [clearway.Obstacle(clearway.Model(cube(2)))])
+    found = planning.plan(problem, scene=shut, seconds=20)
+    assert found.shut_in == ("goal", "cube") and found.outcome == "not found" and found.why_no_path is None
+    assert found.planning_seconds == 0
 
 
 def test_why_there_is_no_path():

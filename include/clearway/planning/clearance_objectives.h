@@ -74,8 +74,8 @@ const Scene& sceneOf(const ompl::base::SpaceInformationPtr& si);
 
 /// The option of MinClearanceObjective.
 struct MinClearanceOptions {
-    /// Clearances above the cap count as the cap. Environment units, finite, > 0. The default is the diagonal
-    /// of the part's box.
+    /// Clearances above the cap count as the cap. Environment units, finite, > 0. By default there is none, but what the
+    /// environment's reach allows. No path has more clearance than its start and its goal: their least is a good cap.
     std::optional<double> cap;
 };
 
@@ -129,8 +129,8 @@ class MinClearanceObjective : public ClearanceObjective {
     ompl::base::Cost motionCostHeuristic(const ompl::base::State* s1,
                                          const ompl::base::State* s2) const override;
 
-    /// The clearance from which on all clearances count alike; environment units. It is the option's value or
-    /// default, or the largest clearance that the environment's reach lets queries tell, if that is less.
+    /// The clearance from which on all clearances count alike; environment units. It is the option's value, or the largest
+    /// clearance that the environment's reach lets queries tell, if that is less; infinite without either.
     double cap() const { return cap_; }
 
   private:

@@ -6,6 +6,7 @@
 #include <ompl/base/SpaceInformation.h>
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <utility>
 
@@ -25,11 +26,14 @@ class PosedScene;
 class DiscreteMotionValidator : public ompl::base::MotionValidator {
   public:
     /// For OMPL's SE(3) and SE(2). step: environment units. Throws std::invalid_argument when si is null or
-    /// has another space (see displacementBound), or the step is not a finite number above 0.
-    DiscreteMotionValidator(const ompl::base::SpaceInformationPtr& si, const Model& part, double step);
+    /// has another space (see displacementBound), or the step is not a finite number above 0. isStopped: called within
+    /// motions, by any thread; true ends the check of a motion, which then counts as invalid.
+    DiscreteMotionValidator(const ompl::base::SpaceInformationPtr& si, const Model& part, double step,
+                            std::function<bool()> isStopped = {});
 
     /// For any space. Throws as the first constructor does, and when the bound is empty.
-    DiscreteMotionValidator(const ompl::base::SpaceInformationPtr& si, DisplacementBound bound, double step);
+    DiscreteMotionValidator(const ompl::base::SpaceInformationPtr& si, DisplacementBound bound, double step,
+                            std::function<bool()> isStopped = {});
 
     /// Whether all states that are looked at are valid. A motion is also invalid when its interpolation ends
     /// farther from s2 than the step (OMPL leaves out turns of up to 1.6e-4 rad), because it cannot be
@@ -56,10 +60,13 @@ class DiscreteMotionValidator : public ompl::base::MotionValidator {
     bool isMotionValid(const ompl::base::State* s1, const ompl::base::State* s2) const;
     double lastValidTime(const ompl::base::State* s1, const ompl::base::State* s2) const;
     bool isStartValid(const ompl::base::State* s1) const;
+    bool isPartValid(const ompl::base::State* s1, const ompl::base::State* s2, std::uint64_t i,
+                     std::uint64_t n, ompl::base::State* scratch) const;
     bool count(bool valid) const;
 
     std::shared_ptr<const PosedScene> posed_;
     double step_;
+    std::function<bool()> isStopped_;
 };
 
 }  // namespace clearway::planning

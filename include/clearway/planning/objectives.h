@@ -32,8 +32,8 @@ std::string objectiveName(const std::string& name);
 ompl::base::OptimizationObjectivePtr makeObjective(const ompl::base::SpaceInformationPtr& si,
                                                    const Scene& scene, const ObjectiveChoice& choice);
 
-/// The clearance above which the objective sees no difference, in environment units; 0 for an objective that
-/// does not depend on clearance. Throws as objectiveName does, and when the wanted clearance is not finite
+/// The clearance above which the objective sees no difference, in environment units; infinite where there is none; 0 for an
+/// objective that does not depend on clearance. Throws as objectiveName does, and when the wanted clearance is not finite
 /// and above 0.
 double largestClearance(const ObjectiveChoice& choice, const Model& part);
 

@@ -14,6 +14,7 @@
 #include "clearway/planning/why_no_path.h"
 #include "clearway/problem.h"
 #include "clearway/scene.h"
+#include "clearway/scene_clearance.h"
 
 #pragma GCC visibility push(default)
 
@@ -22,11 +23,16 @@ namespace clearway::planning {
 /// How long plan() plans, in seconds, unless PlanOptions sets a limit.
 constexpr double kDefaultSeconds = 30;
 
+struct PlanReport;
+
 /// An option that is wrong in itself or contradicts another one: nothing was planned.
 class RefusedOption : public std::invalid_argument {
   public:
     using std::invalid_argument::invalid_argument;  ///< takes the message
 };
+
+/// Seconds after PlanOptions::seconds, or after PlanOptions::isStopped first returned true, from which plan() overruns.
+constexpr double kMostOverrun = 1.25;
 
 /// The phases of plan(), in order.
 enum class PlanPhase {
@@ -39,14 +45,15 @@ enum class PlanPhase {
 /// How plan() plans: the planner, its limits, and how motions are checked.
 struct PlanOptions {
     /// OMPL's class name in any case. Empty: the problem's planner when it names exactly one, else
-    /// PlannerTeam. With an objective of clearance the default is RisingFloor for the least
-    /// clearance and AnytimePathShortening of RRTConnect and RRT for the others, or RRTstar with iterations.
+    /// PlannerTeam. With an objective the default is RisingFloor for the least clearance and
+    /// AnytimePathShortening of RRTConnect and RRT for the others, or RRTstar with iterations.
     std::string planner;
     /// Parameters of this planner, on top of the problem's. An unknown parameter is an error; in a file of
     /// OMPL.app's it only gives a warning.
     std::vector<std::pair<std::string, std::string>> parameters;
 
-    /// The planner ends after `seconds`, or when it has asked `iterations` times whether to end, which most
+    /// plan() ends after `seconds`, and where no path was found up to a second later, in which it looks for the reason; or the
+    /// planner ends when it has asked `iterations` times whether to end, which most
     /// planners do once an iteration and which is the repeatable limit. Give at most one of the two. Without
     /// either the limit is kDefaultSeconds.
     std::optional<double> seconds;
@@ -68,7 +75,7 @@ struct PlanOptions {
     /// The objective of planners that can go on improving a path for all the time they have, see
     /// objectiveNames(). Empty: the problem's objective, unless that is length without a threshold.
     std::string objective;
-    std::optional<double> wantedClearance;  ///< see LengthWithClearanceOptions
+    std::optional<double> wantedClearance;  ///< see LengthWithClearanceOptions; for this objective alone
     /// Leaves out what makes room after planning (see PlanReport::room). Not allowed together with a step or an objective,
     /// which leave it out anyway.
     bool quick = false;
@@ -79,6 +86,11 @@ struct PlanOptions {
     std::function<bool()> isStopped;
     /// Called when a phase begins, in the thread that called plan().
     std::function<void(PlanPhase)> onPhase;
+    /// Some of OMPL's planners overrun: they ask whether to end only between long pieces of work. Of those of OMPL 1.5, BITstar,
+    /// LazyPRMstar, LBKPIECE1, pSBL and SBL do. Others may where a single motion takes long. plan() cannot end a planner, and waits for it. When it has
+    /// waited kMostOverrun, it calls onOverrun from another thread, with the report of the best path so far, audited, but
+    /// neither widened nor shortened. Who can't wait writes it and ends the process.
+    std::function<void(const PlanReport&)> onOverrun;
 };
 
 /// A path's clearance before room was made between planning and shortening, and after.
@@ -131,7 +143,11 @@ struct PlanReport {
     /// PlanOptions::quick, with an objective, with a step, and when no path was found.
     std::optional<RoomReport> room;
 
-    /// Why no path was found: only with kNotFound, and not for a path that did not pass its audit.
+    /// There is no path, and nothing was planned. Obstacles that are ignored in a contact zone, or may overlap the part, prove
+    /// nothing.
+    std::optional<ShutIn> shutIn;
+
+    /// Why no path was found: only with kNotFound, and neither with a proof nor for a path that did not pass its audit.
     std::optional<WhyNoPath> whyNoPath;
 
     double planningSeconds = 0;  ///< for running the planners
@@ -157,7 +173,7 @@ std::vector<std::string> unknownNames(const Problem& problem);
 /// The reach that plan() and checkPath() need of an environment's model: all positions within the problem's
 /// bounds, and distances up to the problem's largest margin plus the step (as plan() chooses it) or, where
 /// that is more, the largest clearance that an objective distinguishes, plus the part's diameter. Nothing
-/// when clearances of any size decide what is found (the sampler max_clearance). environmentBox: the box of
+/// when clearances of any size decide what is found (the sampler max_clearance, the objective max_min_clearance). environmentBox: the box of
 /// the whole environment. Throws std::invalid_argument as boundsOf does.
 std::optional<Reach> planningReach(const Problem& problem, const PlanOptions& options, const Model& part,
                                    const Box& environmentBox);

@@ -34,7 +34,7 @@ struct PlanSetup {
 };
 
 /// Makes the space, checkers, validators and planners for a problem, and fills in the report's settings and
-/// warnings. isOver: called within the planners' certified motions; true leaves a motion undecided.
+/// warnings. isOver: called within the planners' motions; true leaves a certified motion undecided and makes one in steps invalid.
 /// beforePlanners: may replace the checker, validator or objective before the planners see them. Throws
 /// std::invalid_argument as plan() does.
 PlanSetup makePlanSetup(const Problem& problem, const Scene& scene, const PlanOptions& options,

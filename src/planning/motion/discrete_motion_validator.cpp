@@ -3,6 +3,7 @@
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 #include "planning/validity/ompl_states.h"
 #include "planning/validity/posed_scene.h"
@@ -15,14 +16,6 @@ namespace ob = ompl::base;
 /// More checks than this would take days, so that the motion counts as one that cannot be checked.
 constexpr double kMostParts = 1 << 30;
 
-/// The state at i/n. The far end is s2 itself, which OMPL's interpolation may miss.
-const ob::State* stateAt(const ob::SpaceInformation& si, const ob::State* s1, const ob::State* s2, double t,
-                         const ScratchState& scratch) {
-    if (t >= 1) return s2;
-    si.getStateSpace()->interpolate(s1, s2, t, scratch.get());
-    return scratch.get();
-}
-
 double fraction(std::uint64_t i, std::uint64_t n) {
     return static_cast<double>(i) / static_cast<double>(n);
 }
@@ -30,12 +23,16 @@ double fraction(std::uint64_t i, std::uint64_t n) {
 }  // namespace
 
 DiscreteMotionValidator::DiscreteMotionValidator(const ob::SpaceInformationPtr& si, const Model& part,
-                                                 double step)
-    : DiscreteMotionValidator(si, displacementBound(spaceOf(si), part.radiusAboutOrigin()), step) {}
+                                                 double step, std::function<bool()> isStopped)
+    : DiscreteMotionValidator(si, displacementBound(spaceOf(si), part.radiusAboutOrigin()), step,
+                              std::move(isStopped)) {}
 
 DiscreteMotionValidator::DiscreteMotionValidator(const ob::SpaceInformationPtr& si, DisplacementBound bound,
-                                                 double step)
-    : MotionValidator(si), posed_(std::make_shared<const PosedScene>(si, std::move(bound))), step_(step) {
+                                                 double step, std::function<bool()> isStopped)
+    : MotionValidator(si),
+      posed_(std::make_shared<const PosedScene>(si, std::move(bound))),
+      step_(step),
+      isStopped_(std::move(isStopped)) {
     if (!(step > 0) || !std::isfinite(step)) {
         std::ostringstream message;
         message << "step is " << step << ", expected a finite length above 0";
@@ -76,7 +73,7 @@ bool DiscreteMotionValidator::isMotionValid(const ob::State* s1, const ob::State
     while (stride < n) stride *= 2;
     for (stride /= 2; stride >= 1; stride /= 2) {
         for (std::uint64_t i = stride; i < n; i += 2 * stride) {
-            if (!si_->isValid(stateAt(*si_, s1, s2, fraction(i, n), scratch))) return false;
+            if (!isPartValid(s1, s2, i, n, scratch.get())) return false;
         }
     }
     return isStartValid(s1);
@@ -87,9 +84,17 @@ double DiscreteMotionValidator::lastValidTime(const ob::State* s1, const ob::Sta
     if (!isStartValid(s1) || n == 0) return 0;
     const ScratchState scratch(*si_);
     for (std::uint64_t i = 1; i <= n; ++i) {
-        if (!si_->isValid(stateAt(*si_, s1, s2, fraction(i, n), scratch))) return fraction(i - 1, n);
+        if (!isPartValid(s1, s2, i, n, scratch.get())) return fraction(i - 1, n);
     }
     return 1;
+}
+
+/// Whether the state at i/n is valid. The far end is s2 itself, which OMPL's interpolation may miss.
+bool DiscreteMotionValidator::isPartValid(const ob::State* s1, const ob::State* s2, std::uint64_t i,
+                                          std::uint64_t n, ob::State* scratch) const {
+    if (isStopped_ && isStopped_()) return false;
+    if (i < n) si_->getStateSpace()->interpolate(s1, s2, fraction(i, n), scratch);
+    return si_->isValid(i < n ? scratch : s2);
 }
 
 bool DiscreteMotionValidator::isStartValid(const ob::State* s1) const {

@@ -207,7 +207,8 @@ MinClearanceObjective::MinClearanceObjective(const ob::SpaceInformationPtr& si, 
 
 void MinClearanceObjective::setCap(const MinClearanceOptions& options) {
     description_ = "Least clearance";
-    cap_ = std::min(lengthOr(options.cap, 1, scene().part, "cap"), motions_->mostClearance());
+    cap_ = motions_->mostClearance();
+    if (options.cap) cap_ = std::min(cap_, lengthOr(options.cap, 1, scene().part, "cap"));
     setCostThreshold(ob::Cost(cap_));
     setCostToGoHeuristic([cap = cap_](const ob::State*, const ob::Goal*) { return ob::Cost(cap); });
 }

@@ -4,6 +4,7 @@
 #include <ompl/base/objectives/PathLengthOptimizationObjective.h>
 
 #include <boost/algorithm/string/predicate.hpp>
+#include <limits>
 #include <memory>
 #include <stdexcept>
 
@@ -45,6 +46,10 @@ double diagonal(const ObjectiveChoice&, const Model& part) {
     return part.box().diagonal().norm();
 }
 
+double unbounded(const ObjectiveChoice&, const Model&) {
+    return std::numeric_limits<double>::infinity();
+}
+
 double wanted(const ObjectiveChoice& choice, const Model& part) {
     return wantedClearance(wantedOf(choice), part);
 }
@@ -58,7 +63,7 @@ struct NamedObjective {
 
 constexpr NamedObjective kObjectives[] = {
     {"length", make<ob::PathLengthOptimizationObjective>, none},
-    {"max_min_clearance", makeInScene<MinClearanceObjective>, diagonal},
+    {"max_min_clearance", makeInScene<MinClearanceObjective>, unbounded},
     {"clearance_integral", makeInScene<ClearanceIntegralObjective>, diagonal},
     {"length_with_clearance", makeWanted, wanted},
     {"mechanical_work", make<ob::MechanicalWorkOptimizationObjective>, none},

@@ -17,9 +17,13 @@ namespace og = ompl::geometric;
 
 constexpr double kAccuracy = 0.01;  ///< of clearances, as a share
 
-bool passesSteps(const PlanSetup& setup, const og::PathGeometric& path) {
+/// The planners' own validator refuses every motion once their time is over.
+bool passesSteps(const PlanSetup& setup, const og::PathGeometric& path,
+                 const std::function<bool()>& isSpent) {
+    const DiscreteMotionValidator validator(setup.si, setup.truth->scene().part, setup.discrete->step(),
+                                            isSpent);
     for (unsigned int i = 1; i < path.getStateCount(); ++i) {
-        if (!setup.discrete->checkMotion(path.getState(i - 1), path.getState(i))) return false;
+        if (!validator.checkMotion(path.getState(i - 1), path.getState(i))) return false;
     }
     return true;
 }
@@ -31,7 +35,7 @@ PathAudit shortenBySteps(const PlanSetup& setup, og::PathGeometric& path,
     PathAudit found = audit(shorter, *setup.auditor);
     if (!found.isValid()) {
         PathAudit own = audit(path, *setup.auditor);
-        if (own.isValid() || !passesSteps(setup, shorter)) return own;
+        if (own.isValid() || !passesSteps(setup, shorter, isSpent)) return own;
     }
     path = shorter;
     return found;

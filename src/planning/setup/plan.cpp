@@ -4,14 +4,17 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <optional>
 #include <sstream>
+#include <utility>
 
 #include "clearway/planning/finish.h"
 #include "clearway/planning/ompl_messages.h"
 #include "clearway/planning/plan_setup.h"
 #include "clearway/planning/planners.h"
 #include "core/clock.h"
+#include "core/watch.h"
 #include "planning/setup/problem_settings.h"
 #include "planning/setup/room.h"
 #include "planning/validity/ompl_states.h"
@@ -46,13 +49,14 @@ constexpr double kMostAsking = 1;
 /// Decides when the planner has to end. Some planners ask from several threads.
 class Budget {
   public:
-    explicit Budget(const PlanOptions& options) : options_(options) {}
+    explicit Budget(const PlanOptions& options)
+        : options_(options),
+          limit_(options.iterations ? std::nullopt
+                                    : std::optional(options.seconds.value_or(kDefaultSeconds))),
+          seconds_(limit_) {}
 
-    void begin(bool isImproving) {
-        begin_ = Clock::now();
-        if (options_.iterations) return;
-        seconds_ = options_.seconds.value_or(kDefaultSeconds);
-        planningSeconds_ = (isImproving ? kImprovingShare : 1) * *seconds_;
+    void beginPlanning(bool isImproving) {
+        if (limit_) planningSeconds_ = (isImproving ? kImprovingShare : 1) * *limit_;
     }
 
     void beginRoom() {
@@ -77,6 +81,8 @@ class Budget {
     }
 
     void end() { isEnded_ = true; }
+    /// Whether all has to end, whatever the phase. Any thread may ask.
+    bool isDue() const { return isStopped() || isOver(limit_); }
     bool isPlanningOver() const { return isEnded_ || isStopped() || isOver(planningSeconds_); }
     bool isStopped() const { return options_.isStopped && options_.isStopped(); }
     bool isRoomDue() const { return isOver(roomDueSeconds_); }
@@ -92,7 +98,8 @@ class Budget {
     }
 
     const PlanOptions& options_;
-    Clock::time_point begin_;
+    const Clock::time_point begin_ = Clock::now();
+    const std::optional<double> limit_;
     std::optional<double> seconds_, planningSeconds_, roomDueSeconds_, roomSeconds_;
     std::atomic<std::uint64_t> asked_{0};
     std::atomic<bool> isEnded_{false};
@@ -142,6 +149,19 @@ double widen(const PlanSetup& setup, Budget& budget, og::PathGeometric& path, Pl
     return report.room->after;
 }
 
+/// Takes the audited path into the report, unless it must be valid and is not.
+void take(const PlanSetup& setup, const Problem& problem, const og::PathGeometric& path, PlanReport& report) {
+    if (report.isCertified && !report.audit.isValid()) {
+        report.warnings.push_back("the planner's path did not pass its audit; it counts as none");
+        return;
+    }
+    if (!report.audit.isValid()) report.warnings.push_back(doubtOf(report.audit));
+    describe(problem, path, report);
+    const ob::OptimizationObjectivePtr& objective = setup.definition->getOptimizationObjective();
+    if (objective) report.cost = path.cost(objective).value();
+    report.outcome = PlanReport::Outcome::kFound;
+}
+
 void describeSolution(const PlanSetup& setup, const Problem& problem, const PlanOptions& options,
                       Budget& budget, PlanReport& report) {
     const ob::PlannerSolution solution = solutionOf(setup);
@@ -156,15 +176,7 @@ void describeSolution(const PlanSetup& setup, const Problem& problem, const Plan
     report.audit = finish(
         setup, path, [&] { return budget.isOutOfTime(); }, kept);
     if (cutOutside(setup, path)) report.audit = audit(path, *setup.auditor);
-    if (report.isCertified && !report.audit.isValid()) {
-        report.warnings.push_back("the planner's path did not pass its audit; it counts as none");
-    } else {
-        if (!report.audit.isValid()) report.warnings.push_back(doubtOf(report.audit));
-        describe(problem, path, report);
-        const ob::OptimizationObjectivePtr& objective = setup.definition->getOptimizationObjective();
-        if (objective) report.cost = path.cost(objective).value();
-        report.outcome = PlanReport::Outcome::kFound;
-    }
+    take(setup, problem, path, report);
 }
 
 /// When the planners' trees turn out to be a path together, adds it to the solutions and returns true. Otherwise tells
@@ -199,6 +211,34 @@ std::uint64_t checksOf(const PlanSetup& setup) {
     return checks + setup.auditor->counters().queries;
 }
 
+/// Fills in how planning ended, in all.
+void conclude(const PlanSetup& setup, const Budget& budget, const OmplMessages& messages,
+              PlanReport& report) {
+    report.isStopped = budget.isStopped();
+    if (report.isStopped && report.outcome == PlanReport::Outcome::kNotFound) {
+        report.outcome = PlanReport::Outcome::kStopped;
+    }
+    report.checks = checksOf(setup) + report.audit.queries;
+    for (const std::string& warning : messages.warnings()) report.warnings.push_back("OMPL: " + warning);
+}
+
+/// Takes the planners' best path so far into the report, if there is one. Returns false when isEnded() during the audit.
+bool takeBest(const PlanSetup& setup, const Problem& problem, const std::function<bool()>& isEnded,
+              PlanReport& report) {
+    if (!setup.definition->hasExactSolution()) return true;
+    const ob::PlannerSolution solution = solutionOf(setup);
+    const og::PathGeometric path = pathOf(setup, solution);
+    report.foundBy = solution.plannerName_;
+    report.statesBefore = path.getStateCount();
+    try {
+        report.audit = audit(path, *setup.auditor, {false, isEnded});
+    } catch (const AuditStopped&) {
+        return false;
+    }
+    take(setup, problem, path, report);
+    return true;
+}
+
 }  // namespace
 
 PlanReport plan(const Problem& problem, const Scene& scene, const PlanOptions& options) {
@@ -208,10 +248,25 @@ PlanReport plan(const Problem& problem, const Scene& scene, const PlanOptions& o
     const PlanSetup setup =
         makePlanSetup(problem, scene, options, report, [&] { return budget.isPlanningOver(); });
     report.isCertified = setup.certified != nullptr;
+    std::optional<Pose> goal;
+    if (!problem.outside) goal = poseOf(problem.goal);
+    report.shutIn = provedShutIn(scene, poseOf(problem.start), goal);
+    if (report.shutIn) return report;
 
-    tellPhase(PlanPhase::kPlanning, options);
     const Clock::time_point begin = Clock::now();
-    budget.begin(!report.objective.empty());
+    budget.beginPlanning(!report.objective.empty());
+    std::optional<Watch> watch;
+    if (options.onOverrun) {
+        const auto tell = [&, begun = report](const Watch::IsEnded& isEnded) {
+            PlanReport soFar = begun;
+            soFar.planningSeconds = secondsSince(begin);
+            if (!takeBest(setup, problem, isEnded, soFar)) return;
+            conclude(setup, budget, messages, soFar);
+            options.onOverrun(soFar);
+        };
+        watch.emplace([&] { return budget.isDue(); }, kMostOverrun, tell);
+    }
+    tellPhase(PlanPhase::kPlanning, options);
     const ob::PlannerTerminationCondition isSpent([&] { return budget.spendIteration(); });
     solveSideBySide(setup.planners, isSpent, [&] { budget.end(); });
     report.planningSeconds = secondsSince(begin);
@@ -220,13 +275,9 @@ PlanReport plan(const Problem& problem, const Scene& scene, const PlanOptions& o
     const bool isFound = setup.definition->hasExactSolution() ||
                          (!budget.isStopped() && joinOrTellWhy(setup, problem, options, report));
     if (isFound) describeSolution(setup, problem, options, budget, report);
-    report.isStopped = budget.isStopped();
-    if (report.isStopped && report.outcome == PlanReport::Outcome::kNotFound) {
-        report.outcome = PlanReport::Outcome::kStopped;
-    }
+    watch.reset();
     report.finishingSeconds = secondsSince(planned);
-    report.checks = checksOf(setup) + report.audit.queries;
-    for (const std::string& warning : messages.warnings()) report.warnings.push_back("OMPL: " + warning);
+    conclude(setup, budget, messages, report);
     return report;
 }
 
@@ -238,6 +289,7 @@ std::optional<Reach> planningReach(const Problem& problem, const PlanOptions& op
     const double radius = part.radiusAboutOrigin();
     const auto objective = chooseObjective(problem, options);
     const double clearance = objective ? largestClearance(*objective, part) : 0;
+    if (std::isinf(clearance)) return std::nullopt;
     const double told = std::max(stepOf(problem, options, part), clearance);
     const double cap = largestMargin(problem) + told + 2 * radius;
     return Reach{Box(bounds.min() - slack, bounds.max() + slack), radius, cap};

@@ -1,5 +1,6 @@
 #include "clearway/planning/plan_setup.h"
 
+#include <ompl/geometric/planners/AnytimePathShortening.h>
 #include <ompl/util/RandomNumbers.h>
 
 #include <algorithm>
@@ -21,16 +22,17 @@ namespace clearway::planning {
 namespace {
 
 namespace ob = ompl::base;
+namespace og = ompl::geometric;
 
 constexpr const char* kDefaultPlanner = "PlannerTeam";
-/// The planners that AnytimePathShortening runs side by side.
+/// The planners that AnytimePathShortening runs side by side, and with them the default planner, which finds ways where OMPL's
+/// own do not.
 constexpr const char* kShortenedPlanners[] = {"RRTConnect", "RRT"};
-/// With an objective of clearance the defaults are anytime planners that find paths through tight places,
-/// where RRTstar and PRMstar find none in their time (bench/anytime_clearance). With iterations the default
-/// is RRTstar, because it is repeatable.
+/// With an objective the defaults are anytime planners that find paths through tight places, where RRTstar and PRMstar find
+/// none in their time (bench/anytime_clearance). With iterations the default is RRTstar, because it is repeatable.
 constexpr const char* kLeastClearancePlanner = "RisingFloor";
-constexpr const char* kClearancePlanner = "AnytimePathShortening";
-constexpr const char* kRepeatableClearancePlanner = "RRTstar";
+constexpr const char* kImprovingPlanner = "AnytimePathShortening";
+constexpr const char* kRepeatableImprovingPlanner = "RRTstar";
 constexpr std::size_t kMostThreads = 4;  ///< unless more are asked for
 constexpr double kMostRefinement = 8;    ///< by which the step is divided for a tight start or goal
 /// The longest edge of a planner's tree: in steps where a step is given, because the step says how fine the
@@ -52,6 +54,11 @@ void requireOptions(const Problem& problem, const PlanOptions& options) {
     if (options.quick && (options.step || !options.objective.empty())) {
         throw RefusedOption(std::string("both quick and ") + (options.step ? "a step" : "an objective") +
                             " are given, expected one of them");
+    }
+    const auto objective = chooseObjective(problem, options);
+    if (options.wantedClearance && !(objective && objective->name == kLengthWithClearance)) {
+        throw RefusedOption("a wanted clearance is given, and the objective is " +
+                            (objective ? objective->name : "length") + ", expected " + kLengthWithClearance);
     }
     if (options.seed == 0) throw RefusedOption("seed is 0, expected a whole number above 0");
     if (options.seconds && options.iterations) {
@@ -88,24 +95,21 @@ std::size_t planCount(const PlanOptions& options) {
     return std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, kMostThreads);
 }
 
-/// The planner for an objective of clearance, unless one is named. Null for other objectives.
-const char* clearancePlanner(const std::optional<ObjectiveChoice>& objective, const PlanOptions& options,
-                             const Model& part) {
-    if (!asksForClearance(objective, part)) return nullptr;
-    if (options.iterations) return kRepeatableClearancePlanner;
-    return objective->name == "max_min_clearance" ? kLeastClearancePlanner : kClearancePlanner;
+/// The planner unless one is named.
+const char* defaultPlanner(const std::optional<ObjectiveChoice>& objective, const PlanOptions& options) {
+    if (!objective) return kDefaultPlanner;
+    if (options.iterations) return kRepeatableImprovingPlanner;
+    return objective->name == kLeastClearance ? kLeastClearancePlanner : kImprovingPlanner;
 }
 
 /// The planners to run side by side.
 std::vector<std::string> choosePlanners(const Problem& problem, const PlanOptions& options,
-                                        const char* clearancePlanner) {
-    std::string name = kDefaultPlanner;
+                                        const std::optional<ObjectiveChoice>& objective) {
+    std::string name = defaultPlanner(objective, options);
     if (!options.planner.empty()) {
         name = plannerClassName(options.planner);
     } else if (problem.planners.size() == 1) {
         name = plannerClassName(problem.planners[0].name);
-    } else if (clearancePlanner != nullptr) {
-        name = clearancePlanner;
     }
     const bool hasThreads = name == kDefaultPlanner || !isRepeatable(name);
     return std::vector<std::string>(hasThreads ? 1 : planCount(options), name);
@@ -175,11 +179,11 @@ void setGuard(PlanReport& report, double spare, const std::string& unit) {
 
 /// Lets motions be checked at states a step apart.
 void useSteps(PlanSetup& setup, const Scene& scene, const PlanOptions& options, double spare,
-              PlanReport& report) {
+              const std::function<bool()>& isOver, PlanReport& report) {
     report.step = *options.step;
     setGuard(report, spare, scene.unit);
     setup.checker = makeChecker(setup.si, scene, report.guard * (1 + 1e-6));
-    setup.discrete = std::make_shared<DiscreteMotionValidator>(setup.si, scene.part, report.step);
+    setup.discrete = std::make_shared<DiscreteMotionValidator>(setup.si, scene.part, report.step, isOver);
     setup.si->setMotionValidator(setup.discrete);
 }
 
@@ -237,12 +241,22 @@ bool hasSeveralThreads(ob::Planner& planner) {
     return hasParameter(planner, "threads") && planner.params()["threads"].getValue() != "1";
 }
 
+/// The default planner as one that AnytimePathShortening runs again and again, beside its own.
+void addDefaultPlanner(og::AnytimePathShortening& shortening, const PlanReport& report) {
+    ob::PlannerPtr planner = makePlanner(shortening.getSpaceInformation(), kDefaultPlanner);
+    setParameter(*planner, "range", formatNumber(report.range));
+    setParameter(*planner, "threads", "1");
+    shortening.addPlanner(planner);
+}
+
 ob::PlannerPtr setUpPlanner(const PlanSetup& setup, const std::string& name, const Problem& problem,
                             const PlanOptions& options, PlanReport& report) {
     const ob::PlannerPtr planner = makePlanner(setup.si, name);
     if (hasParameter(*planner, "range")) setParameter(*planner, "range", formatNumber(report.range));
     if (hasParameter(*planner, "planners"))
         setParameter(*planner, "planners", innerPlanners(options, report));
+    if (auto* shortening = dynamic_cast<og::AnytimePathShortening*>(planner.get()))
+        addDefaultPlanner(*shortening, report);
     if (hasParameter(*planner, "threads")) setParameter(*planner, "threads", std::to_string(report.threads));
     setFileParameters(*planner, name, problem);
     setGivenParameters(*planner, options);
@@ -259,7 +273,7 @@ PlanSetup makePlanSetup(const Problem& stated, const Scene& scene, const PlanOpt
     requireOptions(stated, options);
     warnOfNames(stated, report.warnings);
     const std::optional<ObjectiveChoice> objective = chooseObjective(stated, options);
-    report.planners = choosePlanners(stated, options, clearancePlanner(objective, options, scene.part));
+    report.planners = choosePlanners(stated, options, objective);
     const Problem problem = problemFor(report.planners[0], stated);
     report.threads = static_cast<unsigned int>(planCount(options));
     report.isRepeatable = options.iterations && isRepeatable(report.planners[0]);
@@ -282,7 +296,7 @@ PlanSetup makePlanSetup(const Problem& stated, const Scene& scene, const PlanOpt
     const double leastSpare =
         problem.outside ? startSpare : std::min(startSpare, spare(problem.goal, "goal"));
     if (options.step) {
-        useSteps(setup, scene, options, leastSpare, report);
+        useSteps(setup, scene, options, leastSpare, isOver, report);
     } else {
         useCertified(setup, scene, leastSpare, isOver, report);
     }
@@ -292,7 +306,7 @@ PlanSetup makePlanSetup(const Problem& stated, const Scene& scene, const PlanOpt
     setup.definition = defineProblem(setup, problem, scene, report.warnings);
     if (objective) {
         setup.definition->setOptimizationObjective(
-            makePlanObjective(setup.si, scene, *objective, problem.objectiveThreshold, leastSpare));
+            makePlanObjective(*setup.definition, scene, *objective, problem, leastSpare));
     }
     if (beforePlanners) beforePlanners(setup);
     applySettings(*setup.si, problem, report.warnings);

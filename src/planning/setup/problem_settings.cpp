@@ -6,7 +6,9 @@
 #include <ompl/base/samplers/ObstacleBasedValidStateSampler.h>
 #include <ompl/base/samplers/UniformValidStateSampler.h>
 
+#include <ompl/base/goals/GoalState.h>
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <set>
 #include <stdexcept>
@@ -32,13 +34,42 @@ namespace ob = ompl::base;
 
 constexpr double kDefaultStepPerDiagonal = 1.0 / 500;
 
-constexpr const char* kLength = "length";
+/// The least clearance, capped by that of the ends. The best path is found when the cost is as close to it as costs are to
+/// clearances.
+ob::OptimizationObjectivePtr leastClearance(const ob::SpaceInformationPtr& si, const Scene& scene,
+                                            double clearanceOfEnds) {
+    MinClearanceOptions options;
+    if (clearanceOfEnds > 0 && std::isfinite(clearanceOfEnds)) options.cap = clearanceOfEnds;
+    const auto objective = std::make_shared<MinClearanceObjective>(si, scene, options);
+    const double most = objective->cap();
+    const double slack =
+        std::isfinite(most) ? 1.01 * usualResolution(scene, defaultLeastInterval(scene)).of(most) : 0;
+    objective->setCostThreshold(ob::Cost(most - slack));
+    return objective;
+}
 
-/// The least cost that the best path can be given: the resolution of costs below its clearance.
-double attainable(const MinClearanceObjective& objective, double clearanceOfEnds) {
-    const Scene& scene = objective.scene();
-    const double best = std::min(clearanceOfEnds, objective.cap());
-    return best - 1.01 * usualResolution(scene, defaultLeastInterval(scene)).of(best);
+/// What no path can be better than: the way straight to the goal, or no cost where the goal is not one state.
+ob::Cost boundOf(const ob::OptimizationObjective& objective, const ob::ProblemDefinition& definition) {
+    if (const auto* least = dynamic_cast<const MinClearanceObjective*>(&objective))
+        return ob::Cost(least->cap());
+    const auto* goal = dynamic_cast<const ob::GoalState*>(definition.getGoal().get());
+    if (goal == nullptr) return objective.identityCost();
+    return objective.motionCostHeuristic(definition.getStartState(0), goal->getState());
+}
+
+/// OMPL's threshold 0 of a length is met by no path, and asks planners to go on to the end of their time.
+void useThreshold(ob::OptimizationObjective& objective, const Problem& problem,
+                  const ob::ProblemDefinition& definition, const std::string& unit) {
+    const ob::Cost threshold(*problem.objectiveThreshold), bound = boundOf(objective, definition);
+    if (threshold.value() != 0 && objective.isCostBetterThan(threshold, bound)) {
+        throw std::invalid_argument(problem.file + ": objective.threshold is " +
+                                    shortNumber(threshold.value()) +
+                                    ", which no path meets: " + problem.objective + " is at best " +
+                                    withUnit(roundedNumber(bound.value()), unit) + " between start and goal");
+    }
+    const bool isLeast = dynamic_cast<const MinClearanceObjective*>(&objective) != nullptr;
+    if (!isLeast || threshold.value() < objective.getCostThreshold().value())
+        objective.setCostThreshold(threshold);
 }
 
 template <class Sampler>
@@ -219,24 +250,20 @@ std::optional<ObjectiveChoice> chooseObjective(const Problem& problem, const Pla
     } catch (const std::invalid_argument&) {
         return std::nullopt;
     }
-    if (name == kLength && !problem.objectiveThreshold) return std::nullopt;
+    if (name == "length" && !problem.objectiveThreshold) return std::nullopt;
     return ObjectiveChoice{name, options.wantedClearance};
 }
 
-bool asksForClearance(const std::optional<ObjectiveChoice>& choice, const Model& part) {
-    return choice && largestClearance(*choice, part) > 0;
-}
-
-ob::OptimizationObjectivePtr makePlanObjective(const ob::SpaceInformationPtr& si, const Scene& scene,
-                                               const ObjectiveChoice& choice,
-                                               const std::optional<double>& threshold,
+ob::OptimizationObjectivePtr makePlanObjective(const ob::ProblemDefinition& definition, const Scene& scene,
+                                               const ObjectiveChoice& choice, const Problem& problem,
                                                double clearanceOfEnds) {
-    const ob::OptimizationObjectivePtr objective = makeObjective(si, scene, choice);
-    const auto* least = dynamic_cast<const MinClearanceObjective*>(objective.get());
-    if (least != nullptr) objective->setCostThreshold(ob::Cost(attainable(*least, clearanceOfEnds)));
-    if (threshold && (least == nullptr || *threshold < objective->getCostThreshold().value())) {
-        objective->setCostThreshold(ob::Cost(*threshold));
-    }
+    const ob::SpaceInformationPtr& si = definition.getSpaceInformation();
+    const ob::OptimizationObjectivePtr objective = choice.name == kLeastClearance
+                                                       ? leastClearance(si, scene, clearanceOfEnds)
+                                                       : makeObjective(si, scene, choice);
+    const auto own = chooseObjective(problem, {});
+    if (problem.objectiveThreshold && own && own->name == choice.name)
+        useThreshold(*objective, problem, definition, scene.unit);
     return objective;
 }
 

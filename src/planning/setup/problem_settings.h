@@ -1,6 +1,7 @@
 // Applies the wishes of a problem and of the options of plan(): OMPL's settings, sampler, step and objective.
 #pragma once
 
+#include <ompl/base/ProblemDefinition.h>
 #include <ompl/base/SpaceInformation.h>
 #include <ompl/base/ValidStateSampler.h>
 
@@ -15,6 +16,9 @@
 #include "clearway/problem.h"
 
 namespace clearway::planning {
+
+constexpr const char* kLeastClearance = "max_min_clearance";  // of objectiveNames()
+constexpr const char* kLengthWithClearance = "length_with_clearance";
 
 /// The problem as it is for one planner (OMPL's class name): the problem's first choice of that planner may
 /// override the sampler, the objective's threshold and other settings.
@@ -56,15 +60,11 @@ void requireReachOf(const Scene& scene, const Box& bounds, double step);
 /// std::invalid_argument when the options name an unknown one.
 std::optional<ObjectiveChoice> chooseObjective(const Problem& problem, const PlanOptions& options);
 
-/// True when the choice depends on clearance.
-bool asksForClearance(const std::optional<ObjectiveChoice>& choice, const Model& part);
-
-/// Makes the objective. Its threshold is the problem's or, for the least clearance where that is less, the
-/// largest clearance that any path can have, which the tighter one of start and goal limits. Throws as
-/// makeObjective does.
-ompl::base::OptimizationObjectivePtr makePlanObjective(const ompl::base::SpaceInformationPtr& si,
+/// Makes the objective, for a definition that has start and goal. The least clearance is capped by that of the ends, which no
+/// path exceeds; it is the threshold, too. Where the choice is the problem's own objective, its threshold counts. Throws
+/// std::invalid_argument when no path can meet that threshold, with the bound, and as makeObjective does.
+ompl::base::OptimizationObjectivePtr makePlanObjective(const ompl::base::ProblemDefinition& definition,
                                                        const Scene& scene, const ObjectiveChoice& choice,
-                                                       const std::optional<double>& threshold,
-                                                       double clearanceOfEnds);
+                                                       const Problem& problem, double clearanceOfEnds);
 
 }  // namespace clearway::planning

@@ -34,6 +34,7 @@ Problem withoutObjective(Problem problem) {
 
 PlanOptions trialOptions(const ExplainOptions& options) {
     PlanOptions trial = options.plan;
+    trial.onOverrun = nullptr;  // a trial's path is not that of the problem
     if (!trial.objective.empty())
         trial.planner.clear();  // it may be a planner that never ends with a first path
     trial.objective.clear();

@@ -7,16 +7,18 @@
 namespace clearway::cli {
 
 /// Make one when the arguments are read, before the planning. Unless the file is replaced by then, or stays, the destructor sets
-/// it aside (setAside), however the run failed, and prints a row about it, or a warning when it cannot.
+/// it aside, however the run failed.
 class OldPath {
   public:
     explicit OldPath(std::string file) : file_(std::move(file)) {}
-    ~OldPath();
+    ~OldPath() { leave(); }
     OldPath(const OldPath&) = delete;
     OldPath& operator=(const OldPath&) = delete;
 
     void isReplaced() { file_.clear(); }
     void stays() { file_.clear(); }  ///< after wrong usage
+    /// Sets the file aside (setAside) and prints a row about it, or a warning when it cannot; once.
+    void leave();
 
   private:
     std::string file_;

@@ -10,12 +10,14 @@
 #include "clearway/planning/objectives.h"
 #include "clearway/planning/planners.h"
 #include "core/text.h"
+#include "core/watch.h"
 #include "program/cli/facts.h"
 #include "program/cli/old_path.h"
 #include "program/cli/path_outputs.h"
 #include "program/cli/print.h"
 #include "program/cli/print_audit.h"
 #include "program/cli/print_why_no_path.h"
+#include "program/cli/program.h"
 #include "program/cli/shared_options.h"
 #include "program/cli/swept_tolerance.h"
 
@@ -61,9 +63,11 @@ void addPlannerOptions(CommandLine& line, planning::PlanOptions& plan) {
     line.option("--wanted-clearance D",
                 "clearance that length_with_clearance keeps where it can (5 % of the part's diagonal)",
                 positive(plan.wantedClearance));
-    line.option("--time S",
-                "seconds in all (30); shortening takes at most as long as planning, or 5 s if that is more",
-                positive(plan.seconds));
+    line.option(
+        "--time S",
+        "seconds in all, once the files are loaded (30); shortening takes at most as long as planning, "
+        "or 5 s if that is more",
+        positive(plan.seconds));
     line.option("--iterations N", "planner iterations, in place of --time: repeatable, with the same seed",
                 integer<std::uint64_t>(plan.iterations, 1, INT64_MAX));
     line.exclude("--time", "--iterations");
@@ -147,6 +151,12 @@ Rows pathRows(const PlanReport& report) {
     return rows;
 }
 
+std::string proofOf(const ShutIn& shutIn) {
+    const std::string inside = shutIn.isStart ? "start" : "goal", outside = shutIn.isStart ? "goal" : "start";
+    return "the " + inside + " is inside '" + shutIn.obstacle + "', a closed surface, and the " + outside +
+           " is not";
+}
+
 /// A path that cannot be written after all is printed: the work is not lost.
 void writeOrPrint(const std::vector<PartState>& path, Space space, const std::string& file) {
     try {
@@ -201,14 +211,22 @@ void tellNearestUnwritten(const PlanArguments& given, const std::string& why) {
     if (!given.nearest.empty()) printRow("nearest", "not written: " + why);
 }
 
+/// Why nothing was asked of planners that found no path.
+std::string whyNotAsked(const PlanReport& report) {
+    if (report.shutIn) return "nothing was planned, because there is no path";
+    if (report.isStopped) return "planning was interrupted before there was a path";
+    return report.audit.segments.empty() ? "the planner did not end in time"
+                                         : "the planner's path did not pass its audit";
+}
+
 /// Without a path, the files that were asked for are about the nearest miss, or a row tells why they are not written.
 void writeMiss(const PlanArguments& given, const PlanReport& report, const Problem& problem,
                const Scene& scene, const Rows& figures) {
     PathOutputs outputs = given.outputs;
     if (!report.whyNoPath) {
-        const std::string why = report.isStopped ? "planning was interrupted before there was a path"
-                                                 : "the planner's path did not pass its audit";
+        const std::string why = whyNotAsked(report);
         tellNearestUnwritten(given, why);
+        if (given.explainSeconds) printRow("explained by", "nothing: " + why);
         return outputs.tellUnwritten(why);
     }
     const planning::NearestMiss& nearest = report.whyNoPath->nearest;
@@ -259,6 +277,9 @@ void tellFacts(const PlanArguments& given, const PlanReport& report, const Scene
     all["interrupted"] = report.isStopped;
     all["found"] = !report.path.empty();
     all["warnings"] = report.warnings;
+    if (report.shutIn)
+        all["proof"] = {{"shut_in", report.shutIn->isStart ? "start" : "goal"},
+                        {"obstacle", report.shutIn->obstacle}};
     if (report.path.empty()) return;
     all["found_by"] = report.foundBy;
     all["finishing_seconds"] = toJson(report.finishingSeconds);
@@ -284,21 +305,9 @@ bool writeOutputs(PathOutputs outputs, const Problem& problem, const Scene& scen
     return isWhole;
 }
 
-/// Plans, prints and writes. Tells oldPath when there is a new path.
-int planAndWrite(const PlanArguments& given, const Problem& problem, OldPath& oldPath) {
-    const Scene scene = given.trees.load(problem, given.plan);
-    if (given.explainSeconds) requireExplainable(scene);
-    const std::string tooFine = whySweptIsTooFine(given.outputs, scene, {problem.start});
-    if (!tooFine.empty()) throw planning::RefusedOption(tooFine);
-    PlanReport report;
-    try {
-        const ElapsedLine elapsed("planning");
-        report = planning::plan(problem, scene, given.plan);
-    } catch (const std::exception&) {  // the start or the goal is not valid, or an option is refused
-        tellNearestUnwritten(given, kRefused);
-        given.outputs.tellUnwritten(kRefused);
-        throw;
-    }
+/// Prints and writes what was found. Tells oldPath when there is a new path.
+int tellAndWrite(const PlanArguments& given, const Problem& problem, const Scene& scene, PlanReport& report,
+                 OldPath& oldPath) {
     printWarnings(problem.warnings);
     printWarnings(report.warnings);
     printMesh("part", scene.part);
@@ -314,9 +323,11 @@ int planAndWrite(const PlanArguments& given, const Problem& problem, OldPath& ol
         printPath(report, problem, scene, given.path);
         for (const auto& row : pathRows(report)) figures.push_back(row);
     } else {
-        printRow("path", report.isStopped       ? "none, interrupted"
+        printRow("path", report.shutIn          ? "none: there is none"
+                         : report.isStopped     ? "none, interrupted"
                          : given.explainSeconds ? "none found so far"
                                                 : "none found");
+        if (report.shutIn) printRow("proof", proofOf(*report.shutIn));
         if (report.whyNoPath) path = tellWhy(given, *report.whyNoPath, problem, scene);
         if (!path.empty()) {
             report.audit = printTrialPath(path, problem, scene, given.path);
@@ -335,6 +346,57 @@ int planAndWrite(const PlanArguments& given, const Problem& problem, OldPath& ol
         path.empty() || writeOutputs(given.outputs, problem, scene, path, report.audit, figures, overlaps);
     requirePrinted();
     return !path.empty() && isValid && isWhole ? kDone : kAnswerIsNo;
+}
+
+std::string overrunOf(const PlanReport& report) {
+    return joined(report.planners) + " did not end in time, and is ended with the program" +
+           (report.path.empty() ? "" : "; the path is neither widened nor shortened");
+}
+
+/// Plans, prints and writes.
+int planAndWrite(const PlanArguments& given, const Problem& problem, OldPath& oldPath) {
+    // Ends the program from another thread, where this one does not come to its end.
+    const auto end = [&](const std::function<int()>& tell) {
+        leaveProgram("clearway", [&] {
+            try {
+                const int code = tell();
+                return oldPath.leave(), code;
+            } catch (...) {
+                oldPath.leave();
+                throw;
+            }
+        });
+    };
+    const Scene scene = [&] {
+        const Watch watch(isInterrupted, planning::kMostOverrun,
+                          [&](const Watch::IsEnded&) { end(tellCutLoading); });
+        return given.trees.load(problem, given.plan);
+    }();
+    if (given.explainSeconds) requireExplainable(scene);
+    const std::string tooFine = whySweptIsTooFine(given.outputs, scene, {problem.start});
+    if (!tooFine.empty()) throw planning::RefusedOption(tooFine);
+    std::optional<ElapsedLine> elapsed;
+    planning::PlanOptions options = given.plan;
+    options.onOverrun = [&](const PlanReport& soFar) {
+        end([&] {
+            elapsed.reset();
+            PlanReport report = soFar;
+            report.warnings.push_back(overrunOf(report));
+            return tellAndWrite(given, problem, scene, report, oldPath);
+        });
+    };
+    elapsed.emplace("planning");
+    PlanReport report;
+    try {
+        report = planning::plan(problem, scene, options);
+    } catch (const std::exception&) {  // the start or the goal is not valid, or an option is refused
+        elapsed.reset();
+        tellNearestUnwritten(given, kRefused);
+        given.outputs.tellUnwritten(kRefused);
+        throw;
+    }
+    elapsed.reset();
+    return tellAndWrite(given, problem, scene, report, oldPath);
 }
 
 }  // namespace

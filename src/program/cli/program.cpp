@@ -1,7 +1,9 @@
 #include "program/cli/program.h"
 
 #include <csignal>
+#include <cstdlib>
 #include <exception>
+#include <functional>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
@@ -29,16 +31,10 @@ int finish(int code) {
     return code;
 }
 
-}  // namespace
-
-int runProgram(int argc, char** argv, const char* name, int (*run)(const Arguments& words)) {
-    // A closed pipe and a file that may not grow become errors to report, instead of ending the program.
-    std::signal(SIGPIPE, SIG_IGN);
-    std::signal(SIGXFSZ, SIG_IGN);
-    const Arguments words(argv + 1, argv + argc);
+/// Runs to the end. Turns what is thrown into a row or a line on stderr.
+int guarded(const char* name, const std::function<int()>& run) {
     try {
-        const bool isVersion = !words.empty() && words[0] == "--version";
-        return finish(isVersion ? printVersion(name) : run(words));
+        return finish(run());
     } catch (const ShrinkStopped& stopped) {
         printRow("interrupted", std::string(stopped.what()) + "; nothing is written");
         facts()["interrupted"] = true;
@@ -48,6 +44,29 @@ int runProgram(int argc, char** argv, const char* name, int (*run)(const Argumen
         std::cerr << name << ": " << oneLine(error.what()) << "\n";
         return kBadInput;
     }
+}
+
+}  // namespace
+
+int runProgram(int argc, char** argv, const char* name, int (*run)(const Arguments& words)) {
+    // A closed pipe and a file that may not grow become errors to report, instead of ending the program.
+    std::signal(SIGPIPE, SIG_IGN);
+    std::signal(SIGXFSZ, SIG_IGN);
+    const Arguments words(argv + 1, argv + argc);
+    const bool isVersion = !words.empty() && words[0] == "--version";
+    return guarded(name, [&] { return isVersion ? printVersion(name) : run(words); });
+}
+
+void leaveProgram(const char* name, const std::function<int()>& run) {
+    const int code = guarded(name, run);
+    std::cout.flush();
+    std::_Exit(code);
+}
+
+int tellCutLoading() {
+    printRow("interrupted", "while files were loaded; nothing is written");
+    facts()["interrupted"] = true;
+    return kAnswerIsNo;
 }
 
 }  // namespace clearway::cli

@@ -311,6 +311,21 @@ BOOST_AUTO_TEST_CASE(an_empty_bound_is_refused) {
     BOOST_CHECK_THROW(DiscreteMotionValidator(f.si, DisplacementBound(), 1), std::invalid_argument);
 }
 
+BOOST_AUTO_TEST_CASE(a_motion_that_is_stopped_counts_as_invalid) {
+    Fixture f(1e-5);
+    int left = 100;
+    const DiscreteMotionValidator stopped(f.si, displacementBound(*f.space, kRadius), 1e-5,
+                                          [&] { return --left < 0; });
+    const auto s1 = f.state({-900, 0, 0}), s2 = f.state({900, 0, 0});
+    BOOST_TEST(!stopped.checkMotion(s1.get(), s2.get()));
+    BOOST_TEST(f.spy->asked.size() <= 102u);
+    left = 100;
+    std::pair<ob::State*, double> lastValid(nullptr, 1);
+    BOOST_TEST(!stopped.checkMotion(s1.get(), s2.get(), lastValid));
+    BOOST_TEST(lastValid.second > 0);
+    BOOST_TEST(lastValid.second < 1e-3);
+}
+
 }  // namespace
 BOOST_AUTO_TEST_SUITE_END()
 

@@ -142,7 +142,9 @@ BOOST_AUTO_TEST_CASE(a_cost_holds_for_both_directions_where_ompl_leaves_out_smal
 BOOST_AUTO_TEST_CASE(clearance_beyond_the_cap_is_as_good_as_the_cap) {
     const Fixture f;
     const MinClearanceObjective objective(f.si, f.window.scene);
-    BOOST_TEST(objective.cap() == kDiagonal, boost::test_tools::tolerance(1e-12));
+    BOOST_TEST(objective.cap() == kInfinity);
+    const auto far = f.at({-95, 0, -30});
+    BOOST_TEST(objective.stateCost(far.get()).value() == 63, boost::test_tools::tolerance(1e-9));
     MinClearanceOptions options;
     options.cap = 5;
     const MinClearanceObjective capped(f.si, f.window.scene, options);
@@ -178,7 +180,9 @@ BOOST_AUTO_TEST_CASE(costs_combine_and_compare_as_ompls_own_bottleneck_does) {
 /// OMPL's default threshold of 0 would end every planner at its first path.
 BOOST_AUTO_TEST_CASE(only_a_threshold_or_the_cap_satisfies) {
     const Fixture f;
-    MinClearanceObjective objective(f.si, f.window.scene);
+    MinClearanceOptions options;
+    options.cap = 50;
+    MinClearanceObjective objective(f.si, f.window.scene, options);
     BOOST_TEST(!objective.isSatisfied(ob::Cost(0.9 * objective.cap())));
     BOOST_TEST(objective.isSatisfied(ob::Cost(objective.cap())));
     objective.setCostThreshold(ob::Cost(3));

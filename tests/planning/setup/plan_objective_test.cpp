@@ -151,6 +151,76 @@ BOOST_AUTO_TEST_CASE(objectives_are_known_by_name_in_any_case) {
     }
 }
 
+/// A cube of side 1 between walls that are 5 apart: clearance 2, more than the cube's diagonal.
+BOOST_AUTO_TEST_CASE(clearances_above_the_diagonal_of_the_part_count_too) {
+    const Model cube = Model::build(boxMesh({Vector3(-0.5, -0.5, -0.5), Vector3(0.5, 0.5, 0.5)}));
+    Scene scene(cube, Model::build(boxMesh({Vector3(-20, -9, 2.5), Vector3(20, 9, 3)})));
+    scene.obstacles.push_back({Model::build(boxMesh({Vector3(-20, -9, -3), Vector3(20, 9, -2.5)}))});
+    scene.obstacles.push_back({Model::build(boxMesh({Vector3(-1, -9, -2.5), Vector3(1, -1, 2.5)}))});
+    Problem problem;
+    problem.start.position = {-8, 0, 0};
+    problem.goal.position = {8, 0, 0};
+    problem.volume = Box(Vector3(-12, -8, -2), Vector3(12, 8, 2));
+    for (const std::uint32_t seed : {1, 2, 3}) {
+        PlanOptions options = withObjective("max_min_clearance", 3);
+        options.seed = seed;
+        const PlanReport report = found(problem, scene, options);
+        BOOST_TEST(report.audit.upperClearance <= 2 * (1 + 1e-9));
+        BOOST_TEST(report.audit.lowerClearance > 1.9, "seed " << seed);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(an_objective_is_improved_until_the_time_is_up_by_the_default_planner_too) {
+    const auto gates = gatesScene();
+    for (const std::string& name : objectiveNames()) {
+        const PlanReport report = plan(gates.problem, gates.scene, withObjective(name, 1.2));
+        BOOST_TEST(report.planners.at(0) != "PlannerTeam");
+        BOOST_TEST(report.planningSeconds > 0.85, name);
+    }
+}
+
+std::string refusalOf(const Problem& problem, const Scene& scene, const PlanOptions& options) {
+    try {
+        plan(problem, scene, options);
+    } catch (const std::invalid_argument& error) {
+        return error.what();
+    }
+    return "nothing";
+}
+
+BOOST_AUTO_TEST_CASE(a_threshold_that_no_path_meets_is_refused_with_the_bound) {
+    auto gates = gatesScene();
+    gates.problem.file = "gates.cfg";
+    gates.problem.objective = "max_min_clearance";
+    gates.problem.objectiveThreshold = 1000;
+    const std::string least = refusalOf(gates.problem, gates.scene, withObjective("", 1));
+    BOOST_TEST(
+        least.find("gates.cfg: objective.threshold is 1000, which no path meets: max_min_clearance is at "
+                   "best 38 between start and goal") == 0u,
+        least);
+    gates.problem.objective = "length";
+    gates.problem.objectiveThreshold = 100;
+    const std::string length = refusalOf(gates.problem, gates.scene, withObjective("", 1));
+    BOOST_TEST(length.find("length is at best 160 between") != std::string::npos, length);
+    BOOST_TEST(found(gates.problem, gates.scene, withObjective("max_min_clearance", 0.3)).cost > 0);
+    gates.problem.objectiveThreshold = 0;  // OMPL's word for none
+    BOOST_TEST(found(gates.problem, gates.scene, withObjective("", 0.3)).cost >= 160);
+}
+
+BOOST_AUTO_TEST_CASE(a_wanted_clearance_without_its_objective_is_refused) {
+    auto gates = gatesScene();
+    PlanOptions options = withObjective("max_min_clearance", 1);
+    options.wantedClearance = 1;
+    BOOST_TEST(refusalOf(gates.problem, gates.scene, options) ==
+               "a wanted clearance is given, and the objective is max_min_clearance, expected "
+               "length_with_clearance");
+    options.objective.clear();
+    BOOST_CHECK_THROW(plan(gates.problem, gates.scene, options), RefusedOption);
+    gates.problem.objective = "length_with_clearance";
+    options.seconds = 0.3;
+    BOOST_TEST(found(gates.problem, gates.scene, options).objective == "length_with_clearance");
+}
+
 }  // namespace
 BOOST_AUTO_TEST_SUITE_END()
 

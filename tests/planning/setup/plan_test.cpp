@@ -459,6 +459,63 @@ BOOST_AUTO_TEST_CASE(options_that_contradict_are_refused) {
         contains(refusal([&] { plan(window.problem, window.scene, withIterations(10, 0)); }), "seed is 0"));
 }
 
+/// The thread of plan() is held up after a path is found, and before one is.
+BOOST_AUTO_TEST_CASE(what_was_found_is_told_from_another_thread_when_planning_overruns) {
+    const auto window = windowScene();
+    for (const PlanPhase held : {PlanPhase::kMakingRoom, PlanPhase::kPlanning}) {
+        PlanOptions options;
+        options.planner = "RRTConnect";
+        options.seconds = 100;
+        std::atomic<bool> isStopped{false}, isTold{false};
+        options.isStopped = [&] { return isStopped.load(); };
+        options.onPhase = [&](PlanPhase phase) {
+            if (phase != held) return;
+            isStopped = true;
+            for (int i = 0; i < 6000 && !isTold; ++i)
+                std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        };
+        const std::thread::id caller = std::this_thread::get_id();
+        PlanReport soFar;
+        std::thread::id teller = caller;
+        options.onOverrun = [&](const PlanReport& report) {
+            soFar = report;
+            teller = std::this_thread::get_id();
+            isTold = true;
+        };
+        const PlanReport whole = plan(window.problem, window.scene, options);
+        BOOST_REQUIRE(isTold);
+        BOOST_TEST((teller != caller));
+        BOOST_TEST(soFar.isStopped);
+        const bool isFound = held == PlanPhase::kMakingRoom;
+        BOOST_TEST((soFar.outcome == (isFound ? Outcome::kFound : Outcome::kStopped)));
+        BOOST_TEST((whole.outcome == soFar.outcome));
+        if (!isFound) continue;
+        BOOST_TEST(soFar.audit.isValid());
+        BOOST_TEST(soFar.path.front().position == window.problem.start.position);
+        BOOST_TEST(soFar.path.back().position == window.problem.goal.position);
+        BOOST_TEST(soFar.foundBy == "RRTConnect");
+    }
+}
+
+BOOST_AUTO_TEST_CASE(planning_that_ends_in_time_tells_nothing_before) {
+    const auto window = windowScene();
+    PlanOptions options = withIterations(100000);
+    bool isTold = false;
+    options.onOverrun = [&](const PlanReport&) { isTold = true; };
+    BOOST_TEST((plan(window.problem, window.scene, options).outcome == Outcome::kFound));
+    BOOST_TEST(!isTold);
+}
+
+BOOST_AUTO_TEST_CASE(a_step_of_nearly_nothing_ends_in_time_too) {
+    const auto window = windowScene();
+    PlanOptions options;
+    options.planner = "RRTConnect";
+    options.step = 1e-11;
+    options.seconds = 1;
+    const double seconds = testing::processorSecondsOf([&] { plan(window.problem, window.scene, options); });
+    BOOST_TEST(seconds < 30);
+}
+
 }  // namespace
 BOOST_AUTO_TEST_SUITE_END()
 

@@ -1,4 +1,6 @@
+#include <chrono>
 #include <filesystem>
+#include <fstream>
 
 #include "clearway/problem.h"
 #include "program/cli/run_program.h"
@@ -100,8 +102,8 @@ BOOST_AUTO_TEST_CASE(an_objective_is_planned_for_and_its_cost_told) {
     Problem problem = folder.window.problem;
     problem.objectiveThreshold = 0.01;  // ends the planning, however busy the machine is
     folder.write(problem);
-    const Outcome outcome = runIn(
-        folder, "plan window.cfg --path out.path --time 100 --objective Min_Clearance --wanted-clearance 2");
+    const Outcome outcome =
+        runIn(folder, "plan window.cfg --path out.path --time 100 --objective Min_Clearance");
     BOOST_TEST(outcome.code == 0, outcome.err);
     const std::string objective = row(outcome, "objective"), least = row(outcome, "least clearance");
     BOOST_TEST(objective.rfind("max_min_clearance, cost ", 0) == 0, objective);
@@ -259,6 +261,41 @@ BOOST_AUTO_TEST_CASE(where_nothing_counts_there_is_nothing_to_keep_clear_of) {
     BOOST_TEST(row(runIn(folder, kPlan), "least clearance") == "nothing to keep clear of");
     BOOST_TEST(row(runIn(folder, "check window.cfg out.path"), "least clearance") ==
                "nothing to keep clear of");
+}
+
+/// OMPL's LazyPRMstar does not look at its end for minutes.
+BOOST_AUTO_TEST_CASE(a_planner_that_does_not_end_is_ended_with_the_program) {
+    const TemporaryFolder folder;
+    const std::string plan = "plan '" CLEARWAY_DATA_DIR
+                             "/puzzle/puzzle.cfg' --path out.path "
+                             "--planner LazyPRMstar --json facts.json ";
+    std::ofstream(folder.file("out.path")) << "of an earlier run\n";
+    const auto begin = std::chrono::steady_clock::now();
+    const Outcome outcome = runIn(folder, plan + "--time 1");
+    const Outcome interrupted = interruptIn(folder, plan + "--time 1000");
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    BOOST_TEST(seconds < 60);  // 7 on an idle machine
+    BOOST_TEST(outcome.code == 1);
+    BOOST_TEST(outcome.err.find("LazyPRMstar did not end in time") != std::string::npos, outcome.err);
+    BOOST_TEST(row(outcome, "path") == "none found");
+    BOOST_TEST(row(outcome, "old path").find("moved to ") == 0u);
+    BOOST_TEST(interrupted.code == 1);
+    BOOST_TEST(row(interrupted, "path") == "none, interrupted");
+    BOOST_TEST(readText(folder.file("facts.json")).find("\"interrupted\": true") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(a_proof_that_there_is_no_path_is_told_at_once) {
+    const WindowFolder folder;
+    Mesh shell = transformed(box({45, 40, 45}, 1), {Matrix3::Identity(), {-60, 0, 0}});
+    shell.components = {{"shell", 0, static_cast<std::uint32_t>(shell.triangles.size())}};
+    saveMesh(shell, folder.file("wall.obj"));
+    const Outcome outcome = runIn(folder, "plan window.cfg --path out.path --nearest miss.path --json -");
+    BOOST_TEST(outcome.code == 1, outcome.err);
+    BOOST_TEST(outcome.out.find("\"obstacle\": \"shell\"") != std::string::npos, outcome.out);
+    const Outcome told = runIn(folder, "plan window.cfg --path out.path --nearest miss.path");
+    BOOST_TEST(row(told, "path") == "none: there is none");
+    BOOST_TEST(row(told, "proof") == "the start is inside 'shell', a closed surface, and the goal is not");
+    BOOST_TEST(row(told, "nearest") == "not written: nothing was planned, because there is no path");
 }
 
 }  // namespace
