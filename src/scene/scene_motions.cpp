@@ -139,20 +139,30 @@ SceneSweep SceneClearance::sweep(const PartMotion& motion, const SceneSweepOptio
         if (isFirst || found.verdict == SweepVerdict::kContact) answer.verdict = found.verdict;
         answer.contactTime = std::min(answer.contactTime, found.contactTime);
         answer.certifiedUntil = std::min(answer.certifiedUntil, found.certifiedUntil);
-        return options.isForward
-                   ? answer.certifiedUntil > options.from
-                   : found.verdict == SweepVerdict::kUndecided;  // another one may be in contact
+        return options.isForward && answer.certifiedUntil > options.from;
     });
     return answer;
 }
 
-/// Where it cannot be told whether the part is free, it may collide later on.
+/// Where it cannot be told whether the part is free, it may collide later on, with any obstacle.
 void SceneClearance::lookBehind(const PartMotion& motion, SceneSweepOptions options,
                                 MotionAnswer& answer) const {
-    options.isForward = false;
-    options.from = answer.certifiedUntil;
+    Scratch& mine = scratch_->perThread.local();
+    SweepOptions asked;
+    asked.from = answer.certifiedUntil;
+    asked.leastInterval = options.leastInterval;
+    asked.poseError = options.poseError;
     double contactTime = std::numeric_limits<double>::infinity();
-    if (options.from < 1) contactTime = sweep(motion, options).contactTime;
+    for (std::size_t i = 0; i < scene_.obstacles.size() && asked.from < 1; ++i) {
+        const Obstacle& obstacle = scene_.obstacles[i];
+        asked.margin = obstacle.margin;
+        const SweepResult found =
+            clearway::sweep(scene_.partFor(obstacle), obstacle.model, piecesFor(i, motion, options.poseError),
+                            asked, mine.workspaces[i]);
+        ++tallyOfThisThread().sweeps;
+        tallyOfThisThread().work += found.counters;
+        if (found.verdict == SweepVerdict::kContact) contactTime = std::min(contactTime, found.contactTime);
+    }
     if (!isFree(motion.pieces(1, 1).middle)) contactTime = std::min(contactTime, 1.0);
     if (!std::isfinite(contactTime)) return;
     answer.verdict = SweepVerdict::kContact;

@@ -9,6 +9,7 @@
 #include <ompl/base/goals/GoalState.h>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <set>
 #include <stdexcept>
@@ -34,17 +35,18 @@ namespace ob = ompl::base;
 
 constexpr double kDefaultStepPerDiagonal = 1.0 / 500;
 
-/// The least clearance, capped by that of the ends. The best path is found when the cost is as close to it as costs are to
-/// clearances.
+/// The least clearance, capped by that of the ends or, where no obstacle is near, by any length. The best path is found when the
+/// cost is as close to it as costs are to clearances.
 ob::OptimizationObjectivePtr leastClearance(const ob::SpaceInformationPtr& si, const Scene& scene,
                                             double clearanceOfEnds) {
     MinClearanceOptions options;
-    if (clearanceOfEnds > 0 && std::isfinite(clearanceOfEnds)) options.cap = clearanceOfEnds;
+    options.cap = std::isfinite(clearanceOfEnds)
+                      ? std::max(clearanceOfEnds, std::numeric_limits<double>::min())
+                      : scene.part.box().diagonal().norm();
     const auto objective = std::make_shared<MinClearanceObjective>(si, scene, options);
     const double most = objective->cap();
-    const double slack =
-        std::isfinite(most) ? 1.01 * usualResolution(scene, defaultLeastInterval(scene)).of(most) : 0;
-    objective->setCostThreshold(ob::Cost(most - slack));
+    objective->setCostThreshold(
+        ob::Cost(most - 1.01 * usualResolution(scene, defaultLeastInterval(scene)).of(most)));
     return objective;
 }
 
