@@ -172,7 +172,7 @@ LeastDistance leastDistance(const Model& part, const Model& environment, const M
     request.resolution = resolution;
     const double reach = cappedByReach(environment, std::numeric_limits<double>::infinity());
     request.cap = std::min(options.cap, reach - options.margin - options.poseError);
-    request.known = nearAtEnds(part, environment, motion, options.margin, request.beyondCap(), workspace);
+    request.known = nearAtEnds(part, environment, motion, options.margin, request.cap, workspace);
     const SweepAnswer answer = answerTo(request, part, environment, motion, state);
 
     LeastDistance result;

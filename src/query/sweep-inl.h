@@ -60,9 +60,9 @@ class Sweep {
           answer_(answer),
           stop_(request.until),
           contactTime_(request.isContactAtEnd ? request.until : std::numeric_limits<double>::infinity()),
-          leastUpper_(std::fmin(request.known.clearance, request.beyondCap())),
+          leastUpper_(std::fmin(request.known.clearance, request.cap)),
           leastInterval_(request.leastInterval),
-          isReached_(request.known.clearance < request.beyondCap()) {
+          isReached_(request.known.clearance < request.cap) {
         answer_.nearest = request.known;
         endIfNear();
         if (!state.pieces) state.pieces = std::make_unique<PieceCache>();
@@ -141,7 +141,8 @@ class Sweep {
 
     /// kLeastDistance: what is certified where nothing is left open.
     double certified() const {
-        return isReached_ ? leastUpper_ - request_.resolution.of(leastUpper_) : request_.cap;
+        if (isReached_) return leastUpper_ - request_.resolution.of(leastUpper_);
+        return isNearCap_ ? request_.cap - request_.nearCap() : request_.cap;
     }
 
     /// For float, which proves no less than kLeastProved.
@@ -373,7 +374,10 @@ class Sweep {
     HWY_INLINE void reach(double upper, const TrianglesAt& triangles, const PreparedPiece& piece) {
         if (piece.counts != MotionPiece::Counts::kAtMiddle) return;
         const double clearance = upper / piece.query.perMeshUnit - request_.margin;
-        if (!(clearance < leastUpper_)) return;
+        if (!(clearance < leastUpper_)) {
+            isNearCap_ = isNearCap_ || clearance - request_.cap < request_.nearCap();
+            return;
+        }
         leastUpper_ = clearance;
         isReached_ = true;
         answer_.nearest = {clearance, TimeInterval{piece.key}.middle(), triangles};
@@ -448,7 +452,8 @@ class Sweep {
     double begunAt_ = 1;  ///< stop_ when the whole motion was put on the stack
     double openLower_ = std::numeric_limits<double>::infinity();  ///< kLeastDistance: of what was left open
     int steps_ = 1;   ///< to the next look at isStopped, which comes at once
-    bool isReached_;  ///< kLeastDistance: leastUpper_ is a distance found
+    bool isReached_;  ///< kLeastDistance: leastUpper_ is a distance found, not the cap
+    bool isNearCap_ = false;
     bool isDone_ = false;
 };
 

@@ -32,14 +32,14 @@ struct SweepRequest {
     bool isContactAtEnd = false;  ///< the pose at `until` is known to be in contact
     double contactTime = 0;       ///< kForward
     double cap = 0;               ///< kLeastDistance: larger distances less the margin do not matter
-    PairAtTime known{};           ///< kLeastDistance: a pair with less than beyondCap()
+    PairAtTime known{};           ///< kLeastDistance: a pair with less than the cap
     ClearanceResolution resolution{};
     const std::function<bool()>* isStopped = nullptr;
     std::size_t mostEntries = 0;
 
-    /// Pairs that are farther than the cap, but not by the resolution, are taken as found, too. Of a motion that keeps the cap
-    /// exactly, and no more, it could be proved only interval by least interval that it keeps it.
-    double beyondCap() const { return cap + resolution.of(cap); }
+    /// Of a motion that keeps the cap exactly, and no more, it could be proved only interval by least interval that it keeps it.
+    /// Where a pair comes as near as this to the cap, so much less is proved.
+    double nearCap() const { return resolution.of(cap) / 16; }
 };
 
 struct SweepAnswer {
@@ -51,7 +51,7 @@ struct SweepAnswer {
     bool isPair = false;        ///< the contact is that of a pair, not a forbidden pose or one known before
     TrianglesAt contact;
     double lower = 0;      ///< kLeastDistance: of the distance less the margin
-    PairAtTime nearest{};  ///< kLeastDistance: the closest pair found below beyondCap()
+    PairAtTime nearest{};  ///< kLeastDistance: the closest pair found below the cap
 };
 
 /// More pairs in wait end a sweep as undecided. Depth first, a sweep of a tree of usual depth keeps about a thousand.
