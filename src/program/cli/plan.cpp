@@ -349,7 +349,7 @@ int tellAndWrite(const PlanArguments& given, const Problem& problem, const Scene
 }
 
 std::string overrunOf(const PlanReport& report) {
-    return joined(report.planners) + " did not end in time, and is ended with the program" +
+    return report.planners.at(0) + " did not end in time, and is ended with the program" +
            (report.path.empty() ? "" : "; the path is neither widened nor shortened");
 }
 
