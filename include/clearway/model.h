@@ -108,13 +108,14 @@ std::uint64_t modelKey(const Mesh& mesh, const BuildOptions& options,
 /// The result of buildCached.
 struct CachedModel {
     Model model;            ///< answers as a model built from the mesh, options and reach
-    bool isLoaded = false;  ///< false: built, and saved for the next time unless the warning says otherwise
-    std::string
-        warning;  ///< why an existing file could not be used, or no file could be written; empty otherwise
+    bool isLoaded = false;  ///< false: built
+    std::string warning;    ///< why a file could not be used or written; empty otherwise
+    bool isKept = true;     ///< whether the folder holds the model for the next time
 };
 
 /// Loads the model from the folder's file for its key, or else builds the model and saves it there. Makes the
-/// folder if it does not exist, and replaces a damaged file. Throws what build throws.
+/// folder if it does not exist, and replaces a damaged file. Throws what build throws; a folder that cannot be
+/// read or written is a warning.
 CachedModel buildCached(const Mesh& mesh, const BuildOptions& options, const std::string& folder,
                         const std::optional<Reach>& reach = std::nullopt);
 

@@ -36,6 +36,7 @@ struct TemporaryFile {
 struct Target {
     std::string name;  ///< of the file itself, at the end of all links; it need not exist
     std::filesystem::file_type type;
+    std::error_code error;  ///< why the type is none
 };
 
 /// /dev/stdout and other links to a process's streams count as devices even where the stream goes to a regular file, which
@@ -43,15 +44,16 @@ struct Target {
 Target targetOf(const std::string& file) {
     namespace fs = std::filesystem;
     constexpr int kMostLinks = 40;  // as many as the system follows
-    std::error_code ignored;
+    std::error_code ignored, error;
+    const fs::file_type type = fs::status(file, error).type();
     fs::path name = file;
     for (int i = 0; i < kMostLinks; ++i) {
         const fs::path folder = fs::weakly_canonical(fs::absolute(name, ignored).parent_path(), ignored);
-        if (folder.string().rfind("/proc/", 0) == 0) return {file, fs::file_type::character};
+        if (folder.string().rfind("/proc/", 0) == 0) return {file, fs::file_type::character, {}};
         if (!fs::is_symlink(name, ignored)) break;
         name = folder / fs::read_symlink(name, ignored);
     }
-    return {name.string(), fs::status(file, ignored).type()};
+    return {name.string(), type, error};
 }
 
 /// The first free name for a file that is set aside.
@@ -68,9 +70,13 @@ std::string freeName(const std::string& file) {
 /// Refuses devices and pipes, which renaming would replace, and folders, over which renaming fails only after
 /// all the work. Returns the name of the file to replace: a link stays one.
 std::string requireFileOrNothing(const std::string& file) {
-    const auto [name, kind] = targetOf(file);
+    const auto [name, kind, error] = targetOf(file);
     if (kind == std::filesystem::file_type::directory) {
         throw std::runtime_error("cannot write '" + file + "': it is a folder, expected the name of a file");
+    }
+    if (kind == std::filesystem::file_type::none) {
+        errno = error.value();
+        refuse(file, "a regular file or a new name");
     }
     if (kind != std::filesystem::file_type::not_found && kind != std::filesystem::file_type::regular) {
         throw std::runtime_error("cannot write '" + file +
@@ -81,28 +87,30 @@ std::string requireFileOrNothing(const std::string& file) {
 
 constexpr const char* kRoom = "room for the whole file";
 
-/// Waits until the disk holds the file or the folder: after a power failure, a renamed file must not be empty.
-void save(const std::string& name, int kind, const std::string& file) {
+/// Closes the file or the folder once the disk holds it: after a power failure, a renamed file must not be empty.
+void saveAndClose(int opened, const std::string& file) {
     errno = 0;
-    const int opened = ::open(name.c_str(), O_RDONLY | O_CLOEXEC | kind);
-    const bool isSaved = opened >= 0 && (::fsync(opened) == 0 || errno == EINVAL || errno == ENOTSUP);
+    const bool isSaved = ::fsync(opened) == 0 || errno == EINVAL || errno == ENOTSUP;
     const int reason = errno;
-    if (opened >= 0) ::close(opened);
+    ::close(opened);
     errno = reason;
     if (!isSaved) refuse(file, kRoom);
 }
 
 /// Puts the temporary file, which is complete, in place of the target. `file`: the name for messages.
 void putInPlace(const TemporaryFile& temporary, const std::string& target, const std::string& file) {
-    struct stat old;
     errno = 0;
-    if (::stat(target.c_str(), &old) == 0 && ::chmod(temporary.name.c_str(), old.st_mode & 07777) != 0)
-        refuse(file, "a file whose mode may be set");
-    save(temporary.name, 0, file);
+    const int written = ::open(temporary.name.c_str(), O_RDONLY | O_CLOEXEC);
+    if (written < 0) refuse(file, kRoom);
+    struct stat old;
+    // Where the file system has no modes, that fails, and nothing is lost.
+    if (::stat(target.c_str(), &old) == 0) ::fchmod(written, old.st_mode & 0777);
+    saveAndClose(written, file);
     errno = 0;
     if (std::rename(temporary.name.c_str(), target.c_str()) != 0) refuse(file, "a name that may be replaced");
     const std::string folder = std::filesystem::path(target).parent_path().string();
-    save(folder.empty() ? "." : folder, O_DIRECTORY, file);
+    const int holding = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (holding >= 0) saveAndClose(holding, file);  // a folder may be written, but not read
 }
 
 std::ofstream open(const TemporaryFile& temporary, const std::string& file) {

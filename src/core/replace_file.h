@@ -8,9 +8,9 @@
 
 namespace clearway {
 
-/// Calls `write` with a stream to a temporary file (file + ".<number>.tmp"), then renames this file to
-/// `file`, once the disk holds it, replacing an existing one, whose mode it takes. Of a link it is the file at its end that is
-/// replaced. Throws std::runtime_error naming the file when it cannot be written.
+/// Calls `write` with a stream to a temporary file (file + ".<number>.tmp"), waits until the disk holds this file,
+/// and renames it to `file`. An existing file is replaced and its mode kept; a link stays, and the file that it leads
+/// to is replaced or made. Throws std::runtime_error naming the file when it cannot be written.
 /// After any exception, including one from `write`, the temporary file is gone and an existing file is
 /// unchanged.
 void replaceFile(const std::string& file, const std::function<void(std::ostream&)>& write);

@@ -2,6 +2,7 @@
 // each), payload. The hash covers the key and the payload. Numbers are written as in memory; the mark reveals
 // another byte order. Raise kVersion with every change of the layout and of the tree that a build makes from
 // a given mesh and options.
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -13,6 +14,7 @@
 #include "core/archive.h"
 #include "core/hash.h"
 #include "core/replace_file.h"
+#include "mesh/components.h"
 #include "model/model_data.h"
 #include "model/reach.h"
 
@@ -195,6 +197,10 @@ std::int64_t trianglesOf(const std::vector<Component>& components) {
     return components.empty() ? -1 : next;
 }
 
+bool isSame(const Component& a, const Component& b) {
+    return a.name == b.name && a.firstTriangle == b.firstTriangle && a.triangleCount == b.triangleCount;
+}
+
 std::string readWhole(const std::string& file) {
     std::ifstream in(file, std::ios::binary);
     if (!in || std::filesystem::is_directory(file)) {
@@ -261,12 +267,19 @@ Model Model::load(const std::string& file) {
         readRest(in, data->report, data->components, data->origin);
         const std::int64_t triangles = trianglesOf(data->components);
         if (!in.isAtEnd() || triangles < 0) throw std::runtime_error("has parts that do not fit together");
-        if (const char* fault = faultOf(data->tree, std::size_t(triangles))) throw std::runtime_error(fault);
+        const std::string fault = faultOf(data->tree, std::size_t(triangles));
+        if (!fault.empty()) throw std::runtime_error(fault);
+        data->report.tree = statistics(data->tree);
+        data->report.triangles = trianglesOf(data->report.tree);
+        const std::size_t leftOut = data->report.clean.duplicateTriangles + data->report.unreachableTriangles;
+        if (data->report.triangles + leftOut != std::size_t(triangles)) {
+            throw std::runtime_error("its leaves hold " + std::to_string(data->report.triangles) +
+                                     " triangles and leave out " + std::to_string(leftOut) + " of " +
+                                     std::to_string(triangles));
+        }
     } catch (const std::runtime_error& error) {
         refuseFile(file, error.what());
     }
-    data->report.tree = statistics(data->tree);
-    data->report.triangles = trianglesOf(data->report.tree);
     data->id = newId();
     return Model(std::move(data));
 }
@@ -280,11 +293,15 @@ CachedModel buildCached(const Mesh& mesh, const BuildOptions& options, const std
     name << std::hex << key << ".clearway";
     const std::filesystem::path file = std::filesystem::path(folder) / name.str();
     std::string warning;
-    std::error_code ignored;
-    if (std::filesystem::exists(file, ignored)) {
+    std::error_code unreadable;  // such a file is not loaded; saving then says what is wrong
+    if (std::filesystem::exists(file, unreadable)) {
         try {
             Model model = Model::load(file.string());
-            if (model.key() == key) return {model, true, ""};
+            const std::vector<Component> expected = componentsOf(mesh);
+            if (model.key() == key && std::equal(model.components().begin(), model.components().end(),
+                                                 expected.begin(), expected.end(), isSame)) {
+                return {model, true, ""};
+            }
             warning = file.string() +
                       ": was built from another mesh, other options or another reach; it is built again";
         } catch (const std::runtime_error& error) {
@@ -296,7 +313,8 @@ CachedModel buildCached(const Mesh& mesh, const BuildOptions& options, const std
         makeFolder(folder);
         model.save(file.string());
     } catch (const std::runtime_error& error) {
-        warning = std::string(error.what()) + "; the model is used, but not kept for the next time";
+        const std::string before = warning.empty() ? "" : warning + "; ";
+        return {model, false, before + error.what() + "; built models are not kept", false};
     }
     return {model, false, warning};
 }

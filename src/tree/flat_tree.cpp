@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <stdexcept>
 #include <string>
 
@@ -34,59 +35,60 @@ void countNodes(const std::vector<WideNode<kWidth>>& nodes, TreeStatistics& coun
     counted.bytes += bytesOf(nodes);
 }
 
-/// Children must come after their parent, so that every path downwards ends.
-/// isLeaf: by place in the tree's leafBlocks, whether a leaf's block begins there.
+/// Whether the floats of a lane's volume are finite.
 template <int kWidth>
-bool areNodesSound(const std::vector<WideNode<kWidth>>& nodes, const std::vector<bool>& isLeaf) {
-    if (nodes.empty()) return false;
-    for (std::size_t n = 0; n < nodes.size(); ++n) {
-        bool ended = false;
-        for (int lane = 0; lane < kWidth; ++lane) {
-            const std::int32_t child = nodes[n].child[lane];
-            if (child == kNoChild) {
-                ended = true;
-                continue;
-            }
-            if (ended || (n == 0 && lane > 0)) return false;
-            const bool sound = child < 0 ? std::size_t(~child) < isLeaf.size() && isLeaf[std::size_t(~child)]
-                                         : std::size_t(child) > n && std::size_t(child) < nodes.size();
-            if (!sound) return false;
-        }
-        if (nodes[n].child[0] == kNoChild) return false;
+bool isFinite(const WideNode<kWidth>& node, int lane) {
+    constexpr std::size_t kFloats = offsetof(WideNode<kWidth>, child) / sizeof(float);
+    const float* const floats = node.centre[0];
+    for (std::size_t i = std::size_t(lane); i < kFloats; i += kWidth) {
+        if (!std::isfinite(floats[i])) return false;
     }
     return true;
 }
 
-/// Whether every node but the first, and every leaf, is the child of exactly one node: the search of a tree with shared children
-/// would visit them once for each way that leads there. The nodes must be sound.
+const char* const kNotFinite = "its coordinates are not finite";
+
+/// Above the ids that storeWholeNumber can store.
+constexpr std::size_t kTriangleIdsEnd = std::size_t(1) << 30;
+
+/// Children must come after their parent, so that every path downwards ends, and have only one parent: shared children would
+/// make a search exponential. isLeaf: by place in the tree's leafBlocks, whether a leaf's block begins there.
 template <int kWidth>
-bool isTree(const std::vector<WideNode<kWidth>>& nodes, const std::vector<bool>& isLeaf) {
-    std::vector<bool> isNodeFree(nodes.size(), true), isLeafFree = isLeaf;
-    std::size_t left = nodes.size() - 1 + std::size_t(std::count(isLeaf.begin(), isLeaf.end(), true));
-    for (const WideNode<kWidth>& node : nodes) {
-        for (const std::int32_t child : node.child) {
-            if (child == kNoChild) continue;
-            std::vector<bool>& isFree = child < 0 ? isLeafFree : isNodeFree;
-            const auto place = std::size_t(child < 0 ? ~child : child);
-            if (!isFree[place]) return false;
-            isFree[place] = false;
-            --left;
+std::string faultOfNodes(const std::vector<WideNode<kWidth>>& nodes, const std::vector<bool>& isLeaf) {
+    std::vector<bool> isLeafReached(isLeaf.size());
+    std::vector<int> depths(nodes.size());  // 0: no earlier node has this child
+    if (!nodes.empty()) depths[0] = 1;
+    for (std::size_t n = 0; n < nodes.size(); ++n) {
+        const auto fault = [&](const std::string& text) { return "node " + std::to_string(n) + text; };
+        if (depths[n] == 0) return fault(" has no parent");
+        if (depths[n] > kDeepestTree) return fault(" is below " + std::to_string(kDeepestTree) + " others");
+        const auto isUsed = [](std::int32_t child) { return child != kNoChild; };
+        const std::int32_t* const first = nodes[n].child;
+        const auto used = int(std::find_if_not(first, first + kWidth, isUsed) - first);
+        if (used == 0 || (n == 0 && used > 1) || std::any_of(first + used, first + kWidth, isUsed))
+            return fault(" has an impossible number of children");
+        for (int lane = 0; lane < used; ++lane) {
+            if (!isFinite(nodes[n], lane)) return fault(" has a volume that is not finite");
+            const bool toLeaf = first[lane] < 0;
+            const auto child = std::size_t(toLeaf ? ~first[lane] : first[lane]);
+            if (toLeaf ? child >= isLeaf.size() || !isLeaf[child] : child <= n || child >= nodes.size())
+                return fault(" refers to what is not there");
+            if (toLeaf ? isLeafReached[child] : depths[child] > 0) return fault(" shares a child");
+            if (toLeaf) {
+                isLeafReached[child] = true;
+            } else {
+                depths[child] = depths[n] + 1;
+            }
         }
     }
-    return left == 0;
+    const auto leftOut = std::mismatch(isLeaf.begin(), isLeaf.end(), isLeafReached.begin()).first;
+    if (leftOut == isLeaf.end()) return "";
+    return "the leaf at " + std::to_string(leftOut - isLeaf.begin()) + " has no parent";
 }
 
 template <int... kWidths>
 bool isNodeWidth(int nodeWidth, std::integer_sequence<int, kWidths...>) {
     return ((nodeWidth == kWidths) || ...);
-}
-
-template <int... kWidths>
-bool areNodesSound(const FlatTree& tree, const std::vector<bool>& isLeaf,
-                   std::integer_sequence<int, kWidths...>) {
-    return ((tree.nodeWidth == kWidths ? areNodesSound(tree.nodes<kWidths>(), isLeaf)
-                                       : tree.nodes<kWidths>().empty()) &&
-            ...);
 }
 
 std::size_t endOfLeaves(const FlatTree& tree) {
@@ -97,12 +99,11 @@ bool areFinite(const float* values, std::size_t count) {
     return std::all_of(values, values + count, [](float value) { return std::isfinite(value); });
 }
 
-const char* const kNotFinite = "its coordinates are not finite";
-
 /// Checks the blocks of the leaves from first to last, and marks where each begins.
-const char* faultOfLeaves(const FlatTree& tree, std::size_t meshTriangles, std::vector<bool>& isLeaf) {
+std::string faultOfLeaves(const FlatTree& tree, std::size_t meshTriangles, std::vector<bool>& isLeaf) {
     const std::size_t end = endOfLeaves(tree);
     isLeaf.assign(end, false);
+    std::vector<bool> isHeld(std::min(meshTriangles, kTriangleIdsEnd));
     for (std::size_t at = 0; at < end;) {
         const float* block = tree.leafBlocks.data() + at;
         if (end - at < kLeafHeader) return "its last leaf is cut off";
@@ -116,7 +117,10 @@ const char* faultOfLeaves(const FlatTree& tree, std::size_t meshTriangles, std::
         const float* offsets = block + kLeafHeader;
         const float* ids = offsets + 9 * std::size_t(count);
         for (std::size_t i = 0; i < count; ++i) {
-            if (wholeNumberIn(ids[i]) >= meshTriangles) return "its triangle ids are out of range";
+            const std::uint32_t id = wholeNumberIn(ids[i]);
+            if (id >= isHeld.size()) return "its triangle ids are out of range";
+            if (isHeld[id]) return "its leaves hold triangle " + std::to_string(id) + " twice";
+            isHeld[id] = true;
         }
         for (std::size_t i = count; i < (isExact ? 1 : 4) * std::size_t(count); ++i) {
             if (wholeNumberIn(ids[i]) >= tree.vertices.size()) {
@@ -129,7 +133,7 @@ const char* faultOfLeaves(const FlatTree& tree, std::size_t meshTriangles, std::
         isLeaf[at] = true;
         at += size;
     }
-    return nullptr;
+    return "";
 }
 
 }  // namespace
@@ -164,21 +168,27 @@ std::vector<LeafReference> FlatTree::leaves() const {
     return found;
 }
 
-const char* faultOf(const FlatTree& tree, std::size_t meshTriangles) {
+std::string faultOf(const FlatTree& tree, std::size_t meshTriangles) {
     if (!isNodeWidth(tree.nodeWidth, NodeWidths())) return "its node width is unknown";
     std::vector<bool> isLeaf;
-    if (const char* fault = faultOfLeaves(tree, meshTriangles, isLeaf)) return fault;
-    if (!areNodesSound(tree, isLeaf, NodeWidths())) return "its nodes refer to what is not there";
-    bool isOneTree = false;
-    withNodeWidth(tree.nodeWidth, [&](auto width) { isOneTree = isTree(tree.nodes<width>(), isLeaf); });
-    if (!isOneTree) return "its nodes share children, or leave out some";
+    std::string fault = faultOfLeaves(tree, meshTriangles, isLeaf);
+    if (!fault.empty()) return fault;
+    const bool hasNodes =
+        withNodeWidth(tree.nodeWidth, [&](auto width) { return !tree.nodes<width>().empty(); });
+    std::size_t arrays = 0;
+    std::apply([&](const auto&... nodes) { ((arrays += !nodes.empty()), ...); }, tree.nodesByWidth);
+    if (!hasNodes || arrays > 1) return "its nodes are not all " + std::to_string(tree.nodeWidth) + " wide";
+    fault =
+        withNodeWidth(tree.nodeWidth, [&](auto width) { return faultOfNodes(tree.nodes<width>(), isLeaf); });
+    if (!fault.empty()) return fault;
     const auto isFinite = [](const Vector3& vertex) { return vertex.allFinite(); };
     if (!std::all_of(tree.vertices.begin(), tree.vertices.end(), isFinite) || !tree.origin.allFinite() ||
-        !std::isfinite(tree.radius) || std::abs(tree.unitExponent) > 1000 || !tree.box.min().allFinite() ||
+        !std::isfinite(tree.radius) || !std::isfinite(tree.radiusAboutMeshOrigin) ||
+        tree.unitExponent < -1000 || tree.unitExponent > 1000 || !tree.box.min().allFinite() ||
         !tree.box.max().allFinite()) {
         return kNotFinite;
     }
-    return nullptr;
+    return "";
 }
 
 }  // namespace clearway

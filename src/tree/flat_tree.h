@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <string>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -202,8 +203,12 @@ constexpr std::size_t kLeafPadding = 16;
 /// Counts what the tree holds. Node 0, which holds only the root's volume, counts like any other.
 TreeStatistics statistics(const FlatTree& tree);
 
-/// Checks a tree from outside: returns nullptr when every reference stays within the tree and each node and leaf has one parent, so
-/// that a search visits it at most once; otherwise the fault in words. All triangle ids must be below meshTriangles.
-const char* faultOf(const FlatTree& tree, std::size_t meshTriangles);
+/// The most nodes on a way from the root to a leaf; searches may call themselves for each. A build stays well below it.
+constexpr int kDeepestTree = 256;
+
+/// Checks a tree from outside: returns nothing when every reference stays within the tree and all nodes and leaves are
+/// one tree, so that a search visits each at most once; otherwise the fault in words. All triangle ids must be below
+/// meshTriangles and differ.
+std::string faultOf(const FlatTree& tree, std::size_t meshTriangles);
 
 }  // namespace clearway

@@ -2,14 +2,20 @@
 
 #include <fcntl.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <boost/test/unit_test.hpp>
 #include <filesystem>
 #include <fstream>
 #include <ostream>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
+#include "support/full_disk.h"
 #include "support/temporary_folder.h"
 
 namespace clearway {
@@ -28,6 +34,25 @@ std::string messageOf(const std::string& file) {
         return error.what();
     }
     return "";
+}
+
+/// messageOf in a process that modes bind, unlike one of root.
+std::string messageForUser(const std::string& file) {
+    constexpr uid_t kNobody = 65534;
+    std::array<int, 2> ends;
+    BOOST_REQUIRE(pipe(ends.data()) == 0);
+    const pid_t child = fork();
+    if (child == 0) {
+        const bool isUser = geteuid() != 0 || setuid(kNobody) == 0;
+        const std::string message = isUser ? messageOf(file) : "root";
+        _exit(::write(ends[1], message.data(), message.size()) < 0);
+    }
+    ::close(ends[1]);
+    std::string message(1000, '\0');
+    message.resize(std::size_t(std::max<ssize_t>(0, ::read(ends[0], message.data(), message.size()))));
+    ::close(ends[0]);
+    waitpid(child, nullptr, 0);
+    return message;
 }
 
 }  // namespace
@@ -132,8 +157,50 @@ BOOST_AUTO_TEST_CASE(links_stay_and_modes_are_kept) {
     replaceFileByName(second, [](const std::string& name) { return std::ofstream(name) << "by name", true; });
     BOOST_TEST(readText(there) == "by name");
     BOOST_TEST((fs::status(there).permissions() == fs::perms(0640)));
-    fs::create_symlink("round", folder.file("round"));
-    BOOST_TEST(messageOf(folder.file("round")).find("cannot write") == 0u);
+}
+
+BOOST_AUTO_TEST_CASE(the_reason_why_a_name_leads_nowhere_is_told) {
+    const TemporaryFolder folder;
+    const std::string round = folder.file("round"), longName = folder.file(std::string(300, 'n'));
+    std::filesystem::create_symlink("round", round);
+    BOOST_TEST(messageOf(round) == "cannot write '" + round +
+                                       "': Too many levels of symbolic links, expected a regular file or a "
+                                       "new name");
+    BOOST_TEST(messageOf(longName).find("': File name too long, expected") != std::string::npos);
+    BOOST_TEST(std::filesystem::is_symlink(round));
+}
+
+BOOST_AUTO_TEST_CASE(a_full_disk_leaves_the_old_file_alone) {
+    const TemporaryFolder folder;
+    const std::string file = folder.write("a.csv", "old");
+    std::string message;
+    {
+        const testing::FullDisk full(1);
+        message = messageOf(file);
+    }
+    BOOST_TEST(message == "cannot write '" + file + "': File too large, expected room for the whole file");
+    BOOST_TEST(readText(file) == "old");
+    BOOST_TEST(folder.names() == std::vector<std::string>{"a.csv"}, boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(modes_of_file_and_folder_decide_what_may_be_written) {
+    const TemporaryFolder folder;
+    const std::string file = folder.write("a.csv", "old");
+    chmod(file.c_str(), 0222);
+    chmod(folder.path().c_str(), 0333);
+    BOOST_TEST(messageForUser(file) == "");
+    chmod(folder.path().c_str(), 0555);
+    BOOST_TEST(messageForUser(file) ==
+               "cannot write '" + file +
+                   "': Permission denied, expected a folder that exists and may be written");
+    chmod(folder.path().c_str(), 0222);
+    BOOST_TEST(messageForUser(file) ==
+               "cannot write '" + file + "': Permission denied, expected a regular file or a new name");
+    chmod(folder.path().c_str(), 0777);
+    BOOST_TEST((std::filesystem::status(file).permissions() == std::filesystem::perms(0222)));
+    chmod(file.c_str(), 0666);
+    BOOST_TEST(readText(file) == "new");
+    BOOST_TEST(folder.names() == std::vector<std::string>{"a.csv"}, boost::test_tools::per_element());
 }
 
 BOOST_AUTO_TEST_CASE(a_file_set_aside_never_overwrites_another) {

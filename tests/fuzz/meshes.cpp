@@ -86,7 +86,7 @@ void requireCleanedWithoutLoss(const Mesh& mesh) {
 }
 
 void requireSoundModel(const Model& model, std::size_t triangles) {
-    require(faultOf(model.tree(), triangles) == nullptr, "a tree that was built is sound");
+    require(faultOf(model.tree(), triangles).empty(), "a tree that was built is sound");
     const BuildReport& report = model.report();
     require(report.triangles + report.clean.duplicateTriangles == triangles,
             "the report counts all triangles");

@@ -1,10 +1,12 @@
 #include <boost/test/unit_test.hpp>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 
 #include "clearway/model.h"
 #include "clearway/query.h"
+#include "core/hash.h"
 #include "support/random_meshes.h"
 #include "support/temporary_folder.h"
 #include "tree/flat_tree.h"
@@ -24,6 +26,17 @@ std::string contentOf(const std::string& file) {
 
 void write(const std::string& file, const std::string& content) {
     std::ofstream(file, std::ios::binary) << content;
+}
+
+/// Writes the content with the hash that fits it.
+void writeHashed(const std::string& file, std::string content) {
+    constexpr std::size_t kKey = 24, kHash = 40, kPayload = 48;
+    Hash hash;
+    hash.add(content.data() + kKey, 8);
+    hash.add(content.data() + kPayload, content.size() - kPayload);
+    const std::uint64_t value = hash.value();
+    std::memcpy(content.data() + kHash, &value, sizeof value);
+    write(file, content);
 }
 
 struct Fixture {
@@ -104,6 +117,42 @@ BOOST_FIXTURE_TEST_CASE(a_model_of_another_format_is_refused_by_its_version, Fix
     });
 }
 
+BOOST_FIXTURE_TEST_CASE(nodes_that_are_no_tree_are_refused_on_loading, Fixture) {
+    // Each node has the next one as both children: a query would meet the last one 2^n times.
+    BuildOptions options;
+    options.nodeWidth = 2;
+    const Model model = Model::build(environment, options);
+    model.save(file);
+    auto nodes = model.tree().nodes<2>();
+    std::string content = contentOf(file);
+    const std::size_t bytes = nodes.size() * sizeof nodes[0];
+    const std::size_t at = content.find({reinterpret_cast<const char*>(nodes.data()), bytes});
+    for (std::size_t n = 1; n + 1 < nodes.size(); ++n)
+        nodes[n].child[0] = nodes[n].child[1] = std::int32_t(n + 1);
+    content.replace(at, bytes, reinterpret_cast<const char*>(nodes.data()), bytes);
+    writeHashed(file, content);
+    BOOST_CHECK_EXCEPTION(Model::load(file), std::runtime_error, [&](const std::runtime_error& error) {
+        return error.what() ==
+               file + ": node 1 shares a child, expected a model saved by this version of clearway";
+    });
+}
+
+BOOST_FIXTURE_TEST_CASE(a_model_without_some_of_its_triangles_is_refused_on_loading, Fixture) {
+    const std::string name = "whole mesh";
+    const auto count = std::uint32_t(part.triangles.size());
+    part.components = {{name, 0, count}};
+    Model::build(part).save(file);
+    std::string content = contentOf(file);
+    ++content[content.rfind(name) + name.size() + sizeof count];  // the component's number of triangles
+    writeHashed(file, content);
+    BOOST_CHECK_EXCEPTION(Model::load(file), std::runtime_error, [&](const std::runtime_error& error) {
+        BOOST_TEST(error.what() == file + ": its leaves hold " + std::to_string(count) +
+                                       " triangles and leave out 0 of " + std::to_string(count + 1) +
+                                       ", expected a model saved by this version of clearway");
+        return true;
+    });
+}
+
 BOOST_FIXTURE_TEST_CASE(leaves_of_floats_and_of_doubles_are_saved, Fixture) {
     Mesh floats = environment;
     for (Vector3& vertex : floats.vertices) vertex = vertex.cast<float>().cast<double>();
@@ -141,20 +190,6 @@ BOOST_FIXTURE_TEST_CASE(the_key_tells_meshes_and_options_apart, Fixture) {
     BOOST_TEST(key != modelKey(moved, {}));
 }
 
-BOOST_AUTO_TEST_CASE(a_cache_that_cannot_be_written_costs_no_model) {
-    const testing::TemporaryFolder folder;
-    const Mesh part = testing::box({1, 2, 3}, 2);
-    const std::string file = folder.write("file", "no folder");
-    for (const std::string& cache : {file, file + "/deep"}) {
-        const CachedModel cached = buildCached(part, {}, cache);
-        BOOST_TEST(!cached.isLoaded);
-        BOOST_TEST(cached.warning.find("'" + cache + "'") != std::string::npos, cached.warning);
-        BOOST_TEST(cached.warning.find("; the model is used, but not kept") != std::string::npos);
-        BOOST_TEST(cached.model.report().triangles == Model::build(part).report().triangles);
-    }
-    BOOST_TEST(testing::readText(file) == "no folder");
-}
-
 BOOST_FIXTURE_TEST_CASE(the_cache_builds_once_and_replaces_what_is_damaged, Fixture) {
     const std::string cache = folder.file("cache");
     BOOST_TEST(!buildCached(part, {}, cache).isLoaded);
@@ -169,6 +204,34 @@ BOOST_FIXTURE_TEST_CASE(the_cache_builds_once_and_replaces_what_is_damaged, Fixt
     BOOST_TEST(!anew.isLoaded);
     BOOST_TEST(anew.warning.find("built again") != std::string::npos);
     BOOST_TEST(buildCached(part, {}, cache).isLoaded);
+}
+
+BOOST_FIXTURE_TEST_CASE(a_cache_that_cannot_be_used_is_a_warning_beside_the_model, Fixture) {
+    write(file, "no folder");
+    const std::string loop = folder.file("loop");
+    std::filesystem::create_directory_symlink(loop, loop);
+    for (const std::string& cache : {file, file + "/below", loop, std::string("/proc")}) {
+        const CachedModel built = buildCached(part, {}, cache);
+        BOOST_TEST(built.model.report().triangles == part.triangles.size());
+        BOOST_TEST((!built.isLoaded && !built.isKept));
+        BOOST_TEST(built.warning.find("'" + cache) != std::string::npos, built.warning);
+        BOOST_TEST(built.warning.find("; built models are not kept") != std::string::npos, built.warning);
+    }
+    BOOST_TEST(contentOf(file) == "no folder");
+}
+
+BOOST_FIXTURE_TEST_CASE(a_cached_file_with_other_components_is_built_again, Fixture) {
+    // Callers index arrays by a component's and a triangle's number.
+    part.components = {{"left", 0, 5}, {"right", 5, std::uint32_t(part.triangles.size()) - 5}};
+    const std::string cache = folder.file("cache");
+    buildCached(part, {}, cache);
+    const std::string kept = std::filesystem::directory_iterator(cache)->path().string();
+    std::string content = contentOf(kept);
+    content.replace(content.rfind("right"), 5, "wrong");
+    writeHashed(kept, content);
+    const CachedModel anew = buildCached(part, {}, cache);
+    BOOST_TEST(!anew.isLoaded);
+    BOOST_TEST(anew.warning.find("from another mesh") != std::string::npos, anew.warning);
 }
 
 }  // namespace

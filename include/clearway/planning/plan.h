@@ -64,7 +64,9 @@ struct PlanOptions {
     /// time.
     int threads = 0;
 
-    std::uint32_t seed = 1;  ///< > 0; set before any OMPL object is made
+    /// > 0; set before any OMPL object is made. OMPL has one generator of seeds: another plan() at the same time takes
+    /// seeds from it, too, and no path is repeatable then.
+    std::uint32_t seed = 1;
     /// Without a step, motions are certified along their whole length. With a step, in environment units,
     /// motions are checked at states so close that no point of the part moves further than the step from one
     /// to the next. The part can then jump over anything thinner.

@@ -109,7 +109,9 @@ bool readArguments(const Arguments& arguments, StudyArguments& given) {
     if (!planners.empty()) options.planners = planners;
     if (!generalSplits.empty()) options.generalSplits = generalSplits;
     if (!leafSplits.empty()) options.leafSplits = leafSplits;
-    options.cache = trees.cache;
+    options.build = [trees](const Mesh& mesh, const BuildOptions& build, const std::optional<Reach>& reach) {
+        return trees.build(mesh, build, reach);
+    };
     options.isStopped = isInterrupted;
     options.tell = [](const std::string& text) { std::cerr << "clearway: " << oneLine(text) << std::endl; };
     return true;
@@ -188,7 +190,7 @@ int doOneRun(const StudyArguments& given, const std::vector<std::string>& files)
     }
     const study::PlannedRun& wanted = planned[*given.oneRun % planned.size()];
     const study::StudyProblem loaded = loadProblem(files[problem]);
-    const Scene scene = buildScene(loaded, wanted.engine, given.options.cache);
+    const Scene scene = buildScene(loaded, wanted.engine, given.options);
     const auto run = runPlanned(loaded, scene, given.options, wanted);
     return run ? tellRun(textOf(*run)) : kAnswerIsNo;
 }

@@ -1,6 +1,7 @@
 #include "program/cli/shared_options.h"
 
 #include <algorithm>
+#include <atomic>
 #include <boost/algorithm/string/case_conv.hpp>
 #include <filesystem>
 #include <stdexcept>
@@ -25,14 +26,6 @@ bool isSameFile(const std::string& a, const std::string& b) {
     const fs::path wholeA = fs::weakly_canonical(fs::absolute(a, unknown), unknown);
     const fs::path wholeB = fs::weakly_canonical(fs::absolute(b, unknown), unknown);
     return !unknown && wholeA == wholeB;
-}
-
-Model buildFrom(const std::string& cache, const Mesh& mesh, const BuildOptions& options,
-                const std::optional<Reach>& reach) {
-    if (cache.empty()) return Model::build(mesh, options, reach);
-    const CachedModel cached = buildCached(mesh, options, cache, reach);
-    if (!cached.warning.empty()) printWarnings({cached.warning});
-    return cached.model;
 }
 
 }  // namespace
@@ -83,13 +76,24 @@ void addTarget(CommandLine& commandLine) {
 }
 
 Model TreeChoice::build(const Mesh& mesh) const {
-    return buildFrom(cache, mesh, options, std::nullopt);
+    return build(mesh, options, std::nullopt);
+}
+
+Model TreeChoice::build(const Mesh& mesh, const BuildOptions& others,
+                        const std::optional<Reach>& reach) const {
+    if (cache.empty()) return Model::build(mesh, others, reach);
+    const CachedModel cached = buildCached(mesh, others, cache, reach);
+    // A folder that keeps no models is reported once, not for each obstacle.
+    static std::atomic<bool> isReported{false};
+    if (!cached.warning.empty() && (cached.isKept || !isReported.exchange(true)))
+        printWarnings({cached.warning});
+    return cached.model;
 }
 
 LoadedScene TreeChoice::loadWithNotes(const Problem& problem, const planning::PlanOptions& plan) const {
     SceneLoading loading = guardedLoading();
-    loading.build = [&](const Mesh& mesh, const BuildOptions& build, const std::optional<Reach>& reach) {
-        return buildFrom(cache, mesh, build, reach);
+    loading.build = [&](const Mesh& mesh, const BuildOptions& others, const std::optional<Reach>& reach) {
+        return build(mesh, others, reach);
     };
     loading.reach = [&](const Model& part, const Box& environmentBox) {
         return planning::planningReach(problem, plan, part, environmentBox);

@@ -46,8 +46,11 @@ struct TreeChoice {
     std::string cache;
 
     /// Builds the mesh's model with these options, or takes it from the cache. Replaces a file there that
-    /// cannot be used, with a warning on stderr.
+    /// cannot be used, with a warning on stderr. Goes on without a cache that cannot be written, with one warning.
     Model build(const Mesh& mesh) const;
+
+    /// The model with other options, and for a reach.
+    Model build(const Mesh& mesh, const BuildOptions& others, const std::optional<Reach>& reach) const;
 
     /// Calls loadScene with the load guard, the cache, and a reach that suffices for planning with these
     /// options.

@@ -30,12 +30,6 @@ EngineGroup changed(EngineGroup group, Value Engine::*member, const Value& value
     return group;
 }
 
-Model build(const Mesh& mesh, const Engine& engine, const std::string& cache,
-            const std::optional<Reach>& reach = std::nullopt) {
-    if (cache.empty()) return Model::build(mesh, engine.build(), reach);
-    return buildCached(mesh, engine.build(), cache, reach).model;
-}
-
 /// A key of the mesh that does not depend on the folder or name of the mesh's file.
 std::string keyOf(Mesh mesh) {
     mesh.origin.file.clear();
@@ -142,20 +136,20 @@ std::string StudyProblem::fingerprint() const {
     return text + textOf(problem.start) + goalText(problem) + textOf(bounds.min()) + textOf(bounds.max());
 }
 
-Scene buildScene(const StudyProblem& study, const Engine& engine, const std::string& cache) {
-    const Model part = build(study.part, engine, cache);
+Scene buildScene(const StudyProblem& study, const Engine& engine, const StudyOptions& options) {
+    const Model part = options.build(study.part, engine.build(), std::nullopt);
     planning::PlanOptions reaching;
     reaching.objective = "max_min_clearance";
     const auto reach =
         planning::planningReach(study.problem, reaching, part, study.obstacles.environmentBox());
     std::vector<std::shared_ptr<const ShrunkModel>> shrunk;
     for (const ShrunkPart& each : study.shrunk) {
-        shrunk.push_back(shrunkModel(each, build(each.mesh, engine, cache)));
+        shrunk.push_back(shrunkModel(each, options.build(each.mesh, engine.build(), std::nullopt)));
     }
     return makeScene(
         part, study.partSolids, study.obstacles, study.problem.rules, poseOf(study.problem.start),
-        poseOf(study.problem.goal), [&](const Mesh& mesh) { return build(mesh, engine, cache, reach); },
-        shrunk);
+        poseOf(study.problem.goal),
+        [&](const Mesh& mesh) { return options.build(mesh, engine.build(), reach); }, shrunk);
 }
 
 TimeLeft::TimeLeft(std::size_t pieces, double mostEach)

@@ -41,7 +41,9 @@ struct StudyOptions {
     /// True: other leaf sizes and instruction sets are replayed with one general split only.
     bool isShort = false;
     int tablePoses = 1000;
-    std::string cache;  ///< folder for built trees; empty: none
+    /// Builds each model. A cache calls buildCached here.
+    std::function<Model(const Mesh& mesh, const BuildOptions& options, const std::optional<Reach>& reach)>
+        build = Model::build;
 
     std::function<bool()> isStopped;
     std::function<void(const std::string&)> tell;  ///< takes one line
@@ -99,9 +101,8 @@ struct StudyProblem {
     std::string fingerprint() const;
 };
 
-/// Builds the scene. The environment's reach suffices for planning, also with a clearance objective. cache:
-/// folder for built trees; empty: none.
-Scene buildScene(const StudyProblem& problem, const Engine& engine, const std::string& cache);
+/// Builds the scene. The environment's reach suffices for planning, also with a clearance objective.
+Scene buildScene(const StudyProblem& problem, const Engine& engine, const StudyOptions& options);
 
 /// Estimates how long the remaining pieces of work take, when all pieces take equally long.
 class TimeLeft {

@@ -94,7 +94,7 @@ class Runner {
   private:
     const Scene& sceneOf(const PlannedRun& run) {
         auto& scene = scenes_[run.strategy];
-        if (!scene) scene = std::make_unique<Scene>(buildScene(problem_, run.engine, options_.cache));
+        if (!scene) scene = std::make_unique<Scene>(buildScene(problem_, run.engine, options_));
         return *scene;
     }
 

@@ -121,7 +121,7 @@ class Replay {
             if (options_.mustStop()) return false;
             BuiltEngine made;
             made.engine = engine;
-            made.scene = std::make_unique<Scene>(buildScene(problem_, engine, options_.cache));
+            made.scene = std::make_unique<Scene>(buildScene(problem_, engine, options_));
             made.replayer = std::make_unique<Replayer>(problem_.problem, *made.scene);
             built_.push_back(std::move(made));
         }

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -385,6 +386,16 @@ BOOST_FIXTURE_TEST_CASE(a_cache_holds_the_trees_and_changes_no_answer, BoxesFold
     BOOST_TEST(outcome.err.find("built again") != std::string::npos);
     requireRefused(*this, kQuery + std::string("distance --cache part.obj"),
                    {"--cache", "part.obj", "folder"});
+}
+
+BOOST_FIXTURE_TEST_CASE(a_cache_that_cannot_be_written_is_one_warning, BoxesFolder) {
+    write("poses.txt", kPoses);
+    BOOST_TEST(answers(*this, "distance --cache /proc", kDistanceHeader).size() ==
+               answers(*this, "distance", kDistanceHeader).size());
+    const Outcome outcome = runIn(*this, kQuery + std::string("distance --cache /proc"));
+    BOOST_TEST(outcome.code == 0);
+    BOOST_TEST(outcome.err.find("clearway: warning: cannot write '/proc/") == 0, outcome.err);
+    BOOST_TEST(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1, outcome.err);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

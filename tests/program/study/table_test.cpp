@@ -1,14 +1,12 @@
 #include "program/study/table.h"
 
-#include <sys/resource.h>
-
 #include <boost/test/unit_test.hpp>
 #include <cmath>
-#include <csignal>
 #include <fstream>
 #include <limits>
 #include <stdexcept>
 
+#include "support/full_disk.h"
 #include "support/temporary_folder.h"
 
 namespace clearway::testing {
@@ -63,24 +61,6 @@ BOOST_AUTO_TEST_CASE(a_line_that_was_cut_short_is_taken_away) {
     GrowingTable<Row> table(cutHead, kColumns);
     BOOST_TEST(readText(cutHead) == "a,b\n");
 }
-
-/// While a FullDisk lives, files may not grow beyond this many bytes.
-class FullDisk {
-  public:
-    explicit FullDisk(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
-        ::getrlimit(RLIMIT_FSIZE, &before_);
-        const rlimit full = {bytes, before_.rlim_max};
-        ::setrlimit(RLIMIT_FSIZE, &full);
-    }
-    ~FullDisk() {
-        ::setrlimit(RLIMIT_FSIZE, &before_);
-        std::signal(SIGXFSZ, handler_);
-    }
-
-  private:
-    void (*handler_)(int);
-    rlimit before_ = {};
-};
 
 BOOST_AUTO_TEST_CASE(rows_that_do_not_all_find_room_are_not_there_at_all) {
     const TemporaryFolder folder;
