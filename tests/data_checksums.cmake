@@ -29,6 +29,10 @@ require_files(tunnel-console-small
     tunnel-console_environment.obj 6b590d47a758b5e1f7c1db89bb7bc08d868ae93cc183210b18c629a6e757edaf
     tunnel-console_part.obj 3aea9b34de9b9c602f9f3007b7fbf4c2960eca43849750dd8c8af99862cdba87
     tunnel-console_replay.poses 8e59c7383a1b3710ee2f84c1bb7b6da64d393b4bc09fd21569387dedb8f84291)
+require_files(angle
+    angle.cfg 557adffbc017ad82a83330e77823a7e5e77c89d8470f53dfc6b69ba2a6aacee9
+    angle.obj 411e6aa2d09ebee0ad04a56bc5a2791338ff80c9d27a5671cc8c5b6598a5b27a
+    housing.obj 66485d9eeaa98afd6fe9e332610ea9b3fcf0c947b8b82199a458150d2ef155d8)
 require_files(bracket
     bracket.cfg 8c126d89d4fc122bcfd3500cff915a606cab3aa8aeac0bc4e9e67da2a4690ee9
     bracket.stl 7a815f72aa7f5946a7eeb00abca46afff79c75841d225beb750a5fa686de0b7b

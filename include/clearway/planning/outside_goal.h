@@ -49,6 +49,10 @@ class OutsideGoal : public ompl::base::GoalSampleableRegion {
     /// the state is left out of the bounds, where planners refuse it.
     void sampleGoal(ompl::base::State* state) const override;
 
+    /// Moves a state that satisfies the goal straight along an axis, where nothing stands in the way, until the gap between
+    /// the boxes of part and environment is as wide as given, or as wide as the bounds allow. Other states stay.
+    void moveOut(ompl::base::State* state, double gap) const;
+
     unsigned int maxSampleCount() const override;  ///< 100: how many different states planners should draw
 
   private:

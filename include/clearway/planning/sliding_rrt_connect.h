@@ -64,6 +64,10 @@ class SlidingRRTConnect : public ompl::base::Planner {
     /// The value that setMostStandoff was given; 0 at first.
     double getMostStandoff() const { return mostStandoff_; }
 
+  protected:
+    /// Draws the states that trees extend towards, uniformly; null: solve() allocates the space's own sampler.
+    ompl::base::StateSamplerPtr sampler_;
+
   private:
     struct Node;
     struct Tree;
@@ -80,7 +84,6 @@ class SlidingRRTConnect : public ompl::base::Planner {
     double range_ = 0, leastStandoff_ = 0, mostStandoff_ = 0;
     std::unique_ptr<Lengths> lengths_;
     std::unique_ptr<Tree> start_, goal_;
-    ompl::base::StateSamplerPtr sampler_;
     ompl::RNG random_;
     bool isStartNext_ = true;
 };

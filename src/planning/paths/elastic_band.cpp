@@ -133,6 +133,7 @@ class Band {
         }
         kept_ = low;
         states_.copyTo(path_);
+        if (options_.onGain) options_.onGain(kept_);
     }
 
     void sweep() {

@@ -37,6 +37,8 @@ struct RoomOptions {
     std::optional<std::uint64_t> sweeps;
     int idleStages = kMostIdleStages;  ///< stages without gain, one after the other, that end the band
     std::function<bool()> isSpent;     ///< called often, also within motions; true ends the band at once
+    std::function<void(double)>
+        onGain;  ///< called with the clearance kept when a path that keeps more replaced the path
 };
 
 /// Moves the states between the first and the last, and adds and removes some, so that the least clearance of the path

@@ -1,14 +1,18 @@
 #include "planning/paths/room_both_ways.h"
 
+#include <ompl/base/ScopedState.h>
+
 #include <algorithm>
 #include <memory>
 
+#include "clearway/planning/outside_goal.h"
 #include "clearway/planning/simplify.h"
 #include "planning/paths/unwind.h"
 
 namespace clearway::planning {
 namespace {
 
+namespace ob = ompl::base;
 namespace og = ompl::geometric;
 
 WidePath wayShortened(const og::PathGeometric& path, const MotionValidator& validator, RoomOptions options) {
@@ -32,6 +36,16 @@ double makeRoomBothWays(og::PathGeometric& path, const MotionValidator& validato
     if (shortened.clearance < options.clearance || !isBetterWay(shortened, asItIs, radius)) return clearance;
     path = *shortened.path;
     return shortened.clearance;
+}
+
+void endFurtherOut(og::PathGeometric& path, const ob::GoalPtr& goal, const Scene& scene, double clearance) {
+    const auto* outside = dynamic_cast<const OutsideGoal*>(goal.get());
+    if (outside == nullptr) return;
+    double margin = 0;
+    for (const Obstacle& obstacle : scene.obstacles) margin = std::max(margin, obstacle.margin);
+    ob::ScopedState<> end(path.getSpaceInformation()->getStateSpace(), path.getStates().back());
+    outside->moveOut(end.get(), std::min(clearance, scene.part.box().diagonal().norm()) + margin);
+    if (!path.getSpaceInformation()->equalStates(end.get(), path.getStates().back())) path.append(end.get());
 }
 
 }  // namespace clearway::planning

@@ -11,4 +11,9 @@ namespace clearway::planning {
 double makeRoomBothWays(ompl::geometric::PathGeometric& path, const MotionValidator& validator,
                         const RoomOptions& options);
 
+/// A path that ends just outside keeps no more clearance than its end. Leads a path to an OutsideGoal on until its end has
+/// the clearance, or that of a diagonal of the part's box if that is less, within the bounds. Other paths stay as they are.
+void endFurtherOut(ompl::geometric::PathGeometric& path, const ompl::base::GoalPtr& goal, const Scene& scene,
+                   double clearance);
+
 }  // namespace clearway::planning

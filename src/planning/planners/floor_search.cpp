@@ -14,6 +14,8 @@
 #include "core/clock.h"
 #include "planning/motion/floor_validator.h"
 #include "planning/paths/elastic_band.h"
+#include "planning/paths/room_both_ways.h"
+#include "planning/planners/other_ways.h"
 #include "planning/validity/ompl_states.h"
 
 namespace clearway::planning {
@@ -25,30 +27,46 @@ namespace og = ompl::geometric;
 /// Floors, by turns, of the planners that look for short ways, as shares of the best clearance. A low one is quick, and a
 /// high one keeps out of ways that are short but narrow.
 constexpr double kShortWaysFloors[] = {0.5, 0.75, 0.9};
+/// Every other seek of a second way keeps to this share of the first one's clearance: bands widen some ways further than others.
+constexpr double kLowFloor = 0.5;
 constexpr double kFirstShare = 0.3;       ///< of the difference between the best and the most clearance
 constexpr double kLeastShare = 1.0 / 32;  ///< below it the shares begin anew
 constexpr double kPatience = 4;           ///< times the duration of the seek that found the last path
 constexpr double kLeastPatience = 0.05;   ///< seconds
 constexpr double kGrowth = 1.5;           ///< of patience, when a seek finds nothing
-constexpr int kFirstIdleStages = 4;       ///< of a path's first band: another way may have more room
+constexpr int kFirstIdleStages = 2;       ///< of a path's first band: another way may have more room
 constexpr double kBandGainLoss = 0.5;     ///< from one band of a path to the next
 constexpr double kLeastBandGain =
     1e-3;  ///< the smallest steps; after them a band begins with large ones again
 constexpr double kShorteningShare =
     0.25;  ///< of what it took to find a path goes to shortening it before its band
 constexpr double kLeastShortening = 0.25;  ///< seconds
+constexpr double kLeastWidening = 0.5;     ///< seconds of a band that goes on
 constexpr double kSurelyKept =
     0.99;  ///< of the clearance that an audit certifies, by the validator's other searches
+
+/// RRTConnect takes one of so many turns beside the narrow places; SlidingRRTConnect, which finds more there, takes the others.
+constexpr int kTurnsBeside = 4;
+
+/// A planner that draws its samples from a given sampler.
+template <class Planner>
+class Sampling : public Planner {
+  public:
+    Sampling(const ob::SpaceInformationPtr& si, const ob::StateSamplerPtr& sampler) : Planner(si) {
+        this->sampler_ = sampler;
+    }
+};
 
 }  // namespace
 
 struct FloorSearch::Job {
     enum class Kind { kWiden, kWidenOn, kSeek } kind = Kind::kSeek;
-    WidePath path{};            ///< to be widened
+    WidePath path{};            ///< to be widened; of a seek, the one with the narrow places, if any
     double gain = 0;            ///< of a band that goes on
     double floor = 0;           ///< of a seek
     double seconds = 0;         ///< limit of a seek, of a band that goes on, or of shortening; 0: none
     bool isShortWay = false;    ///< to be sought or widened: it counts where it winds less than the best path
+    bool isLow = false;         ///< to be sought by less clearance than the best path keeps
     int number = 0, known = 0;  ///< of a seek, and of the paths found when it began
 };
 
@@ -67,7 +85,8 @@ class FloorSearch::Seeker {
             definition_->addStartState(search.definition_->getStartState(i));
         }
         definition_->setGoal(goalOf(search.definition_->getGoal()));
-        if (job.number % 2 == 0) {
+        if (job.path.path) goAround(search, job);
+        if (job.number % (sampler_ ? kTurnsBeside : 2) == 0) {
             make<og::RRTConnect>(search.options_.range);
         } else {
             make<SlidingRRTConnect>(search.options_.range);
@@ -78,7 +97,9 @@ class FloorSearch::Seeker {
     std::shared_ptr<og::PathGeometric> solve(const ob::PlannerTerminationCondition& isOver) {
         planner_->solve(isOver);
         if (!definition_->hasExactSolution()) return nullptr;
-        return std::static_pointer_cast<og::PathGeometric>(definition_->getSolutionPath());
+        auto found = std::static_pointer_cast<og::PathGeometric>(definition_->getSolutionPath());
+        if (known_) joinEnds(*found);
+        return found;
     }
 
     void getPlannerData(ob::PlannerData& data) const { planner_->getPlannerData(data); }
@@ -90,9 +111,38 @@ class FloorSearch::Seeker {
         return outside == nullptr ? given : std::make_shared<OutsideGoal>(si_, *outside);
     }
 
+    /// Looks for other ways around the motions of the known path that do not keep the floor.
+    void goAround(const FloorSearch& search, const Job& job) {
+        const og::PathGeometric& path = *job.path.path;
+        const auto narrows = narrowsOf(path, *search.validator_, job.floor, search.isSpent_);
+        const ob::GoalPtr goal = definition_->getGoal();
+        if (narrows.empty() || !goal->hasType(ob::GOAL_SAMPLEABLE_REGION)) return;
+        known_ = job.path.path;
+        for (unsigned int i = 1; i < narrows.front(); ++i) definition_->addStartState(path.getState(i));
+        // Motions after the last narrow one keep the floor; the last state of all ends none of them.
+        const unsigned int last = narrows.back();
+        definition_->setGoal(std::make_shared<EndOfPath>(
+            si_, goal, path, si_->isValid(path.getState(last)) ? last : last + 1));
+        sampler_ = std::make_shared<BesideNarrows>(*si_, path, narrows, search.validator_->scene().part);
+    }
+
+    /// Adds the known path's states before the first and after the last, where these are states of it.
+    void joinEnds(og::PathGeometric& found) const {
+        const auto placeOf = [&](const ob::State* state) {
+            unsigned int i = 0;
+            while (i < known_->getStateCount() && !si_->equalStates(known_->getState(i), state)) ++i;
+            return i;
+        };
+        const unsigned int first = placeOf(found.getState(0)), last = placeOf(found.getStates().back());
+        if (first < known_->getStateCount()) {
+            for (unsigned int i = first; i > 0; --i) found.prepend(known_->getState(i - 1));
+        }
+        for (unsigned int i = last + 1; i < known_->getStateCount(); ++i) found.append(known_->getState(i));
+    }
+
     template <class Tree>
     void make(double range) {
-        const auto planner = std::make_shared<Tree>(si_);
+        const auto planner = std::make_shared<Sampling<Tree>>(si_, sampler_);
         planner->setRange(range);
         planner->setProblemDefinition(definition_);
         planner->setup();
@@ -101,6 +151,8 @@ class FloorSearch::Seeker {
 
     ob::SpaceInformationPtr si_;
     ob::ProblemDefinitionPtr definition_;
+    ob::StateSamplerPtr sampler_;                     ///< null: the space's own
+    std::shared_ptr<const og::PathGeometric> known_;  ///< whose ends the trees begin with; null: none
     ob::PlannerPtr planner_;
 };
 
@@ -111,9 +163,12 @@ FloorSearch::FloorSearch(ob::SpaceInformationPtr si, ob::ProblemDefinitionPtr de
 FloorSearch::~FloorSearch() = default;
 
 void FloorSearch::add(const WidePath& path, double seconds) {
+    const bool isFirst = !best_;
     takeIfBetter(path, 0);
     widenLater(path, seconds, false);
-    wideSeeks_.patience = shortSeeks_.patience = std::max(kLeastPatience, kPatience * seconds);
+    // Seeks beside narrow places take far less time than the search for the first path.
+    wideSeeks_.patience = shortSeeks_.patience =
+        isFirst ? kLeastPatience : std::max(kLeastPatience, kPatience * seconds);
     share_ = kFirstShare;
 }
 
@@ -149,6 +204,11 @@ void FloorSearch::run(const FloorSearchOptions& options, const std::function<boo
 std::optional<double> FloorSearch::clearance() const {
     const std::lock_guard<std::mutex> lock(mutex_);
     return best_ ? std::optional<double>(best_->clearance) : std::nullopt;
+}
+
+bool FloorSearch::hasWidenedSeveral() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return ways_ > 1;
 }
 
 void FloorSearch::getPlannerData(ob::PlannerData& data) const {
@@ -199,7 +259,7 @@ FloorSearch::Job FloorSearch::nextJob() {
     job.kind = Job::Kind::kWidenOn;
     job.path = {std::make_shared<og::PathGeometric>(*best_->path), best_->clearance};
     job.gain = gain_;
-    job.seconds = std::max(wideSeeks_.patience, kLeastPatience);
+    job.seconds = std::max(wideSeeks_.patience, kLeastWidening);
     gain_ = gain_ > kLeastBandGain ? kBandGainLoss * gain_ : kFirstBandGain;
     ++widening_;
     return job;
@@ -208,12 +268,18 @@ FloorSearch::Job FloorSearch::nextJob() {
 FloorSearch::Job FloorSearch::seekingJob() {
     Job job;
     job.known = paths_;
-    job.isShortWay = best_ && options_.wantsShortWays && shortSeeks_.spent < wideSeeks_.spent;
+    // Wider ways come first: before a second one is widened, the clearance of the only one says little.
+    const bool isSecondWay = best_ && ways_ < 2 && options_.wantsShortWays;
+    job.isShortWay = best_ && !isSecondWay && options_.wantsShortWays && shortSeeks_.spent < wideSeeks_.spent;
     Seeks& seeks = job.isShortWay ? shortSeeks_ : wideSeeks_;
     job.number = seeks.begun++;
+    if (isSecondWay) job.path = *best_;
     job.seconds = seeks.patience;
     if (job.isShortWay) {
         job.floor = kShortWaysFloors[job.number % std::size(kShortWaysFloors)] * best_->clearance;
+    } else if (isSecondWay && job.number % 2 != 0) {
+        job.isLow = true;
+        job.floor = kLowFloor * best_->clearance;
     } else if (best_) {
         job.floor = best_->clearance + share_ * std::max(0.0, options_.most - best_->clearance);
     }
@@ -228,10 +294,16 @@ void FloorSearch::widen(const Job& job) {
     const double seconds = job.kind == Job::Kind::kWidenOn ? job.seconds : 0;
     options.isSpent = [&] { return isSpent_() || (seconds > 0 && threadSeconds() - begin > seconds); };
     og::PathGeometric path = *job.path.path;
+    // The seeks aim above the clearance that a band has reached so far.
+    options.onGain = [&](double kept) {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        takeIfBetter({std::make_shared<og::PathGeometric>(path), kept}, gain_);
+    };
     if (job.kind == Job::Kind::kWidenOn) {
         options.gain = job.gain;
     } else {
         options.idleStages = kFirstIdleStages;
+        endFurtherOut(path, definition_->getGoal(), validator_->scene(), options_.most);
         options.clearance = shortenFirst(job, path);
         if (job.isShortWay && isTooLong(path)) return;
     }
@@ -241,6 +313,7 @@ void FloorSearch::widen(const Job& job) {
     const WidePath widened{std::make_shared<og::PathGeometric>(path), clearance};
     const std::lock_guard<std::mutex> lock(mutex_);
     takeIfBetter(widened, kFirstBandGain);
+    ways_ += job.kind == Job::Kind::kWiden;
     if (job.isShortWay && (!shortWay_ || isBetterWay(widened, *shortWay_, radius()))) shortWay_ = widened;
     if (gain_ == 0) gain_ = kFirstBandGain;
 }
@@ -270,7 +343,8 @@ void FloorSearch::seek(const Job& job) {
     const double begin = threadSeconds();
     const auto isPassed = [&] {
         const std::lock_guard<std::mutex> lock(mutex_);
-        return !job.isShortWay && (paths_ > job.known || (best_ && best_->clearance > job.floor));
+        return !job.isShortWay && !job.isLow &&
+               (paths_ > job.known || (best_ && best_->clearance > job.floor));
     };
     const ob::PlannerTerminationCondition isOver([&] {
         return isSpent_() || (job.seconds > 0 && threadSeconds() - begin > job.seconds) || isPassed();
@@ -281,7 +355,9 @@ void FloorSearch::seek(const Job& job) {
     if (states) {
         WidePath found{std::make_shared<og::PathGeometric>(si_), job.floor};
         for (const ob::State* state : states->getStates()) found.path->append(state);
-        if (job.isShortWay) return widenLater(found, threadSeconds() - begin, true);
+        if (job.isShortWay || job.isLow) {
+            return widenLater(found, threadSeconds() - begin, job.isShortWay);
+        }
         ++paths_;
         add(found, threadSeconds() - begin);
     } else if (job.isShortWay) {
@@ -290,6 +366,8 @@ void FloorSearch::seek(const Job& job) {
         // Only the last ones: where a goal is not valid, each ends at once.
         if (inVain_.size() >= options_.threads) inVain_.erase(inVain_.begin());
         inVain_.push_back(std::move(seeker));
+    } else if (job.isLow) {
+        wideSeeks_.patience *= kGrowth;
     } else if (paths_ == job.known && !(best_->clearance > job.floor)) {
         wideSeeks_.patience *= kGrowth;
         share_ = share_ > kLeastShare ? 0.5 * share_ : kFirstShare;

@@ -23,7 +23,8 @@ struct FloorSearchOptions {
     unsigned int threads = 2;  ///< >= 1
     double most = 0;           ///< no path has more clearance; finite
     double enough = 0;         ///< more is not looked for
-    /// Half of the planners' time goes to ways that wind less than the best path, instead of to wider ones.
+    /// Planners first look for a second way beside the narrow places of the only one. Then half of their time goes to ways that
+    /// wind less than the best path, instead of to wider ones.
     bool wantsShortWays = false;
 };
 
@@ -51,6 +52,9 @@ class FloorSearch {
 
     /// How much clearance the best path keeps; nothing before there is one. May be called while run() goes on.
     std::optional<double> clearance() const;
+
+    /// Whether a band has widened a second path. May be called while run() goes on.
+    bool hasWidenedSeveral() const;
 
     /// The trees of the planners that looked in vain for a first path, or else the best way, as one branch. The states live
     /// until the next run().
@@ -93,6 +97,7 @@ class FloorSearch {
     std::optional<WidePath> shortWay_;  ///< the best of the short ways, by isBetterWay
     double gain_ = 0;                   ///< of the best path's next band; 0: its first one is not over
     int widening_ = 0;                  ///< threads
+    int ways_ = 0;                      ///< widened, ever
     int paths_ = 0;                     ///< that seekers found, ever
     Seeks wideSeeks_, shortSeeks_;
     double share_ = 0;    ///< of the difference between the best and the most clearance, for the next floor

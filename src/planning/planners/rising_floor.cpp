@@ -43,13 +43,19 @@ void RisingFloor::clear() {
     first_.reset();
 }
 
+std::shared_ptr<const FloorSearch> RisingFloor::search() const {
+    const std::lock_guard<std::mutex> lock(searchMutex_);
+    return search_;
+}
+
 std::optional<double> RisingFloor::clearance() const {
-    std::shared_ptr<const FloorSearch> search;
-    {
-        const std::lock_guard<std::mutex> lock(searchMutex_);
-        search = search_;
-    }
-    return search ? search->clearance() : std::nullopt;
+    const auto found = search();
+    return found ? found->clearance() : std::nullopt;
+}
+
+bool RisingFloor::hasWidenedSeveral() const {
+    const auto found = search();
+    return found && found->hasWidenedSeveral();
 }
 
 void RisingFloor::getPlannerData(ob::PlannerData& data) const {

@@ -47,7 +47,10 @@ class RisingFloor : public ompl::base::Planner {
     /// How much the best path keeps so far; nothing before there is one. May be called while solve() goes on.
     std::optional<double> clearance() const;
 
-    /// Looks for ways that wind less, too, and ends with one that keeps nearly as much clearance as the best path: see
+    /// Whether a band has widened a second path. May be called while solve() goes on.
+    bool hasWidenedSeveral() const;
+
+    /// First looks for a second way beside the narrow places of the first path, then for ways that wind less, too, and ends with one that keeps nearly as much clearance as the best path: see
     /// FloorSearch::bestWay.
     void lookForShortWays() { wantsShortWays_ = true; }
 
@@ -57,6 +60,7 @@ class RisingFloor : public ompl::base::Planner {
     unsigned int getThreads() const { return threads_; }
 
   private:
+    std::shared_ptr<const FloorSearch> search() const;
     bool hasValidStart() const;
     double mostClearance() const;
     double wantedClearance() const;

@@ -37,7 +37,8 @@ constexpr double kBoundsSlack = 1e-9;
 constexpr double kLeastFinishing = 5;
 
 /// Seconds that making room gets: as many as planning took, within these, and within half of the time left. It gets up to
-/// kGrowing times as many, within kMostRoom, while the clearance still grows fast.
+/// kGrowing times as many, within kMostRoom, while the clearance still grows fast,
+/// and a quarter more before a second way was widened.
 constexpr double kLeastRoom = 1, kMostRoom = 5, kGrowing = 3;
 constexpr double kRoomShare = 0.5;
 /// With iterations a sweep of a band counts as so many of them. A sweep and as many iterations of RRTConnect take about
@@ -144,7 +145,6 @@ double widen(const PlanSetup& setup, Budget& budget, og::PathGeometric& path, Pl
     limits.isDue = [&] { return budget.isRoomDue(); };
     limits.isSpent = [&] { return budget.isRoomOver(); };
     report.room = makeRoom(setup, path, limits);
-    cutOutside(setup, path);
     report.room->seconds = secondsSince(begin);
     return report.room->after;
 }

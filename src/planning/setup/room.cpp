@@ -1,14 +1,19 @@
 #include "planning/setup/room.h"
 
 #include <algorithm>
+#include <atomic>
 #include <memory>
 #include <mutex>
 
+#include "clearway/planning/finish.h"
 #include "clearway/planning/motion_validator.h"
+#include "clearway/scene_clearance.h"
 #include "core/clock.h"
 #include "planning/paths/kept_clearance.h"
+#include "planning/paths/part_moves.h"
 #include "planning/paths/room_both_ways.h"
 #include "planning/planners/rising_floor.h"
+#include "planning/setup/goals.h"
 #include "planning/validity/ompl_states.h"
 
 namespace clearway::planning {
@@ -20,9 +25,12 @@ namespace og = ompl::geometric;
 /// The clearances before and after are measured to these shares. The time is for bands.
 constexpr double kBeforeAccuracy = 0.1, kAfterAccuracy = 0.01;
 
+constexpr int kEndBisections = 10;  ///< of the motion that leads outside
+
 /// Whether a clearance still grows fast: by kFastGrowth within this share of the time so far.
-constexpr double kFastGrowth = 0.05, kLookBack = 0.5;
+constexpr double kFastGrowth = 0.05, kLookBack = 0.3;
 constexpr double kLookSeconds = 0.01;  ///< between two looks
+constexpr double kOneWay = 1.25;       ///< times as long goes on what has widened a single way
 
 /// Watches a clearance. Several threads ask.
 class Growth {
@@ -85,6 +93,10 @@ class RoomSetup {
 
 void makeRoomBySweeps(const RoomSetup& setup, og::PathGeometric& path, const RoomLimits& limits,
                       double kept) {
+    const Scene& scene = setup.validator().scene();
+    const PartMoves moves(*setup.si()->getStateSpace(), scene.part);
+    const double most = SceneClearance(scene).at(moves.pose(path.getState(0))).lower;
+    endFurtherOut(path, setup.definition()->getGoal(), scene, most);
     RoomOptions options;
     options.clearance = kept;
     options.sweeps = limits.sweeps;
@@ -101,13 +113,38 @@ void makeRoomInTime(const RoomSetup& setup, og::PathGeometric& path, const RoomL
     rising.setup();
     rising.startFrom(path, {kept, limits.planningSeconds});
     Growth growth;
+    const Clock::time_point begin = Clock::now();
+    std::atomic<double> due{0};
     rising.solve(ob::PlannerTerminationCondition([&] {
         const bool isFast = growth.isFast([&] { return rising.clearance().value_or(0); });
-        return limits.isSpent() || (limits.isDue() && !isFast);
+        if (limits.isSpent()) return true;
+        if (!limits.isDue() || isFast) return false;
+        if (due == 0) due = secondsSince(begin);
+        return rising.hasWidenedSeveral() || secondsSince(begin) > kOneWay * due;
     }));
     if (const ob::PathPtr found = setup.definition()->getSolutionPath()) {
         path = *std::static_pointer_cast<og::PathGeometric>(found);
     }
+}
+
+/// Ends the path where its first motion that leads outside gets there: makeRoom led it on, for clearance at its end.
+void endOnceOutside(const PlanSetup& setup, og::PathGeometric& path) {
+    cutOutside(setup, path);
+    const auto last = static_cast<unsigned int>(path.getStateCount()) - 1;
+    const ob::GoalPtr& goal = setup.definition->getGoal();
+    if (last == 0 || !isOutside(goal, path.getState(last))) return;
+    const og::PathGeometric whole = path;
+    double inside = 0, outside = 1;
+    const auto endAt = [&](double time) {
+        setup.si->getStateSpace()->interpolate(whole.getState(last - 1), whole.getState(last), time,
+                                               path.getState(last));
+    };
+    for (int k = 0; k < kEndBisections; ++k) {
+        const double middle = 0.5 * (inside + outside);
+        endAt(middle);
+        (isOutside(goal, path.getState(last)) ? outside : inside) = middle;
+    }
+    endAt(outside);
 }
 
 }  // namespace
@@ -119,6 +156,7 @@ RoomReport makeRoom(const PlanSetup& setup, og::PathGeometric& path, const RoomL
     report.before = keptClearance(path, room.validator(), {0, most, kBeforeAccuracy, limits.isSpent});
     og::PathGeometric widened = room.copyOf(path);
     (limits.sweeps ? makeRoomBySweeps : makeRoomInTime)(room, widened, limits, report.before);
+    endOnceOutside(setup, widened);
     // The last word has the auditor, whose motions do not end with the room's time.
     report.after = keptClearance(widened, *setup.auditor, {0, most, kAfterAccuracy, {}});
     if (report.after < report.before) {

@@ -112,6 +112,25 @@ bool OutsideGoal::isSatisfied(const ob::State* state, double* distance) const {
     return found < 0;
 }
 
+void OutsideGoal::moveOut(ob::State* state, double gap) const {
+    const Box part = movedBox(stateToPose_(state), part_);
+    PartState at = fromOmpl(kind_, state);
+    double most = 0;
+    Vector3 way = Vector3::Zero();
+    for (const BoxSide& side : sidesOf(outside_)) {
+        const double now = -overlapAt(side, part, surroundings_);
+        if (side.axis >= dimensionsOf(kind_) || !(now > 0)) continue;
+        const double left = side.isUpper ? bounds_.max()[side.axis] - at.position[side.axis]
+                                         : at.position[side.axis] - bounds_.min()[side.axis];
+        const double distance = std::clamp(gap - now, 0.0, std::max(0.0, left));
+        if (!(now + distance > most)) continue;
+        most = now + distance;
+        way = (side.isUpper ? distance : -distance) * Vector3::Unit(side.axis);
+    }
+    at.position += way;
+    si_->copyState(state, toOmpl(si_->getStateSpace(), kind_, at).get());
+}
+
 unsigned int OutsideGoal::maxSampleCount() const {
     return kMostGoals;
 }

@@ -161,7 +161,7 @@ def ladder(place, row):
 OWN_PROBLEMS = ("gates", "peg-in-hole", "window", "bracket", "tunnel-console-small", "puzzle", "apartment", "tunnel-console-3-2mm")
 OMPLAPP = ("Easy", "Apartment", "alpha-1.5", "Abstract", "Twistycool", "cubicles", "spirelli", "Home", "bugtrap", "alpha-1.2", "Twistycooler",
            "alpha-1.1", "alpha-1.0")
-ROOM = ("bracket", "gates", "tunnel-console-small", "tunnel-console-3")
+ROOM = ("bracket", "angle", "gates", "tunnel-console-small", "tunnel-console-3")
 
 
 def plans(table, choices):

@@ -36,7 +36,7 @@ BOOST_AUTO_TEST_CASE(every_problem_of_data_is_read_without_warning_and_its_start
         }
     }
     for (const char* name :
-         {"apartment", "bracket", "gates", "peg-in-hole", "puzzle", "tunnel-console", "window"}) {
+         {"angle", "apartment", "bracket", "gates", "peg-in-hole", "puzzle", "tunnel-console", "window"}) {
         BOOST_TEST(names.count(name) == 1u, name << " is missing");
     }
 }

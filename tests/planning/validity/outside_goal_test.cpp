@@ -70,6 +70,39 @@ BOOST_AUTO_TEST_CASE(drawn_states_are_valid_within_bounds_and_outside_on_the_sid
     }
 }
 
+BOOST_AUTO_TEST_CASE(states_move_out_until_the_gap_is_as_wide_as_asked_for_or_the_bounds_end) {
+    for (const Space kind : {Space::kSe3, Space::kSe2}) {
+        const Outdoors f(kind, kWide, {});
+        const ScratchState state(*f.si);
+        for (const double gap : {0.0, 50.0, 1000.0}) {
+            for (int i = 0; i < 100; ++i) {
+                f.goal->sampleGoal(state.get());
+                const double before = -overlapOf({}, f.partAt(state.get()), kWall);
+                const Vector3 from = fromOmpl(kind, state.get()).position;
+                f.goal->moveOut(state.get(), gap);
+                const Vector3 to = fromOmpl(kind, state.get()).position;
+                BOOST_TEST_REQUIRE(f.si->satisfiesBounds(state.get()));
+                BOOST_TEST_REQUIRE((to - from).cwiseAbs().maxCoeff() == (to - from).norm());
+                const double after = -overlapOf({}, f.partAt(state.get()), kWall);
+                if (before >= gap) {
+                    BOOST_TEST_REQUIRE((to == from));
+                } else if (to.cwiseAbs().maxCoeff() < 300) {
+                    BOOST_TEST_REQUIRE(after == gap, boost::test_tools::tolerance(1e-9));
+                } else {
+                    BOOST_TEST_REQUIRE((after > before && after <= gap * (1 + 1e-9)));
+                }
+            }
+        }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(a_state_that_is_not_outside_stays_where_it_is) {
+    const Outdoors f(Space::kSe3, kWide, {});
+    auto state = toOmpl(f.si->getStateSpace(), Space::kSe3, {{0, 0, 0}, {1, 0, 0, 0}});
+    f.goal->moveOut(state.get(), 50);
+    BOOST_TEST((fromOmpl(Space::kSe3, state.get()).position == Vector3(0, 0, 0)));
+}
+
 BOOST_AUTO_TEST_CASE(draws_differ_in_rotation_and_some_are_straight_ahead_of_the_start) {
     const Outdoors f(Space::kSe3, kWide, {sideNamed("+x")});
     const ScratchState state(*f.si);

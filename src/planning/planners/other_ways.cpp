@@ -1,0 +1,88 @@
+#include "planning/planners/other_ways.h"
+
+#include <utility>
+
+namespace clearway::planning {
+namespace {
+
+namespace ob = ompl::base;
+namespace og = ompl::geometric;
+
+/// One of so many samples is drawn anywhere; the others lie beside the narrow places.
+constexpr int kAnywhere = 4;
+
+}  // namespace
+
+std::vector<unsigned int> narrowsOf(const og::PathGeometric& path, const MotionValidator& validator,
+                                    double floor, const std::function<bool()>& isSpent) {
+    std::vector<unsigned int> narrows;
+    for (unsigned int i = 1; i < path.getStateCount(); ++i) {
+        if (!validator.keepsClearance(path.getState(i - 1), path.getState(i), floor, isSpent))
+            narrows.push_back(i);
+    }
+    return narrows;
+}
+
+BesideNarrows::BesideNarrows(const ob::SpaceInformation& si, const og::PathGeometric& path,
+                             std::vector<unsigned int> narrows, const Model& part)
+    : StateSampler(si.getStateSpace().get()),
+      anywhere_(si.allocStateSampler()),
+      moves_(*space_, part),
+      path_(path),
+      narrows_(std::move(narrows)),
+      narrow_(si) {}
+
+void BesideNarrows::sampleUniform(ob::State* state) {
+    anywhere_->sampleUniform(state);
+    if (++drawn_ % kAnywhere == 0) return;
+    const unsigned int i = narrows_[random_.uniformInt(0, static_cast<int>(narrows_.size()) - 1)];
+    space_->interpolate(path_.getState(i - 1), path_.getState(i), random_.uniform01(), narrow_.get());
+    Twist there = Twist::Zero();
+    there.head<3>() = centre(narrow_.get()) - centre(state);
+    for (int axis = 0; axis < 3; ++axis) there[axis] += moves_.radius() * random_.uniformReal(-1, 1);
+    moves_.move(state, there, state);
+    space_->enforceBounds(state);
+}
+
+void BesideNarrows::sampleUniformNear(ob::State* state, const ob::State* near, double distance) {
+    anywhere_->sampleUniformNear(state, near, distance);
+}
+
+void BesideNarrows::sampleGaussian(ob::State* state, const ob::State* mean, double deviation) {
+    anywhere_->sampleGaussian(state, mean, deviation);
+}
+
+EndOfPath::EndOfPath(const ob::SpaceInformationPtr& si, ob::GoalPtr goal, const og::PathGeometric& path,
+                     unsigned int first)
+    : GoalSampleableRegion(si), goal_(std::move(goal)), path_(path), first_(first) {}
+
+const ob::GoalSampleableRegion& EndOfPath::region() const {
+    return *goal_->as<ob::GoalSampleableRegion>();
+}
+
+double EndOfPath::distanceGoal(const ob::State* state) const {
+    return region().distanceGoal(state);
+}
+
+bool EndOfPath::isSatisfied(const ob::State* state) const {
+    return goal_->isSatisfied(state);
+}
+
+bool EndOfPath::isSatisfied(const ob::State* state, double* distance) const {
+    return goal_->isSatisfied(state, distance);
+}
+
+unsigned int EndOfPath::maxSampleCount() const {
+    return region().maxSampleCount() + static_cast<unsigned int>(path_.getStateCount()) - first_;
+}
+
+void EndOfPath::sampleGoal(ob::State* state) const {
+    const unsigned int next = first_ + drawn_ / 2;
+    if (drawn_++ % 2 == 0 && next < path_.getStateCount()) {
+        si_->copyState(state, path_.getState(next));
+    } else {
+        region().sampleGoal(state);
+    }
+}
+
+}  // namespace clearway::planning
