@@ -50,8 +50,8 @@ class RisingFloor : public ompl::base::Planner {
     /// Whether a band has widened a second path. May be called while solve() goes on.
     bool hasWidenedSeveral() const;
 
-    /// First looks for a second way beside the narrow places of the first path, then for ways that wind less, too, and ends with one that keeps nearly as much clearance as the best path: see
-    /// FloorSearch::bestWay.
+    /// First looks for a second way beside the narrow places of the first path, then for ways that wind less, too. Ends with
+    /// one that keeps nearly as much clearance as the best path: see FloorSearch::bestWay.
     void lookForShortWays() { wantsShortWays_ = true; }
 
     void setRange(double range) { range_ = range; }  ///< longest edge of the trees; 0: OMPL's
