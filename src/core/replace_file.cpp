@@ -145,8 +145,10 @@ void requireReplaceable(const std::string& file) {
     open(temporary, file);
 }
 
-std::optional<std::string> setAside(const std::string& file) {
-    if (targetOf(file).type != std::filesystem::file_type::regular) return std::nullopt;
+std::optional<std::string> setAside(const std::string& given) {
+    const Target target = targetOf(given);
+    if (target.type != std::filesystem::file_type::regular) return std::nullopt;
+    const std::string& file = target.name;
     // A hard link never replaces a file, even one that another program has just made. Where the file system has no hard links
     // the file is renamed.
     std::error_code failed;

@@ -26,7 +26,7 @@ bool replaceFileByName(const std::string& file,
 void requireReplaceable(const std::string& file);
 
 /// Renames a regular file to file.old or, where that name is taken, to the first of file.old.2, file.old.3,
-/// ... that is not: no file is overwritten. A symbolic link to a regular file is renamed itself. Returns the
+/// ... that is not: no file is overwritten. A symbolic link stays, and the file that it leads to is renamed. Returns the
 /// new name; nothing when there is no such file. Throws std::runtime_error naming the file when it cannot be
 /// renamed.
 std::optional<std::string> setAside(const std::string& file);

@@ -1,6 +1,5 @@
 #include "model/winding_surface.h"
 
-#include <algorithm>
 #include <array>
 #include <stdexcept>
 #include <string>
@@ -49,16 +48,22 @@ bool isCrossed(const TriangleCorners& corners, const Vector3& point) {
     return normal.dot(seen[0]) * normal.x() > 0;
 }
 
-/// The components that rays cross an odd number of times from one end, and an even number from the other.
-std::vector<bool> crossedUnevenly(const Model& model, const PointAtEnds& ends) {
-    std::vector<bool> isUneven(model.components().size(), false);
-    const Vector3 start = ends.start * ends.point, goal = ends.goal ? *ends.goal * ends.point : start;
-    eachTriangleOf(model, [&](std::size_t component, const TriangleCorners& corners) {
-        const bool isCrossedFromGoal = ends.goal && isCrossed(corners, goal);
-        if (isCrossed(corners, start) != isCrossedFromGoal) isUneven[component] = !isUneven[component];
-    });
-    return isUneven;
-}
+/// Counts the triangles that rays from both ends cross. Where the sum is even, a closed shell of them parts no ends.
+class Crossings {
+  public:
+    explicit Crossings(const PointAtEnds& ends)
+        : start_(ends.start * ends.point), goal_(ends.goal ? *ends.goal * ends.point : start_) {
+        hasGoal_ = ends.goal.has_value();
+    }
+
+    int of(const TriangleCorners& corners) const {
+        return int(isCrossed(corners, start_)) + int(hasGoal_ && isCrossed(corners, goal_));
+    }
+
+  private:
+    Vector3 start_, goal_;
+    bool hasGoal_;
+};
 
 Mesh meshOfCorners(const std::vector<TriangleCorners>& triangles) {
     Mesh mesh;
@@ -82,15 +87,20 @@ bool isInBox(const std::vector<TriangleCorners>& triangles, const Vector3& point
 
 /// Whether it is the start that a closed shell of the triangles winds around; nothing where none parts the ends.
 std::optional<bool> endInside(const std::vector<TriangleCorners>& triangles, const PointAtEnds& ends) {
+    const Crossings crossings(ends);
     const CleanMesh cleaned = clean(meshOfCorners(triangles));
     const Shells shells = findShells(cleaned.triangles);
     std::vector<std::vector<TriangleCorners>> each(shells.count);
+    std::vector<int> crossed(shells.count);
     for (std::size_t t = 0; t < cleaned.triangles.size(); ++t) {
         const TriangleIndices& ids = cleaned.triangles[t];
-        each[shells.ofTriangle[t]].push_back(
-            {cleaned.vertices[ids[0]], cleaned.vertices[ids[1]], cleaned.vertices[ids[2]]});
+        const std::uint32_t shell = shells.ofTriangle[t];
+        each[shell].push_back({cleaned.vertices[ids[0]], cleaned.vertices[ids[1]], cleaned.vertices[ids[2]]});
+        crossed[shell] += crossings.of(each[shell].back());
     }
-    for (const std::vector<TriangleCorners>& shell : each) {
+    for (std::uint32_t i = 0; i < shells.count; ++i) {
+        const std::vector<TriangleCorners>& shell = each[i];
+        if (crossed[i] % 2 == 0) continue;
         if (!isInBox(shell, ends.start * ends.point) &&
             !(ends.goal && isInBox(shell, *ends.goal * ends.point)))
             continue;
@@ -113,14 +123,17 @@ Vector3 anyPointOf(const Model& model) {
 }
 
 std::optional<WindingSurface> surfaceThatParts(const Model& model, const PointAtEnds& ends) {
-    const std::vector<bool> isUneven = crossedUnevenly(model, ends);
-    if (std::find(isUneven.begin(), isUneven.end(), true) == isUneven.end()) return std::nullopt;
-    std::vector<std::vector<TriangleCorners>> triangles(isUneven.size());
+    const Crossings crossings(ends);
+    std::vector<bool> isMet(model.components().size(), false);
     eachTriangleOf(model, [&](std::size_t component, const TriangleCorners& corners) {
-        if (isUneven[component]) triangles[component].push_back(corners);
+        if (crossings.of(corners) > 0) isMet[component] = true;
     });
-    for (std::size_t i = 0; i < isUneven.size(); ++i) {
-        if (!isUneven[i]) continue;
+    std::vector<std::vector<TriangleCorners>> triangles(isMet.size());
+    eachTriangleOf(model, [&](std::size_t component, const TriangleCorners& corners) {
+        if (isMet[component]) triangles[component].push_back(corners);
+    });
+    for (std::size_t i = 0; i < isMet.size(); ++i) {
+        if (!isMet[i]) continue;
         const std::optional<bool> isAroundStart = endInside(triangles[i], ends);
         if (!isAroundStart) continue;
         const std::string& name = model.components()[i].name;

@@ -25,7 +25,6 @@ struct WindingSurface {
 Vector3 anyPointOf(const Model& model);  ///< a vertex; mesh coordinates
 
 /// A closed shell of the model that winds around the point at one end alone, decided exactly; the point must be on no surface.
-/// Where a component as a whole is crossed as often from both ends, its shells are not looked at.
 std::optional<WindingSurface> surfaceThatParts(const Model& model, const PointAtEnds& ends);
 
 }  // namespace clearway

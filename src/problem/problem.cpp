@@ -82,6 +82,12 @@ void growForPart(Box& bounds, const Problem& problem, const Box& environmentBox,
     if (environmentBox.isEmpty()) return;
     const Vector3 farthest = partBox.min().cwiseAbs().cwiseMax(partBox.max().cwiseAbs());
     const double room = kRoomInRadii * farthest.norm() + largestMargin(problem);
+    const double largest = kFarthestInSizes * (environmentBox.diagonal().norm() + partBox.diagonal().norm());
+    if (largestMargin(problem) > largest) {
+        throw std::invalid_argument(named(problem) + "a margin is " + shortNumber(largestMargin(problem)) +
+                                    ", more than a million times the scene's size, expected at most " +
+                                    roundedNumber(largest));
+    }
     for (const BoxSide& side : sidesOf(*problem.outside)) {
         if (side.axis >= dimensionsOf(problem)) continue;
         Vector3 point = environmentBox.center();

@@ -218,9 +218,10 @@ BOOST_AUTO_TEST_CASE(a_file_set_aside_never_overwrites_another) {
 
     folder.write("b.path", "there");
     std::filesystem::create_symlink("b.path", file);
-    BOOST_TEST(setAside(file).value_or("") == folder.file("a.path.old.5"));
-    BOOST_TEST(std::filesystem::is_symlink(folder.file("a.path.old.5")));
-    BOOST_TEST(readText(folder.file("b.path")) == "there");
+    BOOST_TEST(setAside(file).value_or("") == folder.file("b.path.old"));
+    BOOST_TEST(std::filesystem::is_symlink(file));
+    BOOST_TEST(readText(folder.file("b.path.old")) == "there");
+    BOOST_TEST(!setAside(file));           // the link leads to nothing
     BOOST_TEST(!setAside(folder.path()));  // a folder stays
 }
 

@@ -127,6 +127,17 @@ BOOST_AUTO_TEST_CASE(bounds_without_room_for_the_part_outside_are_refused) {
     BOOST_TEST(refusalOf(problem, kUnitBox, Box()).find("expected the part's box") != std::string::npos);
 }
 
+BOOST_AUTO_TEST_CASE(a_margin_that_no_bounds_outside_hold_is_refused) {
+    Problem problem = outsideProblem(sideNamed("+z"));
+    problem.volume.reset();
+    problem.margin = 1e300;
+    BOOST_TEST(
+        refusalOf(problem, kUnitBox, kPart)
+            .find(
+                "a.cfg: a margin is 1e+300, more than a million times the scene's size, expected at most ") ==
+        0);
+}
+
 BOOST_AUTO_TEST_CASE(a_goal_outside_that_has_contacts_is_refused) {
     Problem problem = outsideProblem();
     problem.rules.goalContact = ContactRule{{"wall"}, 1};

@@ -168,7 +168,7 @@ void describeSolution(const PlanSetup& setup, const Problem& problem, const Plan
     report.foundBy = solution.plannerName_;
     og::PathGeometric path = pathOf(setup, solution);
     report.statesBefore = path.getStateCount();
-    const bool isRoomWanted = wantsRoom(options, report);
+    const bool isRoomWanted = wantsRoom(options, report) && path.getStateCount() > 1;
     if (isRoomWanted) tellPhase(PlanPhase::kMakingRoom, options);
     const double kept = isRoomWanted ? widen(setup, budget, path, report) : 0;
     tellPhase(PlanPhase::kFinishing, options);
@@ -176,6 +176,7 @@ void describeSolution(const PlanSetup& setup, const Problem& problem, const Plan
     report.audit = finish(
         setup, path, [&] { return budget.isOutOfTime(); }, kept);
     if (cutOutside(setup, path)) report.audit = audit(path, *setup.auditor);
+    if (std::isinf(report.audit.lowerClearance)) report.room.reset();  // there is nothing to keep clear of
     take(setup, problem, path, report);
 }
 

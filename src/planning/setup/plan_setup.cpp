@@ -57,8 +57,9 @@ void requireOptions(const Problem& problem, const PlanOptions& options) {
     }
     const auto objective = chooseObjective(problem, options);
     if (options.wantedClearance && !(objective && objective->name == kLengthWithClearance)) {
-        throw RefusedOption("a wanted clearance is given, and the objective is " +
-                            (objective ? objective->name : "length") + ", expected " + kLengthWithClearance);
+        throw RefusedOption("a wanted clearance is given " +
+                            (objective ? "with the objective " + objective->name : "without an objective") +
+                            ", expected the objective " + kLengthWithClearance);
     }
     if (options.seed == 0) throw RefusedOption("seed is 0, expected a whole number above 0");
     if (options.seconds && options.iterations) {

@@ -89,7 +89,7 @@ std::string readable(const Box& box) {
 
 std::string shortened(double value, int digits) {
     char text[32];
-    std::snprintf(text, sizeof text, "%.*g", digits, towardsZero(value, digits));
+    std::snprintf(text, sizeof text, "%.*g", digits, towardsZero(value, digits) + 0.0);  // -0 reads as 0
     return text;
 }
 

@@ -103,10 +103,9 @@ void printHintOfBounds(const WhyNoPath& why, const Problem& problem) {
     for (const Blocker& blocker : why.blockers) atBounds += blocker.isBounds() ? blocker.motions() : 0;
     if (keys.empty() && double(atBounds) < std::max(1.0, kManyAtBounds * double(stopped))) return;
     const std::string named = keys.empty() ? "volume.min.x ... volume.max.z" : joined(keys);
-    printRow("hint",
-             named + (problem.volume ? " of the problem file may leave too little room"
-                                     : " in the problem file give the part more room than the environment's "
-                                       "box, which are the bounds without them"));
+    printRow("hint", named + (problem.volume ? " of the problem file may leave too little room"
+                                             : " in the problem file can leave the part more room than the "
+                                               "environment's box, which is the bounds otherwise"));
 }
 
 /// The part may be held by an obstacle that counts again although it has not left it.

@@ -143,6 +143,7 @@ BOOST_AUTO_TEST_CASE(a_start_outside_is_the_path_and_is_warned_of) {
     BOOST_REQUIRE((report.outcome == Outcome::kFound));
     BOOST_TEST(report.path.size() == 1u);
     BOOST_TEST(report.audit.isValid());
+    BOOST_TEST(!report.room);
     BOOST_REQUIRE(report.warnings.size() == 1u);
     BOOST_TEST(report.warnings[0] == "the start is outside already, so the path ends there");
 }

@@ -88,6 +88,28 @@ BOOST_AUTO_TEST_CASE(a_surface_within_a_surface_shuts_in_by_itself) {
     BOOST_TEST((nested.plan().outcome == Outcome::kFound));
 }
 
+/// A solid with a cavity is one closed surface, which a ray from within crosses twice.
+BOOST_AUTO_TEST_CASE(a_cavity_in_a_solid_shuts_in) {
+    Mesh solid = testing::box({6, 6, 6}, 2);
+    const Mesh cavity = testing::box({5, 5, 5}, 3);
+    const auto first = static_cast<std::uint32_t>(solid.vertices.size());
+    solid.vertices.insert(solid.vertices.end(), cavity.vertices.begin(), cavity.vertices.end());
+    for (const TriangleIndices& ids : cavity.triangles)
+        solid.triangles.push_back({first + ids[0], first + ids[2], first + ids[1]});
+    solid.components = {{"solid", 0, static_cast<std::uint32_t>(solid.triangles.size())}};
+    Case hollow;
+    hollow.scene.obstacles = {{Model::build(solid)}};
+    const PlanReport report = hollow.plan();
+    BOOST_REQUIRE(report.shutIn.has_value());
+    BOOST_TEST(report.shutIn->obstacle == "solid");
+    hollow.problem.start.position = {-1, 2, 0};
+    hollow.problem.goal.position = {-1, -2, 0};
+    BOOST_TEST((hollow.plan().outcome == Outcome::kFound));
+    hollow.problem.start.position = {-20, 0, 0};
+    hollow.problem.goal.position = {20, 0, 0};
+    BOOST_TEST((hollow.plan().outcome == Outcome::kFound));
+}
+
 }  // namespace
 BOOST_AUTO_TEST_SUITE_END()
 
