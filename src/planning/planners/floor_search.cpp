@@ -27,7 +27,8 @@ namespace og = ompl::geometric;
 /// Floors, by turns, of the planners that look for short ways, as shares of the best clearance. A low one is quick, and a
 /// high one keeps out of ways that are short but narrow.
 constexpr double kShortWaysFloors[] = {0.5, 0.75, 0.9};
-/// Every other seek of a second way keeps to this share of the first one's clearance: bands widen some ways further than others.
+/// Every other seek of one of the first ways keeps to this share of the best one's clearance: bands widen some ways further than
+/// others.
 constexpr double kLowFloor = 0.5;
 constexpr double kFirstShare = 0.3;       ///< of the difference between the best and the most clearance
 constexpr double kLeastShare = 1.0 / 32;  ///< below it the shares begin anew
@@ -47,6 +48,7 @@ constexpr double kSurelyKept =
 
 /// RRTConnect takes one of so many turns beside the narrow places; SlidingRRTConnect, which finds more there, takes the others.
 constexpr int kTurnsBeside = 4;
+constexpr int kFirstWays = 3;  ///< that are widened before ways that wind less are sought
 
 /// A planner that draws its samples from a given sampler.
 template <class Planner>
@@ -268,16 +270,17 @@ FloorSearch::Job FloorSearch::nextJob() {
 FloorSearch::Job FloorSearch::seekingJob() {
     Job job;
     job.known = paths_;
-    // Wider ways come first: before a second one is widened, the clearance of the only one says little.
-    const bool isSecondWay = best_ && ways_ < 2 && options_.wantsShortWays;
-    job.isShortWay = best_ && !isSecondWay && options_.wantsShortWays && shortSeeks_.spent < wideSeeks_.spent;
+    // Wider ways come first: the clearance of a single one says little.
+    const bool isAmongFirst = best_ && ways_ < kFirstWays && options_.wantsShortWays;
+    job.isShortWay =
+        best_ && !isAmongFirst && options_.wantsShortWays && shortSeeks_.spent < wideSeeks_.spent;
     Seeks& seeks = job.isShortWay ? shortSeeks_ : wideSeeks_;
     job.number = seeks.begun++;
-    if (isSecondWay) job.path = *best_;
+    if (isAmongFirst) job.path = *best_;
     job.seconds = seeks.patience;
     if (job.isShortWay) {
         job.floor = kShortWaysFloors[job.number % std::size(kShortWaysFloors)] * best_->clearance;
-    } else if (isSecondWay && job.number % 2 != 0) {
+    } else if (isAmongFirst && job.number % 2 != 0) {
         job.isLow = true;
         job.floor = kLowFloor * best_->clearance;
     } else if (best_) {

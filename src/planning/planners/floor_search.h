@@ -23,7 +23,7 @@ struct FloorSearchOptions {
     unsigned int threads = 2;  ///< >= 1
     double most = 0;           ///< no path has more clearance; finite
     double enough = 0;         ///< more is not looked for
-    /// Planners first look for a second way beside the narrow places of the only one. Then half of their time goes to ways that
+    /// Planners first look for a few ways beside the narrow places of the best one. Then half of their time goes to ways that
     /// wind less than the best path, instead of to wider ones.
     bool wantsShortWays = false;
 };

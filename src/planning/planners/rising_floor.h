@@ -50,7 +50,7 @@ class RisingFloor : public ompl::base::Planner {
     /// Whether a band has widened a second path. May be called while solve() goes on.
     bool hasWidenedSeveral() const;
 
-    /// First looks for a second way beside the narrow places of the first path, then for ways that wind less, too. Ends with
+    /// First looks for a few ways beside the narrow places of the best path, then for ways that wind less, too. Ends with
     /// one that keeps nearly as much clearance as the best path: see FloorSearch::bestWay.
     void lookForShortWays() { wantsShortWays_ = true; }
 
