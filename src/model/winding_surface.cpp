@@ -1,5 +1,6 @@
 #include "model/winding_surface.h"
 
+#include <algorithm>
 #include <array>
 #include <stdexcept>
 #include <string>
@@ -48,21 +49,20 @@ bool isCrossed(const TriangleCorners& corners, const Vector3& point) {
     return normal.dot(seen[0]) * normal.x() > 0;
 }
 
-/// Counts the triangles that rays from both ends cross. Where the sum is even, a closed shell of them parts no ends.
+/// Counts the triangles that rays from both ends cross. A closed shell parts the ends only where the sum is odd.
 class Crossings {
   public:
-    explicit Crossings(const PointAtEnds& ends)
-        : start_(ends.start * ends.point), goal_(ends.goal ? *ends.goal * ends.point : start_) {
-        hasGoal_ = ends.goal.has_value();
+    explicit Crossings(const PointAtEnds& ends) : points_{ends.start * ends.point} {
+        if (ends.goal) points_.push_back(*ends.goal * ends.point);
     }
 
     int of(const TriangleCorners& corners) const {
-        return int(isCrossed(corners, start_)) + int(hasGoal_ && isCrossed(corners, goal_));
+        const auto crosses = [&](const Vector3& point) { return isCrossed(corners, point); };
+        return static_cast<int>(std::count_if(points_.begin(), points_.end(), crosses));
     }
 
   private:
-    Vector3 start_, goal_;
-    bool hasGoal_;
+    std::vector<Vector3> points_;
 };
 
 Mesh meshOfCorners(const std::vector<TriangleCorners>& triangles) {
@@ -85,6 +85,12 @@ bool isInBox(const std::vector<TriangleCorners>& triangles, const Vector3& point
     return Box(box.min() - slack, box.max() + slack).contains(point);
 }
 
+/// Nothing winds around a point outside of its box.
+bool isEndInBox(const std::vector<TriangleCorners>& triangles, const PointAtEnds& ends) {
+    return isInBox(triangles, ends.start * ends.point) ||
+           (ends.goal && isInBox(triangles, *ends.goal * ends.point));
+}
+
 /// Whether it is the start that a closed shell of the triangles winds around; nothing where none parts the ends.
 std::optional<bool> endInside(const std::vector<TriangleCorners>& triangles, const PointAtEnds& ends) {
     const Crossings crossings(ends);
@@ -100,10 +106,7 @@ std::optional<bool> endInside(const std::vector<TriangleCorners>& triangles, con
     }
     for (std::uint32_t i = 0; i < shells.count; ++i) {
         const std::vector<TriangleCorners>& shell = each[i];
-        if (crossed[i] % 2 == 0) continue;
-        if (!isInBox(shell, ends.start * ends.point) &&
-            !(ends.goal && isInBox(shell, *ends.goal * ends.point)))
-            continue;
+        if (crossed[i] % 2 == 0 || !isEndInBox(shell, ends)) continue;
         try {
             const Solid solid(meshOfCorners(shell), "shell");
             const auto winding = [&](const Pose& X) { return solid.winding(Pose{}, X, ends.point); };
@@ -133,7 +136,8 @@ std::optional<WindingSurface> surfaceThatParts(const Model& model, const PointAt
         if (isMet[component]) triangles[component].push_back(corners);
     });
     for (std::size_t i = 0; i < isMet.size(); ++i) {
-        if (!isMet[i]) continue;
+        if (!isMet[i] || !isEndInBox(triangles[i], ends))
+            continue;  // finding shells takes half a second for a million triangles
         const std::optional<bool> isAroundStart = endInside(triangles[i], ends);
         if (!isAroundStart) continue;
         const std::string& name = model.components()[i].name;
