@@ -39,10 +39,20 @@ std::vector<PartState> spinning() {
             at(0, -41, M_PI), at(60, -41, M_PI),     at(80, -41, 1.5 * M_PI), at(80, 0, 2 * M_PI)};
 }
 
-BOOST_AUTO_TEST_CASE(of_ways_with_nearly_as_much_clearance_it_ends_with_one_that_winds_less) {
-    const testing::GatesScene gates = testing::gatesScene();
-    og::SimpleSetup setup = makeSetup(gates.problem, gates.scene);
-    setup.setup();
+/// The planner for the gates, set up but for what a test adds.
+struct Gates {
+    Gates() : setup(makeSetup(gates.problem, gates.scene)), planner(setup.getSpaceInformation()) {
+        setup.setup();
+        planner.setProblemDefinition(setup.getProblemDefinition());
+        planner.setRange(60);
+    }
+
+    testing::GatesScene gates = testing::gatesScene();
+    og::SimpleSetup setup;
+    RisingFloor planner;
+};
+
+BOOST_FIXTURE_TEST_CASE(of_ways_with_nearly_as_much_clearance_it_ends_with_one_that_winds_less, Gates) {
     const og::PathGeometric first = pathThrough(setup.getSpaceInformation(), spinning());
     const MotionValidator& validator = motionValidatorOf(setup.getSpaceInformation());
     const double radius = 0.5 * gates.scene.part.box().diagonal().norm();
@@ -51,9 +61,6 @@ BOOST_AUTO_TEST_CASE(of_ways_with_nearly_as_much_clearance_it_ends_with_one_that
     };
     const double clearance = kept(first);
     BOOST_TEST_REQUIRE(clearance > 9);
-    RisingFloor planner(setup.getSpaceInformation());
-    planner.setProblemDefinition(setup.getProblemDefinition());
-    planner.setRange(60);
     planner.lookForShortWays();
     planner.setup();
     planner.startFrom(first, {clearance, 0.05});
@@ -71,13 +78,8 @@ BOOST_AUTO_TEST_CASE(of_ways_with_nearly_as_much_clearance_it_ends_with_one_that
     BOOST_TEST(windingLength(found, radius) < least);
 }
 
-BOOST_AUTO_TEST_CASE(it_tells_when_a_second_way_was_widened) {
-    const testing::GatesScene gates = testing::gatesScene();
-    og::SimpleSetup setup = makeSetup(gates.problem, gates.scene);
-    setup.setup();
-    RisingFloor planner(setup.getSpaceInformation());
-    planner.setProblemDefinition(setup.getProblemDefinition());
-    planner.setRange(60);
+BOOST_FIXTURE_TEST_CASE(ways_sought_from_the_ends_of_a_known_path_lead_from_start_to_goal, Gates) {
+    planner.lookForShortWays();
     planner.setup();
     const og::PathGeometric first = pathThrough(setup.getSpaceInformation(), spinning());
     planner.startFrom(first, {0, 0.05});
@@ -88,7 +90,6 @@ BOOST_AUTO_TEST_CASE(it_tells_when_a_second_way_was_widened) {
             ob::PlannerTerminationCondition([&] { return isOver() || planner.hasWidenedSeveral(); }));
     }
     BOOST_TEST(planner.hasWidenedSeveral());
-    // Paths that begin or end with states of a known path still lead from the start to the goal.
     const og::PathGeometric& found = setup.getSolutionPath();
     BOOST_TEST(setup.getSpaceInformation()->equalStates(found.getState(0), first.getState(0)));
     BOOST_TEST(
@@ -96,12 +97,7 @@ BOOST_AUTO_TEST_CASE(it_tells_when_a_second_way_was_widened) {
     BOOST_TEST(audit(found, motionValidatorOf(setup.getSpaceInformation())).isValid());
 }
 
-BOOST_AUTO_TEST_CASE(the_clearance_told_while_it_plans_never_falls_and_its_data_are_the_path) {
-    const testing::GatesScene gates = testing::gatesScene();
-    og::SimpleSetup setup = makeSetup(gates.problem, gates.scene);
-    setup.setup();
-    RisingFloor planner(setup.getSpaceInformation());
-    planner.setProblemDefinition(setup.getProblemDefinition());
+BOOST_FIXTURE_TEST_CASE(the_clearance_told_while_it_plans_never_falls_and_its_data_are_the_path, Gates) {
     planner.setup();
     const auto tell = planner.getPlannerProgressProperties().at("best cost REAL");
     BOOST_TEST(tell() == "");
