@@ -95,7 +95,7 @@ struct WhyNoPathOptions {
 /// random states of the trees towards random poses are followed until they are blocked. Positions of these poses are
 /// drawn from the bounds widened by a quarter of the part's diagonal, so that the bounds can be what blocks.
 ///
-/// Planners that do not tell their trees (RisingFloor, CForest) count as having grown none. Throws std::invalid_argument
+/// Planners that do not tell their trees (CForest) count as having grown none. Throws std::invalid_argument
 /// when the definition has no start or no goal, or no state of the goal is known.
 WhyNoPath whyNoPath(const FailedPlanning& failed, const Problem& problem,
                     const WhyNoPathOptions& options = {});

@@ -27,13 +27,10 @@ namespace og = ompl::geometric;
 /// Floors, by turns, of the planners that look for short ways, as shares of the best clearance. A low one is quick, and a
 /// high one keeps out of ways that are short but narrow.
 constexpr double kShortWaysFloors[] = {0.5, 0.75, 0.9};
-/// Every other seek of one of the first ways keeps to this share of the best one's clearance: bands widen some ways further than
-/// others.
+/// Some seeks beside narrow places keep to this share of the best clearance: bands widen some ways further than others.
 constexpr double kLowFloor = 0.5;
-constexpr double kFirstShare = 0.3;       ///< of the difference between the best and the most clearance
 constexpr double kLeastShare = 1.0 / 32;  ///< below it the shares begin anew
 constexpr double kPatience = 4;           ///< times the duration of the seek that found the last path
-constexpr double kLeastPatience = 0.05;   ///< seconds
 constexpr double kGrowth = 1.5;           ///< of patience, when a seek finds nothing
 constexpr int kFirstIdleStages = 2;       ///< of a path's first band: another way may have more room
 constexpr double kBandGainLoss = 0.5;     ///< from one band of a path to the next
@@ -88,7 +85,7 @@ class FloorSearch::Seeker {
         }
         definition_->setGoal(goalOf(search.definition_->getGoal()));
         if (job.path.path) goAround(search, job);
-        if (job.number % (sampler_ ? kTurnsBeside : 2) == 0) {
+        if (job.number / 2 % (sampler_ ? kTurnsBeside : 2) == 0) {
             make<og::RRTConnect>(search.options_.range);
         } else {
             make<SlidingRRTConnect>(search.options_.range);
@@ -103,8 +100,6 @@ class FloorSearch::Seeker {
         if (known_) joinEnds(*found);
         return found;
     }
-
-    void getPlannerData(ob::PlannerData& data) const { planner_->getPlannerData(data); }
 
   private:
     /// A goal outside has to draw states that keep the floor.
@@ -159,18 +154,18 @@ class FloorSearch::Seeker {
 };
 
 FloorSearch::FloorSearch(ob::SpaceInformationPtr si, ob::ProblemDefinitionPtr definition,
-                         std::shared_ptr<const MotionValidator> validator)
-    : si_(std::move(si)), definition_(std::move(definition)), validator_(std::move(validator)) {}
+                         std::shared_ptr<const MotionValidator> validator, const WidePath& first,
+                         double seconds)
+    : si_(std::move(si)), definition_(std::move(definition)), validator_(std::move(validator)), best_(first) {
+    widenLater(first, seconds, false);
+}
 
 FloorSearch::~FloorSearch() = default;
 
 void FloorSearch::add(const WidePath& path, double seconds) {
-    const bool isFirst = !best_;
     takeIfBetter(path, 0);
     widenLater(path, seconds, false);
-    // Seeks beside narrow places take far less time than the search for the first path.
-    wideSeeks_.patience = shortSeeks_.patience =
-        isFirst ? kLeastPatience : std::max(kLeastPatience, kPatience * seconds);
+    wideSeeks_.patience = shortSeeks_.patience = std::max(kLeastPatience, kPatience * seconds);
     share_ = kFirstShare;
 }
 
@@ -187,14 +182,13 @@ double FloorSearch::radius() const {
     return 0.5 * validator_->scene().part.box().diagonal().norm();
 }
 
-const std::optional<WidePath>& FloorSearch::bestWay() const {
-    return shortWay_ && isBetterWay(*shortWay_, *best_, radius()) ? shortWay_ : best_;
+const WidePath& FloorSearch::bestWay() const {
+    return shortWay_ && isBetterWay(*shortWay_, best_, radius()) ? *shortWay_ : best_;
 }
 
 void FloorSearch::run(const FloorSearchOptions& options, const std::function<bool()>& isSpent) {
     options_ = options;
     isSpent_ = isSpent;
-    inVain_.clear();
     std::vector<std::future<void>> others;
     for (unsigned int i = 1; i < options.threads; ++i) {
         others.push_back(std::async(std::launch::async, [this] { work(); }));
@@ -203,9 +197,9 @@ void FloorSearch::run(const FloorSearchOptions& options, const std::function<boo
     for (auto& other : others) other.get();
 }
 
-std::optional<double> FloorSearch::clearance() const {
+double FloorSearch::clearance() const {
     const std::lock_guard<std::mutex> lock(mutex_);
-    return best_ ? std::optional<double>(best_->clearance) : std::nullopt;
+    return best_.clearance;
 }
 
 bool FloorSearch::hasWidenedSeveral() const {
@@ -214,11 +208,7 @@ bool FloorSearch::hasWidenedSeveral() const {
 }
 
 void FloorSearch::getPlannerData(ob::PlannerData& data) const {
-    if (!best_) {
-        for (const auto& seeker : inVain_) seeker->getPlannerData(data);
-        return;
-    }
-    const std::vector<ob::State*>& states = bestWay()->path->getStates();
+    const std::vector<ob::State*>& states = bestWay().path->getStates();
     data.addStartVertex(ob::PlannerDataVertex(states.front()));
     data.addGoalVertex(ob::PlannerDataVertex(states.back()));
     for (std::size_t i = 1; i < states.size(); ++i) {
@@ -229,7 +219,7 @@ void FloorSearch::getPlannerData(ob::PlannerData& data) const {
 bool FloorSearch::isOver() const {
     if (isSpent_()) return true;
     const std::lock_guard<std::mutex> lock(mutex_);
-    return best_ && best_->clearance >= options_.enough;
+    return best_.clearance >= options_.enough;
 }
 
 void FloorSearch::work() {
@@ -256,10 +246,10 @@ FloorSearch::Job FloorSearch::nextJob() {
         return job;
     }
     const bool isTurn = options_.threads > 1 || widened_ <= wideSeeks_.spent + shortSeeks_.spent;
-    if (!best_ || gain_ == 0 || widening_ > 0 || !isTurn) return seekingJob();
+    if (gain_ == 0 || widening_ > 0 || !isTurn) return seekingJob();
     Job job;
     job.kind = Job::Kind::kWidenOn;
-    job.path = {std::make_shared<og::PathGeometric>(*best_->path), best_->clearance};
+    job.path = {std::make_shared<og::PathGeometric>(*best_.path), best_.clearance};
     job.gain = gain_;
     job.seconds = std::max(wideSeeks_.patience, kLeastWidening);
     gain_ = gain_ > kLeastBandGain ? kBandGainLoss * gain_ : kFirstBandGain;
@@ -270,21 +260,21 @@ FloorSearch::Job FloorSearch::nextJob() {
 FloorSearch::Job FloorSearch::seekingJob() {
     Job job;
     job.known = paths_;
-    // Wider ways come first: the clearance of a single one says little.
-    const bool isAmongFirst = best_ && ways_ < kFirstWays && options_.wantsShortWays;
-    job.isShortWay =
-        best_ && !isAmongFirst && options_.wantsShortWays && shortSeeks_.spent < wideSeeks_.spent;
+    // Wider ways come first, every other one beside the narrow places: the clearance of a single one says little.
+    const bool isAmongFirst = ways_ < kFirstWays;
+    job.isShortWay = !isAmongFirst && options_.wantsShortWays && shortSeeks_.spent < wideSeeks_.spent;
     Seeks& seeks = job.isShortWay ? shortSeeks_ : wideSeeks_;
     job.number = seeks.begun++;
-    if (isAmongFirst) job.path = *best_;
+    const bool isBeside = isAmongFirst && job.number % 2 != 0;
+    if (isBeside) job.path = best_;
     job.seconds = seeks.patience;
     if (job.isShortWay) {
-        job.floor = kShortWaysFloors[job.number % std::size(kShortWaysFloors)] * best_->clearance;
-    } else if (isAmongFirst && job.number % 2 != 0) {
+        job.floor = kShortWaysFloors[job.number % std::size(kShortWaysFloors)] * best_.clearance;
+    } else if (isBeside && job.number / 2 % 2 != 0) {
         job.isLow = true;
-        job.floor = kLowFloor * best_->clearance;
-    } else if (best_) {
-        job.floor = best_->clearance + share_ * std::max(0.0, options_.most - best_->clearance);
+        job.floor = kLowFloor * best_.clearance;
+    } else {
+        job.floor = best_.clearance + share_ * std::max(0.0, options_.most - best_.clearance);
     }
     return job;
 }
@@ -323,7 +313,7 @@ void FloorSearch::widen(const Job& job) {
 
 bool FloorSearch::isTooLong(const og::PathGeometric& path) const {
     const std::lock_guard<std::mutex> lock(mutex_);
-    return windingLength(path, radius()) >= windingLength(*bestWay()->path, radius());
+    return windingLength(path, radius()) >= windingLength(*bestWay().path, radius());
 }
 
 /// A band of few states is quicker. Returns the clearance that the path keeps.
@@ -337,7 +327,7 @@ double FloorSearch::shortenFirst(const Job& job, og::PathGeometric& path) const 
 }
 
 void FloorSearch::takeIfBetter(const WidePath& path, double gain) {
-    if (best_ && path.clearance <= best_->clearance) return;
+    if (path.clearance <= best_.clearance) return;
     best_ = path;
     gain_ = gain;
 }
@@ -346,14 +336,13 @@ void FloorSearch::seek(const Job& job) {
     const double begin = threadSeconds();
     const auto isPassed = [&] {
         const std::lock_guard<std::mutex> lock(mutex_);
-        return !job.isShortWay && !job.isLow &&
-               (paths_ > job.known || (best_ && best_->clearance > job.floor));
+        return !job.isShortWay && !job.isLow && (paths_ > job.known || best_.clearance > job.floor);
     };
     const ob::PlannerTerminationCondition isOver([&] {
         return isSpent_() || (job.seconds > 0 && threadSeconds() - begin > job.seconds) || isPassed();
     });
-    auto seeker = std::make_unique<Seeker>(*this, job);
-    const std::shared_ptr<og::PathGeometric> states = seeker->solve(isOver);
+    Seeker seeker(*this, job);
+    const std::shared_ptr<og::PathGeometric> states = seeker.solve(isOver);
     const std::lock_guard<std::mutex> lock(mutex_);
     if (states) {
         WidePath found{std::make_shared<og::PathGeometric>(si_), job.floor};
@@ -365,13 +354,9 @@ void FloorSearch::seek(const Job& job) {
         add(found, threadSeconds() - begin);
     } else if (job.isShortWay) {
         shortSeeks_.patience *= kGrowth;
-    } else if (!best_) {
-        // Only the last ones: where a goal is not valid, each ends at once.
-        if (inVain_.size() >= options_.threads) inVain_.erase(inVain_.begin());
-        inVain_.push_back(std::move(seeker));
     } else if (job.isLow) {
         wideSeeks_.patience *= kGrowth;
-    } else if (paths_ == job.known && !(best_->clearance > job.floor)) {
+    } else if (paths_ == job.known && !(best_.clearance > job.floor)) {
         wideSeeks_.patience *= kGrowth;
         share_ = share_ > kLeastShare ? 0.5 * share_ : kFirstShare;
     }

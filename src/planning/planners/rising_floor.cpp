@@ -9,6 +9,10 @@
 #include <string>
 
 #include "clearway/planning/clearance_objectives.h"
+#include "clearway/planning/validity_checker.h"
+#include "core/clock.h"
+#include "planning/motion/floor_validator.h"
+#include "planning/validity/ompl_states.h"
 
 namespace clearway::planning {
 namespace {
@@ -41,6 +45,8 @@ void RisingFloor::clear() {
         search_.reset();
     }
     first_.reset();
+    team_.reset();
+    validator_.reset();
 }
 
 std::shared_ptr<const FloorSearch> RisingFloor::search() const {
@@ -50,7 +56,7 @@ std::shared_ptr<const FloorSearch> RisingFloor::search() const {
 
 std::optional<double> RisingFloor::clearance() const {
     const auto found = search();
-    return found ? found->clearance() : std::nullopt;
+    return found ? std::optional<double>(found->clearance()) : std::nullopt;
 }
 
 bool RisingFloor::hasWidenedSeveral() const {
@@ -60,7 +66,11 @@ bool RisingFloor::hasWidenedSeveral() const {
 
 void RisingFloor::getPlannerData(ob::PlannerData& data) const {
     Planner::getPlannerData(data);
-    if (search_) search_->getPlannerData(data);
+    if (search_) {
+        search_->getPlannerData(data);
+    } else if (team_) {
+        team_->getPlannerData(data);
+    }
 }
 
 void RisingFloor::startFrom(const og::PathGeometric& path, const First& first) {
@@ -100,19 +110,59 @@ bool RisingFloor::hasValidStart() const {
     return false;
 }
 
+/// Goes on with the team of a former solve(), which follows what the problem definition has become.
+ob::PlannerStatus RisingFloor::findFirst(const ob::PlannerTerminationCondition& isSpent) {
+    const Clock::time_point begin = Clock::now();
+    if (!team_ || teamValidator_ != validator_) {
+        const auto certified = makeOnSharedSpace(si_->getStateSpace());
+        certified->setStateValidityChecker(std::make_shared<ValidityChecker>(certified, validator_->scene()));
+        certified->setMotionValidator(std::make_shared<FloorValidator>(certified, *validator_, 0));
+        setUpOnSharedSpace(*certified);
+        team_ = std::make_shared<PlannerTeam>(certified);
+        teamValidator_ = validator_;
+        teamSeconds_ = 0;
+    }
+    team_->setRange(range_);
+    team_->setThreads(threads_);
+    const auto definition = std::make_shared<ob::ProblemDefinition>(team_->getSpaceInformation());
+    for (unsigned int i = 0; i < pdef_->getStartStateCount(); ++i) {
+        definition->addStartState(pdef_->getStartState(i));
+    }
+    definition->setGoal(pdef_->getGoal());
+    team_->setProblemDefinition(definition);
+    team_->setup();
+    const ob::PlannerStatus status = team_->solve(isSpent);
+    teamSeconds_ += secondsSince(begin);
+    if (status == ob::PlannerStatus::EXACT_SOLUTION) {
+        startFrom(*std::static_pointer_cast<og::PathGeometric>(definition->getSolutionPath()),
+                  {0, teamSeconds_});
+    }
+    return status == ob::PlannerStatus::APPROXIMATE_SOLUTION ? ob::PlannerStatus(ob::PlannerStatus::TIMEOUT)
+                                                             : status;
+}
+
 ob::PlannerStatus RisingFloor::solve(const ob::PlannerTerminationCondition& isSpent) {
     checkValidity();
     if (!hasValidStart()) {
         OMPL_ERROR("%s: There are no valid initial states!", getName().c_str());
         return ob::PlannerStatus::INVALID_START;
     }
-    validator_ = std::dynamic_pointer_cast<const MotionValidator>(si_->getMotionValidator());
+    const auto given = std::dynamic_pointer_cast<const MotionValidator>(si_->getMotionValidator());
+    if (given) validator_ = given;
     if (!validator_) validator_ = std::make_shared<MotionValidator>(si_, sceneOf(si_));
-    if (!search_ || !search_->isFor(pdef_)) {
+    if (search_ && !search_->isFor(pdef_)) {
         const std::lock_guard<std::mutex> lock(searchMutex_);
-        search_ = std::make_shared<FloorSearch>(si_, pdef_, validator_);
+        search_.reset();
     }
-    if (first_) search_->add(first_->first, first_->second);
+    if (!search_ && !first_) {
+        const ob::PlannerStatus status = findFirst(isSpent);
+        if (!first_) return status;
+    }
+    if (search_ && first_) search_->add(first_->first, first_->second);
+    if (!search_) {
+        const std::lock_guard<std::mutex> lock(searchMutex_);
+        search_ = std::make_shared<FloorSearch>(si_, pdef_, validator_, first_->first, first_->second);
+    }
     first_.reset();
     FloorSearchOptions options;
     options.range = range_;
@@ -121,14 +171,13 @@ ob::PlannerStatus RisingFloor::solve(const ob::PlannerTerminationCondition& isSp
     options.enough = std::min(kAsGoodAsMost * options.most, wantedClearance());
     options.wantsShortWays = wantsShortWays_;
     search_->run(options, [&] { return isSpent(); });
-    if (!search_->best()) return ob::PlannerStatus::TIMEOUT;
     // The widest path replaces this planner's earlier ones, which OMPL would prefer where they are shorter.
     const std::vector<ob::PlannerSolution> earlier = pdef_->getSolutions();
     pdef_->clearSolutionPaths();
     for (const ob::PlannerSolution& other : earlier) {
         if (other.plannerName_ != getName()) pdef_->addSolutionPath(other);
     }
-    ob::PlannerSolution solution(std::make_shared<og::PathGeometric>(*search_->bestWay()->path));
+    ob::PlannerSolution solution(std::make_shared<og::PathGeometric>(*search_->bestWay().path));
     solution.setPlannerName(getName());
     pdef_->addSolutionPath(solution);
     return ob::PlannerStatus::EXACT_SOLUTION;

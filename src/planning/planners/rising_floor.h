@@ -12,15 +12,16 @@
 #include <utility>
 
 #include "clearway/planning/motion_validator.h"
+#include "clearway/planning/planner_team.h"
 #include "planning/planners/floor_search.h"
 
 namespace clearway::planning {
 
-/// First RRTConnect and SlidingRRTConnect look for a path, side by side. The path is shortened, and an elastic band widens it (see
-/// makeRoom). The band never changes the way around obstacles, so other threads look for other ways meanwhile (see
-/// FloorSearch): for paths that keep a floor, a third of the way from the clearance of the best path to the most that start
-/// and goal leave. When such a search finds nothing in the time of some earlier ones, the next floor is half as far up, and
-/// so on.
+/// First a PlannerTeam looks for a path. The path is shortened, and an elastic band widens it (see makeRoom). The band never changes
+/// the way around obstacles, so other threads look for other ways meanwhile (see FloorSearch): for paths that keep a floor, a third
+/// of the way from the clearance of the best path to the most that start and goal leave. When such a search finds nothing in the
+/// time of some earlier ones, the next floor is half as far up, and so on. Of the first few ways every other one is sought
+/// beside the narrow places of the best path, where bands widen some ways further than others.
 ///
 /// RisingFloor plans by certified motions, whatever validator the space information has, in the scene of the
 /// space information's validity checker, which must be one of clearway's: see sceneOf. The problem definition
@@ -34,7 +35,7 @@ class RisingFloor : public ompl::base::Planner {
     /// Throws std::invalid_argument as sceneOf does, and as MotionValidator.
     ompl::base::PlannerStatus solve(const ompl::base::PlannerTerminationCondition& isSpent) override;
     void clear() override;
-    /// See FloorSearch::getPlannerData.
+    /// The trees of the team that looks for a first path, or else the best way, as one branch.
     void getPlannerData(ompl::base::PlannerData& data) const override;
 
     struct First {
@@ -50,8 +51,8 @@ class RisingFloor : public ompl::base::Planner {
     /// Whether a band has widened a second path. May be called while solve() goes on.
     bool hasWidenedSeveral() const;
 
-    /// First looks for a few ways beside the narrow places of the best path, then for ways that wind less, too. Ends with
-    /// one that keeps nearly as much clearance as the best path: see FloorSearch::bestWay.
+    /// After a few ways looks for ways that wind less, too. Ends with one that keeps nearly as much clearance as the best path:
+    /// see FloorSearch::bestWay.
     void lookForShortWays() { wantsShortWays_ = true; }
 
     void setRange(double range) { range_ = range; }  ///< longest edge of the trees; 0: OMPL's
@@ -64,14 +65,18 @@ class RisingFloor : public ompl::base::Planner {
     bool hasValidStart() const;
     double mostClearance() const;
     double wantedClearance() const;
+    ompl::base::PlannerStatus findFirst(const ompl::base::PlannerTerminationCondition& isSpent);
 
     double range_ = 0;
     bool wantsShortWays_ = false;
     unsigned int threads_ = 2;
     std::shared_ptr<const MotionValidator> validator_;
-    std::shared_ptr<FloorSearch> search_;               ///< shared with those who ask for the progress
-    mutable std::mutex searchMutex_;                    ///< of the pointer
-    std::optional<std::pair<WidePath, double>> first_;  ///< with the seconds it took
+    std::shared_ptr<FloorSearch> search_;                   ///< shared with those who ask for the progress
+    mutable std::mutex searchMutex_;                        ///< of the pointer
+    std::optional<std::pair<WidePath, double>> first_;      ///< with the seconds it took
+    std::shared_ptr<PlannerTeam> team_;                     ///< null before it looks for a first path
+    std::shared_ptr<const MotionValidator> teamValidator_;  ///< the team's motions ask it
+    double teamSeconds_ = 0;
 };
 
 }  // namespace clearway::planning

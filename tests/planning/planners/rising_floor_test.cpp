@@ -2,10 +2,14 @@
 #include "planning/planners/rising_floor.h"
 
 #include <ompl/base/ScopedState.h>
+#include <ompl/base/goals/GoalRegion.h>
 #include <ompl/base/spaces/SE2StateSpace.h>
 
+#include <algorithm>
+#include <atomic>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <memory>
 #include <mutex>
 #include <string>
 #include <utility>
@@ -127,6 +131,44 @@ BOOST_FIXTURE_TEST_CASE(the_clearance_told_while_it_plans_never_falls_and_its_da
     BOOST_TEST(data.numEdges() == found.getStateCount() - 1);
     BOOST_TEST(data.numStartVertices() == 1u);
     BOOST_TEST(data.numGoalVertices() == 1u);
+}
+
+BOOST_AUTO_TEST_CASE(without_a_path_it_goes_on_with_the_trees_that_it_has) {
+    testing::GatesScene gates = testing::gatesScene();
+    gates.scene.obstacles.front().margin = testing::kWideGates + 1;
+    og::SimpleSetup setup = makeSetup(gates.problem, gates.scene);
+    setup.setup();
+    RisingFloor planner(setup.getSpaceInformation());
+    planner.setProblemDefinition(setup.getProblemDefinition());
+    planner.setup();
+    const auto verticesAfter = [&](int asked) {
+        std::atomic<int> left = asked;
+        BOOST_TEST(planner.solve(ob::PlannerTerminationCondition([&] { return left-- <= 0; })) ==
+                   ob::PlannerStatus::TIMEOUT);
+        BOOST_TEST(!planner.clearance());
+        ob::PlannerData data(setup.getSpaceInformation());
+        planner.getPlannerData(data);
+        return data.numVertices();
+    };
+    const unsigned int first = verticesAfter(100);
+    BOOST_TEST(first > 2u);
+    BOOST_TEST(verticesAfter(100) > first);
+    planner.clear();
+    BOOST_TEST(verticesAfter(10) < first);
+}
+
+BOOST_FIXTURE_TEST_CASE(a_goal_that_no_state_can_be_drawn_from_is_told_at_once, Gates) {
+    class Right : public ob::GoalRegion {
+      public:
+        using GoalRegion::GoalRegion;
+        double distanceGoal(const ob::State* state) const override {
+            return std::max(0.0, 80 - state->as<ob::SE2StateSpace::StateType>()->getX());
+        }
+    };
+    setup.getProblemDefinition()->setGoal(std::make_shared<Right>(setup.getSpaceInformation()));
+    planner.setup();
+    BOOST_TEST(planner.solve(ob::timedPlannerTerminationCondition(60)) ==
+               ob::PlannerStatus::UNRECOGNIZED_GOAL_TYPE);
 }
 
 /// A start with little room bounds the clearance. One with more is added, and the planner goes on.
