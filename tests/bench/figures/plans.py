@@ -9,7 +9,7 @@ NAMES = {"elk/elk": "Elk v1.75", "tunnel-console-3-2mm/tunnel-console": "tunnel-
          "tunnel-console-3/tunnel-console": "tunnel-console-3, clearance 10 mm", "tunnel-console-small/tunnel-console": "tunnel-console-small",
          "problem": "tunnel-console-3, clearance 10 mm"}
 # The clearance of the scene's own path, as `clearway check` certifies it, or of its widest gate, or of the window the part must pass.
-OWN = {"bracket/bracket": "6.5", "gates/gates": "12", "tunnel-console-small/tunnel-console": "11.56"}
+OWN = {"bracket/bracket": "6.5", "angle/angle": "5", "gates/gates": "12", "tunnel-console-small/tunnel-console": "11.56"}
 
 
 def name_of(problem):
