@@ -311,18 +311,13 @@ py::tuple plan(const py::object& given, const PyScene* scene, const std::optiona
     std::optional<PlanReport> report;
     Progress progress(callback);
     const auto work = [&](const Worker& worker) {
-        try {
-            const Scene& loaded = chosen.load(problem, options, worker);
-            options.isStopped = [&] { return worker.isStopped(); };
-            options.onPhase = [&](planning::PlanPhase phase) {
-                progress.phase = 1 + static_cast<int>(phase);
-            };
-            report = withOmplErrors([&] { return planning::plan(problem, loaded, options); });
-        } catch (const Stopped&) {
-        }
+        const Scene& loaded = chosen.load(problem, options, worker);
+        options.isStopped = [&] { return worker.isStopped(); };
+        options.onPhase = [&](planning::PlanPhase phase) { progress.phase = 1 + static_cast<int>(phase); };
+        report = withOmplErrors([&] { return planning::plan(problem, loaded, options); });
     };
     const py::object raised = runStoppable(work, [&] { return progress.tell(); });
-    if (!report) {  // stopped while the scene was loaded
+    if (!report) {  // stopped while it waited for its turn or the scene was loaded
         report.emplace();
         report->outcome = PlanReport::Outcome::kStopped;
         report->isStopped = true;
@@ -350,7 +345,6 @@ py::tuple check(const py::object& given, const py::object& path, const PyScene* 
             const planning::OmplMessages unheard;  // the audit says what cannot be judged
             planning::AuditOptions options{hasProfile, [&] { return worker.isStopped(); }};
             found = withOmplErrors([&] { return planning::checkPath(problem, loaded, states, options); });
-        } catch (const Stopped&) {
         } catch (const planning::AuditStopped&) {
         }
     };

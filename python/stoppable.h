@@ -19,7 +19,7 @@ namespace py = pybind11;
 /// How often a waiting thread lets Python handle signals.
 constexpr std::chrono::milliseconds kSignalPeriod{20};
 
-/// Thrown within the work where it ends because it was stopped.
+/// Thrown where work that was stopped ends without a result.
 struct Stopped {};
 
 /// OMPL's console and its random numbers belong to the process, so that only one thread plans at a time.
@@ -83,6 +83,7 @@ class Worker {
               try {
                   const OneAtATime turn([this] { return isStopped(); });
                   work(*this);
+              } catch (const Stopped&) {  // also while it waited for its turn
               } catch (...) {
                   failure_ = std::current_exception();
               }
@@ -119,7 +120,7 @@ class Worker {
 
 /// Does work(worker) in a thread of its own. Meanwhile the calling thread handles signals and calls look(), with Python's lock;
 /// look returns false to stop the work. Returns None, or the exception that a signal's handler or look() raised, which
-/// stops the work as well. Throws what the work throws, unless it was stopped by such an exception.
+/// stops the work as well. Throws what the work throws, but for Stopped, unless it was stopped by such an exception.
 template <class Work, class Look>
 py::object runStoppable(const Work& work, const Look& look) {
     const Waiting waiting;

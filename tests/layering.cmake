@@ -46,13 +46,13 @@ set(program program/scenes program/render program/report program/study program/c
 set(layers ${library} ${planning} ${program})
 
 # The room of planning that holds each public planning header's source: including the header counts as including the room.
-set(validity_headers validity_checker.h state_to_pose.h displacement_bound.h outside_goal.h)
+set(validity_headers ompl_messages.h validity_checker.h state_to_pose.h displacement_bound.h outside_goal.h)
 set(motion_headers motion_validator.h discrete_motion_validator.h)
 set(objectives_headers clearance_objectives.h objectives.h)
 set(samplers_headers valid_state_samplers.h)
 set(planners_headers planners.h)
 set(paths_headers audit.h simplify.h)
-set(setup_headers problem_setup.h plan.h plan_setup.h finish.h check_path.h ompl_messages.h)
+set(setup_headers problem_setup.h plan.h plan_setup.h finish.h check_path.h)
 
 # Public headers that only declare values and free functions are open to every layer, the others from model on.
 set(value_headers types.h mesh.h build_options.h build_report.h query.h sweep.h targets.h)

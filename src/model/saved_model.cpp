@@ -202,8 +202,10 @@ bool isSame(const Component& a, const Component& b) {
 }
 
 std::string readWhole(const std::string& file) {
-    std::ifstream in(file, std::ios::binary);
-    if (!in || std::filesystem::is_directory(file)) {
+    std::error_code unreadable;
+    std::ifstream in;
+    if (std::filesystem::is_regular_file(file, unreadable)) in.open(file, std::ios::binary);
+    if (!in.is_open()) {
         throw std::runtime_error(file + ": cannot be read, expected a saved model");
     }
     return {std::istreambuf_iterator<char>(in), {}};

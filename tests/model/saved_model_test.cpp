@@ -1,3 +1,5 @@
+#include <sys/stat.h>
+
 #include <boost/test/unit_test.hpp>
 #include <cstring>
 #include <filesystem>
@@ -104,6 +106,9 @@ BOOST_FIXTURE_TEST_CASE(a_cut_damaged_or_foreign_file_is_refused_by_name, Fixtur
     requireRefused("solid ascii stl\nendsolid\n");
     BOOST_CHECK_THROW(Model::load(folder.file("missing.clearway")), std::runtime_error);
     BOOST_CHECK_THROW(Model::load(folder.path()), std::runtime_error);
+    const std::string pipe = folder.file("pipe");  // reading it would wait for a writer
+    BOOST_TEST_REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
+    BOOST_CHECK_THROW(Model::load(pipe), std::runtime_error);
 }
 
 BOOST_FIXTURE_TEST_CASE(a_model_of_another_format_is_refused_by_its_version, Fixture) {

@@ -146,8 +146,9 @@ def test_why_there_is_no_path():
         ({"seed": 10**30}, "seed is 10{30}, expected"),
         ({"iterations": 0}, "iterations is 0"),
         ({"threads": -1}, "threads is -1"),
-        ({"seconds": -1}, "time is -1.0.*, expected seconds above 0"),
+        ({"seconds": -1}, "time is -1.0.*, expected a finite number of seconds above 0"),
         ({"seconds": float("nan")}, "time is nan"),
+        ({"seconds": float("inf")}, "time is inf"),
         ({"seconds": 1, "iterations": 1}, "both a time and a number of iterations"),
         ({"planner": "RTT"}, "RTT"),
         ({"parameters": {"rnage": 1}}, "rnage"),
@@ -230,6 +231,21 @@ def test_planning_can_be_stopped_while_the_scene_is_loaded(tmp_path):
     found = planning.plan(problem, progress=lambda now: phases.append(now.phase) or False)
     assert not found and found.is_stopped and found.outcome == "stopped" and found.states.shape == (0, 7)
     assert phases == ["loading"]
+
+
+def test_what_waits_for_its_turn_can_be_stopped():
+    problem, scene = endless()
+    waits = threading.Event()
+    first = threading.Thread(target=planning.plan, args=(problem,),
+                             kwargs={"scene": scene, "seconds": 1e6, "progress": lambda now: waits.set() or not is_over.is_set()})
+    is_over = threading.Event()
+    first.start()
+    waits.wait()
+    found = planning.plan(problem, scene=scene, seconds=1e6, progress=lambda now: False)
+    assert not found and found.is_stopped and found.outcome == "stopped"
+    assert first.is_alive()
+    is_over.set()
+    first.join()
 
 
 def test_an_exception_of_the_callback_ends_the_planning():

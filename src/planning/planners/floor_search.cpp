@@ -7,6 +7,7 @@
 #include <iterator>
 #include <utility>
 
+#include "clearway/planning/ompl_messages.h"
 #include "clearway/planning/outside_goal.h"
 #include "clearway/planning/simplify.h"
 #include "clearway/planning/sliding_rrt_connect.h"
@@ -27,7 +28,7 @@ namespace og = ompl::geometric;
 /// Floors, by turns, of the planners that look for short ways, as shares of the best clearance. A low one is quick, and a
 /// high one keeps out of ways that are short but narrow.
 constexpr double kShortWaysFloors[] = {0.5, 0.75, 0.9};
-/// Some seeks beside narrow places keep to this share of the best clearance: bands widen some ways further than others.
+/// Some seeks of the first ways keep to this share of the best clearance: bands widen some ways further than others.
 constexpr double kLowFloor = 0.5;
 constexpr double kLeastShare = 1.0 / 32;  ///< below it the shares begin anew
 constexpr double kPatience = 4;           ///< times the duration of the seek that found the last path
@@ -189,6 +190,7 @@ const WidePath& FloorSearch::bestWay() const {
 void FloorSearch::run(const FloorSearchOptions& options, const std::function<bool()>& isSpent) {
     options_ = options;
     isSpent_ = isSpent;
+    isEnough_ = isEnough(best_);
     std::vector<std::future<void>> others;
     for (unsigned int i = 1; i < options.threads; ++i) {
         others.push_back(std::async(std::launch::async, [this] { work(); }));
@@ -219,7 +221,11 @@ void FloorSearch::getPlannerData(ob::PlannerData& data) const {
 bool FloorSearch::isOver() const {
     if (isSpent_()) return true;
     const std::lock_guard<std::mutex> lock(mutex_);
-    return best_.clearance >= options_.enough;
+    return isEnough_;
+}
+
+bool FloorSearch::isEnough(const WidePath& path) const {
+    return path.clearance >= options_.enough || (options_.isEnough && options_.isEnough(path));
 }
 
 void FloorSearch::work() {
@@ -260,18 +266,18 @@ FloorSearch::Job FloorSearch::nextJob() {
 FloorSearch::Job FloorSearch::seekingJob() {
     Job job;
     job.known = paths_;
-    // Wider ways come first, every other one beside the narrow places: the clearance of a single one says little.
+    // Wider ways come first, since the clearance of a single one says little. By turns they are sought anywhere, beside the
+    // narrow places, anywhere, and anywhere with a low floor.
     const bool isAmongFirst = ways_ < kFirstWays;
     job.isShortWay = !isAmongFirst && options_.wantsShortWays && shortSeeks_.spent < wideSeeks_.spent;
     Seeks& seeks = job.isShortWay ? shortSeeks_ : wideSeeks_;
     job.number = seeks.begun++;
-    const bool isBeside = isAmongFirst && job.number % 2 != 0;
-    if (isBeside) job.path = best_;
+    job.isLow = isAmongFirst && job.number % 4 == 3;
+    if (isAmongFirst && job.number % 4 == 1) job.path = best_;
     job.seconds = seeks.patience;
     if (job.isShortWay) {
         job.floor = kShortWaysFloors[job.number % std::size(kShortWaysFloors)] * best_.clearance;
-    } else if (isBeside && job.number / 2 % 2 != 0) {
-        job.isLow = true;
+    } else if (job.isLow) {
         job.floor = kLowFloor * best_.clearance;
     } else {
         job.floor = best_.clearance + share_ * std::max(0.0, options_.most - best_.clearance);
@@ -330,6 +336,7 @@ void FloorSearch::takeIfBetter(const WidePath& path, double gain) {
     if (path.clearance <= best_.clearance) return;
     best_ = path;
     gain_ = gain;
+    isEnough_ = isEnough(best_);
 }
 
 void FloorSearch::seek(const Job& job) {
@@ -341,6 +348,7 @@ void FloorSearch::seek(const Job& job) {
     const ob::PlannerTerminationCondition isOver([&] {
         return isSpent_() || (job.seconds > 0 && threadSeconds() - begin > job.seconds) || isPassed();
     });
+    const OmplMessages unheard;  // some floors leave no room at the goal, which OMPL would call invalid
     Seeker seeker(*this, job);
     const std::shared_ptr<og::PathGeometric> states = seeker.solve(isOver);
     const std::lock_guard<std::mutex> lock(mutex_);

@@ -23,10 +23,11 @@ constexpr double kFirstShare = 0.3;  ///< of the difference between the best and
 constexpr double kLeastPatience = 0.05;
 
 struct FloorSearchOptions {
-    double range = 0;          ///< longest edge of the planners' trees; 0: OMPL's
-    unsigned int threads = 2;  ///< >= 1
-    double most = 0;           ///< no path has more clearance; finite
-    double enough = 0;         ///< more is not looked for
+    double range = 0;                               ///< longest edge of the planners' trees; 0: OMPL's
+    unsigned int threads = 2;                       ///< >= 1
+    double most = 0;                                ///< no path has more clearance; finite
+    double enough = 0;                              ///< more is not looked for
+    std::function<bool(const WidePath&)> isEnough;  ///< may end the search before; null: never
     /// Once a few ways have been widened, half of the planners' time goes to ways that wind less than the best path, instead of
     /// to wider ones.
     bool wantsShortWays = false;
@@ -40,8 +41,11 @@ class FloorSearch {
                 std::shared_ptr<const MotionValidator> validator, const WidePath& first, double seconds);
     ~FloorSearch();
 
-    /// Whether the search is for this definition. Starts that were added to it count from the next run() on.
-    bool isFor(const ompl::base::ProblemDefinitionPtr& definition) const { return definition_ == definition; }
+    /// Whether the search is for this definition and these motions. Starts that were added to it count from the next run() on.
+    bool isFor(const ompl::base::ProblemDefinitionPtr& definition,
+               const std::shared_ptr<const MotionValidator>& validator) const {
+        return definition_ == definition && validator_ == validator;
+    }
 
     /// Another path to widen. seconds: what it took to find it.
     void add(const WidePath& path, double seconds);
@@ -79,6 +83,7 @@ class FloorSearch {
     double shortenFirst(const Job& job, ompl::geometric::PathGeometric& path) const;
     void seek(const Job& job);
     void widenLater(const WidePath& path, double seconds, bool isShortWay);
+    bool isEnough(const WidePath& path) const;
     void takeIfBetter(const WidePath& path, double gain);
     bool isTooLong(const ompl::geometric::PathGeometric& path) const;
     double radius() const;
@@ -93,6 +98,7 @@ class FloorSearch {
     mutable std::mutex mutex_;  ///< of what follows
     std::vector<Job> waiting_;  ///< paths to widen, the next one last
     WidePath best_;
+    bool isEnough_ = false;             ///< the best path keeps enough
     std::optional<WidePath> shortWay_;  ///< the best of the short ways, by isBetterWay
     double gain_ = 0;                   ///< of the best path's next band; 0: its first one is not over
     int widening_ = 0;                  ///< threads

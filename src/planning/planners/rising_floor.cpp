@@ -47,6 +47,7 @@ void RisingFloor::clear() {
     first_.reset();
     team_.reset();
     validator_.reset();
+    checker_.reset();
 }
 
 std::shared_ptr<const FloorSearch> RisingFloor::search() const {
@@ -93,12 +94,37 @@ double RisingFloor::mostClearance() const {
                     std::isfinite(most) ? objective.cap() : validator_->scene().part.box().diagonal().norm());
 }
 
-/// The objective's threshold, and a little more because its costs are lower than clearances; infinite for others.
-double RisingFloor::wantedClearance() const {
-    const auto* objective =
-        dynamic_cast<const MinClearanceObjective*>(pdef_->getOptimizationObjective().get());
-    return objective ? kWantedSlack * objective->getCostThreshold().value()
-                     : std::numeric_limits<double>::infinity();
+/// Costs are up to 10 % lower than clearances, so a threshold asks for a little more, or for a path of such a cost.
+FloorSearchOptions RisingFloor::searchOptions() const {
+    FloorSearchOptions options;
+    options.range = range_;
+    options.threads = threads_;
+    options.wantsShortWays = wantsShortWays_;
+    options.most = mostClearance();
+    options.enough = kAsGoodAsMost * options.most;
+    const auto objective =
+        std::dynamic_pointer_cast<const MinClearanceObjective>(pdef_->getOptimizationObjective());
+    if (!objective) return options;
+    const double threshold = objective->getCostThreshold().value();
+    options.enough = std::min(options.enough, kWantedSlack * threshold);
+    options.isEnough = [this, threshold](const WidePath& path) {
+        const ob::OptimizationObjectivePtr& cost = pdef_->getOptimizationObjective();
+        return path.clearance >= threshold && cost->isSatisfied(path.path->cost(cost));
+    };
+    return options;
+}
+
+/// A validator of its own serves until the scene is another one.
+void RisingFloor::chooseValidator() {
+    const auto given = std::dynamic_pointer_cast<const MotionValidator>(si_->getMotionValidator());
+    const ob::StateValidityCheckerPtr& checker = si_->getStateValidityChecker();
+    if (given) {
+        validator_ = given;
+        checker_.reset();
+    } else if (checker_ != checker) {
+        validator_ = std::make_shared<MotionValidator>(si_, sceneOf(si_));
+        checker_ = checker;
+    }
 }
 
 /// Without a valid start each round would fail immediately and print OMPL's error again.
@@ -113,7 +139,8 @@ bool RisingFloor::hasValidStart() const {
 /// Goes on with the team of a former solve(), which follows what the problem definition has become.
 ob::PlannerStatus RisingFloor::findFirst(const ob::PlannerTerminationCondition& isSpent) {
     const Clock::time_point begin = Clock::now();
-    if (!team_ || teamValidator_ != validator_) {
+    if (!team_ || teamValidator_ != validator_ || team_->getRange() != range_ ||
+        team_->getThreads() != threads_) {
         const auto certified = makeOnSharedSpace(si_->getStateSpace());
         certified->setStateValidityChecker(std::make_shared<ValidityChecker>(certified, validator_->scene()));
         certified->setMotionValidator(std::make_shared<FloorValidator>(certified, *validator_, 0));
@@ -121,9 +148,9 @@ ob::PlannerStatus RisingFloor::findFirst(const ob::PlannerTerminationCondition& 
         team_ = std::make_shared<PlannerTeam>(certified);
         teamValidator_ = validator_;
         teamSeconds_ = 0;
+        team_->setRange(range_);
+        team_->setThreads(threads_);
     }
-    team_->setRange(range_);
-    team_->setThreads(threads_);
     const auto definition = std::make_shared<ob::ProblemDefinition>(team_->getSpaceInformation());
     for (unsigned int i = 0; i < pdef_->getStartStateCount(); ++i) {
         definition->addStartState(pdef_->getStartState(i));
@@ -147,10 +174,8 @@ ob::PlannerStatus RisingFloor::solve(const ob::PlannerTerminationCondition& isSp
         OMPL_ERROR("%s: There are no valid initial states!", getName().c_str());
         return ob::PlannerStatus::INVALID_START;
     }
-    const auto given = std::dynamic_pointer_cast<const MotionValidator>(si_->getMotionValidator());
-    if (given) validator_ = given;
-    if (!validator_) validator_ = std::make_shared<MotionValidator>(si_, sceneOf(si_));
-    if (search_ && !search_->isFor(pdef_)) {
+    chooseValidator();
+    if (search_ && !search_->isFor(pdef_, validator_)) {
         const std::lock_guard<std::mutex> lock(searchMutex_);
         search_.reset();
     }
@@ -164,13 +189,7 @@ ob::PlannerStatus RisingFloor::solve(const ob::PlannerTerminationCondition& isSp
         search_ = std::make_shared<FloorSearch>(si_, pdef_, validator_, first_->first, first_->second);
     }
     first_.reset();
-    FloorSearchOptions options;
-    options.range = range_;
-    options.threads = threads_;
-    options.most = mostClearance();
-    options.enough = std::min(kAsGoodAsMost * options.most, wantedClearance());
-    options.wantsShortWays = wantsShortWays_;
-    search_->run(options, [&] { return isSpent(); });
+    search_->run(searchOptions(), [&] { return isSpent(); });
     // The widest path replaces this planner's earlier ones, which OMPL would prefer where they are shorter.
     const std::vector<ob::PlannerSolution> earlier = pdef_->getSolutions();
     pdef_->clearSolutionPaths();

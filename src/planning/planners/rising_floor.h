@@ -20,8 +20,8 @@ namespace clearway::planning {
 /// First a PlannerTeam looks for a path. The path is shortened, and an elastic band widens it (see makeRoom). The band never changes
 /// the way around obstacles, so other threads look for other ways meanwhile (see FloorSearch): for paths that keep a floor, a third
 /// of the way from the clearance of the best path to the most that start and goal leave. When such a search finds nothing in the
-/// time of some earlier ones, the next floor is half as far up, and so on. Of the first few ways every other one is sought
-/// beside the narrow places of the best path, where bands widen some ways further than others.
+/// time of some earlier ones, the next floor is half as far up, and so on. Some of the first few ways are sought beside the
+/// narrow places of the best path, and some with a lower floor, because bands widen some ways further than others.
 ///
 /// RisingFloor plans by certified motions, whatever validator the space information has, in the scene of the
 /// space information's validity checker, which must be one of clearway's: see sceneOf. The problem definition
@@ -64,15 +64,18 @@ class RisingFloor : public ompl::base::Planner {
     std::shared_ptr<const FloorSearch> search() const;
     bool hasValidStart() const;
     double mostClearance() const;
-    double wantedClearance() const;
+    FloorSearchOptions searchOptions() const;
+    void chooseValidator();
     ompl::base::PlannerStatus findFirst(const ompl::base::PlannerTerminationCondition& isSpent);
 
     double range_ = 0;
     bool wantsShortWays_ = false;
     unsigned int threads_ = 2;
     std::shared_ptr<const MotionValidator> validator_;
-    std::shared_ptr<FloorSearch> search_;                   ///< shared with those who ask for the progress
-    mutable std::mutex searchMutex_;                        ///< of the pointer
+    ompl::base::StateValidityCheckerPtr
+        checker_;                          ///< for whose scene the validator was made; null: it was given
+    std::shared_ptr<FloorSearch> search_;  ///< shared with those who ask for the progress
+    mutable std::mutex searchMutex_;       ///< of the pointer
     std::optional<std::pair<WidePath, double>> first_;      ///< with the seconds it took
     std::shared_ptr<PlannerTeam> team_;                     ///< null before it looks for a first path
     std::shared_ptr<const MotionValidator> teamValidator_;  ///< the team's motions ask it

@@ -60,6 +60,13 @@ class Budget {
         if (limit_) planningSeconds_ = (isImproving ? kImprovingShare : 1) * *limit_;
     }
 
+    /// Leaves all of the time to planners that spent their share of it. Returns whether there is any.
+    bool allowAll() {
+        if (!planningSeconds_ || !isOver(planningSeconds_) || isDue()) return false;
+        planningSeconds_ = limit_;
+        return true;
+    }
+
     void beginRoom() {
         if (!seconds_) return;
         const double planned = secondsSince(begin_);
@@ -269,7 +276,10 @@ PlanReport plan(const Problem& problem, const Scene& scene, const PlanOptions& o
     }
     tellPhase(PlanPhase::kPlanning, options);
     const ob::PlannerTerminationCondition isSpent([&] { return budget.spendIteration(); });
-    solveSideBySide(setup.planners, isSpent, [&] { budget.end(); });
+    const auto solve = [&] { solveSideBySide(setup.planners, isSpent, [&] { budget.end(); }); };
+    solve();
+    // Without a path there is nothing to shorten.
+    if (!setup.definition->hasExactSolution() && budget.allowAll()) solve();
     report.planningSeconds = secondsSince(begin);
 
     const Clock::time_point planned = Clock::now();

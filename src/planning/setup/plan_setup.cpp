@@ -65,8 +65,9 @@ void requireOptions(const Problem& problem, const PlanOptions& options) {
     if (options.seconds && options.iterations) {
         throw RefusedOption("both a time and a number of iterations are given, expected one of them");
     }
-    if (options.seconds && !(*options.seconds > 0)) {
-        throw RefusedOption("time is " + std::to_string(*options.seconds) + ", expected seconds above 0");
+    if (options.seconds && !(*options.seconds > 0 && std::isfinite(*options.seconds))) {
+        throw RefusedOption("time is " + std::to_string(*options.seconds) +
+                            ", expected a finite number of seconds above 0");
     }
     if (options.threads < 0 || (options.iterations && options.threads > 1)) {
         throw RefusedOption("threads is " + std::to_string(options.threads) +

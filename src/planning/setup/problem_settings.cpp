@@ -59,7 +59,8 @@ ob::Cost boundOf(const ob::OptimizationObjective& objective, const ob::ProblemDe
     return objective.motionCostHeuristic(definition.getStartState(0), goal->getState());
 }
 
-/// OMPL's threshold 0 of a length is met by no path, and asks planners to go on to the end of their time.
+/// OMPL's threshold 0 stands for none. A length of 0 is met by no path, so planners go on to the end of their time; the least clearance
+/// keeps its own threshold.
 void useThreshold(ob::OptimizationObjective& objective, const Problem& problem,
                   const ob::ProblemDefinition& definition, const std::string& unit) {
     const ob::Cost threshold(*problem.objectiveThreshold), bound = boundOf(objective, definition);
@@ -70,7 +71,7 @@ void useThreshold(ob::OptimizationObjective& objective, const Problem& problem,
                                     withUnit(roundedNumber(bound.value()), unit) + " between start and goal");
     }
     const bool isLeast = dynamic_cast<const MinClearanceObjective*>(&objective) != nullptr;
-    if (!isLeast || threshold.value() < objective.getCostThreshold().value())
+    if (!isLeast || (threshold.value() != 0 && threshold.value() < objective.getCostThreshold().value()))
         objective.setCostThreshold(threshold);
 }
 

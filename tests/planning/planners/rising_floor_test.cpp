@@ -1,6 +1,7 @@
 // The planner that widens paths also straightens the ways they take.
 #include "planning/planners/rising_floor.h"
 
+#include <ompl/base/DiscreteMotionValidator.h>
 #include <ompl/base/ScopedState.h>
 #include <ompl/base/goals/GoalRegion.h>
 #include <ompl/base/spaces/SE2StateSpace.h>
@@ -17,6 +18,7 @@
 
 #include "clearway/planning/audit.h"
 #include "clearway/planning/problem_setup.h"
+#include "clearway/planning/validity_checker.h"
 #include "planning/paths/kept_clearance.h"
 #include "planning/paths/unwind.h"
 #include "support/gates_scene.h"
@@ -155,6 +157,28 @@ BOOST_AUTO_TEST_CASE(without_a_path_it_goes_on_with_the_trees_that_it_has) {
     BOOST_TEST(verticesAfter(100) > first);
     planner.clear();
     BOOST_TEST(verticesAfter(10) < first);
+}
+
+/// No path of the first scene keeps the margin of the second.
+BOOST_AUTO_TEST_CASE(another_validity_checker_brings_another_scene) {
+    testing::GatesScene gates = testing::gatesScene();
+    og::SimpleSetup setup = makeSetup(gates.problem, gates.scene);
+    const ob::SpaceInformationPtr& si = setup.getSpaceInformation();
+    si->setMotionValidator(std::make_shared<ob::DiscreteMotionValidator>(si));
+    setup.setup();
+    RisingFloor planner(si);
+    planner.setProblemDefinition(setup.getProblemDefinition());
+    planner.setRange(60);
+    planner.setup();
+    const auto isSolved = [&](double processorSeconds) {
+        return testing::withProcessorTime(processorSeconds, [&](double seconds) {
+                   return planner.solve(ob::timedPlannerTerminationCondition(seconds));
+               }) == ob::PlannerStatus::EXACT_SOLUTION;
+    };
+    BOOST_TEST(isSolved(1));
+    gates.scene.obstacles.front().margin = testing::kWideGates + 1;
+    si->setStateValidityChecker(std::make_shared<ValidityChecker>(si, gates.scene));
+    BOOST_TEST(!isSolved(0.2));
 }
 
 BOOST_FIXTURE_TEST_CASE(a_goal_that_no_state_can_be_drawn_from_is_told_at_once, Gates) {

@@ -37,6 +37,17 @@ double beyondWall(const testing::WindowScene& window, const PartState& state) {
     return least - 2;
 }
 
+/// Floors that no state outside keeps within the bounds are the planner's own matter.
+BOOST_AUTO_TEST_CASE(bounds_that_leave_little_room_outside_give_no_warning) {
+    auto window = throughTheWindow();
+    window.problem.volume = Box(Vector3(-80, -60, -60), Vector3(40, 60, 60));
+    PlanOptions options;
+    options.seconds = 2;
+    const PlanReport report = plan(window.problem, window.scene, options);
+    BOOST_REQUIRE((report.outcome == Outcome::kFound));
+    BOOST_TEST(report.warnings.empty());
+}
+
 BOOST_AUTO_TEST_CASE(a_path_outside_is_free_by_the_oracle_and_ends_beyond_the_side) {
     const auto window = throughTheWindow();
     for (const std::uint32_t seed : {1u, 2u, 3u}) {

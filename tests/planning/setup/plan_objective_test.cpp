@@ -4,6 +4,7 @@
 
 #include "clearway/planning/objectives.h"
 #include "clearway/planning/plan.h"
+#include "clearway/planning/plan_setup.h"
 #include "support/gates_scene.h"
 #include "support/oracle.h"
 #include "support/path_check.h"
@@ -205,6 +206,39 @@ BOOST_AUTO_TEST_CASE(a_threshold_that_no_path_meets_is_refused_with_the_bound) {
     BOOST_TEST(found(gates.problem, gates.scene, withObjective("max_min_clearance", 0.3)).cost > 0);
     gates.problem.objectiveThreshold = 0;  // OMPL's word for none
     BOOST_TEST(found(gates.problem, gates.scene, withObjective("", 0.3)).cost >= 160);
+}
+
+BOOST_AUTO_TEST_CASE(the_threshold_0_of_a_least_clearance_stands_for_none) {
+    auto gates = gatesScene();
+    gates.problem.objective = "max_min_clearance";
+    const auto thresholdOf = [&] {
+        PlanReport report;
+        const PlanSetup setup = makePlanSetup(gates.problem, gates.scene, {}, report, [] { return true; });
+        return setup.definition->getOptimizationObjective()->getCostThreshold().value();
+    };
+    const double own = thresholdOf();
+    BOOST_TEST(own > testing::kWideGates);
+    gates.problem.objectiveThreshold = 0;
+    BOOST_TEST(thresholdOf() == own);
+    gates.problem.objectiveThreshold = 5;
+    BOOST_TEST(thresholdOf() == 5);
+}
+
+BOOST_AUTO_TEST_CASE(planning_ends_with_the_first_path_that_meets_the_threshold) {
+    auto gates = gatesScene();
+    gates.problem.objective = "max_min_clearance";
+    gates.problem.objectiveThreshold = 0.9 * testing::kWideGates;  // no path keeps 1.15 times as much
+    const PlanReport report = found(gates.problem, gates.scene, withObjective("", 40));
+    BOOST_TEST(report.cost >= 0.99 * 0.9 * testing::kWideGates);
+    BOOST_TEST(report.planningSeconds < 20);
+}
+
+BOOST_AUTO_TEST_CASE(a_planner_for_clearance_has_all_of_the_time_for_its_first_path) {
+    auto gates = gatesScene();
+    gates.scene.obstacles.front().margin = testing::kWideGates + 1;
+    const PlanReport report = plan(gates.problem, gates.scene, withObjective("max_min_clearance", 1));
+    BOOST_TEST((report.outcome == Outcome::kNotFound));
+    BOOST_TEST(report.planningSeconds > 0.99);
 }
 
 BOOST_AUTO_TEST_CASE(a_wanted_clearance_without_its_objective_is_refused) {
