@@ -100,6 +100,7 @@ BOOST_AUTO_TEST_CASE(options_reach_the_planner) {
 BOOST_AUTO_TEST_CASE(an_objective_is_planned_for_and_its_cost_told) {
     const WindowFolder folder;
     Problem problem = folder.window.problem;
+    problem.objective = "max_min_clearance";
     problem.objectiveThreshold = 0.01;  // ends the planning, however busy the machine is
     folder.write(problem);
     const Outcome outcome =
