@@ -44,7 +44,7 @@ constexpr double kLeastWidening = 0.5;     ///< seconds of a band that goes on
 constexpr double kSurelyKept =
     0.99;  ///< of the clearance that an audit certifies, by the validator's other searches
 
-/// RRTConnect takes one of so many turns beside the narrow places; SlidingRRTConnect, which finds more there, takes the others.
+/// RRTConnect and SlidingRRTConnect take turns: one of four seeks is beside the narrow places, so their numbers are apart by more.
 constexpr int kTurnsBeside = 4;
 constexpr int kFirstWays = 3;  ///< that are widened before ways that wind less are sought
 
