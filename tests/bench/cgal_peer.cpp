@@ -22,7 +22,10 @@ Surface surfaceOf(const Mesh& mesh) {
     for (const TriangleIndices& t : mesh.triangles) {
         if (surface.add_face(Vertex(t[0]), Vertex(t[1]), Vertex(t[2])) != Surface::null_face()) continue;
         std::array<Vertex, 3> own;
-        for (int i = 0; i < 3; ++i) own[i] = surface.add_vertex(surface.point(Vertex(t[i])));
+        for (int i = 0; i < 3; ++i) {
+            const Kernel::Point_3 corner = surface.point(Vertex(t[i]));  // a new vertex may move all points
+            own[i] = surface.add_vertex(corner);
+        }
         surface.add_face(own[0], own[1], own[2]);
     }
     return surface;
