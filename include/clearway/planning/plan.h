@@ -52,10 +52,10 @@ struct PlanOptions {
     /// OMPL.app's it only gives a warning.
     std::vector<std::pair<std::string, std::string>> parameters;
 
-    /// plan() ends after `seconds`, and where no path was found up to a second later, in which it looks for the reason; or the
-    /// planner ends when it has asked `iterations` times whether to end, which most
-    /// planners do once an iteration and which is the repeatable limit. Give at most one of the two. Without
-    /// either the limit is kDefaultSeconds.
+    /// plan() ends after `seconds`, and where no path was found up to a second later, in which it looks for the reason; planners
+    /// with large trees end before the limit, so that these can be read. Or the planner ends when it has asked `iterations`
+    /// times whether to end, which most planners do once an iteration and which is the repeatable limit. Give at most one of
+    /// the two. Without either the limit is kDefaultSeconds.
     std::optional<double> seconds;
     std::optional<std::uint64_t> iterations;  ///< the repeatable limit; see `seconds`
 

@@ -44,8 +44,11 @@ constexpr double kRoomShare = 0.5;
 /// With iterations a sweep of a band counts as so many of them. A sweep and as many iterations of RRTConnect take about
 /// the same time, and the most and the least sweeps about the seconds above.
 constexpr std::uint64_t kIterationsPerSweep = 100, kLeastSweeps = 64, kMostSweeps = 320;
-/// Seconds for trying what stops the part, where no path was found.
+/// Seconds for trying what stops the part, where no path was found. It ends as many seconds after the limit.
 constexpr double kMostAsking = 1;
+/// Seconds for reading the planners' trees, for each valid motion: two or three of these make a state of a tree. Planners
+/// end so early that all is read half of kMostAsking after the limit.
+constexpr double kReadingMotion = 6e-6;
 
 /// Decides when the planner has to end. Some planners ask from several threads.
 class Budget {
@@ -56,7 +59,9 @@ class Budget {
                                     : std::optional(options.seconds.value_or(kDefaultSeconds))),
           seconds_(limit_) {}
 
-    void beginPlanning(bool isImproving) {
+    /// motions: the validator that counts the planners' motions; null where they are not certified.
+    void beginPlanning(bool isImproving, std::shared_ptr<const MotionValidator> motions) {
+        motions_ = std::move(motions);
         if (limit_) planningSeconds_ = (isImproving ? kImprovingShare : 1) * *limit_;
     }
 
@@ -91,7 +96,13 @@ class Budget {
     void end() { isEnded_ = true; }
     /// Whether all has to end, whatever the phase. Any thread may ask.
     bool isDue() const { return isStopped() || isOver(limit_); }
-    bool isPlanningOver() const { return isEnded_ || isStopped() || isOver(planningSeconds_); }
+    /// Whether looking for the reason why there is no path has to end.
+    bool isAskingOver() const {
+        return isStopped() || (limit_ && secondsSince(begin_) >= *limit_ + kMostAsking);
+    }
+    bool isPlanningOver() const {
+        return isEnded_ || isStopped() || isOver(planningSeconds_) || isReadingDue();
+    }
     bool isStopped() const { return options_.isStopped && options_.isStopped(); }
     bool isRoomDue() const { return isOver(roomDueSeconds_); }
     bool isRoomOver() const { return isStopped() || isOver(roomSeconds_); }
@@ -101,6 +112,13 @@ class Budget {
     }
 
   private:
+    /// Whether reading the trees would take too long from now on.
+    bool isReadingDue() const {
+        return limit_ && motions_ &&
+               secondsSince(begin_) + kReadingMotion * static_cast<double>(motions_->counters().valid) >=
+                   *limit_ + 0.5 * kMostAsking;
+    }
+
     bool isOver(const std::optional<double>& seconds) const {
         return seconds && secondsSince(begin_) >= *seconds;
     }
@@ -108,6 +126,7 @@ class Budget {
     const PlanOptions& options_;
     const Clock::time_point begin_ = Clock::now();
     const std::optional<double> limit_;
+    std::shared_ptr<const MotionValidator> motions_;
     std::optional<double> seconds_, planningSeconds_, roomDueSeconds_, roomSeconds_;
     std::atomic<std::uint64_t> asked_{0};
     std::atomic<bool> isEnded_{false};
@@ -190,12 +209,12 @@ void describeSolution(const PlanSetup& setup, const Problem& problem, const Plan
 /// When the planners' trees turn out to be a path together, adds it to the solutions and returns true. Otherwise tells
 /// why there is no path.
 bool joinOrTellWhy(const PlanSetup& setup, const Problem& problem, const PlanOptions& options,
-                   PlanReport& report) {
+                   const Budget& budget, PlanReport& report) {
     tellPhase(PlanPhase::kAskingWhy, options);
     WhyNoPathOptions asking;
     if (!options.iterations) asking.seconds = kMostAsking;
     asking.seed = options.seed;
-    asking.isStopped = options.isStopped;
+    asking.isStopped = [&] { return budget.isAskingOver(); };
     const OmplMessages unheard;  // some planners log that they tell only a part of their states
     WhyNoPath why = whyNoPath({setup.planners, setup.definition, setup.auditor}, problem, asking);
     if (why.isJoined) {
@@ -262,7 +281,7 @@ PlanReport plan(const Problem& problem, const Scene& scene, const PlanOptions& o
     if (report.shutIn) return report;
 
     const Clock::time_point begin = Clock::now();
-    budget.beginPlanning(!report.objective.empty());
+    budget.beginPlanning(!report.objective.empty(), setup.certified);
     std::optional<Watch> watch;
     if (options.onOverrun) {
         const auto tell = [&, begun = report](const Watch::IsEnded& isEnded) {
@@ -284,7 +303,7 @@ PlanReport plan(const Problem& problem, const Scene& scene, const PlanOptions& o
 
     const Clock::time_point planned = Clock::now();
     const bool isFound = setup.definition->hasExactSolution() ||
-                         (!budget.isStopped() && joinOrTellWhy(setup, problem, options, report));
+                         (!budget.isStopped() && joinOrTellWhy(setup, problem, options, budget, report));
     if (isFound) describeSolution(setup, problem, options, budget, report);
     watch.reset();
     report.finishingSeconds = secondsSince(planned);

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 
+#include <ompl/base/PlannerData.h>
 #include <ompl/base/goals/GoalRegion.h>
+#include <ompl/base/goals/GoalState.h>
 #include <ompl/base/goals/GoalStates.h>
 #include <ompl/base/spaces/SE3StateSpace.h>
 #include <ompl/geometric/planners/rrt/RRT.h>
@@ -11,7 +13,9 @@
 #include "clearway/planning/check_path.h"
 #include "clearway/planning/ompl_messages.h"
 #include "clearway/planning/plan_setup.h"
+#include "planning/validity/ompl_states.h"
 #include "support/door_scene.h"
+#include "support/full_run.h"
 #include "support/random_meshes.h"
 
 namespace clearway::planning {
@@ -225,6 +229,85 @@ BOOST_AUTO_TEST_CASE(a_callers_goal_that_draws_no_states_is_the_problems_goal_or
         return states;
     });
     BOOST_TEST(elsewhere.nearest.path.back().position.x() == goal + 1);
+}
+
+/// Says that it grew chains of so many states, at random places about the start and about the goal.
+class GrownAtRandom : public ob::Planner {
+  public:
+    GrownAtRandom(const ob::SpaceInformationPtr& si, ob::ProblemDefinitionPtr definition, std::size_t states)
+        : Planner(si, "GrownAtRandom") {
+        ompl::RNG random(7);
+        const auto goal = std::dynamic_pointer_cast<ob::GoalState>(definition->getGoal());
+        for (const ob::State* root :
+             std::initializer_list<const ob::State*>{definition->getStartState(0), goal->getState()}) {
+            auto& chain = chains_.emplace_back();
+            for (std::size_t i = 0; i < states; ++i) {
+                ob::ScopedState<ob::SE3StateSpace> state(si);
+                state = root;
+                if (i > 0) state->setX(xOf(root) + random.uniformReal(-2, 2));
+                if (i > 0) state->setY(random.uniformReal(-2, 2));
+                chain.push_back(state);
+            }
+        }
+        definition_ = std::move(definition);
+    }
+
+    ob::PlannerStatus solve(const ob::PlannerTerminationCondition&) override {
+        return ob::PlannerStatus::TIMEOUT;
+    }
+
+    void getPlannerData(ob::PlannerData& data) const override {
+        data.addStartVertex(ob::PlannerDataVertex(chains_[0][0].get()));
+        data.addGoalVertex(ob::PlannerDataVertex(chains_[1][0].get()));
+        for (const auto& chain : chains_) {
+            for (std::size_t i = 1; i < chain.size(); ++i) {
+                data.addEdge(ob::PlannerDataVertex(chain[i - 1].get()),
+                             ob::PlannerDataVertex(chain[i].get()));
+            }
+        }
+    }
+
+    double nearest(int chain, const ob::State* state) const {
+        double least = 1e9;
+        for (const auto& other : chains_[chain]) least = std::min(least, si_->distance(state, other.get()));
+        return least;
+    }
+
+  private:
+    ob::ProblemDefinitionPtr definition_;
+    std::vector<std::vector<ob::ScopedState<ob::SE3StateSpace>>> chains_;
+};
+
+BOOST_AUTO_TEST_CASE(neither_end_of_the_nearest_miss_of_large_trees_has_a_nearer_state_in_the_other) {
+    const ClosedBox closed;
+    PlanReport report;
+    const PlanSetup setup =
+        makePlanSetup(closed.door.problem, closed.scene, withIterations(1), report, [] { return false; });
+    for (const std::size_t states : {500, 15000}) {
+        const auto planner = std::make_shared<GrownAtRandom>(setup.si, setup.definition, states);
+        const WhyNoPath why = whyNoPath({{planner}, setup.definition, setup.auditor}, closed.door.problem);
+        BOOST_TEST(why.start.states == states);
+        BOOST_TEST(why.goal.states == states);
+        BOOST_TEST(!why.blockers.empty());
+        const auto stateOf = [&](std::size_t i) {
+            return toOmpl(setup.si->getStateSpace(), closed.door.problem.space, why.nearest.path.at(i));
+        };
+        const auto before = stateOf(why.nearest.gap), after = stateOf(why.nearest.gap + 1);
+        const double gap = setup.si->distance(before.get(), after.get());
+        BOOST_TEST(planner->nearest(1, before.get()) >= gap * (1 - 1e-9));
+        BOOST_TEST(planner->nearest(0, after.get()) >= gap * (1 - 1e-9));
+    }
+}
+
+BOOST_AUTO_TEST_CASE(the_reason_is_told_in_time_however_large_the_trees_grew) {
+    const ClosedBox closed;
+    PlanOptions options;
+    options.seconds = testing::isFullRun() ? 40 : 2;
+    bool isOverrun = false;
+    options.onOverrun = [&](const PlanReport&) { isOverrun = true; };
+    const WhyNoPath why = whyNot(closed.door.problem, closed.scene, options);
+    BOOST_TEST(!isOverrun);
+    BOOST_TEST(why.motionsTried > 0u);
 }
 
 BOOST_AUTO_TEST_CASE(trees_that_a_valid_motion_joins_are_a_path) {
