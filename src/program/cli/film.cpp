@@ -2,8 +2,14 @@
 
 #include <algorithm>
 #include <boost/algorithm/string/case_conv.hpp>
+#include <boost/algorithm/string/replace.hpp>
+#include <cerrno>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
@@ -14,7 +20,6 @@
 #include "program/cli/print.h"
 #include "program/cli/render.h"
 #include "program/render/film.h"
-#include "program/render/video.h"
 
 namespace clearway::cli {
 
@@ -26,6 +31,23 @@ constexpr int kMostRate = 60,
 constexpr int kLargestFilmSide = 4096;    ///< pixels; common players decode no more
 constexpr double kMostGifBytes = 2e9;     ///< ffmpeg keeps all pictures of a GIF, in 4 bytes a pixel
 constexpr std::size_t kFramedPoses = 25;  ///< poses that the camera keeps in the picture
+
+/// ffmpeg's options for each kind of film.
+const std::map<std::string, std::string>& videoKinds() {
+    static const std::map<std::string, std::string> kinds = {
+        // Players want an even number of rows and columns, and colours at half the resolution. faststart lets
+        // a browser begin before it has the whole file.
+        {".mp4",
+         "-vf 'pad=ceil(iw/2)*2:ceil(ih/2)*2:color=white' -c:v libx264 -crf 18 -pix_fmt yuv420p "
+         "-movflags +faststart -f mp4"},
+        // One palette for the whole film. Its pattern of dots stands still, so what does not move stays equal
+        // from picture to picture and takes no room.
+        {".gif",
+         "-filter_complex 'split[a][b];[a]palettegen=stats_mode=full[p];"
+         "[b][p]paletteuse=dither=bayer:bayer_scale=3:diff_mode=rectangle' -loop 0 -f gif"},
+    };
+    return kinds;
+}
 
 std::string endingOf(const std::string& file) {
     return boost::to_lower_copy(std::filesystem::path(file).extension().string());
@@ -90,26 +112,49 @@ void printContacts(const std::vector<render::PosedPart>& poses) {
                                readable(std::round(1000 * share) / 1000));
 }
 
-/// Where pictures go; null: no such output.
-struct FilmTargets {
-    const FramesFolder* folder;
-    render::Video* video;
-    ElapsedLine& elapsed;
-};
-
 /// Takes all pictures. Returns false when interrupted.
-bool takePictures(render::Film& film, const std::vector<render::PosedPart>& poses,
-                  const FilmTargets& targets) {
-    const auto& [folder, video, elapsed] = targets;
+bool takePictures(render::Film& film, const std::vector<render::PosedPart>& poses, const FramesFolder& folder,
+                  ElapsedLine& elapsed) {
     for (std::size_t i = 0; i < poses.size(); ++i) {
         elapsed.tell("picture " + std::to_string(i + 1) + " of " + std::to_string(poses.size()) + ",");
         const render::Image picture = film.picture(poses[i]);
         if (picture.pixels.empty()) return false;
-        if (folder != nullptr) render::writePng(picture, folder->fileOf(i + 1));
-        if (video != nullptr) video->add(picture);
+        render::writePng(picture, folder.fileOf(i + 1));
     }
-    if (video != nullptr) video->finish();
     return true;
+}
+
+/// Throws std::runtime_error that names the package to install unless ffmpeg is in PATH.
+void requireFfmpeg() {
+    if (std::system("command -v ffmpeg > /dev/null 2>&1") == 0) return;
+    throw std::runtime_error(
+        "the program ffmpeg is not in PATH, expected it for a film: install the package ffmpeg (sudo apt-get "
+        "install ffmpeg), or write single pictures with --frames");
+}
+
+/// As one word for a shell.
+std::string quoted(const std::string& word) {
+    return "'" + boost::replace_all_copy(word, "'", "'\\''") + "'";
+}
+
+/// Makes the pictures a film, by the program ffmpeg. Throws std::runtime_error with its words when it fails.
+void encode(const FramesFolder& folder, const FilmChoice& film, const std::string& file) {
+    // A name with a colon is no protocol of ffmpeg's, nor one that begins with a dash an option.
+    const std::string command = "ffmpeg -nostdin -y -loglevel error -framerate " + std::to_string(film.rate) +
+                                " -i " + quoted("file:" + folder.pattern()) + " " +
+                                videoKinds().at(endingOf(film.video)) + " " + quoted("file:" + file) +
+                                " 2>&1";
+    std::FILE* const ffmpeg = popen(command.c_str(), "r");
+    if (ffmpeg == nullptr)
+        throw std::runtime_error("cannot run ffmpeg: " + std::string(std::strerror(errno)));
+    std::string said;
+    for (int character; (character = std::fgetc(ffmpeg)) != EOF;) said += static_cast<char>(character);
+    if (pclose(ffmpeg) != 0) throw std::runtime_error("ffmpeg cannot write the film: " + said);
+}
+
+/// With --video alone the pictures are in a folder beside the film until it is done.
+std::string folderOf(const FilmChoice& film) {
+    return film.frames.empty() ? film.video + ".frames" : film.frames;
 }
 
 }  // namespace
@@ -122,14 +167,16 @@ void FilmChoice::require(const render::RenderOptions& drawing, std::size_t state
                          OutputFiles& files) const {
     if (!isWanted()) return;
     if (frames == "-") throw std::invalid_argument("--frames is '-', expected the name of a folder");
-    files.add("--video", video, render::videoEndings());
+    std::vector<std::string> endings;
+    for (const auto& kind : videoKinds()) endings.push_back(kind.first);
+    files.add("--video", video, endings);
     requireOutside("--video", video, frames);
     requireOutside("--out", picture, frames);
     if (states < 2)
         throw std::invalid_argument("the path has 1 state, expected at least 2 for --frames or --video");
     requireSize(*this, drawing);
-    if (!frames.empty()) const FramesFolder canBeMade(frames);
-    if (!video.empty()) render::requireFfmpeg();
+    const FramesFolder canBeMade(folderOf(*this));
+    if (!video.empty()) requireFfmpeg();
 }
 
 void addFilm(CommandLine& line, FilmChoice& film, const std::function<bool()>& hasPath) {
@@ -159,27 +206,25 @@ void addFilm(CommandLine& line, FilmChoice& film, const std::function<bool()>& h
 }
 
 bool writeFilm(const FilmChoice& film, const FilmScene& scene, const render::RenderOptions& drawing) {
-    std::optional<FramesFolder> folder;
-    if (!film.frames.empty()) folder.emplace(film.frames);
+    FramesFolder folder(folderOf(film));
     const std::vector<render::PosedPart> poses = evenPoses(scene, film.pictureCount());
     printContacts(poses);
     render::Film pictures(scene.part, scene.environment, castOf(scene), drawing);
-    const auto take = [&](render::Video* video) {
-        return takePictures(pictures, poses, {folder ? &*folder : nullptr, video, scene.elapsed});
-    };
-    const render::VideoFormat format{endingOf(film.video), drawing.width, drawing.height, film.rate};
-    const bool isDone =
-        film.video.empty() ? take(nullptr) : replaceFileByName(film.video, [&](const std::string& temporary) {
-            render::Video video(temporary, format);
-            return take(&video);
+    bool isDone = takePictures(pictures, poses, folder, scene.elapsed);
+    if (isDone && !film.video.empty()) {
+        scene.elapsed.tell("ffmpeg,");
+        isDone = replaceFileByName(film.video, [&](const std::string& temporary) {
+            encode(folder, film, temporary);
+            return !drawing.isStopped();
         });
-    if (isDone && folder) folder->keep();
+    }
+    if (isDone && !film.frames.empty()) folder.keep();
     const std::string told = counted(poses.size(), "picture") + " of " + sizeText(drawing);
     if (isDone) {
         facts()["frames"] = film.frames.empty() ? Json() : Json(film.frames);
         facts()["video"] = film.video.empty() ? Json() : Json(film.video);
     }
-    if (folder) printRow("frames", isDone ? film.frames + ", " + told : "none, interrupted");
+    if (!film.frames.empty()) printRow("frames", isDone ? film.frames + ", " + told : "none, interrupted");
     if (!film.video.empty()) {
         printRow("video", isDone ? film.video + ", " + told + ", " + std::to_string(film.rate) + " a second"
                                  : "none, interrupted");

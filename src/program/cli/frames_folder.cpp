@@ -1,6 +1,7 @@
 #include "program/cli/frames_folder.h"
 
 #include <algorithm>
+#include <boost/algorithm/string/replace.hpp>
 #include <cctype>
 #include <cstdio>
 #include <filesystem>
@@ -84,6 +85,11 @@ std::string FramesFolder::fileOf(std::size_t picture) const {
     char name[32];
     std::snprintf(name, sizeof name, "%s%04zu%s", kFrameBegin, picture, kFrameEnd);
     return (fs::path(temporary_) / name).string();
+}
+
+std::string FramesFolder::pattern() const {
+    const std::string folder = fs::absolute(temporary_).string();
+    return boost::replace_all_copy(folder, "%", "%%") + "/" + kFrameBegin + "%04d" + kFrameEnd;
 }
 
 void FramesFolder::keep() {

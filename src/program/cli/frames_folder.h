@@ -18,6 +18,8 @@ class FramesFolder {
 
     /// The file for a picture, counted from 1, in the temporary folder.
     std::string fileOf(std::size_t picture) const;
+    /// All pictures' files as one pattern of ffmpeg's.
+    std::string pattern() const;
     /// Puts the temporary folder into its place.
     void keep();
 
