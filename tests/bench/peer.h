@@ -52,9 +52,6 @@ Peer makeBullet(const Mesh& part, const Mesh& environment);
 /// CGAL's AABB trees with exact predicates. The answer is exact for the corners rounded to double at the pose.
 Peer makeCgal(const Mesh& part, const Mesh& environment);
 
-/// MeshLib's AABB trees in float, on one thread, if the build was given its prefix (CLEARWAY_BENCH_MESHLIB).
-Peer makeMeshLib(const Mesh& part, const Mesh& environment);
-
 /// A library that this build knows, and the function that makes its trees.
 struct NamedPeer {
     const char* name;  ///< that of the Peer

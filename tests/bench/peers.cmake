@@ -1,10 +1,9 @@
-# The peers of the benchmark: FCL and CGAL always, Bullet if it is installed, PQP, Coal and MeshLib if the user gives a checkout
+# The peers of the benchmark: FCL and CGAL always, Bullet if it is installed, PQP and Coal if the user gives a checkout
 # or an install of theirs. Nothing of theirs is in this repository, and nothing is fetched. See README.md in this folder.
 
 set(CLEARWAY_BENCH_PQP "" CACHE PATH "A checkout of PQP to measure against; empty for none")
 set(CLEARWAY_BENCH_PQP_FLAGS "-O3" CACHE STRING "Flags that PQP is compiled with")
 set(CLEARWAY_BENCH_COAL "" CACHE PATH "The prefix Coal is installed under, to measure against; empty for none")
-set(CLEARWAY_BENCH_MESHLIB "" CACHE PATH "The prefix MeshLib is installed under, to measure against; empty for none")
 
 target_sources(clearway_bench_support PRIVATE bench/peers.cpp bench/fcl_peer.cpp bench/fcl_planning.cpp)
 target_link_libraries(clearway_bench_support PRIVATE fcl)
@@ -61,12 +60,4 @@ if(Bullet_FOUND)
   endforeach()
 else()
   message(STATUS "Bullet in double is not installed (libbullet-dev): the benchmarks leave it out")
-endif()
-
-if(CLEARWAY_BENCH_MESHLIB)
-  find_package(meshlib REQUIRED CONFIG PATHS ${CLEARWAY_BENCH_MESHLIB} NO_DEFAULT_PATH)
-  add_peer(meshlib)
-  set_target_properties(bench_meshlib_peer PROPERTIES CXX_STANDARD 20)
-  target_link_libraries(bench_meshlib_peer PRIVATE MeshLib::MRMesh)
-  target_link_libraries(clearway_bench_support PRIVATE MeshLib::MRMesh)
 endif()

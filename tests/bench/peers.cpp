@@ -11,9 +11,6 @@ std::vector<NamedPeer> distancePeers() {
 #ifdef CLEARWAY_BENCH_WITH_COAL
         {"Coal OBBRSS", makeCoal},
 #endif
-#ifdef CLEARWAY_BENCH_WITH_MESHLIB
-        {"MeshLib", makeMeshLib},
-#endif
     };
 }
 

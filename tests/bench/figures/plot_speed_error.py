@@ -19,7 +19,6 @@ STYLES = {
     "FCL RSS": ("FCL RSS", "#000000", "cross"),
     "PQP": ("PQP, warm", "#000000", "plus"),
     "Coal OBBRSS": ("Coal OBBRSS", "#000000", "star"),
-    "MeshLib": ("MeshLib, float", "#000000", "up"),
 }
 NONE = 1e-19  # the height at which an error of 0 is drawn
 HEIGHTS = {1e-19: "none", 1e-16: "1e-16", 1e-13: "1e-13", 1e-10: "1e-10", 1e-7: "1e-7", 1e-4: "1e-4", 1e-1: "0.1"}

@@ -3,7 +3,7 @@
 from results import NotMeasured, distinct, matching, table
 
 # Columns of runs.csv, and their names. Older tables lack some.
-PEERS = {"fcl": "FCL", "ompl": "OMPL", "pqp": "PQP", "coal": "Coal", "bullet": "Bullet", "cgal": "CGAL", "meshlib": "MeshLib"}
+PEERS = {"fcl": "FCL", "ompl": "OMPL", "pqp": "PQP", "coal": "Coal", "bullet": "Bullet", "cgal": "CGAL"}
 
 
 def version_of(rows, peer):

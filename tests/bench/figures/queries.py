@@ -15,12 +15,11 @@ ROWS = [
     ("distance, over PQP with its warm start", "distance", "clearway", "PQP"),
     ("distance, over FCL RSS", "distance", "clearway", "FCL RSS"),
     ("distance, over Coal OBBRSS", "distance", "clearway", "Coal OBBRSS"),
-    ("distance, over MeshLib", "distance", "clearway", "MeshLib"),
     ("distance with AVX2, over PQP with its warm start", "distance", "clearway, avx2", "PQP"),
     ("distance, cold, over PQP, cold", "distance", "clearway, cold", "PQP, cold"),
     ("distance, cold, over FCL RSS", "distance", "clearway, cold", "FCL RSS"),
     ("distance, poses in random order, over PQP", "distance, shuffled", "clearway", "PQP"),
-    *((f"collides, over {peer}", "collides", "clearway", peer) for peer in ("PQP", "FCL OBBRSS", "Coal OBBRSS", "Bullet", "CGAL", "MeshLib")),
+    *((f"collides, over {peer}", "collides", "clearway", peer) for peer in ("PQP", "FCL OBBRSS", "Coal OBBRSS", "Bullet", "CGAL")),
     ("within 0.1 %, over PQP's tolerance query", "within 0.1 %", "clearway", "PQP"),
     ("within 1 %, over PQP's tolerance query", "within 1 %", "clearway", "PQP"),
 ]

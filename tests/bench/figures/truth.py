@@ -3,7 +3,7 @@
 from results import distinct, matching, numbers, shown, span, table, whole
 
 MARGINS = ("0", "1e-06", "0.001")
-PEERS = ("FCL RSS", "PQP", "Coal OBBRSS", "MeshLib")
+PEERS = ("FCL RSS", "PQP", "Coal OBBRSS")
 MODE_NAMES = {"isWithin": "`isWithin`", "default": "`distance`, valid when lower > margin"}
 SHORT_LIST = ("isWithin", "default") + PEERS
 

@@ -77,7 +77,6 @@ def build_record(root, build):
         "coal": installed_version(cache.get("CLEARWAY_BENCH_COAL"), "coalConfigVersion.cmake"),
         "bullet": bullet_of(cache),
         "cgal": package_version("libcgal-dev"),
-        "meshlib": installed_version(cache.get("CLEARWAY_BENCH_MESHLIB"), "meshlib-config-version.cmake"),
         "fcl": package_version("libfcl-dev"),
         "ompl": package_version("libompl-dev"),
         "compiler": said_by(cache.get("CMAKE_CXX_COMPILER", "c++"), "--version"),
