@@ -1,7 +1,6 @@
 #include "model/winding_surface.h"
 
 #include <algorithm>
-#include <array>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -9,28 +8,10 @@
 #include "mesh/clean.h"
 #include "mesh/topology.h"
 #include "model/solids.h"
-#include "tree/flat_tree.h"
+#include "model/triangles_of.h"
 
 namespace clearway {
 namespace {
-
-using TriangleCorners = std::array<Vector3, 3>;
-
-/// Calls take(component, corners) for the triangles, as far as the tree holds them.
-template <class Take>
-void eachTriangleOf(const Model& model, const Take& take) {
-    const std::vector<Component>& components = model.components();
-    std::vector<std::size_t> ofTriangle;
-    for (std::size_t i = 0; i < components.size(); ++i)
-        ofTriangle.resize(components[i].firstTriangle + std::size_t(components[i].triangleCount), i);
-    const FlatTree& tree = model.tree();
-    for (const LeafReference leaf : tree.leaves()) {
-        for (std::uint32_t n = 0; n < tree.leaf(leaf).triangleCount; ++n) {
-            const TriangleAt at{leaf, n};
-            take(ofTriangle.at(tree.triangleId(at)), tree.corners(at));
-        }
-    }
-}
 
 /// Whether a ray from the point crosses the triangle, but for rounding. The ray is askew, so that it seldom meets an edge.
 bool isCrossed(const TriangleCorners& corners, const Vector3& point) {

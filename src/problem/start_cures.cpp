@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "clearway/query.h"
 #include "core/number.h"
+#include "model/triangles_of.h"
 #include "problem/config.h"
 
 namespace clearway {
@@ -18,7 +20,36 @@ std::string listed(std::vector<std::string> names, const std::vector<std::string
     return writtenNames(names).value_or("NAMES");
 }
 
+/// The triangles of each component that the model holds.
+std::vector<Mesh> meshesOf(const Model& model) {
+    std::vector<Mesh> meshes(model.components().size());
+    eachTriangleOf(model, [&](std::size_t component, const TriangleCorners& corners) {
+        Mesh& mesh = meshes[component];
+        const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+        mesh.vertices.insert(mesh.vertices.end(), corners.begin(), corners.end());
+        mesh.triangles.push_back({first, first + 1, first + 2});
+    });
+    return meshes;
+}
+
 }  // namespace
+
+std::vector<std::string> touchedObstacles(const Scene& scene, const Pose& X_environmentPart) {
+    Workspace workspace;
+    std::vector<std::string> names;
+    for (const Obstacle& obstacle : scene.obstacles) {
+        const auto isTouched = [&](const Model& model) {
+            return isWithin(scene.part, model, X_environmentPart, obstacle.margin, workspace);
+        };
+        if (obstacle.isIgnoredAtStart || obstacle.shrunk || !isTouched(obstacle.model)) continue;
+        const std::vector<Mesh> meshes = meshesOf(obstacle.model);
+        for (std::size_t i = 0; i < meshes.size(); ++i) {
+            if (!meshes[i].triangles.empty() && isTouched(Model::build(meshes[i])))
+                names.push_back(obstacle.model.components()[i].name);
+        }
+    }
+    return names;
+}
 
 std::vector<StartCure> startCures(const Problem& problem, const std::vector<std::string>& touched,
                                   double length, bool mayOverlap) {
@@ -33,9 +64,9 @@ std::vector<StartCure> startCures(const Problem& problem, const std::vector<std:
                                     {"ignore", listed(rules.ignored, touched), "left out"}};
     if (mayOverlap) {
         const bool isThere = rules.overlap.common > 0 || !rules.overlap.byName.empty();
-        cures.push_back({"overlap", "X",
-                         std::string(isThere ? "more than is there: " : "") +
-                             "may reach so deep into the part; clearway info PROBLEM --lift tells X"});
+        cures.push_back(
+            {"overlap", "X",
+             std::string(isThere ? "more than is there: " : "") + "may reach so deep into the part"});
     }
     return cures;
 }

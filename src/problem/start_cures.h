@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "clearway/problem.h"
+#include "clearway/scene.h"
 
 // clearway::planning uses it too, from another shared library.
 #pragma GCC visibility push(default)
@@ -20,7 +21,11 @@ struct StartCure {
     std::string effect;  ///< in a few words
 };
 
-/// touched: names of obstacles, see touchedAtStart. length: for contact.start. mayOverlap: an overlap would be enough.
+/// Names of the scene's obstacles that are no farther from the part than their margins. Leaves out those that are ignored at
+/// the start, and those with an overlap.
+std::vector<std::string> touchedObstacles(const Scene& scene, const Pose& X_environmentPart);
+
+/// touched: names of obstacles, see touchedObstacles. length: for contact.start. mayOverlap: an overlap would be enough.
 std::vector<StartCure> startCures(const Problem& problem, const std::vector<std::string>& touched,
                                   double length, bool mayOverlap);
 

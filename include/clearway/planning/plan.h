@@ -31,6 +31,16 @@ class RefusedOption : public std::invalid_argument {
     using std::invalid_argument::invalid_argument;  ///< takes the message
 };
 
+/// The start is in collision. The message names what the part touches, and the keys that let a problem begin there.
+class InvalidStart : public std::invalid_argument {
+  public:
+    /// Takes the message.
+    InvalidStart(const std::string& message, bool theMayOverlap)
+        : std::invalid_argument(message), mayOverlap(theMayOverlap) {}
+
+    bool mayOverlap;  ///< among the keys is the overlap; OverlapMeter tells how deep it is
+};
+
 /// Seconds after PlanOptions::seconds, or after PlanOptions::isStopped first returned true, from which plan() overruns.
 constexpr double kMostOverrun = 1.25;
 

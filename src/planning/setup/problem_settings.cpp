@@ -23,7 +23,6 @@
 #include "planning/motion/motion_search.h"
 #include "problem/config.h"
 #include "problem/start_cures.h"
-#include "problem/touched.h"
 
 namespace clearway::planning {
 namespace {
@@ -184,24 +183,17 @@ void applySettings(ob::SpaceInformation& si, const Problem& problem, std::vector
 
 namespace {
 
-/// Empty when the meshes cannot be read again: a problem's scene may be made without files.
-std::vector<std::string> touched(const Problem& problem) {
-    try {
-        return touchedAtStart(problem, loadPart(problem), obstaclesOf(problem, loadWorlds(problem)));
-    } catch (const std::exception&) {
-        return {};
-    }
-}
-
-/// The keys of [clearway] that let the problem begin at its start, which is in collision.
-std::string adviceFor(const Problem& problem, const ValidityChecker& checker, const ob::State* start) {
+/// Names the keys of [clearway] that let the problem begin at its start, which is in collision.
+InvalidStart refusedStart(const std::string& why, const Problem& problem, const ValidityChecker& checker,
+                          const ob::State* start) {
     const Scene& scene = checker.scene();
     const SceneDistance nearest = checker.distance(start);
-    std::vector<std::string> names = touched(problem);
+    std::vector<std::string> names = touchedObstacles(scene, poseOf(problem.start));
     if (names.empty()) names.push_back(meshNames(scene, nearest).environment);
     const double margin = scene.largestMargin();
-    return startAdvice(problem, names, kUsualContact * scene.part.box().diagonal().norm() + 2 * margin,
-                       nearest.collides() && margin == 0);
+    const double length = kUsualContact * scene.part.box().diagonal().norm() + 2 * margin;
+    const bool mayOverlap = nearest.collides() && margin == 0;
+    return {why + startAdvice(problem, names, length, mayOverlap), mayOverlap};
 }
 
 }  // namespace
@@ -211,9 +203,9 @@ double requireValid(const Problem& problem, const ValidityChecker& checker, cons
     double clearance = 0;
     if (checker.isValid(state, clearance)) return clearance;
     const std::string why = checker.whyInvalid(state);
-    const bool isCollision = why.find(kCollision) == 0 && what == kStart;
-    throw std::invalid_argument(what + " is " + why +
-                                (isCollision ? adviceFor(problem, checker, state) : ""));
+    if (why.find(kCollision) == 0 && what == kStart)
+        throw refusedStart(what + " is " + why, problem, checker, state);
+    throw std::invalid_argument(what + " is " + why);
 }
 
 double stepOf(const Problem& problem, const PlanOptions& options, const Model& part) {

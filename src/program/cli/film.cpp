@@ -9,7 +9,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
-#include <map>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
@@ -32,22 +32,22 @@ constexpr int kLargestFilmSide = 4096;    ///< pixels; common players decode no 
 constexpr double kMostGifBytes = 2e9;     ///< ffmpeg keeps all pictures of a GIF, in 4 bytes a pixel
 constexpr std::size_t kFramedPoses = 25;  ///< poses that the camera keeps in the picture
 
-/// ffmpeg's options for each kind of film.
-const std::map<std::string, std::string>& videoKinds() {
-    static const std::map<std::string, std::string> kinds = {
-        // Players want an even number of rows and columns, and colours at half the resolution. faststart lets
-        // a browser begin before it has the whole file.
-        {".mp4",
-         "-vf 'pad=ceil(iw/2)*2:ceil(ih/2)*2:color=white' -c:v libx264 -crf 18 -pix_fmt yuv420p "
-         "-movflags +faststart -f mp4"},
-        // One palette for the whole film. Its pattern of dots stands still, so what does not move stays equal
-        // from picture to picture and takes no room.
-        {".gif",
-         "-filter_complex 'split[a][b];[a]palettegen=stats_mode=full[p];"
-         "[b][p]paletteuse=dither=bayer:bayer_scale=3:diff_mode=rectangle' -loop 0 -f gif"},
-    };
-    return kinds;
-}
+struct VideoKind {
+    const char *ending, *options;  ///< of the file; of ffmpeg
+};
+
+constexpr VideoKind kVideoKinds[] = {
+    // Players want an even number of rows and columns, and colours at half the resolution. faststart lets a browser begin
+    // before it has the whole file.
+    {".mp4",
+     "-vf 'pad=ceil(iw/2)*2:ceil(ih/2)*2:color=white' -c:v libx264 -crf 18 -pix_fmt yuv420p "
+     "-movflags +faststart -f mp4"},
+    // One palette for the whole film. Its pattern of dots stands still, so what does not move stays equal from picture to
+    // picture and takes no room.
+    {".gif",
+     "-filter_complex 'split[a][b];[a]palettegen=stats_mode=full[p];"
+     "[b][p]paletteuse=dither=bayer:bayer_scale=3:diff_mode=rectangle' -loop 0 -f gif"},
+};
 
 std::string endingOf(const std::string& file) {
     return boost::to_lower_copy(std::filesystem::path(file).extension().string());
@@ -139,11 +139,13 @@ std::string quoted(const std::string& word) {
 
 /// Makes the pictures a film, by the program ffmpeg. Throws std::runtime_error with its words when it fails.
 void encode(const FramesFolder& folder, const FilmChoice& film, const std::string& file) {
+    const auto kind =
+        std::find_if(std::begin(kVideoKinds), std::end(kVideoKinds),
+                     [&](const VideoKind& known) { return known.ending == endingOf(film.video); });
     // A name with a colon is no protocol of ffmpeg's, nor one that begins with a dash an option.
     const std::string command = "ffmpeg -nostdin -y -loglevel error -framerate " + std::to_string(film.rate) +
-                                " -i " + quoted("file:" + folder.pattern()) + " " +
-                                videoKinds().at(endingOf(film.video)) + " " + quoted("file:" + file) +
-                                " 2>&1";
+                                " -i " + quoted("file:" + folder.pattern()) + " " + kind->options + " " +
+                                quoted("file:" + file) + " 2>&1";
     std::FILE* const ffmpeg = popen(command.c_str(), "r");
     if (ffmpeg == nullptr)
         throw std::runtime_error("cannot run ffmpeg: " + std::string(std::strerror(errno)));
@@ -168,7 +170,7 @@ void FilmChoice::require(const render::RenderOptions& drawing, std::size_t state
     if (!isWanted()) return;
     if (frames == "-") throw std::invalid_argument("--frames is '-', expected the name of a folder");
     std::vector<std::string> endings;
-    for (const auto& kind : videoKinds()) endings.push_back(kind.first);
+    for (const VideoKind& kind : kVideoKinds) endings.emplace_back(kind.ending);
     files.add("--video", video, endings);
     requireOutside("--video", video, frames);
     requireOutside("--out", picture, frames);

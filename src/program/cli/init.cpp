@@ -17,11 +17,11 @@
 #include "mesh/topology.h"
 #include "problem/config.h"
 #include "problem/start_cures.h"
-#include "problem/touched.h"
 #include "program/cli/enclosure.h"
 #include "program/cli/facts.h"
 #include "program/cli/load_guard.h"
 #include "program/cli/print.h"
+#include "program/cli/program.h"
 #include "program/cli/shared_options.h"
 
 namespace clearway::cli {
@@ -80,8 +80,7 @@ Json factsOf(const Mesh& mesh) {
             {"box", toJson(boundingBox(mesh))}};
 }
 
-std::string clearanceAtStart(const Problem& problem) {
-    const Scene scene = loadScene(problem, {}, guardedLoading()).scene;
+std::string clearanceAtStart(const Scene& scene) {
     const SceneClearance clearance(scene);
     const SceneDistance nearest = clearance.distance({});
     facts()["clearance_at_start"] = toJson(nearest.lower);
@@ -227,7 +226,9 @@ std::string textOf(const InitArguments& given, const Seen& seen) {
     if (!seen.touched.empty()) {
         text.comment(
             "The part touches other meshes at its start. If they are assembled so, choose one of these:");
-        for (const StartCure& cure : seen.cures) text.choice(cure.key, cure.value, cure.effect);
+        for (const StartCure& cure : seen.cures) {
+            text.choice(cure.key, cure.value, cure.effect + (cure.key == "overlap" ? kLiftTellsOverlap : ""));
+        }
     }
     return text.str();
 }
@@ -271,7 +272,8 @@ int init(const Arguments& words) {
     const Vector3 room = Vector3::Constant(kRoom * farthest.norm());
     seen.bounds = Box(seen.bounds.min() - room, seen.bounds.max() + room);
     seen.farSide = farSideOf(boundingBox(part), boundingBox(environment));
-    seen.touched = touchedAtStart(problem, part, obstaclesOf(problem, worlds));
+    const Scene scene = loadScene(problem, {}, guardedLoading()).scene;
+    seen.touched = touchedObstacles(scene, Pose());
     const double contactLength = kUsualContact * boundingBox(part).diagonal().norm();
     seen.cures = startCures(problem, seen.touched, contactLength, true);
 
@@ -287,7 +289,7 @@ int init(const Arguments& words) {
     printRow("part", seen.part);
     printRow("environment", seen.environment);
     if (seen.touched.empty()) {
-        printRow("start", clearanceAtStart(problem));
+        printRow("start", clearanceAtStart(scene));
         if (const std::string note = enclosureNote(part, worlds, {}); !note.empty())
             printWarnings({"at the start " + note});
     } else {
@@ -297,7 +299,7 @@ int init(const Arguments& words) {
         const std::size_t more = seen.touched.size() - names.size();
         printRow("start", "touches " + joined(names) +
                               (more > 0 ? " and " + std::to_string(more) + " more" : "") +
-                              startAdvice(problem, seen.touched, contactLength, true));
+                              startAdvice(problem, seen.touched, contactLength, true) + kLiftTellsOverlap);
     }
     printRow("goal", !seen.farSide ? "outside"
                                    : "outside on " + seen.farSide->far + "; the part starts outside on " +

@@ -7,6 +7,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "clearway/planning/plan.h"
 #include "clearway/shrink.h"
 #include "clearway/targets.h"
 #include "clearway/version.h"
@@ -31,6 +32,12 @@ int finish(int code) {
     return code;
 }
 
+int refuse(const char* name, const std::string& why) {
+    std::cout.flush();
+    std::cerr << name << ": " << oneLine(why) << "\n";
+    return kBadInput;
+}
+
 /// Runs to the end. Turns what is thrown into a row or a line on stderr.
 int guarded(const char* name, const std::function<int()>& run) {
     try {
@@ -39,10 +46,10 @@ int guarded(const char* name, const std::function<int()>& run) {
         printRow("interrupted", std::string(stopped.what()) + "; nothing is written");
         facts()["interrupted"] = true;
         return finish(kAnswerIsNo);
+    } catch (const planning::InvalidStart& error) {
+        return refuse(name, error.what() + std::string(error.mayOverlap ? kLiftTellsOverlap : ""));
     } catch (const std::exception& error) {
-        std::cout.flush();
-        std::cerr << name << ": " << oneLine(error.what()) << "\n";
-        return kBadInput;
+        return refuse(name, error.what());
     }
 }
 
