@@ -14,7 +14,7 @@
 
 #include "bench/benchmarks.h"
 #include "bench/fcl_planning.h"
-#include "clearway/planning/discrete_motion_validator.h"
+#include "bench/stepped_motion_validator.h"
 #include "clearway/planning/motion_validator.h"
 #include "clearway/planning/validity_checker.h"
 #include "core/number.h"
@@ -26,7 +26,6 @@ namespace {
 
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
-using planning::DiscreteMotionValidator;
 using planning::MotionValidator;
 using planning::ValidityChecker;
 
@@ -69,7 +68,7 @@ class Bench {
                     return std::make_shared<ValidityChecker>(si, scene_);
                 },
                 [this, step](const auto& si) {
-                    return std::make_shared<DiscreteMotionValidator>(si, scene_.part, step);
+                    return std::make_shared<SteppedMotionValidator>(si, scene_.part, step);
                 }};
     }
 

@@ -1,5 +1,5 @@
 // Compares FCL and clearway as checkers of one planner. Both judge equal recorded states and motions, behind
-// OMPL's discrete motion validator at its default resolution, and at states the problem's step apart.
+// OMPL's discrete motion validator at its default resolution, and at states the problem's fineness apart.
 //   benchmarks fcl_motions PROBLEM.cfg EDGES SEED [OUT.csv]
 #include <ompl/base/DiscreteMotionValidator.h>
 #include <ompl/util/Console.h>
@@ -13,7 +13,7 @@
 #include "bench/benchmarks.h"
 #include "bench/fcl_planning.h"
 #include "bench/recorded_edges.h"
-#include "clearway/planning/discrete_motion_validator.h"
+#include "bench/stepped_motion_validator.h"
 #include "core/clock.h"
 #include "core/number.h"
 #include "core/replace_file.h"
@@ -43,7 +43,7 @@ struct Side {
         : name(itsName), si(std::make_shared<ob::SpaceInformation>(space)) {}
     void finish(const ob::StateValidityCheckerPtr& checker, const Model& part, double step) {
         si->setStateValidityChecker(checker);
-        inSteps = std::make_shared<planning::DiscreteMotionValidator>(si, part, step);
+        inSteps = std::make_shared<SteppedMotionValidator>(si, part, step);
         si->setMotionValidator(std::make_shared<ob::DiscreteMotionValidator>(si));
         si->setup();
     }

@@ -11,7 +11,7 @@
 
 #include "bench/benchmarks.h"
 #include "bench/recorded_edges.h"
-#include "clearway/planning/discrete_motion_validator.h"
+#include "bench/stepped_motion_validator.h"
 #include "clearway/planning/motion_validator.h"
 #include "core/clock.h"
 #include "core/number.h"
@@ -27,7 +27,7 @@ namespace ob = ompl::base;
 using planning::MotionValidator;
 using planning::ValidityChecker;
 
-constexpr double kRangePerDiagonal = 0.25;  // as in `clearway plan` where no step is known
+constexpr double kRangePerDiagonal = 0.25;  // as in `clearway plan` where no fineness is stated
 constexpr double kSmallMargin = 0.1;        // environment units
 constexpr double kRoomy = 5;                // mean clearance, environment units
 constexpr int kIntegralPoses = 400;
@@ -134,7 +134,7 @@ class Bench {
         scene.obstacles[0].margin = kSmallMargin;
         const auto kept = recorder_.makeSpaceInformation(scene);
         const MotionValidator certified(kept, scene);
-        const planning::DiscreteMotionValidator stepped(kept, scene.part, kSmallMargin);
+        const SteppedMotionValidator stepped(kept, scene.part, kSmallMargin);
         bool isValid = false;
         const double certifiedSeconds = seconds(certified, edge, isValid);
         if (!isValid) return;
