@@ -200,8 +200,6 @@ py::dict dictOf(const PlanReport& report) {
     result["objective"] = report.objective;
     result["cost"] = report.cost;
     result["is_repeatable"] = report.isRepeatable;
-    result["is_certified"] = report.isCertified;
-    result["step"] = report.step;
     result["floor"] = report.floor;
     result["states_before"] = report.statesBefore;
     result["planning_seconds"] = report.planningSeconds;
@@ -292,7 +290,6 @@ planning::PlanOptions optionsOf(const py::dict& given) {
     options.threads = static_cast<int>(wholeNumber(given["threads"], "threads", 0, 256));
     options.seed = static_cast<std::uint32_t>(
         wholeNumber(given["seed"], "seed", 1, std::numeric_limits<std::uint32_t>::max()));
-    options.step = numberOrNone(given["step"]);
     options.floor = numberOrNone(given["floor"]);
     options.objective = textOf(given["objective"]);
     options.wantedClearance = numberOrNone(given["wanted_clearance"]);

@@ -237,7 +237,7 @@ class PlanResult:
     turned: float
     """Radians, summed over the path."""
     audit: Optional[Audit]
-    """The proved verdict about the path; None without one. The path is valid, but for one that was planned with a step."""
+    """The proved verdict about the path, which is valid; None without one."""
     why_no_path: Optional[WhyNoPath]
     """What the planners learnt without finding a path; None where nothing was planned."""
     shut_in: Optional[Tuple[str, str]]
@@ -252,10 +252,6 @@ class PlanResult:
     """The path's cost by the objective, if there is one."""
     is_repeatable: bool
     """Whether the same seed and number of iterations give the same path."""
-    is_certified: bool
-    """Whether the planners' motions were certified, not checked in steps."""
-    step: float
-    """The step used; 0 without one."""
     floor: float
     """Clearance that shortening kept, where the planner's path kept it."""
     states_before: int

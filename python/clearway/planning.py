@@ -91,7 +91,6 @@ def plan(
     wanted_clearance: Optional[float] = None,
     margin: Optional[float] = None,
     floor: Optional[float] = None,
-    step: Optional[float] = None,
     quick: bool = False,
     ompl_weights: bool = False,
     progress: Optional[Callable[[Progress], object]] = None,
@@ -110,8 +109,6 @@ def plan(
     wanted_clearance: that the objective length_with_clearance keeps where it can.
     margin: distance to keep, in place of the problem's margin; its margins by name stay.
     floor: clearance that shortening keeps; a thousandth of the part's diagonal by default.
-    step: checks motions at states so close that no point of the part moves further, instead of certifying whole motions. The audit
-        then says whether the path is valid.
     quick: leaves out the 1 to 5 seconds that give the path more clearance.
     ompl_weights: weighs rotation as OMPL does, not by the part's radius.
     progress: called a few times a second in the calling thread. Where it returns False, planning stops with the best path so far.
@@ -132,7 +129,6 @@ def plan(
         "objective": objective,
         "wanted_clearance": wanted_clearance,
         "floor": floor,
-        "step": step,
         "quick": quick,
         "ompl_weights": ompl_weights,
     }

@@ -27,7 +27,7 @@ goal.theta = 0
 SOUND = f"""# A sound document
 
 [Here](#a-sound-document), [there](README.md#a-sound-document), [outside](https://ompl.kavrakilab.org) and `docs/page.md`.
-`plan --step S` and `--margin M` are options.
+`plan --floor D` and `--margin M` are options.
 
 {FENCE}cpp
 #include <clearway/mesh.h>

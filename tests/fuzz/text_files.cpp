@@ -95,7 +95,7 @@ void readProblemAndBack(const std::string& file) {
     requireSound(problem.start);
     requireSound(problem.goal);
     require(problem.margin >= 0 && std::isfinite(problem.margin), "a margin is a length");
-    require(!problem.fineness || *problem.fineness > 0, "a step is above 0");
+    require(!problem.fineness || *problem.fineness > 0, "a fineness is above 0");
     require(!problem.volume || !problem.volume->isEmpty(), "bounds hold something");
     requireSameAgain(problem);
 }

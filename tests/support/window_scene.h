@@ -13,7 +13,7 @@ struct WindowScene {
     Mesh wallMesh;    ///< components "below", "above", "left", "right"; 4 thick, at x = 0; the window is 52
                       ///< wide, 22 high
     Scene scene;      ///< margin 0
-    Problem problem;  ///< SE(3); start and goal 60 before and behind the wall, standing on edge; step 1
+    Problem problem;  ///< SE(3); start and goal 60 before and behind the wall, standing on edge; fineness 1
 };
 
 WindowScene windowScene(const BuildOptions& options = {});

@@ -15,7 +15,7 @@ namespace clearway::planning {
 
 /// How explain() plans its trials, and for how long.
 struct ExplainOptions {
-    /// The planner, its parameters, seed, step and threads are those of every trial, and so are its iterations, which
+    /// The planner, its parameters, seed and threads are those of every trial, and so are its iterations, which
     /// make the explanation repeatable as long as the time lasts. The time, the objective and the floor do not count.
     PlanOptions plan;
     double seconds = 60;  ///< > 0; for all trials

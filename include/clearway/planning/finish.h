@@ -36,15 +36,11 @@ bool cutOutside(const PlanSetup& setup, ompl::geometric::PathGeometric& path);
 /// wrapper that dies with its planner. A path to a goal outside ends with its first state there.
 ompl::geometric::PathGeometric pathOf(const PlanSetup& setup, const ompl::base::PlannerSolution& solution);
 
-/// Shortens the path until isSpent, which must not be empty, returns true, by certified motions that keep
-/// setup.floor or, with a step, in the setup's steps, and audits the result. With a step the planner's own
-/// path is kept when only that one is valid along its whole length, or when the shortened one does not pass
-/// the steps (OMPL's shortcuts have collided). The gain by the objective is kept: a shortened path that costs
-/// more is dropped, and a path found for its least clearance is shortened by motions that keep that
-/// clearance.
+/// Takes needless turns out of the path and shortens it until isSpent, which must not be empty, returns true, by
+/// certified motions that keep setup.floor, and audits the result. The gain by the objective is kept: a shortened path that
+/// costs more is dropped, and a path found for its least clearance is shortened by motions that keep that clearance.
 ///
-/// kept: a clearance that all motions of the path keep, for certified motions only; the finished path's motions keep it
-/// too. Needless turns are taken out of certified paths first.
+/// kept: a clearance that all motions of the path keep; the finished path's motions keep it too.
 PathAudit finish(const PlanSetup& setup, ompl::geometric::PathGeometric& path,
                  const std::function<bool()>& isSpent, double kept = 0);
 

@@ -52,7 +52,7 @@ enum class PlanPhase {
     kAskingWhy    ///< there is no path, and the reason is looked for
 };
 
-/// How plan() plans: the planner, its limits, and how motions are checked.
+/// How plan() plans: the planner, its limits, and what the path keeps.
 struct PlanOptions {
     /// OMPL's class name in any case. Empty: the problem's planner when it names exactly one, else
     /// PlannerTeam. With an objective the default is RisingFloor for the least clearance and
@@ -77,19 +77,15 @@ struct PlanOptions {
     /// > 0; set before any OMPL object is made. OMPL has one generator of seeds: another plan() at the same time takes
     /// seeds from it, too, and no path is repeatable then.
     std::uint32_t seed = 1;
-    /// Without a step, motions are certified along their whole length. With a step, in environment units,
-    /// motions are checked at states so close that no point of the part moves further than the step from one
-    /// to the next. The part can then jump over anything thinner.
-    std::optional<double> step;
     /// Clearance that shortening the path keeps, in environment units, see simplify(). The default is a share
-    /// of the part's diagonal. Not allowed together with a step.
+    /// of the part's diagonal.
     std::optional<double> floor;
     /// The objective of planners that can go on improving a path for all the time they have, see
     /// objectiveNames(). Empty: the problem's objective, unless that is length without a threshold.
     std::string objective;
     std::optional<double> wantedClearance;  ///< see LengthWithClearanceOptions; for this objective alone
-    /// Leaves out what makes room after planning (see PlanReport::room). Not allowed together with a step or an objective,
-    /// which leave it out anyway.
+    /// Leaves out what makes room after planning (see PlanReport::room). Not allowed together with an objective, which
+    /// leaves it out anyway.
     bool quick = false;
     bool omplWeights = false;  ///< weights rotation as OMPL does, instead of by the part's radius
 
@@ -128,13 +124,6 @@ struct PlanReport {
     std::string objective;      ///< name of the objective; empty: the first path is taken
     double cost = 0;            ///< the path's cost by the objective, if there is one
     bool isRepeatable = false;  ///< with the same seed and number of iterations
-    bool isCertified = false;   ///< the planners' motions were certified, not checked in steps
-    /// The step used, which is shorter than the requested one when start or goal have less than half of that
-    /// to spare. 0 without a step.
-    double step = 0;
-    /// Clearance on top of the margin that checked states keep, so that all states between them are valid
-    /// too.
-    double guard = 0;
     double range = 0;  ///< longest edge of a planner's tree, unless the planner's parameters set another one
 
     std::vector<PartState> path;   ///< empty unless found
@@ -142,17 +131,15 @@ struct PlanReport {
     double turned = 0;             ///< radians, summed over the path
     std::size_t statesBefore = 0;  ///< in the path as the planner found it
     double floor = 0;              ///< clearance that shortening kept, where the planner's path kept it
-    /// The audit of the path, certified however the planners' motions were checked. The path is valid without
-    /// a step. With a step it may not be; a warning then says where.
-    PathAudit audit;
+    PathAudit audit;               ///< of the path, which is valid along its whole length
 
-    /// Certified paths are widened before they are shortened: their states are pushed away from obstacles, and planners
+    /// Paths are widened before they are shortened: their states are pushed away from obstacles, and planners
     /// look for other ways, some for more room and some for less winding with about as much room. This takes about as
     /// long as the planning, from 1 to 5 seconds, and no more than half of the time left; up to three times as long, within
     /// 5 seconds, while the clearance still grows fast. With iterations no other ways
     /// are looked for, and the states are pushed a number of times in proportion to the iterations spent; the path is then
     /// repeatable, but with another tree of the same environment (as with another reach) it is another path. Empty with
-    /// PlanOptions::quick, with an objective, with a step, and when no path was found.
+    /// PlanOptions::quick, with an objective, and when no path was found.
     std::optional<RoomReport> room;
 
     /// There is no path, and nothing was planned. Obstacles that are ignored in a contact zone, or may overlap the part, prove
@@ -170,8 +157,7 @@ struct PlanReport {
 };
 
 /// Plans for the scene. The scene's margins count; the problem's own margin and mesh files do not. The path
-/// begins at the problem's start, ends at its goal, and is valid along its whole length. With a step it is
-/// valid at every state that was looked at, and its audit tells about the rest. Throws std::invalid_argument
+/// begins at the problem's start, ends at its goal, and is valid along its whole length. Throws std::invalid_argument
 /// when an option is wrong, the problem names an unknown planner, the bounds leave out the start or the goal or
 /// leave no room for a goal outside, the environment was built with too small a reach (see planningReach), or start
 /// or goal is not valid: then the message names the two closest meshes and triangles.
@@ -183,8 +169,8 @@ PlanReport plan(const Problem& problem, const Scene& scene, const PlanOptions& o
 std::vector<std::string> unknownNames(const Problem& problem);
 
 /// The reach that plan() and checkPath() need of an environment's model: all positions within the problem's
-/// bounds, and distances up to the problem's largest margin plus the step (as plan() chooses it) or, where
-/// that is more, the largest clearance that an objective distinguishes, plus the part's diameter. Nothing
+/// bounds, and distances up to the problem's largest margin plus its fineness (else 1/500 of the part's diagonal) or,
+/// where that is more, the largest clearance that an objective distinguishes, plus the part's diameter. Nothing
 /// when clearances of any size decide what is found (the sampler max_clearance, the objective max_min_clearance). environmentBox: the box of
 /// the whole environment. Throws std::invalid_argument as boundsOf does.
 std::optional<Reach> planningReach(const Problem& problem, const PlanOptions& options, const Model& part,

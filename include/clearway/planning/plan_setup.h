@@ -1,4 +1,4 @@
-// plan() in steps, for programs that run, time or trace the planners themselves.
+// The parts of plan(), for programs that run, time or trace the planners themselves.
 #pragma once
 
 #include <ompl/base/Planner.h>
@@ -8,7 +8,6 @@
 #include <memory>
 #include <vector>
 
-#include "clearway/planning/discrete_motion_validator.h"
 #include "clearway/planning/motion_validator.h"
 #include "clearway/planning/plan.h"
 #include "clearway/planning/validity_checker.h"
@@ -19,22 +18,17 @@ namespace clearway::planning {
 
 /// Everything that planners need, made from a problem.
 struct PlanSetup {
-    ompl::base::SpaceInformationPtr si;        ///< set up, with the checker and the motion validator below
-    std::shared_ptr<ValidityChecker> truth;    ///< checks the scene's margins themselves
-    std::shared_ptr<ValidityChecker> checker;  ///< the planners' own: adds the guard, if any, to the margins
-    /// The planners' own motion validator without a step; null with a step.
-    std::shared_ptr<MotionValidator> certified;
-    /// The planners' own motion validator with a step; null without one.
-    std::shared_ptr<DiscreteMotionValidator> discrete;
-    /// Audits the final path, with and without a step. Without a step it also certifies the shortening.
-    std::shared_ptr<MotionValidator> auditor;
-    double floor = 0;  ///< clearance that shortening keeps, without a step; environment units
-    ompl::base::ProblemDefinitionPtr definition;   ///< with start and goal, and the objective if one is named
+    ompl::base::SpaceInformationPtr si;           ///< set up, with the checker and the motion validator below
+    std::shared_ptr<ValidityChecker> checker;     ///< the planners' own
+    std::shared_ptr<MotionValidator> certified;   ///< the planners' own
+    std::shared_ptr<MotionValidator> auditor;     ///< certifies the shortening, and audits the final path
+    double floor = 0;                             ///< clearance that shortening keeps; environment units
+    ompl::base::ProblemDefinitionPtr definition;  ///< with start and goal, and the objective if one is named
     std::vector<ompl::base::PlannerPtr> planners;  ///< set up, in the order of report.planners
 };
 
-/// Makes the space, checkers, validators and planners for a problem, and fills in the report's settings and
-/// warnings. isOver: called within the planners' motions; true leaves a certified motion undecided and makes one in steps invalid.
+/// Makes the space, checker, validators and planners for a problem, and fills in the report's settings and
+/// warnings. isOver: called within the planners' motions; true leaves a motion undecided.
 /// beforePlanners: may replace the checker, validator or objective before the planners see them. Throws
 /// std::invalid_argument as plan() does.
 PlanSetup makePlanSetup(const Problem& problem, const Scene& scene, const PlanOptions& options,

@@ -1,5 +1,4 @@
-// Shortens paths by cutting corners, either keeping a certified clearance or by the path's own motion
-// validator.
+// Shortens paths by cutting corners, and keeps a certified clearance.
 #pragma once
 
 #include <ompl/geometric/PathGeometric.h>
@@ -30,11 +29,6 @@ struct SimplifyOptions {
 /// is in another space than the validator's.
 PathAudit simplify(ompl::geometric::PathGeometric& path, const MotionValidator& validator,
                    const SimplifyOptions& options);
-
-/// Runs the same rounds by the motion validator of the path's own space information, until they stop paying
-/// or isSpent, which must not be empty, returns true. Every new motion has passed checkMotion in one
-/// direction. Audit the result: OMPL's simplified paths have collided.
-void shorten(ompl::geometric::PathGeometric& path, const std::function<bool()>& isSpent);
 
 }  // namespace clearway::planning
 

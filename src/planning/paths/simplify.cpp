@@ -40,6 +40,20 @@ void shortcutPath(og::PathSimplifier& simplifier, og::PathGeometric& path, unsig
 #endif
 }
 
+/// Runs rounds of OMPL's vertex removal and shortcuts by the motion validator of the path's own space information, until
+/// they stop paying or isSpent returns true.
+void shorten(og::PathGeometric& path, const std::function<bool()>& isSpent) {
+    og::PathSimplifier simplifier(path.getSpaceInformation());
+    int idle = 0;
+    for (int round = 0; round < kMostRounds && idle < kIdleRounds && !isSpent(); ++round) {
+        const double before = path.length();
+        simplifier.reduceVertices(path, kSteps, kSteps);
+        if (isSpent()) return;
+        shortcutPath(simplifier, path, kSteps, kSteps);
+        idle = path.length() < before * (1 - kGain) ? 0 : idle + 1;
+    }
+}
+
 class Simplifier {
   public:
     Simplifier(const MotionValidator& validator, const SimplifyOptions& options)
@@ -129,18 +143,6 @@ PathAudit simplify(og::PathGeometric& path, const MotionValidator& validator,
     if (!after.isValid() || after.upperClearance < kept) return before;
     path = shorter;
     return after;
-}
-
-void shorten(og::PathGeometric& path, const std::function<bool()>& isSpent) {
-    og::PathSimplifier simplifier(path.getSpaceInformation());
-    int idle = 0;
-    for (int round = 0; round < kMostRounds && idle < kIdleRounds && !isSpent(); ++round) {
-        const double before = path.length();
-        simplifier.reduceVertices(path, kSteps, kSteps);
-        if (isSpent()) return;
-        shortcutPath(simplifier, path, kSteps, kSteps);
-        idle = path.length() < before * (1 - kGain) ? 0 : idle + 1;
-    }
 }
 
 }  // namespace clearway::planning

@@ -49,7 +49,7 @@ PathCheck checkPath(const Problem& problem, const Scene& scene, const std::vecto
                     const AuditOptions& options) {
     if (path.empty()) throw std::invalid_argument("the path has no state, expected at least one");
     const Box bounds = boundsOf(problem, scene.environmentBox(), scene.part.box());
-    requireReachOf(scene, bounds, stepOf(problem, PlanOptions(), scene.part));
+    requireReachOf(scene, bounds, finenessOf(problem, scene.part));
     requirePositions(path, scene, bounds);
     const auto si = std::make_shared<ob::SpaceInformation>(
         makeSpace(problem.space, bounds, scene.part.radiusAboutOrigin()));

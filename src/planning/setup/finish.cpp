@@ -17,30 +17,6 @@ namespace og = ompl::geometric;
 
 constexpr double kAccuracy = 0.01;  ///< of clearances, as a share
 
-/// The planners' own validator refuses every motion once their time is over.
-bool passesSteps(const PlanSetup& setup, const og::PathGeometric& path,
-                 const std::function<bool()>& isSpent) {
-    const DiscreteMotionValidator validator(setup.si, setup.truth->scene().part, setup.discrete->step(),
-                                            isSpent);
-    for (unsigned int i = 1; i < path.getStateCount(); ++i) {
-        if (!validator.checkMotion(path.getState(i - 1), path.getState(i))) return false;
-    }
-    return true;
-}
-
-PathAudit shortenBySteps(const PlanSetup& setup, og::PathGeometric& path,
-                         const std::function<bool()>& isSpent) {
-    og::PathGeometric shorter = path;
-    shorten(shorter, isSpent);
-    PathAudit found = audit(shorter, *setup.auditor);
-    if (!found.isValid()) {
-        PathAudit own = audit(path, *setup.auditor);
-        if (own.isValid() || !passesSteps(setup, shorter, isSpent)) return own;
-    }
-    path = shorter;
-    return found;
-}
-
 /// Audits certify small clearances only to 10 %. Here all motions are known to keep a clearance.
 void raiseTo(double kept, PathAudit& found) {
     if (!found.isValid()) return;
@@ -70,8 +46,7 @@ PathAudit shortenKeeping(const PlanSetup& setup, og::PathGeometric& path, double
 PathAudit shortenUnlessWorse(const PlanSetup& setup, og::PathGeometric& path,
                              const std::function<bool()>& isSpent) {
     og::PathGeometric shorter = path;
-    const PathAudit found =
-        setup.discrete ? shortenBySteps(setup, shorter, isSpent) : shortenKeeping(setup, shorter, 0, isSpent);
+    const PathAudit found = shortenKeeping(setup, shorter, 0, isSpent);
     const auto& objective = setup.definition->getOptimizationObjective();
     if (objective && objective->isCostBetterThan(path.cost(objective), shorter.cost(objective))) {
         return audit(path, *setup.auditor);
@@ -150,7 +125,6 @@ og::PathGeometric pathOf(const PlanSetup& setup, const ob::PlannerSolution& solu
 PathAudit finish(const PlanSetup& setup, og::PathGeometric& path, const std::function<bool()>& isSpent,
                  double keptBefore) {
     if (keptBefore > 0) return shortenKeeping(setup, path, keptBefore, isSpent);
-    if (setup.discrete) return shortenUnlessWorse(setup, path, isSpent);
     const auto& objective = setup.definition->getOptimizationObjective();
     if (!isLeastClearance(objective)) return shortenUnlessWorse(setup, path, isSpent);
     // Clearances above the cap are no better, and where no obstacle counts the clearance is infinite.

@@ -6,7 +6,6 @@
 #include <atomic>
 #include <cmath>
 #include <optional>
-#include <sstream>
 #include <utility>
 
 #include "clearway/planning/finish.h"
@@ -140,23 +139,12 @@ void describe(const Problem& problem, const og::PathGeometric& path, PlanReport&
     report.turned = report.audit.turned;
 }
 
-/// Says where a path that was checked in steps is not certified.
-std::string doubtOf(const PathAudit& audit) {
-    std::ostringstream text;
-    const std::size_t first = audit.notValid.at(0);
-    const SegmentAudit& segment = audit.segments[first];
-    text << "motions were checked in steps, and the path is not valid along its whole length: segment "
-         << first + 1 << " of " << audit.segments.size()
-         << ", valid up to t = " << segment.motion.certifiedTime << ", is " << segment.trouble;
-    return text.str();
-}
-
 void tellPhase(PlanPhase phase, const PlanOptions& options) {
     if (options.onPhase) options.onPhase(phase);
 }
 
 bool wantsRoom(const PlanOptions& options, const PlanReport& report) {
-    return report.isCertified && report.objective.empty() && !options.quick;
+    return report.objective.empty() && !options.quick;
 }
 
 /// Widens the path. Returns the clearance that its motions keep; 0 when no room was made.
@@ -175,13 +163,12 @@ double widen(const PlanSetup& setup, Budget& budget, og::PathGeometric& path, Pl
     return report.room->after;
 }
 
-/// Takes the audited path into the report, unless it must be valid and is not.
+/// Takes the audited path into the report, unless it is not valid.
 void take(const PlanSetup& setup, const Problem& problem, const og::PathGeometric& path, PlanReport& report) {
-    if (report.isCertified && !report.audit.isValid()) {
+    if (!report.audit.isValid()) {
         report.warnings.push_back("the planner's path did not pass its audit; it counts as none");
         return;
     }
-    if (!report.audit.isValid()) report.warnings.push_back(doubtOf(report.audit));
     describe(problem, path, report);
     const ob::OptimizationObjectivePtr& objective = setup.definition->getOptimizationObjective();
     if (objective) report.cost = path.cost(objective).value();
@@ -232,10 +219,8 @@ bool joinOrTellWhy(const PlanSetup& setup, const Problem& problem, const PlanOpt
 }
 
 std::uint64_t checksOf(const PlanSetup& setup) {
-    std::uint64_t checks = setup.truth->counters().checks;
-    if (setup.checker != setup.truth) checks += setup.checker->counters().checks;
-    if (setup.certified) checks += setup.certified->counters().queries;
-    return checks + setup.auditor->counters().queries;
+    return setup.checker->counters().checks + setup.certified->counters().queries +
+           setup.auditor->counters().queries;
 }
 
 /// Fills in how planning ended, in all.
@@ -274,7 +259,6 @@ PlanReport plan(const Problem& problem, const Scene& scene, const PlanOptions& o
     Budget budget(options);
     const PlanSetup setup =
         makePlanSetup(problem, scene, options, report, [&] { return budget.isPlanningOver(); });
-    report.isCertified = setup.certified != nullptr;
     std::optional<Pose> goal;
     if (!problem.outside) goal = poseOf(problem.goal);
     report.shutIn = provedShutIn(scene, poseOf(problem.start), goal);
@@ -320,7 +304,7 @@ std::optional<Reach> planningReach(const Problem& problem, const PlanOptions& op
     const auto objective = chooseObjective(problem, options);
     const double clearance = objective ? largestClearance(*objective, part) : 0;
     if (std::isinf(clearance)) return std::nullopt;
-    const double told = std::max(stepOf(problem, options, part), clearance);
+    const double told = std::max(finenessOf(problem, part), clearance);
     const double cap = largestMargin(problem) + told + 2 * radius;
     return Reach{Box(bounds.min() - slack, bounds.max() + slack), radius, cap};
 }

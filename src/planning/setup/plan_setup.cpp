@@ -34,26 +34,20 @@ constexpr const char* kLeastClearancePlanner = "RisingFloor";
 constexpr const char* kImprovingPlanner = "AnytimePathShortening";
 constexpr const char* kRepeatableImprovingPlanner = "RRTstar";
 constexpr std::size_t kMostThreads = 4;  ///< unless more are asked for
-constexpr double kMostRefinement = 8;    ///< by which the step is divided for a tight start or goal
-/// The longest edge of a planner's tree: in steps where a step is given, because the step says how fine the
-/// scene is, else as a share of the part's diagonal. Measured on the tunnel-console
-/// (tests/bench/plan_success.cpp) and on OMPL.app's problems.
-constexpr double kRangeInSteps = 20;
+/// The longest edge of a planner's tree: so many times the problem's fineness where that is stated, else a share of the
+/// part's diagonal. Measured on the tunnel-console (tests/bench/plan_success.cpp) and on OMPL.app's problems.
+constexpr double kRangePerFineness = 20;
 constexpr double kRangePerDiagonal = 0.25;
 /// Shortened paths keep this share of the part's diagonal as clearance where they can. On
 /// tunnel-console-small paths get no longer by it; a floor of ten times as much costs 2 %.
 constexpr double kFloorPerDiagonal = 1e-3;
 
 void requireOptions(const Problem& problem, const PlanOptions& options) {
-    if (options.floor && options.step) {
-        throw RefusedOption("both a floor and a step are given, expected one of them");
-    }
     if (options.floor && !(*options.floor >= 0 && std::isfinite(*options.floor))) {
         throw RefusedOption("floor is " + shortNumber(*options.floor) + ", expected a finite number >= 0");
     }
-    if (options.quick && (options.step || !options.objective.empty())) {
-        throw RefusedOption(std::string("both quick and ") + (options.step ? "a step" : "an objective") +
-                            " are given, expected one of them");
+    if (options.quick && !options.objective.empty()) {
+        throw RefusedOption("both quick and an objective are given, expected one of them");
     }
     const auto objective = chooseObjective(problem, options);
     if (options.wantedClearance && !(objective && objective->name == kLengthWithClearance)) {
@@ -140,53 +134,10 @@ void setFileParameters(ob::Planner& planner, const std::string& plannerName, con
     }
 }
 
-void setRange(PlanReport& report, const Problem& problem, const Scene& scene, const PlanOptions& options) {
-    const bool isStepKnown = options.step || problem.fineness;
-    report.range = isStepKnown ? kRangeInSteps * stepOf(problem, options, scene.part)
-                               : kRangePerDiagonal * scene.part.box().diagonal().norm();
-}
-
-void setFloor(PlanReport& report, const Scene& scene, const PlanOptions& options) {
-    if (options.step) return;
-    report.floor = options.floor.value_or(kFloorPerDiagonal * scene.part.box().diagonal().norm());
-}
-
-std::shared_ptr<ValidityChecker> makeChecker(const ob::SpaceInformationPtr& si, const Scene& scene,
-                                             double guard) {
-    Scene guarded = scene;
-    for (Obstacle& obstacle : guarded.obstacles) obstacle.margin += guard;
-    return std::make_shared<ValidityChecker>(si, guarded);
-}
-
-/// Between two checked states each point is within half a step of its place at one of them. So when the
-/// checked states keep half a step more than the margin, every state between them keeps the margin. Start and
-/// goal must have as much to spare: the step is shortened for them, at most by kMostRefinement. If that is
-/// not enough, only the checked states are known to be valid.
-void setGuard(PlanReport& report, double spare, const std::string& unit) {
-    const double asked = report.step;
-    std::ostringstream warning;
-    warning << "start or goal have only " << withUnit(roundedNumber(spare), unit) << " to spare: ";
-    report.guard = std::min(0.5 * asked, 0.9 * spare);
-    if (report.guard == 0.5 * asked) return;
-    if (report.guard < 0.5 * asked / kMostRefinement) {
-        report.guard = 0;
-        warning << "the states checked are known to be valid, not those between them";
-    } else {
-        report.step = 2 * report.guard;
-        warning << "motions are checked every " << withUnit(roundedNumber(report.step), unit)
-                << " instead of every " << withUnit(roundedNumber(asked), unit);
-    }
-    report.warnings.push_back(warning.str());
-}
-
-/// Lets motions be checked at states a step apart.
-void useSteps(PlanSetup& setup, const Scene& scene, const PlanOptions& options, double spare,
-              const std::function<bool()>& isOver, PlanReport& report) {
-    report.step = *options.step;
-    setGuard(report, spare, scene.unit);
-    setup.checker = makeChecker(setup.si, scene, report.guard * (1 + 1e-6));
-    setup.discrete = std::make_shared<DiscreteMotionValidator>(setup.si, scene.part, report.step, isOver);
-    setup.si->setMotionValidator(setup.discrete);
+void setLengths(PlanReport& report, const Problem& problem, const Scene& scene, const PlanOptions& options) {
+    const double diagonal = scene.part.box().diagonal().norm();
+    report.range = problem.fineness ? kRangePerFineness * *problem.fineness : kRangePerDiagonal * diagonal;
+    report.floor = options.floor.value_or(kFloorPerDiagonal * diagonal);
 }
 
 void useCertified(PlanSetup& setup, const Scene& scene, double spare, const std::function<bool()>& isOver,
@@ -199,7 +150,6 @@ void useCertified(PlanSetup& setup, const Scene& scene, double spare, const std:
                 << " to spare: motions next to them may be too close to be certified";
         report.warnings.push_back(warning.str());
     }
-    setup.checker = setup.truth;
     setup.certified = std::make_shared<MotionValidator>(setup.si, scene, motions);
     setup.si->setMotionValidator(setup.certified);
 }
@@ -280,28 +230,23 @@ PlanSetup makePlanSetup(const Problem& stated, const Scene& scene, const PlanOpt
     report.threads = static_cast<unsigned int>(planCount(options));
     report.isRepeatable = options.iterations && isRepeatable(report.planners[0]);
     if (objective) report.objective = objective->name;
-    setRange(report, problem, scene, options);
-    setFloor(report, scene, options);
+    setLengths(report, problem, scene, options);
     setSeed(options.seed);
 
     PlanSetup setup;
     const double turnWeight = options.omplWeights ? 1.0 : scene.part.radiusAboutOrigin();
     const Box bounds = boundsOf(problem, scene.environmentBox(), scene.part.box());
-    requireReachOf(scene, bounds, stepOf(problem, options, scene.part));
+    requireReachOf(scene, bounds, finenessOf(problem, scene.part));
     setup.si = std::make_shared<ob::SpaceInformation>(makeSpace(problem.space, bounds, turnWeight));
-    setup.truth = makeChecker(setup.si, scene, 0);
+    setup.checker = std::make_shared<ValidityChecker>(setup.si, scene);
     const auto spare = [&](const PartState& state, const char* what) {
         const auto omplState = toOmpl(setup.si->getStateSpace(), problem.space, state);
-        return requireValid(problem, *setup.truth, omplState.get(), what);
+        return requireValid(problem, *setup.checker, omplState.get(), what);
     };
     const double startSpare = spare(problem.start, "start");  // the start is refused before the goal
     const double leastSpare =
         problem.outside ? startSpare : std::min(startSpare, spare(problem.goal, "goal"));
-    if (options.step) {
-        useSteps(setup, scene, options, leastSpare, isOver, report);
-    } else {
-        useCertified(setup, scene, leastSpare, isOver, report);
-    }
+    useCertified(setup, scene, leastSpare, isOver, report);
     setup.floor = report.floor;
     setup.auditor = std::make_shared<MotionValidator>(setup.si, scene, auditMotions(scene, leastSpare));
     setup.si->setStateValidityChecker(setup.checker);

@@ -32,7 +32,7 @@ constexpr const char* kCollision = "in collision";
 
 namespace ob = ompl::base;
 
-constexpr double kDefaultStepPerDiagonal = 1.0 / 500;
+constexpr double kFinenessPerDiagonal = 1.0 / 500;
 
 /// The least clearance, capped by that of the ends or, where no obstacle is near, by any length. The best path is found when the
 /// cost is as close to it as costs are to clearances.
@@ -208,16 +208,11 @@ double requireValid(const Problem& problem, const ValidityChecker& checker, cons
     throw std::invalid_argument(what + " is " + why);
 }
 
-double stepOf(const Problem& problem, const PlanOptions& options, const Model& part) {
-    if (options.step && !(*options.step > 0 && std::isfinite(*options.step))) {
-        throw RefusedOption("step is " + shortNumber(*options.step) + ", expected a finite number above 0");
-    }
-    if (options.step) return *options.step;
-    if (problem.fineness) return *problem.fineness;
-    return kDefaultStepPerDiagonal * part.box().diagonal().norm();
+double finenessOf(const Problem& problem, const Model& part) {
+    return problem.fineness.value_or(kFinenessPerDiagonal * part.box().diagonal().norm());
 }
 
-void requireReachOf(const Scene& scene, const Box& bounds, double step) {
+void requireReachOf(const Scene& scene, const Box& bounds, double fineness) {
     for (const Obstacle& obstacle : scene.obstacles) {
         if (!obstacle.model.reach()) continue;
         const Reach& reach = *obstacle.model.reach();
@@ -226,11 +221,11 @@ void requireReachOf(const Scene& scene, const Box& bounds, double step) {
                 "the environment was built with a reach that leaves out positions within the bounds, "
                 "expected one that holds them all");
         }
-        if (!(reach.cap >= obstacle.margin + step)) {
+        if (!(reach.cap >= obstacle.margin + fineness)) {
             throw std::invalid_argument("the environment was built with a reach whose cap is " +
                                         withUnit(shortNumber(reach.cap), scene.unit) +
-                                        ", expected at least the margin and a step, " +
-                                        withUnit(shortNumber(obstacle.margin + step), scene.unit));
+                                        ", expected at least the margin and the fineness, " +
+                                        withUnit(shortNumber(obstacle.margin + fineness), scene.unit));
         }
     }
 }

@@ -1,4 +1,4 @@
-// Applies the wishes of a problem and of the options of plan(): OMPL's settings, sampler, step and objective.
+// Applies the wishes of a problem and of the options of plan(): OMPL's settings, sampler, fineness and objective.
 #pragma once
 
 #include <ompl/base/ProblemDefinition.h>
@@ -48,12 +48,12 @@ void applySettings(ompl::base::SpaceInformation& si, const Problem& problem,
 double requireValid(const Problem& problem, const ValidityChecker& checker, const ompl::base::State* state,
                     const std::string& what);
 
-/// The step of the options or of the problem, else 1/500 of the part's diagonal.
-double stepOf(const Problem& problem, const PlanOptions& options, const Model& part);
+/// The problem's fineness, else 1/500 of the part's diagonal.
+double finenessOf(const Problem& problem, const Model& part);
 
 /// Throws std::invalid_argument when the environment was built with a reach that lacks positions within the
-/// bounds, or ends before margin + step. Queries themselves refuse a part whose radius is too large.
-void requireReachOf(const Scene& scene, const Box& bounds, double step);
+/// bounds, or ends before margin + fineness. Queries themselves refuse a part whose radius is too large.
+void requireReachOf(const Scene& scene, const Box& bounds, double fineness);
 
 /// The objective of the options, else of the problem. Nothing when the first path will do: where neither asks
 /// for more than length without a threshold, or the problem names an unknown objective. Throws

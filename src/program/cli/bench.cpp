@@ -78,7 +78,7 @@ bool readArguments(const Arguments& arguments, BenchArguments& given) {
         CommandLine::Count::kRepeatable);
     line.option("--seed N", "seed of each planner's first run, incremented per run (1)",
                 integer<std::uint32_t>(given.benchmark.seed, 1, INT32_MAX));
-    addMotionOptions(line, given.benchmark.step, given.benchmark.omplWeights);
+    addOmplWeights(line, given.benchmark.omplWeights);
     line.flag("--no-simplify", "leaves paths as the planners found them", given.keepsPathsAsFound);
     line.option(
         "--save-paths WHICH",
@@ -196,9 +196,7 @@ Benchmark runShown(const Problem& problem, const Scene& scene, BenchmarkOptions 
 int doOneRun(const BenchArguments& given, const Problem& problem) {
     study::endWithParent();
     const BenchmarkOptions options = benchmarkOptions(given, problem);
-    planning::PlanOptions reaching;
-    reaching.step = options.step;
-    const Scene scene = given.trees.load(problem, reaching);
+    const Scene scene = given.trees.load(problem);
     study::ToldRun told;
     const auto run = study::runAlone(problem, scene, options, *given.oneRun, told.warnings);
     if (!run) return kAnswerIsNo;
@@ -235,9 +233,7 @@ int benchProblem(const Arguments& arguments, study::Ranks* ranks) {
     requireFactsFile(files);
 
     BenchmarkOptions options = benchmarkOptions(given, problem);
-    planning::PlanOptions reaching;
-    reaching.step = options.step;
-    const Scene scene = given.trees.load(problem, reaching);
+    const Scene scene = given.trees.load(problem);
     std::optional<BenchmarkOnRanks> onRanks;
     if (ranks) {
         onRanks.emplace(*ranks, arguments, log, inputsOf(problem));

@@ -63,10 +63,7 @@ void addProblem(CommandLine& commandLine, ProblemChoice& choice) {
         nonNegative(choice.margin));
 }
 
-void addMotionOptions(CommandLine& commandLine, std::optional<double>& step, bool& omplWeights) {
-    commandLine.option(
-        "--step S", "checks motions at states no farther apart than S, instead of certifying whole motions",
-        positive(step));
+void addOmplWeights(CommandLine& commandLine, bool& omplWeights) {
     commandLine.flag("--ompl-weights", "weights rotation as OMPL does, not by the part's radius",
                      omplWeights);
 }

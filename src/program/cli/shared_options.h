@@ -34,8 +34,8 @@ struct ProblemChoice {
 /// Declares PROBLEM.cfg and --margin.
 void addProblem(CommandLine& commandLine, ProblemChoice& to);
 
-/// Declares --step and --ompl-weights.
-void addMotionOptions(CommandLine& commandLine, std::optional<double>& step, bool& omplWeights);
+/// Declares --ompl-weights.
+void addOmplWeights(CommandLine& commandLine, bool& omplWeights);
 
 /// Declares --target: an instruction set, in use as soon as it is read.
 void addTarget(CommandLine& commandLine);

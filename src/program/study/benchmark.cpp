@@ -74,7 +74,6 @@ PlanOptions planOptions(const BenchmarkOptions& options, int run) {
     }
     result.threads = 1;
     result.seed = seedOf(run, options);
-    result.step = options.step;
     result.omplWeights = options.omplWeights;
     return result;
 }

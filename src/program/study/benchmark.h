@@ -31,7 +31,6 @@ struct BenchmarkOptions {
     int runs = 10;                    ///< of each planner
     std::uint32_t seed = 1;           ///< seed of each planner's first run, incremented per run
     bool simplify = true;             ///< simplifies paths and audits them again, after the time is taken
-    std::optional<double> step;       ///< see PlanOptions::step
     bool omplWeights = false;         ///< see PlanOptions::omplWeights
     std::function<bool()> isStopped;  ///< asked often; true ends the benchmark and drops the current run
     std::function<void(const BenchmarkProgress&)> tell;  ///< before each run

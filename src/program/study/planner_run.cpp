@@ -163,7 +163,6 @@ void describeAnswers(const PlanSetup& setup, BenchmarkRun& run) {
     put("invalid state checks INTEGER", checks.invalid);
     run.properties["valid segment fraction REAL"] =
         shortNumber(setup.si->getMotionValidator()->getValidMotionFraction());
-    if (!setup.certified) return;
     const planning::MotionCounters motions = setup.certified->counters();
     put("valid motions INTEGER", motions.valid);
     put("invalid motions INTEGER", motions.invalid);

@@ -96,13 +96,11 @@ void recordObjective(Recorder& recorder, planning::PlanSetup& setup, const Scene
 void recordInto(Recorder& recorder, planning::PlanSetup& setup, const Scene& scene,
                 const std::function<bool()>& isOver) {
     setup.si->setStateValidityChecker(std::make_shared<RecordingChecker>(recorder, setup.si, setup.checker));
-    if (setup.certified) {
-        planning::MotionOptions options;
-        options.leastInterval = setup.certified->leastInterval();
-        options.isStopped = isOver;
-        setup.certified = std::make_shared<RecordingValidator>(recorder, setup.si, scene, options);
-        setup.si->setMotionValidator(setup.certified);
-    }
+    planning::MotionOptions options;
+    options.leastInterval = setup.certified->leastInterval();
+    options.isStopped = isOver;
+    setup.certified = std::make_shared<RecordingValidator>(recorder, setup.si, scene, options);
+    setup.si->setMotionValidator(setup.certified);
     recordObjective<planning::MinClearanceObjective>(recorder, setup, scene);
     recordObjective<planning::ClearanceIntegralObjective>(recorder, setup, scene);
     recordObjective<planning::LengthWithClearanceObjective>(recorder, setup, scene);
