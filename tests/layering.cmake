@@ -47,7 +47,7 @@ set(layers ${library} ${planning} ${program})
 
 # The room of planning that holds each public planning header's source: including the header counts as including the room.
 set(validity_headers ompl_messages.h validity_checker.h state_to_pose.h displacement_bound.h outside_goal.h)
-set(motion_headers motion_validator.h discrete_motion_validator.h)
+set(motion_headers motion_validator.h)
 set(objectives_headers clearance_objectives.h objectives.h)
 set(samplers_headers valid_state_samplers.h)
 set(planners_headers planners.h)

@@ -44,11 +44,6 @@ PosedScene::PosedScene(const ompl::base::SpaceInformationPtr& si, Scene scene, S
     clearance_.emplace(std::move(scene));
 }
 
-PosedScene::PosedScene(const ompl::base::SpaceInformationPtr& si, DisplacementBound bound)
-    : si_(si.get()), bound_(require(std::move(bound))) {
-    spaceOf(si);
-}
-
 void PosedScene::warnOnce(const char* what, const char* why) const {
     if (hasWarned_.exchange(true, std::memory_order_relaxed)) return;
     OMPL_WARN("clearway: %s: %s. Further ones are only counted.", what, why);

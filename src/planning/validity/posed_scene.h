@@ -36,9 +36,6 @@ class PosedScene {
     /// For single states: there is no displacement bound.
     PosedScene(const ompl::base::SpaceInformationPtr& si, Scene scene, StateToPose stateToPose);
 
-    /// For motions whose states the space's own checker judges: there is no scene and no pose.
-    PosedScene(const ompl::base::SpaceInformationPtr& si, DisplacementBound bound);
-
     const ompl::base::SpaceInformation& si() const { return *si_; }
     const ompl::base::StateSpace& space() const { return *si_->getStateSpace(); }
     const SceneClearance& clearance() const { return *clearance_; }

@@ -3,7 +3,6 @@
 #include <boost/test/unit_test.hpp>
 #include <memory>
 
-#include "clearway/planning/discrete_motion_validator.h"
 #include "clearway/planning/motion_validator.h"
 #include "clearway/planning/validity_checker.h"
 #include "planning/validity/ompl_states.h"
@@ -21,7 +20,6 @@ struct Fixture {
     explicit Fixture(double margin) {
         window.scene.obstacles[0].margin = margin;
         si->setStateValidityChecker(std::make_shared<ValidityChecker>(si, window.scene));
-        si->setMotionValidator(std::make_shared<DiscreteMotionValidator>(si, window.scene.part, 1));
         si->setup();
     }
 
@@ -46,14 +44,6 @@ BOOST_AUTO_TEST_CASE(the_certified_validator_keeps_the_contract) {
     for (const double margin : {0.0, 2.0}) {
         const Fixture f(margin);
         MotionValidator validator(f.si, f.window.scene);
-        checkMotionValidatorContract(*f.si, validator, f.motions());
-    }
-}
-
-BOOST_AUTO_TEST_CASE(the_discrete_validator_keeps_the_contract) {
-    for (const double margin : {0.0, 2.0}) {
-        const Fixture f(margin);
-        DiscreteMotionValidator validator(f.si, f.window.scene.part, 1);
         checkMotionValidatorContract(*f.si, validator, f.motions());
     }
 }

@@ -1,12 +1,12 @@
 #include "clearway/planning/motion_validator.h"
 
+#include <ompl/base/DiscreteMotionValidator.h>
 #include <ompl/base/ScopedState.h>
 
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
-#include "clearway/planning/discrete_motion_validator.h"
 #include "clearway/planning/validity_checker.h"
 #include "support/motion_window.h"
 
@@ -29,7 +29,9 @@ BOOST_AUTO_TEST_CASE(a_sheet_without_thickness_that_steps_jump_is_met) {
     const Scene scene{f.window.scene.part, Model::build(sheet), 0};
     const auto si = std::make_shared<ob::SpaceInformation>(f.space);
     si->setStateValidityChecker(std::make_shared<ValidityChecker>(si, scene));
-    const DiscreteMotionValidator discrete(si, scene.part, 80);
+    si->setStateValidityCheckingResolution(0.5);
+    si->setup();
+    const ob::DiscreteMotionValidator discrete(si);
     const MotionValidator certified(si, scene);
     const auto s1 = f.at({-35, 0, 0}), s2 = f.at({35, 0, 0});
     BOOST_TEST(discrete.checkMotion(s1.get(), s2.get()));

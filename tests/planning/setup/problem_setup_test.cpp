@@ -1,5 +1,6 @@
 #include "clearway/planning/problem_setup.h"
 
+#include <ompl/base/DiscreteMotionValidator.h>
 #include <ompl/base/goals/GoalState.h>
 #include <ompl/base/spaces/SE2StateSpace.h>
 #include <ompl/base/spaces/SE3StateSpace.h>
@@ -9,7 +10,6 @@
 
 #include "clearway/planning/audit.h"
 #include "clearway/planning/clearance_objectives.h"
-#include "clearway/planning/discrete_motion_validator.h"
 #include "support/gates_scene.h"
 #include "support/ompl_log.h"
 #include "support/temporary_folder.h"
@@ -117,7 +117,7 @@ BOOST_AUTO_TEST_CASE(settings_of_the_problem_reach_space_and_sampler_or_are_warn
 BOOST_AUTO_TEST_CASE(a_setup_without_certified_motions_is_told) {
     const WindowScene window = windowScene();
     const auto si = makeSetup(window.problem, window.scene).getSpaceInformation();
-    si->setMotionValidator(std::make_shared<DiscreteMotionValidator>(si, window.scene.part, 1));
+    si->setMotionValidator(std::make_shared<ob::DiscreteMotionValidator>(si));
     BOOST_CHECK_EXCEPTION(motionValidatorOf(si), std::invalid_argument, says("MotionValidator"));
     BOOST_CHECK_THROW(motionValidatorOf(nullptr), std::invalid_argument);
 }
