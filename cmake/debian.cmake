@@ -79,7 +79,7 @@ if(CLEARWAY_PROGRAM)
 The program clearway plans paths with OMPL for a rigid part, checks and
 shortens paths with certified clearance, and draws pictures and reports
 of them. It answers problem files that OMPL.app wrote, too.
-clearway-scene makes demo scenes, clearway-study compares trees.")
+clearway-scene makes demo scenes.")
 endif()
 
 if(CLEARWAY_PYTHON)

@@ -83,16 +83,21 @@ endforeach()
 
 # The programs, with the man pages and the completion script that they print.
 if(CLEARWAY_PROGRAM)
-  set(programs clearway_program clearway_scene_program clearway_study_program)
+  set(programs clearway_program)
+  set(names clearway)
+  if(CLEARWAY_DEMOS)
+    list(APPEND programs clearway_scene_program)
+    list(APPEND names clearway-scene)
+  endif()
   install(TARGETS ${programs} COMPONENT clearway-tools)
   set(manual ${PROJECT_BINARY_DIR}/manual)
   add_custom_command(OUTPUT ${manual}/done VERBATIM
-                     COMMAND ${CMAKE_COMMAND} -DPROGRAM=$<TARGET_FILE:clearway_program> -DOUT=${manual}
+                     COMMAND ${CMAKE_COMMAND} -DPROGRAM=$<TARGET_FILE:clearway_program> "-DNAMES=${names}" -DOUT=${manual}
                              -P ${CMAKE_CURRENT_LIST_DIR}/write_manual.cmake
                      DEPENDS ${programs} ${CMAKE_CURRENT_LIST_DIR}/write_manual.cmake)
   add_custom_target(clearway_manual ALL DEPENDS ${manual}/done)
   install(DIRECTORY ${manual}/man1 DESTINATION ${CMAKE_INSTALL_MANDIR} COMPONENT clearway-tools)
-  foreach(name clearway clearway-scene clearway-study)  # bash looks for a file of the program's name
+  foreach(name IN LISTS names)  # bash looks for a file of the program's name
     install(FILES ${manual}/completion RENAME ${name} DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
             COMPONENT clearway-tools)
   endforeach()

@@ -1,13 +1,5 @@
-# The programs clearway, clearway-scene and clearway-study, and the libraries that only they need. They reuse the precompiled headers of
-# clearway_planning, which take seconds to make.
-
-# The demo scenes. The program clearway links none of them.
-file(GLOB scenes_sources CONFIGURE_DEPENDS src/program/scenes/*.cpp)
-add_library(clearway_scenes STATIC ${scenes_sources})
-target_include_directories(clearway_scenes PRIVATE src)
-target_link_libraries(clearway_scenes PUBLIC clearway PRIVATE clearway_warnings)
-target_precompile_headers(clearway_scenes REUSE_FROM clearway_planning)
-compile_together(clearway_scenes scenes ${scenes_sources})
+# The program clearway, and the libraries that only it and the demos need. They reuse the precompiled headers of clearway_planning, which
+# take seconds to make.
 
 # Pictures.
 set(font_bytes ${PROJECT_BINARY_DIR}/generated/font_bytes.cpp)
@@ -25,7 +17,7 @@ target_precompile_headers(clearway_render REUSE_FROM clearway_planning)
 compile_together(clearway_render render ${render_sources})
 
 # Messages between ranks under mpirun. This one file sees MPI, where there is MPI.
-add_library(clearway_ranks STATIC src/program/study/ranks.cpp)
+add_library(clearway_ranks STATIC src/program/bench/ranks.cpp)
 target_include_directories(clearway_ranks PRIVATE src)
 target_compile_features(clearway_ranks PUBLIC cxx_std_17)
 target_link_libraries(clearway_ranks PRIVATE clearway_warnings)
@@ -54,14 +46,9 @@ add_custom_command(OUTPUT ${page_texts} VERBATIM
 # -O3 would take half as long again to compile for code that reads options and prints tables.
 set(moderately $<$<CONFIG:Release>:-O2>)
 
-# The command line and the subcommands of clearway, which all three programs and tests link.
-file(GLOB study_sources CONFIGURE_DEPENDS src/program/study/*.cpp)
-file(GLOB cli_sources CONFIGURE_DEPENDS src/program/report/*.cpp src/program/cli/*.cpp src/program/study/*.cpp)
-# Files of the study that `clearway bench` needs.
-set(of_bench "/study/(benchmark|benchmark_log|child_process|hand_out|kept_runs|planner_run|run_text|settings|table)\\.cpp$")
-list(FILTER study_sources EXCLUDE REGEX "${of_bench}|/study/ranks\\.cpp$")
-list(FILTER cli_sources EXCLUDE REGEX "/(cli/main|study/ranks)\\.cpp$")
-list(REMOVE_ITEM cli_sources ${study_sources})
+# The command line and the subcommands of clearway, which the demos' programs and tests link, too.
+file(GLOB cli_sources CONFIGURE_DEPENDS src/program/report/*.cpp src/program/options/*.cpp src/program/bench/*.cpp src/program/cli/*.cpp)
+list(FILTER cli_sources EXCLUDE REGEX "/(cli/main|bench/ranks)\\.cpp$")
 add_library(clearway_page_texts OBJECT ${page_texts})
 add_library(clearway_cli STATIC ${cli_sources} $<TARGET_OBJECTS:clearway_page_texts>)
 target_include_directories(clearway_cli PRIVATE src)
@@ -71,26 +58,13 @@ target_precompile_headers(clearway_cli REUSE_FROM clearway_planning)
 target_compile_options(clearway_cli PRIVATE ${moderately})
 compile_together(clearway_cli program ${cli_sources})
 
-# The study of leaf splits.
-add_library(clearway_study STATIC ${study_sources})
-target_include_directories(clearway_study PRIVATE src)
-target_link_libraries(clearway_study PUBLIC clearway_cli PRIVATE clearway_warnings nlohmann_json::nlohmann_json)
-target_precompile_headers(clearway_study REUSE_FROM clearway_planning)
-target_compile_options(clearway_study PRIVATE ${moderately})
-compile_together(clearway_study study ${study_sources})
-
 # add_tool(TARGET NAME "LIBRARY..." SOURCE...): a program that is built as NAME.
 function(add_tool target name libraries)
   add_executable(${target} ${ARGN})
   set_target_properties(${target} PROPERTIES OUTPUT_NAME ${name})
-  target_include_directories(${target} PRIVATE src)
+  target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/src)
   target_link_libraries(${target} PRIVATE ${libraries} clearway_warnings nlohmann_json::nlohmann_json TBB::tbb)
   target_precompile_headers(${target} REUSE_FROM clearway_planning)
   target_compile_options(${target} PRIVATE ${moderately})
 endfunction()
-set(folder src/program)
-add_tool(clearway_program clearway clearway_cli ${folder}/cli/main.cpp)
-add_tool(clearway_scene_program clearway-scene "clearway_cli;clearway_scenes"
-         ${folder}/clearway_scene/main.cpp ${folder}/clearway_scene/record_scene.cpp)
-add_tool(clearway_study_program clearway-study "clearway_study;clearway_scenes"
-         ${folder}/clearway_study/main.cpp ${folder}/clearway_study/print_study.cpp ${folder}/clearway_scene/record_scene.cpp)
+add_tool(clearway_program clearway clearway_cli src/program/cli/main.cpp)

@@ -1,5 +1,5 @@
-# Writes the programs' man pages and their completion script: cmake -DPROGRAM=clearway -DOUT=FOLDER -P write_manual.cmake
-# The programs print them themselves: clearway, one page for each subcommand that its help names, and the others beside it.
+# Writes the programs' man pages and their completion script: cmake -DPROGRAM=FILE -DNAMES="clearway;..." -DOUT=FOLDER -P write_manual.cmake
+# The programs print them themselves: clearway, which PROGRAM is, one page for each subcommand that its help names, and those beside it.
 cmake_minimum_required(VERSION 3.25)
 
 function(write file)
@@ -11,7 +11,6 @@ endfunction()
 
 file(REMOVE_RECURSE ${OUT}/man1)
 file(MAKE_DIRECTORY ${OUT}/man1)
-write(${OUT}/man1/clearway.1 ${PROGRAM} --man)
 write(${OUT}/completion ${PROGRAM} --completion)
 execute_process(COMMAND ${PROGRAM} --help OUTPUT_VARIABLE help)
 string(REGEX MATCHALL "\n  [a-z]+  +" rows "${help}")
@@ -19,7 +18,8 @@ foreach(row IN LISTS rows)
   string(STRIP "${row}" subcommand)
   write(${OUT}/man1/clearway-${subcommand}.1 ${PROGRAM} ${subcommand} --man)
 endforeach()
-foreach(name scene study)
-  write(${OUT}/man1/clearway-${name}.1 ${PROGRAM}-${name} --man)
+cmake_path(GET PROGRAM PARENT_PATH folder)
+foreach(name IN LISTS NAMES)
+  write(${OUT}/man1/${name}.1 ${folder}/${name} --man)
 endforeach()
 file(TOUCH ${OUT}/done)

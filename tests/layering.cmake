@@ -2,8 +2,8 @@
 # demos, and fails with file:line and the rule for each one that breaks it.
 cmake_minimum_required(VERSION 3.25)
 
-# For each room, the rooms it may include besides itself. A room is a folder with source files under src, by its path there;
-# `query/simd` would belong to the room query. "public" stands for the public headers of the library, "planning_public" for
+# For each room, the rooms it may include besides itself. A room is a folder with source files under src, by its path there, or one of
+# demos/scenes and demos/study; `query/simd` would belong to the room query. "public" stands for the public headers of the library, "planning_public" for
 # include/clearway/planning.
 set(layers_below_model core mesh tree build kernels exact query)
 set(core_may_include)
@@ -34,16 +34,19 @@ set(planning/setup_may_include core model problem planning/validity planning/mot
 set(planning planning/validity planning/motion planning/objectives planning/samplers planning/paths planning/planners
              planning/setup)
 
-# The programs' rooms see the library through its public headers and core. The program clearway has no scenes.
-set(program/scenes_may_include core mesh problem)
+# The program's rooms see the library through its public headers and core. Below the command line and what it prints, they are options.
 set(program/render_may_include core mesh model problem)
 set(program/report_may_include core mesh model problem program/render)
-set(program/study_may_include core mesh model problem)
-set(program/cli_may_include core mesh tree exact model problem program/render program/report program/study)
-set(program/clearway_scene_may_include core problem program/scenes program/render program/report program/cli)
-set(program/clearway_study_may_include core problem program/scenes program/study program/cli program/clearway_scene)
-set(program program/scenes program/render program/report program/study program/cli program/clearway_scene program/clearway_study)
-set(layers ${library} ${planning} ${program})
+set(program/options_may_include core mesh model problem)
+set(program/bench_may_include core mesh model problem)
+set(program/cli_may_include core mesh tree exact model problem program/render program/report program/options program/bench)
+set(program program/render program/report program/options program/bench program/cli)
+
+# The scenes and the study, which no other room includes. A scene has a preview, drawn as `clearway render` does.
+set(demos/scenes_may_include core mesh problem program/render program/report program/options program/cli)
+set(demos/study_may_include core mesh model problem program/options program/bench program/cli demos/scenes)
+set(demos demos/scenes demos/study)
+set(layers ${library} ${planning} ${program} ${demos})
 
 # The room of planning that holds each public planning header's source: including the header counts as including the room.
 set(validity_headers ompl_messages.h validity_checker.h state_to_pose.h displacement_bound.h outside_goal.h)
@@ -59,14 +62,14 @@ set(value_headers types.h mesh.h build_options.h build_report.h query.h sweep.h 
 
 # Which files may see a library, by its include folder; every other file may not.
 set(hwy_users "^src/(kernels|query)/")
-set(assimp_users "^src/(mesh/(read/assimp|save)|program/cli/help)[.]cpp$")
-set(embree3_users "^src/(build/split/embree|program/render/rays|program/cli/help)[.]cpp$")
+set(assimp_users "^src/(mesh/(read/assimp|save)|program/options/help)[.]cpp$")
+set(embree3_users "^src/(build/split/embree|program/render/rays|program/options/help)[.]cpp$")
 set(embree4_users ${embree3_users})
-set(ompl_users "^(src/(planning|program/(cli|study|clearway_study))|include/clearway/planning|demos)/")
+set(ompl_users "^(src/(planning|program/(cli|options|bench))|include/clearway/planning|demos)/")
 set(png.h_users "^src/program/render/image[.]cpp$")
 set(cairo_users "^src/program/render/(ink_mask[.](h|cpp)|legend[.]cpp)$")
-set(nlohmann_users "^src/(core/json[.](h|cpp)|mesh/(glb|read/gltf_(accessor|item))[.](h|cpp)|program/report/page_data[.]cpp|program/study/(study_)?run_text[.](h|cpp)|program/(cli|clearway_scene)/[a-z_]+[.](h|cpp))$")
-set(mpi.h_users "^src/program/study/ranks[.]cpp$")
+set(nlohmann_users "^src/(core/json[.](h|cpp)|mesh/(glb|read/gltf_(accessor|item))[.](h|cpp)|program/report/page_data[.]cpp|program/bench/run_text[.](h|cpp)|program/(cli|options)/[a-z_]+[.](h|cpp))$|^demos/(scenes|study)/")
+set(mpi.h_users "^src/program/bench/ranks[.]cpp$")
 set(pugixml.hpp_users "^src/mesh/read/xml[.]h$")
 set(zip.h_users "^src/mesh/read/zip_archive[.]cpp$")
 set(guarded_libraries hwy assimp embree3 embree4 ompl png.h cairo nlohmann mpi.h pugixml.hpp zip.h)
@@ -88,9 +91,10 @@ function(refuse file directive rule)
   set(violations ${violations} PARENT_SCOPE)
 endfunction()
 
-# The room of a path below src: "planning/motion" for planning/motion/motion.cpp, "build" for build/split/sah.cpp.
+# The room of a path below src, or of one in a folder of demos: "planning/motion" for planning/motion/motion.cpp, "build" for
+# build/split/sah.cpp.
 function(room_of path room_variable)
-  string(REGEX MATCH "^((planning|program)/[^/]*|[^/]*)/" room "${path}")
+  string(REGEX MATCH "^((planning|program|demos)/[^/]*|[^/]*)/" room "${path}")
   string(REGEX REPLACE "/$" "" room "${room}")
   set(${room_variable} "${room}" PARENT_SCOPE)
 endfunction()
@@ -100,7 +104,7 @@ function(judge_public_header layer header rule_variable)
   set(rule "")
   if(layer IN_LIST layers_below_model AND NOT header IN_LIST value_headers)
     set(rule "src/${layer} may include of the public headers only ${value_headers}")
-  elseif(header MATCHES "^planning/" AND NOT layer MATCHES "^(planning/|program/(cli|render|report|study|clearway_scene|clearway_study)$)")
+  elseif(header MATCHES "^planning/" AND NOT layer MATCHES "^(planning|program|demos)/")
     set(rule "src/${layer} must not know the planning headers")
   elseif(layer MATCHES "^planning/")
     foreach(room IN LISTS planning)
@@ -124,7 +128,7 @@ function(judge_layer layer target rule_variable)
   elseif(NOT room IN_LIST layers)
     set(rule "headers are named by their path under src or include")
   elseif(NOT room STREQUAL layer AND NOT room IN_LIST ${layer}_may_include)
-    set(rule "src/${layer} may include only ${layer} ${${layer}_may_include}")
+    string(REGEX REPLACE "^src/demos" "demos" rule "src/${layer} may include only ${layer} ${${layer}_may_include}")
   endif()
   string(REPLACE ";" " " rule "${rule}")
   set(${rule_variable} "${rule}" PARENT_SCOPE)
@@ -165,8 +169,8 @@ function(check_file file)
     string(REGEX MATCH "^[^/]*" folder "${target}")
     if(rule STREQUAL "" AND NOT folder IN_LIST guarded_libraries
        AND (directive MATCHES "\"" OR folder STREQUAL "clearway"))
-      if(file MATCHES "^src/(.*)$")
-        room_of("${CMAKE_MATCH_1}" layer)
+      if(file MATCHES "^(src/(.*)|(demos/[^/]+/.*))$")
+        room_of("${CMAKE_MATCH_2}${CMAKE_MATCH_3}" layer)
         judge_layer("${layer}" "${target}" rule)
       else()
         judge_outside("${file}" "${target}" rule)
@@ -184,7 +188,7 @@ file(GLOB_RECURSE files RELATIVE "${ROOT}"
 foreach(file IN LISTS files)
   string(REGEX REPLACE "^src/" "" path "${file}")
   room_of("${path}" layer)
-  if(file MATCHES "^src/" AND NOT layer IN_LIST layers)
+  if(file MATCHES "^(src/|demos/[^/]+/)" AND NOT layer IN_LIST layers)
     message(SEND_ERROR "${file}:1: not in a layer; expected a folder among ${layers}")
     math(EXPR violations "${violations} + 1")
     continue()

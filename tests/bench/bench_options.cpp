@@ -4,7 +4,7 @@
 #include <iostream>
 
 #include "clearway/targets.h"
-#include "program/cli/shared_options.h"
+#include "program/options/shared_options.h"
 
 namespace clearway::testing {
 

@@ -5,7 +5,7 @@
 #include "bench/linked_rings.h"
 #include "core/number.h"
 #include "core/text.h"
-#include "program/scenes/scenes.h"
+#include "demos/scenes/scenes.h"
 
 namespace clearway::testing {
 

@@ -21,7 +21,7 @@ constexpr const char* kLinkedRings = "linked-rings-1";
 /// One column of the tables of figures.
 struct BenchScene {
     const char* name;   ///< "F", "I", ...
-    const char* scene;  ///< with its version; a row of program/scenes/scenes.cpp, or kLinkedRings
+    const char* scene;  ///< with its version; a row of demos/scenes/scenes.cpp, or kLinkedRings
     BenchSize full;
     BenchSize small;             ///< for runs that only show that all answers agree
     double collidingShare;       ///< 0: no pose collides, and the distances lie in the range below

@@ -16,7 +16,7 @@
 #include "core/clock.h"
 #include "core/number.h"
 #include "core/replace_file.h"
-#include "program/scenes/scenes.h"
+#include "demos/scenes/scenes.h"
 
 namespace clearway::testing::motions {
 

@@ -13,8 +13,8 @@
 #include "clearway/problem.h"
 #include "core/number.h"
 #include "core/replace_file.h"
-#include "program/cli/command_line.h"
-#include "program/cli/print.h"
+#include "program/options/command_line.h"
+#include "program/options/print.h"
 #include "support/oracle.h"
 #include "support/path_check.h"
 

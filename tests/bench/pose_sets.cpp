@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "clearway/query.h"
-#include "program/scenes/replay.h"
+#include "demos/scenes/replay.h"
 #include "support/random_meshes.h"
 
 namespace clearway::testing {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "program/scenes/replay.h"
+#include "demos/scenes/replay.h"
 
 namespace clearway::testing {
 

@@ -24,11 +24,11 @@
 #include "core/number.h"
 #include "core/replace_file.h"
 #include "core/text.h"
+#include "program/bench/child_process.h"
+#include "program/bench/hand_out.h"
+#include "program/bench/ranks.h"
 #include "program/cli/bench_ranks.h"
-#include "program/cli/command_line.h"
-#include "program/study/child_process.h"
-#include "program/study/hand_out.h"
-#include "program/study/ranks.h"
+#include "program/options/command_line.h"
 
 namespace clearway::testing::public_problems {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "bench/bench_scenes.h"
 #include "bench/series.h"
-#include "program/cli/command_line.h"
+#include "program/options/command_line.h"
 
 namespace clearway::testing {
 

@@ -24,7 +24,9 @@ def is_full():
 
 
 def commands_in(text):
-    """The commands of a block, one a line: comments left out, lines that end with a backslash joined, && taken apart."""
+    """The commands of a block, one a line: comments left out, lines that end with a backslash joined, && taken apart.
+    `demos/run scene` and `study` are the programs that they build and run, which the build folder has."""
+    text = re.sub(r"\./demos/run (scene|study)\b", r"clearway-\1", text)
     for line in re.sub(r"\\\n\s*", " ", text).split("\n"):
         for part in line.split("&&"):
             words = shlex.split(part, comments=True)

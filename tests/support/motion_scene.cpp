@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "demos/scenes/scenes.h"
 #include "planning/validity/ompl_states.h"
-#include "program/scenes/scenes.h"
 #include "support/window_scene.h"
 
 namespace clearway::testing {

@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "core/replace_file.h"
-#include "program/cli/command_line.h"
+#include "program/options/command_line.h"
 #include "torture/mesh_families.h"
 #include "torture/pair_families.h"
 #include "torture/resting.h"

@@ -8,15 +8,15 @@
 
 #include "clearway/planning/planners.h"
 #include "core/replace_file.h"
+#include "program/bench/benchmark.h"
+#include "program/bench/benchmark_log.h"
+#include "program/bench/child_process.h"
+#include "program/bench/run_text.h"
 #include "program/cli/bench_paths.h"
 #include "program/cli/bench_ranks.h"
-#include "program/cli/facts.h"
-#include "program/cli/print.h"
-#include "program/cli/shared_options.h"
-#include "program/study/benchmark.h"
-#include "program/study/benchmark_log.h"
-#include "program/study/child_process.h"
-#include "program/study/run_text.h"
+#include "program/options/facts.h"
+#include "program/options/print.h"
+#include "program/options/shared_options.h"
 
 namespace clearway::cli {
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "clearway/problem.h"
-#include "program/study/benchmark.h"
+#include "program/bench/benchmark.h"
 
 namespace clearway::cli {
 

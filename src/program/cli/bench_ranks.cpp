@@ -9,11 +9,11 @@
 #include "core/clock.h"
 #include "core/hash.h"
 #include "core/text.h"
-#include "program/cli/facts.h"
-#include "program/cli/print.h"
-#include "program/study/child_process.h"
-#include "program/study/hand_out.h"
-#include "program/study/run_text.h"
+#include "program/bench/child_process.h"
+#include "program/bench/hand_out.h"
+#include "program/bench/run_text.h"
+#include "program/options/facts.h"
+#include "program/options/print.h"
 
 namespace clearway::cli {
 

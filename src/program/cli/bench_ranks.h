@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "program/cli/command_line.h"
-#include "program/study/benchmark.h"
-#include "program/study/kept_runs.h"
-#include "program/study/ranks.h"
+#include "program/bench/benchmark.h"
+#include "program/bench/kept_runs.h"
+#include "program/bench/ranks.h"
+#include "program/options/command_line.h"
 
 namespace clearway::cli {
 

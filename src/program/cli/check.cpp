@@ -5,13 +5,13 @@
 #include <stdexcept>
 
 #include "clearway/planning/check_path.h"
-#include "program/cli/facts.h"
 #include "program/cli/overlaps.h"
 #include "program/cli/path_outputs.h"
-#include "program/cli/print.h"
 #include "program/cli/print_audit.h"
-#include "program/cli/shared_options.h"
 #include "program/cli/swept_tolerance.h"
+#include "program/options/facts.h"
+#include "program/options/print.h"
+#include "program/options/shared_options.h"
 
 namespace clearway::cli {
 

@@ -15,10 +15,10 @@
 #include <stdexcept>
 
 #include "core/replace_file.h"
-#include "program/cli/facts.h"
 #include "program/cli/frames_folder.h"
-#include "program/cli/print.h"
 #include "program/cli/render.h"
+#include "program/options/facts.h"
+#include "program/options/print.h"
 #include "program/render/film.h"
 
 namespace clearway::cli {

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "clearway/scene_clearance.h"
-#include "program/cli/command_line.h"
-#include "program/cli/print.h"
-#include "program/cli/shared_options.h"
+#include "program/options/command_line.h"
+#include "program/options/print.h"
+#include "program/options/shared_options.h"
 #include "program/render/render.h"
 #include "program/report/path_line.h"
 

@@ -15,11 +15,11 @@
 #include "mesh/topology.h"
 #include "program/cli/enclosure.h"
 #include "program/cli/info_facts.h"
-#include "program/cli/load_guard.h"
 #include "program/cli/overlaps.h"
-#include "program/cli/print.h"
 #include "program/cli/print_audit.h"
-#include "program/cli/shared_options.h"
+#include "program/options/load_guard.h"
+#include "program/options/print.h"
+#include "program/options/shared_options.h"
 
 namespace clearway::cli {
 

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "mesh/topology.h"
-#include "program/cli/print.h"
+#include "program/options/print.h"
 
 namespace clearway::cli {
 

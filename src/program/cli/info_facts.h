@@ -6,7 +6,7 @@
 #include "clearway/problem.h"
 #include "clearway/scene_clearance.h"
 #include "mesh/clean.h"
-#include "program/cli/facts.h"
+#include "program/options/facts.h"
 
 namespace clearway::cli {
 

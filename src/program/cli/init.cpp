@@ -18,11 +18,11 @@
 #include "problem/config.h"
 #include "problem/start_cures.h"
 #include "program/cli/enclosure.h"
-#include "program/cli/facts.h"
-#include "program/cli/load_guard.h"
-#include "program/cli/print.h"
-#include "program/cli/program.h"
-#include "program/cli/shared_options.h"
+#include "program/options/facts.h"
+#include "program/options/load_guard.h"
+#include "program/options/print.h"
+#include "program/options/program.h"
+#include "program/options/shared_options.h"
 
 namespace clearway::cli {
 

@@ -7,10 +7,10 @@
 
 #include "clearway/targets.h"
 #include "core/text.h"
-#include "program/cli/command_line.h"
-#include "program/cli/help.h"
-#include "program/cli/man_page.h"
-#include "program/cli/program.h"
+#include "program/options/command_line.h"
+#include "program/options/help.h"
+#include "program/options/man_page.h"
+#include "program/options/program.h"
 
 namespace clearway::cli {
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "core/replace_file.h"
-#include "program/cli/print.h"
+#include "program/options/print.h"
 
 namespace clearway::cli {
 

@@ -5,12 +5,13 @@
 #include <cstdio>
 #include <limits>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "mesh/components.h"
 #include "model/solids.h"
-#include "program/cli/load_guard.h"
-#include "program/cli/print.h"
+#include "program/options/load_guard.h"
+#include "program/options/print.h"
 #include "program/report/frames.h"
 #include "program/report/path_line.h"
 
@@ -135,6 +136,19 @@ std::string depthText(double depth) {
 std::string describe(const FoundOverlap& found) {
     return inUnit(depthText(found.deepest.lower)) + " deep, at " + shownPlace(found.deepest.point) +
            ", triangle " + std::to_string(found.deepest.obstacleTriangle) + " of '" + found.obstacle + "'";
+}
+
+Json toJson(const std::vector<FoundOverlap>& overlaps) {
+    Json json = Json::array();
+    for (const FoundOverlap& found : overlaps) {
+        json.push_back(
+            {{"obstacle", found.obstacle},
+             {"depth", {{"lower", toJson(found.deepest.lower)}, {"upper", toJson(found.deepest.upper)}}},
+             {"point", toJson(found.deepest.point)},
+             {"triangle", found.deepest.obstacleTriangle},
+             {"share_of_path", toJson(found.share)}});
+    }
+    return json;
 }
 
 }  // namespace clearway::cli

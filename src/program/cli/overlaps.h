@@ -7,6 +7,7 @@
 #include "clearway/overlap.h"
 #include "clearway/problem.h"
 #include "clearway/scene.h"
+#include "program/options/facts.h"
 
 namespace clearway::cli {
 
@@ -37,5 +38,7 @@ std::string depthText(double depth);
 
 /// "0.0312 deep, at (1, 2, 3), triangle 17 of 'bolt'"
 std::string describe(const FoundOverlap& found);
+
+Json toJson(const std::vector<FoundOverlap>& overlaps);
 
 }  // namespace clearway::cli

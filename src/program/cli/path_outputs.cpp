@@ -10,10 +10,10 @@
 #include "clearway/swept_volume.h"
 #include "core/replace_file.h"
 #include "problem/rotation.h"
-#include "program/cli/load_guard.h"
-#include "program/cli/print.h"
 #include "program/cli/print_audit.h"
 #include "program/cli/swept_tolerance.h"
+#include "program/options/load_guard.h"
+#include "program/options/print.h"
 #include "program/report/export_motion.h"
 #include "program/report/report.h"
 

@@ -9,8 +9,8 @@
 #include "clearway/problem.h"
 #include "clearway/scene.h"
 #include "program/cli/overlaps.h"
-#include "program/cli/print.h"
-#include "program/cli/shared_options.h"
+#include "program/options/print.h"
+#include "program/options/shared_options.h"
 
 namespace clearway::cli {
 

@@ -11,15 +11,15 @@
 #include "clearway/planning/planners.h"
 #include "core/text.h"
 #include "core/watch.h"
-#include "program/cli/facts.h"
 #include "program/cli/old_path.h"
 #include "program/cli/path_outputs.h"
-#include "program/cli/print.h"
 #include "program/cli/print_audit.h"
 #include "program/cli/print_why_no_path.h"
-#include "program/cli/program.h"
-#include "program/cli/shared_options.h"
 #include "program/cli/swept_tolerance.h"
+#include "program/options/facts.h"
+#include "program/options/print.h"
+#include "program/options/program.h"
+#include "program/options/shared_options.h"
 
 namespace clearway::cli {
 

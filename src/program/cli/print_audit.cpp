@@ -13,7 +13,7 @@
 #include "clearway/scene_clearance.h"
 #include "core/number.h"
 #include "program/cli/csv_cells.h"
-#include "program/cli/print.h"
+#include "program/options/print.h"
 #include "program/report/frames.h"
 
 namespace clearway::cli {

@@ -8,7 +8,7 @@
 #include "clearway/problem.h"
 #include "clearway/scene.h"
 #include "clearway/scene_clearance.h"
-#include "program/cli/print.h"
+#include "program/options/print.h"
 
 namespace clearway::cli {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/text.h"
-#include "program/cli/print.h"
+#include "program/options/print.h"
 
 namespace clearway::cli {
 

@@ -13,11 +13,11 @@
 #include "clearway/problem.h"
 #include "clearway/targets.h"
 #include "core/number.h"
-#include "program/cli/facts.h"
-#include "program/cli/load_guard.h"
-#include "program/cli/print.h"
 #include "program/cli/query_answers.h"
-#include "program/cli/shared_options.h"
+#include "program/options/facts.h"
+#include "program/options/load_guard.h"
+#include "program/options/print.h"
+#include "program/options/shared_options.h"
 
 namespace clearway::cli {
 

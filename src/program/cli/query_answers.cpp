@@ -6,8 +6,8 @@
 
 #include "core/number.h"
 #include "program/cli/csv_cells.h"
-#include "program/cli/facts.h"
-#include "program/cli/print.h"
+#include "program/options/facts.h"
+#include "program/options/print.h"
 
 namespace clearway::cli {
 

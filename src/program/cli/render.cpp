@@ -8,15 +8,15 @@
 
 #include "clearway/query.h"
 #include "clearway/scene_clearance.h"
-#include "program/cli/facts.h"
 #include "program/cli/film.h"
-#include "program/cli/load_guard.h"
 #include "program/cli/overlaps.h"
 #include "program/cli/path_outputs.h"
-#include "program/cli/print.h"
 #include "program/cli/print_audit.h"
 #include "program/cli/render_options.h"
-#include "program/cli/shared_options.h"
+#include "program/options/facts.h"
+#include "program/options/load_guard.h"
+#include "program/options/print.h"
+#include "program/options/shared_options.h"
 
 namespace clearway::cli {
 

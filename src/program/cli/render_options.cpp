@@ -4,7 +4,7 @@
 #include <boost/algorithm/string/split.hpp>
 
 #include "core/number.h"
-#include "program/cli/print.h"
+#include "program/options/print.h"
 #include "program/render/camera.h"
 
 namespace clearway::cli {

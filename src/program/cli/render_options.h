@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "program/cli/command_line.h"
+#include "program/options/command_line.h"
 #include "program/render/render.h"
 
 namespace clearway::cli {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "program/cli/print.h"
+#include "program/options/print.h"
 
 namespace clearway::cli {
 

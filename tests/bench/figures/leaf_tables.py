@@ -60,7 +60,7 @@ def found_by(rows, names):
 
 CHECKS = ("state_checks", "motion_checks", "motion_costs")
 QUERIES = ("distance_queries", "within_queries")
-LEAST_SHARE = 0.95  # of a processor; a run with less was disturbed, as in src/program/study/planner_runs.cpp
+LEAST_SHARE = 0.95  # of a processor; a run with less was disturbed, as in demos/study/planner_runs.cpp
 
 
 def total(run, columns):

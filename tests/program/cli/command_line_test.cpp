@@ -1,4 +1,4 @@
-#include "program/cli/command_line.h"
+#include "program/options/command_line.h"
 
 #include <sys/wait.h>
 #include <unistd.h>

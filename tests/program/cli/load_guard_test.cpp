@@ -1,4 +1,4 @@
-#include "program/cli/load_guard.h"
+#include "program/options/load_guard.h"
 
 #include <fcntl.h>
 #include <sys/time.h>

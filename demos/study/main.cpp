@@ -1,0 +1,269 @@
+// The program clearway-study: answers one question by planner runs and replays by the hundred.
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+
+#include "clearway/planning/objectives.h"
+#include "clearway/planning/planners.h"
+#include "clearway/targets.h"
+#include "core/replace_file.h"
+#include "core/text.h"
+#include "demos/scenes/record_scene.h"
+#include "demos/scenes/scenes.h"
+#include "demos/study/print_study.h"
+#include "demos/study/study.h"
+#include "demos/study/study_run_text.h"
+#include "program/bench/child_process.h"
+#include "program/bench/hand_out.h"
+#include "program/cli/bench_ranks.h"
+#include "program/options/load_guard.h"
+#include "program/options/print.h"
+#include "program/options/program.h"
+#include "program/options/shared_options.h"
+
+namespace clearway::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A scene that is made when no problem file is given.
+struct MadeScene {
+    const char* name;
+    std::size_t partTriangles, environmentTriangles;  ///< 0: the scene's default number
+};
+constexpr MadeScene kFullScenes[] = {{"tunnel-console", 0, 0}, {"cembox", 0, 0}, {"large-environment", 0, 0}};
+constexpr MadeScene kShortScenes[] = {{"tunnel-console-3", 12100, 41000}, {"cembox-2", 2000, 8000}};
+
+struct StudyArguments {
+    std::vector<std::string> problems;
+    std::string folder;
+    study::StudyOptions options;
+    std::optional<std::size_t> oneRun;
+};
+
+study::StudyOptions shortStudy() {
+    study::StudyOptions options;
+    options.isShort = true;
+    options.seconds = 0.5;
+    options.seeds = 2;
+    options.repetitions = 1;
+    options.sampling = {8, 25, 1};
+    options.tablePoses = 100;
+    options.planners = {{"RRTConnect", ""}, {"BITstar", "max_min_clearance"}};
+    return options;
+}
+
+study::StudyPlanner parsePlanner(const std::string& text) {
+    const std::size_t colon = text.find(':');
+    study::StudyPlanner planner{planning::plannerClassName(text.substr(0, colon)), ""};
+    if (colon != std::string::npos) planner.objective = planning::objectiveName(text.substr(colon + 1));
+    return planner;
+}
+
+bool readArguments(const Arguments& arguments, StudyArguments& given) {
+    constexpr auto kRequired = CommandLine::Count::kRequired, kRepeatable = CommandLine::Count::kRepeatable;
+    study::StudyOptions& options = given.options;
+    TreeChoice trees;
+    std::vector<study::StudyPlanner> planners;
+    std::vector<std::string> generalSplits, leafSplits;
+    CommandLine line("clearway-study [PROBLEM.cfg...] --out DIR [options]",
+                     "Measures how leaf splits change the work of planners: runs planners with every leaf "
+                     "split and seed, then\n"
+                     "repeats their queries in trees of other splits, leaf sizes, widths and instruction "
+                     "sets. Without a problem\n"
+                     "it makes the scenes tunnel-console, cembox and large-environment at full size.\n"
+                     "DIR then holds runs.csv, replay.csv, statistics.csv, summary.csv and logs for OMPL's "
+                     "statistics script.\n"
+                     "The same command continues a stopped study and repeats nothing that DIR holds.\n"
+                     "Under `mpirun -n N` the planners' runs are handed out to N ranks; one rank does the "
+                     "rest, which is timed.");
+    line.argument("[PROBLEM.cfg...]", appendedTo(given.problems));
+    line.option("--out DIR", "folder of the study, made if need be", folder(given.folder), kRequired);
+    // --short is read before the options below, which then change its values.
+    line.option("--short", "small scenes, few and short runs, fewer replays: shows that everything works",
+                [&](const std::string&) { options = shortStudy(); });
+    line.option("--time S", "seconds for each run (20; short 0.5)", positive(options.seconds));
+    line.option("--memory MB", "memory growth limit in MB while planners run (8192)",
+                positive(options.megabytes));
+    line.option("--seeds N", "runs of each planner with each strategy (10; short 2)",
+                integer<int>(options.seeds, 1, 10000));
+    line.option(
+        "--planner NAME[:OBJECTIVE]",
+        "in place of RRTConnect, KPIECE1, PRM, RRTstar and BITstar:max_min_clearance (short: RRTConnect and "
+        "BITstar:max_min_clearance); may be repeated",
+        [&](const std::string& text) { planners.push_back(parsePlanner(text)); }, kRepeatable);
+    line.option(
+        "--general-split NAME", "in place of axis and sah; may be repeated",
+        [&](const std::string& name) { generalSplits.push_back(oneOf(name, generalSplitNames())); },
+        kRepeatable);
+    line.option(
+        "--leaf-split NAME",
+        "in place of none, chain, edge and all; the others are compared with the first; may be repeated",
+        [&](const std::string& name) { leafSplits.push_back(oneOf(name, leafSplitNames())); }, kRepeatable);
+    line.option("--repetitions N", "repetitions of each replay (7; short 1)",
+                integer<int>(options.repetitions, 1, 1000));
+    addCache(line, trees);
+    addOneRun(line, given.oneRun);
+    if (!line.parse(arguments)) return false;
+    if (!planners.empty()) options.planners = planners;
+    if (!generalSplits.empty()) options.generalSplits = generalSplits;
+    if (!leafSplits.empty()) options.leafSplits = leafSplits;
+    options.build = [trees](const Mesh& mesh, const BuildOptions& build, const std::optional<Reach>& reach) {
+        return trees.build(mesh, build, reach);
+    };
+    options.isStopped = isInterrupted;
+    options.tell = [](const std::string& text) { std::cerr << "clearway: " << oneLine(text) << std::endl; };
+    return true;
+}
+
+/// The problem's name as tables and files show it.
+std::string plainName(const std::string& problemFile) {
+    std::string name = fs::path(problemFile).stem().string();
+    for (char& c : name) {
+        const bool isPlain = std::isalnum(static_cast<unsigned char>(c)) || c == '-' || c == '.' || c == '_';
+        if (!isPlain) c = '_';
+    }
+    return name;
+}
+
+/// Makes the scenes in the folder, unless they are there, and returns their problem files. Returns fewer
+/// files when interrupted.
+std::vector<std::string> makeScenes(bool isShort, const std::string& folder) {
+    std::vector<MadeScene> scenes(std::begin(kFullScenes), std::end(kFullScenes));
+    if (isShort) scenes.assign(std::begin(kShortScenes), std::end(kShortScenes));
+    std::vector<std::string> problems;
+    for (const MadeScene& wanted : scenes) {
+        if (isInterrupted()) break;
+        const std::string name = wanted.name;
+        const scenes::NamedScene& named = scenes::sceneNamed(name);
+        const std::string at = folder + "/scenes/" + named.name;
+        scenes::SceneOptions options = named.defaults;
+        if (wanted.partTriangles > 0) options.partTriangles = wanted.partTriangles;
+        if (wanted.environmentTriangles > 0) options.environmentTriangles = wanted.environmentTriangles;
+        const std::string kept = at + "/complete";  // holds the name of the problem's file
+        if (!fs::exists(kept)) {
+            printRow("scene", at);
+            const scenes::GeneratedScene made = named.make(options);
+            const scenes::SceneFiles files = writeScene(made, at);
+            recordScene({named, options}, files, made.environment, false);
+            if (isInterrupted()) break;  // the scene is not complete; the next run makes it anew
+            const std::string problem = fs::path(files.problem).filename().string();
+            replaceFile(kept, [&](std::ostream& out) { out << problem << "\n"; });
+        }
+        problems.push_back(at + "/" + readLines(kept, "the name of a problem's file").at(0));
+    }
+    return problems;
+}
+
+study::StudyProblem loadProblem(const std::string& file) {
+    study::StudyProblem study;
+    study.name = plainName(file);
+    study.problem = readProblem(file);
+    study.part = loadPart(study.problem, guardedLoadMesh);
+    study.obstacles = obstaclesOf(study.problem, loadWorlds(study.problem, guardedLoadMesh));
+    if (study.obstacles.hasSolids()) study.partSolids = makeSolids(study.part).solids;
+    std::vector<std::string> notes;
+    study.shrunk = shrinkPart(study.problem, study.part, study.obstacles, notes, guardedLoading());
+    printWarnings(notes);
+    const fs::path poses = fs::path(file).parent_path() / (fs::path(file).stem().string() + "_replay.poses");
+    if (fs::exists(poses)) study.replayPoses = readPoses(poses.string()).poses;
+    return study;
+}
+
+int tellIncomplete(const std::string& folder) {
+    printRow("study", folder + (isInterrupted() ? ", interrupted" : ", runs lost") +
+                          ": the same command continues it");
+    requirePrinted();
+    return kAnswerIsNo;
+}
+
+/// For a process that another one started: does one run and prints it.
+int doOneRun(const StudyArguments& given, const std::vector<std::string>& files) {
+    study::endWithParent();
+    const std::vector<study::PlannedRun> planned = plannedRuns(given.options);
+    const std::size_t problem = *given.oneRun / planned.size();
+    if (problem >= files.size()) {
+        throw std::invalid_argument("--one-run is '" + std::to_string(*given.oneRun) +
+                                    "', expected a number below " +
+                                    std::to_string(files.size() * planned.size()));
+    }
+    const study::PlannedRun& wanted = planned[*given.oneRun % planned.size()];
+    const study::StudyProblem loaded = loadProblem(files[problem]);
+    const Scene scene = buildScene(loaded, wanted.engine, given.options);
+    const auto run = runPlanned(loaded, scene, given.options, wanted);
+    return run ? tellRun(textOf(*run)) : kAnswerIsNo;
+}
+
+/// See study::StudyOptions::doRuns. Dismisses the other ranks when all runs have ended, because replays follow, which are timed.
+/// Reports lost runs. words: the program's.
+bool doRuns(study::Ranks& ranks, const Arguments& words, const study::StudyOptions& options,
+            const std::vector<std::size_t>& runs, const std::function<void(const study::StudyRun&)>& keep) {
+    const std::vector<study::PlannedRun> planned = plannedRuns(options);
+    std::vector<study::Job> jobs;
+    for (const std::size_t run : runs) {
+        const std::string problem = std::to_string(run / planned.size() + 1);
+        jobs.push_back({"problem " + problem + ", " + planned[run % planned.size()].name(),
+                        {"--one-run", std::to_string(run)}});
+        jobs.back().words.insert(jobs.back().words.end(), words.begin(), words.end());
+    }
+    bool isAnyLost = false;
+    study::TimeLeft left(jobs.size(), options.seconds / ranks.count());
+    study::Meanwhile meanwhile;
+    meanwhile.isStopped = [&] { return options.mustStop(); };
+    meanwhile.begin = [&](std::size_t job, int rank) {
+        options.report("run " + std::to_string(job + 1) + " of " + std::to_string(jobs.size()) + ", " +
+                       jobs[job].name + ", rank " + std::to_string(rank) + ", " + left.text() +
+                       " for all runs");
+    };
+    meanwhile.end = [&](const study::JobEnd& end) {
+        left.step();
+        const std::string& name = jobs[end.job].name;
+        if (end.isDone) return keep(study::readStudyRun(end.text, name));
+        isAnyLost = true;
+        options.report("warning: the run is lost: " + name + ": " + end.text);
+    };
+    const bool isComplete = handOut(ranks, jobs, meanwhile) && !isAnyLost;
+    if (isComplete) dismiss(ranks);
+    return isComplete;
+}
+
+/// ranks: null unless mpirun started this process.
+int runStudy(const Arguments& arguments, study::Ranks* ranks) {
+    StudyArguments given;
+    if (!readArguments(arguments, given)) return kDone;
+    std::vector<std::string> files = given.problems;
+    for (const std::string& file : files) readProblem(file);  // refuses a faulty file before long work
+    heedInterrupts();
+
+    if (files.empty()) files = makeScenes(given.options.isShort, given.folder);
+    if (given.oneRun) return doOneRun(given, files);
+    std::vector<study::StudyProblem> problems;
+    for (const std::string& file : files) {
+        if (!isInterrupted()) problems.push_back(loadProblem(file));
+    }
+    if (isInterrupted()) return tellIncomplete(given.folder);
+    if (ranks) {
+        given.options.doRuns = [&](const auto& runs, const auto& keep) {
+            return doRuns(*ranks, arguments, given.options, runs, keep);
+        };
+    }
+    const study::StudyResult result = studyLeafStrategies(problems, given.options, given.folder);
+    if (!result.isComplete) return tellIncomplete(given.folder);
+    printStudy(result);
+    printRow("study", given.folder);
+    requirePrinted();
+    return kDone;
+}
+
+int studyOnRanks(const Arguments& arguments) {
+    currentTarget();  // refuses CLEARWAY_TARGET before any work
+    return runOnRanks([&](study::Ranks* ranks) { return runStudy(arguments, ranks); });
+}
+
+}  // namespace
+}  // namespace clearway::cli
+
+int main(int argc, char** argv) {
+    return clearway::cli::runProgram(argc, argv, "clearway-study", clearway::cli::studyOnRanks);
+}

@@ -1,0 +1,221 @@
+#include "program/bench/benchmark.h"
+
+#include <ompl/base/PlannerStatus.h>
+#include <ompl/tools/benchmark/MachineSpecs.h>
+#include <ompl/util/Time.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <sstream>
+#include <stdexcept>
+
+#include "clearway/planning/ompl_messages.h"
+#include "clearway/planning/plan_setup.h"
+#include "core/clock.h"
+#include "core/number.h"
+
+namespace clearway::study {
+namespace {
+
+using planning::PlanOptions;
+using planning::PlanReport;
+using planning::PlanSetup;
+
+/// One planner of each kind: two trees, one tree, by density, by projection, a roadmap.
+constexpr const char* kDefaultPlanners[] = {"RRTConnect", "RRT", "EST", "KPIECE1", "PRM"};
+constexpr double kMostMegabytes = 1e12;  ///< more than any machine has; in bytes the integer type holds it
+
+void requireOptions(const BenchmarkOptions& options) {
+    if (!(options.seconds > 0)) {
+        throw std::invalid_argument("the time limit is " + shortNumber(options.seconds) +
+                                    ", expected seconds above 0");
+    }
+    if (options.iterations == 0u) {
+        throw std::invalid_argument("the number of iterations is 0, expected at least 1");
+    }
+    if (!(options.megabytes > 0)) {
+        throw std::invalid_argument("the memory limit is " + shortNumber(options.megabytes) +
+                                    ", expected megabytes above 0");
+    }
+    if (options.runs < 1) {
+        throw std::invalid_argument("the number of runs is " + std::to_string(options.runs) +
+                                    ", expected at least 1");
+    }
+}
+
+/// A name without white space, because the log's reader takes the last word of its line.
+std::string experimentName(const Problem& problem) {
+    std::string name = problem.name;
+    if (name.empty()) name = std::filesystem::path(problem.file).stem().string();
+    for (char& c : name) {
+        if (std::isspace(static_cast<unsigned char>(c))) c = '_';
+    }
+    return name.empty() ? "NO_NAME" : name;
+}
+
+/// A copy of the problem for each planner. Each copy names one planner alone.
+std::vector<Problem> problemsOf(const Problem& problem) {
+    std::vector<PlannerChoice> planners = problem.planners;
+    if (planners.empty()) {
+        for (const char* name : kDefaultPlanners) planners.push_back({name, {}});
+    }
+    std::vector<Problem> problems(planners.size(), problem);
+    for (std::size_t i = 0; i < planners.size(); ++i) problems[i].planners = {planners[i]};
+    return problems;
+}
+
+PlanOptions planOptions(const BenchmarkOptions& options, int run) {
+    PlanOptions result;
+    if (options.iterations) {
+        result.iterations = options.iterations;
+    } else {
+        result.seconds = options.seconds;
+    }
+    result.threads = 1;
+    result.seed = seedOf(run, options);
+    result.omplWeights = options.omplWeights;
+    return result;
+}
+
+void addOnce(std::vector<std::string>& warnings, const std::vector<std::string>& more) {
+    for (const std::string& warning : more) {
+        if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end())
+            warnings.push_back(warning);
+    }
+}
+
+/// By the process's memory before its first run.
+RunLimits limitsOf(const BenchmarkOptions& options) {
+    const double growth = std::min(options.megabytes, kMostMegabytes) * kBytesPerMegabyte;
+    RunLimits limits;
+    limits.seconds = options.secondsLimit();
+    limits.iterations = options.iterations;
+    limits.bytes = ompl::machine::getProcessMemoryUsage() + static_cast<unsigned long long>(growth);
+    limits.simplify = options.simplify;
+    limits.isStopped = options.isStopped;
+    return limits;
+}
+
+/// Makes the planner once, so that its mistakes show before the first run, and describes it for the log.
+PlannerBenchmark describePlanner(const Problem& problem, const Scene& scene, const BenchmarkOptions& options,
+                                 Benchmark& benchmark) {
+    PlanReport report;
+    const PlanSetup setup = planning::makePlanSetup(problem, scene, planOptions(options, 0), report);
+    addOnce(benchmark.warnings, report.warnings);
+    if (options.iterations && !report.isRepeatable) {
+        addOnce(benchmark.warnings, {report.planners[0] + " does not give the same path again with the same "
+                                                          "seed and number of iterations"});
+    }
+    const ompl::base::Planner& planner = *setup.planners[0];
+    PlannerBenchmark result;
+    result.name = "geometric_" + planner.getName();
+    planner.params().getParams(result.settings);
+    setup.si->params().getParams(result.settings);
+    for (const auto& property : planner.getPlannerProgressProperties()) {
+        result.progressNames.push_back(property.first);
+    }
+    if (!result.progressNames.empty()) result.progressNames.push_back("time REAL");
+    std::sort(result.progressNames.begin(), result.progressNames.end());
+
+    std::ostringstream text;
+    if (benchmark.planners.empty()) setup.si->printSettings(text);
+    planner.printProperties(text);
+    benchmark.setup += text.str();
+    return result;
+}
+
+BenchmarkProgress progressAt(const Benchmark& benchmark, std::size_t planner, int run, double elapsed) {
+    const BenchmarkOptions& options = benchmark.options;
+    BenchmarkProgress progress;
+    progress.planner = benchmark.planners[planner].name;
+    progress.run = static_cast<int>(planner) * options.runs + run;
+    progress.runs = static_cast<int>(benchmark.planners.size()) * options.runs;
+    const double each = progress.run > 0 ? elapsed / progress.run : options.secondsLimit();
+    progress.left = each * (progress.runs - progress.run);
+    return progress;
+}
+
+Benchmark begin(const Problem& problem, const BenchmarkOptions& options) {
+    Benchmark benchmark;
+    benchmark.options = options;
+    benchmark.experiment = experimentName(problem);
+    benchmark.parameters["margin REAL"] = shortNumber(problem.margin);
+    if (options.iterations) benchmark.parameters["iterations INTEGER"] = std::to_string(*options.iterations);
+    benchmark.host = ompl::machine::getHostname();
+    benchmark.cpu = ompl::machine::getCPUInfo();
+    benchmark.started = ompl::time::as_string(ompl::time::now());
+    benchmark.setup = "Problem: " + problem.file + "\n";
+    return benchmark;
+}
+
+/// Returns false when the benchmark was stopped.
+bool runAll(const std::vector<Problem>& problems, const Scene& scene, Benchmark& benchmark) {
+    const BenchmarkOptions& options = benchmark.options;
+    const RunLimits limits = limitsOf(options);
+    const Clock::time_point start = Clock::now();
+    for (std::size_t i = 0; i < problems.size(); ++i) {
+        for (int run = 0; run < options.runs; ++run) {
+            if (options.tell) options.tell(progressAt(benchmark, i, run, secondsSince(start)));
+            const auto result =
+                runOnce(problems[i], scene, planOptions(options, run), limits, benchmark.warnings);
+            if (!result) return false;
+            benchmark.planners[i].runs.push_back(*result);
+        }
+    }
+    return true;
+}
+
+}  // namespace
+
+Benchmark runBenchmark(const Problem& problem, const Scene& scene, const BenchmarkOptions& options) {
+    requireOptions(options);
+    const planning::OmplMessages messages;
+    Benchmark benchmark = begin(problem, options);
+    const Clock::time_point start = Clock::now();
+    const std::vector<Problem> problems = problemsOf(problem);
+    for (const Problem& each : problems) {
+        benchmark.planners.push_back(describePlanner(each, scene, options, benchmark));
+    }
+    benchmark.isComplete = options.doRuns ? options.doRuns(benchmark) : runAll(problems, scene, benchmark);
+    benchmark.seconds = secondsSince(start);
+    std::vector<std::string> heard;
+    for (const std::string& warning : messages.warnings()) heard.push_back("OMPL: " + warning);
+    addOnce(benchmark.warnings, heard);
+    return benchmark;
+}
+
+RunPlace placeOf(std::size_t run, const BenchmarkOptions& options) {
+    const auto runs = static_cast<std::size_t>(options.runs);
+    return {run / runs, static_cast<int>(run % runs)};
+}
+
+std::uint32_t seedOf(int run, const BenchmarkOptions& options) {
+    return options.seed + static_cast<std::uint32_t>(run);
+}
+
+std::optional<BenchmarkRun> runAlone(const Problem& problem, const Scene& scene,
+                                     const BenchmarkOptions& options, std::size_t run,
+                                     std::vector<std::string>& warnings) {
+    requireOptions(options);
+    const planning::OmplMessages messages;
+    const std::vector<Problem> problems = problemsOf(problem);
+    const RunPlace place = placeOf(run, options);
+    if (place.planner >= problems.size()) {
+        throw std::invalid_argument("the run is number " + std::to_string(run) + ", expected one below " +
+                                    std::to_string(problems.size() * static_cast<std::size_t>(options.runs)));
+    }
+    return runOnce(problems[place.planner], scene, planOptions(options, place.run), limitsOf(options),
+                   warnings);
+}
+
+BenchmarkRun lostRun(std::uint32_t seed) {
+    BenchmarkRun run;
+    run.measures.isSolved = 0;
+    run.measures.status = static_cast<std::uint64_t>(ompl::base::PlannerStatus::CRASH);
+    run.properties = propertiesOf(run.measures);
+    run.properties["seed INTEGER"] = std::to_string(seed);
+    return run;
+}
+
+}  // namespace clearway::study

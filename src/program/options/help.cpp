@@ -1,0 +1,106 @@
+#include "program/options/help.h"
+
+#include <assimp/version.h>
+#include <ompl/config.h>
+
+#if __has_include(<embree4/rtcore_config.h>)
+#include <embree4/rtcore_config.h>
+#else
+#include <embree3/rtcore_config.h>
+#endif
+
+#include "core/text.h"
+
+namespace clearway::cli {
+
+namespace {
+
+struct Topic {
+    const char* name;
+    const char* text;
+};
+
+constexpr Topic kTopics[] = {
+    {"keys",
+     R"(Keys of a problem file. docs/problem_files.md explains each.
+
+[problem]
+  robot, world                 mesh files of the part and of what stands still (several with commas between)
+  start.x .y .z                position of the part's origin, in the meshes' unit
+  start.axis.x .y .z           axis of its rotation (SE(2): no z, no axis)
+  start.theta                  angle of its rotation, radians
+  goal.x ...                   as for start; not with goal = outside
+  volume.min.x .. volume.max.z bounds of the position (derived from the environment, start and goal)
+  objective, objective.threshold, sampler, threshold, name
+
+[clearway]
+  reading = stored | omplapp   coordinates as the files hold them, or moved as OMPL.app moves them
+  goal = outside               any pose outside of the surroundings' box; outside = +x, -x, ... says which side
+  start.degrees, goal.degrees  in place of theta
+  unit = mm                    of all lengths, shown beside them: um, mm, cm, m, km, in or ft
+  robot.scale, world.scale     factors for the meshes' coordinates (1)
+  margin, margin.NAME          distance to keep from all obstacles, from one (0)
+  overlap, overlap.NAME        how deep obstacles may reach into the part (0); overlap.tolerance, overlap.thin
+  ignore, solid = NAME, ...    obstacles to leave out; obstacles whose inside is not free
+  contact.start = NAME, D      ignored near the start; contact.goal: near the goal
+  fineness                     how fine the scene is: planners' edges are 20 times as long
+
+[planner], [benchmark]         as in OMPL.app's files
+)"},
+    {"formats",
+     R"(Formats of files.
+
+Meshes     stl, obj, ply, off, 3mf, glb, gltf and dae; others are read by assimp alone, and not checked. STEP, IGES
+           and CAD programs' own files hold surfaces, not triangles: export one of these.
+Problems   .cfg, as OMPL.app's, with a section [clearway]: clearway help keys
+Paths      one state a line: x y z qx qy qz qw, the quaternion's w last (SE(2): x y yaw, radians)
+Poses      one a line: x y z qx qy qz qw, or 12 numbers: the rotation's rows and the translation of each
+           (r00 r01 r02 r10 ... r22 x y z)
+- stands for standard input, or for standard output in --csv, --path and --json
+)"},
+};
+
+std::string version(unsigned major, unsigned minor, unsigned patch) {
+    return std::to_string(major) + "." + std::to_string(minor) + "." + std::to_string(patch);
+}
+
+}  // namespace
+
+std::vector<std::string> topicNames() {
+    return namesOf(kTopics);
+}
+
+const char* topicNamed(const std::string& name) {
+    for (const Topic& topic : kTopics) {
+        if (name == topic.name) return topic.text;
+    }
+    return nullptr;
+}
+
+std::vector<std::pair<std::string, std::string>> libraryVersions() {
+    return {{"OMPL", version(OMPL_MAJOR_VERSION, OMPL_MINOR_VERSION, OMPL_PATCH_VERSION)},
+            {"assimp", version(aiGetVersionMajor(), aiGetVersionMinor(), aiGetVersionPatch())},
+            {"Embree", RTC_VERSION_STRING}};
+}
+
+std::string completionScript(const std::vector<std::string>& subcommands) {
+    return R"(# Completes the words of clearway, clearway-scene and clearway-study in bash: . <(clearway --completion)
+_clearway() {
+    local word=${COMP_WORDS[COMP_CWORD]} subcommands=")" +
+           joined(subcommands, " ") + R"( help" command=("$1" "${COMP_WORDS[1]}")
+    COMPREPLY=()
+    [ "${1##*/}" = clearway ] || command=("$1")
+    if [ "$COMP_CWORD" -lt "${#command[@]}" ]; then
+        COMPREPLY=($(compgen -W "$subcommands --help --man --version --completion" -- "$word"))
+    elif [[ $word == -* ]]; then
+        COMPREPLY=($(compgen -W "$("${command[@]}" --list-options 2>/dev/null) --help --man" -- "$word"))
+    elif [ "${COMP_WORDS[1]}" = help ]; then
+        COMPREPLY=($(compgen -W "$subcommands )" +
+           joined(topicNames(), " ") + R"(" -- "$word"))
+    fi
+}
+complete -o default -F _clearway clearway clearway-scene clearway-study
+)";
+}
+
+}  // namespace clearway::cli

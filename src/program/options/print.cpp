@@ -1,0 +1,278 @@
+#include "program/options/print.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+#include <stdexcept>
+
+#include "core/number.h"
+#include "core/replace_file.h"
+#include "core/text.h"
+#include "mesh/check.h"
+#include "program/options/command_line.h"
+
+namespace clearway::cli {
+
+namespace {
+
+constexpr std::size_t kLabelWidth = 20;
+constexpr std::size_t kMostNames = 6;  // most names of obstacles in one row
+
+constexpr double kRounded = 1e-12;  // a value that far above a number of four digits is shown as that number
+
+// Numbers from here on are shown whole, and with an exponent where a double has no digits left.
+constexpr double kFirstLong = 9999.5, kFirstWithoutExponent = 1e15;
+
+/// A group of obstacles that count alike.
+struct ObstacleRow {
+    const std::vector<Component>& components;
+    std::size_t triangles;
+    double margin, overlap;
+    bool isSolid, atStart, atGoal;
+};
+
+std::string& claimedBy() {
+    static std::string option;
+    return option;
+}
+
+std::string& unitInUse() {
+    static std::string unit;
+    return unit;
+}
+
+/// The process's standard output once an option has claimed it.
+std::ostream& standardOutput() {
+    static std::ostream stream(std::cout.rdbuf());
+    return stream;
+}
+
+void printObstacle(const ObstacleRow& row) {
+    std::vector<std::string> names;
+    for (const Component& component : row.components) names.push_back("'" + component.name + "'");
+    const std::size_t shown = std::min(names.size(), kMostNames);
+    const std::string more =
+        shown < names.size() ? " and " + std::to_string(names.size() - shown) + " more" : "";
+    names.resize(shown);
+    const char* const where = row.atStart && row.atGoal ? ", ignored near the start and the goal"
+                              : row.atStart             ? ", ignored near the start"
+                              : row.atGoal              ? ", ignored near the goal"
+                                                        : "";
+    const std::string rule = row.overlap > 0
+                                 ? "overlap " + statedLength(row.overlap)
+                                 : "margin " + statedLength(row.margin) + (row.isSolid ? ", solid" : "");
+    printRow("obstacle",
+             joined(names) + more + ": " + counted(row.triangles, "triangle") + ", " + rule + where);
+}
+
+}  // namespace
+
+std::string readable(double value) {
+    const double size = std::abs(value);
+    const bool isLong = size >= kFirstLong && size < kFirstWithoutExponent;
+    char text[32];
+    std::snprintf(text, sizeof text, isLong ? "%.0f" : "%.4g", value == 0 ? 0.0 : value);  // -0 reads as 0
+    return text;
+}
+
+std::string readable(const Vector3& v) {
+    return "(" + readable(v.x()) + ", " + readable(v.y()) + ", " + readable(v.z()) + ")";
+}
+
+std::string readable(const Box& box) {
+    return readable(Vector3(box.min())) + " to " + readable(Vector3(box.max()));
+}
+
+std::string shortened(double value, int digits) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.*g", digits, towardsZero(value, digits) + 0.0);  // -0 reads as 0
+    return text;
+}
+
+std::string shortenedUp(double value) {
+    return readable(awayFromZero(value * (1 - kRounded), 4));
+}
+
+void useUnit(const std::string& unit) {
+    unitInUse() = unit;
+}
+
+const std::string& usedUnit() {
+    return unitInUse();
+}
+
+std::string inUnit(const std::string& shown) {
+    return withUnit(shown, usedUnit());
+}
+
+std::string shownLength(double value) {
+    return inUnit(readable(value));
+}
+
+std::string shownPlace(const Vector3& place) {
+    return inUnit(readable(place));
+}
+
+std::string statedLength(double value) {
+    return inUnit(shortNumber(value));
+}
+
+std::string shownState(const PartState& state) {
+    const auto& q = state.rotation;
+    return "position " + shownPlace(state.position) + ", quaternion (x, y, z, w) (" + readable(q.x()) + ", " +
+           readable(q.y()) + ", " + readable(q.z()) + ", " + readable(q.w()) + ")";
+}
+
+std::string counted(std::size_t count, const std::string& singular, const std::string& plural) {
+    return std::to_string(count) + " " + (count == 1 ? singular : plural.empty() ? singular + "s" : plural);
+}
+
+void printRow(const std::string& label, const std::string& value) {
+    const std::size_t padding = kLabelWidth - std::min(label.size() + 1, kLabelWidth - 1);
+    std::cout << label << (label.empty() ? ' ' : ':') << std::string(padding, ' ') << value << "\n";
+}
+
+void printRows(const Rows& rows) {
+    for (const auto& [label, value] : rows) printRow(label, value);
+}
+
+void printObstacles(const Scene& scene) {
+    const bool isPlain = scene.obstacles.size() == 1 && !scene.obstacles[0].solids && !scene.startContact &&
+                         !scene.goalContact && scene.ignoredBox.isEmpty();
+    for (const Obstacle& obstacle : scene.obstacles) {
+        printMesh("environment", obstacle.model);
+        if (isPlain) continue;
+        printObstacle({obstacle.model.components(), obstacle.model.report().triangles, obstacle.margin,
+                       obstacle.shrunk ? obstacle.shrunk->overlap : 0, obstacle.solids != nullptr,
+                       obstacle.isIgnoredAtStart, obstacle.isIgnoredAtGoal});
+    }
+    if (scene.obstacles.empty()) printRow("environment", "every obstacle is ignored");
+    printRow("margin", scene.obstacles.size() == 1
+                           ? statedLength(scene.largestMargin())
+                           : "by obstacle, at most " + statedLength(scene.largestMargin()));
+    const auto printContact = [](const char* where, const std::optional<ContactZone>& contact) {
+        if (contact) printRow(where, statedLength(contact->distance));
+    };
+    printContact("contact at start", scene.startContact);
+    printContact("contact at goal", scene.goalContact);
+}
+
+void printObstacles(const ObstacleGroups& obstacles) {
+    for (const ObstacleGroup& group : obstacles.groups) {
+        printObstacle({group.mesh.components, group.mesh.triangles.size(), group.margin, group.overlap,
+                       group.solids != nullptr, group.isIgnoredAtStart, group.isIgnoredAtGoal});
+    }
+    for (const std::string& name : obstacles.ignored) printRow("ignored", "'" + name + "'");
+    for (const std::string& note : obstacles.notes) printRow("note", note);
+}
+
+void printMesh(const std::string& label, const Model& model) {
+    const std::size_t leftOut = model.report().unreachableTriangles;
+    printRow(label, model.origin().file + ", " + counted(model.report().triangles, "triangle") +
+                        (leftOut > 0 ? ", " + std::to_string(leftOut) + " out of reach left out" : ""));
+}
+
+std::string unitName(double metres) {
+    for (const LengthUnit& unit : lengthUnits()) {
+        if (std::abs(unit.metres - metres) <= 1e-9 * metres) return unit.name;
+    }
+    return readable(metres) + " m";
+}
+
+Rows readingRows(const MeshOrigin& origin) {
+    Rows rows;
+    const std::string turn = turnedByAssimp(origin);
+    if (!turn.empty()) rows.push_back({"but turned", "by assimp: " + turn});
+    // As OMPL.app reads a COLLADA file they are applied, and a note says so.
+    const bool isApplied = std::any_of(origin.notes.begin(), origin.notes.end(),
+                                       [](const std::string& note) { return note.find(kAssimpsUnit) == 0; });
+    if (!isApplied && origin.unitMetres > 0) {
+        rows.push_back({"unit stated", unitName(origin.unitMetres) + ", not applied"});
+    }
+    if (!isApplied && origin.upAxis != 0) {
+        rows.push_back({"up axis stated", std::string(1, origin.upAxis) + ", not applied"});
+    }
+    for (const std::string& note : origin.notes) rows.push_back({"note", note});
+    for (const std::string& warning : origin.warnings) rows.push_back({"warning", warning});
+    return rows;
+}
+
+std::string readingWord(const MeshOrigin& origin) {
+    return origin.isChecked ? "checked" : "unchecked";
+}
+
+bool isChecked(const Scene& scene) {
+    return scene.part.origin().isChecked &&
+           std::all_of(scene.obstacles.begin(), scene.obstacles.end(),
+                       [](const Obstacle& obstacle) { return obstacle.model.origin().isChecked; });
+}
+
+std::string certificateScope(const Scene& scene) {
+    return isChecked(scene) ? "" : " for the triangles that assimp delivered";
+}
+
+void printWarnings(const std::vector<std::string>& warnings) {
+    for (const std::string& warning : warnings) std::cerr << "clearway: warning: " << warning << "\n";
+}
+
+std::string oneLine(std::string message) {
+    while (!message.empty() && message.back() == '\n') message.pop_back();
+    for (char& c : message) {
+        if (static_cast<unsigned char>(c) < ' ' || c == '\x7F') c = ' ';
+    }
+    return message;
+}
+
+void claimStandardOutput(const std::string& option) {
+    if (!claimedBy().empty())
+        throw std::invalid_argument(option + " is -, which " + claimedBy() +
+                                    " is too, expected a file for one of them");
+    claimedBy() = option;
+    // The sink is never destroyed: std::cout is flushed after all objects of the program are gone.
+    static Sink* const sink = new Sink;
+    standardOutput().rdbuf(std::cout.rdbuf(sink));
+}
+
+void writeOut(const std::string& file, const std::function<void(std::ostream&)>& write) {
+    if (file != "-") return replaceFile(file, write);
+    write(standardOutput());
+    if (!standardOutput().flush()) throw std::runtime_error("cannot write to standard output");
+}
+
+void requirePrinted() {
+    if (!std::cout.flush()) throw std::runtime_error("cannot write to standard output");
+}
+
+ElapsedLine::ElapsedLine(std::string what) : what_(std::move(what)) {
+    if (isatty(STDERR_FILENO)) thread_ = std::thread([this] { run(); });
+}
+
+ElapsedLine::~ElapsedLine() {
+    if (!thread_.joinable()) return;
+    {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        isEnded_ = true;
+    }
+    ended_.notify_one();
+    thread_.join();
+}
+
+void ElapsedLine::tell(std::string what) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    what_ = std::move(what);
+}
+
+void ElapsedLine::run() {
+    std::unique_lock<std::mutex> lock(mutex_);
+    for (int seconds = 1; !ended_.wait_for(lock, std::chrono::seconds(1), [this] { return isEnded_; });
+         ++seconds) {
+        std::cerr << '\r' << what_ << ' ' << seconds << " s\033[K" << std::flush;
+    }
+    std::cerr << "\r\033[K" << std::flush;
+}
+
+}  // namespace clearway::cli

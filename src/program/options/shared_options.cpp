@@ -1,0 +1,181 @@
+#include "program/options/shared_options.h"
+
+#include <algorithm>
+#include <atomic>
+#include <boost/algorithm/string/case_conv.hpp>
+#include <filesystem>
+#include <stdexcept>
+
+#include "clearway/planning/plan.h"
+#include "clearway/targets.h"
+#include "core/replace_file.h"
+#include "core/text.h"
+#include "program/options/facts.h"
+#include "program/options/load_guard.h"
+#include "program/options/print.h"
+
+namespace clearway::cli {
+
+namespace {
+
+/// True if both names mean one file, which need not exist yet: ./a.html and a.html.
+bool isSameFile(const std::string& a, const std::string& b) {
+    namespace fs = std::filesystem;
+    std::error_code missing, unknown;
+    if (a == b || fs::equivalent(a, b, missing)) return true;
+    const fs::path wholeA = fs::weakly_canonical(fs::absolute(a, unknown), unknown);
+    const fs::path wholeB = fs::weakly_canonical(fs::absolute(b, unknown), unknown);
+    return !unknown && wholeA == wholeB;
+}
+
+}  // namespace
+
+Problem readJudged(const std::string& file) {
+    Problem problem = readProblem(file);
+    for (const std::string& warning : planning::unknownNames(problem)) problem.warnings.push_back(warning);
+    return problem;
+}
+
+SceneLoading guardedLoading() {
+    SceneLoading loading;
+    loading.read = guardedLoadMesh;
+    loading.shrink = [](const Mesh& part, ShrinkOptions options) {
+        const ElapsedLine elapsed("shrinking the part by " + shownLength(options.overlap));
+        options.isStopped = isInterrupted;
+        return shrink(part, options);
+    };
+    return loading;
+}
+
+Problem ProblemChoice::read() const {
+    Problem problem = readJudged(file);
+    problem.margin = margin.value_or(problem.margin);
+    tellProblem(problem);
+    return problem;
+}
+
+void addProblem(CommandLine& commandLine, ProblemChoice& choice) {
+    commandLine.argument("PROBLEM.cfg", to(choice.file));
+    commandLine.option(
+        "--margin M",
+        "distance to keep from the environment, in place of the problem's margin; its margin.NAME "
+        "values stay",
+        nonNegative(choice.margin));
+}
+
+void addOmplWeights(CommandLine& commandLine, bool& omplWeights) {
+    commandLine.flag("--ompl-weights", "weights rotation as OMPL does, not by the part's radius",
+                     omplWeights);
+}
+
+void addTarget(CommandLine& commandLine) {
+    commandLine.option("--target NAME", "instruction set, one that this machine has (the best)", useTarget);
+}
+
+Model TreeChoice::build(const Mesh& mesh) const {
+    return build(mesh, options, std::nullopt);
+}
+
+Model TreeChoice::build(const Mesh& mesh, const BuildOptions& others,
+                        const std::optional<Reach>& reach) const {
+    if (cache.empty()) return Model::build(mesh, others, reach);
+    const CachedModel cached = buildCached(mesh, others, cache, reach);
+    // A folder that keeps no models is reported once, not for each obstacle.
+    static std::atomic<bool> isReported{false};
+    if (!cached.warning.empty() && (cached.isKept || !isReported.exchange(true)))
+        printWarnings({cached.warning});
+    return cached.model;
+}
+
+LoadedScene TreeChoice::loadWithNotes(const Problem& problem, const planning::PlanOptions& plan) const {
+    SceneLoading loading = guardedLoading();
+    loading.build = [&](const Mesh& mesh, const BuildOptions& others, const std::optional<Reach>& reach) {
+        return build(mesh, others, reach);
+    };
+    loading.reach = [&](const Model& part, const Box& environmentBox) {
+        return planning::planningReach(problem, plan, part, environmentBox);
+    };
+    return loadScene(problem, options, loading);
+}
+
+Scene TreeChoice::load(const Problem& problem, const planning::PlanOptions& plan) const {
+    const LoadedScene loaded = loadWithNotes(problem, plan);
+    printWarnings(loaded.notes);
+    return loaded.scene;
+}
+
+void addTreeOptions(CommandLine& commandLine, BuildOptions& options) {
+    const BuildOptions defaults;
+    const auto choice = [&](const char* declaration, const char* about, const std::vector<std::string>& names,
+                            const std::string& usual, const std::function<void(const std::string&)>& store) {
+        commandLine.option(declaration, std::string(about) + ": " + joined(names) + " (" + usual + ")",
+                           [names, store](const std::string& value) { store(oneOf(value, names)); });
+    };
+    // The preset is declared first and so read first. The other options then change it.
+    choice("--preset NAME", "tree options to start from", buildPresetNames(), "best",
+           [&](const std::string& name) { options = buildPreset(name); });
+    choice("--general-split NAME", "how nodes are split", generalSplitNames(), defaults.generalSplit,
+           to(options.generalSplit));
+    choice("--leaf-split NAME", "how leaves are split", leafSplitNames(), defaults.leafSplit,
+           to(options.leafSplit));
+    choice("--fit NAME", "how volumes are fitted", fitNames(), defaults.fit, to(options.fit));
+    commandLine.option("--leaf-size N",
+                       "most triangles in a leaf, 1 to 16 (" + std::to_string(defaults.leafSize) + ")",
+                       integer<int>(options.leafSize, 1, kLargestLeafSize));
+    std::vector<std::string> widths;
+    for (const int width : nodeWidths()) widths.push_back(std::to_string(width));
+    choice("--node-width N", "children of a node", widths, std::to_string(defaults.nodeWidth),
+           [&](const std::string& width) { options.nodeWidth = std::stoi(width); });
+}
+
+std::string treeDescription(const BuildOptions& options) {
+    return options.generalSplit + ", fitted by " + options.fit + ", leaves of up to " +
+           std::to_string(options.leafSize) + " split by " + options.leafSplit + ", " +
+           std::to_string(options.nodeWidth) + " wide";
+}
+
+void addCache(CommandLine& commandLine, TreeChoice& choice) {
+    commandLine.option("--cache DIR",
+                       "keeps built trees in this folder and takes them from there the next time",
+                       [&choice](const std::string& value) {
+                           std::error_code failed;
+                           std::filesystem::create_directories(value, failed);
+                           if (failed) throw Expected{"a folder that exists or can be made"};
+                           choice.cache = value;
+                       });
+}
+
+std::vector<std::string> inputsOf(const Problem& problem) {
+    std::vector<std::string> files = worldFiles(problem);
+    files.push_back(problem.file);
+    files.push_back(problem.robot);
+    return files;
+}
+
+void OutputFiles::addOrStandardOutput(const std::string& option, const std::string& file) {
+    if (file == "-") return claimStandardOutput(option);
+    add(option, file);
+}
+
+void OutputFiles::add(const std::string& option, const std::string& file,
+                      const std::vector<std::string>& endings) {
+    if (file.empty()) return;
+    if (file == "-") throw std::invalid_argument(option + " is '-', expected the name of a file");
+    const auto refuse = [&](const std::string& taken) {
+        throw std::invalid_argument(option + " is '" + file + "', " + taken + ", expected another file");
+    };
+    for (const std::string& input : inputs_) {
+        if (isSameFile(file, input)) refuse("the input file '" + input + "'");
+    }
+    for (const Output& output : outputs_) {
+        if (isSameFile(file, output.file)) refuse("which is also the file of " + output.option);
+    }
+    const std::string ending = boost::to_lower_copy(std::filesystem::path(file).extension().string());
+    if (!endings.empty() && std::find(endings.begin(), endings.end(), ending) == endings.end())
+        throw std::invalid_argument(option + " is '" + file + "', expected a name that ends in " +
+                                    joined(endings, " or "));
+    requireReplaceable(file);
+    outputs_.push_back({option, file});
+}
+
+}  // namespace clearway::cli

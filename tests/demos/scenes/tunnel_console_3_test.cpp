@@ -1,0 +1,227 @@
+// The tunnel console at full size. The checks that it is no toy are in tunnel_console_3_toy_test.cpp.
+#include <boost/test/data/monomorphic.hpp>
+#include <boost/test/data/test_case.hpp>
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <map>
+#include <set>
+#include <stdexcept>
+
+#include "demos/scenes/scene_checks.h"
+#include "demos/scenes/scenes.h"
+#include "support/full_run.h"
+
+BOOST_AUTO_TEST_SUITE(tunnel_console_3_test)
+
+using namespace clearway;
+using namespace clearway::scenes;
+using namespace clearway::testing;
+
+namespace {
+
+SceneOptions atClearance(double clearance) {
+    SceneOptions options = kTunnelConsole3;
+    options.clearance = clearance;
+    return options;
+}
+
+/// The scene at full size, with trees that are built quickly; made once for each clearance.
+struct FullSize {
+    explicit FullSize(double clearance)
+        : scene(makeTunnelConsole3(atClearance(clearance))),
+          part(Model::build(scene.part, buildPreset("fast"))),
+          environment(Model::build(scene.environment, buildPreset("fast"))) {}
+
+    GeneratedScene scene;
+    Model part, environment;
+};
+
+const FullSize& fullSize(double clearance) {
+    static std::map<double, FullSize> made;
+    return made.try_emplace(clearance, clearance).first->second;
+}
+
+/// Clearances of the full size, of which 10 mm is only tried with CLEARWAY_FULL=1.
+const auto kClearances =
+    boost::unit_test::data::make(isFullRun() ? std::vector<double>{10, 2} : std::vector<double>{2});
+
+bool isWithin(std::size_t count, std::size_t wanted, double share) {
+    return count <= wanted && static_cast<double>(count) >= (1 - share) * static_cast<double>(wanted);
+}
+
+/// True when the part's convex hull has at least twice its volume.
+bool isHollow(const Mesh& part) {
+    std::vector<Vector3> some;  // some vertices: their hull lies within the hull of all
+    for (std::size_t i = 0; i < part.vertices.size(); i += part.vertices.size() / 400)
+        some.push_back(part.vertices[i]);
+    return signedVolume(convexHull(some)) >= 2 * signedVolume(part);
+}
+
+std::string stem(const std::string& name) {
+    const std::size_t end = name.find_last_not_of("0123456789");
+    return end + 1 < name.size() && name[end] == '_' ? name.substr(0, end) : name;
+}
+
+}  // namespace
+
+BOOST_DATA_TEST_CASE(it_has_the_triangles_and_the_components_of_a_real_one, kClearances, clearance) {
+    const GeneratedScene& scene = fullSize(clearance).scene;
+    BOOST_TEST(isWithin(scene.part.triangles.size(), 73425, 0.005));
+    BOOST_TEST(isWithin(scene.environment.triangles.size(), 300401, 0.005));
+    std::set<std::string> kinds;
+    for (const Mesh* mesh : {&scene.part, &scene.environment}) {
+        testNamedClosedSolids(*mesh);
+        testSlivers(*mesh);
+        for (const Component& component : mesh->components) kinds.insert(stem(component.name));
+    }
+    BOOST_TEST(scene.part.components.size() >= 60);
+    BOOST_TEST(scene.environment.components.size() >= 150);
+    BOOST_TEST(kinds.size() >= 50);
+    BOOST_TEST(isHollow(scene.part));
+    BOOST_TEST(std::abs(boundingBox(scene.part).diagonal().norm() - 900) < 10);
+}
+
+BOOST_DATA_TEST_CASE(smaller_and_larger_ones_reach_their_triangles,
+                     boost::unit_test::data::make(isFullRun() ? std::vector<std::size_t>{20000, 150000}
+                                                              : std::vector<std::size_t>{20000}),
+                     triangles) {
+    const GeneratedScene scene = makeTunnelConsole3({3, triangles, 4 * triangles, 10});
+    BOOST_TEST(isWithin(scene.part.triangles.size(), triangles, 0.02));
+    BOOST_TEST(isWithin(scene.environment.triangles.size(), 4 * triangles, 0.02));
+    BOOST_TEST(isHollow(scene.part));
+}
+
+BOOST_DATA_TEST_CASE(the_path_keeps_the_clearance_and_is_tight_for_three_tenths, kClearances, clearance) {
+    const FullSize& made = fullSize(clearance);
+    const PathClearance walk =
+        walkPath(made.part, made.environment, made.scene.path, clearance, 1.5 * clearance, 5);
+    BOOST_TEST_MESSAGE("least " << walk.least << " mm, " << 100 * walk.tightLength / walk.length
+                                << " % tight");
+    BOOST_TEST(walk.proven);
+    BOOST_TEST(walk.tightLength >= 0.3 * walk.length);
+}
+
+namespace {
+
+/// Options of a size that is made quickly.
+SceneOptions small(std::uint64_t seed = 1, double clearance = 10) {
+    return {seed, 28000, 120000, clearance};
+}
+
+std::string refusal(const SceneOptions& options) {
+    try {
+        makeTunnelConsole3(options);
+    } catch (const std::invalid_argument& error) {
+        return error.what();
+    }
+    return "not refused";
+}
+
+bool begins(const std::string& text, const std::string& with) {
+    return text.rfind(with, 0) == 0;
+}
+
+}  // namespace
+
+BOOST_DATA_TEST_CASE(other_seeds_and_clearances_are_as_good,
+                     boost::unit_test::data::make(isFullRun() ? std::vector<std::uint64_t>{2, 3, 4, 5}
+                                                              : std::vector<std::uint64_t>{2, 5}) ^
+                         boost::unit_test::data::make(isFullRun() ? std::vector<double>{25, 10, 2, 1}
+                                                                  : std::vector<double>{25, 1}),
+                     seed, clearance) {
+    const GeneratedScene scene = makeTunnelConsole3(small(seed, clearance));
+    for (const Mesh* mesh : {&scene.part, &scene.environment}) {
+        testNamedClosedSolids(*mesh);
+        testSlivers(*mesh);
+        for (const Vector3& v : mesh->vertices) BOOST_REQUIRE((v == v.cast<float>().cast<double>()));
+    }
+    BOOST_TEST(std::abs(boundingBox(scene.part).diagonal().norm() - 900) < 10);
+    BOOST_TEST(scene.problem.fineness.value() == 0.8);  // half of the skins' 1.6 mm
+    const PathClearance walk = walkPath(scene, clearance, 1.5 * clearance, 5);
+    BOOST_TEST_MESSAGE("seed " << seed << ": least " << walk.least << " mm, "
+                               << 100 * walk.tightLength / walk.length << " % tight");
+    BOOST_TEST(walk.proven);
+    BOOST_TEST(walk.tightLength >= 0.3 * walk.length);
+}
+
+BOOST_AUTO_TEST_CASE(the_seed_alone_decides) {
+    const GeneratedScene one = makeTunnelConsole3(small()), again = makeTunnelConsole3(small()),
+                         other = makeTunnelConsole3(small(2));
+    BOOST_TEST((one.part.vertices == again.part.vertices));
+    BOOST_TEST((one.environment.vertices == again.environment.vertices));
+    BOOST_TEST((one.part.triangles == again.part.triangles));
+    BOOST_TEST((one.environment.triangles == again.environment.triangles));
+    BOOST_TEST((one.part.vertices != other.part.vertices));
+    BOOST_TEST((one.environment.vertices != other.environment.vertices));
+}
+
+BOOST_DATA_TEST_CASE(the_problem_starts_inside_and_ends_outside, kClearances, clearance) {
+    const GeneratedScene& scene = fullSize(clearance).scene;
+    const Problem& problem = scene.problem;
+    BOOST_REQUIRE(problem.volume.has_value());
+    for (const PartState& state : scene.path) BOOST_TEST(problem.volume->contains(state.position));
+    BOOST_TEST((problem.start.position == scene.path.front().position));
+    BOOST_TEST((problem.goal.position == scene.path.back().position));
+    Box tunnel, atStart, atGoal;
+    for (const Component& component : scene.environment.components) {
+        if (!begins(component.name, "tunnel_skin")) continue;
+        for (std::uint32_t i = 0; i < component.triangleCount; ++i) {
+            for (const Vector3& p : cornersOf(scene.environment, component.firstTriangle + i))
+                tunnel.extend(p);
+        }
+    }
+    for (const Vector3& v : scene.part.vertices) {
+        atStart.extend(poseOf(problem.start) * v);
+        atGoal.extend(poseOf(problem.goal) * v);
+    }
+    BOOST_TEST(tunnel.contains(atStart));
+    BOOST_TEST(!tunnel.intersects(atGoal));
+}
+
+BOOST_AUTO_TEST_CASE(the_oracle_finds_no_less_clearance_on_the_path) {
+    const GeneratedScene scene = makeTunnelConsole3(small());
+    const MeshOracle oracle(scene.part, scene.environment);
+    for (std::size_t i = 0; i + 1 < scene.path.size(); i += 3) {
+        for (const double t : {0.0, 0.5}) {
+            const Pose pose = poseOf(between(scene.path[i], scene.path[i + 1], t));
+            BOOST_TEST(oracle.distance(pose).distance >= 10);
+        }
+    }
+    BOOST_TEST(oracle.distance(poseOf(scene.path.back())).distance >= 10);
+}
+
+/// The path except for its last motion leads from the assembled pose to where the part has left the tunnel.
+BOOST_AUTO_TEST_CASE(the_sheets_keep_farther_off_than_the_parts_at_the_gap) {
+    const GeneratedScene scene = makeTunnelConsole3(small());
+    Mesh sheets;
+    sheets.vertices = scene.environment.vertices;
+    for (const Component& component : scene.environment.components) {
+        if (!begins(component.name, "floor_pan") && !begins(component.name, "tunnel_")) continue;
+        const auto first = scene.environment.triangles.begin() + component.firstTriangle;
+        sheets.triangles.insert(sheets.triangles.end(), first, first + component.triangleCount);
+    }
+    const Model part = Model::build(scene.part), far = Model::build(sheets);
+    Workspace workspace;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i + 2 < scene.path.size(); ++i) {
+        for (const double t : {0.0, 0.5}) {
+            const Pose pose = poseOf(between(scene.path[i], scene.path[i + 1], t));
+            least = std::min(least, distance(part, far, pose, {}, workspace).lower);
+        }
+    }
+    BOOST_TEST_MESSAGE("sheets at least " << least << " mm off");
+    BOOST_TEST(least >= 2 * 10);
+}
+
+BOOST_AUTO_TEST_CASE(what_cannot_be_made_is_refused_by_name) {
+    BOOST_TEST(begins(refusal({1, 1000, 60000, 10}), "part-triangles is 1000, expected "));
+    BOOST_TEST(begins(refusal({1, 20000, 1000, 10}), "environment-triangles is 1000, expected "));
+    BOOST_TEST(begins(refusal({1, 4000001, 60000, 10}), "part-triangles is 4000001, expected "));
+    for (const double clearance : {0.0, -3.0, 0.9, 26.0, std::nan(""), 1e300}) {
+        const std::string said = refusal({1, 20000, 60000, clearance});
+        BOOST_TEST(begins(said, "clearance is "));
+        BOOST_TEST(said.find(", expected 1 to 25") != std::string::npos);
+    }
+}
+
+BOOST_AUTO_TEST_SUITE_END()

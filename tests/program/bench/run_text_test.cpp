@@ -1,0 +1,76 @@
+#include "program/bench/run_text.h"
+
+#include <boost/test/unit_test.hpp>
+#include <stdexcept>
+
+#include "demos/study/study_run_text.h"
+#include "support/window_scene.h"
+
+namespace clearway::study {
+
+BOOST_AUTO_TEST_SUITE(run_text_test)
+
+namespace {
+
+BOOST_AUTO_TEST_CASE(a_benchmarks_run_is_read_as_it_was_told) {
+    ToldRun told;
+    told.run.properties = {
+        {"time REAL", "0.1"}, {"status ENUM", "6"}, {"name VARCHAR", "a \"b\"; c,\n\xc3\xa9"}};
+    told.run.progress = {{{"time REAL", "0.05"}}, {{"time REAL", "0.1"}, {"best cost REAL", "inf"}}};
+    told.run.isSolved = true;
+    told.run.length = 1.0 / 3;
+    const auto window = testing::windowScene();
+    told.run.path = {window.problem.start, window.problem.goal};
+    told.run.path[0].position.x() = 0.1 + 0.2;  // needs 17 digits
+    told.warnings = {"one", "two"};
+    const ToldRun read = readToldRun(textOf(told), "a run");
+    BOOST_TEST((read.run.properties == told.run.properties));
+    BOOST_TEST((read.run.progress == told.run.progress));
+    BOOST_TEST(read.run.isSolved);
+    BOOST_TEST(read.run.length == told.run.length);
+    BOOST_TEST_REQUIRE(read.run.path.size() == 2u);
+    for (std::size_t i = 0; i < 2; ++i) {
+        BOOST_TEST((read.run.path[i].position == told.run.path[i].position));
+        BOOST_TEST((read.run.path[i].rotation.coeffs() == told.run.path[i].rotation.coeffs()));
+    }
+    BOOST_TEST(read.warnings == told.warnings, boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(a_studys_run_is_read_as_it_was_told) {
+    StudyRun run;
+    run.row.scene = "window";
+    run.row.planner = "RRT";
+    run.row.generalSplit = "sah";
+    run.row.leafSplit = "none";
+    run.row.seed = 7;
+    run.row.seconds = 1.0 / 3;
+    run.row.stateChecks = 12;
+    run.calls = "state 1 2 3\n\n";
+    run.machine = "a processor, avx2";
+    const StudyRun read = readStudyRun(textOf(run), "a run");
+    BOOST_TEST(cellsOf(runColumns(), read.row) == cellsOf(runColumns(), run.row),
+               boost::test_tools::per_element());
+    BOOST_TEST((read.calls == run.calls));
+    BOOST_TEST(read.machine == run.machine);
+    run.calls.reset();
+    BOOST_TEST(!readStudyRun(textOf(run), "a run").calls);
+}
+
+BOOST_AUTO_TEST_CASE(a_text_that_is_no_run_is_refused_by_name) {
+    const std::string whole = textOf(ToldRun());
+    for (const std::string& text : {std::string(), whole.substr(0, whole.size() / 2), std::string("{}"),
+                                    std::string("[1, 2]"), textOf(StudyRun())}) {
+        BOOST_CHECK_EXCEPTION(readToldRun(text, "RRT, seed 3"), std::runtime_error, [](const auto& error) {
+            return std::string(error.what()).find("the process of RRT, seed 3 printed is no run") !=
+                   std::string::npos;
+        });
+    }
+    std::string wrong = textOf(StudyRun());
+    wrong.replace(wrong.find("\"row\":["), 7, "\"row\":[\"more\",");
+    BOOST_CHECK_THROW(readStudyRun(wrong, "a run"), std::runtime_error);
+}
+
+}  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace clearway::study
