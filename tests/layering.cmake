@@ -23,16 +23,15 @@ set(c_may_include)
 set(library core mesh tree build kernels exact query model scene isosurface shrink swept problem c)
 
 # The rooms of planning, each above those it may include.
-set(planning/validity_may_include core model problem)
-set(planning/samplers_may_include core model problem planning/validity)
-set(planning/motion_may_include core model problem planning/validity)
-set(planning/objectives_may_include core model problem planning/validity planning/motion)
-set(planning/paths_may_include core model problem planning/validity planning/motion)
-set(planning/planners_may_include core model problem planning/validity planning/motion planning/objectives planning/paths)
-set(planning/setup_may_include core model problem planning/validity planning/motion planning/objectives planning/samplers
-                               planning/paths planning/planners)
-set(planning planning/validity planning/motion planning/objectives planning/samplers planning/paths planning/planners
-             planning/setup)
+set(planning/space_may_include core model problem)
+set(planning/check_may_include core model problem planning/space)
+set(planning/objectives_may_include core model problem planning/space planning/check)
+set(planning/improve_may_include core model problem planning/space planning/check)
+set(planning/diagnose_may_include core model problem planning/space planning/check)
+set(planning/planners_may_include core model problem planning/space planning/check planning/objectives planning/improve)
+set(planning/plan_may_include core model problem planning/space planning/check planning/objectives planning/improve planning/diagnose
+                              planning/planners)
+set(planning planning/space planning/check planning/objectives planning/improve planning/diagnose planning/planners planning/plan)
 
 # The program's rooms see the library through its public headers and core. Below the command line and what it prints, they are options.
 set(program/render_may_include core mesh model problem)
@@ -49,13 +48,13 @@ set(demos demos/scenes demos/study)
 set(layers ${library} ${planning} ${program} ${demos})
 
 # The room of planning that holds each public planning header's source: including the header counts as including the room.
-set(validity_headers ompl_messages.h validity_checker.h state_to_pose.h displacement_bound.h outside_goal.h)
-set(motion_headers motion_validator.h)
+set(space_headers ompl_messages.h state_to_pose.h state_motion.h se3_space.h displacement_bound.h outside_goal.h valid_state_samplers.h)
+set(check_headers validity_checker.h motion_validator.h audit.h)
 set(objectives_headers clearance_objectives.h objectives.h)
-set(samplers_headers valid_state_samplers.h)
-set(planners_headers planners.h)
-set(paths_headers audit.h simplify.h)
-set(setup_headers problem_setup.h plan.h plan_setup.h finish.h check_path.h)
+set(improve_headers simplify.h)
+set(diagnose_headers why_no_path.h)
+set(planners_headers planners.h planner_team.h sliding_rrt_connect.h)
+set(plan_headers problem_setup.h plan.h plan_setup.h finish.h check_path.h explain.h)
 
 # Public headers that only declare values and free functions are open to every layer, the others from model on.
 set(value_headers types.h mesh.h build_options.h build_report.h query.h sweep.h targets.h)
@@ -91,7 +90,7 @@ function(refuse file directive rule)
   set(violations ${violations} PARENT_SCOPE)
 endfunction()
 
-# The room of a path below src, or of one in a folder of demos: "planning/motion" for planning/motion/motion.cpp, "build" for
+# The room of a path below src, or of one in a folder of demos: "planning/check" for planning/check/motion.cpp, "build" for
 # build/split/sah.cpp.
 function(room_of path room_variable)
   string(REGEX MATCH "^((planning|program|demos)/[^/]*|[^/]*)/" room "${path}")

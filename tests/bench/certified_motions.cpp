@@ -28,7 +28,7 @@
 #include "clearway/scene_clearance.h"
 #include "core/clock.h"
 #include "core/number.h"
-#include "planning/validity/ompl_states.h"
+#include "planning/space/ompl_states.h"
 
 namespace clearway::testing::certified_motions {
 namespace {

@@ -19,7 +19,7 @@
 #include "clearway/planning/validity_checker.h"
 #include "core/number.h"
 #include "core/replace_file.h"
-#include "planning/validity/ompl_states.h"
+#include "planning/space/ompl_states.h"
 
 namespace clearway::testing::fcl_first_path {
 namespace {

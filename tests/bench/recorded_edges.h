@@ -9,7 +9,7 @@
 #include "clearway/planning/validity_checker.h"
 #include "clearway/problem.h"
 #include "clearway/scene.h"
-#include "planning/validity/ompl_states.h"
+#include "planning/space/ompl_states.h"
 
 namespace clearway::testing {
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "planning/validity/ompl_states.h"
+#include "planning/space/ompl_states.h"
 
 namespace clearway::testing {
 namespace {

@@ -13,7 +13,7 @@
 #include "clearway/planning/planners.h"
 #include "clearway/planning/validity_checker.h"
 #include "core/number.h"
-#include "planning/validity/ompl_states.h"
+#include "planning/space/ompl_states.h"
 #include "support/processor_time.h"
 
 namespace clearway::testing {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "planning/validity/ompl_states.h"
+#include "planning/space/ompl_states.h"
 #include "support/random_meshes.h"
 #include "support/winding.h"
 

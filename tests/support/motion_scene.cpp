@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "demos/scenes/scenes.h"
-#include "planning/validity/ompl_states.h"
+#include "planning/space/ompl_states.h"
 #include "support/window_scene.h"
 
 namespace clearway::testing {

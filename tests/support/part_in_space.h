@@ -8,7 +8,7 @@
 
 #include "clearway/planning/motion_validator.h"
 #include "clearway/planning/validity_checker.h"
-#include "planning/validity/ompl_states.h"
+#include "planning/space/ompl_states.h"
 
 namespace clearway::testing {
 

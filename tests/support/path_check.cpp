@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "clearway/planning/state_to_pose.h"
-#include "planning/validity/ompl_states.h"
+#include "planning/space/ompl_states.h"
 
 namespace clearway::testing {
 

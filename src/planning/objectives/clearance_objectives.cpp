@@ -11,11 +11,11 @@
 
 #include "clearway/planning/validity_checker.h"
 #include "core/number.h"
-#include "planning/motion/motion_search.h"
-#include "planning/motion/motion_sweep.h"
+#include "planning/check/motion_search.h"
+#include "planning/check/motion_sweep.h"
+#include "planning/check/posed_scene.h"
 #include "planning/objectives/closeness_weight.h"
-#include "planning/validity/ompl_states.h"
-#include "planning/validity/posed_scene.h"
+#include "planning/space/ompl_states.h"
 
 namespace clearway::planning {
 namespace {

@@ -7,7 +7,7 @@
 #include <functional>
 #include <optional>
 
-#include "planning/motion/motion.h"
+#include "planning/check/motion.h"
 
 namespace clearway::planning {
 

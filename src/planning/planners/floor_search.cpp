@@ -13,11 +13,11 @@
 #include "clearway/planning/sliding_rrt_connect.h"
 #include "clearway/planning/validity_checker.h"
 #include "core/clock.h"
-#include "planning/motion/floor_validator.h"
-#include "planning/paths/elastic_band.h"
-#include "planning/paths/room_both_ways.h"
+#include "planning/check/floor_validator.h"
+#include "planning/improve/elastic_band.h"
+#include "planning/improve/room_both_ways.h"
 #include "planning/planners/other_ways.h"
-#include "planning/validity/ompl_states.h"
+#include "planning/space/ompl_states.h"
 
 namespace clearway::planning {
 namespace {

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "clearway/planning/motion_validator.h"
-#include "planning/paths/unwind.h"
+#include "planning/improve/unwind.h"
 
 namespace clearway::planning {
 

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "clearway/planning/motion_validator.h"
-#include "planning/paths/part_moves.h"
-#include "planning/validity/ompl_states.h"
+#include "planning/improve/part_moves.h"
+#include "planning/space/ompl_states.h"
 
 namespace clearway::planning {
 

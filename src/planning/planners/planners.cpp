@@ -50,7 +50,7 @@
 #include "core/number.h"
 #include "core/text.h"
 #include "planning/planners/rising_floor.h"
-#include "planning/validity/ompl_states.h"
+#include "planning/space/ompl_states.h"
 
 namespace clearway::planning {
 namespace {

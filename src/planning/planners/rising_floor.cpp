@@ -11,8 +11,8 @@
 #include "clearway/planning/clearance_objectives.h"
 #include "clearway/planning/validity_checker.h"
 #include "core/clock.h"
-#include "planning/motion/floor_validator.h"
-#include "planning/validity/ompl_states.h"
+#include "planning/check/floor_validator.h"
+#include "planning/space/ompl_states.h"
 
 namespace clearway::planning {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "clearway/scene_clearance.h"
-#include "planning/paths/contact_planes.h"
+#include "planning/improve/contact_planes.h"
 
 namespace clearway::planning {
 

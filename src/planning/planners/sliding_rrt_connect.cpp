@@ -11,9 +11,9 @@
 #include <utility>
 
 #include "clearway/planning/clearance_objectives.h"
-#include "planning/motion/forward_check.h"
+#include "planning/check/forward_check.h"
 #include "planning/planners/slide_contacts.h"
-#include "planning/validity/ompl_states.h"
+#include "planning/space/ompl_states.h"
 
 namespace clearway::planning {
 

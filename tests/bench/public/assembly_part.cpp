@@ -13,7 +13,7 @@
 #include "clearway/planning/validity_checker.h"
 #include "core/clock.h"
 #include "core/number.h"
-#include "planning/validity/ompl_states.h"
+#include "planning/space/ompl_states.h"
 
 namespace clearway::testing::public_problems {
 namespace {

@@ -13,7 +13,7 @@
 #include "clearway/planning/plan.h"
 #include "core/clock.h"
 #include "core/number.h"
-#include "planning/validity/ompl_states.h"
+#include "planning/space/ompl_states.h"
 #include "support/oracle.h"
 #include "support/path_check.h"
 

@@ -6,7 +6,7 @@
 #include "clearway/planning/se3_space.h"
 #include "core/number.h"
 #include "core/text.h"
-#include "planning/validity/ompl_states.h"
+#include "planning/space/ompl_states.h"
 #include "support/oracle.h"
 #include "support/path_check.h"
 

@@ -5,7 +5,7 @@
 
 #include "clearway/planning/ompl_messages.h"
 #include "demos/study/recorder.h"
-#include "planning/validity/ompl_states.h"
+#include "planning/space/ompl_states.h"
 #include "program/bench/planner_run.h"
 #include "support/gates_scene.h"
 #include "support/processor_time.h"

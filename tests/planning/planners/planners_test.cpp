@@ -11,7 +11,7 @@
 
 #include "clearway/planning/ompl_messages.h"
 #include "clearway/types.h"
-#include "planning/validity/ompl_states.h"
+#include "planning/space/ompl_states.h"
 #include "support/motion_window.h"
 
 namespace clearway::planning {

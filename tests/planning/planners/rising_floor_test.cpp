@@ -19,8 +19,8 @@
 #include "clearway/planning/audit.h"
 #include "clearway/planning/problem_setup.h"
 #include "clearway/planning/validity_checker.h"
-#include "planning/paths/kept_clearance.h"
-#include "planning/paths/unwind.h"
+#include "planning/improve/kept_clearance.h"
+#include "planning/improve/unwind.h"
 #include "support/gates_scene.h"
 #include "support/processor_time.h"
 

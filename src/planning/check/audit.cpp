@@ -1,0 +1,142 @@
+#include "clearway/planning/audit.h"
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+
+#include "clearway/scene_clearance.h"
+#include "planning/space/ompl_states.h"
+
+namespace clearway::planning {
+namespace {
+
+namespace ob = ompl::base;
+namespace og = ompl::geometric;
+
+/// Compares only properties that wrapper spaces (such as CForest's) forward.
+bool isSameKind(const ob::StateSpace& a, const ob::StateSpace& b) {
+    return a.getDimension() == b.getDimension() && a.getSerializationLength() == b.getSerializationLength();
+}
+
+void requireUsable(const og::PathGeometric& path, const MotionValidator& validator) {
+    if (path.getStateCount() == 0) {
+        throw std::invalid_argument("the path has no state, expected at least one");
+    }
+    const ob::StateSpace& space = *path.getSpaceInformation()->getStateSpace();
+    if (isSameKind(space, validator.space())) return;
+    throw std::invalid_argument("the path's states are of the space '" + space.getName() +
+                                "', expected the validator's space '" + validator.space().getName() + "'");
+}
+
+/// Angle between two rotations.
+double angleBetween(const Pose& a, const Pose& b) {
+    return Eigen::Quaterniond(a.rotation).angularDistance(Eigen::Quaterniond(b.rotation));
+}
+
+/// The two ends of a segment.
+struct Ends {
+    const ob::State *from, *to;
+};
+
+template <class Result>
+Result askAt(const og::PathGeometric& path, const MotionValidator& validator, const Ends& ends, double time,
+             Result (MotionValidator::*question)(const ob::State*) const) {
+    if (time == 0) return (validator.*question)(ends.from);
+    if (time == 1) return (validator.*question)(ends.to);
+    const ScratchState state(*path.getSpaceInformation());
+    validator.space().interpolate(ends.from, ends.to, time, state.get());
+    return (validator.*question)(state.get());
+}
+
+std::string troubleOf(const og::PathGeometric& path, const MotionValidator& validator, const Ends& ends,
+                      const MotionReport& motion) {
+    if (motion.verdict == MotionVerdict::kValid) return "";
+    if (!motion.problem.empty()) return "unusable: " + motion.problem;
+    const std::string why = askAt(path, validator, ends, motion.blockedTime, &MotionValidator::whyInvalid);
+    return why.empty() ? "undecided: closer than can be told" : why;
+}
+
+SegmentAudit describe(const og::PathGeometric& path, const MotionValidator& validator, const Ends& ends,
+                      MotionReport motion) {
+    SegmentAudit segment;
+    segment.motion = std::move(motion);
+    segment.trouble = troubleOf(path, validator, ends, segment.motion);
+    if (!segment.motion.problem.empty()) return segment;  // the states have no poses
+    const Pose from = validator.pose(ends.from), to = validator.pose(ends.to);
+    segment.length = (to.translation - from.translation).norm();
+    segment.turned = angleBetween(from, to);
+    segment.X_environmentPart =
+        askAt(path, validator, ends, segment.motion.closestTime, &MotionValidator::pose);
+    const MeshNames names = distinctMeshNames(validator.scene(), segment.motion.closest);
+    segment.partMesh = names.part;
+    segment.environmentMesh = names.environment;
+    return segment;
+}
+
+/// Returns the worse verdict: invalid is worse than undecided.
+MotionVerdict worse(MotionVerdict a, MotionVerdict b) {
+    for (const MotionVerdict verdict : {MotionVerdict::kInvalid, MotionVerdict::kUndecided}) {
+        if (a == verdict || b == verdict) return verdict;
+    }
+    return MotionVerdict::kValid;
+}
+
+void add(PathAudit& audit, SegmentAudit segment) {
+    const MotionReport& motion = segment.motion;
+    const std::size_t index = audit.segments.size();
+    if (!segment.isValid()) audit.notValid.push_back(index);
+    audit.verdict = worse(audit.verdict, motion.verdict);
+    audit.lowerClearance = std::min(audit.lowerClearance, motion.lowerClearance);
+    if (motion.upperClearance < audit.upperClearance) audit.closest = index;
+    audit.upperClearance = std::min(audit.upperClearance, motion.upperClearance);
+    audit.length += segment.length;
+    audit.turned += segment.turned;
+    audit.queries += motion.queries;
+    audit.segments.push_back(std::move(segment));
+}
+
+/// The end of one segment is the beginning of the next one. That point stands in the profile once, as the
+/// next segment's.
+void addProfile(PathAudit& audit, const std::vector<ProfilePoint>& points, double travelBefore,
+                double travel) {
+    const std::size_t segment = audit.segments.size();
+    if (!points.empty() && !audit.profile.empty() && audit.profile.back().time == 1) audit.profile.pop_back();
+    for (const ProfilePoint& point : points) {
+        audit.profile.push_back(
+            {segment, point.time, travelBefore + point.time * travel, point.clearance, point.lowerToNext});
+    }
+}
+
+}  // namespace
+
+PathAudit audit(const og::PathGeometric& path, const MotionValidator& validator,
+                const AuditOptions& options) {
+    requireUsable(path, validator);
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    PathAudit result;
+    result.verdict = MotionVerdict::kValid;
+    result.lowerClearance = result.upperClearance = kInfinity;
+    double travelled = 0;
+    const auto count = static_cast<unsigned int>(path.getStateCount());
+    const auto requireGoingOn = [&] {
+        if (options.isStopped && options.isStopped()) throw AuditStopped("the audit was stopped");
+    };
+    for (unsigned int k = 0; k == 0 || k + 1 < count; ++k) {
+        requireGoingOn();
+        const Ends ends{path.getState(k), path.getState(std::min(k + 1, count - 1))};
+        MotionProfile found;
+        if (options.profile) {
+            found = validator.profile(ends.from, ends.to);
+        } else {
+            found.report = validator.report(ends.from, ends.to);
+        }
+        const double travel = found.report.travel;
+        addProfile(result, found.points, travelled, travel);
+        add(result, describe(path, validator, ends, std::move(found.report)));
+        travelled += travel;
+    }
+    requireGoingOn();  // a motion that was stopped is undecided for no other reason
+    return result;
+}
+
+}  // namespace clearway::planning

@@ -1,0 +1,402 @@
+#include "planning/check/motion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace clearway::planning {
+namespace {
+
+namespace ob = ompl::base;
+
+/// How far a point of the part is, at the pose that was queried, from its place in the motion in exact
+/// arithmetic: a share of the sum of the part's radius, the positions, the length and the margin, whose
+/// subtraction rounds too. In units of 2^-53: in OMPL's slerp the sines, the factors and the sum are off by
+/// at most 10 for each of four entries, which turns the part by at most 40; the matrix adds 18, the position
+/// 4. Altogether less than 2^6.
+constexpr double kPoseRounding = 0x1p-47;
+
+/// How many errors of kPoseRounding can add up over one interval: two per end, three where s2 replaces the
+/// interpolated end. The rest is room.
+constexpr double kRoundingsOfAnInterval = 8;
+
+/// A rough clearance is known to a tenth of itself, which may be all that it has above a floor.
+bool isTooRough(const PoseClearance& found, double floor) {
+    constexpr double kEnough = 0.9;
+    if (floor == 0 || std::isinf(found.upper) || found.upper <= floor) return false;
+    return found.lower - floor < kEnough * (found.upper - floor);
+}
+
+void widen(std::optional<TimeSpan>& span, double time) {
+    if (!span) span = TimeSpan{time, time};
+    span->first = std::min(span->first, time);
+    span->last = std::max(span->last, time);
+}
+
+double least(double a, double b) {
+    return std::min(a, b);
+}
+double most(double a, double b) {
+    return std::max(a, b);
+}
+
+/// Combines two samples: low chooses among their lower bounds, high among their upper bounds.
+template <class Low, class High>
+MotionSample combined(const MotionSample& a, const MotionSample& b, const Low& low, const High& high) {
+    const auto both = [&](const Bounds& x, const Bounds& y) {
+        return Bounds{low(x.lower, y.lower), high(x.upper, y.upper)};
+    };
+    MotionSample result = a;
+    result.room = both(a.room, b.room);
+    result.lower = low(a.lower, b.lower);
+    result.upper = high(a.upper, b.upper);
+    result.always = both(a.always, b.always);
+    for (std::size_t i = 0; i < kMostZones; ++i) {
+        result.zones[i].clearance = both(a.zones[i].clearance, b.zones[i].clearance);
+        result.zones[i].spare = both(a.zones[i].spare, b.zones[i].spare);
+    }
+    return result;
+}
+
+/// Holds wherever the part is moved by at most `jump`.
+MotionSample lessened(const MotionSample& sample, double jump) {
+    const auto less = [jump](double a, double) { return a - jump; };
+    const auto more = [jump](double a, double) { return a + jump; };
+    return combined(sample, sample, less, more);
+}
+
+/// Lets zones that only this sample ignores count, with the room that the sample has there. Their clearance may be unknown.
+MotionSample comparable(MotionSample sample, const MotionSample& other) {
+    for (std::size_t i = 0; i < kMostZones; ++i) {
+        ZoneClearance& zone = sample.zones[i];
+        const bool counts = zone.isIgnored() && !other.zones[i].isIgnored();
+        if (counts) zone.clearance.lower = std::max(zone.clearance.lower, zone.spare.lower);
+    }
+    return sample;
+}
+
+}  // namespace
+
+Motion::Motion(const PosedScene& posed, ClearanceDetail detail, double floor, const ob::State* s1,
+               const ob::State* s2)
+    : posed_(posed),
+      detail_(detail),
+      floor_(floor),
+      s1_(s1),
+      s2_(s2),
+      scratch_(posed.si()),
+      // Sweeps look at the bounds where they look at obstacles.
+      isSwept_(posed.motion() && (posed.areBoundsConvex() || !posed.scene().obstacles.empty())) {}
+
+bool Motion::isEndValid() {
+    if (isEndKnown_) return true;
+    if (!isEndWithinBounds()) return false;
+    if (floor_ > 0) return true;  // asked for states of a path, which mostly keep the floor
+    ++queries_;
+    isOutside_ = isEndKnown_ = posed_.clearance().isFree(posed_.pose(s2_));
+    return isOutside_;
+}
+
+void Motion::measure() {
+    if (isSwept_) motion_ = sweptMotion();
+    length_ = isSwept_ ? motion_.length : travel();
+    // Checked before OMPL interpolates, because OMPL asserts unit quaternions.
+    if (!(length_ >= 0) || !std::isfinite(length_)) {
+        throw std::runtime_error("the motion between two states has no finite displacement bound");
+    }
+    const Scene& scene = posed_.scene();
+    const double position =
+        std::max(posed_.pose(s1_).translation.norm(), posed_.pose(s2_).translation.norm());
+    slack_ = kRoundingsOfAnInterval * kPoseRounding *
+             (scene.part.radiusAboutOrigin() + position + length_ + scene.largestMargin() + floor_);
+    if (!std::isfinite(slack_)) {
+        throw std::runtime_error("one of two states has no pose: an entry is not finite");
+    }
+    checksBoundsBetween_ = !posed_.areBoundsConvex() || !isStartWithinBounds() || !isEndWithinBounds();
+}
+
+bool Motion::isFreeAtStart() {
+    ++queries_;
+    return posed_.si().satisfiesBounds(s1_) && posed_.clearance().isFree(posed_.pose(s1_));
+}
+
+bool Motion::isFreeAt(double time) {
+    posed_.space().interpolate(s1_, s2_, time, scratch_.get());
+    ++queries_;
+    return posed_.clearance().isFree(posed_.pose(scratch_.get()));
+}
+
+SceneSweep Motion::sweep(const SceneSweepOptions& options) {
+    const SceneSweep found = posed_.clearance().sweep(motion_, options);
+    queries_ += found.queries;
+    return found;
+}
+
+/// A sweep that finds more clearance than none proves the ends valid, too, unless s2 is off the interpolation. Whole details
+/// have the ends' distances anyway, and no sweep need look further than these.
+std::optional<LeastClearance> Motion::leastClearance(LeastClearanceOptions options, bool isForReverse) {
+    if (!isStartWithinBounds() || !isEndWithinBounds()) return std::nullopt;
+    const double jump = isForReverse ? slack_ + motion_.endJump : 0;
+    options.poseError = 0.5 * slack_ + jump;
+    std::vector<MotionSample> ends;
+    if (detail_ == ClearanceDetail::kWhole) ends.push_back(atStart(options.cap));
+    if (!ends.empty() || jumpsAtEnd()) ends.push_back(atEnd(options.cap));
+    Bounds atEnds;
+    for (const MotionSample& sample : ends) {
+        if (!sample.isValid()) return std::nullopt;
+        if (sample.upper < atEnds.upper) leastTime_ = sample.time;
+        atEnds = {std::min(atEnds.lower, sample.lower), std::min(atEnds.upper, sample.upper)};
+    }
+    if (atEnds.upper < options.cap) {
+        options.cap = std::max(0.0, atEnds.upper - options.resolution.of(atEnds.upper));
+    }
+    LeastClearance found;
+    found.upper = options.cap;
+    if (options.cap > 0) {
+        found = posed_.clearance().leastClearance(motion_, options);
+        queries_ += found.queries;
+        if (found.time) leastTime_ = found.time;
+    }
+    found.lower = std::min(found.lower, atEnds.lower - jump);
+    found.upper = std::min(found.upper, atEnds.upper);
+    found.time = leastTime_;
+    if (found.lower > 0) return hasSolids() && !isFreeAtStart() ? std::nullopt : std::optional(found);
+    return leastWithoutRoom(found, options);
+}
+
+/// A pose has so little clearance that 0 is close enough a bound. Only contact is of interest then, which a search for the
+/// least clearance would look for in pieces as short as the resolution.
+std::optional<LeastClearance> Motion::leastWithoutRoom(LeastClearance found,
+                                                       const LeastClearanceOptions& options) {
+    SceneSweepOptions asked;
+    asked.poseError = options.poseError;
+    asked.leastInterval = options.resolution.least;
+    asked.isStopped = options.isStopped;
+    const SweepVerdict verdict = sweep(asked).verdict;
+    const bool isValid = verdict != SweepVerdict::kContact && isFreeAtStart() && isEndValid() &&
+                         (!leastTime_ || *leastTime_ == 1 || isFreeAt(*leastTime_));
+    if (!isValid) return std::nullopt;
+    found.lower = verdict == SweepVerdict::kCertified ? 0 : -posed_.scene().largestMargin();
+    return found;
+}
+
+SolidsAlong Motion::stayOutsideSolids(double until, double leastInterval) const {
+    return posed_.clearance().stayOutsideSolids(motion_, until, 0.5 * slack_, leastInterval);
+}
+
+/// Where the bounds are not convex, poses outside of them are forbidden.
+PartMotion Motion::sweptMotion() {
+    PartMotion motion = posed_.motion()(s1_, s2_);
+    if (posed_.areBoundsConvex()) return motion;
+    motion.pieces = [this, pieces = std::move(motion.pieces)](double from, double to) {
+        MotionPiece piece = pieces(from, to);
+        piece.isForbidden = piece.isForbidden || !isWithinBoundsAt(from + 0.5 * (to - from));
+        return piece;
+    };
+    return motion;
+}
+
+bool Motion::isWithinBoundsAt(double time) {
+    posed_.space().interpolate(s1_, s2_, time, scratch_.get());
+    return posed_.si().satisfiesBounds(time == 1 ? s2_ : scratch_.get());
+}
+
+bool Motion::isEndLikeInterpolation() {
+    if (isEndKnown_ && floor_ == 0) return true;
+    if (!jumpsAtEnd() && !hasSolids()) return true;
+    return isEndValid() && (floor_ == 0 || atEnd(std::numeric_limits<double>::denorm_min()).isValid());
+}
+
+bool Motion::isShort() const {
+    constexpr double kShare = 0.02;  // of the part's diagonal
+    return length_ <= kShare * posed_.scene().part.box().diagonal().norm();
+}
+
+TimeSpan Motion::leavesBounds(double length) {
+    if (isEndWithinBounds()) return {1, 1};
+    return change({0, 1}, length,
+                  [this](const ob::State* state) { return !posed_.si().satisfiesBounds(state); });
+}
+
+/// Halves the span, whose ends differ in `isTrue`, until it is shorter than a length.
+template <class IsTrue>
+TimeSpan Motion::change(TimeSpan span, double length, const IsTrue& isTrue) {
+    while (length_ * (span.last - span.first) > length) {
+        const double time = span.first + 0.5 * (span.last - span.first);
+        if (!(time > span.first && time < span.last)) break;
+        posed_.space().interpolate(s1_, s2_, time, scratch_.get());
+        (isTrue(scratch_.get()) ? span.last : span.first) = time;
+    }
+    return span;
+}
+
+void Motion::lookAtReported(double certifiedTime, double blockedTime) {
+    constexpr double kFully = std::numeric_limits<double>::infinity();
+    forgetSide();
+    atStart(kFully);
+    if (certifiedTime == 1) {
+        atEnd(kFully);
+        if (leastTime_ && *leastTime_ < 1) at(*leastTime_, kFully);
+        return;
+    }
+    forgetSide();
+    if (certifiedTime > 0) at(certifiedTime, kFully);
+    if (blockedTime > 0 && blockedTime < 1) at(blockedTime, kFully);
+    if (blockedTime == 1) look(s2_, 1, kFully, true);
+}
+
+double Motion::longestProfiled(double clearance) const {
+    constexpr double kShare = 0.02;  // of the part's diagonal: a curve through the points shows what happens
+    constexpr double kClearanceShare = 0.1;  // of the clearance, which changes no faster than the pose
+    const double least = kShare * posed_.scene().part.box().diagonal().norm();
+    // Obstacles that count at neither end may count between them.
+    if (std::isinf(clearance) && zoneCount() > 0) return least;
+    return std::max(least, kClearanceShare * clearance);
+}
+
+double Motion::profileWidth() const {
+    constexpr double kShare = 1e-3;
+    return kShare * posed_.scene().part.box().diagonal().norm();
+}
+
+void Motion::findContactSpans(double length) {
+    if (zoneCount() == 0) return;
+    startContact_ = spanOf(length, [](const ContactsAt& at) { return at.isInStart; });
+    goalContact_ = spanOf(length, [](const ContactsAt& at) { return at.isInGoal; });
+}
+
+template <class IsIn>
+std::optional<TimeSpan> Motion::spanOf(double length, const IsIn& isIn) {
+    constexpr int kPoses = 64;
+    const auto isInAt = [&](const ob::State* state) {
+        return isIn(posed_.clearance().contactsAt(posed_.pose(state)));
+    };
+    std::vector<double> within;
+    for (int i = 0; i <= kPoses; ++i) {
+        const double time = double(i) / kPoses;
+        posed_.space().interpolate(s1_, s2_, time, scratch_.get());
+        if (isInAt(i == kPoses ? s2_ : scratch_.get())) within.push_back(time);
+    }
+    if (within.empty()) return std::nullopt;
+    TimeSpan span{within.front(), within.back()};
+    const double step = 1.0 / kPoses;
+    if (span.first > 0) span.first = change({span.first - step, span.first}, length, isInAt).last;
+    if (span.last < 1) {
+        span.last = change({span.last, span.last + step}, length, [&](const ob::State* s) {
+                        return !isInAt(s);
+                    }).first;
+    }
+    return span;
+}
+
+std::vector<MotionSample> Motion::lookAhead(double from, int poses) {
+    constexpr double kFully = std::numeric_limits<double>::infinity();
+    forgetSide();
+    std::vector<MotionSample> samples;
+    for (int i = 1; i < poses; ++i) {
+        const double time = from + (1 - from) * i / poses;
+        if (time > from && time < 1) samples.push_back(at(time, kFully));
+    }
+    samples.push_back(atEnd(kFully));
+    if (samples.back().time < 1) samples.push_back(look(s2_, 1, kFully, true));  // only s2 itself is valid
+    return samples;
+}
+
+MotionSample Motion::atStart(double wanted) {
+    const MotionSample start = look(s1_, 0, wanted, true);
+    isOutside_ = isOutside_ || start.isValid();
+    return start;
+}
+
+MotionSample Motion::at(double time, double wanted) {
+    posed_.space().interpolate(s1_, s2_, time, scratch_.get());
+    return look(scratch_.get(), time, wanted, checksBoundsBetween_);
+}
+
+MotionSample Motion::atEnd(double wanted) {
+    MotionSample end = look(s2_, 1, wanted, true);
+    if (!end.isValid() || length_ == 0) return end;
+    isOutside_ = true;
+    endJump_ = findEndJump();
+    const MotionSample certain = lessened(end, endJump_);
+    const bool isCovered = certain.room.lower > end.room.lower / 2;
+    if (isCovered && (detail_ != ClearanceDetail::kWhole || endJump_ <= slack_)) return certain;
+    if (!isCovered) {
+        // The end's clearance does not cover the jump between the two poses: solids may lie between them.
+        isOutside_ = false;
+        end = look(s2_, 1, wanted, true);
+    }
+    const MotionSample interpolated = at(kJustBeforeEnd, wanted);
+    if (!end.isValid() || !interpolated.isValid()) return end.isValid() ? interpolated : end;
+    isOutside_ = true;
+    const MotionSample both =
+        combined(comparable(end, interpolated), comparable(interpolated, end), least, most);
+    return combined(certain, both, most, least);
+}
+
+double Motion::findEndJump() const {
+    posed_.space().interpolate(s1_, s2_, 1, scratch_.get());
+    const double jump = posed_.bound(scratch_.get(), s2_);
+    if (std::isfinite(jump)) return jump;
+    throw std::runtime_error("the jump at the end of the interpolation has no finite displacement bound");
+}
+
+MotionSample Motion::look(const ob::State* state, double time, double wanted, bool checksBounds) {
+    if (checksBounds && !posed_.si().satisfiesBounds(state)) {
+        MotionSample outside;
+        outside.time = time;
+        outside.isOutOfBounds = true;
+        return outside;
+    }
+    ClearanceOptions options;
+    options.isOutside = isOutside_;
+    options.isRough = detail_ == ClearanceDetail::kRough;
+    options.leastSpare = 2 * (length_ + slack_);
+    if (detail_ != ClearanceDetail::kWhole) {
+        options.leastSpare = wanted;
+        options.cap = wanted + floor_;
+    }
+    const bool isEnd = detail_ == ClearanceDetail::kWhole && (time == 0 || time == 1);
+    if (isEnd && atEnds_[time == 1]) return sampleOf(time, *atEnds_[time == 1]);
+    const Pose X_environmentPart = posed_.pose(state);
+    PoseClearance found = posed_.clearance().at(X_environmentPart, options);
+    queries_ += found.queries;
+    if (options.isRough && isTooRough(found, floor_)) {
+        options.isRough = false;
+        found = posed_.clearance().at(X_environmentPart, options);
+        queries_ += found.queries;
+    }
+    if (isEnd && (!options.isOutside || !hasSolids())) atEnds_[time == 1] = found;
+    if (found.isInStartContact) widen(startContact_, time);
+    if (found.isInGoalContact) widen(goalContact_, time);
+    if (closest_.queries == 0 || found.lower < closest_.lower) {
+        closest_ = found;
+        closestTime_ = time;
+    }
+    leastUpper_ = std::min(leastUpper_, found.upper);
+    return sampleOf(time, found);
+}
+
+MotionSample Motion::sampleOf(double time, const PoseClearance& found) const {
+    const auto aboveFloor = [this](const Bounds& clearance) {
+        return Bounds{clearance.lower - floor_, clearance.upper - floor_};
+    };
+    MotionSample sample;
+    sample.time = time;
+    sample.lower = found.lower - floor_;
+    sample.upper = found.upper - floor_;
+    sample.always = sample.room = aboveFloor(found.always);
+    for (std::size_t i = 0; i < zoneCount(); ++i) {
+        const Bounds& spare = found.zones[i].spare;
+        const Bounds clearance = aboveFloor(found.zones[i].clearance);
+        sample.zones[i] = {clearance, spare};
+        sample.room.lower = std::min(sample.room.lower, std::max(clearance.lower, spare.lower));
+        sample.room.upper = std::min(sample.room.upper, std::max(clearance.upper, spare.upper));
+    }
+    const bool isValid = sample.lower > 0;
+    sample.room.lower = isValid ? std::max(sample.room.lower, std::numeric_limits<double>::denorm_min())
+                                : std::min(sample.room.lower, sample.lower);
+    return sample;
+}
+
+}  // namespace clearway::planning

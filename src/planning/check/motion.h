@@ -1,0 +1,185 @@
+// One motion of the part, and how much room the part has at the poses of that motion.
+#pragma once
+
+#include <ompl/base/SpaceInformation.h>
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "clearway/planning/motion_validator.h"
+#include "clearway/scene_clearance.h"
+#include "planning/check/posed_scene.h"
+#include "planning/space/ompl_states.h"
+
+namespace clearway::planning {
+
+/// The last time of the interpolation; time 1 stands for s2.
+constexpr double kJustBeforeEnd = 1 - 0x1p-53;
+
+/// How closely the clearances along a motion are found.
+enum class ClearanceDetail {
+    kRough,  ///< up to the wanted length, within a tenth
+    kTight,  ///< up to the wanted length, as tight as distances come
+    kWhole,  ///< as tight, whatever length is wanted
+};
+
+/// The clearances at one pose of a motion, less the motion's floor.
+struct MotionSample : Clearances {
+    double time = 0;
+    /// How far any point of the part may move while the pose stays valid: distance - margin - floor or, where
+    /// obstacles are ignored, how far they stay ignored. A lower bound of at most 0 means that the pose is
+    /// invalid.
+    Bounds room;
+    bool isOutOfBounds = false;
+
+    MotionSample() { lower = always.lower = room.lower = 0; }  ///< of a pose that no query was asked about
+    bool isValid() const { return room.lower > 0 && !isOutOfBounds; }
+};
+
+/// The motion in exact arithmetic that OMPL's interpolation rounds: no point of the part moves further than
+/// length() |b - a| between its times a and b. The scene and the states must outlive it.
+class Motion {
+  public:
+    /// floor: clearance that is asked of the part on top of the margins.
+    Motion(const PosedScene& posed, ClearanceDetail detail, double floor, const ompl::base::State* s1,
+           const ompl::base::State* s2);
+
+    /// Whether s2 is valid: by far the cheapest test of a motion. Throws what queries and callbacks throw.
+    bool isEndValid();
+
+    /// Finds length() and slack(); call it before anything that follows. Throws std::runtime_error when the
+    /// motion has no finite bound, and what the callbacks throw.
+    void measure();
+
+    double length() const { return length_; }
+
+    /// A length, too, and a tight one: it takes longer than a short motion.
+    double travel() const { return posed_.bound(s1_, s2_); }
+    double floor() const { return floor_; }
+    bool hasSolids() const { return posed_.clearance().hasSolids(); }
+    bool isStartWithinBounds() const { return posed_.si().satisfiesBounds(s1_); }
+    bool isEndWithinBounds() const { return posed_.si().satisfiesBounds(s2_); }
+
+    /// The distance between the states by the space's own metric.
+    double distance() const { return posed_.si().distance(s1_, s2_); }
+
+    /// Whether sweeps can certify the motion. A motion of length 0 is one pose.
+    bool canBeSwept() const { return isSwept_ && length_ > 0; }
+
+    /// Whether the part is free of all obstacles at a pose, within the bounds, and how the whole motion fares. The floor
+    /// counts only in the sweep.
+    bool isFreeAtStart();
+    bool isFreeAt(double time);
+    SceneSweep sweep(const SceneSweepOptions& options);
+
+    /// Bounds of the motion's least clearance up to a cap, s2's besides the end of the interpolation. isForReverse: the
+    /// lower bound is to hold for the motion from s2 to s1, too. Nothing when a pose is invalid.
+    std::optional<LeastClearance> leastClearance(LeastClearanceOptions options, bool isForReverse);
+
+    /// Finds how long a motion that a sweep found free of surfaces until a time stays outside the solids, too.
+    SolidsAlong stayOutsideSolids(double until, double leastInterval) const;
+
+    bool isWithinBoundsAt(double time);
+
+    /// Whether s2, which is within the bounds, is valid and keeps the floor, when a sweep says so of the interpolation to
+    /// its end.
+    bool isEndLikeInterpolation();
+
+    /// Whether s2 is farther from the end of the interpolation than rounding takes it, for a motion that can be swept.
+    bool jumpsAtEnd() const { return motion_.endJump > 0.125 * slack_; }
+
+    /// Whether the motion is so short that sweeping it finds a blocked end as soon as a query there does.
+    bool isShort() const;
+
+    /// The time where the motion leaves the bounds: the last one found within, and one outside, closer than a length. Both
+    /// are 1 when s2 is within.
+    TimeSpan leavesBounds(double length);
+
+    /// Forgets that a pose was found outside of all solids, which says something of other poses only while no surfaces
+    /// touch between the two.
+    void forgetSide() { isOutside_ = false; }
+
+    /// Looks at the poses that a report is about, where a sweep asked for no distance.
+    void lookAtReported(double certifiedTime, double blockedTime);
+
+    /// The longest move between two points of a profile, both of which have this clearance.
+    double longestProfiled(double clearance) const;
+
+    /// Bounds between two points of a profile need not be closer than this.
+    double profileWidth() const;
+
+    /// Finds startContact() and goalContact() to within a length, instead of from the poses looked at.
+    void findContactSpans(double length);
+
+    /// Samples of poses, valid or not, evenly spread over the motion after a time, its end included.
+    std::vector<MotionSample> lookAhead(double from, int poses);
+
+    /// The rooms at both ends must add up to this much more than the motion between them to certify an
+    /// interval, because poses are rounded.
+    double slack() const { return slack_; }
+
+    std::size_t zoneCount() const { return posed_.clearance().zoneCount(); }
+
+    /// The next three functions look at a pose; lengths above `wanted` need not be found. All of them throw
+    /// what queries and callbacks throw.
+    MotionSample atStart(double wanted);
+    MotionSample at(double time, double wanted);  ///< as interpolated; 0 < time < 1
+
+    /// Looks at s2 itself. When s2 is valid, the sample holds what is certain both at s2 and at time 1 of the
+    /// interpolation, which need not be s2: OMPL may leave out rotations of up to 1.6e-4 rad.
+    MotionSample atEnd(double wanted);
+
+    /// No point of the part moves further than this between the end of the interpolation and s2, nor between
+    /// the poses of this motion and those of OMPL's motion from s2 to s1, but for rounding. Known after
+    /// atEnd.
+    double endJump() const { return endJump_; }
+
+    std::uint64_t queries() const { return queries_; }
+    const PoseClearance& closest() const {
+        return closest_;
+    }  ///< of the poses looked at, floor not subtracted
+    double closestTime() const { return closestTime_; }
+    double leastUpper() const { return leastUpper_; }  ///< of the poses looked at, floor not subtracted
+
+    /// The times from the first to the last of the poses looked at that are within the contact zone.
+    const std::optional<TimeSpan>& startContact() const { return startContact_; }
+    const std::optional<TimeSpan>& goalContact() const { return goalContact_; }
+
+  private:
+    MotionSample look(const ompl::base::State* state, double time, double wanted, bool checksBounds);
+    MotionSample sampleOf(double time, const PoseClearance& found) const;
+    double findEndJump() const;
+    PartMotion sweptMotion();
+    std::optional<LeastClearance> leastWithoutRoom(LeastClearance found,
+                                                   const LeastClearanceOptions& options);
+    template <class IsTrue>
+    TimeSpan change(TimeSpan span, double length, const IsTrue& isTrue);
+    template <class IsIn>
+    std::optional<TimeSpan> spanOf(double length, const IsIn& isIn);
+
+    const PosedScene& posed_;
+    ClearanceDetail detail_;
+    double floor_;
+    const ompl::base::State* s1_;
+    const ompl::base::State* s2_;
+    ScratchState scratch_;
+    bool isSwept_;
+    PartMotion motion_;  ///< if isSwept_
+    double length_ = 0;
+    double slack_ = 0;
+    double endJump_ = 0;
+    bool checksBoundsBetween_ = true;
+    bool isEndKnown_ = false;  ///< isEndValid said that s2 is valid
+    bool isOutside_ = false;  ///< no solid that always counts holds the part at one pose, so none does at any
+    std::uint64_t queries_ = 0;
+    PoseClearance closest_;
+    std::optional<PoseClearance> atEnds_[2];  ///< of s1 and s2, which whole details ask for again and again
+    double closestTime_ = 0;
+    std::optional<double> leastTime_;  ///< of the pose that leastClearance found closest
+    double leastUpper_ = std::numeric_limits<double>::infinity();
+    std::optional<TimeSpan> startContact_, goalContact_;
+};
+
+}  // namespace clearway::planning

@@ -1,0 +1,36 @@
+#include "planning/plan/room.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include "clearway/planning/problem_setup.h"
+#include "support/window_scene.h"
+
+namespace clearway::planning {
+
+BOOST_AUTO_TEST_SUITE(room_test)
+
+namespace {
+
+BOOST_AUTO_TEST_CASE(the_end_of_a_path_outside_does_not_limit_the_clearance_it_keeps) {
+    auto window = testing::windowScene();
+    window.problem.outside = Outside{sideNamed("+x")};
+    window.problem.start = {{20, 0, 0}, {1, 0, 0, 0}};  // within the window, which leaves it 11
+    PlanReport report;
+    const PlanSetup setup = makePlanSetup(window.problem, window.scene, PlanOptions(), report);
+    const PartState before = {{50, 0, 0}, {1, 0, 0, 0}},
+                    end = {{32.5, 35, 0}, {1, 0, 0, 0}};  // 0.5 from the wall
+    auto path = pathThrough(setup.si, {window.problem.start, before, end});
+    RoomLimits limits;
+    limits.sweeps = 64;
+    limits.isDue = limits.isSpent = [] { return false; };
+    const RoomReport room = makeRoom(setup, path, limits);
+    BOOST_TEST(room.before <= 0.5);
+    BOOST_TEST(room.after > 8);
+    BOOST_TEST(setup.definition->getGoal()->isSatisfied(path.getStates().back()));
+    BOOST_TEST(path.length() < 60);  // not led on for longer than needed
+}
+
+}  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace clearway::planning
