@@ -14,7 +14,7 @@ Json orNull(const std::optional<Number>& number) {
     return number ? Json(*number) : Json();
 }
 
-Json namesOf(const NamedTexts& texts) {
+Json namesIn(const NamedTexts& texts) {
     Json json = Json::object();
     for (const auto& [name, value] : texts) json[name] = value;
     return json;
@@ -93,7 +93,7 @@ Json problemFacts(const Problem& problem, const Box& bounds) {
                  {"objective_threshold", orNull(problem.objectiveThreshold)},
                  {"sampler", problem.sampler},
                  {"goal_threshold", orNull(problem.goalThreshold)},
-                 {"settings", namesOf(problem.settings)},
+                 {"settings", namesIn(problem.settings)},
                  {"margin", toJson(problem.margin)},
                  {"contact_start", contactFacts(problem.rules.startContact)},
                  {"contact_goal", contactFacts(problem.rules.goalContact)},
@@ -107,8 +107,8 @@ Json problemFacts(const Problem& problem, const Box& bounds) {
     if (problem.outside && problem.outside->side) json["outside"] = nameOf(*problem.outside->side);
     for (const PlannerChoice& planner : problem.planners)
         json["planners"].push_back({{"name", planner.name},
-                                    {"parameters", namesOf(planner.parameters)},
-                                    {"settings", namesOf(planner.settings)}});
+                                    {"parameters", namesIn(planner.parameters)},
+                                    {"settings", namesIn(planner.settings)}});
     return json;
 }
 
