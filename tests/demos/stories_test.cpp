@@ -244,8 +244,9 @@ BOOST_AUTO_TEST_CASE(the_runner_lists_every_demo_and_refuses_others) {
         BOOST_TEST(help.out.find("    " + name + " ") != std::string::npos, name << " in " << help.out);
         BOOST_TEST(unknown.err.find(name) != std::string::npos, name << " in " << unknown.err);
     }
-    BOOST_TEST(help.out.find("    pages ") != std::string::npos);  // a demo without a program of its own
-    BOOST_TEST(demos + 1 == std::count(help.out.begin(), help.out.end(), '\n') - 2);
+    for (const char* other : {"pages", "scene", "study"})  // no file of this folder is their program
+        BOOST_TEST(help.out.find("    " + std::string(other) + " ") != std::string::npos);
+    BOOST_TEST(demos + 3 == std::count(help.out.begin(), help.out.end(), '\n') - 2);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
