@@ -2,6 +2,8 @@
 // The shortened one takes fewer states and thus less time, but may lead through a narrower gap.
 #pragma once
 
+#include <ompl/base/Goal.h>
+
 #include "planning/improve/elastic_band.h"
 
 namespace clearway::planning {
