@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <set>
 
 #include "clearway/planning/objectives.h"
 #include "clearway/planning/planners.h"
@@ -13,9 +14,7 @@
 #include "demos/study/print_study.h"
 #include "demos/study/study.h"
 #include "demos/study/study_run_text.h"
-#include "program/bench/child_process.h"
-#include "program/bench/hand_out.h"
-#include "program/cli/bench_ranks.h"
+#include "program/cli/run_on_ranks.h"
 #include "program/options/load_guard.h"
 #include "program/options/print.h"
 #include "program/options/program.h"
@@ -39,7 +38,6 @@ struct StudyArguments {
     std::vector<std::string> problems;
     std::string folder;
     study::StudyOptions options;
-    std::optional<std::size_t> oneRun;
 };
 
 study::StudyOptions shortStudy() {
@@ -76,8 +74,9 @@ bool readArguments(const Arguments& arguments, StudyArguments& given) {
                      "DIR then holds runs.csv, replay.csv, statistics.csv, summary.csv and logs for OMPL's "
                      "statistics script.\n"
                      "The same command continues a stopped study and repeats nothing that DIR holds.\n"
-                     "Under `mpirun -n N` the planners' runs are handed out to N ranks; one rank does the "
-                     "rest, which is timed.");
+                     "Under `mpirun -n N` or `srun -n N` each of N ranks does its share of the planners' "
+                     "runs; one rank does\n"
+                     "the rest, which is timed.");
     line.argument("[PROBLEM.cfg...]", appendedTo(given.problems));
     line.option("--out DIR", "folder of the study, made if need be", folder(given.folder), kRequired);
     // --short is read before the options below, which then change its values.
@@ -104,7 +103,6 @@ bool readArguments(const Arguments& arguments, StudyArguments& given) {
     line.option("--repetitions N", "repetitions of each replay (7; short 1)",
                 integer<int>(options.repetitions, 1, 1000));
     addCache(line, trees);
-    addOneRun(line, given.oneRun);
     if (!line.parse(arguments)) return false;
     if (!planners.empty()) options.planners = planners;
     if (!generalSplits.empty()) options.generalSplits = generalSplits;
@@ -178,74 +176,99 @@ int tellIncomplete(const std::string& folder) {
     return kAnswerIsNo;
 }
 
-/// For a process that another one started: does one run and prints it.
-int doOneRun(const StudyArguments& given, const std::vector<std::string>& files) {
-    study::endWithParent();
-    const std::vector<study::PlannedRun> planned = plannedRuns(given.options);
-    const std::size_t problem = *given.oneRun / planned.size();
-    if (problem >= files.size()) {
-        throw std::invalid_argument("--one-run is '" + std::to_string(*given.oneRun) +
-                                    "', expected a number below " +
-                                    std::to_string(files.size() * planned.size()));
+/// Does a study's runs by their numbers, for the ranks.
+class NumberedRuns {
+  public:
+    NumberedRuns(const std::vector<study::StudyProblem>& problems, const study::StudyOptions& options)
+        : problems_(problems), options_(options), planned_(plannedRuns(options)) {}
+
+    const study::PlannedRun& operator[](std::size_t run) const { return planned_[run % planned_.size()]; }
+
+    std::string nameOf(std::size_t run) const {
+        return "problem " + std::to_string(run / planned_.size() + 1) + ", " + (*this)[run].name();
     }
-    const study::PlannedRun& wanted = planned[*given.oneRun % planned.size()];
-    const study::StudyProblem loaded = loadProblem(files[problem]);
-    const Scene scene = buildScene(loaded, wanted.engine, given.options);
-    const auto run = runPlanned(loaded, scene, given.options, wanted);
-    return run ? tellRun(textOf(*run)) : kAnswerIsNo;
+
+    /// Returns the run's number and text.
+    std::optional<std::string> doRun(std::size_t run) {
+        if (options_.mustStop()) return std::nullopt;
+        const study::StudyProblem& problem = problems_.at(run / planned_.size());
+        // One scene alone is kept: those of all strategies, on every rank of a machine, might fill its memory.
+        const std::pair at(run / planned_.size(), (*this)[run].strategy);
+        if (!scene_ || at != sceneAt_) scene_.emplace(buildScene(problem, (*this)[run].engine, options_));
+        sceneAt_ = at;
+        const auto done = runPlanned(problem, *scene_, options_, (*this)[run]);
+        return done ? std::optional(std::to_string(run) + " " + textOf(*done)) : std::nullopt;
+    }
+
+  private:
+    const std::vector<study::StudyProblem>& problems_;
+    const study::StudyOptions& options_;
+    std::vector<study::PlannedRun> planned_;
+    std::optional<Scene> scene_;
+    std::pair<std::size_t, std::size_t> sceneAt_;  ///< its problem and strategy
+};
+
+/// See study::StudyOptions::doRuns. The other ranks end when all runs have, because replays follow, which are timed. Reports lost
+/// runs.
+bool shareOut(study::Ranks& ranks, NumberedRuns& numbered, const study::StudyOptions& options,
+              std::vector<std::size_t> runs, const std::function<void(const study::StudyRun&)>& keep) {
+    // Every rank gets as many runs of each planner, because planners differ most in the time that they take.
+    std::stable_sort(runs.begin(), runs.end(), [&](std::size_t a, std::size_t b) {
+        return numbered[a].planner.name < numbered[b].planner.name;
+    });
+    std::vector<std::string> jobs;
+    for (const std::size_t run : runs) jobs.push_back(std::to_string(run));
+    std::set<std::size_t> lost(runs.begin(), runs.end());
+    study::TimeLeft left(runs.size(), options.seconds / ranks.count());
+    const auto doRun = [&](const std::string& job) {
+        const std::size_t run = std::stoul(job);
+        options.report("run " + std::to_string(left.done() + 1) + " of " + std::to_string(left.all()) + ", " +
+                       numbered.nameOf(run) + ", " + left.text() + " for all runs");
+        return numbered.doRun(run);
+    };
+    const auto take = [&](const std::string& text) {
+        keep(study::readStudyRun(text.substr(text.find(' '))));
+        lost.erase(std::stoul(text));
+        left.step();
+    };
+    ranks.share(jobs, doRun, take, /*pause*/ [] {});
+    for (const std::size_t run : lost) options.report("warning: the run is lost: " + numbered.nameOf(run));
+    if (lost.empty()) ranks.leave();
+    return lost.empty();
 }
 
-/// See study::StudyOptions::doRuns. Dismisses the other ranks when all runs have ended, because replays follow, which are timed.
-/// Reports lost runs. words: the program's.
-bool doRuns(study::Ranks& ranks, const Arguments& words, const study::StudyOptions& options,
-            const std::vector<std::size_t>& runs, const std::function<void(const study::StudyRun&)>& keep) {
-    const std::vector<study::PlannedRun> planned = plannedRuns(options);
-    std::vector<study::Job> jobs;
-    for (const std::size_t run : runs) {
-        const std::string problem = std::to_string(run / planned.size() + 1);
-        jobs.push_back({"problem " + problem + ", " + planned[run % planned.size()].name(),
-                        {"--one-run", std::to_string(run)}});
-        jobs.back().words.insert(jobs.back().words.end(), words.begin(), words.end());
+std::vector<study::StudyProblem> loadProblems(const StudyArguments& given) {
+    std::vector<std::string> files = given.problems;
+    if (files.empty()) files = makeScenes(given.options.isShort, given.folder);
+    std::vector<study::StudyProblem> problems;
+    for (const std::string& file : files) {
+        if (!isInterrupted()) problems.push_back(loadProblem(file));
     }
-    bool isAnyLost = false;
-    study::TimeLeft left(jobs.size(), options.seconds / ranks.count());
-    study::Meanwhile meanwhile;
-    meanwhile.isStopped = [&] { return options.mustStop(); };
-    meanwhile.begin = [&](std::size_t job, int rank) {
-        options.report("run " + std::to_string(job + 1) + " of " + std::to_string(jobs.size()) + ", " +
-                       jobs[job].name + ", rank " + std::to_string(rank) + ", " + left.text() +
-                       " for all runs");
-    };
-    meanwhile.end = [&](const study::JobEnd& end) {
-        left.step();
-        const std::string& name = jobs[end.job].name;
-        if (end.isDone) return keep(study::readStudyRun(end.text, name));
-        isAnyLost = true;
-        options.report("warning: the run is lost: " + name + ": " + end.text);
-    };
-    const bool isComplete = handOut(ranks, jobs, meanwhile) && !isAnyLost;
-    if (isComplete) dismiss(ranks);
-    return isComplete;
+    return problems;
 }
 
 /// ranks: null unless mpirun started this process.
 int runStudy(const Arguments& arguments, study::Ranks* ranks) {
     StudyArguments given;
     if (!readArguments(arguments, given)) return kDone;
-    std::vector<std::string> files = given.problems;
-    for (const std::string& file : files) readProblem(file);  // refuses a faulty file before long work
+    for (const std::string& file : given.problems)
+        readProblem(file);  // refuses a faulty file before long work
     heedInterrupts();
 
-    if (files.empty()) files = makeScenes(given.options.isShort, given.folder);
-    if (given.oneRun) return doOneRun(given, files);
     std::vector<study::StudyProblem> problems;
-    for (const std::string& file : files) {
-        if (!isInterrupted()) problems.push_back(loadProblem(file));
+    NumberedRuns numbered(problems, given.options);
+    if (ranks && ranks->rank() > 0) {
+        ranks->serve([&](const std::string& run) {
+            if (problems.empty()) problems = loadProblems(given);  // rank 0 has made their scenes
+            return numbered.doRun(std::stoul(run));
+        });
+        return kDone;
     }
+    problems = loadProblems(given);
     if (isInterrupted()) return tellIncomplete(given.folder);
     if (ranks) {
         given.options.doRuns = [&](const auto& runs, const auto& keep) {
-            return doRuns(*ranks, arguments, given.options, runs, keep);
+            return shareOut(*ranks, numbered, given.options, runs, keep);
         };
     }
     const study::StudyResult result = studyLeafStrategies(problems, given.options, given.folder);

@@ -133,7 +133,6 @@ Benchmark experiment(const StudyProblem& problem, const StudyOptions& options, c
     benchmark.options.seconds = options.seconds;
     benchmark.options.megabytes = options.megabytes;
     benchmark.options.runs = options.seeds;
-    benchmark.isComplete = true;
     return benchmark;
 }
 

@@ -9,7 +9,7 @@
 #include "core/replace_file.h"
 #include "core/text.h"
 #include "demos/study/replayer.h"
-#include "program/bench/settings.h"
+#include "demos/study/settings.h"
 
 namespace clearway::study {
 namespace {

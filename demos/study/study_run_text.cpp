@@ -11,20 +11,18 @@ std::string textOf(const StudyRun& run) {
     Text json = {
         {"row", cellsOf(runColumns(), run.row)}, {"machine", run.machine}, {"warnings", run.warnings}};
     if (run.calls) json["calls"] = *run.calls;
-    return jsonLine(json);
+    return lineOf(json);
 }
 
-StudyRun readStudyRun(const std::string& text, const std::string& of) {
+StudyRun readStudyRun(const std::string& text) {
+    const Text json = Text::parse(text);
+    const Cells cells = json.at("row").get<Cells>();
     StudyRun run;
-    readWith(text, of, [&](const Text& json) {
-        const Columns<RunRow> columns = runColumns();
-        const Cells cells = json.at("row").get<Cells>();
-        if (cells.size() != columns.size() || readCells(columns, cells, run.row) < columns.size())
-            throw std::runtime_error("what the process of " + of + " printed is no row of runs.csv");
-        run.machine = json.at("machine").get<std::string>();
-        if (json.contains("calls")) run.calls = json["calls"].get<std::string>();
-        run.warnings = json.at("warnings").get<std::vector<std::string>>();
-    });
+    if (cells.size() != runColumns().size() || readCells(runColumns(), cells, run.row) < cells.size())
+        throw std::runtime_error("a rank's run has other columns than runs.csv");
+    if (json.contains("calls")) run.calls = json["calls"].get<std::string>();
+    json.at("machine").get_to(run.machine);
+    json.at("warnings").get_to(run.warnings);
     return run;
 }
 

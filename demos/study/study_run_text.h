@@ -1,4 +1,4 @@
-// A study's run as a text, like those of run_text.h.
+// A study's run as a line of JSON, as in run_text.h.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@ namespace clearway::study {
 
 std::string textOf(const StudyRun& run);
 
-/// Throws as readToldRun() does.
-StudyRun readStudyRun(const std::string& text, const std::string& of);
+/// Throws a std::exception when textOf() wrote no such text.
+StudyRun readStudyRun(const std::string& text);
 
 }  // namespace clearway::study

@@ -3,9 +3,13 @@
 //   benchmarks public CHECKOUTS OUT
 // Every run is a process of its own. A run that stands in OUT's tables already is not repeated, so a benchmark that was
 // stopped goes on where it was.
+#include <sys/wait.h>
+
 #include <algorithm>
 #include <boost/algorithm/string/replace.hpp>
 #include <csignal>
+#include <cstdio>
+#include <cstring>
 #include <exception>
 #include <filesystem>
 #include <fstream>
@@ -24,10 +28,8 @@
 #include "core/number.h"
 #include "core/replace_file.h"
 #include "core/text.h"
-#include "program/bench/child_process.h"
-#include "program/bench/hand_out.h"
 #include "program/bench/ranks.h"
-#include "program/cli/bench_ranks.h"
+#include "program/cli/run_on_ranks.h"
 #include "program/options/command_line.h"
 
 namespace clearway::testing::public_problems {
@@ -50,7 +52,7 @@ bool readChoices(int count, char** words, Choices& to) {
         "Audits, solves and compares problems that others published, read from your checkouts of their\n"
         "repositories. Writes paths.csv, invalid_segments.csv, runs.csv and parts.csv to OUT; a run that "
         "stands\n"
-        "there already is not repeated. Under `mpirun -n N` the runs are handed out to N ranks.");
+        "there already is not repeated. Under `mpirun -n N` each of N ranks does its share of the runs.");
     line.argument("CHECKOUTS", cli::to(to.checkouts));
     line.argument("OUT", cli::folder(to.out));
     line.option("--only TEXT", "takes only problems and assemblies with this in their names",
@@ -108,21 +110,11 @@ class Table {
     std::set<std::string> keys_;
 };
 
-struct Job {
-    std::string key;   ///< the first words of its row
-    std::string text;  ///< for --job
-};
+/// The words for --job: "run," or "part," before the first words of the job's row.
+using Job = std::string;
 
-std::vector<std::string> wordsFor(const Choices& choices, const Job& job) {
-    return {"public",
-            choices.checkouts,
-            choices.out,
-            "--time",
-            shortNumber(choices.seconds),
-            "--part-time",
-            shortNumber(choices.partSeconds),
-            "--job",
-            job.text};
+std::string keyOf(const Job& job) {
+    return job.substr(job.find(',') + 1);
 }
 
 /// The last line of what a job's process printed.
@@ -132,66 +124,59 @@ std::string lastLine(std::string printed) {
 }
 
 /// A row of empty columns that says how the job's process ended.
-std::string lostRow(const std::string& columns, std::string end) {
+std::string lostRow(const Job& job, std::string end) {
+    const std::string columns = job.rfind("run,", 0) == 0 ? kRunColumns : kPartColumns;
     std::replace(end.begin(), end.end(), ',', ';');
     return std::string(static_cast<std::size_t>(std::count(columns.begin(), columns.end(), ',')), ',') +
            "the process ended: " + end;
 }
 
-/// Does the job in a process of its own and returns the last line that it prints. A process that crashes leaves a
-/// row of empty columns that says so.
-std::string rowFrom(const Choices& choices, const Job& job, const std::string& columns) {
-    study::ChildProcess process(wordsFor(choices, job));
-    process.waitForEnd();
-    if (process.isDone()) return lastLine(process.output());
-    if (process.signal() == SIGINT) throw std::runtime_error("interrupted");
-    return lostRow(columns, process.fault());
+/// Does the job in a process of its own and returns its row. The row of a process that crashes says so in place of its columns.
+std::string rowOf(const Job& job, const Choices& choices) {
+    std::string command = "exec", printed;
+    for (const std::string& word : {fs::read_symlink("/proc/self/exe").string(), std::string("public"),
+                                    choices.checkouts, choices.out, "--time=" + shortNumber(choices.seconds),
+                                    "--part-time=" + shortNumber(choices.partSeconds), "--job=" + job})
+        command += " '" + boost::replace_all_copy(word, "'", "'\\''") + "'";
+    FILE* process = ::popen((command + " 2>&1 </dev/null").c_str(), "r");
+    if (!process) throw std::runtime_error("no process can be started for " + job);
+    char block[4096];
+    while (const std::size_t size = std::fread(block, 1, sizeof block, process)) printed.append(block, size);
+    const int status = ::pclose(process);
+    const std::string last = lastLine(printed);
+    if (status == 0) return keyOf(job) + "," + last;
+    const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+    if (signal == SIGINT) throw std::runtime_error("interrupted");
+    const std::string end = signal != 0 ? std::string("signal ") + ::strsignal(signal)
+                                        : "exit code " + std::to_string(WEXITSTATUS(status));
+    return keyOf(job) + "," + lostRow(job, end + ": " + last);
 }
 
-/// Does the jobs that the table lacks, one at a time on each rank.
-void doJobsOnRanks(const Choices& choices, const std::vector<Job>& jobs, const std::string& columns,
-                   Table& table) {
-    std::vector<std::string> keys;
-    std::vector<study::Job> left;
-    for (const Job& job : jobs) {
-        if (table.has(job.key)) continue;
-        keys.push_back(job.key);
-        left.push_back({job.key, wordsFor(choices, job)});
-    }
-    study::Meanwhile meanwhile;
-    meanwhile.isStopped = [] { return false; };
-    meanwhile.end = [&](const study::JobEnd& end) {
-        const std::string row =
-            keys[end.job] + "," + (end.isDone ? lastLine(end.text) : lostRow(columns, end.text));
+/// Does the jobs that the table lacks, several at a time, or one at a time on each rank.
+void doJobs(const Choices& choices, std::vector<Job> jobs, int atATime, Table& table) {
+    jobs.erase(
+        std::remove_if(jobs.begin(), jobs.end(), [&](const Job& job) { return table.has(keyOf(job)); }),
+        jobs.end());
+    const auto take = [&](const std::string& row) {
         table.append(row);
         std::cout << row << std::endl;
     };
-    handOut(*choices.ranks, left, meanwhile);
-}
-
-/// Does the jobs that the table lacks, several at a time.
-void doJobs(const Choices& choices, const std::vector<Job>& jobs, int atATime, const std::string& columns,
-            Table& table) {
-    if (choices.ranks) return doJobsOnRanks(choices, jobs, columns, table);
+    if (choices.ranks)
+        return choices.ranks->share(
+            jobs, [&](const Job& job) { return rowOf(job, choices); }, take, [] {});
     std::mutex mutex;
     std::size_t next = 0;
     std::exception_ptr trouble;
     const auto work = [&] {
-        for (;;) {
-            const Job* job = nullptr;
-            {
-                const std::lock_guard lock(mutex);
-                while (next < jobs.size() && table.has(jobs[next].key)) ++next;
-                if (next == jobs.size() || trouble) return;
-                job = &jobs[next++];
-            }
+        for (std::unique_lock lock(mutex); next < jobs.size() && !trouble;) {
+            const Job& job = jobs[next++];
+            lock.unlock();
             try {
-                const std::string row = job->key + "," + rowFrom(choices, *job, columns);
-                const std::lock_guard lock(mutex);
-                table.append(row);
-                std::cout << row << std::endl;
+                const std::string row = rowOf(job, choices);
+                lock.lock();
+                take(row);
             } catch (...) {
-                const std::lock_guard lock(mutex);
+                if (!lock) lock.lock();
                 trouble = std::current_exception();
             }
         }
@@ -240,8 +225,7 @@ void runPlanners(const Choices& choices, const PublicProblems& found) {
     std::vector<Job> ours, others;
     const auto add = [](std::vector<Job>& to, const PublicProblem& puzzle, const std::string& contender,
                         std::uint32_t seed) {
-        const std::string key = puzzle.name + "," + contender + "," + std::to_string(seed);
-        to.push_back({key, "run," + key});
+        to.push_back("run," + puzzle.name + "," + contender + "," + std::to_string(seed));
     };
     for (const PublicProblem& puzzle : found.puzzles) {
         if (!isWanted(choices, puzzle.name)) continue;
@@ -251,8 +235,8 @@ void runPlanners(const Choices& choices, const PublicProblems& found) {
         }
     }
     // Ours plans on all cores, the others on one each.
-    doJobs(choices, ours, 1, kRunColumns, table);
-    doJobs(choices, others, static_cast<int>(choices.together), kRunColumns, table);
+    doJobs(choices, ours, 1, table);
+    doJobs(choices, others, static_cast<int>(choices.together), table);
 }
 
 void takeApart(const Choices& choices, const PublicProblems& found) {
@@ -262,11 +246,10 @@ void takeApart(const Choices& choices, const PublicProblems& found) {
     for (const Assembly& assembly : found.assemblies) {
         if (!isWanted(choices, assembly.name)) continue;
         for (std::size_t i = 0; i < assembly.files.size(); ++i) {
-            const std::string key = assembly.name + "," + fs::path(assembly.files[i]).stem().string();
-            jobs.push_back({key, "part," + key});
+            jobs.push_back("part," + assembly.name + "," + fs::path(assembly.files[i]).stem().string());
         }
     }
-    doJobs(choices, jobs, 1, kPartColumns, table);
+    doJobs(choices, jobs, 1, table);
 }
 
 std::string doJob(const Choices& choices, const PublicProblems& found) {
@@ -304,7 +287,8 @@ int run(int count, char** words, study::Ranks* ranks) {
     Choices choices;
     if (!readChoices(count, words, choices)) return 0;
     choices.ranks = ranks;
-    if (!choices.job.empty()) study::endWithParent();
+    if (ranks && ranks->rank() > 0)
+        return ranks->serve([&](const Job& job) { return rowOf(job, choices); }), 0;
     makeFolder(choices.out);
     const PublicProblems found = findPublicProblems(choices.checkouts, choices.out + "/problems");
     if (!choices.job.empty()) {
@@ -329,6 +313,8 @@ int run(int count, char** words, study::Ranks* ranks) {
 }  // namespace
 
 int run(int count, char** words) {
+    const auto isJob = [](const char* word) { return std::string(word).rfind("--job=", 0) == 0; };
+    if (std::any_of(words, words + count, isJob)) return run(count, words, nullptr);  // a rank started it
     return cli::runOnRanks([&](study::Ranks* ranks) { return run(count, words, ranks); });
 }
 

@@ -1,6 +1,5 @@
 #include "program/bench/benchmark.h"
 
-#include <ompl/base/PlannerStatus.h>
 #include <ompl/tools/benchmark/MachineSpecs.h>
 #include <ompl/util/Time.h>
 
@@ -73,7 +72,7 @@ PlanOptions planOptions(const BenchmarkOptions& options, int run) {
         result.seconds = options.seconds;
     }
     result.threads = 1;
-    result.seed = seedOf(run, options);
+    result.seed = options.seed + static_cast<std::uint32_t>(run);
     result.omplWeights = options.omplWeights;
     return result;
 }
@@ -125,13 +124,12 @@ PlannerBenchmark describePlanner(const Problem& problem, const Scene& scene, con
     return result;
 }
 
-BenchmarkProgress progressAt(const Benchmark& benchmark, std::size_t planner, int run, double elapsed) {
-    const BenchmarkOptions& options = benchmark.options;
+BenchmarkProgress progressAt(const Benchmark& benchmark, std::size_t planner, std::size_t ended) {
     BenchmarkProgress progress;
     progress.planner = benchmark.planners[planner].name;
-    progress.run = static_cast<int>(planner) * options.runs + run;
-    progress.runs = static_cast<int>(benchmark.planners.size()) * options.runs;
-    const double each = progress.run > 0 ? elapsed / progress.run : options.secondsLimit();
+    progress.run = static_cast<int>(ended);
+    progress.runs = static_cast<int>(benchmark.planners.size()) * benchmark.options.runs;
+    const double each = ended > 0 ? benchmark.seconds / progress.run : benchmark.options.secondsLimit();
     progress.left = each * (progress.runs - progress.run);
     return progress;
 }
@@ -139,7 +137,9 @@ BenchmarkProgress progressAt(const Benchmark& benchmark, std::size_t planner, in
 Benchmark begin(const Problem& problem, const BenchmarkOptions& options) {
     Benchmark benchmark;
     benchmark.options = options;
+    for (int run = 0; run < options.runs; ++run) benchmark.seeds.insert(planOptions(options, run).seed);
     benchmark.experiment = experimentName(problem);
+    benchmark.parameters = options.parameters;
     benchmark.parameters["margin REAL"] = shortNumber(problem.margin);
     if (options.iterations) benchmark.parameters["iterations INTEGER"] = std::to_string(*options.iterations);
     benchmark.host = ompl::machine::getHostname();
@@ -149,35 +149,52 @@ Benchmark begin(const Problem& problem, const BenchmarkOptions& options) {
     return benchmark;
 }
 
-/// Returns false when the benchmark was stopped.
-bool runAll(const std::vector<Problem>& problems, const Scene& scene, Benchmark& benchmark) {
+/// Does all runs, or has them shared out.
+void doRuns(const DoRun& doRun, Benchmark& benchmark) {
     const BenchmarkOptions& options = benchmark.options;
-    const RunLimits limits = limitsOf(options);
     const Clock::time_point start = Clock::now();
-    for (std::size_t i = 0; i < problems.size(); ++i) {
-        for (int run = 0; run < options.runs; ++run) {
-            if (options.tell) options.tell(progressAt(benchmark, i, run, secondsSince(start)));
-            const auto result =
-                runOnce(problems[i], scene, planOptions(options, run), limits, benchmark.warnings);
-            if (!result) return false;
-            benchmark.planners[i].runs.push_back(*result);
-        }
+    const auto runs = static_cast<std::size_t>(options.runs);
+    std::size_t ended = 0;
+    SharedRuns shared;
+    shared.count = benchmark.planners.size() * runs;
+    shared.doRun = [&](std::size_t number) {
+        if (options.tell) options.tell(progressAt(benchmark, number / runs, ended));
+        return doRun(number);
+    };
+    shared.take = [&](const EndedRun& run) {
+        addRun(run.run, benchmark.planners.at(run.number / runs));
+        addOnce(benchmark.warnings, run.warnings);
+        benchmark.seconds = secondsSince(start);
+        ++ended;
+    };
+    shared.keep = [&] {
+        if (options.keep) options.keep(benchmark);
+    };
+    if (options.share) return options.share(shared);
+    for (std::size_t number = 0; number < shared.count; ++number) {
+        const auto run = shared.doRun(number);
+        if (!run) return;
+        shared.take(*run);
+        shared.keep();
     }
-    return true;
 }
 
 }  // namespace
+
+bool Benchmark::isComplete() const {
+    return std::all_of(planners.begin(), planners.end(),
+                       [&](const PlannerBenchmark& planner) { return missingSeeds(planner, *this).empty(); });
+}
 
 Benchmark runBenchmark(const Problem& problem, const Scene& scene, const BenchmarkOptions& options) {
     requireOptions(options);
     const planning::OmplMessages messages;
     Benchmark benchmark = begin(problem, options);
     const Clock::time_point start = Clock::now();
-    const std::vector<Problem> problems = problemsOf(problem);
-    for (const Problem& each : problems) {
+    for (const Problem& each : problemsOf(problem)) {
         benchmark.planners.push_back(describePlanner(each, scene, options, benchmark));
     }
-    benchmark.isComplete = options.doRuns ? options.doRuns(benchmark) : runAll(problems, scene, benchmark);
+    doRuns(runsOf(problem, scene, options), benchmark);
     benchmark.seconds = secondsSince(start);
     std::vector<std::string> heard;
     for (const std::string& warning : messages.warnings()) heard.push_back("OMPL: " + warning);
@@ -185,37 +202,38 @@ Benchmark runBenchmark(const Problem& problem, const Scene& scene, const Benchma
     return benchmark;
 }
 
-RunPlace placeOf(std::size_t run, const BenchmarkOptions& options) {
-    const auto runs = static_cast<std::size_t>(options.runs);
-    return {run / runs, static_cast<int>(run % runs)};
+DoRun runsOf(const Problem& problem, const Scene& scene, const BenchmarkOptions& options) {
+    return [problems = problemsOf(problem), limits = limitsOf(options), &scene,
+            &options](std::size_t number) -> std::optional<EndedRun> {
+        const auto runs = static_cast<std::size_t>(options.runs);
+        EndedRun ended;
+        ended.number = number;
+        const auto run =
+            runOnce(problems.at(number / runs), scene, planOptions(options, static_cast<int>(number % runs)),
+                    limits, ended.warnings);
+        if (!run) return std::nullopt;
+        ended.run = *run;
+        return ended;
+    };
 }
 
-std::uint32_t seedOf(int run, const BenchmarkOptions& options) {
-    return options.seed + static_cast<std::uint32_t>(run);
+std::uint32_t seedOf(const BenchmarkRun& run) {
+    return static_cast<std::uint32_t>(std::stoul(run.properties.at("seed INTEGER")));
 }
 
-std::optional<BenchmarkRun> runAlone(const Problem& problem, const Scene& scene,
-                                     const BenchmarkOptions& options, std::size_t run,
-                                     std::vector<std::string>& warnings) {
-    requireOptions(options);
-    const planning::OmplMessages messages;
-    const std::vector<Problem> problems = problemsOf(problem);
-    const RunPlace place = placeOf(run, options);
-    if (place.planner >= problems.size()) {
-        throw std::invalid_argument("the run is number " + std::to_string(run) + ", expected one below " +
-                                    std::to_string(problems.size() * static_cast<std::size_t>(options.runs)));
-    }
-    return runOnce(problems[place.planner], scene, planOptions(options, place.run), limitsOf(options),
-                   warnings);
+std::set<std::uint32_t> missingSeeds(const PlannerBenchmark& planner, const Benchmark& benchmark) {
+    std::set<std::uint32_t> missing = benchmark.seeds;
+    for (const BenchmarkRun& run : planner.runs) missing.erase(seedOf(run));
+    return missing;
 }
 
-BenchmarkRun lostRun(std::uint32_t seed) {
-    BenchmarkRun run;
-    run.measures.isSolved = 0;
-    run.measures.status = static_cast<std::uint64_t>(ompl::base::PlannerStatus::CRASH);
-    run.properties = propertiesOf(run.measures);
-    run.properties["seed INTEGER"] = std::to_string(seed);
-    return run;
+bool addRun(const BenchmarkRun& run, PlannerBenchmark& planner) {
+    const auto place =
+        std::lower_bound(planner.runs.begin(), planner.runs.end(), seedOf(run),
+                         [](const BenchmarkRun& one, std::uint32_t seed) { return seedOf(one) < seed; });
+    if (place != planner.runs.end() && seedOf(*place) == seedOf(run)) return false;
+    planner.runs.insert(place, run);
+    return true;
 }
 
 }  // namespace clearway::study

@@ -5,6 +5,7 @@
 #include <functional>
 #include <limits>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,24 @@ struct BenchmarkProgress {
     double left = 0;  ///< estimated seconds, from the runs so far; before the first run, at most
 };
 
+/// A run that has ended.
+struct EndedRun {
+    std::size_t number = 0;  ///< counted from 0 over all planners, in the benchmark's order
+    BenchmarkRun run;
+    std::vector<std::string> warnings;
+};
+
+/// Does the run of this number. Returns nothing when isStopped ended it. Throws as runBenchmark() does.
+using DoRun = std::function<std::optional<EndedRun>(std::size_t number)>;
+
+/// All runs of a benchmark, which several processes do.
+struct SharedRuns {
+    std::size_t count = 0;
+    DoRun doRun;                                ///< here
+    std::function<void(const EndedRun&)> take;  ///< to be called for each run that has ended
+    std::function<void()> keep;                 ///< see BenchmarkOptions::keep
+};
+
 struct Benchmark;
 
 struct BenchmarkOptions {
@@ -34,8 +53,11 @@ struct BenchmarkOptions {
     bool omplWeights = false;         ///< see PlanOptions::omplWeights
     std::function<bool()> isStopped;  ///< asked often; true ends the benchmark and drops the current run
     std::function<void(const BenchmarkProgress&)> tell;  ///< before each run
-    /// Takes the place of doing the runs here: fills in the planners' runs. Returns whether it has all of them.
-    std::function<bool(Benchmark&)> doRuns;
+    /// Called when runs have ended, with those that have ended so far, and sometimes when none has.
+    std::function<void(const Benchmark&)> keep;
+    /// Has the runs done by other processes, too.
+    std::function<void(const SharedRuns&)> share;
+    Properties parameters;  ///< further parameters of the experiment
 
     /// Infinite where iterations are the limit.
     double secondsLimit() const { return iterations ? std::numeric_limits<double>::infinity() : seconds; }
@@ -55,10 +77,13 @@ struct Benchmark {
     std::string started;  ///< date and time
     std::string setup;    ///< lines that describe the problem, the space and the planners
     BenchmarkOptions options;
-    double seconds = 0;  ///< the benchmark's duration
+    std::set<std::uint32_t> seeds;  ///< of each planner's runs, whether they have ended or not
+    double seconds = 0;             ///< the benchmark's duration
     std::vector<PlannerBenchmark> planners;
-    bool isComplete = false;  ///< false when the benchmark was stopped before its end, or runs were lost
     std::vector<std::string> warnings;
+
+    /// False when the benchmark was stopped before its end, or runs were lost.
+    bool isComplete() const;
 };
 
 /// Runs the problem's planners in the problem's order, each with its own parameters and settings. A problem
@@ -67,23 +92,15 @@ struct Benchmark {
 /// planners, before the first run.
 Benchmark runBenchmark(const Problem& problem, const Scene& scene, const BenchmarkOptions& options);
 
-/// A benchmark's run, counted from 0 over all planners, in the benchmark's order.
-struct RunPlace {
-    std::size_t planner = 0;
-    int run = 0;  ///< of this planner
-};
-RunPlace placeOf(std::size_t run, const BenchmarkOptions& options);
+/// Does runs of this benchmark one by one, for another process's runBenchmark(). The arguments must outlive it.
+DoRun runsOf(const Problem& problem, const Scene& scene, const BenchmarkOptions& options);
 
-/// The seed of a planner's run.
-std::uint32_t seedOf(int run, const BenchmarkOptions& options);
+std::uint32_t seedOf(const BenchmarkRun& run);
 
-/// Does one run alone. Returns nothing when isStopped ended it. Throws as runBenchmark() does, and std::invalid_argument when
-/// the benchmark has no such run.
-std::optional<BenchmarkRun> runAlone(const Problem& problem, const Scene& scene,
-                                     const BenchmarkOptions& options, std::size_t run,
-                                     std::vector<std::string>& warnings);
+/// The seeds of the planner's runs that have not ended.
+std::set<std::uint32_t> missingSeeds(const PlannerBenchmark& planner, const Benchmark& benchmark);
 
-/// The log's entry for a run whose process crashed or was killed: its seed, and OMPL's status for that.
-BenchmarkRun lostRun(std::uint32_t seed);
+/// Adds the run behind those with lesser seeds. Returns false, and adds nothing, when the planner has a run with this seed.
+bool addRun(const BenchmarkRun& run, PlannerBenchmark& planner);
 
 }  // namespace clearway::study

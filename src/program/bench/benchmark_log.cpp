@@ -3,8 +3,14 @@
 #include <ompl/base/PlannerStatus.h>
 #include <ompl/config.h>
 
+#include <climits>
+#include <cmath>
 #include <ostream>
 #include <set>
+#include <stdexcept>
+
+#include "core/number.h"
+#include "core/text.h"
 
 namespace clearway::study {
 namespace {
@@ -94,7 +100,179 @@ void writeProgress(const PlannerBenchmark& planner, std::ostream& out) {
     }
 }
 
+std::vector<std::string> split(const std::string& text, const std::string& separator) {
+    std::vector<std::string> parts;
+    std::size_t begin = 0;
+    for (std::size_t end; (end = text.find(separator, begin)) != std::string::npos;) {
+        parts.push_back(text.substr(begin, end - begin));
+        begin = end + separator.size();
+    }
+    parts.push_back(text.substr(begin));
+    return parts;
+}
+
+/// The lines of a log, which are read one by one.
+class Lines {
+  public:
+    explicit Lines(const std::string& file) : file_(file), lines_(readLines(file, "a benchmark log")) {}
+
+    const std::string& next(const std::string& expected) {
+        if (next_ == lines_.size())
+            throw std::runtime_error(file_ + ": ends after " + std::to_string(next_) + " lines, expected " +
+                                     expected);
+        return lines_[next_++];
+    }
+
+    bool isNext(const std::string& line) const { return next_ < lines_.size() && lines_[next_] == line; }
+
+    void take(const std::string& expected) {
+        if (next(quote(expected)) != expected) refuse(quote(expected));
+    }
+
+    /// The rest of the line after the words that it must begin with.
+    std::string after(const std::string& words) {
+        const std::string& line = next(quote(words));
+        if (line.compare(0, words.size(), words) != 0) refuse(quote(words));
+        return line.substr(words.size());
+    }
+
+    /// The number before the words that the line must end with.
+    double before(const std::string& words) {
+        const std::string expected = "a number and " + quote(words), line = next(expected);
+        const std::size_t space = line.find(' ');
+        const std::string number = line.substr(0, space);
+        const auto value = number == "inf" ? HUGE_VAL : parseNumber(number);
+        if (!value || space == std::string::npos || line.substr(space + 1) != words) refuse(expected);
+        return *value;
+    }
+
+    int count(const std::string& words) {
+        const double value = before(words);
+        if (!(value >= 0 && value <= INT_MAX && value == std::floor(value))) refuse("a whole number");
+        return static_cast<int>(value);
+    }
+
+    /// Calls `read` as often as the line says.
+    template <class Read>
+    void repeat(const std::string& words, const Read& read) {
+        for (int left = count(words); left > 0; --left) read();
+    }
+
+    /// Reads lines "name = value".
+    Properties values(const std::string& words) {
+        Properties values;
+        repeat(words, [&] {
+            const std::string line = next("name = value");
+            const std::size_t equals = line.find(" = ");
+            if (equals == std::string::npos || equals + 3 == line.size()) refuse("name = value");
+            values[line.substr(0, equals)] = line.substr(equals + 3);
+        });
+        return values;
+    }
+
+    /// The lines between the two marks.
+    std::string text() {
+        take("<<<|");
+        std::string all;
+        while (!isNext("|>>>")) all += next("'|>>>'") + "\n";
+        take("|>>>");
+        return all;
+    }
+
+    /// Reads names of several words, the last of which is an SQL type.
+    std::vector<std::string> typedNames(const std::string& words) {
+        std::vector<std::string> names;
+        repeat(words, [&] {
+            names.push_back(next("a name and its type"));
+            const std::string type = names.back().substr(names.back().rfind(' ') + 1);
+            if (kTypes.count(type) == 0 || names.back() == type) refuse("a name and its type");
+        });
+        return names;
+    }
+
+    /// One value for each name, each followed by the separator. A name without a value is left out.
+    Properties valuesOf(const std::vector<std::string>& names, const std::string& text,
+                        const std::string& separator) const {
+        const std::vector<std::string> parts = split(text, separator);
+        if (parts.size() != names.size() + 1 || !parts.back().empty())
+            refuse(std::to_string(names.size()) + " values");
+        Properties values;
+        for (std::size_t i = 0; i < names.size(); ++i) {
+            if (!parts[i].empty()) values[names[i]] = parts[i];
+        }
+        return values;
+    }
+
+    [[noreturn]] void refuse(const std::string& expected) const {
+        throw std::runtime_error(place(file_, static_cast<int>(next_)) + quote(lines_[next_ - 1]) +
+                                 ", expected " + expected);
+    }
+
+  private:
+    inline static const std::set<std::string> kTypes = {"REAL", "INTEGER", "BOOLEAN",
+                                                        "ENUM", "VARCHAR", "TEXT"};
+    std::string file_;
+    std::vector<std::string> lines_;
+    std::size_t next_ = 0;
+};
+
+BenchmarkRun readRun(const Properties& properties) {
+    BenchmarkRun run;
+    run.properties = properties;
+    const auto value = [&](const char* name) {
+        const auto found = properties.find(name);
+        return found == properties.end() ? std::nullopt : parseNumber(found->second);
+    };
+    run.isSolved = value("solved BOOLEAN") == 1.0;
+    run.length = value("simplified solution length REAL").value_or(value("solution length REAL").value_or(0));
+    return run;
+}
+
+PlannerBenchmark readPlanner(Lines& lines) {
+    PlannerBenchmark planner;
+    planner.name = lines.next("a planner");
+    planner.settings = lines.values("common properties");
+    const auto names = lines.typedNames("properties for each run");
+    lines.repeat("runs",
+                 [&] { planner.runs.push_back(readRun(lines.valuesOf(names, lines.next("a run"), "; "))); });
+    if (!lines.isNext(".")) {
+        planner.progressNames = lines.typedNames("progress properties for each run");
+        lines.take(std::to_string(planner.runs.size()) + " runs");
+        for (BenchmarkRun& run : planner.runs) {
+            std::vector<std::string> moments = split(lines.next("a run's progress"), ";");
+            if (!moments.back().empty()) lines.refuse("a semicolon at the end");
+            moments.pop_back();
+            for (const std::string& moment : moments)
+                run.progress.push_back(lines.valuesOf(planner.progressNames, moment, ","));
+        }
+    }
+    lines.take(".");
+    return planner;
+}
+
 }  // namespace
+
+Benchmark readBenchmarkLog(const std::string& file) {
+    Lines lines(file);
+    Benchmark log;
+    BenchmarkOptions& options = log.options;
+    lines.take("OMPL version " + omplVersion());
+    log.experiment = lines.after("Experiment ");
+    log.parameters = lines.values("experiment properties");
+    log.host = lines.after("Running on ");
+    log.started = lines.after("Starting at ");
+    log.setup = lines.text();
+    log.cpu = lines.text();
+    options.seed = static_cast<std::uint32_t>(lines.count("is the random seed"));
+    options.seconds = lines.before("seconds per run");
+    options.megabytes = lines.before("MB per run");
+    options.runs = lines.count("runs per planner");
+    log.seconds = lines.before("seconds spent to collect the data");
+    lines.take("1 enum type");
+    lines.after("status|");
+    lines.repeat("planners", [&] { log.planners.push_back(readPlanner(lines)); });
+    return log;
+}
 
 void writeBenchmarkLog(const Benchmark& benchmark, std::ostream& out) {
     writeHead(benchmark, out);

@@ -2,58 +2,46 @@
 
 #include <array>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 
 namespace clearway::study {
-namespace {
 
-Text toText(const PartState& state) {
-    const auto& p = state.position;
-    const auto& q = state.rotation.coeffs();
-    return {p.x(), p.y(), p.z(), q.x(), q.y(), q.z(), q.w()};
+std::string lineOf(const Text& json) {
+    return json.dump(-1, ' ', false, Text::error_handler_t::replace);
 }
 
-PartState stateIn(const Text& json) {
-    PartState state;
-    const auto n = json.get<std::array<double, 7>>();
-    state.position = {n[0], n[1], n[2]};
-    state.rotation.coeffs() << n[3], n[4], n[5], n[6];
-    return state;
-}
-
-}  // namespace
-
-std::string jsonLine(const Text& json) {
-    return json.dump(-1, ' ', false, Text::error_handler_t::replace) + "\n";
-}
-
-void readWith(const std::string& text, const std::string& of, const std::function<void(const Text&)>& read) {
-    try {
-        read(Text::parse(text));
-    } catch (const Text::exception& error) {
-        throw std::runtime_error("what the process of " + of + " printed is no run: " + error.what());
+std::string textOf(const EndedRun& ended) {
+    const BenchmarkRun& run = ended.run;
+    Text path = Text::array();
+    for (const PartState& state : run.path) {
+        const auto& p = state.position;
+        const auto& q = state.rotation.coeffs();
+        path.push_back({p.x(), p.y(), p.z(), q.x(), q.y(), q.z(), q.w()});
     }
+    return lineOf({{"number", ended.number},
+                   {"properties", run.properties},
+                   {"progress", run.progress},
+                   {"solved", run.isSolved},
+                   {"length", run.length},
+                   {"path", path},
+                   {"warnings", ended.warnings}});
 }
 
-std::string textOf(const ToldRun& told) {
-    const BenchmarkRun& run = told.run;
-    Text json = {{"properties", run.properties}, {"progress", run.progress}, {"solved", run.isSolved},
-                 {"length", run.length},         {"path", Text::array()},    {"warnings", told.warnings}};
-    for (const PartState& state : run.path) json["path"].push_back(toText(state));
-    return jsonLine(json);
-}
-
-ToldRun readToldRun(const std::string& text, const std::string& of) {
-    ToldRun told;
-    readWith(text, of, [&](const Text& json) {
-        told.run.properties = json.at("properties").get<Properties>();
-        told.run.progress = json.at("progress").get<std::vector<Properties>>();
-        told.run.isSolved = json.at("solved").get<bool>();
-        told.run.length = json.at("length").get<double>();
-        for (const Text& state : json.at("path")) told.run.path.push_back(stateIn(state));
-        told.warnings = json.at("warnings").get<std::vector<std::string>>();
-    });
-    return told;
+EndedRun readEndedRun(const std::string& text) {
+    const Text json = Text::parse(text);
+    EndedRun ended;
+    BenchmarkRun& run = ended.run;
+    json.at("number").get_to(ended.number);
+    json.at("properties").get_to(run.properties);
+    json.at("progress").get_to(run.progress);
+    json.at("solved").get_to(run.isSolved);
+    json.at("length").get_to(run.length);
+    json.at("warnings").get_to(ended.warnings);
+    for (const auto& n : json.at("path").get<std::vector<std::array<double, 7>>>()) {
+        PartState& state = run.path.emplace_back();
+        state.position = {n[0], n[1], n[2]};
+        state.rotation.coeffs() << n[3], n[4], n[5], n[6];
+    }
+    return ended;
 }
 
 }  // namespace clearway::study

@@ -1,32 +1,22 @@
-// A run as a text (JSON), by which the process that did it tells it to the process that writes it down.
+// A benchmark's run as a line of JSON, by which a rank tells it to rank 0.
 #pragma once
 
-#include <functional>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
-#include <vector>
 
-#include "program/bench/planner_run.h"
+#include "program/bench/benchmark.h"
 
 namespace clearway::study {
 
-/// A run of a benchmark, with the warnings that came up.
-struct ToldRun {
-    BenchmarkRun run;  ///< without its measures, which its properties hold
-    std::vector<std::string> warnings;
-};
+/// Leaves out the run's measures, which its properties hold.
+std::string textOf(const EndedRun& ended);
 
-std::string textOf(const ToldRun& told);
-
-/// Reads what textOf wrote. Throws std::runtime_error, naming what the text is of, when it is no such text.
-ToldRun readToldRun(const std::string& text, const std::string& of);
+/// Throws a std::exception when textOf() wrote no such text.
+EndedRun readEndedRun(const std::string& text);
 
 using Text = nlohmann::json;  // numbers are doubles, unlike those of core/json.h
 
-/// On one line. Bytes that are not UTF-8, from names of files, are replaced.
-std::string jsonLine(const Text& json);
-
-/// Calls `read` with the JSON. Throws std::runtime_error when the text is no JSON, or `read` misses something in it.
-void readWith(const std::string& text, const std::string& of, const std::function<void(const Text&)>& read);
+/// Bytes that are not UTF-8, from names of files, are replaced.
+std::string lineOf(const Text& json);
 
 }  // namespace clearway::study

@@ -2,18 +2,22 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <iostream>
-#include <nlohmann/json.hpp>
+#include <fstream>
+#include <iterator>
 #include <optional>
 
 #include "clearway/planning/planners.h"
+#include "core/clock.h"
+#include "core/hash.h"
+#include "core/number.h"
 #include "core/replace_file.h"
 #include "program/bench/benchmark.h"
 #include "program/bench/benchmark_log.h"
-#include "program/bench/child_process.h"
+#include "program/bench/merge_logs.h"
 #include "program/bench/run_text.h"
 #include "program/cli/bench_paths.h"
-#include "program/cli/bench_ranks.h"
+#include "program/cli/print_benchmark.h"
+#include "program/cli/run_on_ranks.h"
 #include "program/options/facts.h"
 #include "program/options/print.h"
 #include "program/options/shared_options.h"
@@ -25,8 +29,6 @@ namespace {
 namespace fs = std::filesystem;
 using study::Benchmark;
 using study::BenchmarkOptions;
-using study::BenchmarkRun;
-using study::PlannerBenchmark;
 
 /// The values of the options. Fields that replace values of the problem are optional.
 struct BenchArguments {
@@ -39,7 +41,6 @@ struct BenchArguments {
     BenchmarkOptions benchmark;
     TreeChoice trees;
     std::string log;
-    std::optional<std::size_t> oneRun;
 };
 
 SavedPaths savedPaths(const std::string& which) {
@@ -55,10 +56,8 @@ bool readArguments(const Arguments& arguments, BenchArguments& given) {
         "Runs every planner the problem names (without any: RRTConnect, RRT, EST, KPIECE1 and PRM) several\n"
         "times and writes OMPL's benchmark log, for ompl_benchmark_statistics.py and Planner Arena.\n"
         "Ctrl-C leaves a log of the runs that have ended, with exit code 1.\n"
-        "Under `mpirun -n N` the runs are handed out to N ranks. A run whose process is killed or fails "
-        "is lost,\n"
-        "with exit code 1. The same command goes on with what is missing: the runs that ended are in "
-        "LOG.runs.\n"
+        "Under `mpirun -n N` or `srun -n N` each of N ranks does its share of the runs, and rank 0 writes "
+        "the log.\n"
         "For the study of leaf splits see `clearway-study --help`.");
     addProblem(line, given.problem);
     line.option("--log FILE", "the log (PROBLEM.log, in the problem's output folder)", to(given.log));
@@ -89,7 +88,12 @@ bool readArguments(const Arguments& arguments, BenchArguments& given) {
     addJson(line);
     addTreeOptions(line, given.trees.options);
     addCache(line, given.trees);
-    addOneRun(line, given.oneRun);
+    bool merges = false;  // this option is mergeBench()'s
+    line.flag(
+        "--merge",
+        "`clearway bench --merge LOG... --log FILE` joins logs that differ in their seeds alone, and names "
+        "missing runs as lost",
+        merges);
     return line.parse(arguments);
 }
 
@@ -120,6 +124,22 @@ Problem readProblemFor(const BenchArguments& given) {
     return problem;
 }
 
+/// Options and files that one database, and --merge, must tell apart.
+study::Properties parametersOf(const BenchArguments& given, const Problem& problem) {
+    const BuildOptions& tree = given.trees.options;
+    study::Properties parameters = {{"general_split VARCHAR", tree.generalSplit},
+                                    {"leaf_split VARCHAR", tree.leafSplit},
+                                    {"leaf_size INTEGER", std::to_string(tree.leafSize)},
+                                    {"simplify BOOLEAN", problem.simplify ? "1" : "0"}};
+    Hash hash;
+    for (const std::string& file : inputsOf(problem)) {
+        std::ifstream in(file, std::ios::binary);
+        hash.add(std::string(std::istreambuf_iterator<char>(in), {}));
+    }
+    parameters["hash_of_files VARCHAR"] = std::to_string(hash.value());
+    return parameters;
+}
+
 BenchmarkOptions benchmarkOptions(const BenchArguments& given, const Problem& problem) {
     BenchmarkOptions result = given.benchmark;
     result.seconds = problem.timeLimit.value_or(result.seconds);
@@ -127,6 +147,7 @@ BenchmarkOptions benchmarkOptions(const BenchArguments& given, const Problem& pr
     result.runs = problem.runCount.value_or(result.runs);
     result.simplify = problem.simplify;
     result.isStopped = isInterrupted;
+    result.parameters = parametersOf(given, problem);
     return result;
 }
 
@@ -136,46 +157,6 @@ std::string logFile(const BenchArguments& given, const Problem& problem) {
     const fs::path folder = fs::path(problem.file).parent_path() / problem.outputFolder;
     if (!problem.outputFolder.empty()) makeFolder(folder.string());
     return (folder / fs::path(problem.file).filename().replace_extension(".log")).string();
-}
-
-/// Empty for a lost run.
-std::optional<double> secondsOf(const BenchmarkRun& run) {
-    const auto found = run.properties.find("time REAL");
-    if (found == run.properties.end()) return std::nullopt;
-    return std::stod(found->second);
-}
-
-Json factsOf(const PlannerBenchmark& planner) {
-    Json runs = Json::array();
-    for (const BenchmarkRun& run : planner.runs)
-        runs.push_back({{"solved", run.isSolved},
-                        {"seconds", secondsOf(run) ? toJson(*secondsOf(run)) : Json()},
-                        {"length", run.isSolved ? toJson(run.length) : Json()}});
-    return {{"name", planner.name}, {"runs", runs}};
-}
-
-void printPlanner(const PlannerBenchmark& planner) {
-    std::vector<double> seconds, lengths;
-    for (const BenchmarkRun& run : planner.runs) {
-        if (const auto ofRun = secondsOf(run)) seconds.push_back(*ofRun);
-        if (run.isSolved) lengths.push_back(run.length);
-    }
-    const auto median = [](std::vector<double>& values) {
-        std::nth_element(values.begin(), values.begin() + static_cast<long>(values.size() / 2), values.end());
-        return values[values.size() / 2];
-    };
-    std::string text =
-        std::to_string(lengths.size()) + " of " + counted(planner.runs.size(), "run") + " solved";
-    if (!seconds.empty()) text += ", " + readable(median(seconds)) + " s";
-    if (!lengths.empty()) text += ", length " + shownLength(median(lengths));
-    printRow(planner.name, text + (seconds.empty() ? "" : " in the median"));
-}
-
-/// Adds the build options to the log, so that one database can tell logs of different trees apart.
-void describeTrees(const BuildOptions& tree, Benchmark& benchmark) {
-    benchmark.parameters["general_split VARCHAR"] = tree.generalSplit;
-    benchmark.parameters["leaf_split VARCHAR"] = tree.leafSplit;
-    benchmark.parameters["leaf_size INTEGER"] = std::to_string(tree.leafSize);
 }
 
 Benchmark runShown(const Problem& problem, const Scene& scene, BenchmarkOptions options) {
@@ -192,30 +173,65 @@ Benchmark runShown(const Problem& problem, const Scene& scene, BenchmarkOptions 
     return study::runBenchmark(problem, scene, options);
 }
 
-/// For a process that another one started: does one run and prints it.
-int doOneRun(const BenchArguments& given, const Problem& problem) {
-    study::endWithParent();
+/// The rank's jobs are the numbers of runs.
+study::DoJob jobsOf(const study::DoRun& doRun) {
+    return [&doRun](const std::string& number) -> std::optional<std::string> {
+        const auto ended = doRun(std::stoul(number));
+        return ended ? std::optional(textOf(*ended)) : std::nullopt;
+    };
+}
+
+void shareOut(const study::SharedRuns& runs, study::Ranks& ranks) {
+    std::vector<std::string> numbers;
+    for (std::size_t i = 0; i < runs.count; ++i) numbers.push_back(std::to_string(i));
+    ranks.share(
+        numbers, jobsOf(runs.doRun), [&](const std::string& text) { runs.take(study::readEndedRun(text)); },
+        runs.keep);
+}
+
+/// For other ranks than 0. Loads the scene after rank 0, which fills the cache of trees and refuses faulty input.
+void serve(study::Ranks& ranks, const BenchArguments& given, const Problem& problem) {
     const BenchmarkOptions options = benchmarkOptions(given, problem);
-    const Scene scene = given.trees.load(problem);
-    study::ToldRun told;
-    const auto run = study::runAlone(problem, scene, options, *given.oneRun, told.warnings);
-    if (!run) return kAnswerIsNo;
-    told.run = *run;
-    return tellRun(textOf(told));
+    std::optional<Scene> scene;
+    study::DoRun doRun;
+    ranks.serve([&](const std::string& number) -> std::optional<std::string> {
+        if (isInterrupted()) return std::nullopt;
+        if (!scene) {
+            scene.emplace(given.trees.load(problem));
+            doRun = study::runsOf(problem, *scene, options);
+        }
+        return jobsOf(doRun)(number);
+    });
 }
 
-void tellLost(const std::vector<LostRun>& lost) {
-    for (const LostRun& run : lost) {
-        printRow("lost", run.name + ": " + run.end);
-        facts()["lost"].push_back({{"run", run.name}, {"end", run.end}});
+void writeLog(const Benchmark& benchmark, const std::string& log) {
+    replaceFile(log, [&](std::ostream& out) { study::writeBenchmarkLog(benchmark, out); });
+}
+
+/// Keeps the log up to date while the benchmark runs, so that a killed one leaves most of its runs.
+class GrowingLog {
+  public:
+    explicit GrowingLog(const std::string& log) : log_(log) {}
+
+    void keep(const Benchmark& benchmark) {
+        if (benchmark.seconds == seconds_ || secondsSince(written_) < pause_) return;
+        const Clock::time_point begin = Clock::now();
+        try {
+            writeLog(benchmark, log_);
+        } catch (const std::runtime_error&) {  // the write at the end reports what stays wrong
+        }
+        seconds_ = benchmark.seconds;
+        written_ = Clock::now();
+        pause_ = std::max(kLeastPause, kPausePerWriting * secondsSince(begin));
     }
-}
 
-std::string troubleOf(const Benchmark& benchmark, std::size_t lost) {
-    if (benchmark.isComplete) return "";
-    if (lost > 0) return ", " + counted(lost, "run") + " lost: the same command does what is missing";
-    return ", interrupted: the log has the runs that ended";
-}
+  private:
+    static constexpr double kLeastPause = 10;  ///< seconds
+    static constexpr double kPausePerWriting = 100;
+    std::string log_;
+    double seconds_ = 0, pause_ = kLeastPause;
+    Clock::time_point written_ = Clock::now();
+};
 
 /// ranks: null unless mpirun started this process.
 int benchProblem(const Arguments& arguments, study::Ranks* ranks) {
@@ -225,7 +241,7 @@ int benchProblem(const Arguments& arguments, study::Ranks* ranks) {
     BenchArguments given;
     if (!readArguments(arguments, given)) return kDone;
     const Problem problem = readProblemFor(given);
-    if (given.oneRun) return doOneRun(given, problem);
+    if (ranks && ranks->rank() > 0) return serve(*ranks, given, problem), kDone;
     const std::string log = logFile(given, problem);
     heedInterrupts();  // before files are tried out, so that an interrupt leaves none of them
     OutputFiles files(inputsOf(problem));
@@ -234,40 +250,48 @@ int benchProblem(const Arguments& arguments, study::Ranks* ranks) {
 
     BenchmarkOptions options = benchmarkOptions(given, problem);
     const Scene scene = given.trees.load(problem);
-    std::optional<BenchmarkOnRanks> onRanks;
-    if (ranks) {
-        onRanks.emplace(*ranks, arguments, log, inputsOf(problem));
-        options.doRuns = [&](Benchmark& benchmark) { return onRanks->doRuns(benchmark); };
-    }
-    Benchmark benchmark = runShown(problem, scene, options);
-    describeTrees(given.trees.options, benchmark);
-    replaceFile(log, [&](std::ostream& out) { study::writeBenchmarkLog(benchmark, out); });
-    if (onRanks) onRanks->finish(benchmark.isComplete);
+    GrowingLog growing(log);
+    options.keep = [&](const Benchmark& benchmark) { growing.keep(benchmark); };
+    if (ranks) options.share = [&](const study::SharedRuns& runs) { shareOut(runs, *ranks); };
+    const Benchmark benchmark = runShown(problem, scene, options);
+    writeLog(benchmark, log);
 
     printWarnings(problem.warnings);
-    printWarnings(benchmark.warnings);
-    printRow("experiment", benchmark.experiment);
-    for (const PlannerBenchmark& planner : benchmark.planners) {
-        printPlanner(planner);
-        facts()["planners"].push_back(factsOf(planner));
-    }
-    if (onRanks) tellLost(onRanks->lost());
-    facts()["experiment"] = benchmark.experiment;
-    facts()["seconds"] = toJson(benchmark.seconds);
-    facts()["complete"] = benchmark.isComplete;
-    facts()["log"] = log;
+    printBenchmark(benchmark, log);
     if (const auto written = writePaths(benchmark, problem, log))
         printRow("paths", std::to_string(*written) + ", beside the log");
-    printRow("took",
-             readable(benchmark.seconds) + " s" + troubleOf(benchmark, onRanks ? onRanks->lost().size() : 0));
-    printRow("log", log);
-    requirePrinted();
-    return benchmark.isComplete ? kDone : kAnswerIsNo;
+    return benchmark.isComplete() ? kDone : kAnswerIsNo;
+}
+
+int mergeBench(const Arguments& arguments) {
+    CommandLine line(
+        "clearway bench --merge LOG... --log FILE [options]",
+        "Joins logs of `clearway bench` that differ in their seeds alone, such as those of a job "
+        "array, and names as\n"
+        "lost the runs that they announce but do not have, with exit code 1.");
+    std::vector<std::string> logs;
+    std::string log;
+    bool merges = false;
+    line.argument("LOG", appendedTo(logs));
+    line.argument("[LOG...]", appendedTo(logs));
+    line.flag("--merge", "joins the logs", merges);
+    line.option("--log FILE", "the joined log", to(log), CommandLine::Count::kRequired);
+    addJson(line);
+    if (!line.parse(arguments)) return kDone;
+    OutputFiles files(logs);
+    files.add("--log", log);
+    requireFactsFile(files);
+    const Benchmark benchmark = study::mergeLogs(logs);
+    writeLog(benchmark, log);
+    printBenchmark(benchmark, log);
+    return benchmark.isComplete() ? kDone : kAnswerIsNo;
 }
 
 }  // namespace
 
 int bench(const Arguments& arguments) {
+    if (std::find(arguments.begin(), arguments.end(), "--merge") != arguments.end())
+        return mergeBench(arguments);
     return runOnRanks([&](study::Ranks* ranks) { return benchProblem(arguments, ranks); });
 }
 

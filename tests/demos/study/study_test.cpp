@@ -4,12 +4,15 @@
 #include <sstream>
 
 #include "clearway/problem.h"
+#include "program/bench/benchmark_log.h"
 #include "program/cli/run_program.h"
-#include "support/benchmark_log_reader.h"
 #include "support/full_run.h"
 #include "support/window_scene.h"
 
 namespace clearway::testing {
+
+using study::Benchmark;
+using study::readBenchmarkLog;
 
 BOOST_AUTO_TEST_SUITE(study_test)
 
@@ -174,16 +177,16 @@ BOOST_AUTO_TEST_CASE(a_study_leaves_tables_and_logs_with_the_strategy_as_paramet
     BOOST_TEST(outcome.err.find("run 1 of 8, RRTConnect sah/none seed 1, at most ") != std::string::npos,
                outcome.err);
     for (const char* split : {"none", "all"}) {
-        const ReadLog log =
-            readBenchmarkLog(readText(folder.file(std::string("study/logs/window_sah_") + split + ".log")));
+        const Benchmark log =
+            readBenchmarkLog(folder.file(std::string("study/logs/window_sah_") + split + ".log"));
         BOOST_TEST(log.experiment == "window");
         BOOST_TEST(log.parameters.at("leaf_split VARCHAR") == split);
         BOOST_TEST(log.parameters.at("general_split VARCHAR") == "sah");
         BOOST_TEST_REQUIRE(log.planners.size() == 2u);
         BOOST_TEST(log.planners[0].name == "geometric_RRTConnect");
         BOOST_TEST_REQUIRE(log.planners[0].runs.size() == 2u);
-        BOOST_TEST(log.planners[0].runs[1].at("seed INTEGER") == "2");
-        BOOST_TEST(log.planners[0].runs[0].at("solved BOOLEAN") == "1");
+        BOOST_TEST(log.planners[0].runs[1].properties.at("seed INTEGER") == "2");
+        BOOST_TEST(log.planners[0].runs[0].properties.at("solved BOOLEAN") == "1");
     }
     std::set<std::string> trees;
     for (const auto& row : readRows(folder.file("study/replay.csv")))

@@ -2,12 +2,13 @@
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
-#include <sstream>
+#include <fstream>
 #include <stdexcept>
 
+#include "clearway/planning/ompl_messages.h"
 #include "program/bench/benchmark_log.h"
-#include "support/benchmark_log_reader.h"
 #include "support/processor_time.h"
+#include "support/temporary_folder.h"
 #include "support/window_scene.h"
 
 namespace clearway::study {
@@ -16,8 +17,7 @@ BOOST_AUTO_TEST_SUITE(benchmark_test)
 
 namespace {
 
-using testing::readBenchmarkLog;
-using testing::ReadLog;
+using testing::TemporaryFolder;
 using testing::windowScene;
 
 BenchmarkOptions quick() {
@@ -34,10 +34,12 @@ BenchmarkOptions patient() {
     return options;
 }
 
-ReadLog logOf(const Benchmark& benchmark) {
-    std::ostringstream out;
+Benchmark logOf(const Benchmark& benchmark) {
+    const TemporaryFolder folder;
+    std::ofstream out(folder.file("a.log"));
     writeBenchmarkLog(benchmark, out);
-    return readBenchmarkLog(out.str());
+    out.close();
+    return readBenchmarkLog(folder.file("a.log"));
 }
 
 std::string refusal(const Problem& problem, const Scene& scene, const BenchmarkOptions& options) {
@@ -55,16 +57,14 @@ BOOST_AUTO_TEST_CASE(every_planner_runs_as_often_as_asked_and_the_log_reads_back
     window.problem.planners = {
         {"rrtconnect"}, {"rrtconnect", {{"name", "RRTC; fine"}, {"range", "5"}}}, {"rrt"}};
     const Benchmark benchmark = runBenchmark(window.problem, window.scene, patient());
-    BOOST_TEST(benchmark.isComplete);
-    const ReadLog log = logOf(benchmark);
+    BOOST_TEST(benchmark.isComplete());
+    const Benchmark log = logOf(benchmark);
     BOOST_TEST(log.experiment == "through_a_window");
-    BOOST_TEST(log.version.find("OMPL ") == 0);
-    BOOST_TEST(log.seed == 1);
-    BOOST_TEST(log.secondsPerRun == 100);
-    BOOST_TEST(log.megabytesPerRun == 4096);
-    BOOST_TEST(log.runsPerPlanner == 2);
+    BOOST_TEST(log.options.seed == 1u);
+    BOOST_TEST(log.options.seconds == 100);
+    BOOST_TEST(log.options.megabytes == 4096);
+    BOOST_TEST(log.options.runs == 2);
     BOOST_TEST(log.parameters.count("margin REAL") == 1u);
-    BOOST_TEST(log.statuses.at(6) == "Exact solution");
     BOOST_TEST_REQUIRE(log.planners.size() == 3u);
     BOOST_TEST(log.planners[0].name == "geometric_RRTConnect");
     BOOST_TEST(log.planners[1].name == "geometric_RRTC; fine");
@@ -74,21 +74,22 @@ BOOST_AUTO_TEST_CASE(every_planner_runs_as_often_as_asked_and_the_log_reads_back
     for (const auto& planner : log.planners) {
         BOOST_TEST_REQUIRE(planner.runs.size() == 2u);
         for (const auto& run : planner.runs) {
-            BOOST_TEST(run.at("solved BOOLEAN") == "1");
-            BOOST_TEST(run.at("status ENUM") == "6");
-            BOOST_TEST(run.at("correct solution strict BOOLEAN") == "1");
-            BOOST_TEST(run.at("simplified correct solution strict BOOLEAN") == "1");
-            BOOST_TEST(std::stod(run.at("least clearance REAL")) > 0);
-            BOOST_TEST(std::stod(run.at("time REAL")) > 0);
-            BOOST_TEST(std::stod(run.at("time REAL")) <= benchmark.seconds);
-            BOOST_TEST(std::stod(run.at("state checks INTEGER")) > 0);
-            BOOST_TEST(std::stod(run.at("motion queries INTEGER")) > 0);
-            BOOST_TEST(std::stod(run.at("valid motions INTEGER")) > 0);
-            BOOST_TEST(std::stod(run.at("simplified solution length REAL")) <=
-                       std::stod(run.at("solution length REAL")));
+            const Properties& values = run.properties;
+            BOOST_TEST(values.at("solved BOOLEAN") == "1");
+            BOOST_TEST(values.at("status ENUM") == "6");
+            BOOST_TEST(values.at("correct solution strict BOOLEAN") == "1");
+            BOOST_TEST(values.at("simplified correct solution strict BOOLEAN") == "1");
+            BOOST_TEST(std::stod(values.at("least clearance REAL")) > 0);
+            BOOST_TEST(std::stod(values.at("time REAL")) > 0);
+            BOOST_TEST(std::stod(values.at("time REAL")) <= benchmark.seconds);
+            BOOST_TEST(std::stod(values.at("state checks INTEGER")) > 0);
+            BOOST_TEST(std::stod(values.at("motion queries INTEGER")) > 0);
+            BOOST_TEST(std::stod(values.at("valid motions INTEGER")) > 0);
+            BOOST_TEST(std::stod(values.at("simplified solution length REAL")) <=
+                       std::stod(values.at("solution length REAL")));
         }
-        BOOST_TEST(planner.runs[0].at("seed INTEGER") == "1");
-        BOOST_TEST(planner.runs[1].at("seed INTEGER") == "2");
+        BOOST_TEST(planner.runs[0].properties.at("seed INTEGER") == "1");
+        BOOST_TEST(planner.runs[1].properties.at("seed INTEGER") == "2");
     }
 }
 
@@ -116,28 +117,27 @@ BOOST_AUTO_TEST_CASE(with_iterations_a_run_alone_gives_the_values_that_it_gives_
     options.iterations = 300;
     options.seconds = 1e-3;  // does not count
     const Benchmark all = runBenchmark(window.problem, window.scene, options);
-    for (std::size_t run = 0; run < 4; ++run) {
-        std::vector<std::string> warnings;
-        const auto alone = runAlone(window.problem, window.scene, options, run, warnings);
+    const planning::OmplMessages unheard;
+    const DoRun doRun = runsOf(window.problem, window.scene, options);
+    for (const std::size_t number : {3u, 0u, 2u, 1u}) {
+        const auto alone = doRun(number);
         BOOST_TEST_REQUIRE(alone.has_value());
-        const RunPlace place = placeOf(run, options);
-        const BenchmarkRun& among =
-            all.planners.at(place.planner).runs.at(static_cast<std::size_t>(place.run));
-        BOOST_TEST(alone->properties.at("seed INTEGER") == std::to_string(seedOf(place.run, options)));
+        BOOST_TEST(alone->number == number);
+        const BenchmarkRun& among = all.planners.at(number / 2).runs.at(number % 2);
+        BOOST_TEST(seedOf(among) == 1 + number % 2);
         for (const char* name : {"seed INTEGER", "status ENUM", "state checks INTEGER",
                                  "motion queries INTEGER", "graph states INTEGER", "solution length REAL"}) {
-            BOOST_TEST(alone->properties.at(name) == among.properties.at(name), name << " of run " << run);
+            BOOST_TEST(alone->run.properties.at(name) == among.properties.at(name),
+                       name << " of run " << number);
         }
     }
     BOOST_TEST(std::stod(all.planners[1].runs[0].properties.at("graph states INTEGER")) > 50);
-    const ReadLog log = logOf(all);
+    const Benchmark log = logOf(all);
     BOOST_TEST(log.parameters.at("iterations INTEGER") == "300");
-    BOOST_TEST(std::isinf(log.secondsPerRun));
+    BOOST_TEST(std::isinf(log.options.seconds));
     options.iterations = 3;
     const auto few = runBenchmark(window.problem, window.scene, options).planners[1].runs[0];
     BOOST_TEST(std::stod(few.properties.at("graph states INTEGER")) < 50);
-    std::vector<std::string> warnings;
-    BOOST_CHECK_THROW(runAlone(window.problem, window.scene, options, 4, warnings), std::invalid_argument);
 }
 
 BOOST_AUTO_TEST_CASE(planners_that_tell_of_their_progress_have_it_in_the_log) {
@@ -145,22 +145,22 @@ BOOST_AUTO_TEST_CASE(planners_that_tell_of_their_progress_have_it_in_the_log) {
     window.problem.planners = {{"rrtstar"}};
     BenchmarkOptions options = quick();
     options.simplify = false;
-    const ReadLog log = testing::withProcessorTime(1, [&](double seconds) {  // for two runs
+    const Benchmark log = testing::withProcessorTime(1, [&](double seconds) {  // for two runs
         options.seconds = seconds / 2;
         return logOf(runBenchmark(window.problem, window.scene, options));
     });
     BOOST_TEST_REQUIRE(log.planners.size() == 1u);
-    BOOST_TEST_REQUIRE(log.planners[0].progress.size() == 2u);
-    for (const auto& run : log.planners[0].progress) {
-        BOOST_TEST_REQUIRE(run.size() >= 3u);
+    BOOST_TEST_REQUIRE(log.planners[0].runs.size() == 2u);
+    for (const BenchmarkRun& run : log.planners[0].runs) {
+        BOOST_TEST_REQUIRE(run.progress.size() >= 3u);
         double before = 0;
-        for (const auto& moment : run) {
+        for (const auto& moment : run.progress) {
             BOOST_TEST(std::stod(moment.at("time REAL")) > before);
             before = std::stod(moment.at("time REAL"));
             BOOST_TEST(moment.count("best cost REAL") == 1u);
         }
     }
-    BOOST_TEST(log.planners[0].runs[0].count("simplification time REAL") == 0u);
+    BOOST_TEST(log.planners[0].runs[0].properties.count("simplification time REAL") == 0u);
 }
 
 BOOST_AUTO_TEST_CASE(a_planner_without_a_path_ends_at_its_limit_of_time_or_memory) {
@@ -194,12 +194,21 @@ BOOST_AUTO_TEST_CASE(stopped_it_keeps_the_runs_that_have_ended) {
         BOOST_TEST(at.runs == 4);
         BOOST_TEST(at.left > 0);
     };
+    std::size_t kept = 0;
+    options.keep = [&](const Benchmark& soFar) {
+        ++kept;
+        BOOST_TEST(soFar.planners[0].runs.size() + soFar.planners[1].runs.size() == kept);
+    };
     options.isStopped = [&] { return begun == 4; };
     const Benchmark benchmark = runBenchmark(window.problem, window.scene, options);
-    BOOST_TEST(!benchmark.isComplete);
-    const ReadLog log = logOf(benchmark);
+    BOOST_TEST(!benchmark.isComplete());
+    const Benchmark log = logOf(benchmark);
     BOOST_TEST(log.planners[0].runs.size() == 2u);
     BOOST_TEST(log.planners[1].runs.size() == 1u);
+    BOOST_TEST(kept == 3u);
+    BOOST_TEST(missingSeeds(benchmark.planners[0], benchmark).empty());
+    BOOST_TEST(missingSeeds(benchmark.planners[1], benchmark) == std::set<std::uint32_t>{2},
+               boost::test_tools::per_element());
     options.isStopped = [] { return true; };
     for (const auto& planner : logOf(runBenchmark(window.problem, window.scene, options)).planners) {
         BOOST_TEST(planner.runs.empty());
@@ -268,15 +277,15 @@ BOOST_AUTO_TEST_CASE(the_log_keeps_its_form_whatever_values_hold) {
     other.properties = {{"note VARCHAR", "-inf"}};
     benchmark.planners[0].runs = {run, other};
     benchmark.planners[1].name = "none";
-    const ReadLog log = logOf(benchmark);
+    const Benchmark log = logOf(benchmark);
     BOOST_TEST(log.setup == "two\nlines\n");
     BOOST_TEST(log.planners[0].settings.at("a") == "b = c d");
-    BOOST_TEST(log.planners[0].runs[0].at("note VARCHAR") == "x, y z");
-    BOOST_TEST(log.planners[0].runs[1].at("time REAL") == "");
-    BOOST_TEST(log.planners[0].runs[1].at("note VARCHAR") == "");
-    BOOST_TEST(log.planners[0].progress[0][0].at("best cost REAL") == "1 5 ");
-    BOOST_TEST(log.planners[0].progress[0][1].at("best cost REAL") == "");
-    BOOST_TEST(log.planners[0].progress[1].empty());
+    const std::vector<BenchmarkRun>& runs = log.planners[0].runs;
+    BOOST_TEST(runs[0].properties.at("note VARCHAR") == "x, y z");
+    BOOST_TEST(runs[1].properties.empty());
+    BOOST_TEST(runs[0].progress[0].at("best cost REAL") == "1 5 ");
+    BOOST_TEST(runs[0].progress[1].count("best cost REAL") == 0u);
+    BOOST_TEST(runs[1].progress.empty());
     BOOST_TEST(log.planners[1].runs.empty());
 }
 

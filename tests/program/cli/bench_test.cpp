@@ -1,9 +1,12 @@
 #include "clearway/problem.h"
+#include "program/bench/benchmark_log.h"
 #include "program/cli/run_program.h"
-#include "support/benchmark_log_reader.h"
 #include "support/window_scene.h"
 
 namespace clearway::testing {
+
+using study::Benchmark;
+using study::readBenchmarkLog;
 
 BOOST_AUTO_TEST_SUITE(bench_test)
 
@@ -35,12 +38,12 @@ BOOST_AUTO_TEST_CASE(the_problems_planners_are_run_and_the_log_lies_beside_it) {
     BOOST_TEST(row(outcome, "geometric_RRTConnect").find("1 of 1 run solved, ") == 0u);
     BOOST_TEST(row(outcome, "geometric_RRT*?").find("1 of 1 run solved, ") == 0u);
     BOOST_TEST(row(outcome, "log") == "window.log");
-    const ReadLog log = readBenchmarkLog(readText(folder.file("window.log")));
+    const Benchmark log = readBenchmarkLog(folder.file("window.log"));
     BOOST_TEST(log.experiment == "window");
-    BOOST_TEST(log.secondsPerRun == 20);
-    BOOST_TEST(log.runsPerPlanner == 1);
+    BOOST_TEST(log.options.seconds == 20);
+    BOOST_TEST(log.options.runs == 1);
     BOOST_TEST_REQUIRE(log.planners.size() == 2u);
-    BOOST_TEST(log.planners[0].runs.at(0).at("correct solution strict BOOLEAN") == "1");
+    BOOST_TEST(log.planners[0].runs.at(0).properties.at("correct solution strict BOOLEAN") == "1");
 }
 
 BOOST_AUTO_TEST_CASE(options_go_before_what_the_problem_says) {
@@ -53,18 +56,18 @@ BOOST_AUTO_TEST_CASE(options_go_before_what_the_problem_says) {
               "RRTConnect --planner pdst --seed 5 --margin 1 --no-simplify --save-paths all "
               "--target scalar --leaf-split chain");
     BOOST_TEST(outcome.code == 0, outcome.err);
-    const ReadLog log = readBenchmarkLog(readText(folder.file("sub.log")));
-    BOOST_TEST(log.secondsPerRun == 15);
-    BOOST_TEST(log.megabytesPerRun == 500);
-    BOOST_TEST(log.seed == 5);
+    const Benchmark log = readBenchmarkLog(folder.file("sub.log"));
+    BOOST_TEST(log.options.seconds == 15);
+    BOOST_TEST(log.options.megabytes == 500);
+    BOOST_TEST(log.options.seed == 5u);
     BOOST_TEST(log.parameters.at("margin REAL") == "1");
     BOOST_TEST(log.parameters.at("leaf_split VARCHAR") == "chain");
     BOOST_TEST_REQUIRE(log.planners.size() == 2u);
     BOOST_TEST(log.planners[0].settings.at("range") == "13");
     BOOST_TEST(log.planners[1].name == "geometric_PDST");
     BOOST_TEST_REQUIRE(log.planners[0].runs.size() == 2u);
-    BOOST_TEST(log.planners[0].runs[1].at("seed INTEGER") == "6");
-    BOOST_TEST(log.planners[0].runs[0].count("simplification time REAL") == 0u);
+    BOOST_TEST(log.planners[0].runs[1].properties.at("seed INTEGER") == "6");
+    BOOST_TEST(log.planners[0].runs[0].properties.count("simplification time REAL") == 0u);
     for (const char* path : {"window_geometric_RRTConnect_0.path", "window_geometric_RRTConnect_1.path"}) {
         const auto states = readPath(folder.file(path), Space::kSe3);
         BOOST_TEST(states.front().position == folder.window.problem.start.position);
@@ -82,7 +85,7 @@ BOOST_AUTO_TEST_CASE(the_problem_says_where_the_log_goes_and_which_paths_are_kep
     const Outcome outcome = runIn(folder, "bench window.cfg");
     BOOST_TEST(outcome.code == 0, outcome.err);
     BOOST_TEST(row(outcome, "paths") == "2, beside the log");
-    readBenchmarkLog(readText(folder.file("results/window.log")));
+    readBenchmarkLog(folder.file("results/window.log"));
     int paths = 0;
     for (const char* planner : {"RRTConnect", "RRTConnect-2"}) {
         for (const char* run : {"0", "1"}) {
@@ -103,7 +106,7 @@ BOOST_AUTO_TEST_CASE(an_interrupt_leaves_a_log_of_the_runs_that_ended) {
     BOOST_TEST(outcome.code == 1, outcome.err);
     BOOST_TEST(row(outcome, "took").find("interrupted: the log has the runs that ended") !=
                std::string::npos);
-    const ReadLog log = readBenchmarkLog(readText(folder.file("window.log")));
+    const Benchmark log = readBenchmarkLog(folder.file("window.log"));
     BOOST_TEST_REQUIRE(log.planners.size() == 2u);
     BOOST_TEST(log.planners[1].runs.empty());
 }
@@ -119,7 +122,6 @@ BOOST_AUTO_TEST_CASE(bad_input_is_one_line_and_exit_code_2) {
     refused("--seed 0", {"--seed is '0'"});
     refused("--iterations 0", {"--iterations is '0'"});
     refused("--iterations 5 --time 5", {"--time and --iterations are both given"});
-    refused("--one-run 2", {"the run is number 2, expected one below 2"});
     refused("--margin -1", {"--margin is '-1'"});
     refused("--planner nonesuch", {"unknown planner 'nonesuch'", "RRTConnect"});
     refused("--save-paths some", {"--save-paths is 'some'", "shortest"});

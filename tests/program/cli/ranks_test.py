@@ -1,4 +1,4 @@
-"""`clearway bench` and `clearway-study` under mpirun: a killed run, a killed rank, and the same command again.
+"""`clearway bench` and `clearway-study` under mpirun: shares, a stopped rank, a killed rank, and what is left then.
 
     ranks_test.py PROGRAM DATA [MPIEXEC]
 Without MPIEXEC the program was built without MPI, and must say so.
@@ -45,37 +45,46 @@ def show(done):
     return f"exit code {done.returncode}\n{done.stdout}{done.stderr}"
 
 
-def process_of_run(words, number):
-    """The processes that do this run: their numbers, as text."""
-    found = []
-    for process in pathlib.Path("/proc").glob("[0-9]*"):
-        try:
-            line = (process / "cmdline").read_bytes().split(b"\0")[1:-1]
-        except OSError:
-            continue  # it has ended
-        command = [word for word in words if word == "bench"]
-        if [word.decode() for word in line] == [*command, "--one-run", str(number), *words[len(command) :]]:
-            found.append(int(process.name))
-    return found
-
-
-def kill_during(words, folder, number, which):
-    """Starts the command and kills the process of the run with this number, or its rank, as soon as it is seen."""
-    started = subprocess.Popen(
-        ranked(words), cwd=folder, env=ENVIRONMENT, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True
+def start(words, folder, **more):
+    return subprocess.Popen(
+        ranked(words), cwd=folder, env=dict(ENVIRONMENT, **more), stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True
     )
+
+
+def wait_for(found, started):
+    """Returns what `found` returns, as soon as it is true."""
     end = time.monotonic() + SECONDS
     while time.monotonic() < end and started.poll() is None:
-        for process in process_of_run(words, number):
-            if which == "rank":
-                status = pathlib.Path(f"/proc/{process}/status").read_text()
-                process = int(re.search(r"PPid:\s*(\d+)", status).group(1))
-            os.kill(process, signal.SIGKILL)
-            output, _ = started.communicate(timeout=SECONDS)
-            return subprocess.CompletedProcess(words, started.returncode, output, "")
+        result = found()
+        if result:
+            return result
         time.sleep(0.01)
     started.kill()
-    require(False, f"run {number} of {words} was not seen: {started.communicate()[0]}")
+    require(False, f"{found.__name__} was not seen: {started.communicate()[0]}")
+
+
+def process_of_rank(number, started):
+    """The process of this rank, once it catches SIGTERM."""
+
+    def process():
+        for status in pathlib.Path("/proc").glob("[0-9]*/status"):
+            try:
+                text = status.read_text()
+                environment = status.with_name("environ").read_bytes().split(b"\0")
+            except OSError:
+                continue  # it has ended
+            if f"PPid:\t{started.pid}\n" not in text or b"OMPI_COMM_WORLD_RANK=%d" % number not in environment:
+                continue
+            if int(re.search(r"SigCgt:\s*(\w+)", text).group(1), 16) >> (signal.SIGTERM - 1) & 1:
+                return int(status.parent.name)
+        return None
+
+    return wait_for(process, started)
+
+
+def ended(words, started):
+    output, _ = started.communicate(timeout=SECONDS)
+    return subprocess.CompletedProcess(words, started.returncode, output, "")
 
 
 def read_log(file):
@@ -102,62 +111,61 @@ def decided(planners):
     }
 
 
-def times(runs):
-    return [values["time REAL"] for values in runs]
+def bench_words(*more):
+    """RRTConnect ends with its first path. RRTstar uses up its time or iterations, on the ranks after RRTConnect's."""
+    return ["bench", "window/window.cfg", "--planner", "RRTConnect", "--planner", "RRTstar", "--no-simplify", *more]
 
 
 def check_benchmark(folder):
     shutil.copytree(f"{DATA}/window", folder / "window")
-    # RRTConnect ends with its first path. RRTstar uses up its iterations, so that there is time to kill it. Its run is the last.
-    words = ["bench", "window/window.cfg", "--planner", "RRTConnect", "--planner", "RRTstar", "--runs", "3", "--iterations", "2000"]
-    words += ["--no-simplify", "--log"]
-    alone = run([PROGRAM, *words, "alone.log"], folder)
+    words = bench_words("--runs", "5", "--iterations", "1000", "--save-paths", "all", "--log")
+    for place in ("alone", "ranks"):
+        (folder / place).mkdir()
+    alone = run([PROGRAM, *words, "alone/w.log"], folder)
     require(alone.returncode == 0, "one process: " + show(alone))
-    expected = read_log(folder / "alone.log")
-    require([len(runs) for runs in expected.values()] == [3, 3], f"one process ran {expected}")
-
-    words += ["ranks.log"]
-    killed = kill_during(words, folder, 5, "run")
-    require(killed.returncode == 1, "with a run killed: " + show(killed))
-    require("geometric_RRTstar, seed 3: ended by signal 9 (Killed)" in killed.stdout, show(killed))
-    first = read_log(folder / "ranks.log")
-    lost = first["geometric_RRTstar"].pop()
-    require(lost["seed INTEGER"] == "3" and lost["solved BOOLEAN"] == "0", f"the lost run has {lost}")
-    expected_last = expected["geometric_RRTstar"].pop()
-    require(decided(first) == decided(expected), f"{decided(first)}, expected {decided(expected)}")
-
-    other = run(ranked(words + ["--seed", "2"]), folder)
-    require(other.returncode != 0 and "has command '" in other.stderr, "with another seed: " + show(other))
-
-    broken = kill_during(words, folder, 5, "rank")
-    require(broken.returncode not in (0, 1), "with a rank killed: " + show(broken))
-    require(not process_of_run(words, 5), "the killed rank's run goes on")
-    kept = sorted(file.name for file in (folder / "ranks.log.runs").glob("*.json"))
-    require(kept == [f"{i}.json" for i in range(5)], f"kept are {kept}")
-
-    last = run(ranked(words + []), folder)
-    require(last.returncode == 0, "again: " + show(last))
-    final = read_log(folder / "ranks.log")
-    for name, runs in first.items():
-        require(times(final[name])[: len(runs)] == times(runs), f"a run of {name} was repeated")
-    expected["geometric_RRTstar"].append(expected_last)
-    require(decided(final) == decided(expected), f"{decided(final)}, expected {decided(expected)}")
-    require(not (folder / "ranks.log.runs").exists(), "the runs stay when they are in the log")
+    shared = run(ranked(words + ["ranks/w.log"]), folder)
+    require(shared.returncode == 0 and "lost" not in shared.stdout, "ranks: " + show(shared))
+    expected = decided(read_log(folder / "alone/w.log"))
+    require([len(runs) for runs in expected.values()] == [5, 5], f"one process ran {expected}")
+    require(decided(read_log(folder / "ranks/w.log")) == expected, f"{decided(read_log(folder / 'ranks/w.log'))}, expected {expected}")
+    for path in (folder / "alone").glob("*.path"):
+        require((folder / "ranks" / path.name).read_text() == path.read_text(), f"{path.name} is another one")
 
 
-def check_interrupt(folder):
-    """SIGTERM at mpirun leaves a log of the runs that ended."""
-    words = ["bench", "window/window.cfg", "--planner", "RRTConnect", "--planner", "RRTstar", "--runs", "2", "--time", "200"]
-    words += ["--log", "stopped.log"]
-    patient = dict(ENVIRONMENT, OMPI_MCA_odls_base_sigkill_timeout="3")  # seconds after SIGTERM, also on a busy machine
-    started = subprocess.Popen(ranked(words), cwd=folder, env=patient, stdout=subprocess.PIPE, text=True)
-    end = time.monotonic() + SECONDS
-    while time.monotonic() < end and len(list((folder / "stopped.log.runs").glob("[01].json"))) < 2:
-        time.sleep(0.01)
+def runs_in(log):
+    return [len(runs) for runs in read_log(log).values()]
+
+
+def check_endings(folder):
+    """The log grows while ranks work. SIGTERM at mpirun leaves one of the runs that ended, and so does a killed rank."""
+    log = folder / "stopped.log"
+    words = bench_words("--runs", "2", "--time", "200", "--log", "stopped.log")
+
+    started = start(words, folder)
+    wait_for(log.exists, started)
+    require(runs_in(log) == [2, 0], f"the growing log has {runs_in(log)}")
+    os.kill(process_of_rank(3, started), signal.SIGKILL)
+    require(ended(words, started).returncode not in (0, 1), "a killed rank left its job alone")
+    merged = run([PROGRAM, "bench", "--merge", "stopped.log", "--log", "merged.log"], folder)
+    require(merged.returncode == 1 and "geometric_RRTstar, seeds 1 to 2" in merged.stdout, "--merge: " + show(merged))
+
+    log.unlink()
+    started = start(words, folder, OMPI_MCA_odls_base_sigkill_timeout="3")  # seconds after SIGTERM, also on a busy machine
+    wait_for(log.exists, started)
     started.terminate()
-    started.communicate(timeout=SECONDS)
-    runs = read_log(folder / "stopped.log")
-    require([len(of) for of in runs.values()] == [2, 0], f"the log of the interrupted benchmark has {runs}")
+    stopped = ended(words, started)
+    require("geometric_RRTstar, seeds 1 to 2" in stopped.stdout and "interrupted" in stopped.stdout, show(stopped))
+    require(runs_in(log) == [2, 0], f"the log of the interrupted benchmark has {runs_in(log)}")
+
+
+def check_stopped_rank(folder):
+    """SIGTERM at one rank loses its runs alone."""
+    words = bench_words("--runs", "2", "--time", "5", "--log", "one.log")
+    started = start(words, folder)
+    os.kill(process_of_rank(3, started), signal.SIGTERM)
+    stopped = ended(words, started)
+    require(stopped.returncode == 1 and "geometric_RRTstar, seed 2\n" in stopped.stdout, show(stopped))
+    require(runs_in(folder / "one.log") == [2, 1], f"the log has {runs_in(folder / 'one.log')}")
 
 
 def rows_of(table):
@@ -167,23 +175,33 @@ def rows_of(table):
 
 def check_study(folder):
     words = ["window/window.cfg", "--short", "--planner", "RRTConnect", "--planner", "RRTstar"]
-    words += ["--seeds", "1", "--general-split", "sah", "--leaf-split", "none", "--leaf-split", "all", "--time", "1"]
+    words += ["--seeds", "1", "--general-split", "sah", "--leaf-split", "none", "--leaf-split", "all", "--time", "5"]
     words += ["--out", "study"]
-    killed = kill_during(words, folder, 3, "run")
-    require(killed.returncode == 1 and "runs lost: the same command continues it" in killed.stdout, show(killed))
-    require("RRTstar sah/all seed 1: ended by signal 9 (Killed)" in killed.stdout, show(killed))
-    before = (folder / "study/runs.csv").read_text()
+    table = folder / "study/runs.csv"
+    started = start(words, folder)
+    os.kill(process_of_rank(3, started), signal.SIGTERM)
+    stopped = ended(words, started)
+    require(stopped.returncode == 1 and "the run is lost: problem 1, RRTstar sah/all seed 1" in stopped.stdout, show(stopped))
+    started = start(words, folder)
+    wait_for(lambda: len(rows_of(table)) == 3, started)
+    os.kill(process_of_rank(0, started), signal.SIGKILL)
+    ended(words, started)
+    before = table.read_text()
     last = run(ranked(words), folder)
     require(last.returncode == 0, "the study again: " + show(last))
-    require((folder / "study/runs.csv").read_text().startswith(before), "the study repeated a run")
+    require(table.read_text().startswith(before), "the study repeated a run")
     expected = [["window", planner, "sah", leaf, "1"] for planner in ("RRTConnect", "RRTstar") for leaf in ("all", "none")]
-    require(rows_of(folder / "study/runs.csv") == expected, f"the study has {rows_of(folder / 'study/runs.csv')}")
+    require(rows_of(table) == expected, f"the study has {rows_of(table)}")
     require((folder / "study/claims.csv").exists(), "the study is not complete")
 
 
 def check_refusals(folder):
     wrong = run(ranked(["bench", "window/window.cfg", "--runs", "0"]), folder)
     require(wrong.returncode == 2 and wrong.stderr.count("--runs is '0'") == 1, "a wrong option: " + show(wrong))
+    (folder / "elsewhere").mkdir()
+    words = [PROGRAM, *bench_words("--runs", "1", "--iterations", "9", "--log", "x.log")]
+    apart = run([MPIEXEC, "-n", "1", *words, ":", "-n", "1", "-wdir", str(folder / "elsewhere"), *words], folder)
+    require(apart.returncode == 2 and "clearway: rank 1: cannot read" in apart.stderr, "a rank without files: " + show(apart))
     shown = run(ranked(["bench", "--help"]), folder)
     require(shown.returncode == 0 and shown.stdout.count("Usage:") == 1, "--help: " + show(shown))
 
@@ -196,7 +214,7 @@ def main():
             require(done.returncode == 2 and "built without MPI" in done.stderr, show(done))
             print("skipped: program/cli/ranks was not tried: this program was built without MPI")
             return
-        for check in (check_benchmark, check_interrupt, check_study, check_refusals):
+        for check in (check_benchmark, check_endings, check_stopped_rank, check_study, check_refusals):
             begin = time.monotonic()
             check(folder)
             print(f"{check.__name__}: {time.monotonic() - begin:.1f} s")

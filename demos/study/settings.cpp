@@ -1,4 +1,4 @@
-#include "program/bench/settings.h"
+#include "demos/study/settings.h"
 
 #include <stdexcept>
 

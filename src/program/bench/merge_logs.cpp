@@ -1,0 +1,103 @@
+#include "program/bench/merge_logs.h"
+
+#include <algorithm>
+#include <sstream>
+#include <stdexcept>
+
+#include "core/number.h"
+#include "core/text.h"
+#include "program/bench/benchmark_log.h"
+
+namespace clearway::study {
+namespace {
+
+/// The lines of a log that seeds, machines and runs do not change.
+std::vector<std::string> settingsOf(const Benchmark& log) {
+    std::vector<std::string> all = {"Experiment " + log.experiment,
+                                    shortNumber(log.options.seconds) + " seconds per run",
+                                    shortNumber(log.options.megabytes) + " MB per run"};
+    const auto add = [&](const std::string& of, const Properties& values) {
+        for (const auto& [name, value] : values) all.push_back(of + name + " = " + value);
+    };
+    add("", log.parameters);
+    all.push_back("planners " + joined(clearway::namesOf(log.planners)));
+    for (const PlannerBenchmark& planner : log.planners) {
+        add(planner.name + ": ", planner.settings);
+        all.push_back(planner.name + ": progress of " + joined(planner.progressNames));
+    }
+    std::istringstream setup(log.setup);
+    for (std::string line; std::getline(setup, line);) all.push_back(line);
+    return all;
+}
+
+void requireSame(const Benchmark& first, const Benchmark& log, const std::string& file,
+                 const std::string& firstFile) {
+    const std::vector<std::string> expected = settingsOf(first), found = settingsOf(log);
+    const auto [wanted, other] = std::mismatch(expected.begin(), expected.end(), found.begin(), found.end());
+    if (wanted == expected.end() && other == found.end()) return;
+    const auto shown = [](auto line, const auto& lines) {
+        return line == lines.end() ? "nothing more" : quote(*line);
+    };
+    throw std::invalid_argument(file + " has " + shown(other, found) + ", expected " +
+                                shown(wanted, expected) + " as in " + firstFile);
+}
+
+/// The line by which logs name the processor's model.
+std::string modelOf(const Benchmark& log) {
+    const std::size_t begin = log.cpu.find("Model name:");
+    return begin == std::string::npos ? "" : log.cpu.substr(begin, log.cpu.find('\n', begin) - begin);
+}
+
+/// Refuses runs with other seeds than the log's header announces.
+void addRuns(const Benchmark& log, const std::string& file, Benchmark& all) {
+    std::set<std::uint32_t> seeds;
+    for (int run = 0; run < log.options.runs; ++run)
+        seeds.insert(log.options.seed + static_cast<std::uint32_t>(run));
+    std::size_t leftOut = 0;
+    for (std::size_t i = 0; i < log.planners.size(); ++i) {
+        for (const BenchmarkRun& run : log.planners[i].runs) {
+            if (run.properties.count("seed INTEGER") == 0)
+                throw std::invalid_argument(file + " has a run without 'seed INTEGER', expected a log of " +
+                                            "clearway bench");
+            const std::string seed = std::to_string(seedOf(run)), name = log.planners[i].name;
+            if (seeds.count(seedOf(run)) == 0)
+                throw std::invalid_argument(file + " has a run of " + name + " with seed " + seed +
+                                            ", expected " + std::to_string(*seeds.begin()) + " to " +
+                                            std::to_string(*seeds.rbegin()));
+            leftOut += !addRun(run, all.planners[i]);
+        }
+    }
+    if (leftOut > 0)
+        all.warnings.push_back(file + ": " +
+                               (leftOut == 1 ? "1 run is" : std::to_string(leftOut) + " runs are") +
+                               " left out, because logs before it have runs with the same seeds");
+    all.seeds.merge(seeds);
+}
+
+}  // namespace
+
+Benchmark mergeLogs(const std::vector<std::string>& files) {
+    Benchmark all;
+    std::vector<std::string> hosts;
+    for (const std::string& file : files) {
+        const Benchmark log = readBenchmarkLog(file);
+        if (&file == &files.front()) {
+            all = log;
+            all.seconds = 0;
+            for (PlannerBenchmark& planner : all.planners) planner.runs.clear();
+        }
+        requireSame(all, log, file, files.front());
+        addRuns(log, file, all);
+        all.seconds += log.seconds;
+        if (std::find(hosts.begin(), hosts.end(), log.host) == hosts.end()) hosts.push_back(log.host);
+        if (modelOf(log) != modelOf(all))
+            all.warnings.push_back(file + ": times are from another processor than in " + files.front());
+    }
+    all.host = joined(hosts, "+");
+    if (all.seeds.empty()) return all;
+    all.options.seed = *all.seeds.begin();
+    all.options.runs = static_cast<int>(all.seeds.size());
+    return all;
+}
+
+}  // namespace clearway::study
