@@ -124,6 +124,21 @@ BOOST_AUTO_TEST_CASE(every_format_that_assimp_exports_brings_the_same_triangles_
     }
 }
 
+BOOST_AUTO_TEST_CASE(a_face_whose_index_assimp_does_not_check_is_refused) {
+    const TemporaryFolder folder;
+    const std::string file = folder.file("part.assbin");
+    for (unsigned f = 0; f < 4; ++f) {
+        const auto scene = sceneOf(tetrahedron());
+        scene->mMeshes[0]->mFaces[f].mIndices[1] = 9;
+        Assimp::Exporter exporter;
+        BOOST_REQUIRE(exporter.Export(scene.get(), "assbin", file) == aiReturn_SUCCESS);
+        const std::string message = "face " + std::to_string(f) + " of mesh 'shape' refers to vertex 9 of 4";
+        BOOST_CHECK_EXCEPTION(loadMesh(file), std::runtime_error, [&](const std::runtime_error& error) {
+            return std::string(error.what()).find(message) != std::string::npos;
+        });
+    }
+}
+
 BOOST_AUTO_TEST_CASE(the_unit_and_up_axis_that_an_fbx_file_declares_are_said) {
     const TemporaryFolder folder;
     const std::string file = folder.file("part.fbx");

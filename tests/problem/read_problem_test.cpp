@@ -509,6 +509,7 @@ problem.nr_attempts = 9
     BOOST_TEST((problem.planners[2].settings ==
                 NamedTexts{{"projection.cellsize_factor", "4.0"}, {"objective.threshold", "12.5"}}));
     BOOST_TEST(problem.warnings.empty());
+    BOOST_TEST(read(kSpatial + "threshold = 0\n").goalThreshold.value() == 0);
     BOOST_TEST(refusalOf(kSpatial + "threshold = -1\n") ==
                ":19: [problem] threshold is '-1', expected a number of at least 0");
     BOOST_TEST(refusalOf(kSpatial + "[planner]\nrrt=\nproblem.objective.threshold = low\n") ==

@@ -212,6 +212,8 @@ BOOST_AUTO_TEST_CASE(other_options_than_those_of_the_folder_are_refused) {
     requireRefused(folder, other(command, "--seeds 1", "--seeds 2"), {"seeds '1', not '2'"}, kStudyProgram);
     requireRefused(folder, other(command, "split none --leaf-split all", "split none --leaf-split edge"),
                    {"leaf splits 'none all', not 'none edge'"}, kStudyProgram);
+    requireRefused(folder, other(command, " --leaf-split none --leaf-split all", ""),
+                   {"leaf splits 'none all', not 'none chain edge all'"}, kStudyProgram);
     Problem problem = readProblem(folder.file("window.cfg"));
     std::filesystem::rename(folder.file("plate.obj"), folder.file("moved.obj"));
     problem.robot = folder.file("moved.obj");
