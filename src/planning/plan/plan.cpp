@@ -58,9 +58,9 @@ class Budget {
                                     : std::optional(options.seconds.value_or(kDefaultSeconds))),
           seconds_(limit_) {}
 
-    /// motions: the validator that counts the planners' motions; null where they are not certified.
-    void beginPlanning(bool isImproving, std::shared_ptr<const MotionValidator> motions) {
-        motions_ = std::move(motions);
+    /// motions: the planners' validator, which counts their motions.
+    void beginPlanning(bool isImproving, const MotionValidator& motions) {
+        motions_ = &motions;
         if (limit_) planningSeconds_ = (isImproving ? kImprovingShare : 1) * *limit_;
     }
 
@@ -125,7 +125,7 @@ class Budget {
     const PlanOptions& options_;
     const Clock::time_point begin_ = Clock::now();
     const std::optional<double> limit_;
-    std::shared_ptr<const MotionValidator> motions_;
+    const MotionValidator* motions_ = nullptr;
     std::optional<double> seconds_, planningSeconds_, roomDueSeconds_, roomSeconds_;
     std::atomic<std::uint64_t> asked_{0};
     std::atomic<bool> isEnded_{false};
@@ -265,7 +265,7 @@ PlanReport plan(const Problem& problem, const Scene& scene, const PlanOptions& o
     if (report.shutIn) return report;
 
     const Clock::time_point begin = Clock::now();
-    budget.beginPlanning(!report.objective.empty(), setup.certified);
+    budget.beginPlanning(!report.objective.empty(), *setup.certified);
     std::optional<Watch> watch;
     if (options.onOverrun) {
         const auto tell = [&, begun = report](const Watch::IsEnded& isEnded) {
