@@ -134,7 +134,8 @@ std::vector<const ob::State*> FailedTree::wayToRoot(std::size_t state) const {
 }
 
 FailedTrees failedTrees(const std::vector<ob::PlannerPtr>& planners, const ob::ProblemDefinition& definition,
-                        const MotionValidator& validator, const ob::State* goal) {
+                        const MotionValidator& validator, const ob::State* goal,
+                        const std::function<bool()>& isStopped) {
     if (definition.getStartStateCount() == 0 || !definition.getGoal())
         throw std::invalid_argument("the problem definition lacks a start or a goal, expected both");
     FailedTrees trees;
@@ -144,7 +145,8 @@ FailedTrees failedTrees(const std::vector<ob::PlannerPtr>& planners, const ob::P
         planner->getPlannerData(data);
         std::size_t checked = 0;
         const auto isValid = [&](const ob::State* from, const ob::State* to) {
-            return !isLazy(*planner) || (checked++ < kMostLazyMotions && validator.checkMotion(from, to));
+            return !isLazy(*planner) || (checked++ < kMostLazyMotions && !(isStopped && isStopped()) &&
+                                         validator.checkMotion(from, to));
         };
         addTrees(data, definition, isValid, trees);
     }

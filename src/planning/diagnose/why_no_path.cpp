@@ -95,8 +95,8 @@ WhyNoPath whyNoPath(const FailedPlanning& failed, const Problem& problem, const 
     WhyNoPath why;
     why.diagonal = failed.validator->scene().part.box().diagonal().norm();
     const std::optional<ob::ScopedState<>> goal = posedGoal(problem, *failed.definition);
-    const FailedTrees trees =
-        failedTrees(failed.planners, *failed.definition, *failed.validator, goal ? goal->get() : nullptr);
+    const FailedTrees trees = failedTrees(failed.planners, *failed.definition, *failed.validator,
+                                          goal ? goal->get() : nullptr, options.isStopped);
     why.start = reachedFrom(trees.start, failed, problem, problem.start);
     if (goal) {
         why.goal = reachedFrom(trees.goal, failed, problem, problem.goal);

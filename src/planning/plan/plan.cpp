@@ -48,6 +48,8 @@ constexpr double kMostAsking = 1;
 /// Seconds for reading the planners' trees, for each valid motion: two or three of these make a state of a tree. Planners
 /// end so early that all is read half of kMostAsking after the limit.
 constexpr double kReadingMotion = 6e-6;
+/// The same for each time that planners ask whether to end: lazy ones have states in their trees without valid motions.
+constexpr double kReadingAsked = 5e-6;
 
 /// Decides when the planner has to end. Some planners ask from several threads.
 class Budget {
@@ -107,15 +109,18 @@ class Budget {
     bool isRoomOver() const { return isStopped() || isOver(roomSeconds_); }
     bool isOutOfTime() const { return isStopped() || isOver(seconds_); }
     bool spendIteration() {
-        return isPlanningOver() || (options_.iterations && ++asked_ > *options_.iterations);
+        if (isPlanningOver()) return true;
+        const std::uint64_t asked = ++asked_;
+        return options_.iterations && asked > *options_.iterations;
     }
 
   private:
     /// Whether reading the trees would take too long from now on.
     bool isReadingDue() const {
-        return limit_ && motions_ &&
-               secondsSince(begin_) + kReadingMotion * static_cast<double>(motions_->counters().valid) >=
-                   *limit_ + 0.5 * kMostAsking;
+        if (!limit_ || motions_ == nullptr) return false;
+        const double reading = std::max(kReadingMotion * static_cast<double>(motions_->counters().valid),
+                                        kReadingAsked * static_cast<double>(asked_));
+        return secondsSince(begin_) + reading >= *limit_ + 0.5 * kMostAsking;
     }
 
     bool isOver(const std::optional<double>& seconds) const {

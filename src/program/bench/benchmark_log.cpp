@@ -125,6 +125,10 @@ class Lines {
 
     bool isNext(const std::string& line) const { return next_ < lines_.size() && lines_[next_] == line; }
 
+    void takeEnd() {
+        if (next_ < lines_.size()) next(""), refuse("the end of the log");
+    }
+
     void take(const std::string& expected) {
         if (next(quote(expected)) != expected) refuse(quote(expected));
     }
@@ -271,6 +275,7 @@ Benchmark readBenchmarkLog(const std::string& file) {
     lines.take("1 enum type");
     lines.after("status|");
     lines.repeat("planners", [&] { log.planners.push_back(readPlanner(lines)); });
+    lines.takeEnd();
     return log;
 }
 

@@ -1,6 +1,9 @@
 #include "program/bench/merge_logs.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 
@@ -48,17 +51,46 @@ std::string modelOf(const Benchmark& log) {
     return begin == std::string::npos ? "" : log.cpu.substr(begin, log.cpu.find('\n', begin) - begin);
 }
 
+constexpr std::uint32_t kMostRuns = 1000000;
+
+void requireSeed(const BenchmarkRun& run, const std::string& file, const std::string& planner) {
+    const auto found = run.properties.find("seed INTEGER");
+    const auto seed = found == run.properties.end() ? std::nullopt : parseNumber(found->second);
+    if (seed && *seed >= 0 && *seed <= std::numeric_limits<std::uint32_t>::max() &&
+        *seed == std::floor(*seed))
+        return;
+    throw std::invalid_argument(file + " has a run of " + planner + " with seed '" +
+                                (found == run.properties.end() ? "" : found->second) +
+                                "', expected a log of clearway bench, with a whole number");
+}
+
+/// Seeds from the first to the last; those that no log has are lost.
+std::set<std::uint32_t> withoutGaps(const std::set<std::uint32_t>& seeds) {
+    std::set<std::uint32_t> all;
+    if (seeds.empty()) return all;
+    if (*seeds.rbegin() - *seeds.begin() >= kMostRuns) {
+        throw std::invalid_argument("the logs have runs with seeds from " + std::to_string(*seeds.begin()) +
+                                    " to " + std::to_string(*seeds.rbegin()) + ", expected at most " +
+                                    std::to_string(kMostRuns) + " seeds from the first to the last");
+    }
+    for (std::uint32_t seed = *seeds.begin(); all.size() <= *seeds.rbegin() - *seeds.begin(); ++seed)
+        all.insert(seed);
+    return all;
+}
+
 /// Refuses runs with other seeds than the log's header announces.
 void addRuns(const Benchmark& log, const std::string& file, Benchmark& all) {
+    if (log.options.runs > static_cast<int>(kMostRuns)) {
+        throw std::invalid_argument(file + " announces " + std::to_string(log.options.runs) +
+                                    " runs per planner, expected at most " + std::to_string(kMostRuns));
+    }
     std::set<std::uint32_t> seeds;
     for (int run = 0; run < log.options.runs; ++run)
         seeds.insert(log.options.seed + static_cast<std::uint32_t>(run));
     std::size_t leftOut = 0;
     for (std::size_t i = 0; i < log.planners.size(); ++i) {
         for (const BenchmarkRun& run : log.planners[i].runs) {
-            if (run.properties.count("seed INTEGER") == 0)
-                throw std::invalid_argument(file + " has a run without 'seed INTEGER', expected a log of " +
-                                            "clearway bench");
+            requireSeed(run, file, log.planners[i].name);
             const std::string seed = std::to_string(seedOf(run)), name = log.planners[i].name;
             if (seeds.count(seedOf(run)) == 0)
                 throw std::invalid_argument(file + " has a run of " + name + " with seed " + seed +
@@ -94,6 +126,7 @@ Benchmark mergeLogs(const std::vector<std::string>& files) {
             all.warnings.push_back(file + ": times are from another processor than in " + files.front());
     }
     all.host = joined(hosts, "+");
+    all.seeds = withoutGaps(all.seeds);
     if (all.seeds.empty()) return all;
     all.options.seed = *all.seeds.begin();
     all.options.runs = static_cast<int>(all.seeds.size());

@@ -290,8 +290,12 @@ int mergeBench(const Arguments& arguments) {
 }  // namespace
 
 int bench(const Arguments& arguments) {
-    if (std::find(arguments.begin(), arguments.end(), "--merge") != arguments.end())
+    if (std::find(arguments.begin(), arguments.end(), "--merge") != arguments.end()) {
+        if (study::isRank())
+            throw std::invalid_argument(
+                "--merge was started by mpirun or srun as one of several, expected one process");
         return mergeBench(arguments);
+    }
     return runOnRanks([&](study::Ranks* ranks) { return benchProblem(arguments, ranks); });
 }
 

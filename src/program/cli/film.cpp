@@ -137,8 +137,10 @@ std::string quoted(const std::string& word) {
     return "'" + boost::replace_all_copy(word, "'", "'\\''") + "'";
 }
 
-/// Makes the pictures a film, by the program ffmpeg. Throws std::runtime_error with its words when it fails.
-void encode(const FramesFolder& folder, const FilmChoice& film, const std::string& file) {
+/// Makes the pictures a film, by the program ffmpeg. Returns false when interrupted, as ffmpeg is by Ctrl-C, too. Throws
+/// std::runtime_error with its words when it fails.
+bool encode(const FramesFolder& folder, const FilmChoice& film, const std::string& file,
+            const std::function<bool()>& isStopped) {
     const auto kind =
         std::find_if(std::begin(kVideoKinds), std::end(kVideoKinds),
                      [&](const VideoKind& known) { return known.ending == endingOf(film.video); });
@@ -151,12 +153,17 @@ void encode(const FramesFolder& folder, const FilmChoice& film, const std::strin
         throw std::runtime_error("cannot run ffmpeg: " + std::string(std::strerror(errno)));
     std::string said;
     for (int character; (character = std::fgetc(ffmpeg)) != EOF;) said += static_cast<char>(character);
-    if (pclose(ffmpeg) != 0) throw std::runtime_error("ffmpeg cannot write the film: " + said);
+    const int status = pclose(ffmpeg);
+    if (isStopped()) return false;
+    if (status != 0 || !std::filesystem::exists(file))
+        throw std::runtime_error("ffmpeg cannot write the film: " + said);
+    return true;
 }
 
 /// With --video alone the pictures are in a folder beside the film until it is done.
-std::string folderOf(const FilmChoice& film) {
-    return film.frames.empty() ? film.video + ".frames" : film.frames;
+FramesFolder folderOf(const FilmChoice& film) {
+    if (film.frames.empty()) return FramesFolder::beside(film.video);
+    return FramesFolder(film.frames);
 }
 
 }  // namespace
@@ -177,7 +184,7 @@ void FilmChoice::require(const render::RenderOptions& drawing, std::size_t state
     if (states < 2)
         throw std::invalid_argument("the path has 1 state, expected at least 2 for --frames or --video");
     requireSize(*this, drawing);
-    const FramesFolder canBeMade(folderOf(*this));
+    const FramesFolder canBeMade = folderOf(*this);
     if (!video.empty()) requireFfmpeg();
 }
 
@@ -208,19 +215,26 @@ void addFilm(CommandLine& line, FilmChoice& film, const std::function<bool()>& h
 }
 
 bool writeFilm(const FilmChoice& film, const FilmScene& scene, const render::RenderOptions& drawing) {
-    FramesFolder folder(folderOf(film));
+    FramesFolder folder = folderOf(film);
     const std::vector<render::PosedPart> poses = evenPoses(scene, film.pictureCount());
     printContacts(poses);
     render::Film pictures(scene.part, scene.environment, castOf(scene), drawing);
     bool isDone = takePictures(pictures, poses, folder, scene.elapsed);
+    const auto keepFrames = [&] {
+        if (!film.frames.empty()) folder.keep();
+    };
     if (isDone && !film.video.empty()) {
         scene.elapsed.tell("ffmpeg,");
-        isDone = replaceFileByName(film.video, [&](const std::string& temporary) {
-            encode(folder, film, temporary);
-            return !drawing.isStopped();
-        });
+        try {
+            isDone = replaceFileByName(film.video, [&](const std::string& temporary) {
+                return encode(folder, film, temporary, drawing.isStopped);
+            });
+        } catch (const std::exception&) {
+            keepFrames();  // they are whole
+            throw;
+        }
     }
-    if (isDone && !film.frames.empty()) folder.keep();
+    if (isDone) keepFrames();
     const std::string told = counted(poses.size(), "picture") + " of " + sizeText(drawing);
     if (isDone) {
         facts()["frames"] = film.frames.empty() ? Json() : Json(film.frames);

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <random>
 #include <stdexcept>
+#include <utility>
 
 namespace clearway::cli {
 
@@ -39,10 +40,10 @@ std::string strangerIn(const std::string& folder) {
     return "";
 }
 
-/// Refuses what is no folder, and a folder that holds anything but pictures of a film.
-void requireFramesAlone(const std::string& folder) {
+/// Returns the folder. Refuses what is no folder, and a folder that holds anything but pictures of a film.
+std::string requireFramesAlone(const std::string& folder) {
     std::error_code failed, ignored;
-    if (fs::symlink_status(folder, failed).type() == fs::file_type::not_found) return;
+    if (fs::symlink_status(folder, failed).type() == fs::file_type::not_found) return folder;
     if (!fs::is_directory(folder, failed))
         refuseFrames(folder, "it is not a folder", "a folder or a new name");
     if (fs::equivalent(folder, fs::current_path(), ignored))
@@ -52,6 +53,7 @@ void requireFramesAlone(const std::string& folder) {
     if (!stranger.empty())
         refuseFrames(folder, "it holds '" + stranger + "'",
                      "a new name, an empty folder or one with the pictures of an earlier film alone");
+    return folder;
 }
 
 /// A link to a folder stays: the folder it leads to is replaced.
@@ -69,11 +71,18 @@ std::string besideOf(const std::string& folder) {
 
 }  // namespace
 
-FramesFolder::FramesFolder(std::string folder) : folder_(resolved(folder)), temporary_(besideOf(folder_)) {
-    requireFramesAlone(folder_);
+FramesFolder::FramesFolder(std::string folder, std::string temporary)
+    : folder_(std::move(folder)), temporary_(std::move(temporary)) {
     std::error_code failed;
     fs::create_directory(temporary_, failed);
-    if (failed) refuseFrames(folder, failed.message(), "a name in a folder that exists and may be written");
+    if (failed) refuseFrames(folder_, failed.message(), "a name in a folder that exists and may be written");
+}
+
+FramesFolder::FramesFolder(std::string folder)
+    : FramesFolder(requireFramesAlone(resolved(folder)), besideOf(resolved(folder))) {}
+
+FramesFolder FramesFolder::beside(const std::string& file) {
+    return FramesFolder("", besideOf(resolved(file)));
 }
 
 FramesFolder::~FramesFolder() {

@@ -11,6 +11,8 @@ class FramesFolder {
     /// pictures of an earlier film alone, which are then replaced. Throws std::runtime_error that names the
     /// folder.
     explicit FramesFolder(std::string folder);
+    /// The temporary folder beside `file` alone, which is never kept.
+    static FramesFolder beside(const std::string& file);
     /// Removes the temporary folder with all its pictures.
     ~FramesFolder();
     FramesFolder(const FramesFolder&) = delete;
@@ -24,6 +26,8 @@ class FramesFolder {
     void keep();
 
   private:
+    FramesFolder(std::string folder, std::string temporary);
+
     std::string folder_, temporary_;
 };
 

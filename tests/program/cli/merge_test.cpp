@@ -94,6 +94,13 @@ BOOST_AUTO_TEST_CASE(missing_runs_are_named_as_lost_until_they_are_there) {
     BOOST_TEST(facts["lost"].dump() == R"([{"planner":"geometric_RRTstar","seeds":[4]}])");
     BOOST_TEST(readBenchmarkLog(folder.file("all.log")).planners.at(1).runs.size() == 3u);
 
+    folder.bench("--seed 7 --runs 1 --log later.log");
+    const Outcome gap = runIn(folder, "bench --merge a.log b.log later.log --log gap.log");
+    BOOST_TEST(gap.code == 1, gap.err);
+    BOOST_TEST(gap.out.find("seeds 5 to 6") != std::string::npos, gap.out);
+    folder.bench("--seed 5 --runs 2 --log between.log");
+    BOOST_TEST(runIn(folder, "bench --merge gap.log between.log --log filled.log").code == 0);
+
     folder.bench("--seed 4 --runs 1 --log rest.log");
     const Outcome whole = runIn(folder, "bench --merge all.log rest.log --log whole.log");
     BOOST_TEST(whole.code == 0, whole.out);
@@ -122,6 +129,10 @@ BOOST_AUTO_TEST_CASE(logs_that_do_not_belong_together_are_refused_by_name) {
     refused("short.log", {"short.log:"});
     folder.write("shorter.log", whole.substr(0, whole.find("planners\n") + 9));
     refused("shorter.log", {"shorter.log: ends after ", "expected a planner"});
+    folder.write("two.log", whole + whole);
+    refused("two.log", {"two.log:", "expected the end of the log"});
+    folder.rewrite("many.log", "2 runs per planner", "2000000000 runs per planner");
+    refused("many.log", {"many.log announces 2000000000 runs per planner, expected at most 1000000"});
     folder.write("empty.log", "");
     refused("empty.log", {"empty.log: ends after 0 lines, expected 'OMPL version "});
     refused("window.cfg", {"window.cfg:1: ", "expected 'OMPL version "});
