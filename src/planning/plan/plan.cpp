@@ -115,9 +115,10 @@ class Budget {
     }
 
   private:
-    /// Whether reading the trees would take too long from now on.
+    /// Whether reading the trees would take too long from now on. Planners that improve a path have less time anyway, and no trees
+    /// to be read.
     bool isReadingDue() const {
-        if (!limit_ || motions_ == nullptr) return false;
+        if (!limit_ || motions_ == nullptr || planningSeconds_ < limit_) return false;
         const double reading = std::max(kReadingMotion * static_cast<double>(motions_->counters().valid),
                                         kReadingAsked * static_cast<double>(asked_));
         return secondsSince(begin_) + reading >= *limit_ + 0.5 * kMostAsking;
