@@ -114,6 +114,7 @@ BOOST_AUTO_TEST_CASE(with_iterations_the_explanation_is_repeatable) {
     const Explanation first = explained(problem, loaded, withIterations(300));
     const Explanation second = explained(problem, loaded, withIterations(300));
     BOOST_TEST(first.trials == second.trials);
+    BOOST_TEST(first.trials > 0u);
     BOOST_TEST((first.withoutThese == second.withoutThese));
     BOOST_TEST((first.marginScale == second.marginScale));
     BOOST_TEST(first.refusedScale == second.refusedScale);
