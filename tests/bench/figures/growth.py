@@ -3,12 +3,11 @@
 import math
 
 from queries import thousands
-from results import NotMeasured, distinct, matching, seconds, shown, span, table, whole
-from svg import LIGHT, Log, Page
+from results import NotMeasured, distinct, matching, seconds, shown, table, whole
+from svg import LIGHT, Log, Page, decades, powers
 
 KEPT = 30_000  # triangles of the ring that does not grow, about
 GROWING = {"environment": ("environment_triangles", "part_triangles"), "part": ("part_triangles", "environment_triangles")}
-GDIST_MS = 0.38  # SIGGRAPH Asia 2024, on an RTX 4090, for two rings of 7.5 million triangles each
 
 # Engine in the table: label, colour, mark.
 STYLES = {
@@ -28,10 +27,6 @@ def series(results, grows):
     if not rows:
         raise NotMeasured(f"growth.csv, {grows}")
     return sorted(rows, key=lambda row: int(row[grown]))
-
-
-def poses(results):
-    return span([int(row["poses"]) for row in results.rows("growth")], whole)
 
 
 def engines(rows):
@@ -102,29 +97,6 @@ def rings(results):
                      [f"{seconds(row['build_seconds'])} s", shown(row["bytes_per_triangle"])])
     return table([f"two rings of {whole(rows[0]['part_triangles'])} triangles each", "ms a distance, median", "mean", "ms a certified motion, median",
                   "build of both, one thread", "bytes a triangle"], lines)
-
-
-def rings_ms(results, statistic):
-    """Clearway's milliseconds a distance between the two largest rings, 'median' or 'mean'."""
-    rows = [row for row in results.select("growth", engine="clearway") if row["part_triangles"] == row["environment_triangles"]]
-    if not rows:
-        raise NotMeasured("growth.csv, rings")
-    return shown(float(rows[0][f"us_{statistic}"]) / 1000)
-
-
-def decades(values):
-    return 10 ** math.floor(math.log10(min(values))), 10 ** math.ceil(math.log10(max(values)))
-
-
-def powers(scale):
-    """The powers of ten of a scale that begins and ends with one."""
-    return [10.0 ** k for k in range(round(math.log10(scale.low)), round(math.log10(scale.high)) + 1)]
-
-
-def plot_line(results):
-    """The line that shows the plot."""
-    results.rows("growth")  # without which there is none
-    return ["![Time against triangles](../tests/bench/results/epyc-2core/growth.svg)"]
 
 
 def plot(results):

@@ -1,6 +1,6 @@
 """Tables of certified_motions.csv, motions.csv, fcl_motions.csv and fcl_first_path.csv."""
 
-from results import NotMeasured, matching, numbers, shown, span, table, whole
+from results import matching, numbers, shown, span, table, whole
 
 SCENES = ("tunnel-console-3", "large-environment-2", "cembox-2")
 # Title, motions, whether at a margin, parts, kind.
@@ -29,33 +29,19 @@ def certified(results):
             found = matching(lines_of(rows, *keys), scene=scene)
             cells.append(f"{shown(found[0]['us_globally'])} -> {shown(found[0]['us_by_pairs'])}" if found else "")
         made.append([title] + cells)
+    made.append(["verdicts on planners' motions that are lost pair by pair"] + [lost(rows, scene) for scene in SCENES])
     return table(["motions"] + list(SCENES), made)
 
 
-def certified_valid(results, scene="", motions="RRTConnect"):
-    """Microseconds of a valid motion, certified pair by pair; over all scenes if none is named."""
-    rows = matching(results.rows("certified_motions"), motions=motions, kind="valid", margin="0", parts="1")
-    if scene:
-        rows = matching(rows, scene=scene)
-    if not rows:
-        raise NotMeasured(f"certified_motions.csv, valid motions of {motions} {scene}")
-    return span(numbers(rows, "us_by_pairs"))
+def lost(rows, scene):
+    of = [row for row in rows if row["scene"] == scene and row["motions"] != "path" and row["kind"] in ("valid", "invalid")]
+    each = {row["motions"]: int(row["verdicts_lost"]) for row in of}  # the rows of one run share the number
+    return f"{sum(each.values())} of {whole(sum(numbers(of, 'count')))}"
 
 
-def certified_times(results, kind, motions):
-    """How many times faster by pairs, from the least to the largest."""
-    return span(numbers(results.select("certified_motions", kind=kind, motions=motions), "times_faster"))
-
-
-def verdicts_lost(results):
-    """'N of M' verdicts of planners' motions that are lost by certifying pair by pair."""
-    rows = [row for row in results.rows("certified_motions") if row["motions"] != "path" and row["kind"] in ("valid", "invalid")]
-    if "verdicts_lost" not in rows[0]:
-        raise NotMeasured("certified_motions.csv, the column verdicts_lost")
-    lost = {}
-    for row in rows:  # the rows of one run share the number
-        lost[row["scene"], row["motions"]] = int(row["verdicts_lost"])
-    return f"{sum(lost.values())} of {whole(sum(numbers(rows, 'count')))}"
+def valid_motion(results, column):
+    """A figure of a valid motion of RRTConnect, from the least to the largest over the scenes."""
+    return span(numbers(results.select("certified_motions", motions="RRTConnect", kind="valid", margin="0", parts="1"), column))
 
 
 def against_steps(results):
@@ -71,8 +57,8 @@ def with_fcl(results):
                  [[row["what"], whole(row["count"])] + [shown(row[name]) for name in ("clearway_us", "fcl_us", "times_faster")] for row in rows])
 
 
-def with_fcl_times(results, what):
-    return shown(results.row("fcl_motions", what=what)["times_faster"])
+def state_with_fcl(results):
+    return shown(results.row("fcl_motions", what="states")["times_faster"])
 
 
 def first_path(results):
@@ -84,5 +70,3 @@ def first_path(results):
         lines.append([row["checked_by"] + step, f"{row['found']} of {row['seeds']}", str(free),
                       shown(row["median_seconds_to_a_free_path"]) if is_half_free else f"more than {shown(row['limit'])}"])
     return table(["checked by", "paths found", "free along their whole length", "median seconds to a free path"], lines)
-
-

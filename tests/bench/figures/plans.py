@@ -2,12 +2,11 @@
 
 import statistics
 
-from results import NotMeasured, distinct, matching, median_with_range, numbers, seconds, shown, table, whole
+from results import distinct, matching, median_with_range, numbers, seconds, shown, table, whole
 
 # Problems whose folder's name says too little.
 NAMES = {"elk/elk": "Elk v1.75", "tunnel-console-3-2mm/tunnel-console": "tunnel-console-3, clearance 2 mm",
-         "tunnel-console-3/tunnel-console": "tunnel-console-3, clearance 10 mm", "tunnel-console-small/tunnel-console": "tunnel-console-small",
-         "problem": "tunnel-console-3, clearance 10 mm"}
+         "tunnel-console-3/tunnel-console": "tunnel-console-3, clearance 10 mm", "tunnel-console-small/tunnel-console": "tunnel-console-small"}
 # The clearance of the scene's own path, as `clearway check` certifies it, or of its widest gate, or of the window the part must pass.
 OWN = {"bracket/bracket": "6.5", "angle/angle": "5", "gates/gates": "12", "tunnel-console-small/tunnel-console": "11.56"}
 
@@ -26,29 +25,35 @@ def times_of(rows, limit=float("inf")):
 
 
 def first_paths(results):
-    """A row a problem, ours first, by the median."""
+    """A row a problem, ours first, by the median; of the bracket, a second one with more seeds."""
     rows = results.rows("plan_first_path")
     lines = []
     for problem in distinct(rows, "problem"):
-        of = matching(rows, problem=problem)
-        times = times_of(of)
-        found = sum(row["found"] == "1" for row in of)
         is_other = is_omplapp(problem) or problem == "elk/elk"
-        lines.append((is_other, statistics.median(times),
-                      [name_of(problem), f"{found} of {len(of)}", seconds(statistics.median(times)), seconds(max(times)),
-                       str(sum(int(row["colliding_by_oracle"]) > 0 for row in of))]))
-    lines.sort(key=lambda line: line[:2])
-    return table(["problem", "solved", "median, s", "worst, s", "refuted by the oracle"], [line[2] for line in lines])
+        lines.append((is_other, first_path(name_of(problem), matching(rows, problem=problem))))
+    if results.has("plan_bracket"):
+        lines.append((False, first_path("bracket, more seeds", results.rows("plan_bracket"))))
+    lines.sort(key=lambda line: (line[0], line[1][0]))
+    return table(["problem", "solved", "median, s", "worst, s", "refuted by the oracle"], [cells for _, (_, cells) in lines])
+
+
+def first_path(name, rows):
+    """The median, and the cells of a row."""
+    times = times_of(rows)
+    middle = statistics.median(times)
+    return middle, [name, solved(rows), seconds(middle), seconds(max(times)), str(sum(int(row["colliding_by_oracle"]) > 0 for row in rows))]
+
+
+def solved(rows):
+    return f"{sum(row['found'] == '1' for row in rows)} of {len(rows)}"
 
 
 def problems(results):
     return whole(len(distinct(results.rows("plan_first_path"), "problem")))
 
 
-def median_seconds(results, problem, worst=""):
-    """The median, or with 'worst' the longest, time to a first path."""
-    times = times_of(results.select("plan_first_path", problem=problem))
-    return seconds(max(times) if worst else statistics.median(times))
+def median_seconds(results, problem):
+    return seconds(statistics.median(times_of(results.select("plan_first_path", problem=problem))))
 
 
 def own_room(results, problem):
@@ -64,8 +69,6 @@ def room(results):
         found = [row for row in with_room if row["found"] == "1"]
         first = matching(results.rows("plan_first_path"), problem=problem)
         widest = matching(results.rows("plan_widest"), problem=problem) if results.has("plan_widest") else []
-        if not widest and problem.startswith("tunnel-console-3/"):
-            widest = matching(results.rows("plan_widest"), problem="problem")
         lines.append([name_of(problem), own_room(results, problem),
                       shown(statistics.median(numbers(first, "least_clearance"))) if first else "",
                       median_with_range(numbers(found, "least_clearance"), tenths), shown(statistics.median(numbers(found, "room_seconds"))),
@@ -77,52 +80,25 @@ def tenths(value):
     return f"{float(value):.1f}"
 
 
-def room_of(results, problem, column="least_clearance"):
-    return tenths(statistics.median(numbers(results.select("plan_room", problem=problem), column)))
-
-
-def degrees(results, table_name, problem):
-    return f"{statistics.median(numbers(results.select(table_name, problem=problem), 'turned_degrees')):.0f}"
-
-
-def longest(results, table_name):
-    """The longest run of a study of one problem, and how many runs found a path."""
-    rows = results.rows(table_name)
-    found = sum(row["found"] == "1" for row in rows)
-    return f"{found} of {len(rows)} seeds, the slowest in {seconds(max(numbers(rows, 'planning_seconds')))} s"
-
-
 def console(results):
     """tunnel-console at full size, by the clearance asked for."""
     tight = results.select("plan_first_path", problem="tunnel-console-3-2mm/tunnel-console")
     wide = results.select("plan_room", problem="tunnel-console-3/tunnel-console")
-    found = [f"{sum(row['found'] == '1' for row in rows)} of {len(rows)}" for rows in (wide, tight)]
+    widest = results.select("plan_widest", problem="tunnel-console-3/tunnel-console")
     times = [f"{seconds(statistics.median(times_of(rows)))} s ({seconds(max(times_of(rows)))})" for rows in (wide, tight)]
     return table(["two cores", "clearance 10", "clearance 2"],
-                 [["solved"] + found, ["first path, median (worst)"] + times,
-                  ["certified with room, median", tenths(statistics.median(numbers(wide, "least_clearance"))), ""]])
-
-
-def widest_console(results):
-    rows = [row for row in results.rows("plan_widest") if row["problem"] in ("problem", "tunnel-console-3/tunnel-console")]
-    if not rows:
-        raise NotMeasured("plan_widest.csv, tunnel-console-3")
-    return median_with_range(numbers(rows, "least_clearance"), tenths)
+                 [["solved", solved(wide), solved(tight)], ["first path, median (worst)"] + times,
+                  ["certified with room, median", tenths(statistics.median(numbers(wide, "least_clearance"))), ""],
+                  [f"certified with the objective, median (range) of {len(widest)} seeds",
+                   median_with_range(numbers(widest, "least_clearance"), tenths), ""]])
 
 
 def samplers(results):
     rows = results.rows("samplers_window")
-    lines = []
-    for name in distinct(rows, "sampler"):
-        of = matching(rows, sampler=name)
-        found = sum(row["found"] == "1" for row in of)
-        lines.append([name, f"{found} of {len(of)}", seconds(statistics.median(times_of(of)))])
-    return table(["sampler", "found", "seconds, median"], lines)
-
-
-def samplers_found(results, name):
-    rows = results.rows(name)
-    return f"{sum(row['found'] == '1' for row in rows)} of {len(rows)}"
+    hard = results.rows("samplers_tunnel_console_small")
+    return table(["sampler", "found", "seconds, median", "found, tunnel-console-small"],
+                 [[name, solved(of), seconds(statistics.median(times_of(of))), solved(matching(hard, sampler=name))]
+                  for name in distinct(rows, "sampler") for of in [matching(rows, sampler=name)]])
 
 
 def anytime(results, scene="posts"):
@@ -140,11 +116,9 @@ def anytime(results, scene="posts"):
             cells.append((shown(median) if median >= 0 else "-") + (f" ({known})" if known < len(at) else ""))
         more = of[0]["parameters"].replace("=", " ")
         lines.append([f"{planner}, {more}" if more else planner] + cells)
+    first = numbers(results.select("anytime_clearance", scene=scene, planner="RRTConnect"), "certified_clearance")
+    lines.append(["RRTConnect's first path"] + [shown(statistics.median(first))] * len(times))
     return table(["planner"] + [f"{shown(time)} s" for time in times], lines)
-
-
-def anytime_first(results, scene="posts"):
-    return shown(statistics.median(numbers(results.select("anytime_clearance", scene=scene, planner="RRTConnect"), "certified_clearance")))
 
 
 def fmt(results, scene="posts"):

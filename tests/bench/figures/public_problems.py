@@ -21,8 +21,9 @@ def runs(results):
     """Seconds are those of the runs that found a path; the median counts the others as the limit."""
     rows = posed(results)
     others = [name for name in distinct(rows, "contender") if name not in (OURS, FCL)]
+    problems = distinct(rows, "problem")
     lines = []
-    for problem in distinct(rows, "problem"):
+    for problem in problems:
         of = {name: [r for r in rows if (r["problem"], r["contender"]) == (problem, name)] for name in [OURS, FCL, *others]}
         ours = of[OURS]
         solved = [row for row in ours if row["valid"] == "1"]
@@ -32,6 +33,11 @@ def runs(results):
             + [" / ".join(str(sum(r["valid"] == "1" for r in of[name])) for name in others)]
             + [f"{sum(r['found'] == '1' for r in of[FCL])} found, {sum(r['valid'] == '1' for r in of[FCL])} valid"]
         )
+    fcl = matching(rows, contender=FCL, found="1")
+    hits = sum(float(row["colliding_by_oracle"] or 0) > 0 for row in fcl if row["valid"] != "1")
+    any_seed = [len(distinct(matching(rows, contender=name, valid="1"), "problem")) for name in (OURS, *others)]
+    lines.append(["with any seed", f"{any_seed[0]} of {len(problems)}", "", "", " / ".join(map(str, any_seed[1:])),
+                  f"{len(fcl)} found, {sum(row['valid'] == '1' for row in fcl)} valid; the oracle's samples hit {hits}"])
     return table(["problem", "solved", "seconds, median (range)", "room, median (range)", " / ".join(others), "RRTConnect + FCL"], lines)
 
 
@@ -68,38 +74,3 @@ def segments(results):
         lines.append([row["problem"], row["segment"], row["t"], pose,
                       f"{row['part_triangle']} of {row['part_mesh']}, {row['environment_triangle']} of {row['environment_mesh']}"])
     return table(["problem", "segment", "t", "pose (x y z qx qy qz qw)", "triangles"], lines)
-
-
-def invalid_paths(results):
-    rows = results.rows("public/paths")
-    return f"{sum(row['not_valid'] != '0' for row in rows)} of the {len(rows)} paths"
-
-
-def invalid_segments(results, problem):
-    row = results.row("public/paths", problem=problem)
-    return f"{row['not_valid']} of {row['segments']}"
-
-
-def problem_count(results):
-    return str(len(distinct(posed(results), "problem")))
-
-
-def solved_with_any_seed(results, contender):
-    """Problems that it solves with at least one seed by a valid path."""
-    rows = matching(posed(results), contender=contender, valid="1")
-    return str(len(distinct(rows, "problem")))
-
-
-def solved_by_others(results):
-    """All other planners with clearway's checker, most problems first: 'RRTConnect 16, KPIECE1 16, ...'."""
-    names = [name for name in distinct(posed(results), "contender") if name not in (OURS, FCL)]
-    counts = sorted(((int(solved_with_any_seed(results, name)), name) for name in names), key=lambda pair: -pair[0])
-    return ", ".join(f"{name} {count}" for count, name in counts)
-
-
-def with_fcl(results, what):
-    """How many of RRTConnect's paths with FCL were 'found', 'not accepted' by the audit, 'hit' by the oracle's samples."""
-    rows = matching(posed(results), contender=FCL, found="1")
-    refused = [row for row in rows if row["valid"] != "1"]
-    counts = {"found": len(rows), "not accepted": len(refused), "hit": sum(float(row["colliding_by_oracle"] or 0) > 0 for row in refused)}
-    return str(counts[what])

@@ -1,9 +1,10 @@
-"""Tables of queries.csv and builds.csv: how many times faster clearway answers than its peers, and what a build takes."""
+"""Tables of queries.csv, builds.csv, strategies.csv and scenes.csv: how many times faster clearway answers than its peers, and what trees and
+scenes change."""
 
-from results import NotMeasured, distinct, matching, percent, shown, span, table, whole
+from results import distinct, matching, percent, shown, span, table, whole
 
 # The scenes that `benchmarks queries` measures now, in the order of the tables; others in a results folder come after them.
-ORDER = ["K", "L", "I", "J", "M", "N", "E", "F"]
+ORDER = ["K", "L", "I", "J", "M", "N", "F"]
 REMARKS = {
     "F": "parallel faces",
     "J": "sheets around a sheet",
@@ -89,8 +90,20 @@ def all_ratios(results):
         lines.append([title] + [microseconds(rows, letter, question) for letter in letters])
     for title, column in (("wide nodes visited by a distance", "node_visits"), ("pairs of triangles tested by a distance", "triangle_tests")):
         lines.append([title] + [shown(row[column]) for row in first])
+    lines.append(["a repetition's ratio is off the median, usually (at most)"] + [spread(rows, letter) for letter in letters])
     lines.append(["wrong answers, clearway's / peers'"] + [wrong(rows, letter) for letter in letters])
     return table(["how many times faster"] + letters, lines)
+
+
+def spread(rows, letter):
+    """How far the repetitions farthest from the median ratio are from it: the median over the scene's ratios, and the largest."""
+    off = sorted(max(float(row["ratio_largest"]) / float(row["ratio"]) - 1, 1 - float(row["ratio_least"]) / float(row["ratio"]))
+                 for row in matching(rows, scene=letter) if int(row["repetitions"]) > 1)
+    return f"{percent(off[len(off) // 2])} ({percent(off[-1])})" if off else "-"
+
+
+def all_wrong(results):
+    return sum(int(row["wrong"]) for row in results.rows("queries"))
 
 
 def wrong(rows, letter):
@@ -156,31 +169,6 @@ def times(results, question):
     return span([float(row["us_mean"]) for row in results.select("queries", question=question, engine="clearway")])
 
 
-def largest_environment(results):
-    largest = max(int(row["environment_triangles"]) for row in results.rows("queries"))
-    return f"{largest / 1e6:.1f} million"
-
-
-def poses(results):
-    return span([int(row["poses"]) for row in results.rows("queries")], whole)
-
-
-def repetition_spread(results):
-    """How far single repetitions are from the median ratio, in the median over all ratios, and at most."""
-    rows = [row for row in results.rows("queries") if int(row["repetitions"]) > 1]
-    if not rows:
-        raise NotMeasured("queries.csv, rows of several repetitions")
-    off = sorted(max(float(row["ratio_largest"]) / float(row["ratio"]) - 1, 1 - float(row["ratio_least"]) / float(row["ratio"])) for row in rows)
-    return f"{percent(off[len(off) // 2])} ({percent(off[-1])} at most)"
-
-
-def shuffled_work(results, scene, column):
-    """How many times the work of a distance in path order a distance takes on shuffled poses."""
-    first = results.select("queries", scene=scene, question="distance", engine="clearway")[0]
-    shuffled = results.select("queries", scene=scene, question="distance, shuffled", engine="clearway")[0]
-    return shown(float(shuffled[column]) / float(first[column]))
-
-
 def builds(results):
     rows = results.rows("builds")
     letters = scenes_of(rows)
@@ -214,24 +202,11 @@ def strategies(results):
     return table(["distance, `collides` over the default strategy"] + letters + ["build"], lines)
 
 
-def warm_gain(results):
-    """How many times as long a distance takes without the pairs of earlier queries."""
-    rows = results.rows("queries")
-    gains = []
-    for letter in scenes_of(rows):
-        warm, cold = (matching(rows, scene=letter, question="distance", engine=engine) for engine in ("clearway", "clearway, cold"))
-        if warm and cold:
-            gains.append(float(cold[0]["us_mean"]) / float(warm[0]["us_mean"]))
-    return span(gains)
-
-
-def pqp_tests(results, start):
-    """Volume tests for each triangle test that PQP makes, 'warm' or 'cold'."""
-    rows = results.select("queries", question="distance", engine="clearway", over_engine="PQP" if start == "warm" else "PQP, cold")
-    return span([float(row["over_volume_tests"]) / float(row["over_triangle_tests"]) for row in rows if float(row["over_triangle_tests"]) > 0])
-
-
-def fewer_volumes(results):
-    """How many times as many volume tests PQP makes for a distance, both cold."""
-    rows = results.select("queries", question="distance", engine="clearway, cold", over_engine="PQP, cold")
-    return span([float(row["over_volume_tests"]) / float(row["volume_tests"]) for row in rows])
+def scenes(results):
+    lines = []
+    for row in results.rows("scenes"):
+        lines.append([row["scene"], f"{whole(row['part_triangles'])} / {whole(row['environment_triangles'])}",
+                      f"{row['clearance_asked']}, {row['clearance_certified']}", percent(row["tight_share"]),
+                      percent(int(row["colliding"]) / int(row["poses"])), f"{shown(row['us_mean'])} us", whole(row["volume_tests"])])
+    return table(["scene, seed 1", "triangles of part / environment", "clearance asked for, certified", "tight", "poses colliding",
+                  "time of a distance", "volume tests of a distance"], lines)

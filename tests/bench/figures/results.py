@@ -19,13 +19,9 @@ class Results:
     def rows(self, name):
         """The rows of NAME.csv as dictionaries; throws NotMeasured if there are none."""
         if name not in self.tables:
-            file = self.folder / f"{name}.csv"
-            if not file.exists():
-                raise NotMeasured(f"{name}.csv")
-            with open(file, newline="") as table:
-                self.tables[name] = list(csv.DictReader(table))
+            self.tables[name] = read(self.folder / f"{name}.csv")
         if not self.tables[name]:
-            raise NotMeasured(f"{name}.csv, which has no rows")
+            raise NotMeasured(f"{name}.csv")
         return self.tables[name]
 
     def has(self, name):
@@ -43,6 +39,14 @@ class Results:
         if len(found) > 1:
             raise ValueError(f"{name}.csv has {len(found)} rows with {values}, expected one")
         return found[0]
+
+
+def read(file):
+    """The rows of a table; none if there is no file."""
+    if not file.exists():
+        return []
+    with open(file, newline="") as table_file:
+        return list(csv.DictReader(table_file))
 
 
 def matching(rows, **values):
@@ -90,7 +94,9 @@ def whole(value):
 
 
 def span(values, write=shown):
-    """From the least to the largest value; one number if both read alike."""
+    """From the least to the largest value; one number if both read alike, nothing without values."""
+    if not values:
+        return ""
     low, high = write(min(values)), write(max(values))
     return low if low == high else f"{low} to {high}"
 

@@ -27,15 +27,24 @@ class Log:
         return self.begin + share * (self.end - self.begin)
 
 
+def decades(values):
+    """The powers of ten around the values."""
+    return 10.0 ** math.floor(math.log10(min(values))), 10.0 ** math.ceil(math.log10(max(values)))
+
+
+def powers(scale):
+    """The powers of ten of a scale that begins and ends with one."""
+    return [10.0 ** k for k in range(round(math.log10(scale.low)), round(math.log10(scale.high)) + 1)]
+
+
 class Page:
     def __init__(self, width, height):
         self.size = (width, height)
         self.parts = []
 
-    def line(self, x1, y1, x2, y2, colour=GREY, width=1.0, dashes=""):
-        more = f' stroke-dasharray="{dashes}"' if dashes else ""
+    def line(self, x1, y1, x2, y2, colour=GREY, width=1.0):
         ends = " ".join(f'{name}="{number(value)}"' for name, value in zip(("x1", "y1", "x2", "y2"), (x1, y1, x2, y2)))
-        self.parts.append(f'<line {ends} stroke="{colour}" stroke-width="{number(width)}"{more}/>')
+        self.parts.append(f'<line {ends} stroke="{colour}" stroke-width="{number(width)}"/>')
 
     def text(self, x, y, text, size=11, anchor="start", colour=DARK, turn=0):
         more = f' transform="rotate({turn} {number(x)} {number(y)})"' if turn else ""

@@ -1,4 +1,5 @@
-"""Tables of kernels.csv: kernels of pairs of triangles, beside tables 1 to 4 of Ytterlid's thesis and its claims.
+"""Tables of kernels.csv, pairs of triangles beside tables 1 to 4 of Ytterlid's thesis and its claims, and of ladder.csv, what each step from
+the thesis's engine to clearway's does to a query's work and time.
 
 The thesis's figures are its own: seconds on a Core 2 Duo of 2.66 GHz, with SSE, in 32 bit.
 """
@@ -16,6 +17,9 @@ THESIS = {"collides": {PQP: 11.39, HAND: 2.34, ISPC: 1.06}, "distance": {PQP: 19
 THESIS_ONE_BY_ONE = {"collides": 21.67, "distance": 74.45}
 # By how much a ratio may differ from the thesis's, or from 1, and still count as equal.
 EQUAL = 1.1
+# The steps that ask for distances, from the first to the last.
+STEPS = ("thesis's tree", "builder", "fit", "leaves of four", "float", "leaf width", "node width", "cheap bound", "double finish", "warm start")
+MOTIONS = {"motions in steps": "`collides` in steps", "certified motions": "certified motions"}
 
 
 def name_of(row):
@@ -107,23 +111,6 @@ def speed_and_error(results):
                   "wrong verdicts", "largest error"], lines)
 
 
-def times(results, question, name):
-    """PQP's time over the contender's."""
-    kernels = Kernels(results)
-    return shown(kernels.ns(question, PQP) / kernels.ns(question, name))
-
-
-def checked(results):
-    """How many pairs the oracle has answered for a set of triangles, at least."""
-    return whole(min(int(row["checked"]) for row in results.rows("kernels") if row["checked"]))
-
-
-def touching(results):
-    """The share of the oracle's pairs that touch."""
-    kernels = Kernels(results)
-    return f"{100 * float(kernels.named(SCALAR, 'collides', kernels.by_size)['touching_share']):.1f} %"
-
-
 def verdict(here, thesis):
     """Whether a claim holds that something is `thesis` times faster."""
     if here >= thesis * EQUAL:
@@ -176,3 +163,49 @@ def claims(results):
     made.append(hand_and_ispc(kernels, "distance", ISPC, HAND, "distance by hand is faster than in ISPC"))
     made += [larger_calls(kernels, question) for question in NOUNS]
     return table(["claim", "thesis, times", "here, SSE4", "here, AVX2", "verdict for SSE4, and why"], [claim.cells for claim in made])
+
+
+def scenes(results):
+    return distinct(results.rows("ladder"), "scene")
+
+
+def measured(results, scene, step):
+    """The row of a step; None if that peer was not measured."""
+    rows = matching(results.rows("ladder"), scene=scene, step=step)
+    return rows[0] if rows else None
+
+
+def times_faster(before, after):
+    return shown(float(before["us_median"]) / float(after["us_median"])) if before else ""
+
+
+def ladder(results, scene):
+    """A row a step; then PQP."""
+    lines, before = [], None
+    for step in STEPS + (PQP,):
+        row = measured(results, scene, step)
+        if row is None and step == PQP:
+            continue
+        if row is None:
+            raise NotMeasured(f"ladder.csv, {scene}, {step}")
+        lines.append(["PQP, cold, for comparison" if step == PQP else step, shown(row["volume_tests"]), shown(row["triangle_tests"]),
+                      shown(row["us_median"]), "" if step == PQP else times_faster(before, row), in_short(row["error_worst"])])
+        before = row
+    name = measured(results, scene, STEPS[0])["scene_name"]
+    return table([f"{scene}: {name}", "volume tests", "triangle tests", "us a distance, median", "times faster than the step before",
+                  "largest error"], lines)
+
+
+def motions(results):
+    """The last step: whole motions in place of poses."""
+    lines = []
+    for scene in scenes(results):
+        before = None
+        for step, name in MOTIONS.items():
+            row = measured(results, scene, step)
+            if row is None:
+                raise NotMeasured(f"ladder.csv, {scene}, {step}")
+            lines.append([f"{scene}, {row['count']} motions: {name}", shown(row["volume_tests"]), shown(row["triangle_tests"]),
+                          shown(row["us_median"]), times_faster(before, row), row["missed"]])
+            before = row
+    return table(["motions", "volume tests", "triangle tests", "us a motion, median", "times faster", "contacts missed"], lines)
