@@ -5,6 +5,7 @@
 #include "support/byu_mesh.h"
 #include "support/ppl_scene.h"
 #include "support/temporary_folder.h"
+#include "support/words.h"
 
 namespace clearway::testing {
 
@@ -19,18 +20,9 @@ const std::string kEnv =
 const std::string kRobot = "1\nr.g Volumetric Rotational\nConnections\n0\n";
 const std::string kQuery = "0 1 2 3 0.5 0 1\n0 4 5 6 0 0 0.25\n\n";
 
-template <class Read>
-std::string refusal(const Read& read) {
-    try {
-        read();
-    } catch (const std::invalid_argument& error) {
-        return error.what();
-    }
-    return "";
-}
-
-bool has(const std::string& text, const std::string& words) {
-    return text.find(words) != std::string::npos;
+/// The text with a piece of it replaced.
+std::string changed(std::string text, const std::string& from, const std::string& to) {
+    return text.replace(text.find(from), from.size(), to);
 }
 
 BOOST_AUTO_TEST_CASE(a_byu_mesh_has_its_parts_and_fans_of_its_polygons) {
@@ -48,19 +40,18 @@ BOOST_AUTO_TEST_CASE(a_byu_mesh_has_its_parts_and_fans_of_its_polygons) {
 
 BOOST_AUTO_TEST_CASE(a_damaged_byu_mesh_is_refused_by_line_and_value) {
     const TemporaryFolder folder;
-    const auto said = [&](const std::string& from, const std::string& to) {
-        std::string text = kTwoParts;
-        text.replace(text.find(from), from.size(), to);
-        return refusal([&] { readByuMesh(folder.write("m.g", text)); });
+    const auto refused = [&](const std::string& from, const std::string& to,
+                             const std::vector<std::string>& words) {
+        const std::string file = folder.write("m.g", changed(kTwoParts, from, to));
+        requireRefusedBy([&] { readByuMesh(file); }, words);
     };
-    BOOST_TEST(has(said("2 4 2 7", "2 x 2 7"), "m.g:1: 'x' is there, expected the number of vertices"));
-    BOOST_TEST(
-        has(said("2 4 2 7", "2 4000000000 2 7"), "'4000000000' is there, expected the number of vertices"));
-    BOOST_TEST(has(said("1 2 -3", "1 5 -3"), "m.g:6: '5' is there, expected a corner, from 1"));
-    BOOST_TEST(has(said("1 2 -3", "1 0 -3"), "a corner is 0"));
-    BOOST_TEST(has(said("1 2 3 -4", "1 2 3 4"), "the file ends, expected a corner"));
-    BOOST_TEST(has(said("1 2 3 -4", "1 2 -4"), "the polygons have 6 corners"));
-    BOOST_TEST(has(said("2 2\n", "3 3\n"), "m.g:3: '3' is there, expected the part's first polygon"));
+    refused("2 4 2 7", "2 x 2 7", {"m.g:1:", "'x'", "the number of vertices"});
+    refused("2 4 2 7", "2 4000000000 2 7", {"'4000000000'", "the number of vertices"});
+    refused("1 2 -3", "1 5 -3", {"m.g:6:", "'5'", "a corner, from 1"});
+    refused("1 2 -3", "1 0 -3", {"a corner is 0"});
+    refused("1 2 3 -4", "1 2 3 4", {"the file ends", "a corner"});
+    refused("1 2 3 -4", "1 2 -4", {"6 corners"});
+    refused("2 2\n", "3 3\n", {"m.g:3:", "'3'", "the part's first polygon"});
 }
 
 BOOST_AUTO_TEST_CASE(a_ppl_scene_has_its_bounds_files_and_poses) {
@@ -83,21 +74,18 @@ BOOST_AUTO_TEST_CASE(a_ppl_scene_has_its_bounds_files_and_poses) {
 BOOST_AUTO_TEST_CASE(ppl_scenes_of_other_kinds_are_refused) {
     const TemporaryFolder folder;
     const std::string query = folder.write("a.query", kQuery), robot = folder.write("a.robot", kRobot);
-    const auto said = [&](std::string text, const std::string& from, const std::string& to) {
-        text.replace(text.find(from), from.size(), to);
-        return refusal([&] { readPplScene(folder.write("b.env", text), robot, query); });
+    const auto refused = [&](const std::string& env, const std::string& robotFile,
+                             const std::string& queryFile, const std::vector<std::string>& words) {
+        const std::string file = folder.write("b.env", env);
+        requireRefusedBy([&] { readPplScene(file, robotFile, queryFile); }, words);
     };
-    BOOST_TEST(has(said(kEnv, "-3:3", "3:-3"), "expected Boundary Box [a:b ; c:d ; e:f] with a < b"));
-    BOOST_TEST(has(said(kEnv, "Boundary Box", "Boundary Sphere"), "b.env:1: "));
-    BOOST_TEST(has(said(kEnv, "0 0 0\n", "20 10 40\n"), "its position and three angles of 0"));
-    BOOST_TEST(has(said(kEnv, "Passive", "Passivo"), "no line follows Passive"));
-    const std::string env = folder.write("a.env", kEnv);
-    BOOST_TEST(has(refusal([&] {
-                       readPplScene(env, folder.write("two.robot", "2\nr.g Volumetric Rotational\n"), query);
-                   }),
-                   "expected a robot of one body"));
-    BOOST_TEST(has(refusal([&] { readPplScene(env, robot, folder.write("one.query", "0 1 2 3 0 0 0\n")); }),
-                   "it has 1 lines, expected two"));
+    refused(changed(kEnv, "-3:3", "3:-3"), robot, query, {"Boundary Box [a:b ; c:d ; e:f] with a < b"});
+    refused(changed(kEnv, "Boundary Box", "Boundary Sphere"), robot, query, {"b.env:1: "});
+    refused(changed(kEnv, "0 0 0\n", "20 10 40\n"), robot, query, {"three angles of 0"});
+    refused(changed(kEnv, "Passive", "Passivo"), robot, query, {"Passive"});
+    refused(kEnv, folder.write("two.robot", "2\nr.g Volumetric Rotational\n"), query,
+            {"a robot of one body"});
+    refused(kEnv, robot, folder.write("one.query", "0 1 2 3 0 0 0\n"), {"1 lines", "two"});
 }
 
 BOOST_AUTO_TEST_CASE(ppl_meshes_are_centred_on_the_mean_of_their_files_vertices) {

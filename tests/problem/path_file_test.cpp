@@ -5,6 +5,7 @@
 
 #include "clearway/problem.h"
 #include "support/temporary_folder.h"
+#include "support/words.h"
 
 namespace clearway {
 
@@ -12,23 +13,6 @@ BOOST_AUTO_TEST_SUITE(path_file_test)
 
 using testing::readText;
 using testing::TemporaryFolder;
-
-namespace {
-
-std::string refusalOf(const std::string& text, Space space) {
-    const TemporaryFolder folder;
-    const std::string file = folder.write("a.path", text);
-    try {
-        readPath(file, space);
-    } catch (const std::invalid_argument& error) {
-        const std::string message = error.what();
-        BOOST_TEST(message.compare(0, file.size(), file) == 0, message << " does not name " << file);
-        return message.substr(file.size());
-    }
-    return "accepted";
-}
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(a_written_path_reads_back_to_rounding_and_says_17_digits) {
     constexpr unsigned kSeed = 3;
@@ -77,18 +61,19 @@ BOOST_AUTO_TEST_CASE(quaternions_of_six_digits_are_normalised) {
 }
 
 BOOST_AUTO_TEST_CASE(wrong_lines_are_named) {
+    const TemporaryFolder folder;
+    const auto refused = [&](const std::string& text, Space space, const std::vector<std::string>& words) {
+        const std::string file = folder.write("a.path", text);
+        testing::requireRefusedBy([&] { readPath(file, space); }, words);
+    };
     const std::string good = "1 2 3 0 0 0 1\n";
-    BOOST_TEST(refusalOf(good + "# comment\n1 2 3 0 0 0\n", Space::kSe3) ==
-               ":3: the line has 6 numbers, expected 7: x y z qx qy qz qw, w last");
-    BOOST_TEST(refusalOf(good, Space::kSe2) == ":1: the line has 7 numbers, expected 3: x y yaw");
-    BOOST_TEST(refusalOf(good + "1 2 3 0 0 0 0\n", Space::kSe3) ==
-               ":2: the quaternion is 0 0 0 0, expected one of length above 0");
-    BOOST_TEST(refusalOf(good + "1 2 x 0 0 0 1\n", Space::kSe3) ==
-               ":2: 'x' is there, expected a finite number");
-    BOOST_TEST(refusalOf(good + "1 2 nan 0 0 0 1\n", Space::kSe3) ==
-               ":2: 'nan' is there, expected a finite number");
-    BOOST_TEST(refusalOf("\n# nothing\n", Space::kSe3) ==
-               ": no line with numbers, expected a path file with one state a line");
+    refused(good + "# comment\n1 2 3 0 0 0\n", Space::kSe3,
+            {"a.path:3:", "6 numbers", "7: x y z qx qy qz qw"});
+    refused(good, Space::kSe2, {"a.path:1:", "7 numbers", "3: x y yaw"});
+    refused(good + "1 2 3 0 0 0 0\n", Space::kSe3, {"a.path:2:", "0 0 0 0", "length above 0"});
+    for (const std::string word : {"x", "nan"})
+        refused(good + "1 2 " + word + " 0 0 0 1\n", Space::kSe3, {"a.path:2:", "'" + word + "'", "finite"});
+    refused("\n# nothing\n", Space::kSe3, {"a.path:", "no line with numbers"});
 }
 
 BOOST_AUTO_TEST_CASE(a_path_that_cannot_be_written_leaves_nothing) {

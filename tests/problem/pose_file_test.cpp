@@ -3,6 +3,7 @@
 
 #include "clearway/problem.h"
 #include "support/temporary_folder.h"
+#include "support/words.h"
 
 namespace clearway {
 
@@ -17,17 +18,11 @@ PoseFile read(const std::string& text) {
     return readPoses(folder.write("poses.txt", text));
 }
 
-std::string refusalOf(const std::string& text) {
+void requireRefused(const std::string& text, std::vector<std::string> words) {
     const TemporaryFolder folder;
     const std::string file = folder.write("poses.txt", text);
-    try {
-        readPoses(file);
-    } catch (const std::invalid_argument& error) {
-        const std::string message = error.what();
-        BOOST_TEST(message.compare(0, file.size(), file) == 0, message << " does not name " << file);
-        return message.substr(file.size());
-    }
-    return "accepted";
+    words.front().insert(0, file + ":");
+    testing::requireRefusedBy([&] { readPoses(file); }, words);
 }
 
 const std::string kIdentity = "1 0 0 0 1 0 0 0 1 7 8 9\n";
@@ -79,35 +74,22 @@ BOOST_AUTO_TEST_CASE(a_rotation_within_what_queries_accept_is_kept_to_the_bit) {
     BOOST_TEST(file.poses[0].rotation(1, 1) == 1.0000000000001);
 }
 
-BOOST_AUTO_TEST_CASE(rotations_that_are_none_are_refused_with_their_line) {
-    BOOST_TEST(refusalOf(kIdentity + "2 0 0 0 1 0 0 0 1 0 0 0\n") ==
-               ":2: the matrix is no rotation: max |R^T R - I| is 3 and det R 2, expected at most 1e-05 and "
-               "above 0");
-    BOOST_TEST(refusalOf("1 0 0 0 1 0 0 0 -1 0 0 0\n") ==
-               ":1: the matrix is no rotation: max |R^T R - I| is inf and det R -1, expected at most 1e-05 "
-               "and above 0");
-    BOOST_TEST(refusalOf("0 0 0 0 0 0 0 0 0 0 0 0\n").find(":1: the matrix is no rotation") == 0);
-    BOOST_TEST(refusalOf(kIdentity + "7 8 9 0 0 0 0\n") ==
-               ":2: the quaternion is 0 0 0 0, expected one of length above 0");
-}
-
-BOOST_AUTO_TEST_CASE(short_long_and_wrong_lines_are_refused_with_their_line) {
-    const std::string expected =
-        ", expected 12 (rotation row-major, translation) or 7 (x y z qx qy qz qw, w last)";
-    BOOST_TEST(refusalOf(kIdentity + "# c\n1 0 0 0 1 0 0 0 1 7 8\n") ==
-               ":3: the line has 11 numbers" + expected);
-    BOOST_TEST(refusalOf("5\n") == ":1: the line has 1 number" + expected);
-    BOOST_TEST(refusalOf(kIdentity + "1 2 3 0 0 0 1 1\n") == ":2: the line has 8 numbers" + expected);
-    BOOST_TEST(refusalOf(kIdentity + "1,0,0\n") == ":2: '1,0,0' is there, expected a finite number");
-    BOOST_TEST(refusalOf("# none\n") == ": no line with numbers, expected a pose file with one pose a line");
+BOOST_AUTO_TEST_CASE(wrong_lines_are_refused_with_their_number) {
+    requireRefused(kIdentity + "2 0 0 0 1 0 0 0 1 0 0 0\n", {"2:", "no rotation", "det R 2", "1e-05"});
+    requireRefused("1 0 0 0 1 0 0 0 -1 0 0 0\n", {"1:", "no rotation", "det R -1", "above 0"});
+    requireRefused("0 0 0 0 0 0 0 0 0 0 0 0\n", {"1:", "no rotation"});
+    requireRefused(kIdentity + "7 8 9 0 0 0 0\n", {"2:", "quaternion is 0 0 0 0", "length above 0"});
+    requireRefused(kIdentity + "# c\n1 0 0 0 1 0 0 0 1 7 8\n", {"3:", "11 numbers", "expected 12", "or 7"});
+    requireRefused("5\n", {"1:", "1 number,", "expected 12"});
+    requireRefused(kIdentity + "1 2 3 0 0 0 1 1\n", {"2:", "8 numbers", "expected 12"});
+    requireRefused(kIdentity + "1,0,0\n", {"2:", "'1,0,0'", "a finite number"});
+    requireRefused(kIdentity + "1 2 3 0 0 0 inf\n", {"2:", "'inf'", "a finite number"});
+    requireRefused("# none\n", {" no line with numbers", "one pose a line"});
 }
 
 BOOST_AUTO_TEST_CASE(a_file_that_cannot_be_read_is_named) {
     const TemporaryFolder folder;
-    BOOST_CHECK_EXCEPTION(readPoses(folder.file("x")), std::runtime_error,
-                          [&](const std::runtime_error& error) {
-                              return std::string(error.what()).find(folder.file("x")) != std::string::npos;
-                          });
+    testing::requireRefusedBy<std::runtime_error>([&] { readPoses(folder.file("x")); }, {folder.file("x")});
 }
 
 }  // namespace
