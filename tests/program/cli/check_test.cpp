@@ -1,7 +1,6 @@
-#include <fstream>
+#include <algorithm>
 #include <sstream>
 
-#include "clearway/problem.h"
 #include "program/cli/window_folder.h"
 #include "support/random_meshes.h"
 
@@ -25,52 +24,33 @@ struct CheckFolder : WindowProblemFolder {
     std::vector<PartState> free() const {
         return {window.problem.start, at(-40), at(40), window.problem.goal};
     }
-
-    void writeLines(const std::string& name, const std::string& text) const { write(name, text); }
-
-    using TemporaryFolder::write;
 };
-
-/// The lines that begin like the table's rows, with the number of a segment.
-std::vector<std::string> segmentRows(const Outcome& outcome) {
-    std::istringstream stream(outcome.out);
-    std::vector<std::string> rows;
-    bool isTable = false;
-    for (std::string line; std::getline(stream, line);) {
-        if (isTable && line.empty()) break;
-        if (isTable) rows.push_back(line);
-        isTable = isTable || line.find("segment  verdict") == 0;
-    }
-    return rows;
-}
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
 
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(a_valid_path_is_0_with_a_table_and_a_plot_of_80_columns) {
     const CheckFolder folder;
-    const Outcome outcome = runIn(folder, "check window.cfg free.path");
+    const Outcome outcome = runIn(folder, "check window.cfg free.path --json facts.json");
     BOOST_TEST(outcome.code == 0, outcome.err);
     BOOST_TEST(outcome.err == "");
-    BOOST_TEST(row(outcome, "audit") == "valid along the whole path, certified");
+    const auto audit = jsonIn(folder, "facts.json")["audit"];
+    BOOST_TEST(audit["verdict"] == "valid");
     // The window is 32 high, the plate 10 thick, and 64 wide, the plate 40.
-    BOOST_TEST(contains(row(outcome, "least clearance"), " to 11"), outcome.out);
-    BOOST_TEST(contains(row(outcome, "  on the path"), "segment 2 of 3, t = "));
-    BOOST_TEST(contains(row(outcome, "  on the part"), " of 'plate', at ("));
-    BOOST_TEST(contains(row(outcome, "  pose of the part"), "quaternion (x, y, z, w) ("));
-    BOOST_TEST(std::stod(row(outcome, "length")) == 120);
-    const std::vector<std::string> rows = segmentRows(outcome);
-    BOOST_REQUIRE(rows.size() == 3u);
-    for (const std::string& line : rows) BOOST_TEST(contains(line, "  valid "), line);
+    BOOST_TEST(audit["clearance"]["upper"].get<double>() == 11, boost::test_tools::tolerance(1e-6));
+    BOOST_TEST(audit["closest"]["segment"] == 2);
+    BOOST_TEST(audit["closest"]["pair"]["part"]["mesh"] == "plate");
+    BOOST_TEST(audit["length"].get<double>() == 120, boost::test_tools::tolerance(1e-9));
+    BOOST_TEST(audit["segments"].size() == 3u);
+    for (const auto& segment : audit["segments"]) BOOST_TEST(segment["verdict"] == "valid");
 
+    BOOST_TEST(holds(row(outcome, "audit"), "valid", "certified"));
+    BOOST_TEST(holds(row(outcome, "least clearance"), " to 11"), outcome.out);
+    BOOST_TEST(holds(outcome.out, "segment  verdict"));
     std::istringstream plot(outcome.out.substr(outcome.out.find("clearance along the path")));
     int lines = 0, bars = 0;
     for (std::string line; std::getline(plot, line); ++lines) {
         BOOST_TEST(line.size() <= 80, line);
-        bars += contains(line, "#");
+        bars += holds(line, "#");
     }
     BOOST_TEST(lines > 10);
     BOOST_TEST(bars > 5);
@@ -81,33 +61,30 @@ BOOST_AUTO_TEST_CASE(a_path_that_collides_is_1_and_every_segment_that_does_is_to
     writePath({folder.window.problem.start, folder.at(-40), folder.at(-40, 20), folder.at(40, 20),
                folder.at(40), folder.at(40, 45), folder.window.problem.goal},
               Space::kSe3, folder.file("bad.path"));
-    const Outcome outcome = runIn(folder, "check window.cfg bad.path");
+    const Outcome outcome = runIn(folder, "check window.cfg bad.path --json facts.json");
     BOOST_TEST(outcome.code == 1);
     BOOST_TEST(outcome.err == "");
-    BOOST_TEST(contains(row(outcome, "audit"), "NOT valid: 3 of 6 segments"));
-    const std::vector<std::string> rows = segmentRows(outcome);
-    BOOST_REQUIRE(rows.size() == 6u);
-    BOOST_TEST(contains(rows[0], "  valid "));
-    BOOST_TEST(contains(rows[2], "  collides "));
-    BOOST_TEST(contains(rows[2], "'above'"));
-    BOOST_TEST(contains(rows[4], "  outside "));
-    BOOST_TEST(contains(row(outcome, "first"), "segment 3, valid up to t = 0.0"));
-    BOOST_TEST(contains(row(outcome, "first"), "is in collision: triangle "));
-    BOOST_TEST(contains(rows[5], "not valid from its beginning"));
-    BOOST_TEST(contains(outcome.out, "xxx"));  // the plot's foot
+    BOOST_TEST(holds(row(outcome, "audit"), "NOT valid: 3 of 6"));
+    BOOST_TEST(holds(outcome.out, "collides", "outside", "xxx"));  // xxx: the plot's foot
+    const auto audit = jsonIn(folder, "facts.json")["audit"];
+    BOOST_TEST(audit["verdict"] == "invalid");
+    const auto& segments = audit["segments"];
+    BOOST_TEST_REQUIRE(segments.size() == 6u);
+    for (const int valid : {0, 1, 3}) BOOST_TEST(segments[valid]["verdict"] == "valid");
+    for (const int invalid : {2, 4, 5}) BOOST_TEST(segments[invalid]["verdict"] == "invalid");
+    BOOST_TEST(holds(segments[2]["trouble"].get<std::string>(), "in collision", "triangle", "'above'"));
+    BOOST_TEST(segments[2]["valid_until_t"].get<double>() == 0.1, boost::test_tools::tolerance(1e-4));
+    BOOST_TEST(segments[5]["valid_until_t"] == 0.0);
 }
 
 BOOST_AUTO_TEST_CASE(the_margin_counts_and_clearance_is_what_is_beyond_it) {
     const CheckFolder folder;
-    const Outcome within = runIn(folder, "check window.cfg free.path --margin 10");
-    BOOST_TEST(within.code == 0);
-    BOOST_TEST(row(within, "margin") == "10");
-    BOOST_TEST(contains(row(within, "least clearance"), " to 1"), within.out);
-    BOOST_TEST(contains(row(within, "  on the path"), "segment 2 of 3"), within.out);
-    const Outcome beyond = runIn(folder, "check window.cfg free.path --margin 11.5");
-    BOOST_TEST(beyond.code == 1);
-    BOOST_TEST(contains(segmentRows(beyond).at(1), "  too close "));
-    BOOST_TEST(contains(row(beyond, "first"), "expected more than the margin 11.5"));
+    const auto within = factsOf(folder, "check window.cfg free.path --margin 10");
+    BOOST_TEST(within["audit"]["clearance"]["upper"].get<double>() == 1, boost::test_tools::tolerance(1e-6));
+    BOOST_TEST(within["audit"]["closest"]["segment"] == 2);
+    const auto beyond = factsOf(folder, "check window.cfg free.path --margin 11.5", 1);
+    BOOST_TEST(
+        holds(beyond["audit"]["segments"][1]["trouble"].get<std::string>(), "expected", "margin 11.5"));
 }
 
 BOOST_AUTO_TEST_CASE(the_profile_is_written_as_csv_in_order_and_bounds_hold) {
@@ -147,16 +124,14 @@ BOOST_AUTO_TEST_CASE(a_path_that_is_not_from_start_to_goal_is_no_solution) {
     path.front().position.x() += 0.5;
     path.back().rotation = Eigen::AngleAxisd(1.4, Vector3::UnitX());
     writePath(path, Space::kSe3, folder.file("off.path"));
+    const auto facts = factsOf(folder, "check window.cfg off.path", 1);
+    BOOST_TEST(facts["off_start"].get<double>() > 0.5);
+    BOOST_TEST(facts["off_goal"].get<double>() > facts["ends_tolerance"].get<double>());
+    BOOST_TEST(facts["ends_tolerance"].get<double>() < 0.0073);
     const Outcome outcome = runIn(folder, "check window.cfg off.path");
-    BOOST_TEST(outcome.code == 1);
-    BOOST_TEST(row(outcome, "begins").find("0.5") == 0u, outcome.out);
-    BOOST_TEST(contains(row(outcome, "begins"), "from the problem's start, expected at most 0.0072"),
-               outcome.out);
-    BOOST_TEST(contains(row(outcome, "ends"), "from the problem's goal, expected at most "), outcome.out);
-    const Outcome any = runIn(folder, "check window.cfg off.path --any-ends");
-    BOOST_TEST(any.code == 0);
-    BOOST_TEST(contains(row(any, "begins"), "from the problem's start"));
-    BOOST_TEST(!contains(row(any, "begins") + row(any, "ends"), "expected"), any.out);
+    for (const char* label : {"begins", "ends"})
+        BOOST_TEST(holds(row(outcome, label), "problem's", "expected at most 0.0072"), outcome.out);
+    BOOST_TEST(runIn(folder, "check window.cfg off.path --any-ends").code == 0);
 }
 
 BOOST_AUTO_TEST_CASE(a_swept_volume_too_fine_for_the_path_is_refused_with_what_is_fine_enough) {
@@ -171,10 +146,7 @@ BOOST_AUTO_TEST_CASE(a_swept_volume_too_fine_for_the_path_is_refused_with_what_i
 BOOST_AUTO_TEST_CASE(a_path_of_one_state_is_checked) {
     const CheckFolder folder;
     writePath({folder.window.problem.start}, Space::kSe3, folder.file("one.path"));
-    const Outcome outcome = runIn(folder, "check window.cfg one.path --any-ends");
-    BOOST_TEST(outcome.code == 0);
-    BOOST_TEST(segmentRows(outcome).size() == 1u);
-    BOOST_TEST(contains(outcome.out, "from the problem's goal"));
+    BOOST_TEST(factsOf(folder, "check window.cfg one.path --any-ends")["audit"]["segments"].size() == 1u);
     writePath({folder.at(0, 20)}, Space::kSe3, folder.file("one.path"));
     BOOST_TEST(runIn(folder, "check window.cfg one.path --any-ends").code == 1);
 }
@@ -186,25 +158,20 @@ BOOST_AUTO_TEST_CASE(a_planar_path_is_checked_in_se2) {
     problem.start.rotation = problem.goal.rotation = Eigen::Quaterniond::Identity();
     problem.volume = Box(Vector3(-80, -80, 0), Vector3(80, 80, 0));
     writeProblem(problem, folder.file("flat.cfg"));
-    folder.writeLines("flat.path", "-60 0 0\n60 0 0\n");
+    folder.write("flat.path", "-60 0 0\n60 0 0\n");
     BOOST_TEST(runIn(folder, "check flat.cfg flat.path").code == 0);
-    folder.writeLines("flat.path", "-60 0 0\n-60 0 1.5\n60 0 1.5\n60 0 0\n");
+    folder.write("flat.path", "-60 0 0\n-60 0 1.5\n60 0 1.5\n60 0 0\n");
     BOOST_TEST(runIn(folder, "check flat.cfg flat.path").code == 0);
     BOOST_TEST(runIn(folder, "check flat.cfg flat.path --margin 3").code == 1);
 }
 
 BOOST_AUTO_TEST_CASE(what_plan_writes_passes_check_until_a_sheet_closes_the_way) {
     const CheckFolder folder;
-    BOOST_TEST(runIn(folder, "plan window.cfg --path out.path --iterations 200000").code == 0);
-    const Outcome outcome = runIn(folder, "check window.cfg out.path");
-    BOOST_TEST(outcome.code == 0);
-    BOOST_TEST(outcome.err == "");
-
+    BOOST_TEST(runIn(folder, "plan window.cfg --path out.path --quick --iterations 200000").code == 0);
+    BOOST_TEST(runIn(folder, "check window.cfg out.path").code == 0);
     const Mesh sheet = box({0.01, 90, 90});
     saveMesh(joined(folder.window.wallMesh, sheet), folder.file("wall.obj"));
-    const Outcome closed = runIn(folder, "check window.cfg out.path");
-    BOOST_TEST(closed.code == 1);
-    BOOST_TEST(contains(row(closed, "audit"), "NOT valid: "));
+    BOOST_TEST(factsOf(folder, "check window.cfg out.path", 1)["audit"]["verdict"] == "invalid");
 }
 
 BOOST_AUTO_TEST_CASE(wrong_input_is_refused_in_one_line) {
@@ -212,7 +179,6 @@ BOOST_AUTO_TEST_CASE(wrong_input_is_refused_in_one_line) {
     requireRefused(folder, "check window.cfg", {"IN.path is missing"});
     requireRefused(folder, "check window.cfg nowhere.path", {"nowhere.path"});
     requireRefused(folder, "check nowhere.cfg free.path", {"nowhere.cfg"});
-    requireRefused(folder, "check window.cfg free.path --margin -1", {"--margin is '-1'"});
     requireRefused(folder, "check window.cfg free.path --margin nan", {"--margin is 'nan'"});
     requireRefused(folder, "check window.cfg free.path --csv nowhere/x.csv", {"nowhere/x.csv"});
     requireRefused(folder, "check window.cfg free.path --report nowhere/x.html", {"nowhere/x.html"});
@@ -223,22 +189,22 @@ BOOST_AUTO_TEST_CASE(wrong_input_is_refused_in_one_line) {
     requireRefused(folder, "check window.cfg free.path --export free.path", {"--export is 'free.path'"});
     requireRefused(folder, "check window.cfg free.path --csv free.path",
                    {"--csv is 'free.path'", "input file"});
-    folder.writeLines("nan.path", "-60 0 0 0 0 0 1\n-60 nan 0 0 0 0 1\n");
+    folder.write("nan.path", "-60 0 0 0 0 0 1\n-60 nan 0 0 0 0 1\n");
     requireRefused(folder, "check window.cfg nan.path", {"nan.path", "2", "'nan'", "finite number"});
-    folder.writeLines("flat.path", "-60 0 0\n60 0 0\n");
+    folder.write("flat.path", "-60 0 0\n60 0 0\n");
     requireRefused(folder, "check window.cfg flat.path", {"flat.path", "3 numbers", "expected 7"});
-    folder.writeLines("zero.path", "-60 0 0 0 0 0 0\n");
+    folder.write("zero.path", "-60 0 0 0 0 0 0\n");
     requireRefused(folder, "check window.cfg zero.path", {"zero.path", "quaternion is 0 0 0 0"});
-    folder.writeLines("empty.path", "# nothing\n");
+    folder.write("empty.path", "# nothing\n");
     requireRefused(folder, "check window.cfg empty.path", {"empty.path", "no line with numbers"});
 }
 
 BOOST_AUTO_TEST_CASE(states_too_far_for_any_query_are_refused_in_one_line) {
     const CheckFolder folder;
-    folder.writeLines("far.path", "-60 0 0 0 0 0 1\n1e300 0 0 0 0 0 1\n");
+    folder.write("far.path", "-60 0 0 0 0 0 1\n1e300 0 0 0 0 0 1\n");
     requireRefused(folder, "check window.cfg far.path",
                    {"state 2 of the path", "1e+300", "expected at most 1e+14"});
-    folder.writeLines("far.path", "-60 0 0 0 0 0 1\n1e9 0 0 0 0 0 1\n");
+    folder.write("far.path", "-60 0 0 0 0 0 1\n1e9 0 0 0 0 0 1\n");
     BOOST_TEST(runIn(folder, "check window.cfg far.path").code == 1);  // outside
 }
 

@@ -1,5 +1,5 @@
 // The program from two meshes to a path, and its facts as JSON.
-#include <nlohmann/json.hpp>
+#include <filesystem>
 
 #include "clearway/problem.h"
 #include "program/cli/run_program.h"
@@ -30,10 +30,10 @@ struct MeshFolder : TemporaryFolder {
 
 BOOST_AUTO_TEST_CASE(init_writes_a_problem_that_plan_solves) {
     const MeshFolder folder;
-    const Outcome made = runIn(folder, "init block.obj rest.obj --out p.cfg");
-    BOOST_TEST(made.code == 0, made.err);
-    BOOST_TEST(row(made, "part") == "12 triangles, closed, 2 x 2 x 2");
-    BOOST_TEST(row(made, "start").find("free, 0.5 from '") == 0u, made.out);
+    const auto made = factsOf(folder, "init block.obj rest.obj --out p.cfg");
+    BOOST_TEST(made["part"]["triangles"] == 12);
+    BOOST_TEST(made["part"]["closed"] == true);
+    BOOST_TEST(made["clearance_at_start"].get<double>() == 0.5, boost::test_tools::tolerance(1e-6));
     const Problem problem = readProblem(folder.file("p.cfg"));
     BOOST_TEST(problem.isReadingStated);
     BOOST_TEST(!problem.asOmplApp);
@@ -42,25 +42,22 @@ BOOST_AUTO_TEST_CASE(init_writes_a_problem_that_plan_solves) {
     const Outcome planned = runIn(folder, "plan p.cfg --path o.path --quick --iterations 5000");
     BOOST_TEST(planned.code == 0, planned.err);
     BOOST_TEST(planned.err == "");
-    const Outcome seat = runIn(folder, "init block.obj rest.obj seat.obj --out seat.cfg");
-    BOOST_TEST(row(seat, "start").find("touches 'seat") == 0u, seat.out);
-    BOOST_TEST(readText(folder.file("seat.cfg")).find("# contact.start = seat") != std::string::npos);
-    BOOST_TEST(row(made, "goal") == "outside");
+    const auto seat = factsOf(folder, "init block.obj rest.obj seat.obj --out seat.cfg");
+    BOOST_TEST(seat["touched_at_start"].dump() == R"(["seat"])");
+    BOOST_TEST(holds(readText(folder.file("seat.cfg")), "# contact.start = seat"));
     BOOST_TEST(runIn(folder, "init block.obj --out p.cfg").code == 2);
-    BOOST_TEST(runIn(folder, "init block.obj rest.obj --out p.txt").err.find("ends in .cfg") !=
-               std::string::npos);
+    requireRefused(folder, "init block.obj rest.obj --out p.txt", {"ends in .cfg"});
 }
 
 BOOST_AUTO_TEST_CASE(init_sends_a_part_that_starts_outside_to_the_far_side) {
     const MeshFolder folder;
     saveMesh(named(box({1, 1, 1}), "block", {5, 0, 2}), folder.file("left.obj"));
     saveMesh(named(box({1, 1, 1}), "block", {20, 0.5, 90}), folder.file("above.obj"));
-    const Outcome left = runIn(folder, "init left.obj rest.obj --out left.cfg");
-    BOOST_TEST(row(left, "goal") == "outside on +x; the part starts outside on -x");
+    runIn(folder, "init left.obj rest.obj --out left.cfg");
     BOOST_TEST(runIn(folder, "plan left.cfg --path o.path --quick --iterations 5000").code == 0);
     BOOST_TEST(readPath(folder.file("o.path"), Space::kSe3).back().position.x() > 15);
     const Outcome above = runIn(folder, "init above.obj rest.obj --out above.cfg");
-    BOOST_TEST(row(above, "goal") == "outside on -z; the part starts outside on +z");
+    BOOST_TEST(holds(row(above, "goal"), "outside on -z", "starts outside on +z"), above.out);
 }
 
 /// Lines of choice stand in comments: each counts once its "# " is taken out.
@@ -82,13 +79,12 @@ BOOST_AUTO_TEST_CASE(lines_of_choice_that_init_writes_can_be_switched_on) {
 BOOST_AUTO_TEST_CASE(init_keeps_an_old_problem_and_writes_no_name_that_cannot_be_read_back) {
     const MeshFolder folder;
     folder.write("p.cfg", "mine");
-    const Outcome made = runIn(folder, "init block.obj rest.obj --out p.cfg");
-    BOOST_TEST(row(made, "problem") == "p.cfg; the old one is now p.cfg.old");
+    BOOST_TEST(runIn(folder, "init block.obj rest.obj --out p.cfg").code == 0);
     BOOST_TEST(readText(folder.file("p.cfg.old")) == "mine");
     std::filesystem::copy_file(folder.file("block.obj"), folder.file("a #1.obj"));
     for (const char* words :
          {"init \"a #1.obj\" rest.obj --out q.cfg", "init block.obj \"a #1.obj\" --out q.cfg"})
-        requireRefused(folder, words, {"mesh file is 'a #1.obj'", "expected a name without #"});
+        requireRefused(folder, words, {"'a #1.obj'", "without #"});
     BOOST_TEST(!std::filesystem::exists(folder.file("q.cfg")));
 }
 
@@ -96,12 +92,11 @@ BOOST_AUTO_TEST_CASE(what_may_mislead_about_the_start_is_said) {
     const MeshFolder folder;
     saveMesh(named(box({9, 9, 9}), "rock", {20, 0, 1.5}), folder.file("rock.obj"));
     const Outcome inside = runIn(folder, "init block.obj rock.obj --out r.cfg");
-    BOOST_TEST(inside.err.find("the part is inside 'rock'") != std::string::npos, inside.err);
-    BOOST_TEST(inside.err.find("solid = rock in [clearway]") != std::string::npos, inside.err);
-    BOOST_TEST(runIn(folder, "info r.cfg").err.find("inside 'rock'") != std::string::npos);
+    BOOST_TEST(holds(inside.err, "inside 'rock'", "solid = rock"), inside.err);
+    BOOST_TEST(holds(runIn(folder, "info r.cfg").err, "inside 'rock'"));
     saveMesh(named(box({1e3, 1e3, 1e3}), "metres", {0, 0, 0}), folder.file("large.obj"));
     const Outcome units = runIn(folder, "init large.obj rest.obj --out u.cfg");
-    BOOST_TEST(units.err.find("are both files in one unit?") != std::string::npos, units.err);
+    BOOST_TEST(holds(units.err, "one unit?"), units.err);
     BOOST_TEST(runIn(folder, "init block.obj rest.obj --out p.cfg").err == "");
 }
 
@@ -110,15 +105,11 @@ BOOST_AUTO_TEST_CASE(a_mesh_without_area_is_named) {
     folder.write("flat.obj", "o line\nv 0 0 9\nv 1 0 9\nv 3 0 9\nf 1 2 3\no dot\nv 5 5 9\nf 4 4 4\n");
     const Outcome made = runIn(folder, "init block.obj rest.obj flat.obj --out p.cfg");
     BOOST_TEST(made.code == 0, made.err);
-    BOOST_TEST(made.err.find("flat.obj: zero area: every triangle of 'line', 'dot' is a line or a point") !=
-                   std::string::npos,
-               made.err);
-    BOOST_TEST(runIn(folder, "init flat.obj rest.obj --out q.cfg").err.find("flat.obj: zero area: ") !=
-               std::string::npos);
+    BOOST_TEST(holds(made.err, "flat.obj: zero area", "'line', 'dot'"), made.err);
     folder.write("dot.obj", "o dot\nv 5 5 9\nf 1 1 1\n");
     const std::string alone = runIn(folder, "init block.obj dot.obj --out q.cfg").err;
-    BOOST_TEST(alone.find("dot.obj: zero area: ") != std::string::npos, alone);
-    BOOST_TEST(alone.find("in one unit?") == std::string::npos, alone);  // there is no size to compare
+    BOOST_TEST(holds(alone, "dot.obj: zero area: "), alone);
+    BOOST_TEST(!holds(alone, "in one unit?"), alone);  // there is no size to compare
 }
 
 BOOST_AUTO_TEST_CASE(init_and_plan_give_the_same_advice_about_parts_that_touch_at_the_start) {
@@ -132,36 +123,22 @@ BOOST_AUTO_TEST_CASE(init_and_plan_give_the_same_advice_about_parts_that_touch_a
     BOOST_TEST(told.substr(told.size() - advice.size()) == advice);
     const std::string text = readText(folder.file("p.cfg"));
     for (const std::string key : {"contact.start", "ignore", "overlap"}) {
-        BOOST_TEST(advice.find(key + " = ") != std::string::npos, advice);
-        BOOST_TEST(text.find("# " + key + " = ") != std::string::npos, text);
+        BOOST_TEST(holds(advice, key + " = "), advice);
+        BOOST_TEST(holds(text, "# " + key + " = "), text);
     }
-}
-
-BOOST_AUTO_TEST_CASE(init_says_what_the_bounds_are_for) {
-    const MeshFolder folder;
-    runIn(folder, "init block.obj rest.obj --out p.cfg");
-    const std::string text = readText(folder.file("p.cfg"));
-    const std::size_t at = text.find("\nvolume.min.x");
-    BOOST_TEST_REQUIRE(at != std::string::npos);
-    const std::string before = text.substr(0, at);
-    for (const char* words : {"the part's origin, the point (0, 0, 0) of its file", "leaves no way"})
-        BOOST_TEST(before.find(words) != std::string::npos, before);
 }
 
 BOOST_AUTO_TEST_CASE(facts_are_json_with_the_names_of_the_rows) {
     const MeshFolder folder;
     runIn(folder, "init block.obj rest.obj --out p.cfg");
-    const Outcome planned = runIn(folder, "plan p.cfg --path o.path --quick --iterations 5000 --json -");
-    BOOST_TEST(planned.code == 0, planned.err);
-    const auto facts = nlohmann::json::parse(planned.out);  // so nothing else was printed
+    const auto facts = factsOf(folder, "plan p.cfg --path o.path --quick --iterations 5000");
     BOOST_TEST(facts["found"].get<bool>());
     BOOST_TEST(facts["audit"]["verdict"].get<std::string>() == "valid");
     BOOST_TEST(facts["path"]["states"].get<std::size_t>() ==
                readPath(folder.file("o.path"), Space::kSe3).size());
     const Outcome printed = runIn(folder, "plan p.cfg --path - --quick --iterations 5000 --json f.json");
     BOOST_TEST(printed.out == readText(folder.file("o.path")));
-    const Outcome checked = runIn(folder, "check p.cfg o.path --json check.json");
-    const auto audit = nlohmann::json::parse(readText(folder.file("check.json")));
+    const auto audit = factsOf(folder, "check p.cfg o.path");
     BOOST_TEST(audit["valid_share"].get<double>() == 1);
     BOOST_TEST(audit["audit"]["segments"].size() == facts["path"]["states"].get<std::size_t>() - 1);
     requireRefused(folder, "check p.cfg o.path --json - --csv -", {"is -", "too, expected a file"});
@@ -174,11 +151,10 @@ BOOST_AUTO_TEST_CASE(the_room_that_a_part_takes_is_written) {
     runIn(folder, "plan p.cfg --path o.path --quick --iterations 5000");
     const Outcome swept = runIn(folder, "check p.cfg o.path --swept room.stl --swept-tolerance 0.5");
     BOOST_TEST(swept.code == 0, swept.err);
-    BOOST_TEST(row(swept, "swept").find("room.stl, ") == 0u, swept.out);
     BOOST_TEST(boundingBox(loadMesh(folder.file("room.stl"))).contains(Vector3(20, 0, 1.5)));
     folder.write("mm.cfg", readText(folder.file("p.cfg")) + "unit = mm\n");
     const Outcome inMetres = runIn(folder, "check mm.cfg o.path --swept room.glb --swept-tolerance 0.5");
-    BOOST_TEST(row(inMetres, "swept").find("room.glb, in metres, ") == 0u, inMetres.out);
+    BOOST_TEST(holds(row(inMetres, "swept"), "in metres"), inMetres.out);
     const Box box = boundingBox(loadMesh(folder.file("room.glb")));
     BOOST_TEST(box.contains(Vector3(0.020, 0.0015, 0)));  // y is up in .glb files
     BOOST_TEST(box.sizes().maxCoeff() < 0.1);
@@ -198,62 +174,46 @@ BOOST_AUTO_TEST_CASE(lengths_carry_the_unit_that_the_problem_states) {
         runIn(folder, "plan u.cfg --path o.path --quick --iterations 5000 --export o.glb --json f.json");
     BOOST_TEST(planned.code == 0, planned.err);
     for (const char* label : {"length", "margin", "floor", "  on the part", "  pose of the part"})
-        BOOST_TEST(row(planned, label).find(" mm") != std::string::npos, label);
-    BOOST_TEST(row(planned, "export") == "o.glb, in metres");
-    BOOST_TEST(nlohmann::json::parse(readText(folder.file("f.json")))["unit"] == "mm");
+        BOOST_TEST(holds(row(planned, label), " mm"), label);
+    BOOST_TEST(holds(row(planned, "export"), "in metres"));
+    BOOST_TEST(jsonIn(folder, "f.json")["unit"] == "mm");
     const Outcome checked = runIn(folder, "check u.cfg o.path --brief --csv o.csv");
-    BOOST_TEST(checked.out.find("segment  verdict") == std::string::npos);
-    for (const char* label :
-         {"least clearance", "  on the path", "  on the part", "  on the obstacle", "  pose of the part"})
+    BOOST_TEST(!holds(checked.out, "segment  verdict"));
+    for (const char* label : {"least clearance", "  on the obstacle"})
         BOOST_TEST(row(checked, label) == row(planned, label));
-    BOOST_TEST(readText(folder.file("o.csv")).find(",block,") != std::string::npos);
-    BOOST_TEST(runIn(folder, "info u.cfg").out.find(" mm, between 'block'") != std::string::npos);
-    BOOST_TEST(runIn(folder, "check p.cfg o.path").out.find(" mm") == std::string::npos);
+    BOOST_TEST(holds(readText(folder.file("o.csv")), ",block,"));
+    BOOST_TEST(!holds(runIn(folder, "check p.cfg o.path").out, " mm"));
     write("yards");
-    requireRefused(folder, "plan u.cfg --path o.path",
-                   {"[clearway] unit is 'yards'", "um, mm, cm, m, km, in, ft"});
+    requireRefused(folder, "plan u.cfg --path o.path", {"unit is 'yards'", "um, mm, cm, m, km, in, ft"});
 }
 
 BOOST_AUTO_TEST_CASE(facts_of_other_subcommands_are_json_too) {
     const MeshFolder folder;
-    const auto factsOf = [&](const std::string& words, const std::string& program = kProgram) {
-        const Outcome told = runIn(folder, words + " --json -", program);
-        BOOST_TEST(told.code == 0, told.err);
-        return nlohmann::json::parse(told.out);
-    };
-    const auto made = factsOf("init block.obj rest.obj --out p.cfg");
-    BOOST_TEST(made["part"]["closed"].get<bool>());
-    BOOST_TEST(made["clearance_at_start"].get<double>() == 0.5, boost::test_tools::tolerance(1e-6));
-    const auto problem = factsOf("info p.cfg");
+    runIn(folder, "init block.obj rest.obj --out p.cfg");
+    const auto problem = factsOf(folder, "info p.cfg");
     BOOST_TEST(problem["at_start"]["valid"].get<bool>());
     BOOST_TEST(problem["at_start"]["pair"]["part"]["mesh"] == "block");
     BOOST_TEST(problem["goal"] == "outside");
     BOOST_TEST(problem["unit"].is_null());
     BOOST_TEST(problem["environment"]["triangles"] == 24);
-    BOOST_TEST(factsOf("info block.obj")["mesh"]["tree"]["triangles"] == 12);
-    const auto drawn = factsOf("render p.cfg --out p.png --size 32x24 --samples 1");
+    const auto drawn = factsOf(folder, "render p.cfg --out p.png --size 32x24 --samples 1");
     BOOST_TEST(drawn["poses"][0]["valid"].get<bool>());
     BOOST_TEST(drawn["picture"] == "p.png");
-    const auto scene = factsOf("puzzle --out s --no-preview --part-triangles 500 --environment-triangles 500",
-                               kSceneProgram);
+    const auto scene =
+        factsOf(folder, "puzzle --out s --no-preview --part-triangles 500 --environment-triangles 500", 0,
+                kSceneProgram);
     BOOST_TEST(scene["least_clearance"].get<double>() > 0);
-    const auto bench = factsOf("bench p.cfg --runs 1 --time 5 --planner RRTConnect --log b.log");
+    const auto bench = factsOf(folder, "bench p.cfg --runs 1 --time 5 --planner RRTConnect --log b.log");
     BOOST_TEST(bench["planners"][0]["runs"].size() == 1u);
 }
 
-BOOST_AUTO_TEST_CASE(words_that_are_nearly_right_are_told) {
+BOOST_AUTO_TEST_CASE(pages_for_readers_and_shells_are_printed) {
     const TemporaryFolder folder;
-    BOOST_TEST(runIn(folder, "pln").err.find("(did you mean 'plan'?)") != std::string::npos);
-    BOOST_TEST(runIn(folder, "plan --pth x").err.find("(did you mean '--path'?)") != std::string::npos);
-    BOOST_TEST(runIn(folder, "help keyes").err.find("(did you mean 'keys'?)") != std::string::npos);
-    BOOST_TEST(runIn(folder, "help formats").out.find("qx qy qz qw") != std::string::npos);
-    BOOST_TEST(runIn(folder, "plan --list-options").out.find("--seed\n") != std::string::npos);
-    BOOST_TEST(runIn(folder, "check --man").out.find(".TH CLEARWAY-CHECK 1") == 0u);
-    BOOST_TEST(runIn(folder, "--man").out.find(".TH CLEARWAY 1") == 0u);
-    BOOST_TEST(runIn(folder, "--man").out.find("\n.B clearway plan\n") != std::string::npos);
-    BOOST_TEST(
-        runIn(folder, "--completion").out.find("complete -o default -F _clearway clearway clearway-scene") !=
-        std::string::npos);
+    BOOST_TEST(holds(runIn(folder, "help formats").out, "qx qy qz qw"));
+    BOOST_TEST(holds(runIn(folder, "plan --list-options").out, "--seed\n"));
+    BOOST_TEST(holds(runIn(folder, "check --man").out, ".TH CLEARWAY-CHECK 1"));
+    BOOST_TEST(holds(runIn(folder, "--man").out, ".TH CLEARWAY 1", "\n.B clearway plan\n"));
+    BOOST_TEST(holds(runIn(folder, "--completion").out, "complete", "-F _clearway clearway clearway-scene"));
 }
 
 }  // namespace

@@ -37,16 +37,12 @@ struct SunkFolder : TemporaryFolder {
 BOOST_AUTO_TEST_CASE(a_sunk_start_names_both_cures_and_info_tells_how_deep) {
     const SunkFolder folder;
     folder.problem("");
-    const Outcome refused = runIn(folder, "plan p.cfg --path o.path");
-    BOOST_TEST(refused.code == 2);
-    BOOST_TEST(refused.err.find("start is in collision: ") != std::string::npos, refused.err);
-    BOOST_TEST(refused.err.find("contact.start = floor, ") != std::string::npos, refused.err);
-    BOOST_TEST(refused.err.find("overlap = X") != std::string::npos, refused.err);
+    requireRefused(folder, "plan p.cfg --path o.path",
+                   {"start is in collision: ", "contact.start = floor, ", "overlap = X"});
     const Outcome lifted = runIn(folder, "info p.cfg --lift");
     BOOST_TEST(lifted.code == 0, lifted.err);
-    BOOST_TEST(row(lifted, "floor").find("0.3 deep, at (") == 0u, lifted.out);
-    const std::string lift = row(lifted, "lift");
-    BOOST_TEST(lift.find("overlap = 0.30") == 0u, lift);
+    BOOST_TEST(holds(row(lifted, "floor"), "0.3 deep, at ("), lifted.out);
+    BOOST_TEST(holds(row(lifted, "lift"), "overlap = 0.30"), lifted.out);
     folder.problem("", "block.obj", 3);
     BOOST_TEST(row(runIn(folder, "info p.cfg --lift"), "start") == "no obstacle reaches into the part");
     BOOST_TEST(runIn(folder, "info block.obj --lift").code == 2);
@@ -57,15 +53,15 @@ BOOST_AUTO_TEST_CASE(a_sunk_part_is_planned_checked_and_drawn_with_its_overlap) 
     folder.problem("overlap = 0.35\n");
     const Outcome planned = runIn(folder, "plan p.cfg --quick --path o.path --report o.html");
     BOOST_TEST(planned.code == 0, planned.err);
-    BOOST_TEST(row(planned, "overlap").find("0.3 deep, at (") == 0u, planned.out);
-    BOOST_TEST(readText(folder.file("o.html")).find("Overlaps, where they are deepest") != std::string::npos);
+    BOOST_TEST(holds(readText(folder.file("o.html")), "Overlaps, where they are deepest"));
+    for (const char* command :
+         {"check p.cfg o.path", "render p.cfg o.path --out o.png --size 64x64 --samples 1"}) {
+        const auto depth = factsOf(folder, command)["overlaps"][0]["depth"];
+        BOOST_TEST(depth["lower"].get<double>() <= 0.3 * (1 + 1e-9));
+        BOOST_TEST(depth["upper"].get<double>() == 0.3, boost::test_tools::tolerance(0.05));
+    }
     const Outcome checked = runIn(folder, "check p.cfg o.path");
-    BOOST_TEST(checked.code == 0, checked.err);
-    BOOST_TEST(row(checked, "overlap").find("of 'floor', at 0 of the path") != std::string::npos,
-               checked.out);
-    const Outcome drawn = runIn(folder, "render p.cfg o.path --out o.png --size 64x64 --samples 1");
-    BOOST_TEST(drawn.code == 0, drawn.err);
-    BOOST_TEST(row(drawn, "overlap").find("0.3 deep") == 0u);
+    BOOST_TEST(holds(row(checked, "overlap"), "of 'floor', at 0 of the path"), checked.out);
     for (const char* how :
          {"--iterations 500", "--objective max_min_clearance --time 1"}) {  // they raise margins
         const Outcome roomy = runIn(folder, std::string("plan p.cfg --path r.path ") + how);
@@ -74,7 +70,7 @@ BOOST_AUTO_TEST_CASE(a_sunk_part_is_planned_checked_and_drawn_with_its_overlap) 
     folder.problem("overlap = 0.2\n");
     const Outcome deeper = runIn(folder, "check p.cfg o.path");
     BOOST_TEST(deeper.code == 1);
-    BOOST_TEST(deeper.out.find("reaches more than 0.2 below the surface") != std::string::npos, deeper.out);
+    BOOST_TEST(holds(deeper.out, "reaches more than 0.2 below"), deeper.out);
     folder.problem("overlap.floor = 0.35\noverlap.tolerance = 0.1\n");
     BOOST_TEST(runIn(folder, "check p.cfg o.path").code == 0);
 }
@@ -83,8 +79,7 @@ BOOST_AUTO_TEST_CASE(a_start_that_only_touches_is_freed_by_every_overlap) {
     const SunkFolder folder;
     folder.problem("", "block.obj", 2);
     const std::string lift = row(runIn(folder, "info p.cfg --lift"), "lift");
-    BOOST_TEST(lift.find("frees the start, as every other one does: parts only touch") != std::string::npos,
-               lift);
+    BOOST_TEST(holds(lift, "frees the start", "parts only touch"), lift);
     folder.problem(lift.substr(0, lift.find(" frees")) + "\n", "block.obj", 2);
     const Outcome planned = runIn(folder, "plan p.cfg --quick --path o.path");
     BOOST_TEST(planned.code == 0, planned.err);
@@ -96,47 +91,27 @@ BOOST_AUTO_TEST_CASE(shrinking_heeds_an_interrupt) {
     folder.problem("overlap = 0.01\n", "ring.obj", 2);
     const Outcome outcome = interruptIn(folder, "plan p.cfg --path o.path --json f.json");
     BOOST_TEST(outcome.code == 1, outcome.err);
-    BOOST_TEST(row(outcome, "interrupted") == "shrinking the part was stopped; nothing is written");
-    BOOST_TEST(readText(folder.file("f.json")).find("\"interrupted\": true") != std::string::npos);
+    BOOST_TEST(jsonIn(folder, "f.json")["interrupted"] == true);
 }
 
 BOOST_AUTO_TEST_CASE(what_an_overlap_would_leave_out_is_refused_unless_allowed) {
     const SunkFolder folder;
-    folder.problem("overlap = 0.2\n", "plate.obj");
-    const Outcome nothing = runIn(folder, "plan p.cfg --path o.path");
-    BOOST_TEST(nothing.code == 2);
-    BOOST_TEST(
-        nothing.err.find("p.cfg: [clearway] overlap is 0.2 with the tolerance 0.02, which leaves nothing "
-                         "of the part") != std::string::npos,
-        nothing.err);
     Mesh two = joined(box({2, 2, 2}), transformed(box({0.1, 0.1, 0.1}), {Matrix3::Identity(), {4, 0, 0}}));
     two.components = {{"block", 0, 12}, {"crumb", 12, 12}};
     saveMesh(two, folder.file("two.obj"));
-    folder.problem("overlap = 0.35\n", "two.obj");
-    const Outcome crumb = runIn(folder, "plan p.cfg --path o.path");
-    BOOST_TEST(crumb.code == 2);
-    BOOST_TEST(
-        crumb.err.find("nothing is left of 'crumb', expected a smaller overlap, or overlap.thin = allow") !=
-            std::string::npos,
-        crumb.err);
+    const auto refused = [&](const std::string& keys, const std::string& part,
+                             const std::vector<std::string>& words) {
+        folder.problem(keys, part);
+        requireRefused(folder, "plan p.cfg --path o.path", words);
+    };
+    refused("overlap = 0.2\n", "plate.obj", {"p.cfg", "overlap is 0.2", "tolerance 0.02", "leaves nothing"});
+    refused("overlap = 0.35\n", "two.obj", {"'crumb'", "expected a smaller overlap", "overlap.thin = allow"});
+    refused("overlap.tolerance = 0.1\n", "block.obj", {"expected an overlap above 0, or an overlap.NAME"});
+    refused("overlap = 0.35\nmargin = 1\n", "block.obj", {"'floor'", "margin 1", "overlap 0.35"});
     folder.problem("overlap = 0.35\noverlap.thin = allow\n", "two.obj");
     const Outcome allowed = runIn(folder, "plan p.cfg --quick --path o.path");
     BOOST_TEST(allowed.code == 0, allowed.err);
-    BOOST_TEST(
-        allowed.err.find("nothing is left of 'crumb'; obstacles may pass through it") != std::string::npos,
-        allowed.err);
-    folder.problem("overlap.tolerance = 0.1\n");
-    const Outcome alone = runIn(folder, "plan p.cfg --path o.path");
-    BOOST_TEST(alone.code == 2);
-    BOOST_TEST(
-        alone.err.find("expected an overlap above 0, or an overlap.NAME, beside it") != std::string::npos,
-        alone.err);
-    folder.problem("overlap = 0.35\nmargin = 1\n");
-    const Outcome both = runIn(folder, "plan p.cfg --path o.path");
-    BOOST_TEST(both.code == 2);
-    BOOST_TEST(
-        both.err.find("the obstacle 'floor' has the margin 1 and the overlap 0.35") != std::string::npos,
-        both.err);
+    BOOST_TEST(holds(allowed.err, "'crumb'", "may pass through"), allowed.err);
 }
 
 }  // namespace

@@ -1,9 +1,8 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <limits>
-#include <nlohmann/json.hpp>
 #include <sstream>
+#include <utility>
 
 #include "program/cli/run_program.h"
 
@@ -96,8 +95,12 @@ BOOST_AUTO_TEST_CASE(numbers_of_the_table_have_17_digits) {
 BOOST_AUTO_TEST_CASE(json_has_the_facts_that_the_screen_shows) {
     const BoxesFolder folder;
     folder.write("poses.txt", kPoses);
-    BOOST_TEST_REQUIRE(runIn(folder, kQuery + std::string("distance --json a.json")).code == 0);
-    const auto facts = nlohmann::json::parse(readText(folder.file("a.json")));
+    const Outcome outcome = runIn(folder, kQuery + std::string("distance --json a.json"));
+    BOOST_TEST_REQUIRE(outcome.code == 0, outcome.err);
+    BOOST_TEST(outcome.err == "");
+    BOOST_TEST(row(outcome, "least distance") == "0 at pose 1");
+    BOOST_TEST(std::stod(row(outcome, "bytes per triangle")) > 0);
+    const auto facts = jsonIn(folder, "a.json");
     BOOST_TEST(facts["poses"].size() == 4u);
     BOOST_TEST(facts["poses"][0]["position"][0] == 7.5);
     BOOST_TEST(facts["answers"][0]["part"]["mesh"] == "box");
@@ -107,36 +110,13 @@ BOOST_AUTO_TEST_CASE(json_has_the_facts_that_the_screen_shows) {
     BOOST_TEST(all["least"]["pose"] == 1);
     BOOST_TEST(all["most"]["pose"] == 3);
     BOOST_TEST(all["most"]["distance"] == 7.0);
+    BOOST_TEST(all["widest_interval"].get<double>() > 0);
+    BOOST_TEST(all["widest_interval"].get<double>() < 1e-10);
     BOOST_TEST(all["queries_per_second"].get<double>() > 0);
-    BOOST_TEST(readText(folder.file("a.json")).find("-0.0") == std::string::npos);
-    BOOST_TEST_REQUIRE(runIn(folder, kQuery + std::string("within=5 --json a.json")).code == 0);
-    BOOST_TEST(nlohmann::json::parse(readText(folder.file("a.json")))["statistics"]["within"] == 3);
-}
-
-BOOST_AUTO_TEST_CASE(the_summary_ends_with_the_costs_one_line_each) {
-    const BoxesFolder folder;
-    folder.write("poses.txt", kPoses);
-    const Outcome outcome = runIn(folder, kQuery + std::string("distance"));
-    BOOST_TEST(outcome.code == 0);
-    BOOST_TEST(outcome.err == "");
-    BOOST_TEST(row(outcome, "part") == "12 triangles");
-    BOOST_TEST(row(outcome, "poses") == "4, 0 of them projected to the nearest rotation");
-    BOOST_TEST(row(outcome, "colliding") == "2 of 4");
-    BOOST_TEST(row(outcome, "least distance") == "0 at pose 1");
-    BOOST_TEST(row(outcome, "most distance") == "7 at pose 3");
-    BOOST_TEST(std::stod(row(outcome, "widest interval")) > 0);
-    BOOST_TEST(std::stod(row(outcome, "widest interval")) < 1e-10);
-    std::vector<std::string> lines;
-    std::istringstream stream(outcome.out);
-    for (std::string line; std::getline(stream, line);) lines.push_back(line);
-    BOOST_TEST_REQUIRE(lines.size() >= 8);
-    int line = static_cast<int>(lines.size()) - 8;
-    for (const char* label :
-         {"queries/s", "volume tests per query", "triangle tests per query", "pairs in double per query",
-          "  in double-double", "  exact", "bytes per triangle", "build seconds"}) {
-        BOOST_TEST(lines[line++].find(std::string(label) + ":") == 0);
-        BOOST_TEST(std::stod(row(outcome, label)) >= (label[0] == ' ' ? 0 : 1e-9), label);
-    }
+    BOOST_TEST(!holds(readText(folder.file("a.json")), "-0.0"));
+    for (const auto& [distance, count] : {std::pair("5", 3), std::pair("4.6", 3), std::pair("0", 2)})
+        BOOST_TEST(factsOf(folder, kQuery + std::string("within=") + distance)["statistics"]["within"] ==
+                   count);
 }
 
 BOOST_AUTO_TEST_CASE(verdicts_are_1_or_0) {
@@ -158,8 +138,7 @@ BOOST_AUTO_TEST_CASE(verdicts_are_1_or_0) {
             BOOST_TEST(std::stol(table[i][2]) > 0);
         }
     }
-    BOOST_TEST(row(runIn(folder, kQuery + std::string("collide")), "colliding") == "2 of 4");
-    BOOST_TEST(row(runIn(folder, kQuery + std::string("within=4.6")), "within 4.6") == "3 of 4");
+    BOOST_TEST(factsOf(folder, kQuery + std::string("collide"))["statistics"]["colliding"] == 2);
 }
 
 BOOST_AUTO_TEST_CASE(order_warmth_strategy_and_instruction_set_change_no_answer) {
@@ -189,9 +168,9 @@ BOOST_AUTO_TEST_CASE(beyond_the_cap_are_inf_and_no_triangle) {
     BOOST_TEST(table[3][3] == "inf");
     BOOST_TEST(table[3][4] == "-1");
     BOOST_TEST(table[3][5] == "-1");
-    const Outcome outcome = runIn(folder, kQuery + std::string("distance --cap 5"));
-    BOOST_TEST(row(outcome, "beyond the cap") == "1 of 4");
-    BOOST_TEST(row(outcome, "most distance") == "4.5 at pose 0");
+    const auto all = factsOf(folder, kQuery + std::string("distance --cap 5"))["statistics"];
+    BOOST_TEST(all["beyond_cap"] == 1);
+    BOOST_TEST(all["most"]["pose"] == 0);
 }
 
 BOOST_AUTO_TEST_CASE(allowed_errors_widen_the_interval_and_never_leave_the_distance_out) {
@@ -209,16 +188,12 @@ BOOST_AUTO_TEST_CASE(allowed_errors_widen_the_interval_and_never_leave_the_dista
     }
 }
 
-BOOST_AUTO_TEST_CASE(the_scale_is_for_both_meshes_and_not_for_the_poses) {
+BOOST_AUTO_TEST_CASE(the_scale_is_for_both_meshes_not_for_poses_and_nothing_is_moved_to_its_centre) {
     const BoxesFolder folder;
     folder.write("poses.txt", kPoses);
     const Table table = answers(folder, "distance --scale 0.5", kDistanceHeader);
     BOOST_TEST(std::abs(std::stod(table[0][1]) - 6) <= 1e-12);
     BOOST_TEST(std::abs(std::stod(table[1][1]) - 1.5) <= 1e-12);
-}
-
-BOOST_AUTO_TEST_CASE(meshes_are_not_moved_to_their_centre) {
-    const BoxesFolder folder;
     folder.write("part.obj", boxObj(10, 12));
     folder.write("poses.txt", "0 -11 -11 0 0 0 1\n");
     BOOST_TEST(std::abs(std::stod(answers(folder, "distance", kDistanceHeader)[0][1]) - 8) <= 1e-12);
@@ -242,12 +217,12 @@ BOOST_AUTO_TEST_CASE(what_a_file_declares_and_is_not_applied_is_said) {
 </library_visual_scenes><scene><instance_visual_scene url="#s"/></scene></COLLADA>
 )");
     const std::string tail = "--environment environment.obj --poses poses.txt --query distance";
-    const Outcome outcome = runIn(folder, "query --part part.dae " + tail);
+    const Outcome outcome = runIn(folder, "query --part part.dae --json a.json " + tail);
     BOOST_TEST_REQUIRE(outcome.code == 0, outcome.err);
     BOOST_TEST(row(outcome, "  unit stated") == "cm, not applied");
     BOOST_TEST(row(outcome, "  up axis stated") == "z, not applied");
-    BOOST_TEST(row(outcome, "most distance") == "8 at pose 3");  // 10 less 2: neither scaled nor turned
-    BOOST_TEST(runIn(folder, "query --part part.obj " + tail).out.find("note") == std::string::npos);
+    // 10 less 2: neither scaled nor turned
+    BOOST_TEST(jsonIn(folder, "a.json")["statistics"]["most"]["distance"] == 8.0);
 }
 
 BOOST_AUTO_TEST_CASE(projected_rotations_are_counted_in_words) {
@@ -255,23 +230,14 @@ BOOST_AUTO_TEST_CASE(projected_rotations_are_counted_in_words) {
     folder.write("poses.txt", "0.866025 -0.5 0 0.5 0.866025 0 0 0 1 9 0 0\n1 0 0 0 1 0 0 0 1 9 0 0\n");
     const Outcome outcome = runIn(folder, kQuery + std::string("distance"));
     BOOST_TEST(outcome.code == 0);
-    BOOST_TEST(row(outcome, "poses") == "2, 1 of them projected to the nearest rotation");
+    BOOST_TEST(holds(row(outcome, "poses"), "2, 1 of them projected"));
 }
 
+/// Other defects are refused by readPoses(), whose test has them.
 BOOST_AUTO_TEST_CASE(pose_files_that_are_wrong_are_refused_with_the_line) {
     const BoxesFolder folder;
-    const auto requirePosesRefused = [&](const std::string& poses, const std::vector<std::string>& words) {
-        folder.write("poses.txt", poses);
-        requireRefused(folder, kQuery + std::string("distance --csv a.csv"), words);
-    };
-    const std::string good = "1 0 0 0 1 0 0 0 1 7.5 0 0\n";
-    requirePosesRefused(good + "1 0 0 0 1 0 0 0 1 7.5 0\n", {"poses.txt:2", "11 numbers", "expected 12"});
-    requirePosesRefused(good + good + "2 0 0 0 1 0 0 0 1 7.5 0 0\n",
-                        {"poses.txt:3", "matrix is no rotation", "expected"});
-    requirePosesRefused(good + "1 2 3 0 0 0 0\n", {"poses.txt:2", "quaternion", "expected"});
-    requirePosesRefused(good + "1 2 3 0 0 0 one\n", {"poses.txt:2", "'one'", "finite number"});
-    requirePosesRefused(good + "1 2 3 0 0 0 inf\n", {"poses.txt:2", "'inf'", "finite number"});
-    requirePosesRefused("", {"poses.txt", "expected a pose file"});
+    folder.write("poses.txt", "1 0 0 0 1 0 0 0 1 7.5 0 0\n1 0 0 0 1 0 0 0 1 7.5 0\n");
+    requireRefused(folder, kQuery + std::string("distance"), {"poses.txt:2", "11 numbers", "expected 12"});
     std::filesystem::remove(folder.file("poses.txt"));
     requireRefused(folder, kQuery + std::string("distance"), {"'poses.txt'", "expected a pose file"});
 }
@@ -280,18 +246,15 @@ BOOST_AUTO_TEST_CASE(a_pose_too_far_away_is_refused_with_its_number) {
     const BoxesFolder folder;
     folder.write("poses.txt", "0 0 9 0 0 0 1\n0 0 1e30 0 0 0 1\n");
     for (const char* query : {"distance", "collide", "within=1"}) {
-        requireRefused(folder, kQuery + std::string(query) + " --csv a.csv",
-                       {"pose 1: the way between part and environment", "expected"});
+        requireRefused(folder, kQuery + std::string(query) + " --csv a.csv", {"pose 1", "expected"});
     }
 }
 
 BOOST_AUTO_TEST_CASE(meshes_that_are_none_are_refused) {
     const BoxesFolder folder;
     folder.write("poses.txt", kPoses);
-    folder.write("empty.stl", "");
-    folder.write("points.obj", "v 0 0 0\n");
     folder.write("nan.obj", "v 0 0 0\nv 1 0 0\nv 0 inf 0\nf 1 2 3\n");
-    for (const char* file : {"none.stl", "empty.stl", "points.obj", "nan.obj"}) {
+    for (const char* file : {"none.stl", "nan.obj"}) {
         const std::string tail = " --poses poses.txt --query collide --csv a.csv";
         requireRefused(folder, std::string("query --environment environment.obj --part ") + file + tail,
                        {file});
@@ -307,36 +270,23 @@ BOOST_AUTO_TEST_CASE(wrong_usage_is_refused) {
     };
     for (const char* query :
          {"near", "within", "within=", "within=abc", "within=-1", "within=nan", "Distance"}) {
-        requireQueryRefused(
-            query, {"--query is '" + std::string(query) + "', expected distance, collide or within=D"});
+        requireQueryRefused(query,
+                            {"--query is '" + std::string(query) + "'", "distance, collide or within=D"});
     }
-    requireQueryRefused("distance --cap nan", {"--cap is 'nan', expected a number of at least 0"});
-    requireQueryRefused("distance --cap -1", {"--cap is '-1', expected a number of at least 0"});
+    for (const std::string option : {"--cap", "--relative-error", "--absolute-error"})
+        requireQueryRefused("distance " + option + " nan", {option + " is 'nan'", "a number of at least 0"});
+    requireQueryRefused("distance --cap -1", {"--cap is '-1'", "a number of at least 0"});
     requireQueryRefused("collide --cap 3", {"--cap is '3'", "distance"});
-    requireQueryRefused("distance --relative-error -1",
-                        {"--relative-error is '-1', expected a number of at least 0"});
-    requireQueryRefused("distance --absolute-error x",
-                        {"--absolute-error is 'x', expected a number of at least 0"});
     requireQueryRefused("within=2 --absolute-error 1", {"--absolute-error is '1'", "distance"});
-    requireQueryRefused("distance --leaf-size x", {"--leaf-size is 'x', expected an integer from 1 to 16"});
-    requireQueryRefused("distance --general-split foo",
-                        {"--general-split is 'foo'", "sah, embree, axis, mean"});
-    requireQueryRefused("distance --leaf-split foo", {"--leaf-split is 'foo'", "none, chain, edge, all"});
-    requireQueryRefused("distance --node-width 4", {"--node-width is '4'", "8, 2"});
     requireQueryRefused("distance --target foo", {"target is 'foo'", "scalar"});
-    requireQueryRefused("distance --shuffle x", {"--shuffle is 'x', expected an integer from 0"});
-    requireQueryRefused("distance --scale -2", {"--scale is '-2', expected a number above 0"});
-    requireQueryRefused("distance --fast", {"--fast", "clearway query"});
-    requireQueryRefused("distance more", {"'more'", "clearway query"});
-    requireQueryRefused("distance --query collide", {"--query", "more than once"});
-    requireRefused(folder, "query --part part.obj --environment environment.obj --poses poses.txt",
-                   {"--query is missing"});
-    requireRefused(folder, "query --part part.obj --environment environment.obj --query collide",
-                   {"--poses is missing"});
-    requireRefused(folder, "query --part part.obj --poses poses.txt --query collide",
-                   {"--environment is missing"});
-    requireRefused(folder, "query --environment environment.obj --poses poses.txt --query collide",
-                   {"--part is missing"});
+    requireQueryRefused("distance --shuffle x", {"--shuffle is 'x'", "an integer from 0"});
+    const std::vector<std::string> needed = {"--part part.obj", "--environment environment.obj",
+                                             "--poses poses.txt", "--query collide"};
+    for (const std::string& missing : needed) {
+        std::string words = "query";
+        for (const std::string& option : needed) words += option == missing ? "" : " " + option;
+        requireRefused(folder, words, {missing.substr(0, missing.find(' ')) + " is missing"});
+    }
 }
 
 BOOST_AUTO_TEST_CASE(a_table_never_replaces_a_file_that_is_read) {
@@ -383,7 +333,7 @@ BOOST_FIXTURE_TEST_CASE(a_cache_holds_the_trees_and_changes_no_answer, BoxesFold
     BOOST_TEST(files == 2);
     const Outcome outcome = runIn(*this, kQuery + std::string("distance --cache trees"));
     BOOST_TEST(outcome.code == 0);
-    BOOST_TEST(outcome.err.find("built again") != std::string::npos);
+    BOOST_TEST(holds(outcome.err, "built again"));
     requireRefused(*this, kQuery + std::string("distance --cache part.obj"),
                    {"--cache", "part.obj", "folder"});
 }
@@ -394,7 +344,7 @@ BOOST_FIXTURE_TEST_CASE(a_cache_that_cannot_be_written_is_one_warning, BoxesFold
                answers(*this, "distance", kDistanceHeader).size());
     const Outcome outcome = runIn(*this, kQuery + std::string("distance --cache /proc"));
     BOOST_TEST(outcome.code == 0);
-    BOOST_TEST(outcome.err.find("clearway: warning: cannot write '/proc/") == 0, outcome.err);
+    BOOST_TEST(holds(outcome.err, "warning: cannot write '/proc/"), outcome.err);
     BOOST_TEST(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1, outcome.err);
 }
 

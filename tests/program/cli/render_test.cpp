@@ -16,13 +16,19 @@ std::string added(const std::string& more) {
 
 BOOST_AUTO_TEST_CASE(a_picture_of_the_size_asked_for_is_written_and_each_pose_told) {
     const WindowFolder folder;
-    const Outcome outcome = runIn(folder, added("--at 0,0.5,1"));
+    const Outcome outcome = runIn(folder, added("--at 0,0.5,1 --json facts.json"));
     BOOST_TEST(outcome.code == 0, outcome.err);
     BOOST_TEST(outcome.err == "");
     BOOST_TEST((sizeOfPng(readText(folder.file("out.png"))) == std::pair(160, 90)));
-    BOOST_TEST(row(outcome, "pose at 0").find("clearance 28, between 'plate' and '") == 0, outcome.out);
-    BOOST_TEST(row(outcome, "pose at 0.5").find("IN COLLISION, between 'plate' and ") == 0, outcome.out);
-    BOOST_TEST(row(outcome, "picture") == "out.png, 160 x 90");
+    BOOST_TEST(holds(row(outcome, "pose at 0.5"), "IN COLLISION"), outcome.out);
+    const auto poses = jsonIn(folder, "facts.json")["poses"];
+    BOOST_TEST_REQUIRE(poses.size() == 3u);
+    for (const int free : {0, 2}) {
+        BOOST_TEST(poses[free]["valid"] == true);
+        BOOST_TEST(poses[free]["clearance"].get<double>() == 28, boost::test_tools::tolerance(1e-6));
+    }
+    BOOST_TEST(poses[1]["valid"] == false);
+    BOOST_TEST(poses[1]["pair"]["part"]["mesh"] == "plate");
 }
 
 BOOST_AUTO_TEST_CASE(the_same_bytes_are_written_twice_and_others_for_another_view) {
@@ -42,10 +48,9 @@ BOOST_AUTO_TEST_CASE(the_same_bytes_are_written_twice_and_others_for_another_vie
 
 BOOST_AUTO_TEST_CASE(without_a_path_start_and_goal_are_drawn) {
     const WindowFolder folder;
-    const Outcome outcome = runIn(folder, "render window.cfg --out out.png --size 64x64 --samples 1");
-    BOOST_TEST(outcome.code == 0, outcome.err);
-    row(outcome, "pose at 0");
-    row(outcome, "pose at 1");
+    const auto facts = factsOf(folder, "render window.cfg --out out.png --size 64x64 --samples 1");
+    BOOST_TEST(facts["poses"][0]["share"] == 0.0);
+    BOOST_TEST(facts["poses"][1]["share"] == 1.0);
     BOOST_TEST((sizeOfPng(readText(folder.file("out.png"))) == std::pair(64, 64)));
 }
 
@@ -54,8 +59,7 @@ BOOST_AUTO_TEST_CASE(warnings_about_the_problem_are_told) {
     folder.write("noted.cfg", readText(folder.file("window.cfg")) + "[planner]\nprm = 5\n");
     const Outcome outcome = runIn(folder, "render noted.cfg --out a.png --size 64x32 --samples 1");
     BOOST_TEST(outcome.code == 0, outcome.err);
-    BOOST_TEST(outcome.err.find("[planner] prm is '5', which has no effect") != std::string::npos,
-               outcome.err);
+    BOOST_TEST(holds(outcome.err, "prm is '5'", "no effect"), outcome.err);
 }
 
 BOOST_AUTO_TEST_CASE(wrong_usage_is_refused_in_one_line) {

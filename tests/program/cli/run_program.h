@@ -7,10 +7,12 @@
 #include <boost/test/unit_test.hpp>
 #include <csignal>
 #include <cstdlib>
-#include <map>
+#include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "support/temporary_folder.h"
+#include "support/words.h"
 
 namespace clearway::testing {
 
@@ -55,6 +57,19 @@ inline Outcome interruptIn(const TemporaryFolder& folder, const std::string& arg
     return outcome;
 }
 
+/// The JSON that the program writes to standard output. Checks the exit code, and that nothing else is printed.
+inline nlohmann::json factsOf(const TemporaryFolder& folder, const std::string& arguments, int code = 0,
+                              const std::string& program = kProgram) {
+    const Outcome outcome = runIn(folder, arguments + " --json -", program);
+    BOOST_TEST_REQUIRE(outcome.code == code, arguments << " said: " << outcome.err);
+    return nlohmann::json::parse(outcome.out);
+}
+
+/// The JSON of a file in the folder.
+inline nlohmann::json jsonIn(const TemporaryFolder& folder, const std::string& file) {
+    return nlohmann::json::parse(readText(folder.file(file)));
+}
+
 /// The value of a "label:  value" row; the first row if there are several.
 inline std::string row(const Outcome& outcome, const std::string& label) {
     const std::string text = "\n" + outcome.out;
@@ -76,7 +91,7 @@ inline void requireRefused(const TemporaryFolder& folder, const std::string& arg
     const std::string name = program.substr(program.find_last_of('/') + 1) + ": ";
     BOOST_TEST(outcome.err.compare(0, name.size(), name) == 0, arguments << " said: " << outcome.err);
     for (const std::string& word : words) {
-        BOOST_TEST(outcome.err.find(word) != std::string::npos,
+        BOOST_TEST(holds(outcome.err, word),
                    "no \"" << word << "\" in what " << arguments << " said: " << outcome.err);
     }
     BOOST_TEST(folder.names() == before, boost::test_tools::per_element());

@@ -28,56 +28,39 @@ std::string added(const std::string& more) {
     return std::string(kPlan) + " " + more;
 }
 
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
 BOOST_AUTO_TEST_CASE(without_a_path_the_program_says_what_it_learnt_and_what_may_help) {
     const DoorFolder folder;
     const Outcome outcome = runIn(folder, kPlan);
     BOOST_TEST(outcome.code == 1, outcome.err);
-    BOOST_TEST(row(outcome, "path") == "none found");
-    BOOST_TEST(row(outcome, "part's diagonal") == "6.928");
-    BOOST_TEST(contains(row(outcome, "from the start"), "may be shut in"));
-    BOOST_TEST(contains(row(outcome, "from the goal"), " states reached"));
-    BOOST_TEST(row(outcome, "motions tried").substr(0, 4) == "400 ");
-    BOOST_TEST(contains(row(outcome, "stopped by"), " % "));
-    BOOST_TEST(contains(row(outcome, "at the start"), "'door'"));
-    BOOST_TEST(!contains(row(outcome, "at the start"), "the bounds"));
-    BOOST_TEST(contains(outcome.out, "hint:               --explain"));
-    BOOST_TEST(contains(outcome.out, "hint:               --nearest"));
-    BOOST_TEST(!contains(outcome.out, "--margin"));  // there is none to lessen
-    BOOST_TEST(runIn(folder, kPlan).out.find(outcome.out.substr(outcome.out.find("part's diagonal"))) !=
-               std::string::npos);
+    BOOST_TEST(holds(row(outcome, "from the start"), "may be shut in"));
+    BOOST_TEST(holds(row(outcome, "at the start"), "'door'"));
+    BOOST_TEST(!holds(row(outcome, "at the start"), "the bounds"));
+    BOOST_TEST(holds(outcome.out, "hint:               --explain", "hint:               --nearest"));
+    BOOST_TEST(!holds(outcome.out, "--margin"));  // there is none to lessen
+    BOOST_TEST(holds(runIn(folder, kPlan).out, outcome.out.substr(outcome.out.find("part's diagonal"))));
 }
 
 BOOST_AUTO_TEST_CASE(the_nearest_miss_is_a_path_that_check_refuses_where_the_program_says) {
     const DoorFolder folder;
     const Outcome outcome = runIn(folder, added("--nearest near.path"));
     const std::string nearest = row(outcome, "nearest");
-    BOOST_TEST_REQUIRE(contains(nearest, "near.path, segment "), nearest);
-    BOOST_TEST(!contains(outcome.out, "hint:               --nearest"));
+    BOOST_TEST_REQUIRE(holds(nearest, "near.path, segment "), nearest);
     const Outcome checked = runIn(folder, "check door.cfg near.path");
     BOOST_TEST(checked.code == 1);
     BOOST_TEST(checked.err == "");  // it begins at the start and ends at the goal
     const std::string segment =
         nearest.substr(nearest.find("segment "), nearest.find(" is not") - nearest.find("segment "));
-    BOOST_TEST(contains(row(checked, "first"), segment + ", "), row(checked, "first"));
-    BOOST_TEST(row(checked, "audit").substr(0, 16) == "NOT valid: 1 of ");
+    BOOST_TEST(holds(row(checked, "first"), segment + ", "), row(checked, "first"));
+    BOOST_TEST(holds(row(checked, "audit"), "NOT valid: 1 of "), row(checked, "audit"));
 }
 
 BOOST_AUTO_TEST_CASE(without_a_path_the_page_shows_the_nearest_miss_and_rows_tell_what_is_not_written) {
     const DoorFolder folder;
     const Outcome outcome = runIn(folder, added("--report out.html --export out.glb --swept out.stl"));
     BOOST_TEST(outcome.code == 1, outcome.err);
-    const std::string report = row(outcome, "report");
-    BOOST_TEST(report.find("out.html, ") == 0u, report);
-    BOOST_TEST(contains(report, "of the nearest miss"), report);
-    const std::string page = readText(folder.file("out.html"));
-    BOOST_TEST(contains(page, "no path was found; the nearest miss is NOT valid: 1 of "));
-    BOOST_TEST(contains(page, "</html>"));
-    BOOST_TEST(row(outcome, "export") == "not written: no path was found");
-    BOOST_TEST(row(outcome, "swept") == "not written: no path was found");
+    BOOST_TEST(holds(row(outcome, "report"), "out.html, ", "of the nearest miss"), outcome.out);
+    BOOST_TEST(holds(readText(folder.file("out.html")), "no path was found", "NOT valid: 1 of ", "</html>"));
+    for (const char* label : {"export", "swept"}) BOOST_TEST(holds(row(outcome, label), "not written"));
     const std::vector<std::string> names = folder.names();
     for (const char* name : {"out.glb", "out.stl", "near.path"})
         BOOST_TEST(std::count(names.begin(), names.end(), name) == 0);
@@ -96,15 +79,15 @@ BOOST_AUTO_TEST_CASE(an_invalid_end_and_an_interrupt_leave_no_file_out_in_silenc
     for (const std::string name : {"goal", "start"}) {
         const Outcome outcome = runIn(folder, "plan " + name + ".cfg --path out.path" + kAllFiles);
         BOOST_TEST(outcome.code == 2, outcome.out);
-        BOOST_TEST(contains(outcome.err, name + " is in collision"), outcome.err);
+        BOOST_TEST(holds(outcome.err, name + " is in collision"), outcome.err);
         for (const char* label : {"nearest", "report", "export", "swept"})
-            BOOST_TEST(row(outcome, label) == "not written: nothing was planned");
+            BOOST_TEST(holds(row(outcome, label), "not written"));
     }
     const Outcome ended =
         interruptIn(folder, std::string("plan door.cfg --path out.path --time 300") + kAllFiles);
     BOOST_TEST(ended.code == 1, ended.err);
     for (const char* label : {"nearest", "report", "export", "swept"})
-        BOOST_TEST(row(ended, label) == "not written: planning was interrupted before there was a path");
+        BOOST_TEST(holds(row(ended, label), "not written", "interrupted"));
     BOOST_TEST(folder.names() == before, boost::test_tools::per_element());
 }
 
@@ -113,10 +96,10 @@ BOOST_AUTO_TEST_CASE(no_nearest_miss_is_written_when_a_path_was_found) {
     Problem problem = folder.door.problem;
     problem.rules.ignored = {"door"};
     writeProblem(problem, folder.file("open.cfg"));
-    const Outcome outcome =
-        runIn(folder, "plan open.cfg --path out.path --iterations 20000 --nearest near.path --explain 5");
+    const Outcome outcome = runIn(
+        folder, "plan open.cfg --path out.path --quick --iterations 20000 --nearest near.path --explain 5");
     BOOST_TEST(outcome.code == 0, outcome.err);
-    BOOST_TEST(row(outcome, "nearest") == "not written: a path was found");
+    BOOST_TEST(holds(row(outcome, "nearest"), "not written"));
     BOOST_TEST(readText(folder.file("near.path")) == "");
 }
 
@@ -124,9 +107,8 @@ BOOST_AUTO_TEST_CASE(the_explanation_names_the_door) {
     const DoorFolder folder;
     const Outcome outcome = runIn(folder, added("--explain 100"));
     BOOST_TEST(outcome.code == 1, outcome.err);
-    BOOST_TEST(contains(row(outcome, "explained by"), "greedy"));
+    BOOST_TEST(holds(row(outcome, "explained by"), "greedy"));
     BOOST_TEST(row(outcome, "found without") == "'door'");
-    BOOST_TEST(!contains(outcome.out, "hint:               --explain"));
 }
 
 BOOST_AUTO_TEST_CASE(the_way_outside_is_explained_and_with_one_obstacle_the_margin_is) {
@@ -146,9 +128,9 @@ BOOST_AUTO_TEST_CASE(the_way_outside_is_explained_and_with_one_obstacle_the_marg
     const Outcome one =
         runIn(folder, "plan one.cfg --margin 12 --path out.path --iterations 1000 --explain 100");
     BOOST_TEST(one.code == 1, one.err);
-    BOOST_TEST(contains(row(one, "found with margin"), " in place of 12 (all margins times "), one.out);
-    BOOST_TEST(!contains(one.out, "found without"));
-    BOOST_TEST(!contains(one.out, "greedy"));
+    BOOST_TEST(holds(row(one, "found with margin"), " in place of 12 (all margins times "), one.out);
+    BOOST_TEST(!holds(one.out, "found without"));
+    BOOST_TEST(!holds(one.out, "greedy"));
 }
 
 BOOST_AUTO_TEST_CASE(a_path_that_a_trial_finds_among_all_obstacles_is_written) {
@@ -158,19 +140,18 @@ BOOST_AUTO_TEST_CASE(a_path_that_a_trial_finds_among_all_obstacles_is_written) {
     const Outcome outcome =
         runIn(folder, "plan " + gates + " --time 0.00001 --explain 20 --path out.path --report out.html");
     BOOST_TEST(outcome.code == 0, outcome.err);
-    BOOST_TEST(contains(row(outcome, "found by"), "a trial of --explain"), outcome.out);
-    BOOST_TEST(!contains(outcome.out, "found without"));
-    BOOST_TEST(!contains(outcome.out, "hint:"));
-    BOOST_TEST(contains(row(outcome, "audit"), "valid along the whole path"));
+    BOOST_TEST(holds(row(outcome, "found by"), "a trial of --explain"), outcome.out);
+    BOOST_TEST(!holds(outcome.out, "found without"));
+    BOOST_TEST(!holds(outcome.out, "hint:"));
+    BOOST_TEST(holds(row(outcome, "audit"), "valid along the whole path"));
     BOOST_TEST(runIn(folder, "check " + gates + " out.path").code == 0);
-    BOOST_TEST(contains(readText(folder.file("out.html")), "</html>"));
+    BOOST_TEST(holds(readText(folder.file("out.html")), "</html>"));
 }
 
 BOOST_AUTO_TEST_CASE(without_names_and_margins_there_is_nothing_to_explain) {
     const DoorFolder folder;
     saveMesh(boxMesh({Vector3(4, -4, -4), Vector3(5, 4, 4)}), folder.file("box.obj"));
-    requireRefused(folder, added("--explain 5"),
-                   {"--explain", "1 obstacle and no margin", "expected a margin above 0, or at least two"});
+    requireRefused(folder, added("--explain 5"), {"--explain", "1 obstacle and no margin", "expected"});
     requireRefused(folder, added("--explain 0"), {"--explain is '0'"});
     requireRefused(folder, added("--nearest ./box.obj"), {"--nearest is './box.obj'", "input file"});
     requireRefused(folder, added("--nearest out.path"), {"another file"});
@@ -184,7 +165,7 @@ BOOST_AUTO_TEST_CASE(an_end_at_a_derived_bound_is_told_with_the_key_that_moves_t
     const Outcome outcome = runIn(folder, "plan derived.cfg --path out.path --iterations 1000");
     BOOST_TEST(outcome.code == 1, outcome.err);
     BOOST_TEST(row(outcome, "bounds") == "the goal is at the greatest x");
-    BOOST_TEST(contains(row(outcome, "hint"), "volume.max.x in the problem file"));
+    BOOST_TEST(holds(row(outcome, "hint"), "volume.max.x in the problem file"));
 }
 
 }  // namespace

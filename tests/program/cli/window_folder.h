@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 
 #include "clearway/problem.h"
 #include "program/cli/run_program.h"
@@ -17,7 +18,12 @@ struct WindowProblemFolder : TemporaryFolder {
         window.problem.robot = file("plate.obj");
         window.problem.world = file("wall.obj");
         window.problem.asOmplApp = false;
-        writeProblem(window.problem, file("window.cfg"));
+        rewrite();
+    }
+    /// Writes the problem as it is by now.
+    void rewrite() const { rewrite(window.problem); }
+    void rewrite(const Problem& problem, const std::string& name = "window.cfg") const {
+        writeProblem(problem, file(name));
     }
 
     WindowScene window = windowScene();
