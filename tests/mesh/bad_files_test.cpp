@@ -141,8 +141,7 @@ BOOST_AUTO_TEST_CASE(a_vertex_that_is_not_finite_is_refused_naming_the_first_suc
         const std::string text = replaced(objText(tetrahedron(), "bracket"), "3.062500", value);
         for (const MeshReading reading : kReadings) {
             const std::string message = refusalOf(folder.write("bad.obj", text), reading);
-            BOOST_TEST(holds(message, "triangle 1 of component 'bracket' has a vertex at (6, "), message);
-            BOOST_TEST(holds(message, "expected finite coordinates"), message);
+            BOOST_TEST(holds(message, "triangle 1", "'bracket'", "(6, ", "finite coordinates"), message);
         }
     }
 }
@@ -201,10 +200,7 @@ BOOST_AUTO_TEST_CASE(files_that_hold_surfaces_are_named_whatever_their_ending) {
     for (const auto& [text, name] : cases) {
         for (const char* file : {"a.stl", "a.step", "a.obj"}) {
             const std::string refusal = refusalOf(folder.write(file, text));
-            BOOST_TEST(holds(refusal, "it is "s), refusal);
-            BOOST_TEST(holds(refusal, name), refusal);
-            BOOST_TEST(holds(refusal, "holds surfaces, not triangles, expected a mesh: export STL, OBJ"),
-                       refusal);
+            BOOST_TEST(holds(refusal, "it is ", name, "holds surfaces", "expected a mesh"), refusal);
         }
     }
     const std::string zip = refusalOf(folder.write("zip.stl", "PK\3\4"));

@@ -1,8 +1,10 @@
 #include <boost/test/unit_test.hpp>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 
 #include "clearway/mesh.h"
+#include "mesh/mesh_files.h"
 #include "mesh/topology.h"
 
 namespace clearway {
@@ -19,16 +21,9 @@ BOOST_AUTO_TEST_CASE(a_box_is_closed_faces_outwards_and_fills_its_corners) {
     BOOST_TEST(mesh.components[0].name == "keep out");
     BOOST_TEST(mesh.components[0].triangleCount == mesh.triangles.size());
 
-    // For a closed surface that faces outwards these terms sum to the volume, and the triangles' areas to the
-    // box's area.
-    double volume = 0, area = 0;
-    for (const TriangleIndices& t : mesh.triangles) {
-        const Vector3 &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]], &c = mesh.vertices[t[2]];
-        volume += a.dot(b.cross(c)) / 6;
-        area += (b - a).cross(c - a).norm() / 2;
-    }
-    BOOST_TEST(volume == 4 * 0.5 * 6.5, boost::test_tools::tolerance(1e-14));
-    BOOST_TEST(area == 2 * (4 * 0.5 + 4 * 6.5 + 0.5 * 6.5), boost::test_tools::tolerance(1e-14));
+    BOOST_TEST(testing::volumeOf(mesh) == 4 * 0.5 * 6.5, boost::test_tools::tolerance(1e-14));
+    BOOST_TEST(testing::areaOf(mesh) == 2 * (4 * 0.5 + 4 * 6.5 + 0.5 * 6.5),
+               boost::test_tools::tolerance(1e-14));
 }
 
 BOOST_AUTO_TEST_CASE(a_box_that_is_none_is_refused_by_name) {
@@ -36,11 +31,7 @@ BOOST_AUTO_TEST_CASE(a_box_that_is_none_is_refused_by_name) {
     const Box wrong[] = {
         Box(), Box(Vector3(0, 0, 0), Vector3(1, -1, 1)), Box(Vector3(0, 0, 0), Vector3(1, infinity, 1)),
         Box(Vector3(0, 0, 0), Vector3(1, 1, 0)), Box(Vector3(0, std::nan(""), 0), Vector3(1, 1, 1))};
-    for (const Box& box : wrong) {
-        BOOST_CHECK_EXCEPTION(boxMesh(box, "tool"), std::invalid_argument, [](const std::exception& error) {
-            return std::string(error.what()).find("'tool'") != std::string::npos;
-        });
-    }
+    for (const Box& box : wrong) testing::requireRefusedBy([&] { boxMesh(box, "tool"); }, {"'tool'"});
 }
 
 BOOST_AUTO_TEST_SUITE_END()

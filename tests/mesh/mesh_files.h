@@ -9,6 +9,7 @@
 
 #include "clearway/mesh.h"
 #include "support/temporary_folder.h"
+#include "support/words.h"
 
 namespace clearway::testing {
 
@@ -32,10 +33,6 @@ inline std::string refusalOfText(const std::string& name, const std::string& con
     return "accepted";
 }
 
-inline bool holds(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
 /// The text with its first `from` replaced.
 inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
     const std::size_t at = text.find(from);
@@ -53,6 +50,11 @@ inline void requireRefused(const std::string& name, const Refused& cases) {
     }
 }
 
+/// Checks that the reason for which the file is refused holds the words.
+inline void requireRefused(const std::string& name, const std::string& text, const std::string& words) {
+    requireRefused(name, {{text, words.c_str()}});
+}
+
 /// The sum of the triangles' areas.
 inline double areaOf(const Mesh& mesh) {
     double area = 0;
@@ -62,6 +64,14 @@ inline double areaOf(const Mesh& mesh) {
         area += u.cross(v).norm() / 2;
     }
     return area;
+}
+
+/// The signed volume of a closed mesh: above 0 if its fronts are outside.
+inline double volumeOf(const Mesh& mesh) {
+    double volume = 0;
+    for (const TriangleIndices& t : mesh.triangles)
+        volume += mesh.vertices[t[0]].dot(mesh.vertices[t[1]].cross(mesh.vertices[t[2]])) / 6;
+    return volume;
 }
 
 inline std::vector<std::string> namesOf(const Mesh& mesh) {
@@ -76,6 +86,26 @@ inline Mesh tetrahedron() {
     mesh.vertices = {{0.5, -1.25, 2}, {10, 0.125, -3}, {-4, 7.75, 1.5}, {6, 3.0625, -8}};
     mesh.triangles = {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}};
     return mesh;
+}
+
+/// Checks that the tetrahedron's triangles begin at `first`, each corner mapped; turned over if mirrored.
+template <typename Map>
+void requireTetrahedron(const Mesh& mesh, std::size_t first, Map map, bool isMirrored = false) {
+    const Mesh expected = tetrahedron();
+    BOOST_REQUIRE(mesh.triangles.size() >= first + 4);
+    for (std::size_t t = 0; t < 4; ++t) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Vector3 wanted =
+                map(expected.vertices[expected.triangles[t][isMirrored ? (3 - i) % 3 : i]]);
+            const Vector3& corner = mesh.vertices[mesh.triangles[first + t][i]];
+            BOOST_TEST((corner == wanted), "corner " << i << " of " << first + t << ": " << corner.transpose()
+                                                     << ", expected " << wanted.transpose());
+        }
+    }
+}
+
+inline Vector3 unchanged(const Vector3& v) {
+    return v;
 }
 
 inline std::string words(const Vector3& vertex) {

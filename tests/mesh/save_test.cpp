@@ -187,26 +187,20 @@ BOOST_AUTO_TEST_CASE(empty_components_are_left_out) {
 
 BOOST_AUTO_TEST_CASE(what_cannot_be_written_is_refused_and_leaves_nothing) {
     const TemporaryFolder folder;
-    const auto refusal = [&](const Mesh& mesh, const std::string& name) {
-        try {
-            saveMesh(mesh, folder.file(name));
-        } catch (const std::invalid_argument& error) {
-            return std::string(error.what());
-        }
-        return std::string("accepted");
+    const auto refused = [&](const Mesh& mesh, const std::string& name,
+                             const std::vector<std::string>& words) {
+        requireRefusedBy([&] { saveMesh(mesh, folder.file(name)); }, words);
     };
-    BOOST_TEST(refusal(tetrahedron(), "a.xyz") ==
-               "the ending of mesh file '" + folder.file("a.xyz") +
-                   "' is '.xyz', expected one of .glb, .obj, .ply, .stl, .dae");
-    BOOST_TEST(refusal(tetrahedron(), "glb").find("is '', expected") != std::string::npos);
+    refused(tetrahedron(), "a.xyz", {"a.xyz", "'.xyz'", ".glb, .obj, .ply, .stl, .dae"});
+    refused(tetrahedron(), "glb", {"is '', expected"});
     for (const char* const ending : kEndings) {
         const std::string name = std::string("a") + ending;
-        BOOST_TEST(refusal(Mesh{}, name) == "the mesh holds 0 triangles, expected at least 1");
+        refused(Mesh{}, name, {"0 triangles", "at least 1"});
         Mesh mesh = tetrahedron();
         mesh.vertices[3].y() = std::numeric_limits<double>::quiet_NaN();
-        BOOST_TEST(refusal(mesh, name).find("triangle 1 has a vertex at (6, nan, -8)") == 0u);
+        refused(mesh, name, {"triangle 1", "(6, nan, -8)"});
         mesh.vertices[3].y() = 1e39;
-        BOOST_TEST(refusal(mesh, name).find("triangle 1 has a vertex at (6, 1e+39, -8)") == 0u);
+        refused(mesh, name, {"triangle 1", "(6, 1e+39, -8)"});
         BOOST_CHECK_THROW(saveMesh(tetrahedron(), folder.file("no/such/folder/" + name)), std::runtime_error);
     }
     BOOST_TEST(folder.names().empty());

@@ -4,7 +4,9 @@
 #include <boost/test/data/monomorphic.hpp>
 #include <boost/test/data/test_case.hpp>
 #include <boost/test/unit_test.hpp>
-#include <stdexcept>
+#include <ostream>
+#include <string>
+#include <vector>
 
 #include "clearway/planning/check_path.h"
 #include "clearway/planning/plan.h"
@@ -100,35 +102,6 @@ BOOST_DATA_TEST_CASE(plan_solves_it_with_a_path_that_passes_check, data::make({k
     BOOST_TEST(check.audit.isValid());
     BOOST_TEST(check.beginsAtStart());
     BOOST_TEST(check.endsAtGoal());
-}
-
-BOOST_DATA_TEST_CASE(triangles_and_clearance_are_what_was_asked_for_or_refused_by_name, data::make(kClassics),
-                     classic) {
-    const auto make = sceneNamed(classic.scene).make;
-    for (const double share : {1.0, 1.7, 9.0}) {
-        SceneOptions options = classic.options;
-        options.partTriangles = static_cast<std::size_t>(share * static_cast<double>(options.partTriangles));
-        options.environmentTriangles =
-            static_cast<std::size_t>(share * static_cast<double>(options.environmentTriangles));
-        const GeneratedScene scene = make(options);
-        for (const auto& [is, wanted] :
-             {std::pair(scene.part.triangles.size(), options.partTriangles),
-              {scene.environment.triangles.size(), options.environmentTriangles}}) {
-            BOOST_TEST(is <= wanted);
-            BOOST_TEST(static_cast<double>(is) >= 0.95 * static_cast<double>(wanted));
-        }
-    }
-    const auto refusal = [&](double clearance, std::size_t triangles) -> std::string {
-        try {
-            make({1, triangles, triangles, clearance});
-        } catch (const std::invalid_argument& error) {
-            return error.what();
-        }
-        return "not refused";
-    };
-    for (const double clearance : {0.0, -1.0, 1000.0, std::nan("")})
-        BOOST_TEST(refusal(clearance, 8000).rfind("clearance is ", 0) == 0);
-    BOOST_TEST(refusal(classic.options.clearance, 10).rfind("part-triangles is 10, expected ", 0) == 0);
 }
 
 }  // namespace

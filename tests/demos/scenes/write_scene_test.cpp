@@ -5,6 +5,7 @@
 #include "demos/scenes/scene_checks.h"
 #include "demos/scenes/scenes.h"
 #include "support/temporary_folder.h"
+#include "support/words.h"
 
 BOOST_AUTO_TEST_SUITE(write_scene_test)
 
@@ -97,10 +98,7 @@ BOOST_AUTO_TEST_CASE(a_folder_that_cannot_be_made_is_named) {
     const TemporaryFolder folder;
     const std::string blocked = folder.write("file", "") + "/below";
     const GeneratedScene scene = makeBoxes(kBoxes);
-    BOOST_CHECK_EXCEPTION(writeScene(scene, blocked), std::runtime_error,
-                          [&](const std::runtime_error& error) {
-                              return std::string(error.what()).find(blocked) != std::string::npos;
-                          });
+    requireRefusedBy<std::runtime_error>([&] { writeScene(scene, blocked); }, {blocked});
 }
 
 }  // namespace

@@ -66,6 +66,13 @@ BOOST_AUTO_TEST_CASE(scenes_and_the_study_are_programs_of_their_own) {
     }
 }
 
+BOOST_AUTO_TEST_CASE(output_that_cannot_be_written_and_misspelt_words_are_refused) {
+    const TemporaryFolder folder;
+    requireRefused(folder, "--help > /dev/full", {"standard output"});
+    requireRefused(folder, "pln", {"did you mean 'plan'"});
+    requireRefused(folder, "plan --pth x", {"did you mean '--path'"});
+}
+
 BOOST_AUTO_TEST_CASE(a_reader_that_has_gone_is_an_error_and_not_a_signal) {
     const TemporaryFolder folder;
     // The status is the program's own, not the pipe's. The program writes it to a file after the reader has

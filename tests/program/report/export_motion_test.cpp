@@ -12,6 +12,7 @@
 #include "program/report/path_line.h"
 #include "support/temporary_folder.h"
 #include "support/window_scene.h"
+#include "support/words.h"
 
 namespace clearway::testing {
 
@@ -209,11 +210,12 @@ BOOST_AUTO_TEST_CASE(a_single_state_is_a_motion_that_rests) {
 BOOST_AUTO_TEST_CASE(other_endings_are_refused) {
     const Exported exported;
     for (const char* name : {"motion.gltf", "motion", "motion.fbx"}) {
-        BOOST_CHECK_EXCEPTION(exportMotion(exported.window.partMesh, exported.window.wallMesh, exported.path,
-                                           30, 1, exported.folder.file(name)),
-                              std::invalid_argument, [](const std::exception& error) {
-                                  return std::string(error.what()).find("expected .glb") != std::string::npos;
-                              });
+        const std::string file = exported.folder.file(name);
+        requireRefusedBy(
+            [&] {
+                exportMotion(exported.window.partMesh, exported.window.wallMesh, exported.path, 30, 1, file);
+            },
+            {file, "expected .glb"});
     }
 }
 

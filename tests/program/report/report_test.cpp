@@ -8,6 +8,7 @@
 #include "core/json.h"
 #include "support/temporary_folder.h"
 #include "support/window_scene.h"
+#include "support/words.h"
 
 namespace clearway::testing {
 
@@ -120,10 +121,8 @@ BOOST_AUTO_TEST_CASE(a_folder_that_is_not_there_is_told_by_name) {
     const std::vector<PartState> path = {written.window.problem.start};
     const ReportInput input{
         "", "", written.window.partMesh, written.window.wallMesh, written.window.scene, path, audit, {}};
-    BOOST_CHECK_EXCEPTION(writeReport(input, written.folder.file("nowhere/out.html")), std::runtime_error,
-                          [](const std::exception& error) {
-                              return std::string(error.what()).find("nowhere/out.html") != std::string::npos;
-                          });
+    requireRefusedBy<std::runtime_error>([&] { writeReport(input, written.folder.file("nowhere/out.html")); },
+                                         {"nowhere/out.html"});
 }
 
 BOOST_AUTO_TEST_SUITE_END()
