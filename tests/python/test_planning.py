@@ -144,7 +144,11 @@ def test_why_there_is_no_path():
         ({"seed": 0}, "seed is 0, .*from 1 to 4294967295"),
         ({"seed": -1}, "seed is -1"),
         ({"seed": 10**30}, "seed is 10{30}, expected"),
+        ({"iterations": 0}, "iterations is 0"),
         ({"threads": -1}, "threads is -1"),
+        ({"objective": "shortest"}, "shortest"),
+        ({"floor": -1}, "floor is -1"),
+        ({"objective": "length_with_clearance", "wanted_clearance": -1}, "-1"),
         ({"seconds": -1}, "time is -1.0.*above 0"),
         ({"seconds": float("nan")}, "time is nan"),
         ({"seconds": float("inf")}, "time is inf"),
@@ -346,6 +350,11 @@ def test_results_can_be_pickled(planned):
     assert pickle.loads(pickle.dumps(checked)).audit.verdict == "valid"
     interrupted = pickle.loads(pickle.dumps(planning.PlanningInterrupted(planned)))
     assert np.array_equal(interrupted.result.states, planned.states) and "best path" in str(interrupted)
+
+
+def test_names():
+    assert {"RRTConnect", "PlannerTeam"} <= set(planning.planner_names())
+    assert "max_min_clearance" in planning.objective_names()
 
 
 def test_without_the_extension_the_module_says_what_is_missing(tmp_path):

@@ -13,6 +13,7 @@
 #include "clearway/problem.h"
 #include "clearway/targets.h"
 #include "core/number.h"
+#include "core/text.h"
 #include "program/cli/query_answers.h"
 #include "program/options/facts.h"
 #include "program/options/load_guard.h"

@@ -92,7 +92,7 @@ BOOST_AUTO_TEST_CASE(an_interrupt_leaves_a_log_of_the_runs_that_ended) {
     folder.window.problem.timeLimit = 300;
     folder.rewrite();
     const Outcome outcome =
-        runIn(folder, "bench window.cfg & program=$!; sleep 2; kill -INT $program; wait $program");
+        runIn(folder, "bench window.cfg & program=$!; sleep 4; kill -INT $program; wait $program");
     BOOST_TEST(outcome.code == 1, outcome.err);
     BOOST_TEST(holds(row(outcome, "took"), "interrupted"));
     const Benchmark log = readBenchmarkLog(folder.file("window.log"));

@@ -95,12 +95,12 @@ BOOST_AUTO_TEST_CASE(without_ffmpeg_a_video_is_refused_with_what_to_install) {
 BOOST_AUTO_TEST_CASE(an_interrupt_leaves_no_picture_and_no_frames) {
     const WindowFolder folder;
     const std::vector<std::string> before = folder.names();
-    for (const std::string output : {"--out out.png", "--out out.png --frames film"}) {
+    for (const std::string output : {"--out out.png", "--frames film", "--out out.png --frames film"}) {
         const Outcome outcome =
             interruptIn(folder, "render window.cfg in.path --size 1280x720 --samples 512 " + output);
         BOOST_TEST(outcome.code == 1, outcome.err);
         BOOST_TEST(outcome.err == "");
-        BOOST_TEST(row(outcome, "picture") == "none, interrupted");
+        BOOST_TEST(row(outcome, output == "--frames film" ? "frames" : "picture") == "none, interrupted");
         BOOST_TEST(folder.names() == before, boost::test_tools::per_element());
     }
 }

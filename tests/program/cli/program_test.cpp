@@ -34,6 +34,7 @@ BOOST_AUTO_TEST_CASE(wrong_subcommands_are_refused_with_the_known_ones) {
     requireRefused(folder, "plan --pth x", {"'--path'"});
     requireRefused(folder, "info ''", {"MESH|PROBLEM.cfg is ''", "expected: clearway info"});
     requireRefused(folder, "--help > /dev/full", {"standard output"});
+    for (const char* asked : {"-h", "--help", "--version"}) BOOST_TEST(runIn(folder, asked).code == 0);
 }
 
 BOOST_AUTO_TEST_CASE(an_instruction_set_that_the_environment_names_is_used_or_refused) {
@@ -69,6 +70,7 @@ BOOST_AUTO_TEST_CASE(scenes_and_the_study_are_programs_of_their_own) {
 BOOST_AUTO_TEST_CASE(output_that_cannot_be_written_and_misspelt_words_are_refused) {
     const TemporaryFolder folder;
     requireRefused(folder, "--help > /dev/full", {"standard output"});
+    for (const char* asked : {"-h", "--help", "--version"}) BOOST_TEST(runIn(folder, asked).code == 0);
     requireRefused(folder, "pln", {"did you mean 'plan'"});
     requireRefused(folder, "plan --pth x", {"did you mean '--path'"});
 }
