@@ -41,7 +41,7 @@ std::ostream& operator<<(std::ostream& out, const Family& family) {
     return out << family.name;
 }
 
-/// What is large or further is only tried with CLEARWAY_FULL=1.
+/// The form with CLEARWAY_FULL=1 alone tries largeCounts and furtherScenes.
 std::vector<Family> families() {
     const std::vector<Counts> puzzles{{800, 800},   {1000, 1000},   {2000, 2000},
                                       {2777, 2777}, {10000, 10000}, {200000, 200000}};
