@@ -6,25 +6,23 @@ function(need target what found package cure)
     message(FATAL_ERROR "${target} needs ${what}, which was not found. Debian's package is ${package}; ${cure}")
   endif()
 endfunction()
+# need_package(TARGET WHAT NAME VERSION PACKAGE CURE [OPTION...]): finds a package that CMake knows as NAME.
+macro(need_package target what name version package cure)
+  find_package(${name} ${version} QUIET ${ARGN})
+  need(${target} "${what} ${version} or later" ${name}_FOUND ${package} "${cure}")
+endmacro()
 set(elsewhere "CMAKE_PREFIX_PATH names other places to look in")
 if(POLICY CMP0167)
   cmake_policy(SET CMP0167 NEW)  # Boost's own CMake files find it, not CMake's module
 endif()
 
-find_package(Eigen3 3.3 QUIET NO_MODULE)
-need(clearway::clearway "Eigen 3.3 or later" Eigen3_FOUND libeigen3-dev "${elsewhere}")
-find_package(hwy 1.0 QUIET CONFIG)
-need(clearway::clearway "Highway 1.0 or later" hwy_FOUND libhwy-dev "${elsewhere}")
-find_package(Boost 1.71 QUIET)
-need(clearway::clearway "Boost 1.71 or later" Boost_FOUND libboost-dev "${elsewhere}")
-find_package(TBB 2021 QUIET CONFIG COMPONENTS tbb)
-need(clearway::clearway "oneTBB 2021 or later" TBB_FOUND libtbb-dev "${elsewhere}")
-find_package(nlohmann_json 3.11 QUIET CONFIG)
-need(clearway::clearway "nlohmann's JSON library 3.11 or later" nlohmann_json_FOUND nlohmann-json3-dev "${elsewhere}")
-find_package(assimp 5 QUIET CONFIG)
-need(clearway::clearway "assimp 5" assimp_FOUND libassimp-dev "${elsewhere}")
-find_package(pugixml 1.12 QUIET CONFIG)  # reads the XML of 3MF and COLLADA files
-need(clearway::clearway "pugixml 1.12 or later" pugixml_FOUND libpugixml-dev "${elsewhere}")
+need_package(clearway::clearway Eigen Eigen3 3.3 libeigen3-dev "${elsewhere}" NO_MODULE)
+need_package(clearway::clearway Highway hwy 1.0 libhwy-dev "${elsewhere}" CONFIG)
+need_package(clearway::clearway Boost Boost 1.71 libboost-dev "${elsewhere}")
+need_package(clearway::clearway oneTBB TBB 2021 libtbb-dev "${elsewhere}" CONFIG COMPONENTS tbb)
+need_package(clearway::clearway "nlohmann's JSON library" nlohmann_json 3.11 nlohmann-json3-dev "${elsewhere}" CONFIG)
+need_package(clearway::clearway assimp assimp 5 libassimp-dev "${elsewhere}" CONFIG)
+need_package(clearway::clearway pugixml pugixml 1.12 libpugixml-dev "${elsewhere}" CONFIG)  # reads the XML of 3MF and COLLADA files
 find_path(ZIP_INCLUDE_DIR zip.h)  # libzip, which unpacks 3MF files; Debian 12's CMake files of it name tools that its package lacks
 find_library(ZIP_LIBRARY zip)
 need(clearway::clearway libzip ZIP_LIBRARY libzip-dev "${elsewhere}")
@@ -36,7 +34,6 @@ if(CLEARWAY_EMBREE)
   endif()
   need(clearway::clearway "Embree 3 or 4" embree_FOUND libembree-dev "-DCLEARWAY_EMBREE=OFF does without (and without the program)")
 endif()
-
 if(CLEARWAY_PLANNING)
   include(${CMAKE_CURRENT_LIST_DIR}/find_ompl.cmake)
   need(clearway::planning "OMPL 1.5 or later" clearway_ompl_FOUND libompl-dev
@@ -55,9 +52,7 @@ if(CLEARWAY_PROGRAM)
   find_file(CLEARWAY_FONT DejaVuSans.ttf PATHS /usr/share/fonts /usr/local/share/fonts
             PATH_SUFFIXES truetype/dejavu dejavu dejavu-sans-fonts TTF)
   need("the program" "the font DejaVuSans.ttf" CLEARWAY_FONT fonts-dejavu-core "${without}")
-  # Writes the pictures: its simplified interface compresses an image in one call.
-  find_package(PNG 1.6 QUIET)
-  need("the program" "libpng 1.6 or later" PNG_FOUND libpng-dev "${without}")
+  need_package("the program" libpng PNG 1.6 libpng-dev "${without}")  # writes the pictures: compresses an image in one call
   # Lets `clearway bench` run under mpirun. FindMPI would ask the host's compiler wrapper about another machine's library.
   set(MPI_CXX_FOUND FALSE)
   if(CLEARWAY_MPI AND NOT (CLEARWAY_MPI STREQUAL "AUTO" AND CMAKE_CROSSCOMPILING))
@@ -77,7 +72,6 @@ if(CLEARWAY_TESTS)
   find_package(CGAL 5.4 QUIET CONFIG)  # a second opinion on the tests' oracle
   need("the tests" "CGAL 5.4 or later, with GMP and MPFR" CGAL_FOUND "libcgal-dev with libgmp-dev and libmpfr-dev" "${without}")
   if(CLEARWAY_PROGRAM AND CLEARWAY_DEMOS)
-    find_package(fcl 0.7 QUIET CONFIG)  # benchmarks measure against it
-    need("the benchmarks" "FCL 0.7" fcl_FOUND libfcl-dev "${without}")
+    need_package("the benchmarks" FCL fcl 0.7 libfcl-dev "${without}" CONFIG)  # benchmarks measure against it
   endif()
 endif()

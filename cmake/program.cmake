@@ -2,61 +2,34 @@
 # take seconds to make.
 
 # Pictures.
-set(font_bytes ${PROJECT_BINARY_DIR}/generated/font_bytes.cpp)
-add_custom_command(OUTPUT ${font_bytes} VERBATIM
-                   COMMAND ${CMAKE_COMMAND} -DOUT=${font_bytes} -DFONT=${CLEARWAY_FONT}
-                           -P ${PROJECT_SOURCE_DIR}/cmake/embed_font.cmake
-                   DEPENDS ${CLEARWAY_FONT} ${PROJECT_SOURCE_DIR}/cmake/embed_font.cmake)
 file(GLOB render_sources CONFIGURE_DEPENDS src/program/render/*.cpp)
-add_library(clearway_font OBJECT ${font_bytes})  # apart, because CMake makes a target's generated files wait for what it links
-add_library(clearway_render STATIC ${render_sources} $<TARGET_OBJECTS:clearway_font>)
+add_library(clearway_render STATIC ${render_sources})
 target_include_directories(clearway_render PRIVATE src)
 target_link_libraries(clearway_render PUBLIC clearway PRIVATE clearway_warnings embree PkgConfig::CAIRO PNG::PNG TBB::tbb)
-target_compile_definitions(clearway_render PRIVATE CLEARWAY_EMBREE_MAJOR=${EMBREE_VERSION_MAJOR})
+target_compile_definitions(clearway_render PRIVATE CLEARWAY_EMBREE_MAJOR=${EMBREE_VERSION_MAJOR} CLEARWAY_FONT="${CLEARWAY_FONT}")
+set_source_files_properties(src/program/render/ink_mask.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON OBJECT_DEPENDS "${CLEARWAY_FONT}")
 target_precompile_headers(clearway_render REUSE_FROM clearway_planning)
-compile_together(clearway_render render ${render_sources})
-
-# Messages between ranks under mpirun. This one file sees MPI, where there is MPI.
-add_library(clearway_ranks STATIC src/program/bench/ranks.cpp)
-target_include_directories(clearway_ranks PRIVATE src)
-target_compile_features(clearway_ranks PUBLIC cxx_std_17)
-target_link_libraries(clearway_ranks PRIVATE clearway_warnings)
-if(MPI_CXX_FOUND)
-  target_link_libraries(clearway_ranks PRIVATE MPI::MPI_CXX)
-  target_compile_definitions(clearway_ranks PRIVATE CLEARWAY_WITH_MPI)
-endif()
-
-# Texts of the report page. They become part of the program, so that a page needs no other file and no network.
-set(page_texts ${PROJECT_BINARY_DIR}/generated/page_texts.cpp)
-set(page_folder ${PROJECT_SOURCE_DIR}/src/program/report)
-set(page_files page/page.html page/page.css page/shared.js page/meshes.js page/layers.js page/eye.js page/view.js page/profile.js
-               page/panels.js page/main.js vendor/three/three.module.min.js vendor/three/OrbitControls.js)
-list(TRANSFORM page_files PREPEND ${page_folder}/)
-set(page_names kPageHtml kPageStyle kPageShared kPageMeshes kPageLayers kPageEye kPageView kPageProfile kPagePanels kPageMain
-               kThreeModule kOrbitControls)
-set(page_pairs "")
-foreach(name file IN ZIP_LISTS page_names page_files)
-  list(APPEND page_pairs "${name}=${file}")
-endforeach()
-add_custom_command(OUTPUT ${page_texts} VERBATIM
-                   COMMAND ${CMAKE_COMMAND} -DOUT=${page_texts} "-DTEXTS=${page_pairs}"
-                           -P ${PROJECT_SOURCE_DIR}/cmake/embed.cmake
-                   DEPENDS ${page_files} ${PROJECT_SOURCE_DIR}/cmake/embed.cmake)
 
 # -O3 would take half as long again to compile for code that reads options and prints tables.
 set(moderately $<$<CONFIG:Release>:-O2>)
 
 # The command line and the subcommands of clearway, which the demos' programs and tests link, too.
 file(GLOB cli_sources CONFIGURE_DEPENDS src/program/report/*.cpp src/program/options/*.cpp src/program/bench/*.cpp src/program/cli/*.cpp)
-list(FILTER cli_sources EXCLUDE REGEX "/(cli/main|bench/ranks)\\.cpp$")
-add_library(clearway_page_texts OBJECT ${page_texts})
-add_library(clearway_cli STATIC ${cli_sources} $<TARGET_OBJECTS:clearway_page_texts>)
+list(FILTER cli_sources EXCLUDE REGEX "/cli/main\\.cpp$")
+add_library(clearway_cli STATIC ${cli_sources})
+set(report ${PROJECT_SOURCE_DIR}/src/program/report)  # a page needs no other file and no network: the program holds its texts
+file(GLOB page_files CONFIGURE_DEPENDS ${report}/page/* ${report}/vendor/three/*.js)
+set_source_files_properties(src/program/report/report.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON OBJECT_DEPENDS "${page_files}")
+target_compile_definitions(clearway_cli PRIVATE CLEARWAY_REPORT="${report}")
 target_include_directories(clearway_cli PRIVATE src)
 target_link_libraries(clearway_cli PUBLIC clearway clearway_planning clearway_render
-                      PRIVATE clearway_ranks clearway_warnings Boost::headers nlohmann_json::nlohmann_json TBB::tbb)
+                      PRIVATE clearway_warnings Boost::headers nlohmann_json::nlohmann_json TBB::tbb)
+if(MPI_CXX_FOUND)  # messages between ranks under mpirun; bench/ranks.cpp alone sees MPI
+  target_link_libraries(clearway_cli PRIVATE MPI::MPI_CXX)
+  target_compile_definitions(clearway_cli PRIVATE CLEARWAY_WITH_MPI)
+endif()
 target_precompile_headers(clearway_cli REUSE_FROM clearway_planning)
 target_compile_options(clearway_cli PRIVATE ${moderately})
-compile_together(clearway_cli program ${cli_sources})
 
 # add_tool(TARGET NAME "LIBRARY..." SOURCE...): a program that is built as NAME.
 function(add_tool target name libraries)

@@ -46,7 +46,7 @@ struct QueryCounters {
 /// The scratch memory of one thread, and its warm start for the same two models: a distance begins with the nearest of the
 /// closest pairs of up to 64 earlier distances, other queries with the last pair that answered. The contents of a workspace never change verdicts, and intervals
 /// only in last digits; they may change which of several equally close pairs is named. Threads must not share
-/// a workspace: a library that was built with assertions fails one when two threads use a workspace at once.
+/// a workspace: the library fails an assertion when two threads use a workspace at once.
 /// A moved-from workspace may only be assigned to or destroyed.
 class Workspace {
   public:

@@ -27,14 +27,6 @@ Work workOf(const Series& series) {
     return work;
 }
 
-double least(const std::vector<double>& values) {
-    return *std::min_element(values.begin(), values.end());
-}
-
-double largest(const std::vector<double>& values) {
-    return *std::max_element(values.begin(), values.end());
-}
-
 /// "12.3", "1480", "0.0312".
 std::string rounded(double value) {
     std::ostringstream text;

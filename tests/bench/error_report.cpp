@@ -11,24 +11,16 @@
 namespace clearway::testing {
 namespace {
 
-std::string figure(double value) {
+std::string inShort(double value) {
     std::ostringstream text;
     text << std::setprecision(4) << value;
     return text.str();
 }
 
-double least(const std::vector<double>& values) {
-    return *std::min_element(values.begin(), values.end());
-}
-
-double largest(const std::vector<double>& values) {
-    return *std::max_element(values.begin(), values.end());
-}
-
 /// The median, the 99.9th percentile and the worst value as CSV fields; empty fields without values.
 std::vector<std::string> fields(const Spread& spread) {
     if (spread.count == 0) return {"", "", ""};
-    return {figure(spread.median), figure(spread.p999), figure(spread.worst)};
+    return {inShort(spread.median), inShort(spread.p999), inShort(spread.worst)};
 }
 
 }  // namespace
@@ -79,7 +71,7 @@ std::vector<std::string> faults(const ErrorReport& report) {
         tell(mode.outside, "intervals do not hold the true distance");
         for (std::size_t k = 0; k < report.margins.size(); ++k) {
             const std::string where =
-                " at a margin of " + figure(report.marginShares[k]) + " of the scene's size";
+                " at a margin of " + inShort(report.marginShares[k]) + " of the scene's size";
             tell(mode.verdicts[k].falseValid, "poses falsely called valid" + where);
             if (mode.widths.count == 0)
                 tell(mode.verdicts[k].falseInvalid, "poses falsely called invalid" + where);
@@ -93,7 +85,7 @@ void print(std::ostream& out, const ErrorReport& report) {
         << " colliding; true distances by the oracle\n";
     for (std::size_t k = 0; k < report.margins.size(); ++k) {
         const PosesNearMargin& near = report.margins[k];
-        out << "  margin " << figure(report.marginShares[k]) << ": " << near.poses.size() << " poses, "
+        out << "  margin " << inShort(report.marginShares[k]) << ": " << near.poses.size() << " poses, "
             << near.validPoses() << " valid, " << near.undecided << " left out\n";
     }
     out << "  lengths in scene sizes                 error                         width\n"
@@ -103,7 +95,7 @@ void print(std::ostream& out, const ErrorReport& report) {
     for (const ModeFigures& mode : report.modes) {
         const std::vector<std::string> errors = fields(mode.errors), widths = fields(mode.widths);
         out << "  " << std::left << std::setw(22) << mode.mode << std::setw(11)
-            << figure(mode.queriesPerSecond) << std::setw(9) << figure(mode.overFloatOnly);
+            << inShort(mode.queriesPerSecond) << std::setw(9) << inShort(mode.overFloatOnly);
         for (const std::string& field : {errors[0], errors[1], errors[2], widths[0], widths[2]}) {
             out << std::setw(10) << field;
         }
@@ -136,8 +128,8 @@ std::string errorRows(const ErrorReport& report) {
     std::ostringstream out;
     for (const ModeFigures& mode : report.modes) {
         out << report.scene << ',' << mode.mode << ',' << report.poses << ',' << report.colliding << ','
-            << figure(mode.queriesPerSecond) << ',' << figure(mode.overFloatOnly) << ','
-            << figure(least(mode.passRatios)) << ',' << figure(largest(mode.passRatios)) << ','
+            << inShort(mode.queriesPerSecond) << ',' << inShort(mode.overFloatOnly) << ','
+            << inShort(least(mode.passRatios)) << ',' << inShort(largest(mode.passRatios)) << ','
             << mode.passRatios.size();
         for (const Spread* spread : {&mode.errors, &mode.widths}) {
             for (const std::string& field : fields(*spread)) out << ',' << field;

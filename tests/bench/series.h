@@ -61,6 +61,8 @@ std::vector<double> ratios(const Series& ours, const Series& theirs);
 double clockNanoseconds();
 
 double median(std::vector<double> values);
+double least(const std::vector<double>& values);
+double largest(const std::vector<double>& values);
 double mean(const std::vector<double>& values);
 
 }  // namespace clearway::testing

@@ -10,7 +10,7 @@ long form.
 
 The blocks of one document are taken in order. Commands run in a scratch folder that holds a copy of data and
 build/release/bin with the program. `clearway` is run; `./demos/run` is run in the long form alone. For cmake, ctest,
-./tests/run and programs below build/benchmarks/tests only names and options are checked. Only names and options are checked, too,
+./tests/run and programs below build/dev/tests only names and options are checked. Only names and options are checked, too,
 in documents other than README.md, CONTRIBUTING.md and docs/. Pieces of C++ or C without `main` make one function for each document.
 
 HTML comments before a block state exceptions:

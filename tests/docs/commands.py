@@ -12,7 +12,7 @@ import tempfile
 
 SECONDS = 3600  # for one command
 TOOLS = ("clearway-scene", "clearway-study")  # programs without subcommands
-KNOWN = "clearway, clearway-scene, clearway-study, ./demos/run, ./tests/run, cmake, ctest, export, sed, programs below build/benchmarks and scripts below tests, and mpirun -n N before any of them"
+KNOWN = "clearway, clearway-scene, clearway-study, ./demos/run, ./tests/run, cmake, ctest, export, sed, programs below build/dev and scripts below tests, and mpirun -n N before any of them"
 
 
 class Refused(Exception):
@@ -65,8 +65,8 @@ class Checker:
 
     @functools.cached_property
     def cmake_text(self):
-        files = [self.root / "CMakeLists.txt", *(self.root / "cmake").glob("*.cmake"), *(self.root / "tests").rglob("*.cmake")]
-        return "\n".join(path.read_text() for path in files + [self.root / "tests/CMakeLists.txt"] if path.exists())
+        files = [self.root / "CMakeLists.txt", *(self.root / "cmake").glob("*.cmake"), *(self.root / "tests").rglob("CMakeLists.txt")]
+        return "\n".join(path.read_text() for path in files if path.exists())
 
     def require_options(self, words, known, of):
         for option in options_in(words):

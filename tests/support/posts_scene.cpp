@@ -8,13 +8,13 @@
 namespace clearway::testing {
 namespace {
 
-constexpr std::uint64_t kSeed = 5;
+constexpr std::uint64_t kPostsSeed = 5;
 constexpr int kPosts = 26;
 constexpr double kApart = 25;  ///< between centres
 constexpr double kHalfX = 75, kHalfY = 70;
 
 std::vector<Vector3> centres() {
-    Random random(kSeed);
+    Random random(kPostsSeed);
     std::vector<Vector3> found;
     while (found.size() < kPosts) {
         const double x = random.uniform(-kHalfX, kHalfX), y = random.uniform(-kHalfY, kHalfY);

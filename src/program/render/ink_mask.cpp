@@ -5,11 +5,11 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/embed.h"
+
+CLEARWAY_EMBED(clearwayFont, CLEARWAY_FONT)  // whole: the file holds its licence
+
 namespace clearway::render {
-
-extern const unsigned char kFontFile[];
-extern const std::size_t kFontFileSize;
-
 namespace {
 
 constexpr double kFigureHeight = 0.73;  ///< height of a digit per font size
@@ -22,7 +22,8 @@ struct EmbeddedFont {
 
     EmbeddedFont() {
         if (FT_Init_FreeType(&library) != 0 ||
-            FT_New_Memory_Face(library, kFontFile, static_cast<FT_Long>(kFontFileSize), 0, &face) != 0) {
+            FT_New_Memory_Face(library, reinterpret_cast<const FT_Byte*>(clearwayFont),
+                               clearwayFontEnd - clearwayFont, 0, &face) != 0) {
             throw std::runtime_error("FreeType cannot read the font of the program");
         }
         cairoFace = cairo_ft_font_face_create_for_ft_face(face, 0);

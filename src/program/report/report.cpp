@@ -6,23 +6,29 @@
 #include <ostream>
 #include <string_view>
 
+#include "core/embed.h"
 #include "core/number.h"
 #include "core/replace_file.h"
 #include "program/report/coding.h"
 #include "program/report/frames.h"
 #include "program/report/page_data.h"
 
+// The page's files. page.html is a template with {{places}}. The scripts page/*.js are one module, in this order: the names of a file are known
+// to the next ones. three.js and its controls are modules of their own.
+CLEARWAY_EMBED(clearwayPage, CLEARWAY_REPORT "/page/page.html")
+CLEARWAY_EMBED(clearwayPageStyle, CLEARWAY_REPORT "/page/page.css")
+CLEARWAY_EMBED(clearwayPageShared, CLEARWAY_REPORT "/page/shared.js")
+CLEARWAY_EMBED(clearwayPageMeshes, CLEARWAY_REPORT "/page/meshes.js")
+CLEARWAY_EMBED(clearwayPageLayers, CLEARWAY_REPORT "/page/layers.js")
+CLEARWAY_EMBED(clearwayPageEye, CLEARWAY_REPORT "/page/eye.js")
+CLEARWAY_EMBED(clearwayPageView, CLEARWAY_REPORT "/page/view.js")
+CLEARWAY_EMBED(clearwayPageProfile, CLEARWAY_REPORT "/page/profile.js")
+CLEARWAY_EMBED(clearwayPagePanels, CLEARWAY_REPORT "/page/panels.js")
+CLEARWAY_EMBED(clearwayPageMain, CLEARWAY_REPORT "/page/main.js")
+CLEARWAY_EMBED(clearwayThreeModule, CLEARWAY_REPORT "/vendor/three/three.module.min.js")
+CLEARWAY_EMBED(clearwayOrbitControls, CLEARWAY_REPORT "/vendor/three/OrbitControls.js")
+
 namespace clearway::report {
-
-// The page's files, which the build embeds in the program (cmake/embed.cmake).
-extern const char kPageHtml[];   ///< page/page.html, a template with {{places}}
-extern const char kPageStyle[];  ///< page/page.css
-/// The files page/*.js are one module, in this order: the names of a file are known to the next ones.
-extern const char kPageShared[], kPageMeshes[], kPageLayers[], kPageEye[], kPageView[], kPageProfile[],
-    kPagePanels[], kPageMain[];
-extern const char kThreeModule[];    ///< three.js
-extern const char kOrbitControls[];  ///< its controls, a separate module
-
 namespace {
 
 using Places = std::vector<std::pair<std::string, std::string>>;
@@ -67,15 +73,15 @@ std::string verdictOf(const planning::SegmentAudit& segment) {
 WrittenReport writeReport(const ReportInput& input, const std::string& file) {
     const PageData data = pageDataOf(input);
     std::string viewer;
-    for (const char* text :
-         {kPageShared, kPageMeshes, kPageLayers, kPageEye, kPageView, kPageProfile, kPagePanels, kPageMain})
+    for (const char* text : {clearwayPageShared, clearwayPageMeshes, clearwayPageLayers, clearwayPageEye,
+                             clearwayPageView, clearwayPageProfile, clearwayPagePanels, clearwayPageMain})
         viewer += text;
-    const std::string page = filled(kPageHtml, {{"title", htmlText(input.title)},
-                                                {"three", moduleAddress(kThreeModule)},
-                                                {"controls", moduleAddress(kOrbitControls)},
-                                                {"data", data.json},
-                                                {"style", kPageStyle},
-                                                {"viewer", viewer}});
+    const std::string page = filled(clearwayPage, {{"title", htmlText(input.title)},
+                                                   {"three", moduleAddress(clearwayThreeModule)},
+                                                   {"controls", moduleAddress(clearwayOrbitControls)},
+                                                   {"data", data.json},
+                                                   {"style", clearwayPageStyle},
+                                                   {"viewer", viewer}});
     replaceFile(file, [&](std::ostream& stream) { stream << page; });
     return {page.size(), data.partTriangles, data.environmentTriangles};
 }

@@ -69,7 +69,7 @@ def run(given, build_programs):
         if not file.exists():
             raise Refused(f"there is no file {file}")
     if not given.build:
-        given.build = given.root / "build/benchmarks"
+        given.build = given.root / "build/dev"
         build_programs(given)
     repetitions, budget = SIZES[given.form]
     files = ["--part", part, "--environment", environment, "--poses", given.poses]
