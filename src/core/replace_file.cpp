@@ -85,7 +85,7 @@ std::string requireFileOrNothing(const std::string& file) {
     return name;
 }
 
-constexpr const char* kRoom = "room for the whole file";
+constexpr const char* kSpace = "room for the whole file";
 
 /// Closes the file or the folder once the disk holds it: after a power failure, a renamed file must not be empty.
 void saveAndClose(int opened, const std::string& file) {
@@ -94,14 +94,14 @@ void saveAndClose(int opened, const std::string& file) {
     const int reason = errno;
     ::close(opened);
     errno = reason;
-    if (!isSaved) refuse(file, kRoom);
+    if (!isSaved) refuse(file, kSpace);
 }
 
 /// Puts the temporary file, which is complete, in place of the target. `file`: the name for messages.
 void putInPlace(const TemporaryFile& temporary, const std::string& target, const std::string& file) {
     errno = 0;
     const int written = ::open(temporary.name.c_str(), O_RDONLY | O_CLOEXEC);
-    if (written < 0) refuse(file, kRoom);
+    if (written < 0) refuse(file, kSpace);
     struct stat old;
     // Where the file system has no modes, that fails, and nothing is lost.
     if (::stat(target.c_str(), &old) == 0) ::fchmod(written, old.st_mode & 0777);
@@ -128,7 +128,7 @@ void replaceFile(const std::string& file, const std::function<void(std::ostream&
     std::ofstream stream = open(temporary, file);
     write(stream);
     stream.close();
-    if (!stream) refuse(file, kRoom);
+    if (!stream) refuse(file, kSpace);
     putInPlace(temporary, target, file);
 }
 

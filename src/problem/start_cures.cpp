@@ -10,7 +10,7 @@
 namespace clearway {
 namespace {
 
-constexpr std::size_t kMostNamed = 20;  ///< obstacles in a message
+constexpr std::size_t kMostTouched = 20;  ///< obstacles in a message
 
 /// The names of a rule and those not yet among them, as a problem file lists them.
 std::string listed(std::vector<std::string> names, const std::vector<std::string>& more) {
@@ -73,7 +73,7 @@ std::vector<StartCure> startCures(const Problem& problem, const std::vector<std:
 
 std::string startAdvice(const Problem& problem, const std::vector<std::string>& touched, double length,
                         bool mayOverlap) {
-    const bool areMany = touched.size() > kMostNamed;
+    const bool areMany = touched.size() > kMostTouched;
     const auto cures =
         startCures(problem, areMany ? std::vector<std::string>{"NAMES"} : touched, length, mayOverlap);
     std::string advice = "; if the parts are assembled so, write in [clearway] ";

@@ -13,7 +13,7 @@
 namespace clearway {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kFarAway = std::numeric_limits<double>::infinity();
 
 /// Relative error of rough distances. On planners' motions rough distances are twice as fast as exact ones,
 /// for a few more queries.
@@ -33,7 +33,7 @@ std::int64_t componentWith(const std::vector<Component>& components, std::uint32
 SceneDistance nowhere() {
     constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
     SceneDistance result;
-    result.lower = result.upper = result.distance = kInfinity;
+    result.lower = result.upper = result.distance = kFarAway;
     result.pointOnPart = result.pointOnEnvironment = Vector3::Constant(kNone);
     return result;
 }
@@ -78,7 +78,7 @@ SceneClearance::SceneClearance(Scene scene)
 SceneClearance::~SceneClearance() = default;
 
 double SceneClearance::mostClearance() const {
-    double most = kInfinity;
+    double most = kFarAway;
     for (const Obstacle& obstacle : scene_.obstacles) {
         if (const auto& reach = obstacle.model.reach()) most = std::min(most, reach->cap - obstacle.margin);
     }

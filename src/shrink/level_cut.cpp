@@ -28,7 +28,7 @@ namespace {
 constexpr std::size_t kMostVertices = 8'000'000;
 constexpr double kMostEstimated = 1e6;  ///< points: minutes of work
 constexpr double kPointsPerTurn = 0.5;  ///< per radian and tolerance of concave edge; 0.6 were counted
-constexpr std::size_t kBlock =
+constexpr std::size_t kCellBlock =
     256;  ///< items that one thread takes with one warm start, so that threads change nothing
 constexpr double kLevel = 0.2;  ///< of the tolerance, above the overlap: where the surface is meant to be
 constexpr double kLeastSize = 0.02;    ///< of the tolerance: the edges of tetrahedra
@@ -114,11 +114,11 @@ class LevelCut {
 
     template <class Work>
     void forBlocks(std::size_t first, std::size_t end, const Work& work) {
-        forEachInParallel((end - first + kBlock - 1) / kBlock, [&](std::size_t block) {
+        forEachInParallel((end - first + kCellBlock - 1) / kCellBlock, [&](std::size_t block) {
             if (isStopped_ && isStopped_()) throw ShrinkStopped("shrinking the part was stopped");
             Workspace& workspace = workspaces_.local();
             workspace.forgetWarmStart();
-            const std::size_t from = first + block * kBlock, to = std::min(end, from + kBlock);
+            const std::size_t from = first + block * kCellBlock, to = std::min(end, from + kCellBlock);
             for (std::size_t i = from; i < to; ++i) work(i, workspace);
         });
     }

@@ -14,9 +14,9 @@ namespace {
 
 constexpr double kSliver = 1e-4;
 constexpr std::size_t kMostOuterPieces = 8'000'000;
-constexpr double kNearCorner = 0.98;  ///< where a piece is looked at, from its middle to its corners
-constexpr double kUpright = 1e-6;     ///< sine, more than the rounding of right angles in files of floats
-constexpr double kTouch = 1e-6;       ///< of the fineness: how far a triangle must reach into a prism
+constexpr double kNearCorner = 0.98;   ///< where a piece is looked at, from its middle to its corners
+constexpr double kUprightSine = 1e-6;  ///< sine, more than the rounding of right angles in files of floats
+constexpr double kTouch = 1e-6;        ///< of the fineness: how far a triangle must reach into a prism
 
 /// The space between a triangle and its copy at some height.
 class Prism {
@@ -177,7 +177,7 @@ class TriangleCut {
     /// A way from the triangle along its normal enters the part only through faces that look against it.
     bool mayFace(const Face& other) const {
         return isSliver_ || isSliver(other.corners, other.normal) ||
-               other.normal.dot(normal_) < -kUpright * other.normal.norm();
+               other.normal.dot(normal_) < -kUprightSine * other.normal.norm();
     }
 
     /// Whether all points of the triangle are covered, or none is: the copy of it in front touches no other shell,

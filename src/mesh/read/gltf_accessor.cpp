@@ -16,7 +16,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::string_view kMagic = "glTF";
+constexpr std::string_view kBinaryMagic = "glTF";
 constexpr std::size_t kGlbHeader = 12, kChunkHeader = 8;  ///< bytes
 constexpr std::uint32_t kJsonChunk = 0x4E4F534A, kBinaryChunk = 0x004E4942;
 
@@ -140,7 +140,7 @@ void GltfAccessor::read(std::size_t first, std::size_t rows, double* numbers) co
 }
 
 GltfFile::GltfFile(std::string_view bytes, const MeshCollector& mesh) : mesh_(mesh), bytes_(bytes.size()) {
-    const bool isBinary = bytes.substr(0, kMagic.size()) == kMagic;
+    const bool isBinary = bytes.substr(0, kBinaryMagic.size()) == kBinaryMagic;
     const std::string_view text = isBinary ? chunksOf(bytes) : bytes;
     try {
         json_ = json::parse(text.begin(), text.end());  // skips a byte order mark

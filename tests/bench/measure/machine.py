@@ -68,7 +68,7 @@ def build_record(root, build):
     """What the programs were made of."""
     cache = cache_of(build)
     kind = cache.get("CMAKE_BUILD_TYPE", "")
-    flags = f"{cache.get('CMAKE_CXX_FLAGS', '')} {cache.get('CMAKE_CXX_FLAGS_' + kind.upper(), '')}"
+    flags = f"{cache.get('CMAKE_CXX_FLAGS', '')} {cache.get('CMAKE_CXX_FLAGS_' + kind.upper(), '').replace('-DNDEBUG', '').strip()}"
     versions = subprocess.run([build / "bin/clearway", "--version"], capture_output=True, text=True).stdout
     target = re.search(r"instruction set:?\s+(\S+)", versions)
     return {
