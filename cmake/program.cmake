@@ -1,5 +1,4 @@
-# The program clearway, and the libraries that only it and the demos need. They reuse the precompiled headers of clearway_planning, which
-# take seconds to make.
+# The program clearway, and the libraries that only it and the demos need.
 
 # Pictures.
 file(GLOB render_sources CONFIGURE_DEPENDS src/program/render/*.cpp)
@@ -8,10 +7,6 @@ target_include_directories(clearway_render PRIVATE src)
 target_link_libraries(clearway_render PUBLIC clearway PRIVATE clearway_warnings embree PkgConfig::CAIRO PNG::PNG TBB::tbb)
 target_compile_definitions(clearway_render PRIVATE CLEARWAY_EMBREE_MAJOR=${EMBREE_VERSION_MAJOR} CLEARWAY_FONT="${CLEARWAY_FONT}")
 set_source_files_properties(src/program/render/ink_mask.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON OBJECT_DEPENDS "${CLEARWAY_FONT}")
-target_precompile_headers(clearway_render REUSE_FROM clearway_planning)
-
-# -O3 would take half as long again to compile for code that reads options and prints tables.
-set(moderately $<$<CONFIG:Release>:-O2>)
 
 # The command line and the subcommands of clearway, which the demos' programs and tests link, too.
 file(GLOB cli_sources CONFIGURE_DEPENDS src/program/report/*.cpp src/program/options/*.cpp src/program/bench/*.cpp src/program/cli/*.cpp)
@@ -28,8 +23,6 @@ if(MPI_CXX_FOUND)  # messages between ranks under mpirun; bench/ranks.cpp alone 
   target_link_libraries(clearway_cli PRIVATE MPI::MPI_CXX)
   target_compile_definitions(clearway_cli PRIVATE CLEARWAY_WITH_MPI)
 endif()
-target_precompile_headers(clearway_cli REUSE_FROM clearway_planning)
-target_compile_options(clearway_cli PRIVATE ${moderately})
 
 # add_tool(TARGET NAME "LIBRARY..." SOURCE...): a program that is built as NAME.
 function(add_tool target name libraries)
@@ -37,7 +30,5 @@ function(add_tool target name libraries)
   set_target_properties(${target} PROPERTIES OUTPUT_NAME ${name})
   target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/src)
   target_link_libraries(${target} PRIVATE ${libraries} clearway_warnings nlohmann_json::nlohmann_json TBB::tbb)
-  target_precompile_headers(${target} REUSE_FROM clearway_planning)
-  target_compile_options(${target} PRIVATE ${moderately})
 endfunction()
 add_tool(clearway_program clearway clearway_cli src/program/cli/main.cpp)

@@ -21,7 +21,7 @@ bool isSameEdge(const Side& a, const Side& b) {
     return a.low == b.low && a.high == b.high;
 }
 
-std::vector<Side> sidesOf(const std::vector<TriangleIndices>& triangles) {
+std::vector<Side> triangleSides(const std::vector<TriangleIndices>& triangles) {
     std::vector<Side> sides;
     sides.reserve(3 * triangles.size());
     for (const TriangleIndices& t : triangles) {
@@ -67,7 +67,7 @@ class Groups {
 }  // namespace
 
 EdgeReport checkEdges(const std::vector<TriangleIndices>& triangles) {
-    std::vector<Side> sides = sidesOf(triangles);
+    std::vector<Side> sides = triangleSides(triangles);
     std::sort(sides.begin(), sides.end(),
               [](const Side& a, const Side& b) { return a.low != b.low ? a.low < b.low : a.high < b.high; });
     EdgeReport report;

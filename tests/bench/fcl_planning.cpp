@@ -26,7 +26,7 @@ void fill(fcl::BVHModel<fcl::OBBRSSd>& model, const Mesh& mesh) {
     model.computeLocalAABB();
 }
 
-fcl::Transform3d placedAt(const Pose& X_environmentPart) {
+fcl::Transform3d fclPose(const Pose& X_environmentPart) {
     fcl::Transform3d placed = fcl::Transform3d::Identity();
     placed.linear() = X_environmentPart.rotation;
     placed.translation() = X_environmentPart.translation;
@@ -52,7 +52,7 @@ bool FclValidityChecker::isValid(const ob::State* state) const {
     if (!si_->satisfiesBounds(state)) return false;
     const fcl::CollisionRequestd request;  // one contact, no details
     fcl::CollisionResultd result;
-    return fcl::collide(&meshes_->part, placedAt(stateToPose_(state)), &meshes_->environment,
+    return fcl::collide(&meshes_->part, fclPose(stateToPose_(state)), &meshes_->environment,
                         fcl::Transform3d::Identity(), request, result) == 0;
 }
 
@@ -68,7 +68,7 @@ bool FclContinuousValidator::checkMotion(const ob::State* s1, const ob::State* s
                                                    fcl::CCDC_CONSERVATIVE_ADVANCEMENT);
     fcl::ContinuousCollisionResultd result;
     const fcl::Transform3d still = fcl::Transform3d::Identity();
-    fcl::continuousCollide(&meshes_->part, placedAt(stateToPose_(s1)), placedAt(stateToPose_(s2)),
+    fcl::continuousCollide(&meshes_->part, fclPose(stateToPose_(s1)), fclPose(stateToPose_(s2)),
                            &meshes_->environment, still, still, request, result);
     return !result.is_collide;
 }

@@ -8,7 +8,7 @@ import shlex
 import subprocess
 import tempfile
 
-OPTIONS_WITH_VALUE = {"-o", "-MF", "-MT", "-MQ", "-include"}  # the last one for precompiled headers, which are optimised
+OPTIONS_WITH_VALUE = {"-o", "-MF", "-MT", "-MQ"}
 
 
 def compile_command(build):

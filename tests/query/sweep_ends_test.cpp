@@ -37,7 +37,7 @@ BOOST_AUTO_TEST_CASE(a_stop_is_asked_for_at_once_and_after_at_most_256_steps) {
 /// Pairs of long triangles often need double, so that many stops come amid the pairs of two leaves.
 BOOST_DATA_TEST_CASE(going_forward_a_stop_leaves_no_time_certified_that_is_open, eachWidth(), width) {
     Random shapes(5);
-    const SweptPair pair("needles", needles(shapes, 16), needles(shapes, 16), width);
+    const SweptPair pair("needles", stretchedSoup(shapes, 16), stretchedSoup(shapes, 16), width);
     Workspace workspace;
     int stopped = 0;
     for (std::uint64_t seed = 0; seed < 20000; ++seed) {

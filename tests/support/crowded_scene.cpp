@@ -139,7 +139,7 @@ Mesh movedTo(const Vector3& place, const Mesh& mesh) {
 }
 
 /// Triangles 1000 times longer than wide.
-Mesh needles(Random& random, int count, double halfSide, double length) {
+Mesh needleCloud(Random& random, int count, double halfSide, double length) {
     Mesh mesh;
     for (int i = 0; i < count; ++i) {
         const Vector3 centre = random.inBox(halfSide), along = 0.5 * length * random.direction();
@@ -239,8 +239,8 @@ CrowdedLayout needleWork() {
     Random random(5);
     CrowdedLayout layout;
     layout.name = "needles";
-    layout.body = needles(random, 6, 1, 8);
-    layout.pieces = {{needles(random, 40, 12, 10), 0}, {needles(random, 30, 12, 10), 0.02}};
+    layout.body = needleCloud(random, 6, 1, 8);
+    layout.pieces = {{needleCloud(random, 40, 12, 10), 0}, {needleCloud(random, 30, 12, 10), 0.02}};
     layout.room = roomAround({0, 0, 0}, {20, 20, 20});
     layout.places = {placeAt({0, 0, 0}), placeAt({6, 6, 6}, 1), placeAt({-6, 5, -8}, 2, {1, 0, 0}),
                      placeAt({-8, -8, 8})};

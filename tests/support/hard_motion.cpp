@@ -9,7 +9,7 @@ namespace {
 
 namespace ob = ompl::base;
 
-double powerOfTen(Random& random, double low, double high) {
+double drawnPower(Random& random, double low, double high) {
     return std::pow(10, random.uniform(low, high));
 }
 
@@ -86,10 +86,10 @@ void EndDraw::nestle(ob::ScopedState<>& state, double clearance) {
 /// Below 1.6e-4 rad OMPL leaves turns out.
 ob::ScopedState<> EndDraw::hardlyTurned(const PartState& from) {
     const double angle =
-        random_.below(2) == 0 ? random_.uniform(0.6e-4, 2.2e-4) : powerOfTen(random_, -9, -3);
+        random_.below(2) == 0 ? random_.uniform(0.6e-4, 2.2e-4) : drawnPower(random_, -9, -3);
     const int way = random_.below(4);
     if (way == 0) return moved(from, 0, angle);
-    return moved(from, powerOfTen(random_, way == 1 ? -8 : -3, way == 1 ? -3 : 0.5) * scene_.diagonal, angle);
+    return moved(from, drawnPower(random_, way == 1 ? -8 : -3, way == 1 ? -3 : 0.5) * scene_.diagonal, angle);
 }
 
 ob::ScopedState<> EndDraw::outOfBounds(const PartState& from) {
@@ -109,7 +109,7 @@ ob::ScopedState<> EndDraw::wayOut(const ob::ScopedState<>& from) {
         (body.position - first.body.position).norm() < (body.position - second.body.position).norm();
     const double length = (isFirst ? scene_.scene.startContact : scene_.scene.goalContact)->distance;
     const Vector3 out = (isFirst ? first : second).wayOut + random_.below(2) * 0.2 * random_.direction();
-    const double angle = random_.below(2) * scene_.turn * powerOfTen(random_, -4, -1);
+    const double angle = random_.below(2) * scene_.turn * drawnPower(random_, -4, -1);
     return moved(body, random_.uniform(0.3, 3) * length * out, angle);
 }
 
@@ -125,7 +125,7 @@ ob::ScopedState<> EndDraw::endOf(HardKind kind, const ob::ScopedState<>& from) {
             return moved(body, 1e-6 * scene_.diagonal * random_.uniform(0, 1), 1e-6 * random_.uniform(0, 1));
         case HardKind::kHalfTurn: {
             if (scene_.bodyInPart.norm() > kLargestRadius * scene_.diagonal) return hardlyTurned(body);
-            const double off = (random_.below(3) - 1) * powerOfTen(random_, -16, -8);
+            const double off = (random_.below(3) - 1) * drawnPower(random_, -16, -8);
             return moved(body, random_.below(2) * random_.uniform(0, 0.3) * scene_.diagonal, M_PI + off);
         }
         case HardKind::kLeavesBounds:
@@ -135,8 +135,8 @@ ob::ScopedState<> EndDraw::endOf(HardKind kind, const ob::ScopedState<>& from) {
         case HardKind::kSmallTurn:
             return hardlyTurned(body);
         default:
-            return moved(body, powerOfTen(random_, -2.5, 0) * scene_.diagonal,
-                         random_.below(2) * scene_.turn * powerOfTen(random_, -3, 0));
+            return moved(body, drawnPower(random_, -2.5, 0) * scene_.diagonal,
+                         random_.below(2) * scene_.turn * drawnPower(random_, -3, 0));
     }
 }
 
@@ -154,7 +154,7 @@ HardMotion::HardMotion(const CrowdedScene& scene, HardKind kind, Random& random)
     : s1(scene.space), s2(scene.space) {
     EndDraw draw(scene, random);
     s1 = draw.startOf(kind);
-    const double clearance = powerOfTen(random, -10, -5) * scene.diagonal;
+    const double clearance = drawnPower(random, -10, -5) * scene.diagonal;
     if (kind == HardKind::kSkim) {
         draw.nestle(s1, clearance);
     } else if (random.below(3) == 0) {

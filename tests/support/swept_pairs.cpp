@@ -31,7 +31,7 @@ Pose poseAt(const RigidMotion& motion, double time) {
     return {motion.start.rotation * turned, motion.start.translation + time * motion.translation};
 }
 
-Mesh needles(Random& random, int count) {
+Mesh stretchedSoup(Random& random, int count) {
     Mesh mesh = randomSoup(random, count, 1, 1);
     for (Vector3& vertex : mesh.vertices) vertex.x() *= 1e3;
     return mesh;
@@ -42,7 +42,7 @@ std::vector<SweptPair> sweptPairs(int nodeWidth) {
     for (const MeshPair& pair : meshPairs(7))
         pairs.emplace_back(pair.name, pair.part, pair.environment, nodeWidth);
     Random random(3);
-    pairs.emplace_back("needles", needles(random, 40), needles(random, 60), nodeWidth);
+    pairs.emplace_back("needles", stretchedSoup(random, 40), stretchedSoup(random, 60), nodeWidth);
     const Vector3 far(3e5, -2e5, 1e5);
     pairs.emplace_back("far from the origin", box({1, 2, 3}, 3), moved(plateWithHole(20, 1, 6, 24), far),
                        nodeWidth);

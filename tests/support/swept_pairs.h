@@ -21,7 +21,7 @@ struct SweptPair {
 };
 
 /// Triangles 1,000 times longer than wide.
-Mesh needles(Random& random, int count);
+Mesh stretchedSoup(Random& random, int count);
 
 /// Pairs of all kinds: those of meshPairs, needles, and meshes far from the origin.
 std::vector<SweptPair> sweptPairs(int nodeWidth);

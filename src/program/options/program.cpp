@@ -34,7 +34,7 @@ int finish(int code) {
 
 int refuse(const char* name, const std::string& why) {
     std::cout.flush();
-    std::cerr << name << ": " << oneLine(why) << "\n";
+    std::cerr << name + (": " + oneLine(why)) + "\n";  // at once: mpirun mixes what its ranks write
     return kBadInput;
 }
 
