@@ -29,7 +29,7 @@ namespace og = ompl::geometric;
 using planning::MotionValidator;
 using planning::ValidityChecker;
 
-constexpr double kRangeInSteps = 20, kRangePerDiagonal = 0.25;  // as in `clearway plan`
+constexpr double kRangePerFineness = 20, kRangePerDiagonal = 0.25;  // as in `clearway plan`
 constexpr double kCoarsestPerDiagonal = 0.02;  ///< the first step tried; each further step is half as long
 constexpr int kMostHalvings = 12;
 constexpr double kEnough = 0.95;  ///< share of the paths found
@@ -85,7 +85,7 @@ class Bench {
             planning::toOmpl(si->getStateSpace(), problem_.space, problem_.start),
             planning::toOmpl(si->getStateSpace(), problem_.space, problem_.goal));
         og::RRTConnect planner(si);
-        planner.setRange(problem_.fineness ? kRangeInSteps * *problem_.fineness
+        planner.setRange(problem_.fineness ? kRangePerFineness * *problem_.fineness
                                            : kRangePerDiagonal * diagonal());
         planner.setProblemDefinition(definition);
         planner.setup();

@@ -24,7 +24,7 @@ namespace {
 
 namespace ob = ompl::base;
 
-constexpr double kRangeInSteps = 20;  // as in `clearway plan`
+constexpr double kRangePerFineness = 20;  // as in `clearway plan`
 constexpr int kPasses =
     3;  ///< passes over all questions; the checkers take turns, and each question counts with its least time
 
@@ -138,7 +138,7 @@ int run(int count, char** words) {
     const Scene scene{Model::build(partMesh), Model::build(environmentMesh), 0};
     if (!problem.fineness)
         throw std::invalid_argument("the problem has no fineness, expected one in [clearway]");
-    const EdgeRecorder recorder(problem, scene, kRangeInSteps * *problem.fineness);
+    const EdgeRecorder recorder(problem, scene, kRangePerFineness * *problem.fineness);
     const std::vector<Edge> edges = recorder.record(static_cast<std::size_t>(parseInteger(words[2]).value()));
 
     Side clearway("clearway", recorder.space()), fcl("FCL", recorder.space());

@@ -58,6 +58,7 @@ std::vector<Family> families() {
     std::vector<SceneOptions> bays{{1, 30000, 500000, 2}, kCembox};
     for (std::uint64_t seed = 1; seed <= 20; ++seed) bays.push_back({seed, 3600, 80000, seed == 2 ? 8. : 4.});
     for (std::uint64_t seed = 3; seed <= 8; ++seed) bays.push_back({seed, 8000, 90000, 1.0 * seed});
+    for (std::uint64_t seed = 4; seed <= 10; ++seed) bays.push_back({seed, 8000, 120000, 8});
     return {{"tunnel-console-3",
              {{20000, 80000}},
              {{150000, 600000}},
