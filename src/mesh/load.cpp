@@ -43,8 +43,8 @@ class MappedFile {
 /// compared; one near a border of its cell belongs to the cells beyond it, too.
 bool hasNearVertices(const Mesh& mesh) {
     constexpr double kJoined = 1.01e-5, kCell = 32 * kJoined;
-    using Entry = std::tuple<std::uint64_t, double, double, double>;  // the cell's hash, the vertex
-    std::vector<Entry> entries;
+    using CellVertex = std::tuple<std::uint64_t, double, double, double>;  // the cell's hash, the vertex
+    std::vector<CellVertex> entries;
     for (const Vector3& vertex : mesh.vertices) {
         if (!vertex.allFinite()) continue;  // no triangle uses it, or the mesh is refused
         const Vector3 least = ((vertex.array() - kJoined) / kCell).floor(),
@@ -62,7 +62,7 @@ bool hasNearVertices(const Mesh& mesh) {
     }
     std::sort(entries.begin(), entries.end());
     entries.erase(std::unique(entries.begin(), entries.end()), entries.end());
-    const auto pointOf = [](const Entry& entry) {
+    const auto pointOf = [](const CellVertex& entry) {
         return Vector3(std::get<1>(entry), std::get<2>(entry), std::get<3>(entry));
     };
     for (std::size_t i = 0; i < entries.size(); ++i) {

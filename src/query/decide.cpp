@@ -57,15 +57,15 @@ class Balls {
 
     /// A lower bound of the distance from the slabs across a direction, query units; 0 at worst.
     double provedAlong(const Vector3& direction) const {
-        constexpr double kInfinity = std::numeric_limits<double>::infinity();
+        constexpr double kNoGap = std::numeric_limits<double>::infinity();
         const Triple<Ball> v = {direction[0], direction[1], direction[2]};
         Ball alongPart[3], alongEnvironment[3];
         for (int k = 0; k < 3; ++k) {
             alongPart[k] = corners_.part[k].dot(v);
             alongEnvironment[k] = corners_.environment[k].dot(v);
         }
-        double ahead = kInfinity,
-               behind = kInfinity;  // gaps with the environment ahead of or behind the part
+        double ahead = kNoGap,
+               behind = kNoGap;  // gaps with the environment ahead of or behind the part
         for (const Ball& onPart : alongPart) {
             for (const Ball& onEnvironment : alongEnvironment) {
                 const Ball difference = onEnvironment - onPart;
@@ -74,7 +74,7 @@ class Balls {
             }
         }
         const double gap = std::max(ahead, behind) / direction.norm() * unit_ * (1 - 0x1p-49);
-        return gap > 0 && gap < kInfinity ? gap : 0;
+        return gap > 0 && gap < kNoGap ? gap : 0;
     }
 
   private:

@@ -31,10 +31,10 @@ std::int64_t componentWith(const std::vector<Component>& components, std::uint32
 
 /// The answer when no obstacle was asked.
 SceneDistance nowhere() {
-    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
     SceneDistance result;
     result.lower = result.upper = result.distance = kFarAway;
-    result.pointOnPart = result.pointOnEnvironment = Vector3::Constant(kNone);
+    result.pointOnPart = result.pointOnEnvironment = Vector3::Constant(kNowhere);
     return result;
 }
 

@@ -36,7 +36,7 @@ constexpr double kLevelError = 0.02;   ///< of the tolerance: how far from the l
 constexpr double kMostShallow = 0.15;  ///< of the tolerance: how far above its level the surface may lie
 constexpr double kMostDeep = 0.7;      ///< of the tolerance: how far below
 
-using Outline = std::vector<CutEdge>;
+using CutOutline = std::vector<CutEdge>;
 using CellCorners = std::array<std::uint32_t, 4>;
 
 class LevelCut {
@@ -143,7 +143,7 @@ class LevelCut {
         std::vector<CutEdge> edges;
         std::vector<std::array<CutEdge, 2>> pairs;
         for (const auto& found : outlines_) {
-            for (const Outline& outline : found) {
+            for (const CutOutline& outline : found) {
                 for (std::size_t k = 0; k < outline.size(); ++k) {
                     const CutEdge &edge = outline[k], &next = outline[(k + 1) % outline.size()];
                     if (crossings_.try_emplace(keyOf(edge)).second) edges.push_back(edge);
@@ -176,7 +176,7 @@ class LevelCut {
 
     /// Whether certainly no point of the tetrahedron outside the cut surface is too deep, and the surface is near its
     /// level and nowhere too shallow.
-    bool settles(std::size_t number, const std::vector<Outline>& outlines, Workspace& workspace) {
+    bool settles(std::size_t number, const std::vector<CutOutline>& outlines, Workspace& workspace) {
         const Tetrahedron& tetrahedron = tetrahedra_.all()[number];
         const CellCorners& c = tetrahedron.corners;
         requireContinuity(c);
@@ -184,7 +184,7 @@ class LevelCut {
         if (outlines.size() > 1) return false;  // their fillings might cross
         if (outlines.empty())
             return isShallow(tetrahedron, {Polytope(cornersOf(c))}, nearestTo(c), workspace);
-        const Outline& outline = outlines[0];
+        const CutOutline& outline = outlines[0];
         std::vector<LevelPoint> points;
         for (const CutEdge& edge : outline) points.push_back(crossing(edge));
         amid_[number] = points_.amid(points, cornersOf(c));
@@ -213,7 +213,7 @@ class LevelCut {
     }
 
     /// The cut surface in a tetrahedron, as cutThroughLevel() makes it.
-    Mesh surfaceIn(const Tetrahedron& tetrahedron, const Outline& outline, const Vector3& amid) const {
+    Mesh surfaceIn(const Tetrahedron& tetrahedron, const CutOutline& outline, const Vector3& amid) const {
         Mesh mesh;
         for (std::size_t k = 0; k < outline.size(); ++k) {
             mesh.vertices.push_back(crossing(outline[k]).point);
@@ -226,11 +226,11 @@ class LevelCut {
         return mesh;
     }
 
-    const std::optional<Vector3>& creaseAfter(const Outline& outline, std::size_t k) const {
+    const std::optional<Vector3>& creaseAfter(const CutOutline& outline, std::size_t k) const {
         return creases_.at(keyOf(outline[k], outline[(k + 1) % outline.size()]));
     }
 
-    bool isPlain(const Tetrahedron& tetrahedron, const Outline& outline) const {
+    bool isPlain(const Tetrahedron& tetrahedron, const CutOutline& outline) const {
         for (std::size_t k = 0; k < outline.size(); ++k) {
             if (creaseAfter(outline, k)) return false;
         }
@@ -258,7 +258,7 @@ class LevelCut {
 
     /// The values at a tetrahedron's corners of a linear function that is at least 0 at all its points outside the cut
     /// surface: those lie in the convex hull of its outer corners and of the surface's outline.
-    std::vector<double> below(const CellCorners& c, const Outline& outline) const {
+    std::vector<double> below(const CellCorners& c, const CutOutline& outline) const {
         Matrix3 edges;
         Vector3 rises;
         for (int k = 0; k < 3; ++k) {
@@ -277,7 +277,7 @@ class LevelCut {
 
     /// Convex pieces that cover what is outside the cut surface in a tetrahedron. If that consists of triangles around
     /// one point: the cones from that point over the outside of the tetrahedron's faces.
-    std::vector<Polytope> outsideOf(const Tetrahedron& tetrahedron, const Outline& outline,
+    std::vector<Polytope> outsideOf(const Tetrahedron& tetrahedron, const CutOutline& outline,
                                     const Vector3& amid) const {
         if (isPlain(tetrahedron, outline))
             return {Polytope(cornersOf(tetrahedron.corners)).cut(below(tetrahedron.corners, outline))};
@@ -367,9 +367,9 @@ class LevelCut {
     DepthLimit limit_;
     LevelPoints points_;
     const std::function<bool()>& isStopped_;
-    std::vector<Vector3> shellPoints_;            ///< one of each shell of the surface
-    std::vector<std::size_t> open_;               ///< tetrahedra to look at
-    std::vector<std::vector<Outline>> outlines_;  ///< in the open ones
+    std::vector<Vector3> shellPoints_;               ///< one of each shell of the surface
+    std::vector<std::size_t> open_;                  ///< tetrahedra to look at
+    std::vector<std::vector<CutOutline>> outlines_;  ///< in the open ones
     std::vector<bool> isDeep_;   ///< of tetrahedra: the cut in it is deep enough, by exact queries
     std::vector<Vector3> amid_;  ///< of tetrahedra: the point amid the cut surface in it
     std::vector<SurfaceDepth::Place> places_;                  ///< of the vertices

@@ -13,8 +13,9 @@
 #include "program/report/frames.h"
 #include "program/report/page_data.h"
 
-// The page's files. page.html is a template with {{places}}. The scripts page/*.js are one module, in this order: the names of a file are known
-// to the next ones. three.js and its controls are modules of their own.
+// The page's files, whose names are global. page.html is a template with {{places}}. The scripts page/*.js are
+// one module, in this order: the names of a file are known to the next ones. three.js and its controls are
+// modules of their own.
 CLEARWAY_EMBED(clearwayPage, CLEARWAY_REPORT "/page/page.html")
 CLEARWAY_EMBED(clearwayPageStyle, CLEARWAY_REPORT "/page/page.css")
 CLEARWAY_EMBED(clearwayPageShared, CLEARWAY_REPORT "/page/shared.js")
