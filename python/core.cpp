@@ -6,7 +6,6 @@
 #include <limits>
 #include <sstream>
 #include <string>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -21,22 +20,6 @@
 
 namespace clearway::python {
 namespace {
-
-/// A workspace that remembers its thread. Queries run without Python's lock, so two threads could use it at once.
-class OwnedWorkspace {
-  public:
-    Workspace& mine() {
-        if (owner_ != std::this_thread::get_id()) {
-            throw std::invalid_argument(
-                "the workspace belongs to another thread, expected one for each thread");
-        }
-        return workspace_;
-    }
-
-  private:
-    const std::thread::id owner_ = std::this_thread::get_id();
-    Workspace workspace_;
-};
 
 Workspace& workspaceOfThread() {
     thread_local Workspace workspace;

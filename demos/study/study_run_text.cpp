@@ -8,14 +8,14 @@
 namespace clearway::study {
 
 std::string textOf(const StudyRun& run) {
-    Text json = {
+    Json json = {
         {"row", cellsOf(runColumns(), run.row)}, {"machine", run.machine}, {"warnings", run.warnings}};
     if (run.calls) json["calls"] = *run.calls;
     return lineOf(json);
 }
 
 StudyRun readStudyRun(const std::string& text) {
-    const Text json = Text::parse(text);
+    const Json json = Json::parse(text);
     const Cells cells = json.at("row").get<Cells>();
     StudyRun run;
     if (cells.size() != runColumns().size() || readCells(runColumns(), cells, run.row) < cells.size())

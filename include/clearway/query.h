@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <thread>
 
 #include "clearway/types.h"
 
@@ -69,6 +70,16 @@ class Workspace {
 
   private:
     std::unique_ptr<State> state_;
+};
+
+/// The workspace of the thread that makes it, for languages whose threads share objects.
+class OwnedWorkspace {
+  public:
+    Workspace& mine();  ///< throws std::invalid_argument in every other thread
+
+  private:
+    const std::thread::id owner_ = std::this_thread::get_id();
+    Workspace workspace_;
 };
 
 /// How accurate a distance must be, and from where on it does not matter.

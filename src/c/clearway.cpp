@@ -10,7 +10,6 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
-#include <thread>
 #include <unordered_map>
 #include <utility>
 
@@ -21,22 +20,6 @@
 
 namespace clearway {
 namespace {
-
-/// A workspace that remembers its thread.
-class OwnedWorkspace {
-  public:
-    Workspace& mine() {
-        if (owner_ != std::this_thread::get_id()) {
-            throw std::invalid_argument(
-                "the workspace belongs to another thread, expected one for each thread");
-        }
-        return workspace_;
-    }
-
-  private:
-    const std::thread::id owner_ = std::this_thread::get_id();
-    Workspace workspace_;
-};
 
 /// A handle stands for one of the two.
 struct Entry {

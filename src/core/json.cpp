@@ -24,15 +24,15 @@ std::string utf8Of(const std::string& text) {
     return result;
 }
 
-void makeUtf8(Json& value) {
+void makeUtf8(FloatJson& value) {
     if (value.is_string()) value = utf8Of(value.get_ref<const std::string&>());
     if (!value.is_structured()) return;
-    for (Json& item : value) makeUtf8(item);
+    for (FloatJson& item : value) makeUtf8(item);
 }
 
 }  // namespace
 
-std::string jsonText(Json value) {
+std::string jsonText(FloatJson value) {
     makeUtf8(value);
     std::string text = value.dump();
     boost::replace_all(text, "<", "\\u003c");  // only strings can contain it

@@ -8,13 +8,16 @@
 
 namespace clearway {
 
-/// JSON that keeps the order of its fields. Numbers other than integers are floats: their text has as few
-/// digits as read back to the same float, and a number that no finite float holds becomes null.
-using Json = nlohmann::basic_json<nlohmann::ordered_map, std::vector, std::string, bool, std::int64_t,
-                                  std::uint64_t, float>;
+/// JSON that keeps the order of its fields.
+using Json = nlohmann::ordered_json;
+
+/// JSON whose numbers other than integers are floats: their text has as few digits as read back to the same
+/// float, and a number that no finite float holds becomes null.
+using FloatJson = nlohmann::basic_json<nlohmann::ordered_map, std::vector, std::string, bool, std::int64_t,
+                                       std::uint64_t, float>;
 
 /// The value on one line. The character < is escaped, so that no tag inside can end an HTML script. Bytes
 /// that are not UTF-8, which readers of JSON refuse, are read as Latin-1, which old mesh files use.
-std::string jsonText(Json value);
+std::string jsonText(FloatJson value);
 
 }  // namespace clearway

@@ -31,7 +31,7 @@ constexpr int kUpright[] = {1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1};
 
 /// The least and the largest value of each coordinate, as fields of an accessor.
 template <class Vertices>
-Json boundsOf(const Vertices& vertices) {
+FloatJson boundsOf(const Vertices& vertices) {
     auto least = vertices[0], most = vertices[0];
     for (const auto& vertex : vertices) {
         for (std::size_t i = 0; i < vertex.size(); ++i) {
@@ -46,18 +46,18 @@ Json boundsOf(const Vertices& vertices) {
 class Document {
   public:
     /// Appends the item to one of the description's lists and returns its position there.
-    std::size_t add(const char* list, Json item) {
+    std::size_t add(const char* list, FloatJson item) {
         json_[list].push_back(std::move(item));
         return json_[list].size() - 1;
     }
 
     /// Adds a node with one mesh and returns the number of the node. primitive: further fields of the mesh.
-    std::size_t addPart(const SavePart& part, Json primitive = {}) {
+    std::size_t addPart(const SavePart& part, FloatJson primitive = {}) {
         primitive["attributes"]["POSITION"] =
             addAccessor(part.vertices, kFloat, "VEC3", kVertexBuffer, boundsOf(part.vertices));
         primitive["indices"] = addAccessor(part.triangles, kUnsigned, "SCALAR", kIndexBuffer);
         const std::size_t mesh =
-            add("meshes", {{"name", part.name}, {"primitives", Json::array({std::move(primitive)})}});
+            add("meshes", {{"name", part.name}, {"primitives", FloatJson::array({std::move(primitive)})}});
         return add("nodes", {{"name", part.name}, {"mesh", mesh}});
     }
 
@@ -66,10 +66,10 @@ class Document {
     /// Adds rows of 4-byte numbers. target: 0 for none. accessor: further fields.
     template <class Rows>
     std::size_t addAccessor(const Rows& rows, int componentType, const std::string& type, int target,
-                            Json accessor = {}) {
+                            FloatJson accessor = {}) {
         const std::size_t bytes = rows.size() * sizeof(rows[0]);
         const std::size_t width = type == "SCALAR" ? 4 : sizeof(rows[0]);
-        Json view = {{"buffer", 0}, {"byteOffset", binaryBytes_}, {"byteLength", bytes}};
+        FloatJson view = {{"buffer", 0}, {"byteOffset", binaryBytes_}, {"byteLength", bytes}};
         if (target != 0) view["target"] = target;
         pieces_.push_back({rows.data(), bytes});
         binaryBytes_ += bytes;
@@ -87,7 +87,7 @@ class Document {
         const void* data;
         std::size_t bytes;
     };
-    Json json_ = {{"asset", {{"version", "2.0"}, {"generator", "clearway"}}}, {"scene", 0}};
+    FloatJson json_ = {{"asset", {{"version", "2.0"}, {"generator", "clearway"}}}, {"scene", 0}};
     std::vector<Piece> pieces_;
     std::uint64_t binaryBytes_ = 0;
 };
@@ -119,7 +119,7 @@ void Document::write(std::ostream& stream) {
         stream.write(static_cast<const char*>(piece.data), static_cast<std::streamsize>(piece.bytes));
 }
 
-Json materialOf(const char* name, const std::array<float, 4>& colour) {
+FloatJson materialOf(const char* name, const std::array<float, 4>& colour) {
     return {{"name", name},
             {"doubleSided", true},
             {"pbrMetallicRoughness",
@@ -142,13 +142,13 @@ struct Samples {
 };
 
 /// times, positions, rotations: numbers of the accessors of the keys.
-Json animationOf(const std::string& name, std::size_t node, std::size_t times, std::size_t positions,
-                 std::size_t rotations) {
+FloatJson animationOf(const std::string& name, std::size_t node, std::size_t times, std::size_t positions,
+                      std::size_t rotations) {
     const auto sampler = [&](std::size_t output) {
-        return Json{{"input", times}, {"interpolation", "LINEAR"}, {"output", output}};
+        return FloatJson{{"input", times}, {"interpolation", "LINEAR"}, {"output", output}};
     };
     const auto channel = [&](int number, const char* path) {
-        return Json{{"sampler", number}, {"target", {{"node", node}, {"path", path}}}};
+        return FloatJson{{"sampler", number}, {"target", {{"node", node}, {"path", path}}}};
     };
     return {{"name", name},
             {"channels", {channel(0, "translation"), channel(1, "rotation")}},
@@ -205,15 +205,15 @@ void writeGlb(const std::vector<SavePart>& parts, std::ostream& stream) {
 
 void writeMovingGlb(const GlbMotion& motion, std::ostream& stream) {
     Document document;
-    const auto addParts = [&](const std::vector<SavePart>& parts, const Json& material) {
+    const auto addParts = [&](const std::vector<SavePart>& parts, const FloatJson& material) {
         const std::size_t number = document.add("materials", material);
-        Json nodes = Json::array();
+        FloatJson nodes = FloatJson::array();
         for (const SavePart& part : parts) nodes.push_back(document.addPart(part, {{"material", number}}));
         return nodes;
     };
-    Json nodes = addParts(motion.still, materialOf("environment", {0.55f, 0.56f, 0.58f, 1}));
+    FloatJson nodes = addParts(motion.still, materialOf("environment", {0.55f, 0.56f, 0.58f, 1}));
     const auto addRoot = [&] {
-        Json root = Json::array();
+        FloatJson root = FloatJson::array();
         for (int i = 0; i < 16; ++i) root.push_back(i < 15 ? motion.metres * kUpright[i] : kUpright[i]);
         document.addRoot(document.add("nodes", {{"name", "scene"}, {"matrix", root}, {"children", nodes}}));
     };
@@ -221,7 +221,7 @@ void writeMovingGlb(const GlbMotion& motion, std::ostream& stream) {
         addRoot();
         return document.write(stream);
     }
-    const Json movingNodes = addParts(motion.moving, materialOf("part", {0.95f, 0.45f, 0.05f, 1}));
+    const FloatJson movingNodes = addParts(motion.moving, materialOf("part", {0.95f, 0.45f, 0.05f, 1}));
     const GlbKey& first = motion.keys.front();
     const std::size_t mover = document.add("nodes", {{"name", motion.name},
                                                      {"translation", first.position},
@@ -230,7 +230,8 @@ void writeMovingGlb(const GlbMotion& motion, std::ostream& stream) {
     nodes.push_back(mover);
     addRoot();
     const Samples samples(motion.keys);
-    const Json span = {{"min", Json::array({0})}, {"max", Json::array({samples.times.back()})}};
+    const FloatJson span = {{"min", FloatJson::array({0})},
+                            {"max", FloatJson::array({samples.times.back()})}};
     const std::size_t times = document.addAccessor(samples.times, kFloat, "SCALAR", 0, span);
     const std::size_t positions = document.addAccessor(samples.positions, kFloat, "VEC3", 0);
     const std::size_t rotations = document.addAccessor(samples.rotations, kFloat, "VEC4", 0);

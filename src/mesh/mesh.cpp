@@ -32,12 +32,16 @@ Box boundingBox(const Mesh& mesh) {
     return box;
 }
 
-std::size_t componentOf(const Mesh& mesh, std::size_t triangle) {
-    if (mesh.components.empty()) return 0;
+std::size_t componentOf(const std::vector<Component>& components, std::size_t triangle) {
+    if (components.empty()) return 0;
     const auto after = std::upper_bound(
-        mesh.components.begin(), mesh.components.end(), triangle,
+        components.begin(), components.end(), triangle,
         [](std::size_t id, const Component& component) { return id < component.firstTriangle; });
-    return static_cast<std::size_t>(after - mesh.components.begin()) - 1;
+    return static_cast<std::size_t>(after - components.begin()) - 1;
+}
+
+std::size_t componentOf(const Mesh& mesh, std::size_t triangle) {
+    return componentOf(mesh.components, triangle);
 }
 
 }  // namespace clearway

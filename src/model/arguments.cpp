@@ -7,13 +7,6 @@
 
 namespace clearway {
 
-void requireNotNegative(double value, const char* name) {
-    if (value >= 0) return;
-    std::ostringstream message;
-    message << name << " is " << value << ", expected a number of at least 0";
-    throw std::invalid_argument(message.str());
-}
-
 void requireSameWidth(const Model& part, const Model& environment) {
     const int partWidth = part.tree().nodeWidth, environmentWidth = environment.tree().nodeWidth;
     if (partWidth == environmentWidth) return;

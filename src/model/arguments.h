@@ -1,14 +1,11 @@
-// Checks of the arguments of queries. Each function throws std::invalid_argument that names the value and the range
-// expected.
+// A check of the arguments of queries.
 #pragma once
 
 #include "clearway/model.h"
 
 namespace clearway {
 
-void requireNotNegative(double value, const char* name);
-
-/// Both models must have nodes of one width.
+/// Throws std::invalid_argument unless both models have nodes of one width.
 void requireSameWidth(const Model& part, const Model& environment);
 
 }  // namespace clearway

@@ -5,14 +5,21 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 #include "clearway/model.h"
+#include "core/number.h"
 #include "model/arguments.h"
 #include "model/reach.h"
 #include "query/queries.h"
 
 namespace clearway {
 namespace {
+
+/// Infinity bounds nothing.
+void requireBound(const char* name, double length) {
+    if (length != std::numeric_limits<double>::infinity()) requireNotNegative(name, length);
+}
 
 PairQuery beginQuery(const Model& part, const Model& environment, const Pose& X_environmentPart,
                      Workspace::State& state) {
@@ -33,13 +40,6 @@ double lengthOf(const Vector3& v) {
     const int exponent = std::ilogb(largest);
     return std::ldexp(Vector3(v.unaryExpr([&](double x) { return std::ldexp(x, -exponent); })).norm(),
                       exponent);
-}
-
-std::int64_t componentOfTriangle(const std::vector<Component>& components, std::int64_t triangle) {
-    const auto after =
-        std::upper_bound(components.begin(), components.end(), triangle,
-                         [](std::int64_t id, const Component& c) { return id < c.firstTriangle; });
-    return after - components.begin() - 1;
 }
 
 /// The length times `unit`, a power of two with inverse perUnit; rounded down if the result is denormal.
@@ -72,11 +72,16 @@ Workspace& workspaceOfThread() {
 
 }  // namespace
 
+Workspace& OwnedWorkspace::mine() {
+    if (owner_ == std::this_thread::get_id()) return workspace_;
+    throw std::invalid_argument("the workspace belongs to another thread, expected one for each thread");
+}
+
 DistanceResult distance(const Model& part, const Model& environment, const Pose& X_environmentPart,
                         const DistanceOptions& options, Workspace& workspace) {
-    requireNotNegative(options.relativeError, "relativeError");
-    requireNotNegative(options.absoluteError, "absoluteError");
-    requireNotNegative(options.cap, "cap");
+    requireNotNegative("relativeError", options.relativeError);
+    requireNotNegative("absoluteError", options.absoluteError);
+    requireBound("cap", options.cap);
     const double cap = cappedByReach(environment, options.cap);
     Workspace::State& state = workspace.state();
     const WorkspaceUse use(state);
@@ -108,10 +113,13 @@ DistanceResult distance(const Model& part, const Model& environment, const Pose&
     }
     const bool isContact = answer.pair.contact == Verdict::yes;
     result.distance = isContact ? 0.0 : lengthOf(result.pointOnPart - result.pointOnEnvironment);
-    result.partTriangle = part.tree().triangleId(answer.triangles.part);
-    result.environmentTriangle = environment.tree().triangleId(answer.triangles.environment);
-    result.partComponent = componentOfTriangle(part.components(), result.partTriangle);
-    result.environmentComponent = componentOfTriangle(environment.components(), result.environmentTriangle);
+    const std::uint32_t onPart = part.tree().triangleId(answer.triangles.part),
+                        onEnvironment = environment.tree().triangleId(answer.triangles.environment);
+    result.partTriangle = onPart;
+    result.environmentTriangle = onEnvironment;
+    result.partComponent = static_cast<std::int64_t>(componentOf(part.components(), onPart));
+    result.environmentComponent =
+        static_cast<std::int64_t>(componentOf(environment.components(), onEnvironment));
     return result;
 }
 
@@ -122,7 +130,7 @@ bool collides(const Model& part, const Model& environment, const Pose& X_environ
 
 bool isWithin(const Model& part, const Model& environment, const Pose& X_environmentPart, double d,
               Workspace& workspace) {
-    requireNotNegative(d, "d");
+    requireBound("d", d);
     return answerWithin(part, environment, X_environmentPart, d, workspace);
 }
 

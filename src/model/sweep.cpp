@@ -2,12 +2,12 @@
 #include "clearway/sweep.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <sstream>
 #include <stdexcept>
 
 #include "clearway/model.h"
+#include "core/number.h"
 #include "model/arguments.h"
 #include "model/reach.h"
 #include "query/sweep.h"
@@ -45,10 +45,6 @@ void requireInRange(double value, const char* name, bool isInRange, const char* 
     throw std::invalid_argument(message.str());
 }
 
-void requireFinite(double value, const char* name) {
-    requireInRange(value, name, value >= 0 && std::isfinite(value), "a finite number of at least 0");
-}
-
 /// Checks the arguments that both questions share, and begins the request.
 SweepRequest beginSweep(const Model& part, const Model& environment, const MotionPieces& motion,
                         double margin, double poseError, const std::function<bool()>& isStopped,
@@ -56,8 +52,8 @@ SweepRequest beginSweep(const Model& part, const Model& environment, const Motio
     if (!motion)
         throw std::invalid_argument("the motion is an empty function, expected one that returns pieces");
     requireSameWidth(part, environment);
-    requireFinite(margin, "margin");
-    requireFinite(poseError, "poseError");
+    requireNotNegative("margin", margin);
+    requireNotNegative("poseError", poseError);
     requireWithinCap(environment, margin + poseError);
     state.counters = {};
     SweepRequest request;
@@ -95,7 +91,7 @@ SweepResult sweep(const Model& part, const Model& environment, const MotionPiece
     requireInRange(options.from, "from", options.from >= 0 && options.from < 1, "a time from 0 to below 1");
     requireInRange(options.until, "until", options.until > options.from && options.until <= 1,
                    "a time after `from` and up to 1");
-    requireFinite(options.contactTime, "contactTime");
+    requireNotNegative("contactTime", options.contactTime);
     request.goal = options.isForward ? SweepGoal::kForward : SweepGoal::kCertify;
     request.from = options.from;
     request.until = options.until;
@@ -161,9 +157,9 @@ LeastDistance leastDistance(const Model& part, const Model& environment, const M
     SweepRequest request =
         beginSweep(part, environment, motion, options.margin, options.poseError, options.isStopped, state);
     const ClearanceResolution& resolution = options.resolution;
-    requireFinite(resolution.share, "resolution.share");
-    requireFinite(resolution.largestShare, "resolution.largestShare");
-    requireFinite(resolution.length, "resolution.length");
+    requireNotNegative("resolution.share", resolution.share);
+    requireNotNegative("resolution.largestShare", resolution.largestShare);
+    requireNotNegative("resolution.length", resolution.length);
     requireInRange(resolution.least, "resolution.least", resolution.least > 0, "a length above 0");
     request.leastInterval = resolution.least;
     requireInRange(options.cap, "cap", options.cap >= -options.margin,

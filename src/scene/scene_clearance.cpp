@@ -21,14 +21,6 @@ constexpr double kRoughError = 0.05;
 /// The share of upper that lower must reach; otherwise a tight distance is asked for.
 constexpr double kRoughEnough = 0.9;
 
-/// The index of the component with this triangle.
-std::int64_t componentWith(const std::vector<Component>& components, std::uint32_t triangle) {
-    const auto after = std::upper_bound(
-        components.begin(), components.end(), triangle,
-        [](std::uint32_t t, const Component& component) { return t < component.firstTriangle; });
-    return after - components.begin() - 1;
-}
-
 /// The answer when no obstacle was asked.
 SceneDistance nowhere() {
     constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
@@ -232,7 +224,7 @@ void SceneClearance::nameTriangle(SceneDistance& nearest) const {
         const std::uint32_t triangle =
             obstacle.shrunk->partTriangles[static_cast<std::size_t>(nearest.partTriangle)];
         nearest.partTriangle = triangle;
-        nearest.partComponent = componentWith(scene_.part.components(), triangle);
+        nearest.partComponent = static_cast<std::int64_t>(componentOf(scene_.part.components(), triangle));
     }
     if (obstacle.fileTriangles.empty()) return;
     const auto component = static_cast<std::size_t>(nearest.environmentComponent);

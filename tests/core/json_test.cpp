@@ -12,7 +12,7 @@ BOOST_AUTO_TEST_CASE(no_text_can_end_the_script_it_stands_in) {
     const std::string text = "</script><!-- \"quoted\" \\ \n";
     const std::string json = jsonText({{"a", {text}}});
     BOOST_TEST(json == R"({"a":["\u003c/script>\u003c!-- \"quoted\" \\ \n"]})");
-    BOOST_TEST(Json::parse(json)["a"][0].get<std::string>() == text);
+    BOOST_TEST(FloatJson::parse(json)["a"][0].get<std::string>() == text);
 }
 
 BOOST_AUTO_TEST_CASE(utf8_stays_as_it_is) {

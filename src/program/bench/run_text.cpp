@@ -5,13 +5,13 @@
 
 namespace clearway::study {
 
-std::string lineOf(const Text& json) {
-    return json.dump(-1, ' ', false, Text::error_handler_t::replace);
+std::string lineOf(const Json& json) {
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 std::string textOf(const EndedRun& ended) {
     const BenchmarkRun& run = ended.run;
-    Text path = Text::array();
+    Json path = Json::array();
     for (const PartState& state : run.path) {
         const auto& p = state.position;
         const auto& q = state.rotation.coeffs();
@@ -27,7 +27,7 @@ std::string textOf(const EndedRun& ended) {
 }
 
 EndedRun readEndedRun(const std::string& text) {
-    const Text json = Text::parse(text);
+    const Json json = Json::parse(text);
     EndedRun ended;
     BenchmarkRun& run = ended.run;
     json.at("number").get_to(ended.number);

@@ -1,9 +1,9 @@
 // A benchmark's run as a line of JSON, by which a rank tells it to rank 0.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 
+#include "core/json.h"
 #include "program/bench/benchmark.h"
 
 namespace clearway::study {
@@ -14,9 +14,7 @@ std::string textOf(const EndedRun& ended);
 /// Throws a std::exception when textOf() wrote no such text.
 EndedRun readEndedRun(const std::string& text);
 
-using Text = nlohmann::json;  // numbers are doubles, unlike those of core/json.h
-
 /// Bytes that are not UTF-8, from names of files, are replaced.
-std::string lineOf(const Text& json);
+std::string lineOf(const Json& json);
 
 }  // namespace clearway::study

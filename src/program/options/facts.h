@@ -1,19 +1,17 @@
 // The findings of a subcommand as JSON: the facts of its rows under stable names, numbers with all digits.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "clearway/model.h"
 #include "clearway/planning/audit.h"
 #include "clearway/problem.h"
 #include "clearway/scene.h"
+#include "core/json.h"
 #include "program/options/command_line.h"
 #include "program/options/shared_options.h"
 
 namespace clearway::cli {
-
-using Json = nlohmann::ordered_json;  // numbers are doubles, unlike those of core/json.h
 
 /// The facts of this run. docs/program.md lists the names.
 Json& facts();

@@ -34,7 +34,7 @@ constexpr std::size_t kViewPlaces = 24, kViewVertices = 12;
 constexpr double kCameraDistance = 4;
 constexpr double kTightRadius = 0.15;  ///< surroundings of the closest pair, of the part's diagonal
 
-Json pointOf(const Vector3& point) {
+FloatJson pointOf(const Vector3& point) {
     return {point.x(), point.y(), point.z()};
 }
 
@@ -56,7 +56,7 @@ std::string shortly(double value) {
     return text;
 }
 
-Json jsonOf(const PageMesh& mesh, const Vector3& origin, Json objects) {
+FloatJson jsonOf(const PageMesh& mesh, const Vector3& origin, FloatJson objects) {
     return {{"low", pointOf(mesh.box.min() - origin)},
             {"extent", pointOf(mesh.box.diagonal())},
             {"positions", base64(mesh.positions.data(), 6 * mesh.positions.size())},
@@ -66,8 +66,8 @@ Json jsonOf(const PageMesh& mesh, const Vector3& origin, Json objects) {
 }
 
 /// One entry for each component, which owns a run of the page's triangles and one of its edges.
-Json objectsOf(const Mesh& mesh, const PageMesh& page, const std::string& nameless) {
-    Json objects = Json::array();
+FloatJson objectsOf(const Mesh& mesh, const PageMesh& page, const std::string& nameless) {
+    FloatJson objects = FloatJson::array();
     const std::vector<Component> components = componentsOf(mesh);
     for (std::size_t i = 0; i < components.size(); ++i) {
         objects.push_back({{"name", components[i].name.empty() ? nameless : components[i].name},
@@ -77,7 +77,7 @@ Json objectsOf(const Mesh& mesh, const PageMesh& page, const std::string& namele
     return objects;
 }
 
-void addClearance(const ObstacleClearance& clearance, Json& object) {
+void addClearance(const ObstacleClearance& clearance, FloatJson& object) {
     if (!clearance.isInScene) {
         object["isIgnored"] = true;
         return;
@@ -111,14 +111,14 @@ std::size_t nearestFrame(const std::vector<ReportFrame>& frames, double share) {
                                     frames.begin());
 }
 
-Json jsonOf(const ReportTable& table, const std::vector<ReportFrame>& frames) {
-    Json jumps;
+FloatJson jsonOf(const ReportTable& table, const std::vector<ReportFrame>& frames) {
+    FloatJson jumps;
     for (const double share : table.shares) jumps.push_back(nearestFrame(frames, share));
     return {{"title", table.title}, {"header", table.header}, {"rows", table.rows}, {"frames", jumps}};
 }
 
-Json colourScale() {
-    Json colours;
+FloatJson colourScale() {
+    FloatJson colours;
     for (std::size_t i = 0; i < kColours; ++i)
         colours.push_back(render::toSRgb(render::clearanceColour(double(i) / double(kColours - 1))));
     return colours;
@@ -156,23 +156,23 @@ class PageMaker {
     }
 
     PageData data() const {
-        Json frames = Json::array(), tables = Json::array();
+        FloatJson frames = FloatJson::array(), tables = FloatJson::array();
         for (const ReportFrame& frame : frames_) frames.push_back(frameJson(frame));
         for (const ReportTable& table : input_.tables) tables.push_back(jsonOf(table, frames_));
-        Json json = {{"title", input_.title},
-                     {"verdict", input_.verdict},
-                     {"unit", input_.unit},
-                     {"note", note()},
-                     {"radius", environment_.box.diagonal().norm() / 2},
-                     {"scale", colourScale()},
-                     {"contact", render::toSRgb(render::contactColour())},
-                     {"scaleMost", render::scaleFor(least_, most_, hasContact_)},
-                     {"most", most_},
-                     {"margin", input_.scene.largestMargin()},
-                     {"tightest", tightest()},
-                     {"certified", certifiedStretches(line_, input_.audit, kStretches)},
-                     {"tables", std::move(tables)},
-                     {"frames", std::move(frames)}};
+        FloatJson json = {{"title", input_.title},
+                          {"verdict", input_.verdict},
+                          {"unit", input_.unit},
+                          {"note", note()},
+                          {"radius", environment_.box.diagonal().norm() / 2},
+                          {"scale", colourScale()},
+                          {"contact", render::toSRgb(render::contactColour())},
+                          {"scaleMost", render::scaleFor(least_, most_, hasContact_)},
+                          {"most", most_},
+                          {"margin", input_.scene.largestMargin()},
+                          {"tightest", tightest()},
+                          {"certified", certifiedStretches(line_, input_.audit, kStretches)},
+                          {"tables", std::move(tables)},
+                          {"frames", std::move(frames)}};
         addViews(json);
         json["part"] = jsonOf(part_, part_.box.center(), objectsOf(input_.part, part_, "part"));
         json["environment"] = jsonOf(environment_, origin_, obstacles());
@@ -181,14 +181,14 @@ class PageMaker {
 
   private:
     /// "position" is that of the middle of the part's box.
-    Json frameJson(const ReportFrame& frame) const {
+    FloatJson frameJson(const ReportFrame& frame) const {
         const Pose& X = frame.X_environmentPart;
         const Eigen::Quaterniond q(X.rotation);
-        Json json = {{"share", frame.share},
-                     {"position", pointOf(X * part_.box.center() - origin_)},
-                     {"rotation", {q.x(), q.y(), q.z(), q.w()}},
-                     {"pose", exactText(X.translation) + " " + exactText(q.coeffs())},
-                     {"clearance", frame.isInReach ? Json(frame.clearance.lower) : Json()}};
+        FloatJson json = {{"share", frame.share},
+                          {"position", pointOf(X * part_.box.center() - origin_)},
+                          {"rotation", {q.x(), q.y(), q.z(), q.w()}},
+                          {"pose", exactText(X.translation) + " " + exactText(q.coeffs())},
+                          {"clearance", frame.isInReach ? FloatJson(frame.clearance.lower) : FloatJson()}};
         if (frame.isInReach && std::isinf(frame.clearance.lower)) json["isFree"] = true;
         const std::string trouble = troubleOf(frame, input_.scene);
         if (!trouble.empty()) json["trouble"] = trouble;
@@ -203,8 +203,8 @@ class PageMaker {
         return json;
     }
 
-    Json obstacles() const {
-        Json objects = objectsOf(input_.environment, environment_, "environment");
+    FloatJson obstacles() const {
+        FloatJson objects = objectsOf(input_.environment, environment_, "environment");
         const auto clearances = obstacleClearances(input_.scene, input_.environment, frames_, kMostMeasured);
         for (std::size_t i = 0; i < clearances.size(); ++i) addClearance(clearances[i], objects[i]);
         return objects;
@@ -227,7 +227,7 @@ class PageMaker {
         return points;
     }
 
-    void addViews(Json& json) const {
+    void addViews(FloatJson& json) const {
         const auto onPage = [&](const Vector3& point) {
             return Eigen::Vector3f((point - origin_).cast<float>());
         };

@@ -39,10 +39,10 @@ struct Written {
         for (auto at = page.find(text); at != std::string::npos; at = page.find(text, at + 1)) ++found;
         return found;
     }
-    Json data() const {
+    FloatJson data() const {
         const std::string opening = "<script id=\"data\" type=\"application/json\">";
         const auto begin = page.find(opening) + opening.size();
-        return Json::parse(page.substr(begin, page.find("</script>", begin) - begin));
+        return FloatJson::parse(page.substr(begin, page.find("</script>", begin) - begin));
     }
 };
 
@@ -77,11 +77,11 @@ BOOST_AUTO_TEST_CASE(lengths_carry_the_unit_and_without_one_nothing_is_assumed) 
 }
 
 BOOST_AUTO_TEST_CASE(a_page_knows_every_obstacle_and_how_near_the_part_comes) {
-    const Json data = Written("A path").data(), objects = data["environment"]["objects"];
+    const FloatJson data = Written("A path").data(), objects = data["environment"]["objects"];
     BOOST_TEST_REQUIRE(objects.size() == 4u);
     std::size_t triangles = 0;
     double least = 1e300;
-    for (const Json& object : objects) {
+    for (const FloatJson& object : objects) {
         triangles += object["triangles"].get<std::size_t>();
         least = std::min(least, object["clearance"].get<double>());
     }
@@ -92,7 +92,7 @@ BOOST_AUTO_TEST_CASE(a_page_knows_every_obstacle_and_how_near_the_part_comes) {
 
 BOOST_AUTO_TEST_CASE(poses_and_points_can_be_copied_with_all_digits) {
     const Written written("A path");
-    const Json frame = written.data()["frames"][0];
+    const FloatJson frame = written.data()["frames"][0];
     std::istringstream pose(frame["pose"].get<std::string>());
     const PartState& start = written.window.problem.start;
     double x, y, z, qx, qy, qz, qw;
@@ -110,7 +110,7 @@ BOOST_AUTO_TEST_CASE(names_and_figures_cannot_break_the_page) {
     BOOST_TEST(written.count("<script>alert") == 0u);
     BOOST_TEST(written.count("</script>") == 3u);  // the page's own scripts
     BOOST_TEST(written.count("3 \\u003c/script> s") == 1u);
-    const Json rows = written.data()["tables"][0]["rows"];
+    const FloatJson rows = written.data()["tables"][0]["rows"];
     BOOST_TEST(rows[0][1].get<std::string>() == "3 </script> s");
     BOOST_TEST(rows[1][1].get<std::string>() == "Träger");  // the bytes came in as Latin-1
 }
