@@ -50,11 +50,6 @@ MotionSample combined(const MotionSample& a, const MotionSample& b, const Low& l
     result.room = both(a.room, b.room);
     result.lower = low(a.lower, b.lower);
     result.upper = high(a.upper, b.upper);
-    result.always = both(a.always, b.always);
-    for (std::size_t i = 0; i < kMostZones; ++i) {
-        result.zones[i].clearance = both(a.zones[i].clearance, b.zones[i].clearance);
-        result.zones[i].spare = both(a.zones[i].spare, b.zones[i].spare);
-    }
     return result;
 }
 
@@ -65,28 +60,11 @@ MotionSample lessened(const MotionSample& sample, double jump) {
     return combined(sample, sample, less, more);
 }
 
-/// Lets zones that only this sample ignores count, with the room that the sample has there. Their clearance may be unknown.
-MotionSample comparable(MotionSample sample, const MotionSample& other) {
-    for (std::size_t i = 0; i < kMostZones; ++i) {
-        ZoneClearance& zone = sample.zones[i];
-        const bool counts = zone.isIgnored() && !other.zones[i].isIgnored();
-        if (counts) zone.clearance.lower = std::max(zone.clearance.lower, zone.spare.lower);
-    }
-    return sample;
-}
-
 }  // namespace
 
 Motion::Motion(const PosedScene& posed, ClearanceDetail detail, double floor, const ob::State* s1,
                const ob::State* s2)
-    : posed_(posed),
-      detail_(detail),
-      floor_(floor),
-      s1_(s1),
-      s2_(s2),
-      scratch_(posed.si()),
-      // Sweeps look at the bounds where they look at obstacles.
-      isSwept_(posed.motion() && (posed.areBoundsConvex() || !posed.scene().obstacles.empty())) {}
+    : posed_(posed), detail_(detail), floor_(floor), s1_(s1), s2_(s2), scratch_(posed.si()) {}
 
 bool Motion::isEndValid() {
     if (isEndKnown_) return true;
@@ -98,17 +76,17 @@ bool Motion::isEndValid() {
 }
 
 void Motion::measure() {
-    if (isSwept_) motion_ = sweptMotion();
-    length_ = isSwept_ ? motion_.length : travel();
+    motion_ = sweptMotion();
     // Checked before OMPL interpolates, because OMPL asserts unit quaternions.
-    if (!(length_ >= 0) || !std::isfinite(length_)) {
+    if (!(length() >= 0) || !std::isfinite(length())) {
         throw std::runtime_error("the motion between two states has no finite displacement bound");
     }
+    if (!posed_.motion()) motion_.endJump = findEndJump();
     const Scene& scene = posed_.scene();
     const double position =
         std::max(posed_.pose(s1_).translation.norm(), posed_.pose(s2_).translation.norm());
     slack_ = kRoundingsOfAnInterval * kPoseRounding *
-             (scene.part.radiusAboutOrigin() + position + length_ + scene.largestMargin() + floor_);
+             (scene.part.radiusAboutOrigin() + position + length() + scene.largestMargin() + floor_);
     if (!std::isfinite(slack_)) {
         throw std::runtime_error("one of two states has no pose: an entry is not finite");
     }
@@ -186,11 +164,25 @@ SolidsAlong Motion::stayOutsideSolids(double until, double leastInterval) const 
 
 /// Where the bounds are not convex, poses outside of them are forbidden.
 PartMotion Motion::sweptMotion() {
-    PartMotion motion = posed_.motion()(s1_, s2_);
+    PartMotion motion = posed_.motion() ? posed_.motion()(s1_, s2_) : boundedMotion();
     if (posed_.areBoundsConvex()) return motion;
     motion.pieces = [this, pieces = std::move(motion.pieces)](double from, double to) {
         MotionPiece piece = pieces(from, to);
         piece.isForbidden = piece.isForbidden || !isWithinBoundsAt(from + 0.5 * (to - from));
+        return piece;
+    };
+    return motion;
+}
+
+/// Of a space that only bounds displacements, a piece is its middle pose, and what it may deviate from there.
+PartMotion Motion::boundedMotion() {
+    PartMotion motion;
+    motion.length = travel();
+    motion.pieces = [this, length = motion.length](double from, double to) {
+        posed_.space().interpolate(s1_, s2_, from + 0.5 * (to - from), scratch_.get());
+        MotionPiece piece;
+        piece.middle = posed_.pose(scratch_.get());
+        piece.deviation = 0.5 * (to - from) * length;
         return piece;
     };
     return motion;
@@ -209,7 +201,7 @@ bool Motion::isEndLikeInterpolation() {
 
 bool Motion::isShort() const {
     constexpr double kShare = 0.02;  // of the part's diagonal
-    return length_ <= kShare * posed_.scene().part.box().diagonal().norm();
+    return length() <= kShare * posed_.scene().part.box().diagonal().norm();
 }
 
 TimeSpan Motion::leavesBounds(double length) {
@@ -221,7 +213,7 @@ TimeSpan Motion::leavesBounds(double length) {
 /// Halves the span, whose ends differ in `isTrue`, until it is shorter than a length.
 template <class IsTrue>
 TimeSpan Motion::change(TimeSpan span, double length, const IsTrue& isTrue) {
-    while (length_ * (span.last - span.first) > length) {
+    while (motion_.length * (span.last - span.first) > length) {
         const double time = span.first + 0.5 * (span.last - span.first);
         if (!(time > span.first && time < span.last)) break;
         posed_.space().interpolate(s1_, s2_, time, scratch_.get());
@@ -250,7 +242,7 @@ double Motion::longestProfiled(double clearance) const {
     constexpr double kClearanceShare = 0.1;  // of the clearance, which changes no faster than the pose
     const double least = kShare * posed_.scene().part.box().diagonal().norm();
     // Obstacles that count at neither end may count between them.
-    if (std::isinf(clearance) && zoneCount() > 0) return least;
+    if (std::isinf(clearance) && posed_.clearance().zoneCount() > 0) return least;
     return std::max(least, kClearanceShare * clearance);
 }
 
@@ -260,7 +252,7 @@ double Motion::profileWidth() const {
 }
 
 void Motion::findContactSpans(double length) {
-    if (zoneCount() == 0) return;
+    if (posed_.clearance().zoneCount() == 0) return;
     startContact_ = spanOf(length, [](const ContactsAt& at) { return at.isInStart; });
     goalContact_ = spanOf(length, [](const ContactsAt& at) { return at.isInGoal; });
 }
@@ -315,12 +307,12 @@ MotionSample Motion::at(double time, double wanted) {
 
 MotionSample Motion::atEnd(double wanted) {
     MotionSample end = look(s2_, 1, wanted, true);
-    if (!end.isValid() || length_ == 0) return end;
+    if (!end.isValid() || length() == 0) return end;
     isOutside_ = true;
-    endJump_ = findEndJump();
-    const MotionSample certain = lessened(end, endJump_);
+    const double jump = findEndJump();
+    const MotionSample certain = lessened(end, jump);
     const bool isCovered = certain.room.lower > end.room.lower / 2;
-    if (isCovered && (detail_ != ClearanceDetail::kWhole || endJump_ <= slack_)) return certain;
+    if (isCovered && (detail_ != ClearanceDetail::kWhole || jump <= slack_)) return certain;
     if (!isCovered) {
         // The end's clearance does not cover the jump between the two poses: solids may lie between them.
         isOutside_ = false;
@@ -329,9 +321,7 @@ MotionSample Motion::atEnd(double wanted) {
     const MotionSample interpolated = at(kJustBeforeEnd, wanted);
     if (!end.isValid() || !interpolated.isValid()) return end.isValid() ? interpolated : end;
     isOutside_ = true;
-    const MotionSample both =
-        combined(comparable(end, interpolated), comparable(interpolated, end), least, most);
-    return combined(certain, both, most, least);
+    return combined(certain, combined(end, interpolated, least, most), most, least);
 }
 
 double Motion::findEndJump() const {
@@ -351,7 +341,7 @@ MotionSample Motion::look(const ob::State* state, double time, double wanted, bo
     ClearanceOptions options;
     options.isOutside = isOutside_;
     options.isRough = detail_ == ClearanceDetail::kRough;
-    options.leastSpare = 2 * (length_ + slack_);
+    options.leastSpare = 2 * (length() + slack_);
     if (detail_ != ClearanceDetail::kWhole) {
         options.leastSpare = wanted;
         options.cap = wanted + floor_;
@@ -385,11 +375,10 @@ MotionSample Motion::sampleOf(double time, const PoseClearance& found) const {
     sample.time = time;
     sample.lower = found.lower - floor_;
     sample.upper = found.upper - floor_;
-    sample.always = sample.room = aboveFloor(found.always);
-    for (std::size_t i = 0; i < zoneCount(); ++i) {
+    sample.room = aboveFloor(found.always);
+    for (std::size_t i = 0; i < posed_.clearance().zoneCount(); ++i) {
         const Bounds& spare = found.zones[i].spare;
         const Bounds clearance = aboveFloor(found.zones[i].clearance);
-        sample.zones[i] = {clearance, spare};
         sample.room.lower = std::min(sample.room.lower, std::max(clearance.lower, spare.lower));
         sample.room.upper = std::min(sample.room.upper, std::max(clearance.upper, spare.upper));
     }

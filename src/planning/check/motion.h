@@ -25,8 +25,8 @@ enum class ClearanceDetail {
     kWhole,  ///< as tight, whatever length is wanted
 };
 
-/// The clearances at one pose of a motion, less the motion's floor.
-struct MotionSample : Clearances {
+/// The clearance at one pose of a motion, less the motion's floor.
+struct MotionSample : Bounds {
     double time = 0;
     /// How far any point of the part may move while the pose stays valid: distance - margin - floor or, where
     /// obstacles are ignored, how far they stay ignored. A lower bound of at most 0 means that the pose is
@@ -34,7 +34,7 @@ struct MotionSample : Clearances {
     Bounds room;
     bool isOutOfBounds = false;
 
-    MotionSample() { lower = always.lower = room.lower = 0; }  ///< of a pose that no query was asked about
+    MotionSample() { lower = room.lower = 0; }  ///< of a pose that no query was asked about
     bool isValid() const { return room.lower > 0 && !isOutOfBounds; }
 };
 
@@ -53,7 +53,7 @@ class Motion {
     /// motion has no finite bound, and what the callbacks throw.
     void measure();
 
-    double length() const { return length_; }
+    double length() const { return motion_.length; }
 
     /// A length, too, and a tight one: it takes longer than a short motion.
     double travel() const { return posed_.bound(s1_, s2_); }
@@ -64,9 +64,6 @@ class Motion {
 
     /// The distance between the states by the space's own metric.
     double distance() const { return posed_.si().distance(s1_, s2_); }
-
-    /// Whether sweeps can certify the motion. A motion of length 0 is one pose.
-    bool canBeSwept() const { return isSwept_ && length_ > 0; }
 
     /// Whether the part is free of all obstacles at a pose, within the bounds, and how the whole motion fares. The floor
     /// counts only in the sweep.
@@ -87,7 +84,7 @@ class Motion {
     /// its end.
     bool isEndLikeInterpolation();
 
-    /// Whether s2 is farther from the end of the interpolation than rounding takes it, for a motion that can be swept.
+    /// Whether s2 is farther from the end of the interpolation than rounding takes it.
     bool jumpsAtEnd() const { return motion_.endJump > 0.125 * slack_; }
 
     /// Whether the motion is so short that sweeping it finds a blocked end as soon as a query there does.
@@ -120,8 +117,6 @@ class Motion {
     /// interval, because poses are rounded.
     double slack() const { return slack_; }
 
-    std::size_t zoneCount() const { return posed_.clearance().zoneCount(); }
-
     /// The next three functions look at a pose; lengths above `wanted` need not be found. All of them throw
     /// what queries and callbacks throw.
     MotionSample atStart(double wanted);
@@ -130,11 +125,6 @@ class Motion {
     /// Looks at s2 itself. When s2 is valid, the sample holds what is certain both at s2 and at time 1 of the
     /// interpolation, which need not be s2: OMPL may leave out rotations of up to 1.6e-4 rad.
     MotionSample atEnd(double wanted);
-
-    /// No point of the part moves further than this between the end of the interpolation and s2, nor between
-    /// the poses of this motion and those of OMPL's motion from s2 to s1, but for rounding. Known after
-    /// atEnd.
-    double endJump() const { return endJump_; }
 
     std::uint64_t queries() const { return queries_; }
     const PoseClearance& closest() const {
@@ -152,6 +142,7 @@ class Motion {
     MotionSample sampleOf(double time, const PoseClearance& found) const;
     double findEndJump() const;
     PartMotion sweptMotion();
+    PartMotion boundedMotion();
     std::optional<LeastClearance> leastWithoutRoom(LeastClearance found,
                                                    const LeastClearanceOptions& options);
     template <class IsTrue>
@@ -165,11 +156,8 @@ class Motion {
     const ompl::base::State* s1_;
     const ompl::base::State* s2_;
     ScratchState scratch_;
-    bool isSwept_;
-    PartMotion motion_;  ///< if isSwept_
-    double length_ = 0;
+    PartMotion motion_;
     double slack_ = 0;
-    double endJump_ = 0;
     bool checksBoundsBetween_ = true;
     bool isEndKnown_ = false;  ///< isEndValid said that s2 is valid
     bool isOutside_ = false;  ///< no solid that always counts holds the part at one pose, so none does at any

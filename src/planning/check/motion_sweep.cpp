@@ -35,6 +35,7 @@ MotionSweep::MotionSweep(Motion& motion, double leastInterval, double contactInt
 MotionVerdict MotionSweep::certify() {
     if (!motion_.isStartWithinBounds()) return invalidStart();
     if (!motion_.isEndWithinBounds()) return MotionVerdict::kInvalid;
+    if (motion_.length() == 0) return judgeEnds();
     if (!motion_.isShort() && !motion_.isEndValid()) return MotionVerdict::kInvalid;
     const MotionVerdict verdict = verdictOf(motion_.sweep(options_).verdict);
     if (verdict == MotionVerdict::kInvalid && !motion_.isFreeAtStart()) return invalidStart();
@@ -51,11 +52,23 @@ MotionVerdict MotionSweep::invalidStart() {
     return MotionVerdict::kInvalid;
 }
 
+/// A motion of length 0 is one pose, but for what s2 is off it.
+MotionVerdict MotionSweep::judgeEnds() {
+    const double wanted = 2 * motion_.slack();
+    if (!motion_.atStart(wanted).isValid()) return invalidStart();
+    const MotionSample end = motion_.atEnd(wanted);
+    leavesBounds_ = end.isOutOfBounds;
+    if (!end.isValid()) return MotionVerdict::kInvalid;
+    certifiedTime_ = 1;
+    return MotionVerdict::kValid;
+}
+
 /// A pose in collision is cheap to find, so the motion is halved until its middle is free before it is swept.
 MotionVerdict MotionSweep::goForward() {
     motion_.forgetSide();
     leavesBounds_ = !motion_.isStartWithinBounds();
     if (leavesBounds_) return invalidStart();
+    if (motion_.length() == 0) return judgeEnds();
     const TimeSpan border = motion_.leavesBounds(options_.leastInterval);
     leavesBounds_ = border.first == 0;
     if (leavesBounds_) {
@@ -135,6 +148,11 @@ MotionVerdict MotionSweep::lookBehindUndecided() {
 
 std::optional<double> MotionSweep::leastClearance(double cap, const ClearanceResolution& resolution,
                                                   bool isForReverse) {
+    if (motion_.length() == 0) {
+        const MotionSample start = motion_.atStart(cap), end = motion_.atEnd(cap);
+        if (!start.isValid() || !end.isValid()) return std::nullopt;
+        return std::min(start.lower, end.lower);
+    }
     LeastClearanceOptions options;
     options.cap = cap;
     options.resolution = resolution;

@@ -8,7 +8,7 @@
 
 #include "core/number.h"
 #include "planning/check/motion.h"
-#include "planning/check/motion_search.h"
+#include "planning/check/motion_resolution.h"
 #include "planning/check/motion_sweep.h"
 #include "planning/check/posed_scene.h"
 #include "planning/space/ompl_states.h"
@@ -40,14 +40,13 @@ std::function<bool()> either(const std::function<bool()>& a, const std::function
 }
 
 /// The points of the certified part of a motion, and some poses of the rest.
-template <class Way>
-std::vector<ProfilePoint> pointsOf(Way& way, Motion& motion, const MotionReport& report) {
+std::vector<ProfilePoint> pointsOf(MotionSweep& sweep, Motion& motion, const MotionReport& report) {
     std::vector<ProfilePoint> points;
     const double least = report.lowerClearance;
-    for (const MotionInterval& known : way.profile(kProfiledShare)) {
+    for (const MotionInterval& known : sweep.profile(kProfiledShare)) {
         points.push_back({known.from.time, known.from.lower, std::max(known.lower, least)});
     }
-    const MotionSample reached = way.reached();
+    const MotionSample reached = sweep.reached();
     points.push_back({reached.time, reached.lower, least});
     if (report.verdict == MotionVerdict::kValid) {
         points.back().lowerToNext = points.back().clearance;
@@ -158,19 +157,13 @@ MotionValidator::Outcome MotionValidator::judge(const ob::State* s1, const ob::S
         Motion looked(*posed_, ClearanceDetail::kRough, judging.floor, s1, s2);
         const auto isStopped = either(judging.isStopped, isStopped_);
         const double contactInterval = std::max(judging.within, kContactIntervals * leastInterval_);
-        const auto take = [&](auto&& way) {
-            outcome.verdict = judging.forward ? way.goForward() : way.certify();
-            outcome.certifiedTime = way.certifiedTime();
-            outcome.isStartInvalid = way.isStartInvalid();
-        };
         // To judge the end is by far the cheapest test of a motion whose length is not cheap.
         if (posed_->motion() || judging.forward || looked.isEndValid()) {
             looked.measure();
-            if (looked.canBeSwept()) {
-                take(MotionSweep(looked, leastInterval_, contactInterval, isStopped));
-            } else {
-                take(MotionSearch(looked, leastInterval_, contactInterval, isStopped));
-            }
+            MotionSweep sweep(looked, leastInterval_, contactInterval, isStopped);
+            outcome.verdict = judging.forward ? sweep.goForward() : sweep.certify();
+            outcome.certifiedTime = sweep.certifiedTime();
+            outcome.isStartInvalid = sweep.isStartInvalid();
         }
         outcome.queries = looked.queries();
     } catch (const std::exception& error) {
@@ -199,24 +192,18 @@ MotionReport MotionValidator::report(const ob::State* s1, const ob::State* s2,
     try {
         Motion looked(*posed_, ClearanceDetail::kWhole, 0, s1, s2);
         looked.measure();
-        const auto take = [&](auto&& way) {
-            report.verdict = way.goForwardToReport(usualResolution(scene(), leastInterval_));
-            report.certifiedTime = way.certifiedTime();
-            if (report.verdict == MotionVerdict::kValid) {
-                report.lowerClearance = way.refineLower(usualResolution(scene(), leastInterval_));
-            } else {
-                report.blockedTime = way.blockedTime();
-                report.leavesBounds = way.leavesBounds();
-            }
-            if (profile) *profile = pointsOf(way, looked, report);
-        };
-        if (looked.canBeSwept()) {
-            take(MotionSweep(looked, leastInterval_, leastInterval_, isStopped_));
-            looked.lookAtReported(report.certifiedTime, report.blockedTime);
-            looked.findContactSpans(leastInterval_);
+        MotionSweep sweep(looked, leastInterval_, leastInterval_, isStopped_);
+        report.verdict = sweep.goForwardToReport(usualResolution(scene(), leastInterval_));
+        report.certifiedTime = sweep.certifiedTime();
+        if (report.verdict == MotionVerdict::kValid) {
+            report.lowerClearance = sweep.refineLower(usualResolution(scene(), leastInterval_));
         } else {
-            take(MotionSearch(looked, leastInterval_, leastInterval_, isStopped_));
+            report.blockedTime = sweep.blockedTime();
+            report.leavesBounds = sweep.leavesBounds();
         }
+        if (profile) *profile = pointsOf(sweep, looked, report);
+        looked.lookAtReported(report.certifiedTime, report.blockedTime);
+        looked.findContactSpans(leastInterval_);
         report.travel = looked.travel();
         report.upperClearance = looked.leastUpper();
         report.closestTime = looked.closestTime();

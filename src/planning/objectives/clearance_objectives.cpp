@@ -11,7 +11,7 @@
 
 #include "clearway/planning/validity_checker.h"
 #include "core/number.h"
-#include "planning/check/motion_search.h"
+#include "planning/check/motion_resolution.h"
 #include "planning/check/motion_sweep.h"
 #include "planning/check/posed_scene.h"
 #include "planning/objectives/closeness_weight.h"
@@ -251,10 +251,8 @@ ob::Cost MinClearanceObjective::motionCost(const ob::State* s1, const ob::State*
         const double leastInterval = motions_->leastInterval();
         const ClearanceResolution resolution = usualResolution(scene(), leastInterval);
         motion.measure();
-        const auto find = [&](auto&& way) { return way.leastClearance(cap_, resolution, true); };
-        const std::optional<double> least = motion.canBeSwept()
-                                                ? find(MotionSweep(motion, leastInterval, leastInterval))
-                                                : find(MotionSearch(motion, leastInterval, leastInterval));
+        const std::optional<double> least =
+            MotionSweep(motion, leastInterval, leastInterval).leastClearance(cap_, resolution, true);
         if (!least) return least;
         return std::min(cap_, *least);
     };

@@ -10,7 +10,7 @@
 #include "clearway/planning/outside_goal.h"
 #include "clearway/planning/validity_checker.h"
 #include "core/number.h"
-#include "planning/check/motion_search.h"
+#include "planning/check/motion_resolution.h"
 #include "planning/plan/problem_settings.h"
 #include "planning/space/ompl_states.h"
 

@@ -13,7 +13,7 @@
 #include "clearway/planning/planners.h"
 #include "core/number.h"
 #include "core/text.h"
-#include "planning/check/motion_search.h"
+#include "planning/check/motion_resolution.h"
 #include "planning/plan/goals.h"
 #include "planning/plan/problem_settings.h"
 #include "planning/space/ompl_states.h"

@@ -20,7 +20,7 @@
 #include "clearway/scene_clearance.h"
 #include "core/number.h"
 #include "core/text.h"
-#include "planning/check/motion_search.h"
+#include "planning/check/motion_resolution.h"
 #include "problem/config.h"
 #include "problem/start_cures.h"
 
