@@ -182,6 +182,7 @@ PartMotion Motion::boundedMotion() {
         posed_.space().interpolate(s1_, s2_, from + 0.5 * (to - from), scratch_.get());
         MotionPiece piece;
         piece.middle = posed_.pose(scratch_.get());
+        piece.velocity = piece.angularVelocity = Vector3::Zero();
         piece.deviation = 0.5 * (to - from) * length;
         return piece;
     };
