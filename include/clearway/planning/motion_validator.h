@@ -1,7 +1,5 @@
-// Certifies a motion along its whole length, so that no pose between two checked ones is left to luck: pair by pair (see
-// sweep.h), or in spaces whose velocities are not known by clearances of the whole part. Source of the latter: Schwarzer,
-// Saha, Latombe, Adaptive Dynamic Collision Checking for Single and Multiple Articulated Robots in Complex Environments,
-// 2005.
+// Certifies a motion along its whole length, pair by pair (see sweep.h), so that no pose between two checked ones is
+// left to luck.
 #pragma once
 
 #include <ompl/base/MotionValidator.h>
