@@ -114,6 +114,8 @@ Box boundingBox(const Mesh& mesh);
 
 /// The index of the component with this triangle; 0 if there are no components. components: those of a Mesh or a Model.
 std::size_t componentOf(const std::vector<Component>& components, std::size_t triangle);
+
+/// The index into mesh.components of the component with this triangle.
 std::size_t componentOf(const Mesh& mesh, std::size_t triangle);
 
 }  // namespace clearway
