@@ -174,7 +174,7 @@ PartMotion Motion::sweptMotion() {
     return motion;
 }
 
-/// Of a space that only bounds displacements, a piece is its middle pose, and what it may deviate from there.
+/// A space that only bounds displacements gives pieces that stand still at their middle pose and deviate by the bound.
 PartMotion Motion::boundedMotion() {
     PartMotion motion;
     motion.length = travel();

@@ -151,7 +151,7 @@ std::optional<double> MotionSweep::leastClearance(double cap, const ClearanceRes
     if (motion_.length() == 0) {
         const MotionSample start = motion_.atStart(cap), end = motion_.atEnd(cap);
         if (!start.isValid() || !end.isValid()) return std::nullopt;
-        return std::min(start.lower, end.lower);
+        return std::min(start.lower, end.lower) - (isForReverse ? motion_.slack() : 0);
     }
     LeastClearanceOptions options;
     options.cap = cap;
