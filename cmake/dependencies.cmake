@@ -20,6 +20,7 @@ need_package(clearway::clearway Eigen Eigen3 3.3 libeigen3-dev "${elsewhere}" NO
 need_package(clearway::clearway Highway hwy 1.0 libhwy-dev "${elsewhere}" CONFIG)
 need_package(clearway::clearway Boost Boost 1.71 libboost-dev "${elsewhere}")
 need_package(clearway::clearway oneTBB TBB 2021 libtbb-dev "${elsewhere}" CONFIG COMPONENTS tbb)
+need_package(clearway::clearway "the formatting library fmt" fmt 9 libfmt-dev "${elsewhere}" CONFIG)  # its headers alone: programs need no library of it
 need_package(clearway::clearway "nlohmann's JSON library" nlohmann_json 3.11 nlohmann-json3-dev "${elsewhere}" CONFIG)
 need_package(clearway::clearway assimp assimp 5 libassimp-dev "${elsewhere}" CONFIG)
 need_package(clearway::clearway pugixml pugixml 1.12 libpugixml-dev "${elsewhere}" CONFIG)  # reads the XML of 3MF and COLLADA files

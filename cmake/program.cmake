@@ -4,7 +4,7 @@
 file(GLOB render_sources CONFIGURE_DEPENDS src/program/render/*.cpp)
 add_library(clearway_render STATIC ${render_sources})
 target_include_directories(clearway_render PRIVATE src)
-target_link_libraries(clearway_render PUBLIC clearway PRIVATE clearway_warnings embree PkgConfig::CAIRO PNG::PNG TBB::tbb)
+target_link_libraries(clearway_render PUBLIC clearway PRIVATE clearway_warnings embree fmt::fmt-header-only PkgConfig::CAIRO PNG::PNG TBB::tbb)
 target_compile_definitions(clearway_render PRIVATE CLEARWAY_EMBREE_MAJOR=${EMBREE_VERSION_MAJOR} CLEARWAY_FONT="${CLEARWAY_FONT}")
 set_source_files_properties(src/program/render/ink_mask.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON OBJECT_DEPENDS "${CLEARWAY_FONT}")
 
@@ -18,7 +18,7 @@ set_source_files_properties(src/program/report/report.cpp PROPERTIES SKIP_UNITY_
 target_compile_definitions(clearway_cli PRIVATE CLEARWAY_REPORT="${report}")
 target_include_directories(clearway_cli PRIVATE src)
 target_link_libraries(clearway_cli PUBLIC clearway clearway_planning clearway_render
-                      PRIVATE clearway_warnings Boost::headers nlohmann_json::nlohmann_json TBB::tbb)
+                      PRIVATE clearway_warnings Boost::headers fmt::fmt-header-only nlohmann_json::nlohmann_json TBB::tbb)
 if(MPI_CXX_FOUND)  # messages between ranks under mpirun; bench/ranks.cpp alone sees MPI
   target_link_libraries(clearway_cli PRIVATE MPI::MPI_CXX)
   target_compile_definitions(clearway_cli PRIVATE CLEARWAY_WITH_MPI)
@@ -29,6 +29,6 @@ function(add_tool target name libraries)
   add_executable(${target} ${ARGN})
   set_target_properties(${target} PROPERTIES OUTPUT_NAME ${name})
   target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/src)
-  target_link_libraries(${target} PRIVATE ${libraries} clearway_warnings nlohmann_json::nlohmann_json TBB::tbb)
+  target_link_libraries(${target} PRIVATE ${libraries} clearway_warnings fmt::fmt-header-only nlohmann_json::nlohmann_json TBB::tbb)
 endfunction()
 add_tool(clearway_program clearway clearway_cli src/program/cli/main.cpp)
