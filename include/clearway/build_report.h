@@ -10,7 +10,7 @@
 
 namespace clearway {
 
-/// The findings of cleaning. Cleaning removes no part of the surface, only repetitions of it.
+/// What cleaning found. Cleaning removes no part of the surface, only repetitions of it.
 struct CleanReport {
     std::size_t weldedVertices = 0;       ///< vertices exactly equal to an earlier one
     std::size_t unusedVertices = 0;       ///< vertices that no triangle uses
@@ -23,7 +23,7 @@ struct TreeStatistics {
     std::size_t nodes = 0;                  ///< wide nodes
     std::size_t leaves = 0;                 ///< groups of triangles at the ends of the tree
     std::vector<std::size_t> leavesBySize;  ///< [k] = leaves that hold k triangles; [0] unused
-    int depth = 0;                          ///< wide nodes on the longest way from the root to a leaf
+    int depth = 0;                          ///< wide nodes on the longest path from the root to a leaf
     double meanChildren = 0;                ///< used lanes per node
     std::size_t bytes = 0;                  ///< all memory of the tree, including exact vertices and ids
 };

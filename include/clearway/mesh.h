@@ -60,10 +60,10 @@ struct Mesh {
     MeshOrigin origin;  ///< only names of meshes and reports depend on it, no distance
 };
 
-/// The ways to read a file.
+/// How to read a file's coordinates.
 enum class MeshReading {
     kAsStored,            ///< coordinates as the file holds them
-    kOmplAppEnvironment,  ///< as OMPL.app reads its world: not shifted
+    kOmplAppEnvironment,  ///< as OMPL.app reads its environment: not shifted
     kOmplAppRobot,  ///< as OMPL.app reads an SE(3) robot: shifted by minus the float mean of its vertices
     kOmplAppPlanarRobot,  ///< as OMPL.app reads an SE(2) robot: shifted like kOmplAppRobot, but not in z
 };

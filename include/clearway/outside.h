@@ -1,4 +1,4 @@
-// A goal of many poses: the part has left its surroundings, as far as their boxes tell.
+// A goal of many poses: the part's box has left the box of its surroundings.
 #pragma once
 
 #include <optional>
@@ -35,18 +35,19 @@ std::vector<BoxSide> sidesOf(const Outside& outside);
 /// The box, along the axes of frame a, of a box in frame b. An empty box stays empty.
 Box movedBox(const Pose& X_ab, const Box& box_b);
 
-/// How far the part's box must move, straight along an axis, until it is beyond the side. Negative: it is beyond by so much.
-/// Infinitely negative where a box is empty. Boxes in one frame; environment units.
+/// How far the part's box must move, straight along an axis, until it is beyond the side. Negative: the gap beyond
+/// that side. Infinitely negative where a box is empty. Boxes in one frame; environment units.
 double overlapAt(const BoxSide& side, const Box& part, const Box& surroundings);
 
 /// The least overlap over the goal's sides. The part is outside exactly when it is below 0.
 double overlapOf(const Outside& outside, const Box& part, const Box& surroundings);
 
-/// The direction of unit length along which a box reaches least far from the origin of its coordinates, so that it needs least
-/// room on that side when it is turned at will. dimensions: 3, or 2 for a direction in the plane of x and y.
+/// The unit direction along which the box has its least support: turned this way, the part needs the least clearance
+/// on that side. dimensions: 3, or 2 for a direction in the plane of x and y.
 Vector3 flattestDirection(const Box& box, int dimensions);
 
-/// How far a box reaches from the origin of its coordinates along a direction of unit length; negative where it ends before.
+/// The support of a box: the largest dot product of a unit direction with a point of the box, relative to the origin
+/// of its coordinates; negative when the whole box lies behind the origin.
 double reachAlong(const Vector3& direction, const Box& box);
 
 }  // namespace clearway

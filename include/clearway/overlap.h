@@ -1,4 +1,4 @@
-// How deep an obstacle reaches into a part.
+// How deep an obstacle enters a part.
 #pragma once
 
 #include <memory>

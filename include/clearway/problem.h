@@ -24,7 +24,7 @@ namespace clearway {
 /// The space of the part's poses.
 enum class Space {
     kSe3,  ///< any position and rotation
-    kSe2   ///< positions in the plane z = 0 and turns about z
+    kSe2   ///< positions in the plane z = 0 and rotations about z
 };
 
 /// Position and rotation of the part in the environment's frame. In SE(2) z is 0 and the rotation is about z.
@@ -162,8 +162,8 @@ Mesh loadEnvironment(const Problem& problem);
 /// loadPart.
 std::string readingNote(const Problem& problem, const Mesh& part);
 
-/// Says when the sizes of part and surroundings suggest that their files have different units; otherwise empty. unit:
-/// of the boxes; empty: unknown.
+/// A warning when the sizes of part and surroundings suggest that their files have different units; otherwise empty.
+/// unit: of the boxes; empty: unknown.
 std::string unitNote(const Box& part, const Box& environment, const std::string& unit);
 
 /// Groups the environment's files by the problem's margin and rules. Throws as groupObstacles does, naming
@@ -176,11 +176,10 @@ struct SceneLoading {
     /// Builds the part's model (without a reach) and each obstacle's. A cache calls buildCached here.
     std::function<Model(const Mesh& mesh, const BuildOptions& options, const std::optional<Reach>& reach)>
         build = Model::build;
-    /// Says how much of the environment the obstacles' models need to hold; null: all of it. environmentBox
-    /// holds the whole environment, ignored obstacles included.
+    /// Returns how much of the environment the obstacles' models need to hold; null: all of it. environmentBox holds
+    /// the whole environment, ignored obstacles included.
     std::function<std::optional<Reach>(const Model& part, const Box& environmentBox)> reach = nullptr;
-    /// Shrinks the part by each overlap of the rules. A caller may keep results, or show how the work goes
-    /// on.
+    /// Shrinks the part by each overlap of the rules. A caller may keep results, or show progress.
     std::function<ShrunkPart(const Mesh& part, const ShrinkOptions& options)> shrink = clearway::shrink;
 };
 
@@ -204,12 +203,11 @@ LoadedScene loadScene(const Problem& problem, const BuildOptions& options = {},
                       const SceneLoading& loading = {});
 
 /// Bounds of the part's position, in the environment's frame: problem.volume, or else OMPL.app's rule: the
-/// environment's box grown to hold start and goal, and problem.knownWay. For a goal outside it is grown by so
-/// much on each of the goal's sides that the part fits there however it is turned. In SE(2) z is 0 to 0.
-/// partBox: the part's box in its own coordinates, needed for a goal outside. Throws std::invalid_argument
-/// when the bounds leave out the start or the goal, leave no room for the part outside even when it is turned
-/// to need least, or have no extent along an axis, and when the start, the goal or the volume is more than a
-/// million sizes of the scene from the environment.
+/// environment's box grown to hold start and goal, and problem.knownWay. For a goal outside, the box is extended on
+/// each of the goal's sides until the part fits there in any rotation. In SE(2) z is 0 to 0. partBox: the part's box
+/// in its own coordinates, needed for a goal outside. Throws std::invalid_argument when the bounds leave out the
+/// start or the goal, leave the part no place outside in any rotation, or have no extent along an axis, and when the
+/// start, the goal or the volume is more than a million sizes of the scene from the environment.
 Box boundsOf(const Problem& problem, const Box& environmentBox, const Box& partBox);
 
 /// Writes one state a line with 17 digits: x y z qx qy qz qw, or x y yaw in SE(2). The file is written under

@@ -1,5 +1,5 @@
-// How much room the part has at a pose: the one place where a scene's margins, solids and contact zones meet
-// its distances.
+// Clearances of the part at poses and along motions: the one place where a scene's margins, solids and contact zones
+// meet its distances.
 #pragma once
 
 #include <array>
@@ -46,7 +46,7 @@ constexpr double kUnknownClearance = -1e300;
 /// zone.
 constexpr std::size_t kMostZones = 3;
 
-/// How much room the obstacles of one zone leave at a pose.
+/// The clearance to the obstacles of one zone at a pose.
 struct ZoneClearance {
     /// Distance - margin. The lower bound is at most 0 where a solid holds the other body.
     Bounds clearance{0, std::numeric_limits<double>::infinity()};
@@ -56,8 +56,8 @@ struct ZoneClearance {
     bool isIgnored() const { return spare.lower >= 0; }
 };
 
-/// Clearances at a pose: distance - margin, the least over some obstacles, in environment units. An upper
-/// bound is infinite where the clearance is beyond the cap that was asked for.
+/// Clearances at a pose: distance - margin, the least over some obstacles, in environment units. An upper bound is
+/// infinite where the clearance is beyond the requested cap.
 struct Clearances {
     /// Lower bound over the obstacles that count at the pose; infinite without any.
     double lower = std::numeric_limits<double>::infinity();
@@ -80,7 +80,7 @@ struct PoseClearance : Clearances {
     bool isValid() const { return lower > 0; }
 };
 
-/// How well SceneClearance::at must know a clearance. Lengths in environment units.
+/// How accurately SceneClearance::at must know a clearance. Lengths in environment units.
 struct ClearanceOptions {
     /// A clearance above the cap need not be known closer: lower is then at least the cap, but for the
     /// rounding of lower + margin.
@@ -109,7 +109,7 @@ struct ContactsAt {
 
 /// How SceneClearance::sweep looks at a motion; see SweepOptions. Lengths in environment units.
 struct SceneSweepOptions {
-    double floor = 0;                 ///< clearance that is asked for on top of the margins
+    double floor = 0;                 ///< clearance required on top of the margins
     double poseError = 0;             ///< how far the poses in question may be off the motion
     double leastInterval = 0;         ///< see SweepOptions
     bool isForward = false;           ///< whether to find how far the motion is certified from its start
@@ -130,13 +130,13 @@ struct SceneSweep {
 
 /// The answer about a rigid motion.
 struct MotionAnswer {
-    /// kCertified: free all along. kUndecided: so close to a margin somewhere that it cannot be told.
+    /// kCertified: free all along. kUndecided: somewhere within rounding of a margin.
     SweepVerdict verdict = SweepVerdict::kUndecided;
     double certifiedUntil = 0;  ///< free from time 0 to this one, unless the start is not free
     double contactTime = std::numeric_limits<double>::infinity();  ///< of a pose that is not free
 };
 
-/// How well SceneClearance::leastClearance must know a clearance. Lengths in environment units.
+/// How accurately SceneClearance::leastClearance must know a clearance. Lengths in environment units.
 struct LeastClearanceOptions {
     double poseError = 0;  ///< how far the poses in question may be off the motion
     double cap = std::numeric_limits<
@@ -173,7 +173,7 @@ class SceneClearance {
     /// How many of Clearances::zones are used; 0 to kMostZones.
     std::size_t zoneCount() const { return zoneCount_; }
 
-    /// The largest clearance that queries can tell: the least of the environment models' reaches less their
+    /// The largest clearance that queries can find: the least of the environment models' reach caps less their
     /// margins, else infinity.
     double mostClearance() const;
 
@@ -196,19 +196,19 @@ class SceneClearance {
     ContactsAt contactsAt(const Pose& X_environmentPart) const;
 
     /// Checks that the part is free all along a rigid motion, however thin an obstacle is. Undecided where it comes within
-    /// 1e-5 of the part's diagonal of a margin. poseError: the poses in question may be off the motion by so much, on top
-    /// of rounding; environment units, >= 0. Throws what queries throw.
+    /// 1e-5 of the part's diagonal of a margin. poseError: the poses may be off the motion by this length, on top of
+    /// rounding; environment units, >= 0. Throws what queries throw.
     MotionAnswer check(const RigidMotion& motion, double poseError = 0) const;
 
     /// Sweeps the part along a motion past all obstacles, whatever the solids.
     SceneSweep sweep(const PartMotion& motion, const SceneSweepOptions& options) const;
 
-    /// Finds how near the part comes to the obstacles, whatever the solids.
+    /// Finds the least clearance along a motion, whatever the solids.
     LeastClearance leastClearance(const PartMotion& motion, const LeastClearanceOptions& options) const;
 
     /// Checks that the part stays outside the solids from time 0 to `until`, when no surfaces touch while their obstacle
     /// counts. The part may be inside a solid all the same: it may have got in while a contact zone ignored the solid.
-    /// kUndecided: too close to the border of a zone to tell, and no pose inside is known.
+    /// kUndecided: the motion comes within rounding of a zone's boundary, and no pose inside a solid is known.
     SolidsAlong stayOutsideSolids(const PartMotion& motion, double until, double poseError,
                                   double leastInterval) const;
 
@@ -218,7 +218,7 @@ class SceneClearance {
     /// The least distance of all obstacles, whatever the margins, solids and contact zones.
     SceneDistance distance(const Pose& X_environmentPart) const;
 
-    /// Makes the calling thread's next answer independent, to the last digit, of what it asked before.
+    /// Makes the calling thread's next answer independent, to the last digit, of its earlier queries.
     void forgetWarmStart() const;
 
     /// Says why a pose is not valid, whatever the bounds, as words after "is", with meshes and triangles.
@@ -269,10 +269,10 @@ struct ShutIn {
     bool isStart = false;  ///< the start is inside; otherwise the goal
 };
 
-/// Proves that there is no path between two valid poses, or from a pose to the outside of all obstacles where no goal is given. A
-/// point of the part crosses no surface on the way, so that each closed surface winds around it as often at one end as at the
-/// other; windings are exact. Obstacles that are ignored in a contact zone, or may overlap the part, prove nothing. Returns
-/// nothing where nothing is proved.
+/// Proves that there is no path between two valid poses, or from a pose to the outside of all obstacles where no goal
+/// is given. Along a path no point of the part crosses a surface, so that each closed surface has the same winding
+/// number about it at both ends; windings are exact. Obstacles that are ignored in a contact zone, or may overlap the
+/// part, prove nothing. Returns nothing where nothing is proved.
 std::optional<ShutIn> provedShutIn(const Scene& scene, const Pose& start, const std::optional<Pose>& goal);
 
 /// Queries of scenes, and their work.

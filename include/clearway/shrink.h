@@ -23,7 +23,7 @@ namespace clearway {
 /// How far shrink() shrinks a part, and how closely.
 struct ShrinkOptions {
     double overlap = 0;                         ///< mesh units, > 0: how deep obstacles may reach
-    double tolerance = 0;                       ///< mesh units, > 0: how much deeper they may reach unnoticed
+    double tolerance = 0;                       ///< mesh units, > 0: how much deeper they may enter unnoticed
     std::function<bool()> isStopped = nullptr;  ///< asked often, from several threads; null: never stopped
 };
 

@@ -1,5 +1,5 @@
-// Two questions about a part in motion: whether it stays farther from an environment than a margin all the time, and how
-// near it comes.
+// Two queries about a part in motion: whether it keeps more than a margin from an environment all along, and its
+// least distance.
 #pragma once
 
 #include <algorithm>
@@ -14,16 +14,16 @@
 
 namespace clearway {
 
-/// A straight motion with a turn at a constant rate: at time t from 0 to 1 the pose is x -> R exp(t [turn]) x + p + t
-/// translation, where (R, p) is the start.
+/// A straight translation with a rotation at a constant rate: at time t from 0 to 1 the pose is x -> R exp(t [turn])
+/// x + p + t translation, where (R, p) is the start.
 struct RigidMotion {
     Pose start;           ///< X_environmentPart at time 0
     Vector3 translation;  ///< of the origin of the part's coordinates; environment's frame
     Vector3 turn;         ///< an axis fixed in the part, times the angle in radians; part's frame
 };
 
-/// The motion from one pose to another, straight and with the shorter turn. Between rotations half a turn apart it is one of
-/// the two turns.
+/// The motion from one pose to another, straight and with the shorter rotation. Between orientations that are 180
+/// degrees apart it is one of the two rotations.
 RigidMotion motionBetween(const Pose& from, const Pose& to);
 
 /// A motion over an interval of time, as seen from the middle of the interval.
@@ -32,9 +32,10 @@ struct MotionPiece {
     Vector3 velocity;  ///< of the origin of the part's coordinates, per unit of time; environment's frame
     Vector3 angularVelocity;  ///< radians per unit of time; environment's frame
 
-    /// How far points of the part leave the straight lines on which the velocities take them: by no more than x times the
-    /// sum of both at a share x of the way from the middle to either end of the interval. The second length counts only
-    /// square to the angular velocity, as the bow of a circle about it does. Environment units.
+    /// Bound on the deviation from the linearised motion, in which all points move at their velocities in the middle.
+    /// At a share x of the half interval from the middle, points are off by at most x (deviation +
+    /// deviationAcrossTurn). The second length acts only perpendicularly to the angular velocity (the sagitta of a
+    /// circle). Environment units.
     double deviation = 0;
     double deviationAcrossTurn = 0;  ///< the second of these lengths; environment units
 
@@ -54,10 +55,11 @@ struct MotionPiece {
 using MotionPieces = std::function<MotionPiece(double from, double to)>;
 
 /// The pieces of a rigid motion of a part. Their poses are off the motion by a few 2^-53 of the lengths of start and
-/// translation and of the turn's angle times the part's radius about its origin; SweepOptions::poseError can cover that.
+/// translation and of the rotation's angle times the part's radius about its origin; SweepOptions::poseError can
+/// cover that.
 MotionPieces piecesOf(const RigidMotion& motion, const Model& part);
 
-/// The answer of a sweep about a motion.
+/// The answer of a sweep.
 enum class SweepVerdict {
     kCertified,  ///< the part keeps more than the margin at all times asked about
     kContact,    ///< at some time the part comes as close as the margin, or the motion forbids its pose
@@ -72,8 +74,8 @@ struct SweepOptions {
     /// There the part comes closer to the margin than about half of this length. Environment units, > 0.
     double leastInterval = 1e-6;
 
-    /// Poses may be off the motion by so much, because they are rounded. What is certified is certified with this on top
-    /// of the margin; contact is not. Environment units, >= 0.
+    /// Poses may be off the motion by this length, because they are rounded. The sweep certifies margin + poseError;
+    /// contact is judged by the margin alone. Environment units, >= 0.
     double poseError = 0;
 
     /// Whether to find how far the motion is certified from its start, and not only whether all of it is.
@@ -108,15 +110,15 @@ struct SweepResult {
     QueryCounters counters;                 ///< the work that the answer took
 };
 
-/// Certifies a motion of the part: for each pair of volumes as long as the gap between the two outlasts the speed at which
-/// they come closer. An environment that was built for a reach must have it hold all poses of the motion; only the poses at
-/// `from`, at `until` and in the middles of pieces are checked. Throws std::invalid_argument as distance() does at these
-/// poses, and when an option is out of its range or a piece of the motion is not finite.
+/// Certifies a motion of the part: a pair of volumes is certified for as long as their gap exceeds their approach
+/// speed times the time. An environment that was built for a reach must hold all poses of the motion within it; only
+/// the poses at `from`, at `until` and in the middles of pieces are checked. Throws std::invalid_argument as
+/// distance() does at these poses, and when an option is out of its range or a piece of the motion is not finite.
 SweepResult sweep(const Model& part, const Model& environment, const MotionPieces& motion,
                   const SweepOptions& options, Workspace& workspace);
 
-/// How closely a least distance is to be known: to `share` of it or, where that is more, to `length`, but no worse than to
-/// `largestShare` of it or, where that is more, to `least`.
+/// How closely a least distance must be known: within `share` of it or, where that is more, within `length`, but
+/// never worse than `largestShare` of it or, where that is more, `least`.
 struct ClearanceResolution {
     double share;         ///< dimensionless, >= 0
     double largestShare;  ///< dimensionless, >= 0
@@ -157,8 +159,9 @@ struct LeastDistance {
     QueryCounters counters;                    ///< the work that the answer took
 };
 
-/// Finds how near the part comes along a motion. Ends early when some distance less the margin is not above the resolution:
-/// then only upper is known. Where a piece is forbidden, nothing is: lower is minus the margin, upper is infinite. Throws as sweep() does.
+/// Finds the least distance along a motion. Ends early when some distance less the margin is not above the
+/// resolution: then only upper is known. If a piece is forbidden, neither bound is known: lower is minus the margin,
+/// upper is infinite. Throws as sweep() does.
 LeastDistance leastDistance(const Model& part, const Model& environment, const MotionPieces& motion,
                             const LeastDistanceOptions& options, Workspace& workspace);
 

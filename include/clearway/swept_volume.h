@@ -1,4 +1,4 @@
-// The room that a part takes on its way: a mesh around all its places, for those who design what stands beside it.
+// The volume swept by a part along its path, as a mesh: for those who design what stands beside it.
 #pragma once
 
 #include <functional>
@@ -15,18 +15,19 @@ namespace clearway {
 struct SweptVolumeOptions {
     double tolerance = 0;  ///< environment units, > 0: how far the mesh may be from all places of the part
 
-    /// Poses may be off the motions by so much, because they are rounded. Below an eighth of the tolerance.
+    /// Poses may be off the motions by this length, because they are rounded. Below an eighth of the tolerance;
+    /// environment units.
     double poseError = 0;
 
-    /// Asked now and then; true ends the work, and the result is empty.
+    /// Called now and then; true ends the work, and the result is empty.
     std::function<bool()> isStopped;
 };
 
-/// The room that a part takes on its way: a closed mesh, each edge of which belongs to two triangles, in the
-/// environment's frame. It holds the part at every pose of the motions, and no point of its surface is
-/// further than the tolerance from the part at some pose. What is inside a closed component of the part at
-/// some pose is inside the mesh. Closed rooms that the part never enters are left out as cavities, or filled
-/// if they are narrower than four tolerances.
+/// The volume swept by the part along its motions: a closed mesh, each edge of which belongs to two triangles, in the
+/// environment's frame. It holds the part at every pose of the motions, and no point of its surface is further than
+/// the tolerance from the part at some pose. What is inside a closed component of the part at some pose is inside the
+/// mesh. Enclosed spaces that the part never enters are left out as cavities, or filled if they are narrower than
+/// four tolerances.
 ///
 /// The surface lies at half the tolerance from the part's places ("marching tetrahedra"). In small tetrahedra the
 /// distances of corners show that it is off the part and near it. In larger ones, which suffice at flat and slightly

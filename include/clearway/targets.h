@@ -1,5 +1,5 @@
-// The instruction set that queries run on. The choice holds for the whole process. The default is the set that the environment
-// variable CLEARWAY_TARGET names, or the best set that the machine has if the variable is unset or empty.
+// The instruction set that queries run on. The choice applies to the whole process. The default is the set that the
+// environment variable CLEARWAY_TARGET names, or the best set that the machine has if the variable is unset or empty.
 #pragma once
 
 #include <string>

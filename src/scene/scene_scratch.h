@@ -13,8 +13,8 @@
 
 namespace clearway {
 
-/// Visits the obstacles until `visit` returns false. The obstacle that was nearest last time comes first: it
-/// blocks most often, and it caps what the others are asked for.
+/// Visits the obstacles until `visit` returns false. The obstacle that was nearest last time comes first: it blocks
+/// most often, and its distance caps the queries after it.
 template <class Visit>
 bool visitAll(std::size_t count, std::size_t first, const Visit& visit) {
     if (count == 0) return true;
@@ -25,7 +25,7 @@ bool visitAll(std::size_t count, std::size_t first, const Visit& visit) {
     return true;
 }
 
-/// The last poses found free. Planners ask for a state and then for several motions to it.
+/// The last poses found free. Planners check a state and then several motions to it.
 class SceneClearance::FreePoses {
   public:
     bool contain(const Pose& pose) const {

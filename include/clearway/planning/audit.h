@@ -19,7 +19,7 @@ namespace clearway::planning {
 struct SegmentAudit {
     MotionReport motion;     ///< the validator's report of the motion
     Pose X_environmentPart;  ///< the part at motion.closestTime, where motion.closest is
-    double length = 0;       ///< straight way of the part's origin from end to end; environment units
+    double length = 0;       ///< straight distance of the part's origin from end to end; environment units
     double turned = 0;       ///< angle between the ends, radians
     /// Name of the part's mesh in motion.closest: a component's name, else its file's. Empty when
     /// motion.closest has no two triangles.

@@ -1,4 +1,4 @@
-// Checks a path from a file against the problem that it is to solve.
+// Checks a path from a file against the problem that it claims to solve.
 #pragma once
 
 #include <vector>
@@ -14,10 +14,10 @@ namespace clearway::planning {
 /// The answer of checkPath. Lengths in environment units.
 struct PathCheck {
     PathAudit audit;  ///< of the path in the problem's space and scene
-    /// At the path's beginning no point of the part is farther than this from its place at the problem's start.
+    /// Upper bound of any point's displacement between the path's first state and the problem's start.
     double offStart = 0;
-    /// At the path's end no point of the part is farther than this from its place at the problem's goal. For
-    /// a goal outside it is OutsideGoal::distanceGoal at the path's end.
+    /// Upper bound of any point's displacement between the path's last state and the problem's goal. For a goal
+    /// outside it is OutsideGoal::distanceGoal of the last state.
     double offGoal = 0;
     double tolerance = 0;  ///< offsets up to this are rounding in the file: a share of the part's diagonal
 

@@ -27,7 +27,7 @@ constexpr double kInvalidMotionCost = 1e200;
 
 /// Counts since the objective was made.
 struct ObjectiveCounters {
-    std::uint64_t motions = 0;   ///< whose cost was asked for
+    std::uint64_t motions = 0;   ///< whose cost was computed
     std::uint64_t invalid = 0;   ///< of these, with a pose that was found invalid
     std::uint64_t unusable = 0;  ///< states or motions without a pose or a bound, or whose callback threw
     std::uint64_t queries = 0;   ///< of distances
@@ -51,7 +51,7 @@ class ClearanceObjective : public ompl::base::OptimizationObjective {
     /// The scene that clearances are measured in.
     const Scene& scene() const;
 
-    /// Counts of what all threads have asked of the objective.
+    /// Counts of all threads' work for this objective.
     ObjectiveCounters counters() const;
 
   protected:

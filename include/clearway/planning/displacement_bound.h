@@ -21,8 +21,8 @@ using DisplacementBound = std::function<double(const ompl::base::State* from, co
 /// subspace weights. The bound is NaN when a quaternion does not have unit length to 1e-9, because OMPL does
 /// not interpolate such a state. partRadius: the largest distance of a vertex of the part from the origin of
 /// its own coordinates (Model::radiusAboutOrigin). Throws std::invalid_argument that names the space when it
-/// is another one, even one derived from these: it may interpolate in its own way, so that its bound must
-/// come from a callback.
+/// is another one, even one derived from these: it may interpolate differently, so that its bound must come from a
+/// callback.
 DisplacementBound displacementBound(const ompl::base::StateSpace& space, double partRadius);
 
 /// Makes a tighter bound: a rotation moves the part by the part's radius about the axis of that rotation

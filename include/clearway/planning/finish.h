@@ -36,9 +36,10 @@ bool cutOutside(const PlanSetup& setup, ompl::geometric::PathGeometric& path);
 /// wrapper that dies with its planner. A path to a goal outside ends with its first state there.
 ompl::geometric::PathGeometric pathOf(const PlanSetup& setup, const ompl::base::PlannerSolution& solution);
 
-/// Takes needless turns out of the path and shortens it until isSpent, which must not be empty, returns true, by
-/// certified motions that keep setup.floor, and audits the result. The gain by the objective is kept: a shortened path that
-/// costs more is dropped, and a path found for its least clearance is shortened by motions that keep that clearance.
+/// Takes needless rotations out of the path and shortens it until isSpent, which must not be empty, returns true, by
+/// certified motions that keep setup.floor, and audits the result. The gain by the objective is kept: a shortened
+/// path that costs more is dropped, and a path found for its least clearance is shortened by motions that keep that
+/// clearance.
 ///
 /// kept: a clearance that all motions of the path keep; the finished path's motions keep it too.
 PathAudit finish(const PlanSetup& setup, ompl::geometric::PathGeometric& path,

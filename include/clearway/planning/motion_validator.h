@@ -61,10 +61,10 @@ enum class MotionVerdict {
     kUndecided  ///< no invalid pose is known, but not all poses could be certified: counts as invalid
 };
 
-/// Everything that MotionValidator finds out about a motion.
+/// Everything that MotionValidator reports about a motion.
 struct MotionReport {
     MotionVerdict verdict =
-        MotionVerdict::kInvalid;  ///< what checkMotion says, and whether a pose is invalid
+        MotionVerdict::kInvalid;  ///< checkMotion's answer, and whether a pose is invalid
     /// All poses of [0, certifiedTime] are valid, unless the start is not. 1: all poses are.
     double certifiedTime = 0;
     /// Lower bound of the least distance - margin along the motion, over the obstacles that count;
@@ -149,9 +149,9 @@ class MotionValidator : public ompl::base::MotionValidator {
 
     /// Goes forward. On false lastValid.second is in [0, 1), all poses up to that time are certified, and
     /// lastValid.first, unless null, holds the state there, as it was interpolated. That state is within a hundred
-    /// least intervals, in displacement, of the pose that blocks, or of one that is too close to contact or to a
-    /// contact zone's border to tell. Where motions are certified by clearances it is within two hundred. (OMPL may
-    /// leave out turns of up to 1.6e-4 rad: s2 may be farther from the end of the interpolation, and OMPL's motion from
+    /// least intervals, in displacement, of the pose that blocks, or of one within rounding of contact or of a
+    /// contact zone's boundary. Where motions are certified by clearances it is within two hundred. (OMPL may leave
+    /// out rotations of up to 1.6e-4 rad: s2 may be farther from the end of the interpolation, and OMPL's motion from
     /// s1 to that state may be another one.) When s1 is invalid, lastValid is s1 at time 0. lastValid.first may be s1
     /// or s2. On true lastValid stays as it is.
     bool checkMotion(const ompl::base::State* s1, const ompl::base::State* s2,
@@ -164,14 +164,14 @@ class MotionValidator : public ompl::base::MotionValidator {
 
     /// Reports a motion in full. The bounds of a valid motion's clearance are no farther apart than 1 % of it
     /// or, where that is more, 1e-3 of the part's diagonal, but then no farther than 10 % of it or the least
-    /// interval; unless the environment's reach ends before, or the motion comes to a contact zone's border without
-    /// crossing it, where it is too close to tell which obstacles count. Not counted.
+    /// interval; unless the environment's reach ends before, or the motion comes within rounding of a contact zone's
+    /// boundary without crossing it, so that which obstacles count is unknown. Not counted.
     MotionReport report(const ompl::base::State* s1, const ompl::base::State* s2) const;
 
-    /// Reports a motion with clearances along it. Between two neighbouring points of the certified part the clearance is
-    /// certain up to a fifth of it, 1e-3 of the part's diagonal, or the least clearance of the motion, whichever tells
-    /// least; or they are a least interval apart. They are no further apart than 2 % of the part's diagonal. A few points
-    /// after the certified part show how the motion goes on.
+    /// Reports a motion with clearances along it. Between two neighbouring points of the certified part the clearance
+    /// is known to within a fifth of it, 1e-3 of the part's diagonal, or the least clearance of the motion, whichever
+    /// is largest; or they are a least interval apart. They are no further apart than 2 % of the part's diagonal. A
+    /// few points after the certified part show how the motion goes on.
     MotionProfile profile(const ompl::base::State* s1, const ompl::base::State* s2) const;
 
     /// Answers as checkMotion would if all margins were larger by `more`, in environment units. Counted as a
@@ -180,7 +180,7 @@ class MotionValidator : public ompl::base::MotionValidator {
     virtual bool keepsClearance(const ompl::base::State* s1, const ompl::base::State* s2, double more,
                                 const std::function<bool()>& isStopped = {}) const;
 
-    /// Counts of what all threads have asked of the validator.
+    /// Counts of all threads' questions to this validator.
     MotionCounters counters() const;
 
     /// MotionOptions::leastInterval or its default, in environment units.

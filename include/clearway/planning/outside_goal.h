@@ -34,7 +34,7 @@ class OutsideGoal : public ompl::base::GoalSampleableRegion {
     OutsideGoal(const ompl::base::SpaceInformationPtr& si, const OutsideGoal& goal);
 
     /// How far the boxes overlap: how far the part's box must move straight along an axis, in environment units; 0 outside.
-    /// It is no bound of the way to the goal: a turn may shorten it.
+    /// It is no bound of the path's length to the goal: a rotation may shorten it.
     double distanceGoal(const ompl::base::State* state) const override;
 
     /// Whether the boxes are apart at the state.
@@ -45,12 +45,13 @@ class OutsideGoal : public ompl::base::GoalSampleableRegion {
 
     /// Draws a state that satisfies the goal, is within the space's bounds, and is valid for si's checker. Half of the states
     /// are reached from the start straight along an axis, a quarter have the start's rotation and any position, and a quarter
-    /// any rotation. Where a rotation does not fit, one is drawn that needs least room. After 100 tries without a valid state
-    /// the state is left out of the bounds, where planners refuse it.
+    /// any rotation. Where a rotation does not fit, one is drawn that needs the least clearance. After 100 tries
+    /// without a valid state the state is left out of the bounds, where planners refuse it.
     void sampleGoal(ompl::base::State* state) const override;
 
-    /// Moves a state that satisfies the goal straight along an axis, where nothing stands in the way, until the gap between
-    /// the boxes of part and environment is as wide as given, or as wide as the bounds allow. Other states stay.
+    /// Moves a state that satisfies the goal straight along an axis, where no obstacle blocks it, until the gap
+    /// between the boxes of part and environment is as wide as given, or as wide as the bounds allow. Other states
+    /// stay.
     void moveOut(ompl::base::State* state, double gap) const;
 
     unsigned int maxSampleCount() const override;  ///< 100: how many different states planners should draw

@@ -63,9 +63,9 @@ struct PlanOptions {
     std::vector<std::pair<std::string, std::string>> parameters;
 
     /// plan() ends after `seconds`, and where no path was found up to a second later, in which it looks for the reason; planners
-    /// with large trees end before the limit, so that these can be read. Or the planner ends when it has asked `iterations`
-    /// times whether to end, which most planners do once an iteration and which is the repeatable limit. Give at most one of
-    /// the two. Without either the limit is kDefaultSeconds.
+    /// with large trees end before the limit, so that these can be read. Or the planner ends after `iterations`
+    /// evaluations of the termination condition, which most planners do once an iteration and which is the repeatable
+    /// limit. Give at most one of the two. Without either the limit is kDefaultSeconds.
     std::optional<double> seconds;
     std::optional<std::uint64_t> iterations;  ///< the repeatable limit; see `seconds`
 

@@ -1,4 +1,4 @@
-// Several planners for one problem, side by side or by turns, until one of them finds a path.
+// Several planners for one problem, in parallel or interleaved, until one of them finds a path.
 #pragma once
 
 #include <ompl/base/Planner.h>
@@ -11,15 +11,15 @@
 namespace clearway::planning {
 
 /// Runs RRTConnect, which is quick where passages are wide, and two SlidingRRTConnect, one with standoffs of its
-/// default range and one with finer ones. No planner's run decides: RRTConnect begins anew after runs whose lengths
-/// follow the sequence of Luby, Sinclair and Zuckerman (Optimal Speedup of Las Vegas Algorithms, 1993), because a run
-/// that has not ended early hardly ever ends; and who has had the least time is next.
+/// default range and one with finer ones. RRTConnect restarts after runs whose lengths follow the sequence of Luby,
+/// Sinclair and Zuckerman (Optimal Speedup of Las Vegas Algorithms, 1993), because a run that has not succeeded early
+/// almost never does. The member with the least processor time so far runs next.
 ///
-/// With one thread the turns are counted in iterations, so that one seed gives one path whatever the machine does
-/// besides. With more threads they are counted in time.
+/// With one thread, slices of work are counted in iterations, so that one seed gives one path whatever else the
+/// machine does. With more threads they are counted in time.
 ///
-/// The solution's planner name tells the member and its run. Without an exact solution the problem definition gets the
-/// approximate one that comes closest. A further solve() goes on from there.
+/// The solution's planner name states the member and its run. Without an exact solution the problem definition gets
+/// the approximate one that comes closest. A further solve() goes on from there.
 class PlannerTeam : public ompl::base::Planner {
   public:
     /// Makes a team of one thread. si: as SlidingRRTConnect takes it.

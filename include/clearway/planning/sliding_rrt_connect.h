@@ -24,8 +24,9 @@ namespace clearway::planning {
 /// OMPL's SE(3) or SE(2). All motions of a path were checked by the space information's motion validator, in the
 /// direction in which the path takes them.
 ///
-/// The range of standoffs decides which passages are found: a standoff must fit into a passage's room on both sides, and
-/// small standoffs make for small steps. Two planners with different ranges, side by side, find more than one with both.
+/// The range of standoffs decides which passages are found: a standoff must fit into a passage on both sides of the
+/// part, and small standoffs make for small steps. Two planners with different ranges, in parallel, find more than
+/// one with both.
 class SlidingRRTConnect : public ompl::base::Planner {
   public:
     /// Makes a planner without trees. si: its scene and space are looked at by setup().
@@ -45,8 +46,8 @@ class SlidingRRTConnect : public ompl::base::Planner {
     /// Adds the states and edges of both trees to `data`, as OMPL's planners do.
     void getPlannerData(ompl::base::PlannerData& data) const override;
 
-    /// Sets the longest way of an extension towards a sample, in environment units; 0: a quarter of the
-    /// diagonal of the part's box. A way adds the straight way of the centre of the part's box to its turn
+    /// Sets the longest extension towards a sample, in environment units; 0: a quarter of the diagonal of the part's
+    /// box. The length of an extension is the distance that the centre of the part's box moves plus its rotation
     /// times a quarter of the diagonal.
     void setRange(double range) { range_ = range; }
     /// The value that setRange was given; 0 at first.

@@ -24,7 +24,7 @@ class WitnessSampler : public ompl::base::ValidStateSampler {
     WitnessSampler(const ompl::base::SpaceInformation* si, const char* name);
     ~WitnessSampler() override;
 
-    /// The room that the part has at a state.
+    /// The clearance of the part at a state.
     struct Room {
         bool isValid = false;  ///< ValidityChecker::isValid
         double clearance = 0;  ///< ValidityChecker::clearance

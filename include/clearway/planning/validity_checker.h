@@ -1,4 +1,4 @@
-// Tells OMPL whether the part is free at a state, and by how much.
+// OMPL's StateValidityChecker: whether the part is free at a state, and its clearance there.
 #pragma once
 
 #include <ompl/base/SpaceInformation.h>
@@ -20,7 +20,7 @@ class PosedScene;
 
 /// Counts since the checker was made.
 struct CheckCounters {
-    std::uint64_t checks = 0;       ///< states asked about
+    std::uint64_t checks = 0;       ///< states checked
     std::uint64_t invalid = 0;      ///< answered invalid, for whatever reason
     std::uint64_t outOfBounds = 0;  ///< of these, outside the space's bounds
     std::uint64_t unusable = 0;     ///< of these, states without a pose, or whose callback threw
@@ -74,7 +74,7 @@ class ValidityChecker : public ompl::base::StateValidityChecker {
     /// The scene that states are judged in.
     const Scene& scene() const;
 
-    /// Counts of what all threads have asked of the checker.
+    /// Counts of all threads' questions to this checker.
     CheckCounters counters() const;
 
   private:

@@ -27,14 +27,14 @@ struct FailedPlanning {
     /// GoalSampleableRegion elsewhere.
     ompl::base::ProblemDefinitionPtr definition;
     std::shared_ptr<const MotionValidator>
-        validator;  ///< tells which motions are valid, and what stops others
+        validator;  ///< decides which motions are valid, and what stops others
 };
 
-/// A part that comes less far than this is shut in, as a multiple of its diagonal. A part that can only turn on the spot
+/// A part that moves less than this is shut in; a multiple of its diagonal. A part that can only rotate on the spot
 /// moves by up to one diagonal.
 constexpr double kShutIn = 1.5;
 
-/// A hindrance, and how many of the motions tried it stopped.
+/// An obstacle or bound, and how many trial motions it blocked.
 struct Blocker {
     std::string name;  ///< of the obstacle's component, see meshNames; empty for the bounds
     /// The part's component that it stopped most often; empty for the bounds, and for a part of one component.
@@ -52,7 +52,7 @@ struct Blocker {
 /// How far the part comes from the start or the goal.
 struct ReachedFrom {
     std::size_t states = 1;  ///< reached from there by valid motions, itself included
-    bool hasTree = false;    ///< the planners looked for states reached from there
+    bool hasTree = false;    ///< whether any planner grew a tree from this end
     /// The most that any point of the part moves from there to a state reached; see Model::displacement.
     double farthest = 0;
     std::size_t motionsStopped = 0;  ///< of the motions tried from these states
@@ -73,7 +73,7 @@ struct WhyNoPath {
     double diagonal = 0;            ///< of the part's box
     ReachedFrom start;              ///< how far the part comes from the start
     ReachedFrom goal;               ///< how far the part comes from the goal
-    std::size_t motionsTried = 0;   ///< how many motions were followed to tell what stops the part
+    std::size_t motionsTried = 0;   ///< how many motions were followed to find what stops the part
     std::vector<Blocker> blockers;  ///< those that stopped most motions first
     NearestMiss nearest;            ///< where start and goal were nearly joined
     /// The motion over the gap is valid: the trees of several planners, joined, are a path.
@@ -85,18 +85,18 @@ struct WhyNoPath {
 
 /// How long whyNoPath() tries.
 struct WhyNoPathOptions {
-    std::size_t motions = 400;        ///< how many are tried to tell what stops the part
+    std::size_t motions = 400;        ///< how many are tried to find what stops the part
     std::optional<double> seconds;    ///< the trying ends after these; without them the answer is repeatable
     std::uint32_t seed = 1;           ///< of the random motions that are tried
     std::function<bool()> isStopped;  ///< true ends the trying
 };
 
-/// Looks at the trees of the planners. To tell what stops the part, motions from
-/// random states of the trees towards random poses are followed until they are blocked. Positions of these poses are
-/// drawn from the bounds widened by a quarter of the part's diagonal, so that the bounds can be what blocks.
+/// Examines the trees of the planners. To find what stops the part, it follows motions from random states of the
+/// trees towards random poses until they are blocked. Positions of these poses are drawn from the bounds widened by a
+/// quarter of the part's diagonal, so that the bounds can be what blocks.
 ///
-/// Planners that do not tell their trees (CForest) count as having grown none. Throws std::invalid_argument
-/// when the definition has no start or no goal, or no state of the goal is known.
+/// Planners whose getPlannerData is empty (CForest) count as having grown no tree. Throws std::invalid_argument when
+/// the definition has no start or no goal, or no state of the goal is known.
 WhyNoPath whyNoPath(const FailedPlanning& failed, const Problem& problem,
                     const WhyNoPathOptions& options = {});
 

@@ -1,4 +1,4 @@
-// One motion of the part, and how much room the part has at the poses of that motion.
+// One motion of the part, and the clearances at its poses.
 #pragma once
 
 #include <ompl/base/SpaceInformation.h>
@@ -42,7 +42,7 @@ struct MotionSample : Bounds {
 /// length() |b - a| between its times a and b. The scene and the states must outlive it.
 class Motion {
   public:
-    /// floor: clearance that is asked of the part on top of the margins.
+    /// floor: clearance required on top of the margins.
     Motion(const PosedScene& posed, ClearanceDetail detail, double floor, const ompl::base::State* s1,
            const ompl::base::State* s2);
 
@@ -55,7 +55,7 @@ class Motion {
 
     double length() const { return motion_.length; }
 
-    /// A length, too, and a tight one: it takes longer than a short motion.
+    /// Tighter than length(), but costs more than checking a short motion.
     double travel() const { return posed_.bound(s1_, s2_); }
     double floor() const { return floor_; }
     bool hasSolids() const { return posed_.clearance().hasSolids(); }
@@ -65,8 +65,8 @@ class Motion {
     /// The distance between the states by the space's own metric.
     double distance() const { return posed_.si().distance(s1_, s2_); }
 
-    /// Whether the part is free of all obstacles at a pose, within the bounds, and how the whole motion fares. The floor
-    /// counts only in the sweep.
+    /// Whether the part is free of all obstacles and within the bounds at a pose, and the sweep of the whole motion.
+    /// The floor counts only in the sweep.
     bool isFreeAtStart();
     bool isFreeAt(double time);
     SceneSweep sweep(const SceneSweepOptions& options);
@@ -75,7 +75,8 @@ class Motion {
     /// lower bound is to hold for the motion from s2 to s1, too. Nothing when a pose is invalid.
     std::optional<LeastClearance> leastClearance(LeastClearanceOptions options, bool isForReverse);
 
-    /// Finds how long a motion that a sweep found free of surfaces until a time stays outside the solids, too.
+    /// For a motion that a sweep found free of surfaces up to a time: finds up to when it also stays outside the
+    /// solids.
     SolidsAlong stayOutsideSolids(double until, double leastInterval) const;
 
     bool isWithinBoundsAt(double time);
@@ -94,8 +95,8 @@ class Motion {
     /// are 1 when s2 is within.
     TimeSpan leavesBounds(double length);
 
-    /// Forgets that a pose was found outside of all solids, which says something of other poses only while no surfaces
-    /// touch between the two.
+    /// Forgets that a pose was found outside all solids: this carries over to other poses only while no surfaces
+    /// touch in between.
     void forgetSide() { isOutside_ = false; }
 
     /// Looks at the poses that a report is about, where a sweep asked for no distance.
@@ -113,8 +114,8 @@ class Motion {
     /// Samples of poses, valid or not, evenly spread over the motion after a time, its end included.
     std::vector<MotionSample> lookAhead(double from, int poses);
 
-    /// The rooms at both ends must add up to this much more than the motion between them to certify an
-    /// interval, because poses are rounded.
+    /// Rounding allowance: an interval is certified when the clearances at both ends exceed the length of the motion
+    /// between them by this.
     double slack() const { return slack_; }
 
     /// The next three functions look at a pose; lengths above `wanted` need not be found. All of them throw

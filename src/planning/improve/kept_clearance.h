@@ -1,4 +1,4 @@
-// The clearance that all motions of a path keep, by the validator's own word.
+// The clearance that all motions of a path keep, as the validator certifies it.
 #pragma once
 
 #include <ompl/geometric/PathGeometric.h>
@@ -11,7 +11,7 @@ namespace clearway::planning {
 
 struct KeptClearanceOptions {
     double least = 0;     ///< all motions keep it; environment units, >= 0
-    double most = 0;      ///< more is not looked for; finite
+    double most = 0;      ///< the search stops at this clearance; finite
     double share = 0.01;  ///< how much less than the largest clearance kept the answer may be
     std::function<bool()> isSpent;
 };

@@ -156,7 +156,7 @@ class Search {
         return problem;
     }
 
-    /// Another set than those found lacks one obstacle of each: so it is looked for with these in their places.
+    /// Any further minimal set omits an obstacle of each known set; the search keeps those obstacles in place.
     void findSets() {
         std::deque<Names> kept = {{}};
         for (; !kept.empty() && result_.withoutThese.size() < kMostSets; kept.pop_front()) {

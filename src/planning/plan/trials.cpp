@@ -22,7 +22,7 @@ constexpr double kLeastSeconds = 0.3;
 /// Motions tried after a trial that found no path: enough to name the next obstacle.
 constexpr std::size_t kMotions = 200;
 
-/// They take at most this share of the time of the trial.
+/// Share of a trial's time that is spent on trying motions.
 constexpr double kShareOfMotions = 0.25;
 
 /// Without an objective a trial ends with its first path.

@@ -1,5 +1,5 @@
-// Looks for paths of more and more clearance by two kinds of work side by side: elastic bands widen the paths found so far,
-// and planners look for other ways around obstacles, by motions that keep more than the best path does.
+// Searches for paths of more and more clearance by two kinds of work in parallel: elastic bands widen the paths found
+// so far, and planners search for other paths around obstacles, by motions that keep more than the best path does.
 #pragma once
 
 #include <ompl/base/PlannerData.h>
@@ -26,10 +26,10 @@ struct FloorSearchOptions {
     double range = 0;                               ///< longest edge of the planners' trees; 0: OMPL's
     unsigned int threads = 2;                       ///< >= 1
     double most = 0;                                ///< no path has more clearance; finite
-    double enough = 0;                              ///< more is not looked for
+    double enough = 0;                              ///< the search stops at this clearance
     std::function<bool(const WidePath&)> isEnough;  ///< may end the search before; null: never
-    /// Once a few ways have been widened, half of the planners' time goes to ways that wind less than the best path, instead of
-    /// to wider ones.
+    /// Once a few paths have been widened, half of the planners' time goes to paths that wind less than the best one,
+    /// instead of to wider ones.
     bool wantsShortWays = false;
 };
 
@@ -69,7 +69,7 @@ class FloorSearch {
     struct Job;
     class Seeker;
 
-    /// Planners that look for ways of one kind, wide or short ones.
+    /// Planners that search for paths of one kind, wide or short ones.
     struct Seeks {
         int begun = 0;
         double patience = kLeastPatience;  ///< seconds of the next one

@@ -29,7 +29,7 @@ constexpr std::uint64_t kShortestRun = 3000;
 constexpr std::uint64_t kTurn = 1000, kSlidingTurn = 30, kFineTurn = 10;
 /// A turn in seconds, where turns are counted in time.
 constexpr double kSecondsOfTurn = 0.03;
-/// A planner that begins anew ends early or hardly ever: after so many turns each costs it as much as several.
+/// Restarts succeed early or almost never; turns after the first kEarlyTurns are charged kLateCost times.
 constexpr double kEarlyTurns = 20, kLateCost = 4;
 /// Finer standoffs, as shares of the diagonal of the part's box.
 constexpr double kLeastFineStandoff = 0.00025, kMostFineStandoff = 0.01;

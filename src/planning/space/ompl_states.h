@@ -31,8 +31,8 @@ const ompl::base::RealVectorBounds& positionBounds(Space kind, const ompl::base:
 /// Why a state is outside of its space's bounds: names the coordinate of SE(3) and SE(2), its value and the bounds.
 std::string whyOutOfBounds(const ompl::base::StateSpace& space, const ompl::base::State* state);
 
-/// Make and set up a space information whose space others use, too. OMPL reads the space's parameters to make one and writes them to
-/// set one up, as if no other thread could do so meanwhile.
+/// Create and set up a SpaceInformation on a shared space, under a global lock: OMPL reads the space's parameters
+/// when it creates one, and writes them when it sets one up, without a lock of its own.
 ompl::base::SpaceInformationPtr makeOnSharedSpace(const ompl::base::StateSpacePtr& space);
 void setUpOnSharedSpace(ompl::base::SpaceInformation& si);
 

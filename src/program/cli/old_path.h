@@ -6,8 +6,8 @@
 
 namespace clearway::cli {
 
-/// Make one when the arguments are read, before the planning. Unless the file is replaced by then, or stays, the destructor sets
-/// it aside, however the run failed.
+/// Make one when the arguments are read, before planning. The destructor renames the old file, unless isReplaced() or
+/// stays() was called.
 class OldPath {
   public:
     explicit OldPath(std::string file) : file_(std::move(file)) {}

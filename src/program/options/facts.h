@@ -28,7 +28,7 @@ void writeFacts();
 /// For a process whose findings another one collects: writeFacts() writes none.
 void dropFacts();
 
-/// Keeps which problem the facts are about, and the unit of its lengths; rows show it from now on.
+/// Records the problem's name and unit in the JSON; rows show the unit from now on.
 void tellProblem(const Problem& problem);
 
 /// Keeps the facts about part, obstacles and margins.
