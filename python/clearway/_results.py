@@ -203,7 +203,7 @@ class WhyNoPath:
         lines = []
         for name, end in (("start", self.start), ("goal", self.goal)):
             if not end.has_tree:
-                lines.append("from the %s: the planner tells no states reached from there" % name)
+                lines.append("from the %s: this planner does not expose its tree" % name)
                 continue
             shut_in = ": it may be shut in there" if end.is_shut_in else ""
             lines.append("from the %s: %d states reached, where no point of the part has moved by more than %.4g%s"

@@ -239,7 +239,7 @@ void readClearway(ConfigValues& values, bool isClearways, Problem& problem) {
     problem.rules = readObstacleRules(values);
     problem.fineness = readPositive(values, "clearway.fineness");
     if (const auto step = readPositive(values, "clearway.step")) {  // the key's older name
-        if (problem.fineness) values.refuse("clearway.step", "it or fineness, not both");
+        if (problem.fineness) values.refuse("clearway.step", "only one of step and fineness");
         problem.fineness = step;
     }
     const std::string reading = "clearway.reading";
@@ -258,7 +258,7 @@ std::optional<Outside> readOutside(ConfigValues& values, Space space) {
     const std::optional<std::string> goal = values.text(kind), side = values.text(which);
     if (goal && *goal != "outside")
         values.refuse(kind, "outside, or no such key where [problem] has the goal");
-    if (side && !goal) values.refuse(which, "it only together with goal = outside");
+    if (side && !goal) values.refuse(which, "goal = outside beside it");
     if (!goal) return std::nullopt;
     for (const ConfigEntry& entry : values.unread()) {
         if (boost::starts_with(entry.name, "problem.goal.") || entry.name == "clearway.contact.goal" ||

@@ -35,7 +35,7 @@ std::vector<NumberLine> readNumberLines(const std::string& file, const char* exp
             const std::optional<double> number = parseNumber(word);
             if (!number) {
                 throw std::invalid_argument(place(file, lineNumber) + quote(word) +
-                                            " is there, expected a finite number");
+                                            " is not a finite number");
             }
             line.numbers.push_back(*number);
         }

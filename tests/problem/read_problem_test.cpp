@@ -256,7 +256,7 @@ BOOST_AUTO_TEST_CASE(angles_are_in_radians_or_say_that_they_are_in_degrees) {
 BOOST_AUTO_TEST_CASE(fineness_may_have_its_older_name) {
     BOOST_TEST(read(kSpatial + "[clearway]\nstep = 2\n").fineness.value() == 2);
     requireRefused(kSpatial + "[clearway]\nstep = 2\nfineness = 2\n",
-                   {"20:", "step is '2'", "it or fineness, not both"});
+                   {"20:", "step is '2'", "only one of step and fineness"});
 }
 
 BOOST_AUTO_TEST_CASE(a_file_of_clearway_reads_meshes_as_stored_and_others_as_omplapp_does) {

@@ -59,7 +59,7 @@ std::string shares(std::vector<Blocker> blockers, std::size_t all, const Count& 
 void printReached(const WhyNoPath& why, const ReachedFrom& end, const std::string& name) {
     const std::string label = "from the " + name;
     if (!end.hasTree && end.states > 1) return printRow(label, counted(end.states, "state") + " reached");
-    if (!end.hasTree) return printRow(label, "the planner tells no states reached from there");
+    if (!end.hasTree) return printRow(label, "this planner does not expose its tree");
     std::string text = counted(end.states, "state") +
                        " reached, where no point of the part has moved by more than " +
                        shownLength(end.farthest);
@@ -156,7 +156,7 @@ void printExplanation(const planning::Explanation& explanation, double largestMa
                                  (explanation.isStopped     ? ", until interrupted"
                                   : explanation.isOutOfTime ? ", until the time was over"
                                                             : "") +
-                                 (explanation.areObstaclesTried ? "; greedy: fewer obstacles may do" : ""));
+                                 (explanation.areObstaclesTried ? " (greedy; smaller sets may exist)" : ""));
     if (!explanation.path.empty()) return;  // nothing has to go
     for (const std::vector<std::string>& set : explanation.withoutThese)
         printRow("found without", quoted(set));
