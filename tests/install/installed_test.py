@@ -113,7 +113,7 @@ def check_project_in_c(consumer, prefix, work):
     os.makedirs(source)
     with open(os.path.join(source, "CMakeLists.txt"), "w") as file:
         file.write("cmake_minimum_required(VERSION 3.25)\nproject(in_c_alone LANGUAGES C)\n"
-                   "find_package(clearway 0.1 CONFIG REQUIRED COMPONENTS ${CLEARWAY_COMPONENTS})\n"
+                   "find_package(clearway 0.2 CONFIG REQUIRED COMPONENTS ${CLEARWAY_COMPONENTS})\n"
                    "add_executable(distance %s/distance.c)\n"
                    "target_link_libraries(distance PRIVATE clearway::clearway)\n" % consumer)
     folder = os.path.join(source, "build")

@@ -6,7 +6,7 @@
 
 #include <cstdio>
 
-static_assert(CLEARWAY_VERSION_VALUE >= 1000, "0.1.0 or later");
+static_assert(CLEARWAY_VERSION_VALUE >= 2000, "0.2.0 or later");
 
 int main() {
     const auto triangle = [](double z) {
