@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "clearway/errors.h"
 #include "clearway/types.h"
 #include "python/released_gil.h"
 
@@ -27,12 +28,12 @@ inline py::array_t<double, py::array::c_style> numbersOf(const py::handle& objec
     const py::array given = py::module_::import("numpy").attr("asarray")(object);
     const std::string kind = py::str(given.dtype().attr("kind"));
     if (kind != "f" && kind != "i" && kind != "u") {
-        throw std::invalid_argument(name + " has dtype " + std::string(py::str(given.dtype())) +
-                                    ", expected numbers");
+        throw ArgumentError(name + " has dtype " + std::string(py::str(given.dtype())) +
+                            ", expected numbers");
     }
     if (given.ndim() != dimensions) {
-        throw std::invalid_argument(name + " has shape " + shapeOf(given) + ", expected " +
-                                    std::to_string(dimensions) + " dimensions");
+        throw ArgumentError(name + " has shape " + shapeOf(given) + ", expected " +
+                            std::to_string(dimensions) + " dimensions");
     }
     // A broadcast array may stand for more numbers than fit into memory; NumPy then raises MemoryError.
     return py::array_t<double, py::array::c_style | py::array::forcecast>(given);
@@ -41,7 +42,7 @@ inline py::array_t<double, py::array::c_style> numbersOf(const py::handle& objec
 /// The pose of 16 doubles in row-major order, whose last row must be 0 0 0 1.
 inline Pose poseOfRows(const double* m, const std::string& name) {
     if (m[12] != 0 || m[13] != 0 || m[14] != 0 || m[15] != 1) {
-        throw std::invalid_argument("the last row of " + name + " is not 0 0 0 1");
+        throw ArgumentError("the last row of " + name + " is not 0 0 0 1");
     }
     Pose pose;
     for (int row = 0; row < 3; ++row) {
@@ -51,7 +52,7 @@ inline Pose poseOfRows(const double* m, const std::string& name) {
     try {
         requirePose(pose);
     } catch (const std::invalid_argument& error) {
-        throw std::invalid_argument(name + ": " + error.what());
+        throw ArgumentError(name + ": " + error.what());
     }
     return pose;
 }
@@ -59,7 +60,7 @@ inline Pose poseOfRows(const double* m, const std::string& name) {
 inline Pose poseOf(const py::handle& object, const std::string& name = "pose") {
     const auto matrix = numbersOf(object, name, 2);
     if (matrix.shape(0) != 4 || matrix.shape(1) != 4) {
-        throw std::invalid_argument(name + " has shape " + shapeOf(matrix) + ", expected (4, 4)");
+        throw ArgumentError(name + " has shape " + shapeOf(matrix) + ", expected (4, 4)");
     }
     return poseOfRows(matrix.data(), name);
 }
@@ -67,7 +68,7 @@ inline Pose poseOf(const py::handle& object, const std::string& name = "pose") {
 inline std::vector<Pose> posesOf(const py::handle& object) {
     const auto matrices = numbersOf(object, "poses", 3);
     if (matrices.shape(1) != 4 || matrices.shape(2) != 4) {
-        throw std::invalid_argument("poses has shape " + shapeOf(matrices) + ", expected (N, 4, 4)");
+        throw ArgumentError("poses has shape " + shapeOf(matrices) + ", expected (N, 4, 4)");
     }
     std::vector<Pose> poses;
     for (py::ssize_t i = 0; i < matrices.shape(0); ++i) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "clearway/batch.h"
+#include "clearway/errors.h"
 #include "clearway/model.h"
 #include "clearway/query.h"
 #include "clearway/targets.h"
@@ -192,9 +193,9 @@ and ids (N,), points (N, 3). Order the poses as along a path.)");
         "pose_from",
         [](const std::vector<double>& position, const std::vector<double>& quaternion) {
             if (position.size() != 3 || quaternion.size() != 4) {
-                throw std::invalid_argument("position and quaternion have " +
-                                            std::to_string(position.size()) + " and " +
-                                            std::to_string(quaternion.size()) + " numbers, expected 3 and 4");
+                throw ArgumentError("position and quaternion have " + std::to_string(position.size()) +
+                                    " and " + std::to_string(quaternion.size()) +
+                                    " numbers, expected 3 and 4");
             }
             return arrayOf(
                 toPose(Eigen::Quaterniond(quaternion[3], quaternion[0], quaternion[1], quaternion[2]),
@@ -207,7 +208,7 @@ and ids (N,), points (N, 3). Order the poses as along a path.)");
         [](const py::object& matrix) {
             const auto numbers = numbersOf(matrix, "matrix", 2);
             if (numbers.shape(0) != 4 || numbers.shape(1) != 4) {
-                throw std::invalid_argument("matrix has shape " + shapeOf(numbers) + ", expected (4, 4)");
+                throw ArgumentError("matrix has shape " + shapeOf(numbers) + ", expected (4, 4)");
             }
             Pose pose;
             for (int row = 0; row < 3; ++row) {
@@ -226,30 +227,49 @@ and ids (N,), points (N, 3). Order the poses as along a path.)");
                R"(Runs later queries on this instruction set; "best" returns to the default.)");
 }
 
+/// Makes the exception class clearway.NAME.
+PyObject* addError(py::module_& module, const char* name, const char* words, const py::tuple& bases) {
+    const std::string path = std::string("clearway.") + name;
+    PyObject* const made = PyErr_NewExceptionWithDoc(path.c_str(), words, bases.ptr(), nullptr);
+    if (!made) throw py::error_already_set();
+    module.attr(name) = py::handle(made);
+    return made;  // never freed: errors may be raised as long as the process lives
+}
+
+/// C++'s types of errors as Python's. As for io.UnsupportedOperation, a file that cannot be used is wrong as a value and as a file.
+void bindErrors(py::module_& module) {
+    const auto of = [](auto*... bases) { return py::make_tuple(py::handle(bases)...); };
+    PyObject* const base =
+        addError(module, "Error", "What clearway raises because an argument, a file or OMPL is at fault.",
+                 of(PyExc_Exception));
+    static PyObject *argumentError, *fileError, *omplError;
+    argumentError = addError(module, "ArgumentError",
+                             "An argument, or a value in a problem or path file, is not what was expected.",
+                             of(base, PyExc_ValueError));
+    fileError = addError(module, "FileError",
+                         "A file cannot be read or written, or is not what its format prescribes.",
+                         of(base, PyExc_OSError, PyExc_ValueError));
+    omplError =
+        addError(module, "OmplError", "OMPL refuses what clearway asks of it.", of(base, PyExc_RuntimeError));
+    py::register_exception_translator([](std::exception_ptr thrown) {
+        try {
+            if (thrown) std::rethrow_exception(thrown);
+        } catch (const ArgumentError& error) {
+            PyErr_SetString(argumentError, error.what());
+        } catch (const FileError& error) {
+            PyErr_SetString(fileError, error.what());
+        } catch (const OmplError& error) {
+            PyErr_SetString(omplError, error.what());
+        }
+    });
+}
+
 }  // namespace
 }  // namespace clearway::python
 
 PYBIND11_MODULE(_core, module) {
-    namespace py = pybind11;
     module.attr("__version__") = CLEARWAY_VERSION;
-    // As for io.UnsupportedOperation, a file that cannot be used is wrong as a value and as a file.
-    const py::object bases = py::make_tuple(py::reinterpret_borrow<py::object>(PyExc_OSError),
-                                            py::reinterpret_borrow<py::object>(PyExc_ValueError));
-    static py::handle fileError = PyErr_NewException("clearway.FileError", bases.ptr(), nullptr);
-    module.attr("FileError") = fileError;
-    py::register_exception_translator([](std::exception_ptr thrown) {
-        try {
-            if (thrown) std::rethrow_exception(thrown);
-        } catch (const py::builtin_exception&) {
-            throw;
-        } catch (const py::error_already_set&) {
-            throw;
-        } catch (const std::bad_alloc&) {
-            throw;
-        } catch (const std::runtime_error& error) {
-            PyErr_SetString(fileError.ptr(), error.what());
-        }
-    });
+    clearway::python::bindErrors(module);
     clearway::python::bindMeshesAndModels(module);
     clearway::python::bindQueries(module);
     clearway::python::bindProblems(module);

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "clearway/errors.h"
 #include "clearway/mesh.h"
 #include "clearway/model.h"
 #include "python/arrays.h"
@@ -28,12 +29,11 @@ Mesh makeMesh(const py::object& vertices, const py::object& triangles, const std
     const py::array indices = py::module_::import("numpy").attr("asarray")(triangles);
     const std::string kind = py::str(indices.dtype().attr("kind"));
     if (points.shape(1) != 3) {
-        throw std::invalid_argument("vertices has shape " + shapeOf(points) + ", expected (N, 3)");
+        throw ArgumentError("vertices has shape " + shapeOf(points) + ", expected (N, 3)");
     }
     if (indices.ndim() != 2 || indices.shape(1) != 3 || (kind != "i" && kind != "u")) {
-        throw std::invalid_argument("triangles has shape " + shapeOf(indices) + " and dtype " +
-                                    std::string(py::str(indices.dtype())) +
-                                    ", expected (N, 3) whole numbers");
+        throw ArgumentError("triangles has shape " + shapeOf(indices) + " and dtype " +
+                            std::string(py::str(indices.dtype())) + ", expected (N, 3) whole numbers");
     }
     Mesh mesh;
     for (py::ssize_t i = 0; i < points.shape(0); ++i) {
@@ -45,9 +45,9 @@ Mesh makeMesh(const py::object& vertices, const py::object& triangles, const std
         for (int corner = 0; corner < 3; ++corner) {
             const std::int64_t index = rows.at(i, corner);
             if (index < 0 || index >= points.shape(0)) {
-                throw std::invalid_argument("triangles[" + std::to_string(i) + "] names vertex " +
-                                            std::to_string(index) + ", expected 0 to " +
-                                            std::to_string(points.shape(0) - 1));
+                throw ArgumentError("triangles[" + std::to_string(i) + "] names vertex " +
+                                    std::to_string(index) + ", expected 0 to " +
+                                    std::to_string(points.shape(0) - 1));
             }
             triangle[corner] = static_cast<std::uint32_t>(index);
         }

@@ -2,10 +2,10 @@
 #pragma once
 
 #include <cmath>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "clearway/errors.h"
 #include "clearway/problem.h"
 #include "python/arrays.h"
 
@@ -19,7 +19,7 @@ inline void requireIn(Space space, const PartState& state, const std::string& na
     constexpr double kFlat = 1e-12;  // sine of half the angle off the plane
     if (space == Space::kSe3) return;
     if (state.position.z() != 0 || !(std::hypot(state.rotation.x(), state.rotation.y()) <= kFlat)) {
-        throw std::invalid_argument(name + " is not in the plane, expected z = 0 and a turn about z in SE2");
+        throw ArgumentError(name + " is not in the plane, expected z = 0 and a turn about z in SE2");
     }
 }
 
@@ -34,11 +34,11 @@ inline PartState stateOf(const Pose& pose, Space space, const std::string& name)
 inline PartState stateOf(const double* numbers, Space space, const std::string& name) {
     PartState state{{numbers[0], numbers[1], numbers[2]}, {numbers[6], numbers[3], numbers[4], numbers[5]}};
     if (!state.position.allFinite() || !state.rotation.coeffs().allFinite()) {
-        throw std::invalid_argument(name + " has a number that is not finite");
+        throw ArgumentError(name + " has a number that is not finite");
     }
     const double length = state.rotation.coeffs().stableNorm();
     if (!(length > 0))
-        throw std::invalid_argument(name + ": the quaternion is 0 0 0 0, expected one of length above 0");
+        throw ArgumentError(name + ": the quaternion is 0 0 0 0, expected one of length above 0");
     if (std::abs(length - 1) > kUnitLength) {
         state.rotation.coeffs() /= length;
         state.rotation.normalize();
@@ -60,8 +60,7 @@ inline std::vector<PartState> statesOf(const py::handle& path, Space space = Spa
     }
     const auto rows = numbersOf(given, "states", 2);
     if (rows.shape(1) != 7) {
-        throw std::invalid_argument("states has shape " + shapeOf(rows) +
-                                    ", expected (N, 7), or poses (N, 4, 4)");
+        throw ArgumentError("states has shape " + shapeOf(rows) + ", expected (N, 7), or poses (N, 4, 4)");
     }
     for (py::ssize_t i = 0; i < rows.shape(0); ++i)
         states.push_back(stateOf(rows.data(i, 0), space, "states[" + std::to_string(i) + "]"));

@@ -16,6 +16,7 @@
 #include <utility>
 #include <vector>
 
+#include "clearway/errors.h"
 #include "clearway/planning/check_path.h"
 #include "clearway/planning/objectives.h"
 #include "clearway/planning/ompl_messages.h"
@@ -48,22 +49,6 @@ const char* nameOf(PlanReport::Outcome outcome) {
 
 /// Loading, and then those of PlanPhase.
 constexpr const char* kPhases[] = {"loading", "planning", "making room", "finishing", "asking why"};
-
-/// An error of OMPL's. As a std::runtime_error it would be raised as one about a file.
-struct OmplError {
-    std::string text;
-};
-
-template <class Work>
-auto withOmplErrors(const Work& work) {
-    try {
-        return work();
-    } catch (const planning::AuditStopped&) {
-        throw;
-    } catch (const std::runtime_error& error) {
-        throw OmplError{error.what()};
-    }
-}
 
 /// The scene that was given, or else the problem's, loaded now.
 struct ChosenScene {
@@ -221,9 +206,9 @@ std::int64_t wholeNumber(const py::object& given, const char* name, std::int64_t
     const bool isTooLarge = number == -1 && PyErr_Occurred();
     if (isTooLarge) PyErr_Clear();
     if (isTooLarge || number < least || number > most) {
-        throw std::invalid_argument(std::string(name) + " is " + std::string(py::str(index)) +
-                                    ", expected a whole number from " + std::to_string(least) + " to " +
-                                    std::to_string(most));
+        throw ArgumentError(std::string(name) + " is " + std::string(py::str(index)) +
+                            ", expected a whole number from " + std::to_string(least) + " to " +
+                            std::to_string(most));
     }
     return number;
 }
@@ -246,11 +231,10 @@ std::string textOf(const py::handle& given) {
 void setMargin(Problem& problem, const std::optional<double>& margin, const PyScene* scene) {
     if (!margin) return;
     if (scene)
-        throw std::invalid_argument(
-            "both a scene and a margin are given, expected one of them: a scene has margins");
+        throw ArgumentError("both a scene and a margin are given, expected one of them: a scene has margins");
     if (!(*margin >= 0 && std::isfinite(*margin))) {  // the problem's own words would blame its file
-        throw std::invalid_argument("margin is " + std::string(py::str(py::float_(*margin))) +
-                                    ", expected a finite number >= 0");
+        throw ArgumentError("margin is " + std::string(py::str(py::float_(*margin))) +
+                            ", expected a finite number >= 0");
     }
     problem.margin = *margin;
 }
@@ -311,7 +295,7 @@ py::tuple plan(const py::object& given, const PyScene* scene, const std::optiona
         const Scene& loaded = chosen.load(problem, options, worker);
         options.isStopped = [&] { return worker.isStopped(); };
         options.onPhase = [&](planning::PlanPhase phase) { progress.phase = 1 + static_cast<int>(phase); };
-        report = withOmplErrors([&] { return planning::plan(problem, loaded, options); });
+        report = planning::plan(problem, loaded, options);
     };
     const py::object raised = runStoppable(work, [&] { return progress.tell(); });
     if (!report) {  // stopped while it waited for its turn or the scene was loaded
@@ -341,7 +325,7 @@ py::tuple check(const py::object& given, const py::object& path, const PyScene* 
             const Scene& loaded = chosen.load(problem, planning::PlanOptions(), worker);
             const planning::OmplMessages unheard;  // the audit says what cannot be judged
             planning::AuditOptions options{hasProfile, [&] { return worker.isStopped(); }};
-            found = withOmplErrors([&] { return planning::checkPath(problem, loaded, states, options); });
+            found = planning::checkPath(problem, loaded, states, options);
         } catch (const planning::AuditStopped&) {
         }
     };
@@ -370,13 +354,6 @@ PYBIND11_MODULE(_planning, module) {
     namespace py = pybind11;
     using namespace clearway::python;
     py::module_::import("clearway._core");  // has the classes, and how errors are raised
-    py::register_exception_translator([](std::exception_ptr thrown) {
-        try {
-            if (thrown) std::rethrow_exception(thrown);
-        } catch (const OmplError& error) {
-            PyErr_SetString(PyExc_RuntimeError, error.text.c_str());
-        }
-    });
     module.def("plan", &plan, py::arg("problem"), py::arg("scene"), py::arg("margin"), py::arg("options"),
                py::arg("progress"), R"(For clearway.planning.plan.)");
     module.def("check", &check, py::arg("problem"), py::arg("path"), py::arg("scene"), py::arg("margin"),

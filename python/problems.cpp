@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "clearway/errors.h"
 #include "clearway/problem.h"
 #include "python/arrays.h"
 #include "python/bindings.h"
@@ -23,7 +24,7 @@ using FileName = std::filesystem::path;
 Space spaceNamed(const std::string& name) {
     if (name == "SE3") return Space::kSe3;
     if (name == "SE2") return Space::kSe2;
-    throw std::invalid_argument("space is '" + name + "', expected 'SE3' or 'SE2'");
+    throw ArgumentError("space is '" + name + "', expected 'SE3' or 'SE2'");
 }
 
 const char* nameOf(Space space) {
@@ -32,8 +33,7 @@ const char* nameOf(Space space) {
 
 void setMargin(Problem& problem, double margin) {
     if (!(margin >= 0 && std::isfinite(margin))) {
-        throw std::invalid_argument("margin is " + std::to_string(margin) +
-                                    ", expected a finite number >= 0");
+        throw ArgumentError("margin is " + std::to_string(margin) + ", expected a finite number >= 0");
     }
     problem.margin = margin;
 }
@@ -42,16 +42,16 @@ void setBounds(Problem& problem, const py::object& bounds) {
     if (bounds.is_none()) return problem.volume.reset();
     const auto corners = numbersOf(bounds, "bounds", 2);
     if (corners.shape(0) != 2 || corners.shape(1) != 3) {
-        throw std::invalid_argument("bounds has shape " + shapeOf(corners) + ", expected (2, 3)");
+        throw ArgumentError("bounds has shape " + shapeOf(corners) + ", expected (2, 3)");
     }
     Box box;
     for (int axis = 0; axis < 3; ++axis) {
         box.min()[axis] = corners.at(0, axis);
         box.max()[axis] = corners.at(1, axis);
         if (!(box.min()[axis] <= box.max()[axis]) || !std::isfinite(box.sizes()[axis])) {
-            throw std::invalid_argument(
-                "bounds[:, " + std::to_string(axis) + "] is " + std::to_string(box.min()[axis]) + " to " +
-                std::to_string(box.max()[axis]) + ", expected finite numbers, the least first");
+            throw ArgumentError("bounds[:, " + std::to_string(axis) + "] is " +
+                                std::to_string(box.min()[axis]) + " to " + std::to_string(box.max()[axis]) +
+                                ", expected finite numbers, the least first");
         }
     }
     problem.volume = box;
@@ -122,7 +122,7 @@ void bindPathFiles(py::module_& module) {
         },
         py::arg("file"), py::kw_only(), py::arg("space") = "SE3",
         R"(Reads a path file, one state a line: x y z qx qy qz qw in SE3, x y yaw in SE2. Returns poses (N, 4, 4),
-X_environment_part. Raises FileError when the file cannot be read, ValueError naming the line that is wrong.)");
+X_environment_part. Raises FileError when the file cannot be read, ArgumentError naming the line that is wrong.)");
     module.def(
         "write_path",
         [](const py::object& path, const FileName& file, const std::string& name) {
@@ -157,7 +157,7 @@ environment's unit. Poses are (4, 4), X_environment_part.)")
 without them the problem needs a Scene to plan in. Further rules, such as margins by name, need a problem file.)")
         .def_static(
             "load", [](const FileName& file) { return readProblem(file.string()); }, py::arg("file"),
-            R"(Reads a problem file. Raises FileError when it cannot be read, ValueError naming the key that is wrong. The mesh files
+            R"(Reads a problem file. Raises FileError when it cannot be read, ArgumentError naming the key that is wrong. The mesh files
 are not read yet: Scene.load does that.)")
         .def(
             "save",

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "clearway/build_options.h"
+#include "clearway/errors.h"
 #include "clearway/problem.h"
 #include "clearway/scene_clearance.h"
 #include "python/arrays.h"
@@ -28,7 +29,7 @@ PyObstacle makeObstacle(const Model& model, double margin, const Mesh* solid) {
     PyObstacle made{{model, margin}};
     if (!solid) return made;
     const MadeSolids solids = makeSolids(*solid);
-    if (!solids.refusals.empty()) throw std::invalid_argument("solid: " + solids.refusals.front());
+    if (!solids.refusals.empty()) throw ArgumentError("solid: " + solids.refusals.front());
     made.obstacle.solids = solids.solids;
     return made;
 }

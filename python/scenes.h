@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "clearway/errors.h"
 #include "clearway/problem.h"
 #include "clearway/scene_clearance.h"
 
@@ -38,7 +39,7 @@ inline Problem problemOf(const pybind11::object& given) {
 /// Throws std::invalid_argument when the problem has no mesh files.
 inline void requireMeshFiles(const Problem& problem) {
     if (!problem.robot.empty() && !problem.world.empty()) return;
-    throw std::invalid_argument("the problem names no mesh files, expected robot and worlds, or a scene");
+    throw ArgumentError("the problem names no mesh files, expected robot and worlds, or a scene");
 }
 
 }  // namespace clearway::python

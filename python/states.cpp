@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 #include <string>
 
+#include "clearway/errors.h"
 #include "clearway/scene_clearance.h"
 #include "python/arrays.h"
 #include "python/bindings.h"
@@ -135,8 +135,8 @@ SweepVerdict certify(const SceneClearance& clearance, const PartMotion& motion, 
 void requireUnitLength(const State& state, const char* name) {
     const double length = state.quaternion.norm();
     if (std::abs(length - 1) < kOmplNormError) return;
-    throw std::invalid_argument("the quaternion of " + std::string(name) + " has length " +
-                                std::to_string(length) + ", expected 1 to within 1e-9");
+    throw ArgumentError("the quaternion of " + std::string(name) + " has length " + std::to_string(length) +
+                        ", expected 1 to within 1e-9");
 }
 
 /// Whether OMPL leaves the turn out, and which way it turns otherwise, depends on the signs of two numbers

@@ -1,4 +1,4 @@
-# Who may include whom. Run as `cmake -DROOT=<repository> -P layering.cmake`: reads every #include line under src, include and
+# Who may include whom, and what the library throws. Run as `cmake -DROOT=<repository> -P layering.cmake`: reads every #include line under src, include and
 # demos, and fails with file:line and the rule for each one that breaks it.
 cmake_minimum_required(VERSION 3.25)
 
@@ -57,7 +57,7 @@ set(planners_headers planners.h planner_team.h sliding_rrt_connect.h)
 set(plan_headers problem_setup.h plan.h plan_setup.h finish.h check_path.h explain.h)
 
 # Public headers that only declare values and free functions are open to every layer, the others from model on.
-set(value_headers types.h mesh.h build_options.h build_report.h query.h sweep.h targets.h)
+set(value_headers errors.h types.h mesh.h build_options.h build_report.h query.h sweep.h targets.h)
 
 # Which files may see a library, by its include folder; every other file may not.
 set(hwy_users "^src/(kernels|query)/")
@@ -179,6 +179,13 @@ function(check_file file)
       refuse("${file}" "${directive}" "${rule}")
     endif()
   endforeach()
+  # Embree's failures are nobody's fault. The program's errors are its own.
+  if(file MATCHES "^(src|include)/" AND NOT file MATCHES "^src/(program/|build/split/embree[.]cpp$)")
+    string(REGEX MATCH "\n[^\n]*throw std::(invalid_argument|runtime_error)[(][^\n]*" directive "\n${text}")
+    if(directive)
+      refuse("${file}" "${directive}" "the library throws the types of clearway/errors.h")
+    endif()
+  endif()
   set(violations ${violations} PARENT_SCOPE)
 endfunction()
 

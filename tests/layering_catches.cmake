@@ -68,6 +68,7 @@ expect_refusal(demos/x.cpp "#include \"model/model.h\"" "demos include only publ
 expect_refusal(src/tree/x.cpp "#include \"flat_tree.h\"" "headers are named by their path")
 expect_refusal(src/tree/x.cpp "#include \"../core/x.h\"" "headers are named by their path")
 expect_refusal(src/tree/x.cpp "#include SOME_HEADER" "an include that hides its header")
+expect_refusal(src/tree/x.cpp "throw std::invalid_argument(\"width\");" "the library throws the types of clearway/errors.h")
 
 foreach(file IN ITEMS src/misc/x.cpp src/planning/x.cpp src/program/x.cpp demos/other/x.cpp)
   make_good_tree()

@@ -22,8 +22,8 @@ extern "C" {
 /// How a call ended.
 typedef enum clearway_status {
     CLEARWAY_OK = 0,                ///< as asked
-    CLEARWAY_INVALID_ARGUMENT = 1,  ///< an argument is not what was expected; in C++ std::invalid_argument
-    CLEARWAY_FILE_ERROR = 2,        ///< a file cannot be used; in C++ std::runtime_error
+    CLEARWAY_INVALID_ARGUMENT = 1,  ///< an argument is not what was expected; in C++ clearway::ArgumentError
+    CLEARWAY_FILE_ERROR = 2,        ///< a file cannot be used; in C++ clearway::FileError
     CLEARWAY_OUT_OF_MEMORY = 3,     ///< in C++ std::bad_alloc
     CLEARWAY_INTERNAL_ERROR = 4     ///< a bug of clearway's own
 } clearway_status;

@@ -4,8 +4,9 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <limits>
-#include <stdexcept>
 #include <string>
+
+#include "clearway/errors.h"
 
 #if defined(__BYTE_ORDER__) && __BYTE_ORDER__ != __ORDER_LITTLE_ENDIAN__
 #error "this processor is big-endian, clearway expects a little-endian one: it was not tried on others"
@@ -69,8 +70,8 @@ inline Pose toPose(const Eigen::Quaterniond& rotation, const Vector3& translatio
     const Eigen::Matrix<double, 4, 1, Eigen::DontAlign> coefficients = rotation.coeffs();
     const double length = coefficients.stableNorm();
     if (!(length > 0 && length < std::numeric_limits<double>::infinity())) {
-        throw std::invalid_argument("the quaternion's length is " + std::to_string(length) +
-                                    ", expected above 0 and finite");
+        throw ArgumentError("the quaternion's length is " + std::to_string(length) +
+                            ", expected above 0 and finite");
     }
     // Squares of very small entries would vanish, those of very large ones overflow.
     Eigen::Quaterniond unit(coefficients / length);

@@ -1,15 +1,19 @@
 """Exact distance and contact queries, and certified motions, for rigid parts given as triangle meshes.
 
 A pose is a (4, 4) array, X_environment_part: it maps coordinates of the part to those of the environment. Lengths are in the
-environment's unit. What C++ throws, Python raises: ValueError, or FileError (a ValueError and an OSError) about files.
+environment's unit. What C++ throws, Python raises: ArgumentError (a ValueError), FileError (an OSError and a ValueError) or OmplError (a
+RuntimeError), each an Error.
 """
 
 from ._core import (
+    ArgumentError,
     DistanceResult,
+    Error,
     FileError,
     Mesh,
     Model,
     Obstacle,
+    OmplError,
     Problem,
     Scene,
     Workspace,
@@ -31,11 +35,14 @@ from ._core import (
 )
 
 __all__ = [
+    "ArgumentError",
     "DistanceResult",
+    "Error",
     "FileError",
     "Mesh",
     "Model",
     "Obstacle",
+    "OmplError",
     "Problem",
     "Scene",
     "Workspace",

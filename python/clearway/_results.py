@@ -7,7 +7,7 @@ from typing import Any, Dict, Optional, Tuple, Union
 import numpy as np
 import numpy.typing as npt
 
-from ._core import write_path
+from ._core import ArgumentError, write_path
 
 Floats = npt.NDArray[np.float64]
 FileName = Union[str, "os.PathLike[str]"]
@@ -287,9 +287,9 @@ class PlanResult:
         return self.is_valid
 
     def save(self, file: FileName) -> None:
-        """Writes the path file that `clearway plan` would write. Raises ValueError without a path."""
+        """Writes the path file that `clearway plan` would write. Raises ArgumentError without a path."""
         if not self.is_found:
-            raise ValueError("there is no path to save: the outcome is '%s'" % self.outcome)
+            raise ArgumentError("there is no path to save: the outcome is '%s'" % self.outcome)
         write_path(self.states, file, space=self.space)
 
 

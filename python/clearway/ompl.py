@@ -16,7 +16,7 @@ from typing import Any, Callable, Optional, Tuple
 
 import numpy.typing as npt
 
-from . import Scene, _core
+from . import ArgumentError, Scene, _core
 
 try:
     _base: Any = importlib.import_module("ompl.base")
@@ -38,7 +38,7 @@ class ValidityChecker(_base.StateValidityChecker):  # type: ignore[misc]
         self, si: Any, scene: Scene, state_to_pose: Optional[Callable[[Any], npt.ArrayLike]] = None
     ) -> None:
         """si: ompl.base.SpaceInformation, of SE3StateSpace or SE2StateSpace. Any other space needs `state_to_pose`, which
-        returns the pose (4, 4), X_environment_part, of a state. Raises ValueError, naming the space, without it."""
+        returns the pose (4, 4), X_environment_part, of a state. Raises ArgumentError, naming the space, without it."""
         super().__init__(si)
         space = si.getStateSpace()
         self._satisfies_bounds = _satisfies_bounds(space)
@@ -97,7 +97,7 @@ class MotionValidator(_base.MotionValidator):  # type: ignore[misc]
     """
 
     def __init__(self, si: Any, scene: Scene) -> None:
-        """si: ompl.base.SpaceInformation. Raises ValueError, naming the space, unless it is SE3StateSpace or SE2StateSpace:
+        """si: ompl.base.SpaceInformation. Raises ArgumentError, naming the space, unless it is SE3StateSpace or SE2StateSpace:
         other spaces interpolate in their own ways."""
         super().__init__(si)
         space = si.getStateSpace()
@@ -109,7 +109,7 @@ class MotionValidator(_base.MotionValidator):  # type: ignore[misc]
         elif bound is _base.SE2StateSpace:
             self._numbers, self._certify = _numbers_of_se2, _core.certify_se2_motion
         else:
-            raise ValueError(
+            raise ArgumentError(
                 "the motions of state space '%s' (%s) are unknown, expected SE3StateSpace or SE2StateSpace"
                 % (space.getName(), bound.__name__)
             )
@@ -172,7 +172,7 @@ def _pose_numbers(space: Any) -> Callable[[Any], _Numbers]:
         return _numbers_of_se3
     if isinstance(space, _base.SE2StateSpace):
         return _pose_numbers_of_se2
-    raise ValueError(
+    raise ArgumentError(
         "state space '%s' (%s) is neither SE(3) nor SE(2), expected state_to_pose, a function from its states to poses"
         % (space.getName(), type(space).__name__)
     )
@@ -195,7 +195,7 @@ def _satisfies_bounds(space: Any) -> Callable[[Any], bool]:
     try:
         satisfies: Callable[[Any], bool] = space.satisfiesBounds
     except AttributeError:
-        raise ValueError(
+        raise ArgumentError(
             "OMPL's bindings of state space '%s' (%s) have no satisfiesBounds, expected a space that has bounds"
             % (space.getName(), type(space).__name__)
         ) from None

@@ -2,7 +2,7 @@
 
 Both take a problem file's name or a clearway.Problem. Poses are (4, 4) arrays, X_environment_part: they map coordinates of the part
 to those of the environment. States are (7,): x y z, then a quaternion qx qy qz qw. Lengths are in the environment's unit, angles in
-radians, times along a segment from 0 to 1. Wrong arguments raise ValueError, files FileError, OMPL's own errors RuntimeError.
+radians, times along a segment from 0 to 1. Errors are ArgumentError, FileError and, for OMPL's own, OmplError, all of clearway.
 """
 
 import importlib.util
@@ -117,7 +117,7 @@ def plan(
     Python's other threads go on meanwhile. One plan or check runs at a time in a process; others wait for their turn. Ctrl-C raises
     PlanningInterrupted, a KeyboardInterrupt whose result has what was found; a model that is being built is finished first.
 
-    Raises ValueError for a wrong argument or problem, and when start or goal is not valid: then it names the closest meshes.
+    Raises ArgumentError for a wrong argument or problem, and when start or goal is not valid: then it names the closest meshes.
     """
     options = {
         "planner": planner,
@@ -166,7 +166,7 @@ def check(
 
     Bounds that the problem does not state hold the path too. Ctrl-C raises KeyboardInterrupt.
 
-    Raises ValueError for a path without states, or with one that the problem's space cannot hold.
+    Raises ArgumentError for a path without states, or with one that the problem's space cannot hold.
     """
     if isinstance(path, PlanResult):
         path = path.states

@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <functional>
-#include <stdexcept>
 
 #include "build/fits.h"
 #include "build/general_splits.h"
 #include "build/leaf_splits.h"
+#include "clearway/errors.h"
 #include "core/text.h"
 #include "tree/flat_tree.h"
 
@@ -87,12 +87,12 @@ void requireBuildOptions(const BuildOptions& options) {
     leafSplitNamed(options.leafSplit);
     fitNamed(options.fit);
     if (options.leafSize < 1 || options.leafSize > kLargestLeafSize) {
-        throw std::invalid_argument("leafSize is " + std::to_string(options.leafSize) + ", expected 1 to " +
-                                    std::to_string(kLargestLeafSize));
+        throw ArgumentError("leafSize is " + std::to_string(options.leafSize) + ", expected 1 to " +
+                            std::to_string(kLargestLeafSize));
     }
     if (options.threads < 0 || options.threads > kMostThreads) {
-        throw std::invalid_argument("threads is " + std::to_string(options.threads) + ", expected 0 to " +
-                                    std::to_string(kMostThreads));
+        throw ArgumentError("threads is " + std::to_string(options.threads) + ", expected 0 to " +
+                            std::to_string(kMostThreads));
     }
     withNodeWidth(options.nodeWidth, [](auto) {});
 }

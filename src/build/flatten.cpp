@@ -7,12 +7,12 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <stdexcept>
 #include <vector>
 
 #include "build/leaf_centre.h"
 #include "build/leaf_order.h"
 #include "build/top_down.h"
+#include "clearway/errors.h"
 #include "mesh/renumber.h"
 #include "tree/rss.h"
 
@@ -133,7 +133,7 @@ class Flattening {
         const LeafCentre centre = chooseLeafCentre(corners_, flat_.origin, flat_.unit);
         std::vector<float>& blocks = flat_.leafBlocks;
         const std::size_t at = blocks.size();
-        if (at >= kLeafBlocksEnd) throw std::length_error("the mesh has too many triangles for one tree");
+        if (at >= kLeafBlocksEnd) throw ArgumentError("the mesh has too many triangles for one tree");
 
         blocks.insert(blocks.end(), centre.stored.begin(), centre.stored.end());
         blocks.push_back(roundedUp(largestDistance(corners_, centre.point) / flat_.unit));

@@ -13,6 +13,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "clearway/errors.h"
 #include "clearway/mesh.h"
 #include "clearway/model.h"
 #include "clearway/query.h"
@@ -57,9 +58,9 @@ class HandleTable {
 
   private:
     [[noreturn]] static void refuse(clearway_handle handle, const char* name, const char* expected) {
-        throw std::invalid_argument(std::string(name) + " is " + std::to_string(handle) +
-                                    (handle == 0 ? "" : ", a handle that was freed or never given out") +
-                                    ", expected " + expected);
+        throw ArgumentError(std::string(name) + " is " + std::to_string(handle) +
+                            (handle == 0 ? "" : ", a handle that was freed or never given out") +
+                            ", expected " + expected);
     }
 
     mutable std::shared_mutex mutex_;
@@ -76,18 +77,18 @@ HandleTable& handles() {
 Model modelOf(clearway_handle handle, const char* name) {
     const Entry entry = handles().find(handle, name, "a model");
     if (entry.model) return *entry.model;
-    throw std::invalid_argument(std::string(name) + " is a workspace, expected a model");
+    throw ArgumentError(std::string(name) + " is a workspace, expected a model");
 }
 
 std::shared_ptr<OwnedWorkspace> workspaceOf(clearway_handle handle) {
     Entry entry = handles().find(handle, "workspace", "a workspace or 0");
     if (entry.workspace) return std::move(entry.workspace);
-    throw std::invalid_argument("workspace is a model, expected a workspace or 0");
+    throw ArgumentError("workspace is a model, expected a workspace or 0");
 }
 
 void requirePointer(const void* pointer, const char* name, const char* expected) {
     if (pointer != nullptr) return;
-    throw std::invalid_argument(std::string(name) + " is a null pointer, expected " + expected);
+    throw ArgumentError(std::string(name) + " is a null pointer, expected " + expected);
 }
 
 Pose poseOfRows(const double* m) {
@@ -96,7 +97,7 @@ Pose poseOfRows(const double* m) {
         std::ostringstream message;
         message << "the last row of pose is " << m[12] << ' ' << m[13] << ' ' << m[14] << ' ' << m[15]
                 << ", expected 0 0 0 1";
-        throw std::invalid_argument(message.str());
+        throw ArgumentError(message.str());
     }
     Pose pose;
     for (int row = 0; row < 3; ++row) {
@@ -136,7 +137,7 @@ Model loadModel(const std::string& file, double scale) {
     if (scale != 1) {
         std::ostringstream message;
         message << "scale is " << scale << ", expected 1 for a saved model";
-        throw std::invalid_argument(message.str());
+        throw ArgumentError(message.str());
     }
     return Model::load(file);
 }
@@ -206,9 +207,9 @@ clearway_status answer(const Work& work) noexcept {
     try {
         work();
         return CLEARWAY_OK;
-    } catch (const std::invalid_argument& error) {
+    } catch (const ArgumentError& error) {
         return fail(CLEARWAY_INVALID_ARGUMENT, error.what());
-    } catch (const std::runtime_error& error) {
+    } catch (const FileError& error) {
         return fail(CLEARWAY_FILE_ERROR, error.what());
     } catch (const std::bad_alloc&) {
         return fail(CLEARWAY_OUT_OF_MEMORY, "out of memory");

@@ -4,11 +4,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <type_traits>
 #include <vector>
+
+#include "clearway/errors.h"
 
 namespace clearway {
 
@@ -68,14 +69,14 @@ class ArchiveReader {
     /// Reads a count and checks that the rest can hold that many items of at least bytesEach bytes.
     std::size_t readCount(std::size_t bytesEach) {
         const auto count = read<std::uint64_t>();
-        if (count > rest_.size() / bytesEach) throw std::runtime_error("ends too early");
+        if (count > rest_.size() / bytesEach) throw FileError("ends too early");
         return std::size_t(count);
     }
     bool isAtEnd() const { return rest_.empty(); }
 
   private:
     void require(std::size_t bytes) const {
-        if (bytes > rest_.size()) throw std::runtime_error("ends too early");
+        if (bytes > rest_.size()) throw FileError("ends too early");
     }
     std::string_view rest_;
 };

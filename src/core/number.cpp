@@ -2,8 +2,9 @@
 
 #include <charconv>
 #include <cmath>
-#include <stdexcept>
 #include <system_error>
+
+#include "clearway/errors.h"
 
 namespace clearway {
 
@@ -91,7 +92,7 @@ std::string withUnit(const std::string& text, const std::string& unit) {
 
 void requireNotNegative(const std::string& name, double value) {
     if (value >= 0 && std::isfinite(value)) return;
-    throw std::invalid_argument(name + " is " + shortNumber(value) + ", expected a finite number >= 0");
+    throw ArgumentError(name + " is " + shortNumber(value) + ", expected a finite number >= 0");
 }
 
 }  // namespace clearway

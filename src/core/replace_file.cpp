@@ -10,7 +10,8 @@
 #include <filesystem>
 #include <fstream>
 #include <random>
-#include <stdexcept>
+
+#include "clearway/errors.h"
 
 namespace clearway {
 
@@ -23,8 +24,8 @@ std::string temporaryName(const std::string& file) {
 
 [[noreturn]] void refuse(const std::string& file, const char* expected) {
     const int reason = errno;
-    throw std::runtime_error("cannot write '" + file + "': " +
-                             (reason ? std::strerror(reason) : "write failed") + ", expected " + expected);
+    throw FileError("cannot write '" + file + "': " + (reason ? std::strerror(reason) : "write failed") +
+                    ", expected " + expected);
 }
 
 struct TemporaryFile {
@@ -72,15 +73,15 @@ std::string freeName(const std::string& file) {
 std::string requireFileOrNothing(const std::string& file) {
     const auto [name, kind, error] = targetOf(file);
     if (kind == std::filesystem::file_type::directory) {
-        throw std::runtime_error("cannot write '" + file + "': it is a folder, expected the name of a file");
+        throw FileError("cannot write '" + file + "': it is a folder, expected the name of a file");
     }
     if (kind == std::filesystem::file_type::none) {
         errno = error.value();
         refuse(file, "a regular file or a new name");
     }
     if (kind != std::filesystem::file_type::not_found && kind != std::filesystem::file_type::regular) {
-        throw std::runtime_error("cannot write '" + file +
-                                 "': it is not a regular file, expected a regular file or a new name");
+        throw FileError("cannot write '" + file +
+                        "': it is not a regular file, expected a regular file or a new name");
     }
     return name;
 }
@@ -162,8 +163,8 @@ std::optional<std::string> setAside(const std::string& given) {
     const int done = failed ? std::rename(file.c_str(), name.c_str()) : std::remove(file.c_str());
     if (done == 0) return name;
     const std::string reason = std::strerror(errno);
-    throw std::runtime_error("cannot rename '" + file + "' to '" + name + "': " + reason +
-                             ", expected a folder that may be written");
+    throw FileError("cannot rename '" + file + "' to '" + name + "': " + reason +
+                    ", expected a folder that may be written");
 }
 
 void makeFolder(const std::string& folder) {
@@ -171,9 +172,8 @@ void makeFolder(const std::string& folder) {
     std::filesystem::create_directories(folder, error);
     std::error_code ignored;
     if (!error && std::filesystem::is_directory(folder, ignored)) return;
-    throw std::runtime_error("cannot make the folder '" + folder + "'" +
-                             (error ? ": " + error.message() : "") +
-                             ", expected a folder that exists or a name for a new one");
+    throw FileError("cannot make the folder '" + folder + "'" + (error ? ": " + error.message() : "") +
+                    ", expected a folder that exists or a name for a new one");
 }
 
 }  // namespace clearway

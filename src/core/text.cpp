@@ -6,8 +6,9 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <stdexcept>
 #include <utility>
+
+#include "clearway/errors.h"
 
 namespace clearway {
 
@@ -18,7 +19,7 @@ constexpr std::size_t kLongestQuote = 60;   // characters
 constexpr std::size_t kLeastBeginning = 2;  // characters of a name that a longer word may begin with
 
 [[noreturn]] void refuse(const std::string& file, const std::string& reason, const char* expected) {
-    throw std::runtime_error("cannot read '" + file + "': " + reason + ", expected " + expected);
+    throw FileError("cannot read '" + file + "': " + reason + ", expected " + expected);
 }
 
 /// How many letters must be changed, inserted, left out or swapped with their neighbour to make one word of the other;

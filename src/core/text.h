@@ -1,10 +1,11 @@
 // Text in files and in messages: lines, words, quotes, lists of names, and tables whose rows have names.
 #pragma once
 
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "clearway/errors.h"
 
 // clearway::planning uses it too, from another shared library.
 #pragma GCC visibility push(default)
@@ -54,8 +55,8 @@ const auto& rowNamed(const Table& table, const std::string& what, const std::str
     for (const auto& row : table) {
         if (name == row.name) return row;
     }
-    throw std::invalid_argument(what + " is " + quote(name) + didYouMean(name, namesOf(table)) +
-                                ", expected one of " + joined(namesOf(table)));
+    throw ArgumentError(what + " is " + quote(name) + didYouMean(name, namesOf(table)) +
+                        ", expected one of " + joined(namesOf(table)));
 }
 
 }  // namespace clearway

@@ -2,8 +2,8 @@
 #include <cmath>
 #include <limits>
 #include <sstream>
-#include <stdexcept>
 
+#include "clearway/errors.h"
 #include "clearway/types.h"
 
 namespace clearway {
@@ -30,7 +30,7 @@ namespace {
         message << "matrix is no rotation: max |R^T R - I| is " << defect << ", expected at most "
                 << accepted;
     }
-    throw std::invalid_argument(message.str());
+    throw ArgumentError(message.str());
 }
 
 }  // namespace

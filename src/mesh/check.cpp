@@ -9,6 +9,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "clearway/errors.h"
 #include "core/text.h"
 #include "mesh/clean.h"
 #include "mesh/components.h"
@@ -22,7 +23,7 @@ void refuseMeshFile(const std::string& file, std::string reason) {
     }
     while (!reason.empty() && (reason.back() == ' ' || reason.back() == '.')) reason.pop_back();
     if (reason.empty()) reason = "the reader gives no reason";
-    throw std::runtime_error(
+    throw FileError(
         "cannot read mesh '" + file + "': " + reason +
         ", expected a mesh file (stl, obj, ply, off, gltf, glb, 3mf, dae, or what else assimp reads)");
 }
@@ -42,10 +43,9 @@ void requireReadableMeshFile(const std::string& file) {
     if (bytes == 0) refuseMeshFile(file, "it is empty");
     const std::string format = surfaceFormat(stream);
     if (!format.empty()) {
-        throw std::runtime_error(
-            "cannot read mesh '" + file + "': it is " + format +
-            ", which holds surfaces, not triangles, expected a mesh: export STL, OBJ, 3MF or "
-            "glTF from the CAD program");
+        throw FileError("cannot read mesh '" + file + "': it is " + format +
+                        ", which holds surfaces, not triangles, expected a mesh: export STL, OBJ, 3MF or "
+                        "glTF from the CAD program");
     }
 }
 
@@ -67,7 +67,7 @@ void requireComponents(const Mesh& mesh) {
             message << "component " << i << " ('" << component.name << "')" << inFile(mesh)
                     << " begins at triangle " << component.firstTriangle << ", expected " << expectedFirst
                     << ", the end of the component before";
-            throw std::invalid_argument(message.str());
+            throw ArgumentError(message.str());
         }
         expectedFirst += component.triangleCount;
     }
@@ -75,7 +75,7 @@ void requireComponents(const Mesh& mesh) {
         std::ostringstream message;
         message << "the components" << inFile(mesh) << " hold " << expectedFirst << " triangles, expected "
                 << mesh.triangles.size() << ", all of the mesh";
-        throw std::invalid_argument(message.str());
+        throw ArgumentError(message.str());
     }
 }
 
@@ -104,14 +104,14 @@ std::string namesWithoutArea(const Mesh& mesh) {
     std::ostringstream message;
     message << nameOfTriangle(mesh, triangle) << " refers to vertex " << vertex << ", expected one below "
             << mesh.vertices.size();
-    throw std::invalid_argument(message.str());
+    throw ArgumentError(message.str());
 }
 
 [[noreturn]] void refuseVertex(const Mesh& mesh, std::size_t triangle, const Vector3& vertex) {
     std::ostringstream message;
     message << nameOfTriangle(mesh, triangle) << " has a vertex at (" << vertex.x() << ", " << vertex.y()
             << ", " << vertex.z() << "), expected finite coordinates";
-    throw std::invalid_argument(message.str());
+    throw ArgumentError(message.str());
 }
 
 }  // namespace
@@ -126,7 +126,7 @@ std::string nameOfTriangle(const Mesh& mesh, std::size_t triangle) {
 
 void requireSoundMesh(const Mesh& mesh) {
     if (mesh.triangles.empty()) {
-        throw std::invalid_argument("the mesh" + inFile(mesh) + " holds 0 triangles, expected at least 1");
+        throw ArgumentError("the mesh" + inFile(mesh) + " holds 0 triangles, expected at least 1");
     }
     requireComponents(mesh);
     for (std::size_t id = 0; id < mesh.triangles.size(); ++id) {
@@ -178,7 +178,7 @@ void requireSoundMeshFile(const Mesh& mesh, const std::string& file) {
         std::string reason = error.what();
         const std::size_t at = reason.find(inFile(mesh));  // the message names the file already
         if (at != reason.npos) reason.erase(at, inFile(mesh).size());
-        throw std::runtime_error("cannot read mesh '" + file + "': " + reason);
+        throw FileError("cannot read mesh '" + file + "': " + reason);
     }
 }
 

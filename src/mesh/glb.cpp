@@ -8,9 +8,9 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 #include <sstream>
-#include <stdexcept>
 #include <utility>
 
+#include "clearway/errors.h"
 #include "core/json.h"
 #include "mesh/check.h"
 #include "mesh/components.h"
@@ -104,8 +104,8 @@ void Document::write(std::ostream& stream) {
     text.append((4 - text.size() % 4) % 4, ' ');  // whole words
     const std::uint64_t bytes = 12 + 8 + text.size() + 8 + binaryBytes_;
     if (bytes > std::numeric_limits<std::uint32_t>::max()) {
-        throw std::invalid_argument("the mesh takes " + std::to_string(bytes) +
-                                    " bytes, expected at most 2^32 - 1 for a .glb file");
+        throw ArgumentError("the mesh takes " + std::to_string(bytes) +
+                            " bytes, expected at most 2^32 - 1 for a .glb file");
     }
     writeWord(stream, 0x46546c67);  // "glTF"
     writeWord(stream, 2);
@@ -160,7 +160,7 @@ std::array<float, 3> rounded(const Mesh& mesh, std::size_t triangle, const Vecto
         std::ostringstream message;
         message << nameOfTriangle(mesh, triangle) << " has a vertex at (" << vertex.x() << ", " << vertex.y()
                 << ", " << vertex.z() << "), expected coordinates within a float's range to write";
-        throw std::invalid_argument(message.str());
+        throw ArgumentError(message.str());
     }
     return {static_cast<float>(vertex.x()), static_cast<float>(vertex.y()), static_cast<float>(vertex.z())};
 }

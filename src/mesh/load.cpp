@@ -5,11 +5,11 @@
 #include <cmath>
 #include <new>
 #include <sstream>
-#include <stdexcept>
 #include <string_view>
 #include <tuple>
 #include <vector>
 
+#include "clearway/errors.h"
 #include "clearway/mesh.h"
 #include "core/hash.h"
 #include "core/number.h"
@@ -85,10 +85,9 @@ void requireSameSurface(const AssimpMesh& theirs, const Mesh& ours, const std::s
     const std::size_t most =
         ours.triangles.size() + (ours.origin.crossingFaces > 0 ? ours.origin.ignoredFaces : 0);
     if (count < ours.triangles.size() || count > most) {
-        throw std::runtime_error("cannot read mesh '" + file +
-                                 "' as OMPL.app does: its reader (assimp) finds " + std::to_string(count) +
-                                 " triangles, the file holds " + std::to_string(ours.triangles.size()) +
-                                 ", expected reading = stored");
+        throw FileError("cannot read mesh '" + file + "' as OMPL.app does: its reader (assimp) finds " +
+                        std::to_string(count) + " triangles, the file holds " +
+                        std::to_string(ours.triangles.size()) + ", expected reading = stored");
     }
     constexpr double kTolerance = 1e-4;  // of the largest coordinate; float and its text are finer
     Box expected;
@@ -103,9 +102,8 @@ void requireSameSurface(const AssimpMesh& theirs, const Mesh& ours, const std::s
     const auto text = [](const Box& box) {
         return roundedPoint(box.min()) + " to " + roundedPoint(box.max());
     };
-    throw std::runtime_error("cannot read mesh '" + file +
-                             "' as OMPL.app does: its reader (assimp) finds the box " + text(found) +
-                             ", the file holds " + text(expected) + ", expected reading = stored");
+    throw FileError("cannot read mesh '" + file + "' as OMPL.app does: its reader (assimp) finds the box " +
+                    text(found) + ", the file holds " + text(expected) + ", expected reading = stored");
 }
 
 /// A world is read by our readers, rounded to float as OMPL.app holds it, where assimp would change no corner: formats without transforms,
@@ -144,7 +142,7 @@ Mesh loadMesh(const std::string& file, const LoadOptions& options) {
     if (!(options.scale > 0) || !std::isfinite(options.scale)) {
         std::ostringstream message;
         message << "scale is " << options.scale << ", expected a finite number above 0";
-        throw std::invalid_argument(message.str());
+        throw ArgumentError(message.str());
     }
     requireReadableMeshFile(file);
     const MappedFile mapped(file);
@@ -158,7 +156,7 @@ Mesh loadMesh(const std::string& file, const LoadOptions& options) {
                 format ? readMesh(*format, file, mapped.bytes()) : readByAssimp(file, options.reading).mesh;
         }
     } catch (const std::bad_alloc&) {
-        throw std::runtime_error("cannot read mesh '" + file + "': it takes more memory than there is");
+        throw FileError("cannot read mesh '" + file + "': it takes more memory than there is");
     }
     requireSoundMeshFile(mesh, file);
     mesh.origin.warnings = readingWarnings(mesh);

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <sstream>
-#include <stdexcept>
+
+#include "clearway/errors.h"
 
 namespace clearway {
 
@@ -12,7 +13,7 @@ Mesh boxMesh(const Box& box, const std::string& name) {
         std::ostringstream message;
         message << "box '" << name << "' is from (" << box.min().transpose() << ") to ("
                 << box.max().transpose() << "), expected finite corners, the first one below the other";
-        throw std::invalid_argument(message.str());
+        throw ArgumentError(message.str());
     }
     Mesh mesh;
     for (int i = 0; i < 8; ++i) {  // bit 0, 1, 2 of a corner: the far end along x, y, z

@@ -6,8 +6,8 @@
 #include <cctype>
 #include <filesystem>
 #include <ostream>
-#include <stdexcept>
 
+#include "clearway/errors.h"
 #include "clearway/mesh.h"
 #include "core/replace_file.h"
 #include "core/text.h"
@@ -75,8 +75,8 @@ void writeByAssimp(const std::vector<SavePart>& parts, const ExportFormat& forma
     Assimp::Exporter exporter;
     const aiExportDataBlob* blob = exporter.ExportToBlob(&scene, format.assimpId);
     if (!blob) {
-        throw std::runtime_error("cannot write mesh '" + file + "': " + exporter.GetErrorString() +
-                                 ", expected a mesh that assimp can export as " + format.name);
+        throw FileError("cannot write mesh '" + file + "': " + exporter.GetErrorString() +
+                        ", expected a mesh that assimp can export as " + format.name);
     }
     replaceFile(file, [&](std::ostream& stream) {
         stream.write(static_cast<const char*>(blob->data), static_cast<std::streamsize>(blob->size));

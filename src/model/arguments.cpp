@@ -1,8 +1,8 @@
 #include "model/arguments.h"
 
 #include <sstream>
-#include <stdexcept>
 
+#include "clearway/errors.h"
 #include "tree/flat_tree.h"
 
 namespace clearway {
@@ -13,7 +13,7 @@ void requireSameWidth(const Model& part, const Model& environment) {
     std::ostringstream message;
     message << "the part's nodes have " << partWidth << " children and the environment's " << environmentWidth
             << ", expected both models to be built with the same nodeWidth";
-    throw std::invalid_argument(message.str());
+    throw ArgumentError(message.str());
 }
 
 }  // namespace clearway

@@ -5,9 +5,9 @@
 #include <map>
 #include <optional>
 #include <set>
-#include <stdexcept>
 #include <tuple>
 
+#include "clearway/errors.h"
 #include "core/number.h"
 #include "core/text.h"
 #include "mesh/components.h"
@@ -79,10 +79,10 @@ class Rules {
             const std::vector<std::size_t> members = names_.find(key, name);
             for (const std::size_t i : members) {
                 if (found[i] && found[i]->count == members.size() && found[i]->length != length) {
-                    throw std::invalid_argument("the " + rule + " of '" + names_.components()[i].name +
-                                                "' is " + shortNumber(found[i]->length) + " by " + rule +
-                                                "." + *found[i]->name + " and " + shortNumber(length) +
-                                                " by " + key + ", expected one");
+                    throw ArgumentError("the " + rule + " of '" + names_.components()[i].name + "' is " +
+                                        shortNumber(found[i]->length) + " by " + rule + "." +
+                                        *found[i]->name + " and " + shortNumber(length) + " by " + key +
+                                        ", expected one");
                 }
                 if (found[i] && found[i]->count < members.size()) continue;
                 found[i] = Length{members.size(), &name, length};
@@ -95,10 +95,9 @@ class Rules {
         for (std::size_t i = 0; i < treatments_.size(); ++i) {
             const Treatment& treatment = treatments_[i];
             if (treatment.isIgnored || !(treatment.margin > 0) || !(treatment.overlap > 0)) continue;
-            throw std::invalid_argument("the obstacle '" + names_.components()[i].name + "' has the margin " +
-                                        shortNumber(treatment.margin) + " and the overlap " +
-                                        shortNumber(treatment.overlap) +
-                                        ", expected at least one of them to be 0");
+            throw ArgumentError("the obstacle '" + names_.components()[i].name + "' has the margin " +
+                                shortNumber(treatment.margin) + " and the overlap " +
+                                shortNumber(treatment.overlap) + ", expected at least one of them to be 0");
         }
     }
 
@@ -111,7 +110,7 @@ void makeSolid(ObstacleGroup& group, bool isRule, std::vector<std::string>& note
     const MadeSolids made = makeSolids(group.mesh);
     if (isRule && !made.refusals.empty()) {
         const std::size_t others = made.refusals.size() - 1;
-        throw std::invalid_argument(
+        throw ArgumentError(
             "solid: " + made.refusals[0] +
             (others == 0 ? "" : "; " + std::to_string(others) + " more of the solids enclose nothing"));
     }
@@ -127,8 +126,7 @@ std::shared_ptr<const ShrunkModel> shrunkBy(double overlap,
     for (const auto& model : shrunk) {
         if (model->overlap == overlap) return model;
     }
-    throw std::invalid_argument("no shrunk part for the overlap " + shortNumber(overlap) +
-                                ", expected one for each");
+    throw ArgumentError("no shrunk part for the overlap " + shortNumber(overlap) + ", expected one for each");
 }
 
 /// The first triangle of each component in its own file.

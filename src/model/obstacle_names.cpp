@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <map>
 #include <set>
-#include <stdexcept>
 
+#include "clearway/errors.h"
 #include "core/text.h"
 #include "mesh/components.h"
 
@@ -135,9 +135,8 @@ std::vector<std::size_t> ObstacleNames::find(const std::string& rule, const std:
     if (called.size() > 1) {
         std::vector<std::string> labels;
         for (const std::size_t f : called) labels.push_back(labels_[f]);
-        throw std::invalid_argument(rule + " names '" + name +
-                                    "', which is the name of several files, expected one of " +
-                                    listed(labels));
+        throw ArgumentError(rule + " names '" + name +
+                            "', which is the name of several files, expected one of " + listed(labels));
     }
     found = where(components_, [&](const Component& component) { return component.bare == name; });
     if (found.size() == 1) return found;
@@ -147,10 +146,10 @@ std::vector<std::size_t> ObstacleNames::find(const std::string& rule, const std:
             names.push_back(components_[i].name);
         }
     }
-    throw std::invalid_argument(rule + " names '" + name + "', " +
-                                (found.empty() ? "which is no obstacle" + didYouMean(name, names)
-                                               : std::string("which is in several files")) +
-                                ", expected one of " + listed(names));
+    throw ArgumentError(rule + " names '" + name + "', " +
+                        (found.empty() ? "which is no obstacle" + didYouMean(name, names)
+                                       : std::string("which is in several files")) +
+                        ", expected one of " + listed(names));
 }
 
 }  // namespace clearway

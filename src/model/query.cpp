@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
+#include "clearway/errors.h"
 #include "clearway/model.h"
 #include "core/number.h"
 #include "model/arguments.h"
@@ -74,7 +74,7 @@ Workspace& workspaceOfThread() {
 
 Workspace& OwnedWorkspace::mine() {
     if (owner_ == std::this_thread::get_id()) return workspace_;
-    throw std::invalid_argument("the workspace belongs to another thread, expected one for each thread");
+    throw ArgumentError("the workspace belongs to another thread, expected one for each thread");
 }
 
 DistanceResult distance(const Model& part, const Model& environment, const Pose& X_environmentPart,

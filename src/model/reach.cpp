@@ -10,9 +10,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 #include <string>
 
+#include "clearway/errors.h"
 #include "core/number.h"
 #include "mesh/renumber.h"
 
@@ -105,8 +105,8 @@ CornerPoints cornersOf(const CleanMesh& mesh, const TriangleIndices& triangle) {
 }
 
 [[noreturn]] void refuseBeyondReach(const std::string& what, double value, const std::string& expected) {
-    throw std::invalid_argument(what + " is " + shortNumber(value) + ", expected " + expected +
-                                ": the environment was built without the triangles beyond that reach");
+    throw ArgumentError(what + " is " + shortNumber(value) + ", expected " + expected +
+                        ": the environment was built without the triangles beyond that reach");
 }
 
 }  // namespace
@@ -115,9 +115,9 @@ void requireReach(const Reach& reach) {
     const Vector3 low = reach.positions.min(), high = reach.positions.max();
     for (int axis = 0; axis < 3; ++axis) {
         if (low[axis] <= high[axis] && std::isfinite(low[axis]) && std::isfinite(high[axis])) continue;
-        throw std::invalid_argument(std::string("the reach's positions along ") + "xyz"[axis] + " are " +
-                                    formatNumber(low[axis]) + " to " + formatNumber(high[axis]) +
-                                    ", expected finite numbers, the first at most the second");
+        throw ArgumentError(std::string("the reach's positions along ") + "xyz"[axis] + " are " +
+                            formatNumber(low[axis]) + " to " + formatNumber(high[axis]) +
+                            ", expected finite numbers, the first at most the second");
     }
     requireNotNegative("the reach's partRadius", reach.partRadius);
     requireNotNegative("the reach's cap", reach.cap);
@@ -148,7 +148,7 @@ std::size_t leaveOutUnreachable(CleanMesh& mesh, const Reach& reach) {
 
 void requireWithinReach(const Model& part, const Model& environment, const Pose& X_environmentPart) {
     if (part.reach()) {
-        throw std::invalid_argument(
+        throw ArgumentError(
             "the part was built with a reach and lacks triangles, expected one built without");
     }
     if (!environment.reach()) return;

@@ -10,6 +10,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "clearway/errors.h"
 #include "clearway/model.h"
 #include "core/archive.h"
 #include "core/hash.h"
@@ -26,7 +27,7 @@ constexpr std::uint64_t kVersion = 7;
 constexpr std::uint64_t kByteOrder = 0x0102030405060708u;
 
 [[noreturn]] void refuseFile(const std::string& file, const std::string& reason) {
-    throw std::runtime_error(file + ": " + reason + ", expected a model saved by this version of clearway");
+    throw FileError(file + ": " + reason + ", expected a model saved by this version of clearway");
 }
 
 std::uint64_t hashOf(std::string_view bytes) {
@@ -206,7 +207,7 @@ std::string readWhole(const std::string& file) {
     std::ifstream in;
     if (std::filesystem::is_regular_file(file, unreadable)) in.open(file, std::ios::binary);
     if (!in.is_open()) {
-        throw std::runtime_error(file + ": cannot be read, expected a saved model");
+        throw FileError(file + ": cannot be read, expected a saved model");
     }
     return {std::istreambuf_iterator<char>(in), {}};
 }
@@ -250,34 +251,32 @@ Model Model::load(const std::string& file) {
         ArchiveReader in(bytes);
         char magic[sizeof kMagic];
         in.readBytes(magic, sizeof magic);
-        if (std::memcmp(magic, kMagic, sizeof magic) != 0) throw std::runtime_error("is not a saved model");
+        if (std::memcmp(magic, kMagic, sizeof magic) != 0) throw FileError("is not a saved model");
         if (const auto version = in.read<std::uint64_t>(); version != kVersion) {
-            throw std::runtime_error("has format version " + std::to_string(version));
+            throw FileError("has format version " + std::to_string(version));
         }
-        if (in.read<std::uint64_t>() != kByteOrder)
-            throw std::runtime_error("was saved with another byte order");
+        if (in.read<std::uint64_t>() != kByteOrder) throw FileError("was saved with another byte order");
         data->key = in.read<std::uint64_t>();
         const auto size = in.read<std::uint64_t>(), hash = in.read<std::uint64_t>();
         const std::string_view payload =
             std::string_view(bytes).substr(sizeof kMagic + 5 * sizeof(std::uint64_t));
-        if (size != payload.size() || hash != hashOf(data->key, payload))
-            throw std::runtime_error("is damaged");
+        if (size != payload.size() || hash != hashOf(data->key, payload)) throw FileError("is damaged");
 
         data->report.options = readOptions(in);
         data->reach = readReach(in);
         data->tree = readTree(in);
         readRest(in, data->report, data->components, data->origin);
         const std::int64_t triangles = trianglesOf(data->components);
-        if (!in.isAtEnd() || triangles < 0) throw std::runtime_error("has parts that do not fit together");
+        if (!in.isAtEnd() || triangles < 0) throw FileError("has parts that do not fit together");
         const std::string fault = faultOf(data->tree, std::size_t(triangles));
-        if (!fault.empty()) throw std::runtime_error(fault);
+        if (!fault.empty()) throw FileError(fault);
         data->report.tree = statistics(data->tree);
         data->report.triangles = trianglesOf(data->report.tree);
         const std::size_t leftOut = data->report.clean.duplicateTriangles + data->report.unreachableTriangles;
         if (data->report.triangles + leftOut != std::size_t(triangles)) {
-            throw std::runtime_error("its leaves hold " + std::to_string(data->report.triangles) +
-                                     " triangles and leave out " + std::to_string(leftOut) + " of " +
-                                     std::to_string(triangles));
+            throw FileError("its leaves hold " + std::to_string(data->report.triangles) +
+                            " triangles and leave out " + std::to_string(leftOut) + " of " +
+                            std::to_string(triangles));
         }
     } catch (const std::runtime_error& error) {
         refuseFile(file, error.what());

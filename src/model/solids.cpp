@@ -9,6 +9,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "clearway/errors.h"
 #include "core/number.h"
 #include "exact/ball.h"
 #include "exact/integer.h"
@@ -27,7 +28,7 @@ constexpr std::size_t kDeepest = 64;  ///< enough, because a node's halves diffe
 constexpr double kPlaceSlack = 8 * kPoseDefect;
 
 [[noreturn]] void refuseSolid(const std::string& name, const std::string& why) {
-    throw std::invalid_argument("'" + name + "' encloses nothing: " + why);
+    throw ArgumentError("'" + name + "' encloses nothing: " + why);
 }
 
 EdgeReport requireClosed(const std::vector<TriangleIndices>& triangles, const std::string& name) {

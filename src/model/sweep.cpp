@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <limits>
 #include <sstream>
-#include <stdexcept>
 
+#include "clearway/errors.h"
 #include "clearway/model.h"
 #include "core/number.h"
 #include "model/arguments.h"
@@ -42,15 +42,14 @@ void requireInRange(double value, const char* name, bool isInRange, const char* 
     if (isInRange) return;
     std::ostringstream message;
     message << name << " is " << value << ", expected " << range;
-    throw std::invalid_argument(message.str());
+    throw ArgumentError(message.str());
 }
 
 /// Checks the arguments that both questions share, and begins the request.
 SweepRequest beginSweep(const Model& part, const Model& environment, const MotionPieces& motion,
                         double margin, double poseError, const std::function<bool()>& isStopped,
                         Workspace::State& state) {
-    if (!motion)
-        throw std::invalid_argument("the motion is an empty function, expected one that returns pieces");
+    if (!motion) throw ArgumentError("the motion is an empty function, expected one that returns pieces");
     requireSameWidth(part, environment);
     requireNotNegative("margin", margin);
     requireNotNegative("poseError", poseError);

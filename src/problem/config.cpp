@@ -2,8 +2,8 @@
 #include "problem/config.h"
 
 #include <algorithm>
-#include <stdexcept>
 
+#include "clearway/errors.h"
 #include "core/number.h"
 #include "core/text.h"
 
@@ -84,8 +84,8 @@ ConfigFile readConfigFile(const std::string& file) {
         const std::size_t equals = before(line, '=').size();
         const std::string_view key = trimmed(line.substr(0, equals));
         if (equals == line.size() || key.empty()) {
-            throw std::invalid_argument(place(file, number) + "the line is " + quote(line) +
-                                        ", expected [section] or key = value");
+            throw ArgumentError(place(file, number) + "the line is " + quote(line) +
+                                ", expected [section] or key = value");
         }
         read.entries.push_back(
             {prefix + std::string(key), std::string(trimmed(line.substr(equals + 1))), number});
@@ -113,9 +113,9 @@ ConfigValues::ConfigValues(std::string file, const std::vector<ConfigEntry>& ent
         if (sections.count(sectionOf(entry.name)) == 0) continue;
         const auto [first, isNew] = entries_.insert({entry.name, entry});
         if (isNew) continue;
-        throw std::invalid_argument(place(file_, entry.line) + shown(entry.name) + " is given again as " +
-                                    quote(entry.value) + ", after " + quote(first->second.value) +
-                                    " in line " + std::to_string(first->second.line) + ", expected once");
+        throw ArgumentError(place(file_, entry.line) + shown(entry.name) + " is given again as " +
+                            quote(entry.value) + ", after " + quote(first->second.value) + " in line " +
+                            std::to_string(first->second.line) + ", expected once");
     }
 }
 
@@ -163,8 +163,7 @@ std::string ConfigValues::placeOf(const std::string& name) const {
 
 void ConfigValues::refuse(const std::string& name, const std::string& expected) const {
     const ConfigEntry& entry = entries_.at(name);
-    throw std::invalid_argument(placeOf(name) + shown(name) + " is " + quote(entry.value) + ", expected " +
-                                expected);
+    throw ArgumentError(placeOf(name) + shown(name) + " is " + quote(entry.value) + ", expected " + expected);
 }
 
 /// Names an entry that is probably meant to be a missing one: in another section, or misspelt.
@@ -180,8 +179,8 @@ std::string ConfigValues::insteadOf(const std::string& name) const {
 }
 
 void ConfigValues::refuseMissing(const std::string& name, const std::string& expected) const {
-    throw std::invalid_argument(file_ + ": " + shown(name) + " is missing" + insteadOf(name) + ", expected " +
-                                expected);
+    throw ArgumentError(file_ + ": " + shown(name) + " is missing" + insteadOf(name) + ", expected " +
+                        expected);
 }
 
 std::vector<ConfigEntry> ConfigValues::unread() const {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <boost/algorithm/string/case_conv.hpp>
-#include <stdexcept>
 #include <vector>
 
+#include "clearway/errors.h"
 #include "core/text.h"
 
 namespace clearway {
@@ -98,8 +98,8 @@ void judgeUnread(const std::string& file, bool isClearways, const ConfigValues& 
             continue;
         }
         if (isClearways) {
-            throw std::invalid_argument(what + " is an unknown key" + meant + ", expected one of " +
-                                        joined(section->keys));
+            throw ArgumentError(what + " is an unknown key" + meant + ", expected one of " +
+                                joined(section->keys));
         }
         problem.warnings.push_back(what + " has no effect here" + meant);
     }
@@ -112,8 +112,7 @@ void judgeSections(const std::string& file, const ConfigFile& config, Problem& p
         const std::string what = place(file, section.line) + "the section is [" + section.name + "]";
         const std::string meant = didYouMean(boost::to_lower_copy(section.name), known);
         if (!meant.empty() || config.hasSection("clearway")) {
-            throw std::invalid_argument(what + meant +
-                                        ", expected [problem], [benchmark], [planner] or [clearway]");
+            throw ArgumentError(what + meant + ", expected [problem], [benchmark], [planner] or [clearway]");
         }
         problem.warnings.push_back(what + ", which has no effect here");
     }

@@ -1,6 +1,7 @@
 // From a problem to the scene that planning asks about.
 #include <stdexcept>
 
+#include "clearway/errors.h"
 #include "clearway/obstacle_groups.h"
 #include "clearway/problem.h"
 #include "core/number.h"
@@ -29,7 +30,7 @@ ObstacleGroups obstaclesOf(const Problem& problem, const std::vector<Mesh>& worl
     try {
         return groupObstacles(worlds, problem.margin, problem.rules);
     } catch (const std::invalid_argument& error) {
-        throw std::invalid_argument(problem.file + ": [clearway] " + error.what());
+        throw ArgumentError(problem.file + ": [clearway] " + error.what());
     }
 }
 
@@ -43,14 +44,14 @@ std::vector<ShrunkPart> shrinkPart(const Problem& problem, const Mesh& part, con
         try {
             all.push_back(loading.shrink(part, options));
         } catch (const std::invalid_argument& error) {
-            throw std::invalid_argument(prefix + error.what());
+            throw ArgumentError(prefix + error.what());
         }
         const std::string what = "overlap = " + shortNumber(overlap) + ": ";
         const std::vector<std::string>& leftOut = all.back().leftOut;
         if (!leftOut.empty() && !rules.isThinAllowed) {
-            throw std::invalid_argument(prefix + what + leftOut[0] +
-                                        ", expected a smaller overlap, or overlap.thin = allow, with which "
-                                        "obstacles may pass through what is left out");
+            throw ArgumentError(prefix + what + leftOut[0] +
+                                ", expected a smaller overlap, or overlap.thin = allow, with which "
+                                "obstacles may pass through what is left out");
         }
         for (const std::string& line : leftOut)
             notes.push_back(what + line + "; obstacles may pass through it");

@@ -2,8 +2,8 @@
 #include "problem/obstacle_rules.h"
 
 #include <cmath>
-#include <stdexcept>
 
+#include "clearway/errors.h"
 #include "core/number.h"
 #include "core/text.h"
 
@@ -76,17 +76,17 @@ OverlapRules readOverlap(ConfigValues& values) {
 std::string namesOf(const std::string& key, const std::vector<std::string>& names) {
     const std::optional<std::string> written = writtenNames(names);
     if (written && !written->empty()) return *written;
-    throw std::invalid_argument(key +
-                                " has a name that is empty or contains a quote or a line end, expected "
-                                "a name without these");
+    throw ArgumentError(key +
+                        " has a name that is empty or contains a quote or a line end, expected "
+                        "a name without these");
 }
 
 void addContact(const std::string& key, const std::optional<ContactRule>& contact,
                 std::vector<std::pair<std::string, std::string>>& lines) {
     if (!contact) return;
     if (!(contact->distance > 0) || !std::isfinite(contact->distance)) {
-        throw std::invalid_argument(key + " has the length " + shortNumber(contact->distance) +
-                                    ", expected a finite length above 0");
+        throw ArgumentError(key + " has the length " + shortNumber(contact->distance) +
+                            ", expected a finite length above 0");
     }
     lines.emplace_back(key, namesOf(key, contact->names) + ", " + formatNumber(contact->distance));
 }
@@ -108,8 +108,8 @@ void addOverlap(const OverlapRules& rules, std::vector<std::pair<std::string, st
     addLengths(kOverlap, rules.byName, lines);
     if (rules.tolerance) {
         if (!(*rules.tolerance > 0) || !std::isfinite(*rules.tolerance)) {
-            throw std::invalid_argument("overlap.tolerance is " + shortNumber(*rules.tolerance) +
-                                        ", expected a finite number above 0");
+            throw ArgumentError("overlap.tolerance is " + shortNumber(*rules.tolerance) +
+                                ", expected a finite number above 0");
         }
         lines.emplace_back("overlap.tolerance", formatNumber(*rules.tolerance));
     }

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <limits>
-#include <stdexcept>
 
+#include "clearway/errors.h"
 #include "problem/config.h"
 
 namespace clearway {
@@ -64,8 +64,8 @@ double reachAlong(const Vector3& direction, const Box& box) {
 
 void requireNoGoalContact(const Problem& problem) {
     if (!problem.outside || !problem.rules.goalContact) return;
-    throw std::invalid_argument((problem.file.empty() ? "" : problem.file + ": ") +
-                                "contact.goal is given and the goal is outside, expected one of them");
+    throw ArgumentError((problem.file.empty() ? "" : problem.file + ": ") +
+                        "contact.goal is given and the goal is outside, expected one of them");
 }
 
 }  // namespace clearway

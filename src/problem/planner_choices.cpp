@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <boost/algorithm/string/case_conv.hpp>
 #include <boost/algorithm/string/predicate.hpp>
-#include <stdexcept>
 
+#include "clearway/errors.h"
 #include "core/number.h"
 #include "core/text.h"
 
@@ -50,8 +50,8 @@ class Section {
         const std::string name = key.substr(0, dot);
         const std::string rest = dot == std::string::npos ? "" : key.substr(dot + 1);
         if (name.empty() || (dot != std::string::npos && rest.empty())) {
-            throw std::invalid_argument(place(file_, entry.line) + "[planner] key is " + quote(key) +
-                                        ", expected NAME = or NAME.PARAMETER = VALUE");
+            throw ArgumentError(place(file_, entry.line) + "[planner] key is " + quote(key) +
+                                ", expected NAME = or NAME.PARAMETER = VALUE");
         }
         if (name == "problem") return readSetting(entry, rest);
         if (dot == std::string::npos) return add(entry, name);
@@ -88,8 +88,8 @@ class Section {
     void readSetting(const ConfigEntry& entry, const std::string& key) {
         if (key == "objective") return readObjective(entry);
         if (key == "objective.threshold" && !parseNumber(entry.value)) {
-            throw std::invalid_argument(place(file_, entry.line) + shown(entry.name) + " is " +
-                                        quote(entry.value) + ", expected a finite number");
+            throw ArgumentError(place(file_, entry.line) + shown(entry.name) + " is " + quote(entry.value) +
+                                ", expected a finite number");
         }
         if (key != "sampler" && key != "objective.threshold" && !isSetting(key)) {
             return judgeUnknown(entry, key);
@@ -104,8 +104,8 @@ class Section {
                      {"sampler", "objective", "objective.threshold", "projection.cellsize_factor"});
         const std::string meant = didYouMean(key, known);
         if (!isClearways_) return warn(entry, " has no effect here" + meant);
-        throw std::invalid_argument(place(file_, entry.line) + shown(entry.name) + " is an unknown setting" +
-                                    meant + ", expected problem.KEY, KEY one of " + joined(known));
+        throw ArgumentError(place(file_, entry.line) + shown(entry.name) + " is an unknown setting" + meant +
+                            ", expected problem.KEY, KEY one of " + joined(known));
     }
 
     /// There is one objective for all planners: the problem's, or the first that is named for a planner.

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <limits>
-#include <stdexcept>
 
+#include "clearway/errors.h"
 #include "clearway/obstacle_groups.h"
 #include "core/number.h"
 #include "problem/config.h"
@@ -36,9 +36,9 @@ void requireInside(const Problem& problem, const Box& bounds, const char* name, 
     for (int i = 0; i < dimensions; ++i) {
         const double value = state.position[i];
         if (value >= bounds.min()[i] && value <= bounds.max()[i]) continue;
-        throw std::invalid_argument(named(problem) + name + "." + kAxisNames[i] + " is " +
-                                    shortNumber(value) + ", outside the bounds, expected from " +
-                                    shortNumber(bounds.min()[i]) + " to " + shortNumber(bounds.max()[i]));
+        throw ArgumentError(named(problem) + name + "." + kAxisNames[i] + " is " + shortNumber(value) +
+                            ", outside the bounds, expected from " + shortNumber(bounds.min()[i]) + " to " +
+                            shortNumber(bounds.max()[i]));
     }
 }
 
@@ -47,10 +47,10 @@ void requireExtent(const Problem& problem, const Box& bounds) {
     for (int i = 0; i < dimensions; ++i) {
         if (bounds.min()[i] < bounds.max()[i]) continue;
         const std::string axis = kAxisNames[i];
-        throw std::invalid_argument(named(problem) + "the bounds along " + axis + " are " +
-                                    shortNumber(bounds.min()[i]) + " to " + shortNumber(bounds.max()[i]) +
-                                    ", expected an extent above 0: state volume.min." + axis +
-                                    " and volume.max." + axis);
+        throw ArgumentError(named(problem) + "the bounds along " + axis + " are " +
+                            shortNumber(bounds.min()[i]) + " to " + shortNumber(bounds.max()[i]) +
+                            ", expected an extent above 0: state volume.min." + axis + " and volume.max." +
+                            axis);
     }
 }
 
@@ -63,7 +63,7 @@ void requireNear(const Problem& problem, const Box& environmentBox, const Box& p
             const double least = environmentBox.min()[i] - farthest,
                          most = environmentBox.max()[i] + farthest;
             if (point[i] >= least && point[i] <= most) continue;
-            throw std::invalid_argument(
+            throw ArgumentError(
                 named(problem) + name + kAxisNames[i] + " is " + shortNumber(point[i]) +
                 ", more than a million times the scene's size from the environment, expected from " +
                 roundedNumber(least) + " to " + roundedNumber(most));
@@ -84,9 +84,9 @@ void growForPart(Box& bounds, const Problem& problem, const Box& environmentBox,
     const double room = kRoomInRadii * farthest.norm() + largestMargin(problem);
     const double largest = kFarthestInSizes * (environmentBox.diagonal().norm() + partBox.diagonal().norm());
     if (largestMargin(problem) > largest) {
-        throw std::invalid_argument(named(problem) + "a margin is " + shortNumber(largestMargin(problem)) +
-                                    ", more than a million times the scene's size, expected at most " +
-                                    roundedNumber(largest));
+        throw ArgumentError(named(problem) + "a margin is " + shortNumber(largestMargin(problem)) +
+                            ", more than a million times the scene's size, expected at most " +
+                            roundedNumber(largest));
     }
     for (const BoxSide& side : sidesOf(*problem.outside)) {
         if (side.axis >= dimensionsOf(problem)) continue;
@@ -115,15 +115,15 @@ void requireRoomOutside(const Problem& problem, const Box& bounds, const Box& en
                     (side.isUpper ? "volume.max." : "volume.min.") + kAxisNames[axis] +
                     (side.isUpper ? " above " : " below ") + shortNumber(limit);
     }
-    throw std::invalid_argument(named(problem) + "the bounds leave no room for the part outside, expected " +
-                                (expected.empty() ? "a side along x or y" : expected));
+    throw ArgumentError(named(problem) + "the bounds leave no room for the part outside, expected " +
+                        (expected.empty() ? "a side along x or y" : expected));
 }
 
 void requirePartExtent(const Mesh& part) {
     const Box box = boundingBox(part);
     if (box.diagonal().norm() > 0) return;
-    throw std::invalid_argument("the part " + part.origin.file + " has no extent: all of it is at " +
-                                roundedPoint(box.min()) + ", expected a mesh with some length");
+    throw ArgumentError("the part " + part.origin.file + " has no extent: all of it is at " +
+                        roundedPoint(box.min()) + ", expected a mesh with some length");
 }
 
 std::string boxText(const Box& box) {
@@ -139,11 +139,11 @@ void requireAlike(const Problem& problem, const std::string& file, const Box& st
     const double most = std::max((stored.min() - asOmplApp.min()).cwiseAbs().maxCoeff(),
                                  (stored.max() - asOmplApp.max()).cwiseAbs().maxCoeff());
     if (most <= kSamePlace * size) return;
-    throw std::invalid_argument(
-        named(problem) + "[clearway] does not say how to read " + file + ": its box is " + boxText(stored) +
-        " as the file stores it, and " + boxText(asOmplApp) + " as OMPL.app reads it" +
-        (shift.isZero() ? "" : ", moved by " + withUnit(roundedPoint(shift), problem.unit)) +
-        "; expected reading = stored or reading = omplapp");
+    throw ArgumentError(named(problem) + "[clearway] does not say how to read " + file + ": its box is " +
+                        boxText(stored) + " as the file stores it, and " + boxText(asOmplApp) +
+                        " as OMPL.app reads it" +
+                        (shift.isZero() ? "" : ", moved by " + withUnit(roundedPoint(shift), problem.unit)) +
+                        "; expected reading = stored or reading = omplapp");
 }
 
 Mesh loadAs(const Problem& problem, const std::string& file, double scale, MeshReading omplAppReading,
@@ -176,8 +176,7 @@ std::optional<double> metresPerUnit(const Problem& problem) {
 Pose poseOf(const PartState& state) {
     const std::optional<Matrix3> rotation = matrixOf(state.rotation);
     if (!rotation) {
-        throw std::invalid_argument(
-            "the state's quaternion has length 0 or is not finite, expected one of length 1");
+        throw ArgumentError("the state's quaternion has length 0 or is not finite, expected one of length 1");
     }
     return {*rotation, state.position};
 }
@@ -196,7 +195,7 @@ double largestMargin(const Problem& problem) {
 
 Box boundsOf(const Problem& problem, const Box& environmentBox, const Box& partBox) {
     if (problem.outside && partBox.isEmpty()) {
-        throw std::invalid_argument(named(problem) + "the goal is outside, expected the part's box too");
+        throw ArgumentError(named(problem) + "the goal is outside, expected the part's box too");
     }
     Box bounds;
     if (problem.volume) {

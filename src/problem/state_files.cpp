@@ -3,10 +3,10 @@
 #include "clearway/problem.h"
 
 #include <ostream>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "clearway/errors.h"
 #include "core/number.h"
 #include "core/replace_file.h"
 #include "core/text.h"
@@ -34,14 +34,13 @@ std::vector<NumberLine> readNumberLines(const std::string& file, const char* exp
         for (const std::string_view word : given) {
             const std::optional<double> number = parseNumber(word);
             if (!number) {
-                throw std::invalid_argument(place(file, lineNumber) + quote(word) +
-                                            " is not a finite number");
+                throw ArgumentError(place(file, lineNumber) + quote(word) + " is not a finite number");
             }
             line.numbers.push_back(*number);
         }
         found.push_back(std::move(line));
     }
-    if (found.empty()) throw std::invalid_argument(file + ": no line with numbers, expected " + expected);
+    if (found.empty()) throw ArgumentError(file + ": no line with numbers, expected " + expected);
     return found;
 }
 
@@ -51,8 +50,8 @@ Rotation quaternionAt(const NumberLine& line, std::size_t position, const std::s
     const double* q = line.numbers.data() + position;
     const std::optional<Rotation> rotation = normalized(Rotation(q[3], q[0], q[1], q[2]));
     if (!rotation) {
-        throw std::invalid_argument(place(file, line.line) +
-                                    "the quaternion is 0 0 0 0, expected one of length above 0");
+        throw ArgumentError(place(file, line.line) +
+                            "the quaternion is 0 0 0 0, expected one of length above 0");
     }
     return *rotation;
 }
@@ -61,9 +60,9 @@ PartState stateOf(const NumberLine& line, Space space, const std::string& file) 
     const std::vector<double>& n = line.numbers;
     const std::size_t expected = space == Space::kSe3 ? 7 : 3;
     if (n.size() != expected) {
-        throw std::invalid_argument(place(file, line.line) + "the line has " + std::to_string(n.size()) +
-                                    (n.size() == 1 ? " number" : " numbers") + ", expected " +
-                                    (space == Space::kSe3 ? "7: x y z qx qy qz qw, w last" : "3: x y yaw"));
+        throw ArgumentError(place(file, line.line) + "the line has " + std::to_string(n.size()) +
+                            (n.size() == 1 ? " number" : " numbers") + ", expected " +
+                            (space == Space::kSe3 ? "7: x y z qx qy qz qw, w last" : "3: x y yaw"));
     }
     if (space == Space::kSe3) return {{n[0], n[1], n[2]}, quaternionAt(line, 3, file)};
     return {{n[0], n[1], 0}, *fromAxisAngle({Vector3::UnitZ(), n[2]})};
@@ -95,10 +94,9 @@ Pose acceptable(const Pose& pose, const NumberLine& line, const std::string& fil
     const double defect = rotationDefect(pose);
     if (defect <= kPoseDefect) return pose;
     if (!(defect <= kProjectableDefect)) {
-        throw std::invalid_argument(place(file, line.line) +
-                                    "the matrix is no rotation: max |R^T R - I| is " + shortNumber(defect) +
-                                    " and det R " + shortNumber(pose.rotation.determinant()) +
-                                    ", expected at most " + shortNumber(kProjectableDefect) + " and above 0");
+        throw ArgumentError(place(file, line.line) + "the matrix is no rotation: max |R^T R - I| is " +
+                            shortNumber(defect) + " and det R " + shortNumber(pose.rotation.determinant()) +
+                            ", expected at most " + shortNumber(kProjectableDefect) + " and above 0");
     }
     ++projected;
     return nearestPose(pose);
@@ -131,7 +129,7 @@ PoseFile readPoses(const std::string& file) {
         } else if (n.size() == 12) {
             result.poses.push_back(acceptable(poseOfMatrix(line), line, file, result.projected));
         } else {
-            throw std::invalid_argument(
+            throw ArgumentError(
                 place(file, line.line) + "the line has " + std::to_string(n.size()) +
                 (n.size() == 1 ? " number" : " numbers") +
                 ", expected 12 (rotation row-major, translation) or 7 (x y z qx qy qz qw, w last)");

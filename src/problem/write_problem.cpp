@@ -4,8 +4,8 @@
 #include <optional>
 #include <ostream>
 #include <sstream>
-#include <stdexcept>
 
+#include "clearway/errors.h"
 #include "clearway/problem.h"
 #include "core/number.h"
 #include "core/replace_file.h"
@@ -22,9 +22,8 @@ namespace {
 /// Refuses keys that a reader would change: readers trim white space and split keys at the dot.
 void requireWritableKey(const std::string& what, const std::string& key, const std::string& forbidden) {
     if (!key.empty() && trimmed(key) == key && key.find_first_of(forbidden) == std::string::npos) return;
-    throw std::invalid_argument(what + " is " + quote(key) + ", expected text without any of " +
-                                forbidden.substr(0, forbidden.find('\n')) +
-                                ", line ends or white space at its ends");
+    throw ArgumentError(what + " is " + quote(key) + ", expected text without any of " +
+                        forbidden.substr(0, forbidden.find('\n')) + ", line ends or white space at its ends");
 }
 
 /// Collects key = value lines. Throws std::invalid_argument naming the key of a line that could not be read
@@ -35,8 +34,8 @@ class ConfigText {
 
     void line(const std::string& key, const std::string& value) {
         if (trimmed(value) != value || value.find_first_of("#\n\r") != std::string::npos) {
-            throw std::invalid_argument(key + " is " + quote(value) +
-                                        ", expected text without #, line ends or white space at its ends");
+            throw ArgumentError(key + " is " + quote(value) +
+                                ", expected text without #, line ends or white space at its ends");
         }
         text_ << key << (value.empty() ? " =" : " = ") << value << "\n";
     }
@@ -48,7 +47,7 @@ class ConfigText {
 
     void line(const std::string& key, double value) {
         if (!std::isfinite(value)) {
-            throw std::invalid_argument(key + " is " + formatNumber(value) + ", expected a finite number");
+            throw ArgumentError(key + " is " + formatNumber(value) + ", expected a finite number");
         }
         line(key, formatNumber(value));
     }
@@ -85,7 +84,7 @@ std::string writtenWorlds(const Problem& problem, const std::string& folder) {
     if (names.size() == 1 && isPlain) return only;
     const std::optional<std::string> written = writtenNames(names);
     if (written) return *written;
-    throw std::invalid_argument("world is " + quote(only) + ", expected a name without quotes");
+    throw ArgumentError("world is " + quote(only) + ", expected a name without quotes");
 }
 
 /// what: a description of the texts, for the message when a key cannot be written.

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 #include <utility>
 
+#include "clearway/errors.h"
 #include "core/number.h"
 
 namespace clearway {
@@ -63,7 +63,7 @@ void PieceCache::prepare(TimeInterval interval, PreparedPiece& piece) const {
     if (!given.velocity.allFinite() || !given.angularVelocity.allFinite() || !(given.deviation >= 0) ||
         !std::isfinite(given.deviation) || !(given.deviationAcrossTurn >= 0) ||
         !std::isfinite(given.deviationAcrossTurn)) {
-        throw std::invalid_argument(
+        throw ArgumentError(
             "a piece of a motion is not finite, expected finite velocities and deviations >= 0");
     }
     piece.key = 0;  // the slot stays empty if something throws
@@ -86,10 +86,9 @@ void PieceCache::prepare(TimeInterval interval, PreparedPiece& piece) const {
     const double furthest =
         (inEnvironment.norm() + inPart.norm() + turned * reach + given.deviation) * perMeshUnit;
     if (!(furthest < kFurthest)) {
-        throw std::invalid_argument("a piece of a motion moves a point of the part by up to " +
-                                    shortNumber(furthest / perMeshUnit) + ", expected less than " +
-                                    shortNumber(kFurthest / perMeshUnit) +
-                                    ", which is 1e15 times the meshes' unit");
+        throw ArgumentError("a piece of a motion moves a point of the part by up to " +
+                            shortNumber(furthest / perMeshUnit) + ", expected less than " +
+                            shortNumber(kFurthest / perMeshUnit) + ", which is 1e15 times the meshes' unit");
     }
     const double rounding =
         kFieldRoundoffs * kUnitRoundoffFloat * (inEnvironment.norm() + inPart.norm() + 2 * turned * reach) +

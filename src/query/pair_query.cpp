@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 #include <sstream>
-#include <stdexcept>
 
+#include "clearway/errors.h"
 #include "exact/ball.h"
 
 namespace clearway {
@@ -50,7 +50,7 @@ void requireRatio(int exponent, const char* what) {
     std::ostringstream message;
     message << what << " are in a ratio of about 2^" << exponent << ", expected 2^-" << kLargestRatioExponent
             << " to 2^" << kLargestRatioExponent;
-    throw std::invalid_argument(message.str());
+    throw ArgumentError(message.str());
 }
 
 }  // namespace
@@ -73,7 +73,7 @@ PairQuery preparePairQuery(const FlatTree& part, const FlatTree& environment, co
         std::ostringstream message;
         message << "the largest coordinate of part, environment and pose is " << largest
                 << ", expected 0 or from " << kTooSmall << " to less than " << kTooLarge;
-        throw std::invalid_argument(message.str());
+        throw ArgumentError(message.str());
     }
 
     PairQuery query;

@@ -4,8 +4,8 @@
 #include <atomic>
 #include <cstdlib>
 #include <mutex>
-#include <stdexcept>
 
+#include "clearway/errors.h"
 #include "core/text.h"
 #include "hwy/targets.h"
 #include "query/queries.h"
@@ -39,8 +39,8 @@ std::int64_t targetNamed(const std::string& name, const char* source) {
     const auto found = std::find_if(targets.begin(), targets.end(),
                                     [&](std::int64_t target) { return nameOf(target) == name; });
     if (found != targets.end()) return *found;
-    throw std::invalid_argument(std::string(source) + " is '" + name +
-                                "', expected best or one this machine runs: " + joined(availableTargets()));
+    throw ArgumentError(std::string(source) + " is '" + name +
+                        "', expected best or one this machine runs: " + joined(availableTargets()));
 }
 
 /// The caller holds the lock.

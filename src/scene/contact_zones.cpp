@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <stdexcept>
 #include <string>
 
+#include "clearway/errors.h"
 #include "core/number.h"
 
 namespace clearway {
@@ -22,8 +22,8 @@ void requireContact(const char* name, const std::optional<ContactZone>& contact)
     if (!contact) return;
     requirePose(contact->X_environmentPart);
     if (contact->distance > 0 && std::isfinite(contact->distance)) return;
-    throw std::invalid_argument(std::string(name) + ".distance is " + shortNumber(contact->distance) +
-                                ", expected a finite length above 0");
+    throw ArgumentError(std::string(name) + ".distance is " + shortNumber(contact->distance) +
+                        ", expected a finite length above 0");
 }
 
 Bounds spareOf(const Model& part, const std::optional<ContactZone>& contact, const Pose& X) {
@@ -46,9 +46,9 @@ ContactZones::ContactZones(const Scene& scene) {
 void ContactZones::add(const Scene& scene, const Obstacle& obstacle) {
     const Zone wanted{obstacle.isIgnoredAtStart, obstacle.isIgnoredAtGoal};
     if ((wanted.atStart && !scene.startContact) || (wanted.atGoal && !scene.goalContact)) {
-        throw std::invalid_argument(std::string("an obstacle is ignored in ") +
-                                    (wanted.atStart && !scene.startContact ? "startContact" : "goalContact") +
-                                    ", which is not set, expected a contact zone");
+        throw ArgumentError(std::string("an obstacle is ignored in ") +
+                            (wanted.atStart && !scene.startContact ? "startContact" : "goalContact") +
+                            ", which is not set, expected a contact zone");
     }
     zoneOf_.push_back(-1);
     if (!wanted.atStart && !wanted.atGoal) return;

@@ -2,8 +2,8 @@
 #include "clearway/scene.h"
 
 #include <cmath>
-#include <stdexcept>
 
+#include "clearway/errors.h"
 #include "core/number.h"
 
 namespace clearway {
@@ -15,8 +15,8 @@ Obstacle::Obstacle(Model theModel, double theMargin) : model(std::move(theModel)
 ContactZone::ContactZone(const Pose& pose, double theDistance)
     : X_environmentPart(pose), distance(theDistance) {
     if (distance > 0 && std::isfinite(distance)) return;
-    throw std::invalid_argument("the contact zone's distance is " + shortNumber(distance) +
-                                ", expected a finite length above 0");
+    throw ArgumentError("the contact zone's distance is " + shortNumber(distance) +
+                        ", expected a finite length above 0");
 }
 
 }  // namespace clearway

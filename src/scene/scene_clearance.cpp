@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <utility>
 
+#include "clearway/errors.h"
 #include "core/number.h"
 #include "model/solids.h"
 #include "scene/contact_zones.h"
@@ -54,7 +54,7 @@ SceneClearance::SceneClearance(Scene scene)
         const Obstacle& obstacle = scene_.obstacles[i];
         requireNotNegative("margin", obstacle.margin);
         if (obstacle.solids && !obstacle.shrunk && !scene_.partSolids) {
-            throw std::invalid_argument(
+            throw ArgumentError(
                 "an obstacle is solid and partSolids is null, expected makeSolids of the part's mesh");
         }
         hasSolids_ = hasSolids_ || obstacle.solids;

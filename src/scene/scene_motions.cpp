@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
+#include "clearway/errors.h"
 #include "core/number.h"
 #include "scene/contact_zones.h"
 #include "scene/scene_scratch.h"
@@ -173,7 +173,7 @@ MotionAnswer SceneClearance::check(const RigidMotion& motion, double poseError) 
     constexpr double kLeastInterval = 1e-5;  // of the part's diagonal
     constexpr double kRounding = 0x1p-47;    // of the lengths involved, see piecesOf
     if (!(poseError >= 0)) {
-        throw std::invalid_argument("poseError is " + shortNumber(poseError) + ", expected 0 or more");
+        throw ArgumentError("poseError is " + shortNumber(poseError) + ", expected 0 or more");
     }
     if (!isFree(motion.start)) return {SweepVerdict::kContact, 0, 0};
 

@@ -9,10 +9,10 @@
 #include <map>
 #include <numeric>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <unordered_map>
 
+#include "clearway/errors.h"
 #include "core/number.h"
 #include "core/parallel.h"
 #include "isosurface/cut_surface.h"
@@ -107,9 +107,9 @@ class LevelCut {
     }
 
     [[noreturn]] void refuseSize(const std::string& points, const std::string& expected) const {
-        throw std::invalid_argument("overlap is " + roundedNumber(least_) + " with the tolerance " +
-                                    roundedNumber(tolerance_) + ", which takes " + points +
-                                    " points in the part, expected " + expected);
+        throw ArgumentError("overlap is " + roundedNumber(least_) + " with the tolerance " +
+                            roundedNumber(tolerance_) + ", which takes " + points +
+                            " points in the part, expected " + expected);
     }
 
     template <class Work>
@@ -347,10 +347,10 @@ class LevelCut {
     }
 
     [[noreturn]] void refusePlace(const Vector3& place) const {
-        throw std::invalid_argument("overlap is " + roundedNumber(least_) + " with the tolerance " +
-                                    roundedNumber(tolerance_) + ", and near " + roundedPoint(place) +
-                                    " it is unclear what is inside the part, expected surfaces that do not "
-                                    "run into themselves there, or another overlap.tolerance");
+        throw ArgumentError("overlap is " + roundedNumber(least_) + " with the tolerance " +
+                            roundedNumber(tolerance_) + ", and near " + roundedPoint(place) +
+                            " it is unclear what is inside the part, expected surfaces that do not "
+                            "run into themselves there, or another overlap.tolerance");
     }
 
     void bisect(std::size_t tetrahedron, std::vector<std::size_t>& halves) {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <atomic>
-#include <stdexcept>
 #include <string>
 
+#include "clearway/errors.h"
 #include "clearway/query.h"
 #include "core/parallel.h"
 #include "mesh/clean.h"
@@ -146,7 +146,7 @@ class TriangleCut {
 
     void look(const Corners3& c, const Near& near) {
         if (++pieces_ > kMostOuterPieces) {
-            throw std::invalid_argument(
+            throw ArgumentError(
                 "overlap needs the outside of a part whose components touch, and this takes "
                 "more than " +
                 std::to_string(kMostOuterPieces) + " pieces, expected a larger overlap or overlap.tolerance");

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <string>
 
+#include "clearway/errors.h"
 #include "core/number.h"
 #include "shrink/left_out.h"
 #include "shrink/level_cut.h"
@@ -16,8 +16,8 @@ namespace {
 
 void requirePositive(double value, const char* name) {
     if (value > 0 && std::isfinite(value)) return;
-    throw std::invalid_argument(std::string(name) + " is " + shortNumber(value) +
-                                ", expected a finite number above 0");
+    throw ArgumentError(std::string(name) + " is " + shortNumber(value) +
+                        ", expected a finite number above 0");
 }
 
 /// The cut surface keeps its distance from the part's surface. So one vertex tells whether a whole shell of
@@ -32,8 +32,7 @@ void requireInside(const Mesh& shrunk, const SurfaceDepth& surface) {
         return solid.winding({}, {}, v) == 0;
     });
     if (!isInside) {
-        throw std::invalid_argument(
-            "the shrunk part is not inside the part, whose surface may pass through itself");
+        throw ArgumentError("the shrunk part is not inside the part, whose surface may pass through itself");
     }
 }
 
@@ -57,9 +56,9 @@ ShrunkPart shrink(const Mesh& part, const ShrinkOptions& options) {
     shrunk.options = {options.overlap, options.tolerance};
     shrunk.mesh = cutAtDepth(surface, options);
     if (shrunk.mesh.triangles.empty()) {
-        throw std::invalid_argument("overlap is " + roundedNumber(options.overlap) + " with the tolerance " +
-                                    roundedNumber(options.tolerance) +
-                                    ", which leaves nothing of the part, expected smaller ones");
+        throw ArgumentError("overlap is " + roundedNumber(options.overlap) + " with the tolerance " +
+                            roundedNumber(options.tolerance) +
+                            ", which leaves nothing of the part, expected smaller ones");
     }
     shrunk.mesh.origin = part.origin;
     shrunk.mesh.components = {{surface.pieceCount() == 1 ? surface.piece(0).name : "part", 0,

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <map>
 #include <numeric>
-#include <stdexcept>
 #include <string>
 
+#include "clearway/errors.h"
 #include "mesh/clean.h"
 #include "mesh/components.h"
 #include "mesh/renumber.h"
@@ -152,7 +152,7 @@ void SurfaceDepth::requireNoSelfCrossing(const SurfaceShell& shell) const {
         }
         copy.triangles = {{0, 1, 2}};
         if (!collides(smallModel(copy), shell.model, {}, workspace)) continue;
-        throw std::invalid_argument(
+        throw ArgumentError(
             "overlap needs a part of which only the outside is surface, and it passes through itself or "
             "touches itself at triangle " +
             std::to_string(shell.triangles[t]) + ", expected a surface that bounds one inside");

@@ -7,10 +7,10 @@
 #include <atomic>
 #include <cmath>
 #include <numeric>
-#include <stdexcept>
 #include <string>
 #include <unordered_map>
 
+#include "clearway/errors.h"
 #include "core/number.h"
 #include "core/parallel.h"
 #include "isosurface/cut_surface.h"
@@ -87,9 +87,9 @@ class Sweeping {
             }
             open_ = std::move(next);
             if (tetrahedra_.vertices().size() > kMostPoints) {
-                throw std::invalid_argument("the tolerance of the swept volume is " +
-                                            shortNumber(options_.tolerance) + ", which takes more than " +
-                                            std::to_string(kMostPoints) + " points, expected a larger one");
+                throw ArgumentError("the tolerance of the swept volume is " +
+                                    shortNumber(options_.tolerance) + ", which takes more than " +
+                                    std::to_string(kMostPoints) + " points, expected a larger one");
             }
         }
     }
@@ -271,14 +271,14 @@ class Sweeping {
 
 void requireOptions(const std::vector<RigidMotion>& motions, const SweptVolumeOptions& options) {
     const auto refuse = [](const std::string& name, double value, const std::string& expected) {
-        throw std::invalid_argument("the " + name + " of the swept volume is " + shortNumber(value) +
-                                    ", expected " + expected);
+        throw ArgumentError("the " + name + " of the swept volume is " + shortNumber(value) + ", expected " +
+                            expected);
     };
     if (!(options.tolerance > 0) || !std::isfinite(options.tolerance))
         refuse("tolerance", options.tolerance, "a finite number above 0");
     if (!(options.poseError >= 0) || !(options.poseError < kMostPoseError * options.tolerance))
         refuse("poseError", options.poseError, "0 up to an eighth of the tolerance");
-    if (motions.empty()) throw std::invalid_argument("a swept volume has no motion, expected at least one");
+    if (motions.empty()) throw ArgumentError("a swept volume has no motion, expected at least one");
 }
 
 }  // namespace

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <stdexcept>
 #include <string>
 
 #include "clearway/build_options.h"
+#include "clearway/errors.h"
 #include "core/text.h"
 
 namespace clearway {
@@ -141,8 +141,7 @@ std::string faultOfLeaves(const FlatTree& tree, std::size_t meshTriangles, std::
 void refuseNodeWidth(int nodeWidth) {
     std::vector<std::string> known;
     for (const int width : nodeWidths()) known.push_back(std::to_string(width));
-    throw std::invalid_argument("nodeWidth is " + std::to_string(nodeWidth) + ", expected one of " +
-                                joined(known));
+    throw ArgumentError("nodeWidth is " + std::to_string(nodeWidth) + ", expected one of " + joined(known));
 }
 
 TreeStatistics statistics(const FlatTree& tree) {

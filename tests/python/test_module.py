@@ -100,6 +100,10 @@ def test_what_is_no_mesh_is_refused(tmp_path):
     with pytest.raises(clearway.FileError, match="missing.stl") as caught:
         clearway.Mesh.load(str(tmp_path / "missing.stl"))
     assert isinstance(caught.value, OSError) and isinstance(caught.value, ValueError)
+    with pytest.raises(clearway.ArgumentError, match="leafSize|leaf_size"):
+        clearway.Model(triangle(0), leaf_size=0)
+    for kind, standard in ((clearway.ArgumentError, ValueError), (clearway.FileError, OSError), (clearway.OmplError, RuntimeError)):
+        assert issubclass(kind, clearway.Error) and issubclass(kind, standard)
     with pytest.raises(ValueError, match="general"):
         clearway.Model(triangle(0), general_split="best")
     with pytest.raises(ValueError):

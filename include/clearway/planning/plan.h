@@ -5,11 +5,11 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "clearway/errors.h"
 #include "clearway/planning/audit.h"
 #include "clearway/planning/why_no_path.h"
 #include "clearway/problem.h"
@@ -26,17 +26,17 @@ constexpr double kDefaultSeconds = 30;
 struct PlanReport;
 
 /// An option that is wrong in itself or contradicts another one: nothing was planned.
-class RefusedOption : public std::invalid_argument {
+class RefusedOption : public ArgumentError {
   public:
-    using std::invalid_argument::invalid_argument;  ///< takes the message
+    using ArgumentError::ArgumentError;  ///< takes the message
 };
 
 /// The start is in collision. The message names what the part touches, and the keys that let a problem begin there.
-class InvalidStart : public std::invalid_argument {
+class InvalidStart : public ArgumentError {
   public:
     /// Takes the message.
     InvalidStart(const std::string& message, bool theMayOverlap)
-        : std::invalid_argument(message), mayOverlap(theMayOverlap) {}
+        : ArgumentError(message), mayOverlap(theMayOverlap) {}
 
     bool mayOverlap;  ///< among the keys is the overlap; OverlapMeter tells how deep it is
 };

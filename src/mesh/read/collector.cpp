@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <filesystem>
 #include <limits>
-#include <stdexcept>
 
+#include "clearway/errors.h"
 #include "core/number.h"
 #include "mesh/check.h"
 #include "mesh/components.h"
@@ -23,7 +23,7 @@ MeshCollector::MeshCollector(const std::string& file) {
 }
 
 void MeshCollector::refuse(const std::string& reason) const {
-    throw std::runtime_error("cannot read mesh '" + file() + "': " + reason);
+    throw FileError("cannot read mesh '" + file() + "': " + reason);
 }
 
 void MeshCollector::beginComponent(std::string_view name) {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <limits>
-#include <stdexcept>
 
+#include "clearway/errors.h"
 #include "clearway/scene_clearance.h"
 #include "planning/space/ompl_states.h"
 
@@ -20,12 +20,12 @@ bool isSameKind(const ob::StateSpace& a, const ob::StateSpace& b) {
 
 void requireUsable(const og::PathGeometric& path, const MotionValidator& validator) {
     if (path.getStateCount() == 0) {
-        throw std::invalid_argument("the path has no state, expected at least one");
+        throw ArgumentError("the path has no state, expected at least one");
     }
     const ob::StateSpace& space = *path.getSpaceInformation()->getStateSpace();
     if (isSameKind(space, validator.space())) return;
-    throw std::invalid_argument("the path's states are of the space '" + space.getName() +
-                                "', expected the validator's space '" + validator.space().getName() + "'");
+    throw ArgumentError("the path's states are of the space '" + space.getName() +
+                        "', expected the validator's space '" + validator.space().getName() + "'");
 }
 
 /// Angle between two rotations.

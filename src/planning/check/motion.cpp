@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
+
+#include "planning/space/ompl_refusal.h"
 
 namespace clearway::planning {
 namespace {
@@ -79,7 +80,7 @@ void Motion::measure() {
     motion_ = sweptMotion();
     // Checked before OMPL interpolates, because OMPL asserts unit quaternions.
     if (!(length() >= 0) || !std::isfinite(length())) {
-        throw std::runtime_error("the motion between two states has no finite displacement bound");
+        throw OmplRefusal("the motion between two states has no finite displacement bound");
     }
     if (!posed_.motion()) motion_.endJump = findEndJump();
     const Scene& scene = posed_.scene();
@@ -88,7 +89,7 @@ void Motion::measure() {
     slack_ = kRoundingsOfAnInterval * kPoseRounding *
              (scene.part.radiusAboutOrigin() + position + length() + scene.largestMargin() + floor_);
     if (!std::isfinite(slack_)) {
-        throw std::runtime_error("one of two states has no pose: an entry is not finite");
+        throw OmplRefusal("one of two states has no pose: an entry is not finite");
     }
     checksBoundsBetween_ = !posed_.areBoundsConvex() || !isStartWithinBounds() || !isEndWithinBounds();
 }
@@ -329,7 +330,7 @@ double Motion::findEndJump() const {
     posed_.space().interpolate(s1_, s2_, 1, scratch_.get());
     const double jump = posed_.bound(scratch_.get(), s2_);
     if (std::isfinite(jump)) return jump;
-    throw std::runtime_error("the jump at the end of the interpolation has no finite displacement bound");
+    throw OmplRefusal("the jump at the end of the interpolation has no finite displacement bound");
 }
 
 MotionSample Motion::look(const ob::State* state, double time, double wanted, bool checksBounds) {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <exception>
 #include <limits>
-#include <stdexcept>
 
+#include "clearway/errors.h"
 #include "core/number.h"
 #include "planning/check/motion.h"
 #include "planning/check/motion_resolution.h"
@@ -29,8 +29,8 @@ constexpr int kPosesAhead = 32;  ///< in a profile, after the certified part of 
 double chooseLeastInterval(const Scene& scene, const MotionOptions& options) {
     if (!options.leastInterval) return defaultLeastInterval(scene);
     if (*options.leastInterval > 0 && std::isfinite(*options.leastInterval)) return *options.leastInterval;
-    throw std::invalid_argument("leastInterval is " + shortNumber(*options.leastInterval) +
-                                ", expected a finite length above 0");
+    throw ArgumentError("leastInterval is " + shortNumber(*options.leastInterval) +
+                        ", expected a finite length above 0");
 }
 
 /// True when one of the two returns true; each may be empty.
@@ -84,7 +84,7 @@ MotionValidator::MotionValidator(const ob::SpaceInformationPtr& si, Scene scene,
                       std::make_shared<const PosedScene>(si, std::move(scene), std::move(stateToPose),
                                                          std::move(bound), std::move(motion)),
                       options) {
-    if (!posed_->motion()) throw std::invalid_argument("the state motion is empty, expected a function");
+    if (!posed_->motion()) throw ArgumentError("the state motion is empty, expected a function");
 }
 
 MotionValidator::MotionValidator(const ob::SpaceInformationPtr& si, std::shared_ptr<const PosedScene> posed,
@@ -96,7 +96,7 @@ MotionValidator::MotionValidator(const ob::SpaceInformationPtr& si, std::shared_
     const double most = posed_->clearance().mostClearance();
     if (most < leastInterval_) {
         const double margin = scene().largestMargin();
-        throw std::invalid_argument(
+        throw ArgumentError(
             "the environment was built with a reach whose cap is " + shortNumber(most + margin) +
             ", expected at least the margin and the least interval, " + shortNumber(margin + leastInterval_));
     }

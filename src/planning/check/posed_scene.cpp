@@ -2,9 +2,9 @@
 
 #include <ompl/util/Console.h>
 
-#include <stdexcept>
 #include <utility>
 
+#include "clearway/errors.h"
 #include "planning/space/ompl_states.h"
 
 namespace clearway::planning {
@@ -13,7 +13,7 @@ namespace {
 template <class Callback>
 Callback requireCallback(Callback callback, const char* name) {
     if (callback) return callback;
-    throw std::invalid_argument(std::string(name) + " is empty, expected a function");
+    throw ArgumentError(std::string(name) + " is empty, expected a function");
 }
 
 StateToPose require(StateToPose callback) {

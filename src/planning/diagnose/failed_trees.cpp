@@ -13,7 +13,8 @@
 #include <algorithm>
 #include <functional>
 #include <limits>
-#include <stdexcept>
+
+#include "clearway/errors.h"
 
 namespace clearway::planning {
 namespace {
@@ -114,7 +115,7 @@ void addTrees(const ob::PlannerData& data, const ob::ProblemDefinition& definiti
 std::shared_ptr<ob::ScopedState<>> drawnGoal(const ob::ProblemDefinition& definition) {
     const auto* goal = dynamic_cast<const ob::GoalSampleableRegion*>(definition.getGoal().get());
     if (goal == nullptr || !goal->canSample()) {
-        throw std::invalid_argument(
+        throw ArgumentError(
             "no state of the goal is known: it draws none and refuses the problem's goal, expected a "
             "GoalSampleableRegion with states, or a goal that the problem's pose satisfies");
     }
@@ -137,7 +138,7 @@ FailedTrees failedTrees(const std::vector<ob::PlannerPtr>& planners, const ob::P
                         const MotionValidator& validator, const ob::State* goal,
                         const std::function<bool()>& isStopped) {
     if (definition.getStartStateCount() == 0 || !definition.getGoal())
-        throw std::invalid_argument("the problem definition lacks a start or a goal, expected both");
+        throw ArgumentError("the problem definition lacks a start or a goal, expected both");
     FailedTrees trees;
     for (const ob::PlannerPtr& planner : planners) {
         if (!tellsItsStates(*planner)) continue;

@@ -6,6 +6,7 @@
 
 #include "planning/diagnose/failed_trees.h"
 #include "planning/diagnose/what_blocks.h"
+#include "planning/space/ompl_refusal.h"
 #include "planning/space/ompl_states.h"
 
 namespace clearway::planning {
@@ -91,7 +92,8 @@ std::optional<ob::ScopedState<>> posedGoal(const Problem& problem, const ob::Pro
 
 }  // namespace
 
-WhyNoPath whyNoPath(const FailedPlanning& failed, const Problem& problem, const WhyNoPathOptions& options) {
+WhyNoPath whyNoPath(const FailedPlanning& failed, const Problem& problem,
+                    const WhyNoPathOptions& options) try {
     WhyNoPath why;
     why.diagonal = failed.validator->scene().part.box().diagonal().norm();
     const std::optional<ob::ScopedState<>> goal = posedGoal(problem, *failed.definition);
@@ -106,6 +108,8 @@ WhyNoPath whyNoPath(const FailedPlanning& failed, const Problem& problem, const 
     findNearestMiss(trees, failed, problem.space, why);
     if (!why.isJoined) findBlockers(trees, *failed.validator, problem.space, options, why);
     return why;
+} catch (const ompl::Exception& refusal) {
+    throw OmplRefusal(refusal);
 }
 
 }  // namespace clearway::planning

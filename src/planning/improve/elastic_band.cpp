@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <memory>
-#include <stdexcept>
 #include <vector>
 
+#include "clearway/errors.h"
 #include "clearway/scene_clearance.h"
 #include "core/number.h"
 #include "planning/improve/band_states.h"
@@ -259,7 +259,7 @@ class Band {
 double makeRoom(og::PathGeometric& path, const MotionValidator& validator, const RoomOptions& options) {
     requireNotNegative("the clearance kept", options.clearance);
     if (!(options.gain > 0)) {
-        throw std::invalid_argument("the gain is " + shortNumber(options.gain) + ", expected a number > 0");
+        throw ArgumentError("the gain is " + shortNumber(options.gain) + ", expected a number > 0");
     }
     if (path.getStateCount() < 2) return options.clearance;
     return Band(path, validator, options).run();

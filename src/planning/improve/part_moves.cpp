@@ -4,9 +4,9 @@
 #include <ompl/base/spaces/SE3StateSpace.h>
 
 #include <cmath>
-#include <stdexcept>
 #include <typeinfo>
 
+#include "clearway/errors.h"
 #include "planning/space/ompl_states.h"
 
 namespace clearway::planning {
@@ -37,7 +37,7 @@ PartMoves::PartMoves(const ob::StateSpace& space, const Model& part)
       centreOnPart_(part.box().center()),
       radius_(0.5 * part.box().diagonal().norm()) {
     if (!isPlanar_ && !isOmplSe3(space)) {
-        throw std::invalid_argument("the space is " + space.getName() + ", expected OMPL's SE(3) or SE(2)");
+        throw ArgumentError("the space is " + space.getName() + ", expected OMPL's SE(3) or SE(2)");
     }
 }
 

@@ -9,6 +9,7 @@
 
 #include "core/number.h"
 #include "planning/check/floor_validator.h"
+#include "planning/space/ompl_refusal.h"
 #include "planning/space/ompl_states.h"
 
 namespace clearway::planning {
@@ -125,7 +126,7 @@ class Simplifier {
 }  // namespace
 
 PathAudit simplify(og::PathGeometric& path, const MotionValidator& validator,
-                   const SimplifyOptions& options) {
+                   const SimplifyOptions& options) try {
     requireNotNegative("floor", options.floor);
     PathAudit before = audit(path, validator);
     if (!before.isValid() || path.getStateCount() < 3) return before;
@@ -143,6 +144,8 @@ PathAudit simplify(og::PathGeometric& path, const MotionValidator& validator,
     if (!after.isValid() || after.upperClearance < kept) return before;
     path = shorter;
     return after;
+} catch (const ompl::Exception& refusal) {
+    throw OmplRefusal(refusal);
 }
 
 }  // namespace clearway::planning

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <exception>
 #include <limits>
-#include <stdexcept>
 #include <vector>
 
+#include "clearway/errors.h"
 #include "clearway/planning/validity_checker.h"
 #include "core/number.h"
 #include "planning/check/motion_resolution.h"
@@ -37,7 +37,7 @@ double lengthOr(const std::optional<double>& given, double share, const Model& p
                 const std::string& name) {
     const double length = given ? *given : share * part.box().diagonal().norm();
     if (length > 0 && std::isfinite(length)) return length;
-    throw std::invalid_argument(name + " is " + shortNumber(length) + ", expected a finite length above 0");
+    throw ArgumentError(name + " is " + shortNumber(length) + ", expected a finite length above 0");
 }
 
 constexpr double kReferenceShare = 0.05;  ///< these are of the part's diagonal
@@ -46,8 +46,8 @@ constexpr double kWantedShare = 0.05;
 
 double requireResolution(double resolution) {
     if (resolution > 0 && resolution <= 1) return resolution;
-    throw std::invalid_argument("resolution is " + shortNumber(resolution) +
-                                ", expected a number above 0 and at most 1");
+    throw ArgumentError("resolution is " + shortNumber(resolution) +
+                        ", expected a number above 0 and at most 1");
 }
 
 ClosenessWeight weightOf(const Scene& scene, const ClearanceIntegralOptions& options) {
@@ -83,7 +83,7 @@ const Scene& sceneOf(const ob::SpaceInformationPtr& si) {
     spaceOf(si);
     const auto* checker = dynamic_cast<const ValidityChecker*>(si->getStateValidityChecker().get());
     if (checker != nullptr) return checker->scene();
-    throw std::invalid_argument(
+    throw ArgumentError(
         "there is no scene: the space information's validity checker is none of clearway's, expected "
         "a clearway::planning::ValidityChecker to be set before");
 }
@@ -95,9 +95,8 @@ class ObjectiveMotions {
     explicit ObjectiveMotions(std::unique_ptr<const PosedScene> posed)
         : posed_(std::move(posed)), leastInterval_(defaultLeastInterval(scene())) {
         if (mostClearance() > 0) return;
-        throw std::invalid_argument("an obstacle was built with a reach that ends " +
-                                    shortNumber(mostClearance()) +
-                                    " beyond its margin, expected more than 0");
+        throw ArgumentError("an obstacle was built with a reach that ends " + shortNumber(mostClearance()) +
+                            " beyond its margin, expected more than 0");
     }
 
     const Scene& scene() const { return posed_->scene(); }

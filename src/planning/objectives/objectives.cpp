@@ -6,8 +6,8 @@
 #include <boost/algorithm/string/predicate.hpp>
 #include <limits>
 #include <memory>
-#include <stdexcept>
 
+#include "clearway/errors.h"
 #include "clearway/planning/clearance_objectives.h"
 #include "core/text.h"
 
@@ -75,8 +75,8 @@ const NamedObjective& findObjective(const std::string& name) {
         if (boost::iequals(row.name, asked)) return row;
     }
     const std::vector<std::string> known = namesOf(kObjectives);
-    throw std::invalid_argument("unknown objective '" + name + "'" + didYouMean(name, known) +
-                                ", expected one of " + joined(known));
+    throw ArgumentError("unknown objective '" + name + "'" + didYouMean(name, known) + ", expected one of " +
+                        joined(known));
 }
 
 }  // namespace

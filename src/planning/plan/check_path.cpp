@@ -4,14 +4,15 @@
 
 #include <algorithm>
 #include <memory>
-#include <stdexcept>
 
+#include "clearway/errors.h"
 #include "clearway/planning/displacement_bound.h"
 #include "clearway/planning/outside_goal.h"
 #include "clearway/planning/validity_checker.h"
 #include "core/number.h"
 #include "planning/check/motion_resolution.h"
 #include "planning/plan/problem_settings.h"
+#include "planning/space/ompl_refusal.h"
 #include "planning/space/ompl_states.h"
 
 namespace clearway::planning {
@@ -37,17 +38,17 @@ void requirePositions(const std::vector<PartState>& path, const Scene& scene, co
     for (std::size_t i = 0; i < path.size(); ++i) {
         const double largest = path[i].position.cwiseAbs().maxCoeff();
         if (largest <= farthest) continue;
-        throw std::invalid_argument("state " + std::to_string(i + 1) + " of the path has a coordinate of " +
-                                    shortNumber(largest) + ", expected at most " + shortNumber(farthest) +
-                                    ", 1e12 times the scene's largest");
+        throw ArgumentError("state " + std::to_string(i + 1) + " of the path has a coordinate of " +
+                            shortNumber(largest) + ", expected at most " + shortNumber(farthest) +
+                            ", 1e12 times the scene's largest");
     }
 }
 
 }  // namespace
 
 PathCheck checkPath(const Problem& problem, const Scene& scene, const std::vector<PartState>& path,
-                    const AuditOptions& options) {
-    if (path.empty()) throw std::invalid_argument("the path has no state, expected at least one");
+                    const AuditOptions& options) try {
+    if (path.empty()) throw ArgumentError("the path has no state, expected at least one");
     const Box bounds = boundsOf(problem, scene.environmentBox(), scene.part.box());
     requireReachOf(scene, bounds, finenessOf(problem, scene.part));
     requirePositions(path, scene, bounds);
@@ -78,6 +79,8 @@ PathCheck checkPath(const Problem& problem, const Scene& scene, const std::vecto
     motions.isStopped = options.isStopped;
     check.audit = audit(states, MotionValidator(si, scene, motions), options);
     return check;
+} catch (const ompl::Exception& refusal) {
+    throw OmplRefusal(refusal);
 }
 
 }  // namespace clearway::planning

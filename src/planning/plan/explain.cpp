@@ -6,11 +6,12 @@
 #include <deque>
 #include <functional>
 #include <set>
-#include <stdexcept>
 
+#include "clearway/errors.h"
 #include "clearway/planning/check_path.h"
 #include "core/number.h"
 #include "planning/plan/trials.h"
+#include "planning/space/ompl_refusal.h"
 
 namespace clearway::planning {
 namespace {
@@ -267,7 +268,7 @@ bool isExplainable(const Scene& scene) {
 void requireExplainable(const Scene& scene) {
     if (isExplainable(scene)) return;
     const Names names = obstaclesOf(scene);
-    throw std::invalid_argument(
+    throw ArgumentError(
         "the environment has " + std::to_string(names.size()) +
         (names.size() == 1 ? " obstacle" : " obstacles") +
         (contains(names, "") ? ", not all with a name," : "") +
@@ -275,12 +276,13 @@ void requireExplainable(const Scene& scene) {
         "components, or several files");
 }
 
-Explanation explain(const Problem& problem, const WhyNoPath& why, const ExplainOptions& options) {
+Explanation explain(const Problem& problem, const WhyNoPath& why, const ExplainOptions& options) try {
     if (!(options.seconds > 0)) {
-        throw std::invalid_argument("seconds is " + shortNumber(options.seconds) +
-                                    ", expected a number above 0");
+        throw ArgumentError("seconds is " + shortNumber(options.seconds) + ", expected a number above 0");
     }
     return Search(problem, why, options).run();
+} catch (const ompl::Exception& refusal) {
+    throw OmplRefusal(refusal);
 }
 
 }  // namespace clearway::planning

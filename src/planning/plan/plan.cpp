@@ -16,6 +16,7 @@
 #include "core/watch.h"
 #include "planning/plan/problem_settings.h"
 #include "planning/plan/room.h"
+#include "planning/space/ompl_refusal.h"
 #include "planning/space/ompl_states.h"
 
 namespace clearway::planning {
@@ -259,7 +260,7 @@ bool takeBest(const PlanSetup& setup, const Problem& problem, const std::functio
 
 }  // namespace
 
-PlanReport plan(const Problem& problem, const Scene& scene, const PlanOptions& options) {
+PlanReport plan(const Problem& problem, const Scene& scene, const PlanOptions& options) try {
     PlanReport report;
     const OmplMessages messages;
     Budget budget(options);
@@ -299,6 +300,8 @@ PlanReport plan(const Problem& problem, const Scene& scene, const PlanOptions& o
     report.finishingSeconds = secondsSince(planned);
     conclude(setup, budget, messages, report);
     return report;
+} catch (const ompl::Exception& refusal) {
+    throw OmplRefusal(refusal);
 }
 
 std::optional<Reach> planningReach(const Problem& problem, const PlanOptions& options, const Model& part,

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "clearway/errors.h"
 #include "clearway/planning/ompl_messages.h"
 #include "clearway/planning/planners.h"
 #include "core/number.h"
@@ -72,7 +73,7 @@ void requireOptions(const Problem& problem, const PlanOptions& options) {
         try {
             plannerClassName(choice.name);
         } catch (const std::invalid_argument& error) {
-            throw std::invalid_argument(problem.file + ": " + error.what());
+            throw ArgumentError(problem.file + ": " + error.what());
         }
     }
 }

@@ -14,6 +14,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "clearway/errors.h"
 #include "clearway/planning/clearance_objectives.h"
 #include "clearway/planning/planners.h"
 #include "clearway/planning/valid_state_samplers.h"
@@ -64,10 +65,9 @@ void useThreshold(ob::OptimizationObjective& objective, const Problem& problem,
                   const ob::ProblemDefinition& definition, const std::string& unit) {
     const ob::Cost threshold(*problem.objectiveThreshold), bound = boundOf(objective, definition);
     if (threshold.value() != 0 && objective.isCostBetterThan(threshold, bound)) {
-        throw std::invalid_argument(problem.file + ": objective.threshold is " +
-                                    shortNumber(threshold.value()) +
-                                    ", which no path meets: " + problem.objective + " is at best " +
-                                    withUnit(roundedNumber(bound.value()), unit) + " between start and goal");
+        throw ArgumentError(problem.file + ": objective.threshold is " + shortNumber(threshold.value()) +
+                            ", which no path meets: " + problem.objective + " is at best " +
+                            withUnit(roundedNumber(bound.value()), unit) + " between start and goal");
     }
     const bool isLeast = dynamic_cast<const MinClearanceObjective*>(&objective) != nullptr;
     if (!isLeast || (threshold.value() != 0 && threshold.value() < objective.getCostThreshold().value()))
@@ -99,8 +99,8 @@ const NamedSampler& findSampler(const std::string& name) {
         if (name == row.name) return row;
     }
     const std::vector<std::string> known = namesOf(kSamplers);
-    throw std::invalid_argument("unknown sampler '" + name + "'" + didYouMean(name, known) +
-                                ", expected one of " + joined(known));
+    throw ArgumentError("unknown sampler '" + name + "'" + didYouMean(name, known) + ", expected one of " +
+                        joined(known));
 }
 
 /// Sets the values that belong to the parameters, and returns their names.
@@ -115,8 +115,8 @@ std::set<std::string> apply(ob::ParamSet& parameters, const NamedTexts& settings
         } catch (const std::exception&) {  // a number out of OMPL's range
         }
         if (isSet) continue;
-        throw std::invalid_argument("the problem's setting " + name + " is '" + value +
-                                    "', expected a number that OMPL takes");
+        throw ArgumentError("the problem's setting " + name + " is '" + value +
+                            "', expected a number that OMPL takes");
     }
     return known;
 }
@@ -205,7 +205,7 @@ double requireValid(const Problem& problem, const ValidityChecker& checker, cons
     const std::string why = checker.whyInvalid(state);
     if (why.find(kCollision) == 0 && what == kStart)
         throw refusedStart(what + " is " + why, problem, checker, state);
-    throw std::invalid_argument(what + " is " + why);
+    throw ArgumentError(what + " is " + why);
 }
 
 double finenessOf(const Problem& problem, const Model& part) {
@@ -217,15 +217,15 @@ void requireReachOf(const Scene& scene, const Box& bounds, double fineness) {
         if (!obstacle.model.reach()) continue;
         const Reach& reach = *obstacle.model.reach();
         if (!reach.positions.contains(bounds)) {
-            throw std::invalid_argument(
+            throw ArgumentError(
                 "the environment was built with a reach that leaves out positions within the bounds, "
                 "expected one that holds them all");
         }
         if (!(reach.cap >= obstacle.margin + fineness)) {
-            throw std::invalid_argument("the environment was built with a reach whose cap is " +
-                                        withUnit(shortNumber(reach.cap), scene.unit) +
-                                        ", expected at least the margin and the fineness, " +
-                                        withUnit(shortNumber(obstacle.margin + fineness), scene.unit));
+            throw ArgumentError("the environment was built with a reach whose cap is " +
+                                withUnit(shortNumber(reach.cap), scene.unit) +
+                                ", expected at least the margin and the fineness, " +
+                                withUnit(shortNumber(obstacle.margin + fineness), scene.unit));
         }
     }
 }

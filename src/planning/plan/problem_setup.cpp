@@ -3,11 +3,12 @@
 #include <ompl/util/Console.h>
 
 #include <memory>
-#include <stdexcept>
 
+#include "clearway/errors.h"
 #include "clearway/planning/validity_checker.h"
 #include "planning/plan/goals.h"
 #include "planning/plan/problem_settings.h"
+#include "planning/space/ompl_refusal.h"
 #include "planning/space/ompl_states.h"
 
 namespace clearway::planning {
@@ -15,7 +16,7 @@ namespace clearway::planning {
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
 
-og::SimpleSetup makeSetup(const Problem& problem, const Scene& scene) {
+og::SimpleSetup makeSetup(const Problem& problem, const Scene& scene) try {
     const Box bounds = boundsOf(problem, scene.environmentBox(), scene.part.box());
     og::SimpleSetup setup(makeSpace(problem.space, bounds, scene.part.radiusAboutOrigin()));
     const ob::SpaceInformationPtr& si = setup.getSpaceInformation();
@@ -36,13 +37,15 @@ og::SimpleSetup makeSetup(const Problem& problem, const Scene& scene) {
     applySettings(*si, problem, warnings);
     for (const std::string& warning : warnings) OMPL_WARN("%s", warning.c_str());
     return setup;
+} catch (const ompl::Exception& refusal) {
+    throw OmplRefusal(refusal);
 }
 
 const MotionValidator& motionValidatorOf(const ob::SpaceInformationPtr& si) {
     spaceOf(si);
     const auto* validator = dynamic_cast<const MotionValidator*>(si->getMotionValidator().get());
     if (validator != nullptr) return *validator;
-    throw std::invalid_argument(
+    throw ArgumentError(
         "the space information's motion validator certifies nothing, expected a "
         "clearway::planning::MotionValidator to be set before");
 }

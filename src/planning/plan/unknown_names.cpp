@@ -5,6 +5,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "clearway/errors.h"
 #include "clearway/planning/objectives.h"
 #include "clearway/planning/ompl_messages.h"
 #include "clearway/planning/plan.h"
@@ -31,7 +32,7 @@ class Judge {
         } catch (const std::invalid_argument& error) {
             const std::string what = (problem_.file.empty() ? "" : problem_.file + ": ") + error.what();
             const bool isOmplApps = problem_.asOmplApp && !problem_.isReadingStated;
-            if (!isOmplApps) throw std::invalid_argument(what);
+            if (!isOmplApps) throw ArgumentError(what);
             const std::string warning = what + consequence;
             if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end())
                 warnings.push_back(warning);
@@ -60,7 +61,7 @@ void requireParameters(const PlannerChoice& choice, Judge& judge) {
         if (parameter == "name" || hasParameter(*planner, parameter)) continue;
         const std::string what = "planner " + name + " has no parameter '" + parameter + "'" +
                                  didYouMean(parameter, known) + ", expected one of " + joined(known);
-        judge.require([&] { throw std::invalid_argument(what); }, "; it is left out");
+        judge.require([&] { throw ArgumentError(what); }, "; it is left out");
     }
 }
 

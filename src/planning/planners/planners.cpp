@@ -42,14 +42,15 @@
 #include <boost/algorithm/string/predicate.hpp>
 #include <future>
 #include <memory>
-#include <stdexcept>
 #include <type_traits>
 
+#include "clearway/errors.h"
 #include "clearway/planning/planner_team.h"
 #include "clearway/planning/sliding_rrt_connect.h"
 #include "core/number.h"
 #include "core/text.h"
 #include "planning/planners/rising_floor.h"
+#include "planning/space/ompl_refusal.h"
 #include "planning/space/ompl_states.h"
 
 namespace clearway::planning {
@@ -188,8 +189,8 @@ const NamedPlanner& findPlanner(const std::string& name) {
     for (const NamedPlanner& row : kPlanners) {
         if (boost::iequals(row.name, wanted)) return row;
     }
-    throw std::invalid_argument("unknown planner '" + name + "'" + didYouMean(name, plannerNames()) +
-                                ", expected one of " + joined(plannerNames()));
+    throw ArgumentError("unknown planner '" + name + "'" + didYouMean(name, plannerNames()) +
+                        ", expected one of " + joined(plannerNames()));
 }
 
 template <class Value>
@@ -239,8 +240,10 @@ bool isRepeatable(const std::string& name) {
     return findPlanner(name).isRepeatable;
 }
 
-ob::PlannerPtr makePlanner(const ob::SpaceInformationPtr& si, const std::string& name) {
+ob::PlannerPtr makePlanner(const ob::SpaceInformationPtr& si, const std::string& name) try {
     return findPlanner(name).make(si);
+} catch (const ompl::Exception& refusal) {
+    throw OmplRefusal(refusal);
 }
 
 bool hasParameter(const ob::Planner& planner, const std::string& parameter) {
@@ -253,14 +256,14 @@ void setParameter(ob::Planner& planner, const std::string& parameter, const std:
     if (found == known.end()) {
         std::vector<std::string> names;
         for (const auto& entry : known) names.push_back(entry.first);
-        throw std::invalid_argument("planner " + planner.getName() + " has no parameter '" + parameter + "'" +
-                                    didYouMean(parameter, names) + ", expected one of " +
-                                    (names.empty() ? "none" : joined(names)));
+        throw ArgumentError("planner " + planner.getName() + " has no parameter '" + parameter + "'" +
+                            didYouMean(parameter, names) + ", expected one of " +
+                            (names.empty() ? "none" : joined(names)));
     }
     const std::string problem =
         "parameter " + parameter + " of planner " + planner.getName() + " is '" + value + "'";
     const std::string expected = expectedInstead(*found->second, value);
-    if (!expected.empty()) throw std::invalid_argument(problem + ", expected " + expected);
+    if (!expected.empty()) throw ArgumentError(problem + ", expected " + expected);
     bool isSet = false;
     try {
         isSet = planner.params().setParam(parameter, value);
@@ -268,14 +271,15 @@ void setParameter(ob::Planner& planner, const std::string& parameter, const std:
     }
     if (!isSet) {
         const std::string& range = found->second->getRangeSuggestion();
-        throw std::invalid_argument(problem + ", which OMPL refuses" +
-                                    (range.empty() ? "" : "; it suggests " + range));
+        throw ArgumentError(problem + ", which OMPL refuses" +
+                            (range.empty() ? "" : "; it suggests " + range));
     }
 }
 
 ob::PlannerStatus solveSideBySide(const std::vector<ob::PlannerPtr>& planners,
                                   const ob::PlannerTerminationCondition& isSpent,
-                                  const std::function<void()>& onFound) {
+                                  const std::function<void()>& onFound) try {
+    if (planners.empty()) throw ArgumentError("planners is empty, expected at least one");
     const auto solveOne = [&](const ob::PlannerPtr& planner) {
         const ob::PlannerStatus status = planner->solve(isSpent);
         if (status == ob::PlannerStatus::EXACT_SOLUTION) onFound();
@@ -285,9 +289,11 @@ ob::PlannerStatus solveSideBySide(const std::vector<ob::PlannerPtr>& planners,
     for (std::size_t i = 1; i < planners.size(); ++i) {
         others.push_back(std::async(std::launch::async, solveOne, planners[i]));
     }
-    const ob::PlannerStatus status = solveOne(planners.at(0));
+    const ob::PlannerStatus status = solveOne(planners[0]);
     for (auto& other : others) other.get();
     return status;
+} catch (const ompl::Exception& refusal) {
+    throw OmplRefusal(refusal);
 }
 
 }  // namespace clearway::planning

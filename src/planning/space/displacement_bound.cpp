@@ -5,10 +5,10 @@
 
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 #include <string>
 #include <typeinfo>
 
+#include "clearway/errors.h"
 #include "core/number.h"
 #include "planning/space/ompl_states.h"
 
@@ -71,9 +71,8 @@ DisplacementBound makeBound(const ob::StateSpace& space, double radius, const Ra
             return se2Bound(a, b, aboutZ);
         };
     }
-    throw std::invalid_argument(
-        "state space '" + space.getName() +
-        "' is neither OMPL's SE(3) nor its SE(2), expected a displacement bound of its own");
+    throw ArgumentError("state space '" + space.getName() +
+                        "' is neither OMPL's SE(3) nor its SE(2), expected a displacement bound of its own");
 }
 
 }  // namespace

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <memory>
 #include <mutex>
-#include <stdexcept>
 #include <typeinfo>
 
+#include "clearway/errors.h"
 #include "clearway/planning/se3_space.h"
 #include "core/number.h"
 
@@ -45,7 +45,7 @@ std::mutex& sharedSpaces() {
 
 const ob::StateSpace& spaceOf(const ob::SpaceInformationPtr& si) {
     if (si) return *si->getStateSpace();
-    throw std::invalid_argument("the space information is null, expected that of the planner");
+    throw ArgumentError("the space information is null, expected that of the planner");
 }
 
 bool isOmplSe3(const ob::StateSpace& space) {
@@ -55,8 +55,8 @@ bool isOmplSe3(const ob::StateSpace& space) {
 Space kindOf(const ob::StateSpace& space) {
     if (dynamic_cast<const ob::SE3StateSpace*>(&space)) return Space::kSe3;
     if (dynamic_cast<const ob::SE2StateSpace*>(&space)) return Space::kSe2;
-    throw std::invalid_argument("state space '" + space.getName() +
-                                "' is neither SE(3) nor SE(2), expected one of them");
+    throw ArgumentError("state space '" + space.getName() +
+                        "' is neither SE(3) nor SE(2), expected one of them");
 }
 
 ob::StateSpacePtr makeSpace(Space kind, const Box& bounds, double turnWeight) {

@@ -8,10 +8,10 @@
 #include <cmath>
 #include <limits>
 #include <memory>
-#include <stdexcept>
 #include <typeinfo>
 #include <utility>
 
+#include "clearway/errors.h"
 #include "clearway/planning/state_to_pose.h"
 #include "planning/space/ompl_states.h"
 
@@ -170,8 +170,8 @@ StateMotion stateMotion(const ob::StateSpacePtr& space, const Model& part) {
             return setSe2(from, to, reach, radius, motion);
         });
     }
-    throw std::invalid_argument("state space '" + space->getName() +
-                                "' is neither OMPL's SE(3) nor its SE(2), expected a motion of its own");
+    throw ArgumentError("state space '" + space->getName() +
+                        "' is neither OMPL's SE(3) nor its SE(2), expected a motion of its own");
 }
 
 }  // namespace clearway::planning

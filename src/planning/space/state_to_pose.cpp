@@ -6,8 +6,8 @@
 
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
+#include "clearway/errors.h"
 #include "planning/space/ompl_states.h"
 
 namespace clearway::planning {
@@ -36,8 +36,8 @@ StateToPose stateToPose(const ob::StateSpace& space) {
             return inner(state->as<ob::WrapperStateSpace::StateType>()->getState());
         };
     }
-    throw std::invalid_argument("state space '" + space.getName() +
-                                "' is neither SE(3) nor SE(2), expected a callback from its states to poses");
+    throw ArgumentError("state space '" + space.getName() +
+                        "' is neither SE(3) nor SE(2), expected a callback from its states to poses");
 }
 
 }  // namespace clearway::planning

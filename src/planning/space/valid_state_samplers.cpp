@@ -4,7 +4,8 @@
 #include <ompl/base/spaces/SE3StateSpace.h>
 
 #include <algorithm>
-#include <stdexcept>
+
+#include "clearway/errors.h"
 
 namespace clearway::planning {
 namespace {
@@ -27,16 +28,16 @@ constexpr double kOpposite = -0.3;      ///< the largest cosine between the norm
 std::shared_ptr<const ValidityChecker> checkerOf(const ob::SpaceInformation& si, const char* sampler) {
     auto checker = std::dynamic_pointer_cast<const ValidityChecker>(si.getStateValidityChecker());
     if (checker) return checker;
-    throw std::invalid_argument(std::string("the sampler ") + sampler +
-                                " was given a space information whose validity checker is none of "
-                                "clearway's, expected clearway::planning::ValidityChecker");
+    throw ArgumentError(std::string("the sampler ") + sampler +
+                        " was given a space information whose validity checker is none of "
+                        "clearway's, expected clearway::planning::ValidityChecker");
 }
 
 bool isPlanar(const ob::StateSpace& space, const char* sampler) {
     if (dynamic_cast<const ob::SE2StateSpace*>(&space)) return true;
     if (dynamic_cast<const ob::SE3StateSpace*>(&space)) return false;
-    throw std::invalid_argument(std::string("the sampler ") + sampler + " was given the state space '" +
-                                space.getName() + "', expected SE(3) or SE(2)");
+    throw ArgumentError(std::string("the sampler ") + sampler + " was given the state space '" +
+                        space.getName() + "', expected SE(3) or SE(2)");
 }
 
 }  // namespace

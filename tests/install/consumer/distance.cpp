@@ -1,5 +1,6 @@
 // A program of a user without OMPL: the distance of two triangles that were made in memory, as one number with 17 digits.
-// The triangles' vertices are doubles that no float holds.
+// The triangles' vertices are doubles that no float holds. Errors that the library throws are caught by their types here.
+#include <clearway/errors.h>
 #include <clearway/model.h>
 #include <clearway/query.h>
 #include <clearway/version.h>
@@ -8,7 +9,21 @@
 
 static_assert(CLEARWAY_VERSION_VALUE >= 2000, "0.2.0 or later");
 
+/// Whether the call throws a Type that is caught by its base, too, and as the Standard exception.
+template <class Type, class Standard, class Call>
+bool throws(const Call& call) {
+    try {
+        call();
+    } catch (const clearway::Error& error) {
+        return dynamic_cast<const Type*>(&error) && dynamic_cast<const Standard*>(&error);
+    }
+    return false;
+}
+
 int main() {
+    using namespace clearway;
+    if (!throws<ArgumentError, std::invalid_argument>([] { Model::build(Mesh()); })) return 2;
+    if (!throws<FileError, std::runtime_error>([] { loadMesh("missing.stl"); })) return 3;
     const auto triangle = [](double z) {
         clearway::Mesh mesh;
         mesh.vertices = {{0.1, 0, z}, {1.3, 0, z}, {0.1, 1.7, z}};
