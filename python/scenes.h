@@ -36,7 +36,7 @@ inline Problem problemOf(const pybind11::object& given) {
     return readProblem(fileName(given));
 }
 
-/// Throws std::invalid_argument when the problem has no mesh files.
+/// Throws ArgumentError when the problem has no mesh files.
 inline void requireMeshFiles(const Problem& problem) {
     if (!problem.robot.empty() && !problem.world.empty()) return;
     throw ArgumentError("the problem names no mesh files, expected robot and worlds, or a scene");

@@ -24,7 +24,7 @@ struct BuildOptions {
 };
 
 /// The options of a preset: "best" makes the fastest queries, "fast" builds in less time. Throws
-/// std::invalid_argument that lists the known names.
+/// ArgumentError that lists the known names.
 BuildOptions buildPreset(const std::string& name);
 
 /// The names of all presets: "best" and, unless clearway was built without Embree, "fast".
@@ -43,7 +43,7 @@ std::vector<std::string> fitNames();
 /// All node widths, that is, numbers of children of a node; the widest first.
 std::vector<int> nodeWidths();
 
-/// Checks the options. Throws std::invalid_argument that names the wrong option, its value and the possible
+/// Checks the options. Throws ArgumentError that names the wrong option, its value and the possible
 /// values.
 void requireBuildOptions(const BuildOptions& options);
 

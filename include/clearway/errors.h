@@ -1,5 +1,4 @@
-// The exceptions for what a caller, a file or OMPL got wrong: three types under one base. Each is also the standard exception that fits, so that
-// `catch (const std::exception&)` sees them all.
+// The exceptions for what a caller, a file or OMPL got wrong: three types under one base. Each is also a standard exception.
 #pragma once
 
 #include <stdexcept>
@@ -37,8 +36,9 @@ class FileError : public std::runtime_error, public Error {
     const char* what() const noexcept override;
 };
 
-/// OMPL refuses what clearway asks of it, with OMPL's own message. What is thrown is an ompl::Exception too, and so an
-/// std::runtime_error; this header needs no OMPL. In Python: clearway.OmplError, a RuntimeError.
+/// OMPL refuses what clearway asks of it, with OMPL's own message: thrown by the functions of clearway::planning in which OMPL
+/// works, as plan(), checkPath(), makeSetup() and solveSideBySide(). What is thrown is also an ompl::Exception, and
+/// so a std::runtime_error; this header needs no OMPL. In Python: clearway.OmplError, a RuntimeError.
 class OmplError : public Error {
   public:
     ~OmplError() override;

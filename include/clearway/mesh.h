@@ -89,8 +89,8 @@ struct LoadOptions {
 /// the order of the file (in the OMPL.app readings, of the nodes that OMPL.app's steps leave). Its name is "node/mesh", or only one of the
 /// names when both are equal or one is missing. Repeated names get #2, #3, ...; a component without a name gets the file's stem.
 ///
-/// Throws std::runtime_error when the file is missing, is not what its format prescribes, holds no triangle or has a triangle with a vertex
-/// that is not finite (naming the first such triangle). Throws std::invalid_argument when the scale is not a finite number above 0.
+/// Throws FileError when the file is missing, is not what its format prescribes, holds no triangle or has a triangle with a vertex
+/// that is not finite (naming the first such triangle). Throws ArgumentError when the scale is not a finite number above 0.
 Mesh loadMesh(const std::string& file, const LoadOptions& options = {});
 
 /// Writes the mesh in the format of the file's ending: .glb, .obj, .ply, .stl or .dae. Coordinates are
@@ -100,12 +100,12 @@ Mesh loadMesh(const std::string& file, const LoadOptions& options = {});
 /// order and names; their text tells floats apart, with fewer digits than doubles need: coordinates read back within 1e-8 of their size. .ply
 /// and .stl (both binary) keep floats and order and lose the components. Components without triangles are left out.
 ///
-/// Throws std::invalid_argument for an unknown ending, a mesh that Model::build would refuse, and a
-/// coordinate beyond float's range. Throws std::runtime_error when the file cannot be written.
+/// Throws ArgumentError for an unknown ending, a mesh that Model::build would refuse, and a
+/// coordinate beyond float's range. Throws FileError when the file cannot be written.
 void saveMesh(const Mesh& mesh, const std::string& file);
 
 /// The closed surface of a box as one component: 12 triangles that face outwards. Useful as a keep-out
-/// region. Throws std::invalid_argument, naming the box, when it is empty, flat or not finite.
+/// region. Throws ArgumentError, naming the box, when it is empty, flat or not finite.
 Mesh boxMesh(const Box& box, const std::string& name = "box");
 
 /// The smallest box that holds every vertex of a triangle, in mesh coordinates; empty for a mesh without

@@ -37,7 +37,7 @@ struct Reach {
 /// threads may query the model at once.
 class Model {
   public:
-    /// Cleans the mesh and builds its tree. Throws std::invalid_argument when a vertex of a triangle is not
+    /// Cleans the mesh and builds its tree. Throws ArgumentError when a vertex of a triangle is not
     /// finite (naming the first such triangle), an index is out of range, the components do not cover the
     /// triangles, the mesh has no triangle, an option is unknown, or the reach is not a finite box with two
     /// lengths of at least 0.
@@ -47,13 +47,13 @@ class Model {
     static Model build(const Mesh& mesh, const BuildOptions& options = {},
                        const std::optional<Reach>& reach = std::nullopt);
 
-    /// Reads a file written by save. Throws std::runtime_error, naming the file and its fault, when the file
+    /// Reads a file written by save. Throws FileError, naming the file and its fault, when the file
     /// cannot be read, is not a saved model, is damaged, or was saved by another version or with another byte
     /// order.
     static Model load(const std::string& file);
 
     /// Writes the model with its report and names, under a temporary name that is then renamed. Throws
-    /// std::runtime_error when the file cannot be written.
+    /// FileError when the file cannot be written.
     void save(const std::string& file) const;
 
     /// How the model was built; for a loaded model, how the saved one was.

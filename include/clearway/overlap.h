@@ -25,7 +25,7 @@ struct DeepestPoint {
 class OverlapMeter {
   public:
     /// Where components of the part meet, gaps of less than 0.0002 of the part's diagonal count as filled, and
-    /// depths may be too small by twice as much. Throws std::invalid_argument as shrink() does for a part that is
+    /// depths may be too small by twice as much. Throws ArgumentError as shrink() does for a part that is
     /// not closed or passes through itself.
     explicit OverlapMeter(const Mesh& part);
 

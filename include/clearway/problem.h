@@ -35,7 +35,7 @@ struct PartState {
 };
 
 /// The pose X_environmentPart of a state. The quaternion is normalised first, so that the rotation's defect
-/// is only rounding. Throws std::invalid_argument when the quaternion has length 0 or is not finite.
+/// is only rounding. Throws ArgumentError when the quaternion has length 0 or is not finite.
 Pose poseOf(const PartState& state);
 
 /// Keys and values as texts, in the order of the file.
@@ -114,7 +114,7 @@ struct Problem {
 /// necessary ("a, b.stl"). If the whole text is the name of an existing file, it is that one file. Planner
 /// names and parameters are kept unchecked, in lower case.
 ///
-/// Throws std::runtime_error when the file cannot be read. Throws std::invalid_argument when robot, world,
+/// Throws FileError when the file cannot be read. Throws ArgumentError when robot, world,
 /// start or goal is missing, a value is wrong, a key stands twice, a goal outside has a pose or contacts, or
 /// [clearway] has an unknown key. The messages name the file, the key, the value and what was expected.
 Problem readProblem(const std::string& file);
@@ -122,7 +122,7 @@ Problem readProblem(const std::string& file);
 /// Writes a .cfg that readProblem reads back to equal values: numbers have 17 digits; rotations, as axis and
 /// angle, agree to rounding. Mesh files are named relative to the .cfg's folder. Warnings and the keys they
 /// are about are left out. The file is written under a temporary name, then renamed. Throws
-/// std::runtime_error when it cannot be written, and std::invalid_argument when a text would be read as .cfg
+/// FileError when it cannot be written, and ArgumentError when a text would be read as .cfg
 /// syntax (for example with #) or a number is not finite.
 void writeProblem(const Problem& problem, const std::string& file);
 
@@ -148,7 +148,7 @@ double largestMargin(const Problem& problem);
 using MeshReader = std::function<Mesh(const std::string& file, const LoadOptions& options)>;
 
 /// Loads the mesh of the part with the MeshReading and the scale that fit the problem. Throws what `read`
-/// throws, and std::invalid_argument when the problem does not state its reading and the readings differ (see
+/// throws, and ArgumentError when the problem does not state its reading and the readings differ (see
 /// Problem::isReadingStated).
 Mesh loadPart(const Problem& problem, const MeshReader& read = loadMesh);
 
@@ -205,21 +205,21 @@ LoadedScene loadScene(const Problem& problem, const BuildOptions& options = {},
 /// Bounds of the part's position, in the environment's frame: problem.volume, or else OMPL.app's rule: the
 /// environment's box grown to hold start and goal, and problem.knownWay. For a goal outside, the box is extended on
 /// each of the goal's sides until the part fits there in any rotation. In SE(2) z is 0 to 0. partBox: the part's box
-/// in its own coordinates, needed for a goal outside. Throws std::invalid_argument when the bounds leave out the
+/// in its own coordinates, needed for a goal outside. Throws ArgumentError when the bounds leave out the
 /// start or the goal, leave the part no place outside in any rotation, or have no extent along an axis, and when the
 /// start, the goal or the volume is more than a million sizes of the scene from the environment.
 Box boundsOf(const Problem& problem, const Box& environmentBox, const Box& partBox);
 
 /// Writes one state a line with 17 digits: x y z qx qy qz qw, or x y yaw in SE(2). The file is written under
-/// a temporary name, then renamed. Throws std::runtime_error when it cannot be written.
+/// a temporary name, then renamed. Throws FileError when it cannot be written.
 void writePath(const std::vector<PartState>& path, Space space, const std::string& file);
 
 /// Writes the lines of a path file to a stream.
 void writePath(const std::vector<PartState>& path, Space space, std::ostream& stream);
 
 /// Reads a file with one state a line, as writePath writes it. Quaternions are normalised, because files with
-/// 6 digits are off by 3e-7. Blank lines and lines that begin with # are skipped. Throws std::runtime_error
-/// when the file cannot be read, and std::invalid_argument when a line is wrong (naming file and line) or the
+/// 6 digits are off by 3e-7. Blank lines and lines that begin with # are skipped. Throws FileError
+/// when the file cannot be read, and ArgumentError when a line is wrong (naming file and line) or the
 /// file holds no state.
 std::vector<PartState> readPath(const std::string& file, Space space);
 

@@ -75,7 +75,7 @@ class Workspace {
 /// The workspace of the thread that makes it, for languages whose threads share objects.
 class OwnedWorkspace {
   public:
-    Workspace& mine();  ///< throws std::invalid_argument in every other thread
+    Workspace& mine();  ///< throws ArgumentError in every other thread
 
   private:
     const std::thread::id owner_ = std::this_thread::get_id();
@@ -118,7 +118,7 @@ struct DistanceResult {
 };
 
 /// The distance between the part's triangles, moved by X_environmentPart, and the environment's triangles; 0
-/// if they share a point. Throws std::invalid_argument if
+/// if they share a point. Throws ArgumentError if
 ///  - the pose is not a rotation and a translation (see requirePose),
 ///  - an option is negative or NaN,
 ///  - the two models have different node widths,
@@ -131,12 +131,12 @@ DistanceResult distance(const Model& part, const Model& environment, const Pose&
 
 /// Whether the part and the environment share a point, exactly: decided in double, where double leaves it
 /// open in double-double, and where that leaves it open in integers of any size. Agrees with distance() and
-/// isWithin(0). Throws std::invalid_argument under the same conditions as distance().
+/// isWithin(0). Throws ArgumentError under the same conditions as distance().
 bool collides(const Model& part, const Model& environment, const Pose& X_environmentPart,
               Workspace& workspace);
 
 /// Whether the distance is <= d, exactly, decided in the same steps as collides(). d: environment units, >=
-/// 0. Throws std::invalid_argument under the same conditions as distance(), and if d is larger than the cap
+/// 0. Throws ArgumentError under the same conditions as distance(), and if d is larger than the cap
 /// of the environment's reach.
 bool isWithin(const Model& part, const Model& environment, const Pose& X_environmentPart, double d,
               Workspace& workspace);

@@ -28,7 +28,7 @@ struct MadeSolids {
 };
 
 /// Makes the solids of a mesh for Obstacle::solids or Scene::partSolids. Give it the mesh of the model.
-/// Within a component, shells that face the other way bound cavities. Throws std::invalid_argument as
+/// Within a component, shells that face the other way bound cavities. Throws ArgumentError as
 /// Model::build does.
 MadeSolids makeSolids(const Mesh& mesh);
 
@@ -45,7 +45,7 @@ struct ShrunkModel {
 
 /// Meshes that share a margin and count at equal poses, as one model.
 struct Obstacle {
-    /// Throws std::invalid_argument unless the margin is finite and >= 0.
+    /// Throws ArgumentError unless the margin is finite and >= 0.
     Obstacle(Model theModel, double theMargin = 0);
 
     Model model;    ///< its mesh coordinates are the environment's frame
@@ -73,7 +73,7 @@ struct Obstacle {
 /// part is within the zone while Model::displacement from the assembled pose is at most the distance. Beyond
 /// it the obstacles count fully.
 struct ContactZone {
-    /// Throws std::invalid_argument unless the distance is finite and > 0.
+    /// Throws ArgumentError unless the distance is finite and > 0.
     ContactZone(const Pose& pose, double theDistance);
 
     Pose X_environmentPart;  ///< the assembled pose

@@ -159,7 +159,7 @@ struct LeastClearance {
 /// own scratch and takes no lock.
 class SceneClearance {
   public:
-    /// Throws std::invalid_argument when a margin is negative or not finite, an obstacle and the part cannot
+    /// Throws ArgumentError when a margin is negative or not finite, an obstacle and the part cannot
     /// be queried together, a contact zone's pose or distance is unusable, or an obstacle needs a contact
     /// zone or solids of the part that the scene lacks.
     explicit SceneClearance(Scene scene);

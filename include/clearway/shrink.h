@@ -49,7 +49,7 @@ struct ShrunkPart {
     std::vector<std::string> leftOut;
 };
 
-/// Shrinks the part. Throws std::invalid_argument, naming what is wrong, if an option is not a finite number above
+/// Shrinks the part. Throws ArgumentError, naming what is wrong, if an option is not a finite number above
 /// 0, if a component of the part is not closed, if a connected piece of its surface passes through itself, if nothing of
 /// the part is left, or if the tolerance is too small for the part's size (before the work where its concave
 /// edges alone show it). Throws ShrinkStopped when stopped. Something is left where a point of the

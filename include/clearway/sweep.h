@@ -112,7 +112,7 @@ struct SweepResult {
 
 /// Certifies a motion of the part: a pair of volumes is certified for as long as their gap exceeds their approach
 /// speed times the time. An environment that was built for a reach must hold all poses of the motion within it; only
-/// the poses at `from`, at `until` and in the middles of pieces are checked. Throws std::invalid_argument as
+/// the poses at `from`, at `until` and in the middles of pieces are checked. Throws ArgumentError as
 /// distance() does at these poses, and when an option is out of its range or a piece of the motion is not finite.
 SweepResult sweep(const Model& part, const Model& environment, const MotionPieces& motion,
                   const SweepOptions& options, Workspace& workspace);

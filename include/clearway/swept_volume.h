@@ -34,7 +34,7 @@ struct SweptVolumeOptions {
 /// bent places, its triangles are certified: that the part keeps off them along all motions, and that they are near
 /// one place. Time and memory grow with the area of the bent surface over the tolerance's square.
 ///
-/// Throws std::invalid_argument when an option is out of its range, there is no motion, or the tolerance takes more
+/// Throws ArgumentError when an option is out of its range, there is no motion, or the tolerance takes more
 /// than eight million points.
 Mesh sweptVolume(const Mesh& part, const std::vector<RigidMotion>& motions,
                  const SweptVolumeOptions& options);

@@ -14,13 +14,13 @@ namespace clearway {
 std::vector<std::string> availableTargets();
 
 /// Makes all later queries of the process run on the named set, whatever CLEARWAY_TARGET names; "best" is the first of
-/// availableTargets(). Must not be called while a query runs. Throws std::invalid_argument, which lists the
+/// availableTargets(). Must not be called while a query runs. Throws ArgumentError, which lists the
 /// available sets, if the name is not available.
 void useTarget(const std::string& name);
 
 /// The instruction set that queries run on now. The first query or call of this function reads CLEARWAY_TARGET, unless
 /// useTarget was called before. If the variable holds neither "best" nor an available name, this function and all
-/// queries throw std::invalid_argument, which lists the available sets.
+/// queries throw ArgumentError, which lists the available sets.
 std::string currentTarget();
 
 }  // namespace clearway

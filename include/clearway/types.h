@@ -65,7 +65,7 @@ inline Pose toPose(const Eigen::Isometry3d& X_ab) {
 }
 
 /// The pose of a quaternion and a translation. The quaternion is normalised first. Throws
-/// std::invalid_argument when its length is 0 or not finite.
+/// ArgumentError when its length is 0 or not finite.
 inline Pose toPose(const Eigen::Quaterniond& rotation, const Vector3& translation) {
     const Eigen::Matrix<double, 4, 1, Eigen::DontAlign> coefficients = rotation.coeffs();
     const double length = coefficients.stableNorm();
@@ -96,12 +96,12 @@ inline Eigen::Quaterniond toQuaternion(const Pose& X_ab) {
 /// max |R^T R - I|, or infinity if an entry of the pose is not finite or det R <= 0.
 double rotationDefect(const Pose& pose);
 
-/// Throws std::invalid_argument, naming the defect and what was expected, unless rotationDefect <=
+/// Throws ArgumentError, naming the defect and what was expected, unless rotationDefect <=
 /// kPoseDefect.
 void requirePose(const Pose& pose);
 
 /// The pose with the rotation nearest to the given matrix in the Frobenius norm (polar decomposition); the
-/// translation is kept. Throws std::invalid_argument when the defect exceeds kProjectableDefect.
+/// translation is kept. Throws ArgumentError when the defect exceeds kProjectableDefect.
 Pose nearestPose(const Pose& pose);
 
 }  // namespace clearway

@@ -8,7 +8,7 @@
 namespace clearway {
 
 /// Builds the tree with the options' splits and fits each node's volume to the corners of the triangles below
-/// it. Throws std::invalid_argument as requireBuildOptions does.
+/// it. Throws ArgumentError as requireBuildOptions does.
 BinaryTree buildBinaryTree(const CleanMesh& mesh, const BuildOptions& options);
 
 }  // namespace clearway

@@ -66,7 +66,7 @@ constexpr NamedFit kFits[] = {
     {"covariance", fitByCovariance},
 };
 
-/// Throws std::invalid_argument that lists the known names.
+/// Throws ArgumentError that lists the known names.
 const NamedFit& fitNamed(const std::string& name);
 
 /// Fits every node of the tree to the vertices of the triangles below it, parents before their children,

@@ -12,7 +12,7 @@
 namespace clearway {
 
 /// Makes the flat tree, with the wide nodes that Collapse chooses; width 2 keeps the binary tree. Throws
-/// std::invalid_argument when no tree has nodes of this width.
+/// ArgumentError when no tree has nodes of this width.
 FlatTree flatten(const BinaryTree& tree, const CleanMesh& mesh, int nodeWidth);
 
 /// Chooses which descendants of a binary node become the lanes of a wide node. A wide node costs its area,

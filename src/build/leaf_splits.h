@@ -43,7 +43,7 @@ constexpr NamedLeafSplit kLeafSplits[] = {
     {"all", splitIntoSingles},
 };
 
-/// Throws std::invalid_argument that lists the known names.
+/// Throws ArgumentError that lists the known names.
 const NamedLeafSplit& leafSplitNamed(const std::string& name);
 
 }  // namespace clearway

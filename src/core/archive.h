@@ -39,7 +39,7 @@ class ArchiveWriter {
     std::string bytes_;
 };
 
-/// Every read throws std::runtime_error("ends too early") when fewer bytes are left than it needs.
+/// Every read throws FileError("ends too early") when fewer bytes are left than it needs.
 class ArchiveReader {
   public:
     explicit ArchiveReader(std::string_view bytes) : rest_(bytes) {}

@@ -42,7 +42,7 @@ std::string roundedPoint(const Vector3& point);  ///< "(1.5, 2, 0.1)", numbers a
 /// "1.5 mm", or the text alone if the unit is empty.
 std::string withUnit(const std::string& text, const std::string& unit);
 
-/// Throws std::invalid_argument "NAME is VALUE, expected a finite number >= 0" unless it is one.
+/// Throws ArgumentError "NAME is VALUE, expected a finite number >= 0" unless it is one.
 void requireNotNegative(const std::string& name, double value);
 
 }  // namespace clearway

@@ -10,7 +10,7 @@ namespace clearway {
 
 /// Calls `write` with a stream to a temporary file (file + ".<number>.tmp"), waits until the disk holds this file,
 /// and renames it to `file`. An existing file is replaced and its mode kept; a link stays, and the file that it leads
-/// to is replaced or made. Throws std::runtime_error naming the file when it cannot be written.
+/// to is replaced or made. Throws FileError naming the file when it cannot be written.
 /// After any exception, including one from `write`, the temporary file is gone and an existing file is
 /// unchanged.
 void replaceFile(const std::string& file, const std::function<void(std::ostream&)>& write);
@@ -27,11 +27,11 @@ void requireReplaceable(const std::string& file);
 
 /// Renames a regular file to file.old or, where that name is taken, to the first of file.old.2, file.old.3,
 /// ... that is not: no file is overwritten. A symbolic link stays, and the file that it leads to is renamed. Returns the
-/// new name; nothing when there is no such file. Throws std::runtime_error naming the file when it cannot be
+/// new name; nothing when there is no such file. Throws FileError naming the file when it cannot be
 /// renamed.
 std::optional<std::string> setAside(const std::string& file);
 
-/// Makes the folder and its parents unless they exist. Throws std::runtime_error naming the folder when it
+/// Makes the folder and its parents unless they exist. Throws FileError naming the folder when it
 /// cannot be made.
 void makeFolder(const std::string& folder);
 

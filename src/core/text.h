@@ -15,7 +15,7 @@ namespace clearway {
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  ///< of UTF-8
 
 /// The lines of a file without their ends ("\n" or "\r\n") and without a byte order mark. Throws
-/// std::runtime_error when the file cannot be read; the message names the file and what was expected ("a
+/// FileError when the file cannot be read; the message names the file and what was expected ("a
 /// problem file").
 std::vector<std::string> readLines(const std::string& file, const char* expected);
 
@@ -48,7 +48,7 @@ std::vector<std::string> namesOf(const Table& table) {
     return names;
 }
 
-/// The table's row of this name. Otherwise throws std::invalid_argument, which lists the table's names:
+/// The table's row of this name. Otherwise throws ArgumentError, which lists the table's names:
 /// "WHAT is 'NAME' (did you mean 'A'?), expected one of A, B, C".
 template <class Table>
 const auto& rowNamed(const Table& table, const std::string& what, const std::string& name) {

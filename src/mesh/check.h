@@ -15,7 +15,7 @@ constexpr const char* kAssimpsTurn = "transform of the root node applied: ";
 /// Begins the note about a COLLADA file's unit and up axis, which assimp puts into that transform, too.
 constexpr const char* kAssimpsUnit = "unit and up axis that the file declares applied: ";
 
-/// Throws std::runtime_error with one line: the file, the reason and what was expected. The reason may be a
+/// Throws FileError with one line: the file, the reason and what was expected. The reason may be a
 /// reader's own words, with several lines and a full stop.
 [[noreturn]] void refuseMeshFile(const std::string& file, std::string reason);
 
@@ -25,12 +25,12 @@ void requireReadableMeshFile(const std::string& file);
 /// "triangle 17 of component 'bracket' in 'engine.stl'", as far as component and file are known.
 std::string nameOfTriangle(const Mesh& mesh, std::size_t triangle);
 
-/// Throws std::invalid_argument when the mesh has no triangle, its components are not consecutive runs that
+/// Throws ArgumentError when the mesh has no triangle, its components are not consecutive runs that
 /// cover the triangles in order, or a triangle refers to a vertex that does not exist or is not finite (the
 /// first such triangle is named).
 void requireSoundMesh(const Mesh& mesh);
 
-/// The same for a mesh that a file holds: throws std::runtime_error, "cannot read mesh 'FILE': ...".
+/// The same for a mesh that a file holds: throws FileError, "cannot read mesh 'FILE': ...".
 void requireSoundMeshFile(const Mesh& mesh, const std::string& file);
 
 /// MeshOrigin::warnings of a mesh that was read from one file.

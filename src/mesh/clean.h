@@ -20,7 +20,7 @@ struct CleanMesh {
 };
 
 /// Cleans the mesh. Triangles of zero area are kept as the segment or point they are, and counted. Throws
-/// std::invalid_argument as requireSoundMesh does.
+/// ArgumentError as requireSoundMesh does.
 CleanMesh clean(const Mesh& mesh);
 
 /// Whether the three finite points lie on one line or coincide, decided in exact arithmetic.

@@ -19,11 +19,11 @@ struct SavePart {
 };
 
 /// The mesh's components that have triangles, in order. Each has the vertices it uses, in the order of their
-/// first use and rounded to float. Throws std::invalid_argument when the mesh is not sound (see
+/// first use and rounded to float. Throws ArgumentError when the mesh is not sound (see
 /// requireSoundMesh) or a coordinate is beyond float's range.
 std::vector<SavePart> savePartsOf(const Mesh& mesh, const std::string& namelessName);
 
-/// Writes one node with one mesh for each part, both with the part's name. Throws std::invalid_argument when
+/// Writes one node with one mesh for each part, both with the part's name. Throws ArgumentError when
 /// the parts need more than the 4 GiB that the format can address.
 void writeGlb(const std::vector<SavePart>& parts, std::ostream& stream);
 

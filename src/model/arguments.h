@@ -5,7 +5,7 @@
 
 namespace clearway {
 
-/// Throws std::invalid_argument unless both models have nodes of one width.
+/// Throws ArgumentError unless both models have nodes of one width.
 void requireSameWidth(const Model& part, const Model& environment);
 
 }  // namespace clearway

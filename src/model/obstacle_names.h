@@ -22,7 +22,7 @@ class ObstacleNames {
     const std::vector<Component>& components() const { return components_; }
 
     /// The components that a name stands for, in order. rule: the rule that has the name, such as "ignore",
-    /// for messages. Throws std::invalid_argument when the name stands for no component, and lists all names;
+    /// for messages. Throws ArgumentError when the name stands for no component, and lists all names;
     /// or when it is ambiguous, and lists the possible ones.
     std::vector<std::size_t> find(const std::string& rule, const std::string& name) const;
 

@@ -9,7 +9,7 @@
 
 namespace clearway {
 
-/// Throws std::invalid_argument unless the reach's positions are a finite box that is not empty, and its two
+/// Throws ArgumentError unless the reach's positions are a finite box that is not empty, and its two
 /// lengths are finite and at least 0.
 void requireReach(const Reach& reach);
 
@@ -19,11 +19,11 @@ void requireReach(const Reach& reach);
 /// because a mesh needs one. mesh.report is left as it is. Returns the number of removed triangles.
 std::size_t leaveOutUnreachable(CleanMesh& mesh, const Reach& reach);
 
-/// Throws std::invalid_argument, naming the value and what was expected, when the part was built with a
+/// Throws ArgumentError, naming the value and what was expected, when the part was built with a
 /// reach, or the environment's reach does not hold the part or the pose's translation.
 void requireWithinReach(const Model& part, const Model& environment, const Pose& X_environmentPart);
 
-/// Throws std::invalid_argument when d is larger than the cap of the environment's reach.
+/// Throws ArgumentError when d is larger than the cap of the environment's reach.
 void requireWithinCap(const Model& environment, double d);
 
 /// The smaller one of `cap` and the cap of the environment's reach.

@@ -20,7 +20,7 @@ struct Shells;
 class Solid {
   public:
     /// Takes all the mesh's shells together: an inner shell that faces the other way bounds a cavity. A mesh
-    /// whose outermost shells all face inwards is turned over. Throws std::invalid_argument that names the
+    /// whose outermost shells all face inwards is turned over. Throws ArgumentError that names the
     /// mesh and why it encloses nothing: its edges are open or twisted, more than two triangles share an edge and do
     /// not face in pairs there, or some of its surface faces outwards and some inwards.
     Solid(const Mesh& mesh, const std::string& name);
@@ -69,7 +69,7 @@ class Solid {
 /// The insides of a mesh's closed components, and one vertex of each of its connected pieces.
 class Solids {
   public:
-    /// Records why components enclose nothing and which were turned over. Throws std::invalid_argument as
+    /// Records why components enclose nothing and which were turned over. Throws ArgumentError as
     /// Model::build does.
     explicit Solids(const Mesh& mesh);
 

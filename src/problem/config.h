@@ -36,8 +36,8 @@ struct ConfigFile {
     bool hasSection(const std::string& name) const;
 };
 
-/// All entries and sections in the file's order. Throws std::runtime_error when the file cannot be read, and
-/// std::invalid_argument, naming the line, when a line is neither a section nor key = value.
+/// All entries and sections in the file's order. Throws FileError when the file cannot be read, and
+/// ArgumentError, naming the line, when a line is neither a section nor key = value.
 ConfigFile readConfigFile(const std::string& file);
 
 /// The parts of a name: "problem" and "start.x" for "problem.start.x". A name without a dot is a key in no
@@ -51,27 +51,27 @@ std::string shown(const std::string& name);
 /// The values of sections in which each key may stand once. Remembers which values have been read.
 class ConfigValues {
   public:
-    /// Takes the entries of the named sections. Throws std::invalid_argument when a key stands twice.
+    /// Takes the entries of the named sections. Throws ArgumentError when a key stands twice.
     ConfigValues(std::string file, const std::vector<ConfigEntry>& entries,
                  const std::set<std::string>& sections);
 
     bool has(const std::string& name) const { return entries_.count(name) > 0; }
 
-    /// The value of a key; empty when the key is missing. Throws std::invalid_argument naming the file, the
+    /// The value of a key; empty when the key is missing. Throws ArgumentError naming the file, the
     /// line, the key and its value when the value is empty or, for number(), not a finite number.
     std::optional<std::string> text(const std::string& name);
     std::optional<double> number(const std::string& name);
 
-    /// The value of a key. Throws as text() and number() do, and also std::invalid_argument naming the key
+    /// The value of a key. Throws as text() and number() do, and also ArgumentError naming the key
     /// when it is missing. expected: a description of the value, for the message.
     std::string requiredText(const std::string& name, const std::string& expected);
     double requiredNumber(const std::string& name, const std::string& expected);
 
     /// True for 1, true, yes and on; false for 0, false, no and off; empty when the key is missing. Throws
-    /// std::invalid_argument for other values.
+    /// ArgumentError for other values.
     std::optional<bool> flag(const std::string& name);
 
-    /// Throws std::invalid_argument: the key's value is wrong.
+    /// Throws ArgumentError: the key's value is wrong.
     [[noreturn]] void refuse(const std::string& name, const std::string& expected) const;
 
     /// "p.cfg:7: ", for messages about a key that is there.

@@ -11,10 +11,10 @@
 
 namespace clearway {
 
-/// Reads the rules. Throws std::invalid_argument naming the key when a value is wrong.
+/// Reads the rules. Throws ArgumentError naming the key when a value is wrong.
 ObstacleRules readObstacleRules(ConfigValues& values);
 
-/// Keys and values that readObstacleRules reads back to equal rules. Throws std::invalid_argument when a name
+/// Keys and values that readObstacleRules reads back to equal rules. Throws ArgumentError when a name
 /// cannot be written, or a margin or a contact's distance is not allowed.
 std::vector<std::pair<std::string, std::string>> writtenRules(const ObstacleRules& rules);
 

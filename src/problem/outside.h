@@ -5,7 +5,7 @@
 
 namespace clearway {
 
-/// Throws std::invalid_argument, naming the problem's file, when the goal is outside but has contacts, which lie around a
+/// Throws ArgumentError, naming the problem's file, when the goal is outside but has contacts, which lie around a
 /// pose.
 void requireNoGoalContact(const Problem& problem);
 

@@ -15,7 +15,7 @@ namespace clearway {
 bool isSetting(const std::string& key);
 
 /// Fills problem.planners in the file's order and skips entries of other sections. Keys are put into lower
-/// case, as in OMPL.app. Adds a warning for each entry without effect. Throws std::invalid_argument, naming
+/// case, as in OMPL.app. Adds a warning for each entry without effect. Throws ArgumentError, naming
 /// file and line, for a key of another form and, where the file has a section [clearway] (isClearways), for an unknown
 /// setting.
 void readPlanners(const std::string& file, const std::vector<ConfigEntry>& entries, bool isClearways,

@@ -20,8 +20,8 @@ struct NumberLine {
     std::vector<double> numbers;
 };
 
-/// The lines of numbers of a file. Throws std::runtime_error when the file cannot be read, and
-/// std::invalid_argument when a word is not a finite number (naming the line) or no line has numbers.
+/// The lines of numbers of a file. Throws FileError when the file cannot be read, and
+/// ArgumentError when a word is not a finite number (naming the line) or no line has numbers.
 /// expected: "a path file", for the messages.
 std::vector<NumberLine> readNumberLines(const std::string& file, const char* expected) {
     std::vector<NumberLine> found;
@@ -45,7 +45,7 @@ std::vector<NumberLine> readNumberLines(const std::string& file, const char* exp
 }
 
 /// The quaternion (qx qy qz qw) from the given position in the line on, scaled to unit length. Throws
-/// std::invalid_argument naming the line when its length is 0.
+/// ArgumentError naming the line when its length is 0.
 Rotation quaternionAt(const NumberLine& line, std::size_t position, const std::string& file) {
     const double* q = line.numbers.data() + position;
     const std::optional<Rotation> rotation = normalized(Rotation(q[3], q[0], q[1], q[2]));

@@ -26,7 +26,7 @@ void requireWritableKey(const std::string& what, const std::string& key, const s
                         forbidden.substr(0, forbidden.find('\n')) + ", line ends or white space at its ends");
 }
 
-/// Collects key = value lines. Throws std::invalid_argument naming the key of a line that could not be read
+/// Collects key = value lines. Throws ArgumentError naming the key of a line that could not be read
 /// back.
 class ConfigText {
   public:

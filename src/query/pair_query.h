@@ -54,7 +54,7 @@ struct PairQuery {
     double defaultWidth;
 };
 
-/// Prepares the query of a part at a pose. Throws std::invalid_argument if the pose is no rotation, if the
+/// Prepares the query of a part at a pose. Throws ArgumentError if the pose is no rotation, if the
 /// meshes' sizes differ by a factor of more than 2^60, if the meshes are farther apart than 2^60 times the
 /// smaller size, or if the largest coordinate is outside 1e-298 to 1e298 and not 0.
 PairQuery preparePairQuery(const FlatTree& part, const FlatTree& environment, const Pose& X_environmentPart);

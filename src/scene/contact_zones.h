@@ -11,10 +11,10 @@ namespace clearway {
 
 class ContactZones {
   public:
-    /// Throws std::invalid_argument when a contact zone of the scene has no pose or no finite length above 0.
+    /// Throws ArgumentError when a contact zone of the scene has no pose or no finite length above 0.
     explicit ContactZones(const Scene& scene);
 
-    /// Puts the scene's next obstacle into its zone. Throws std::invalid_argument when the scene lacks the
+    /// Puts the scene's next obstacle into its zone. Throws ArgumentError when the scene lacks the
     /// contact zone that the obstacle is ignored in.
     void add(const Scene& scene, const Obstacle& obstacle);
 

@@ -8,7 +8,7 @@
 namespace clearway {
 
 /// A closed surface that lies in the part, everywhere as deep as the options say. Empty where nothing is so deep.
-/// Throws std::invalid_argument when the tolerance takes too many points, or it is unclear what is inside the part.
+/// Throws ArgumentError when the tolerance takes too many points, or it is unclear what is inside the part.
 Mesh cutAtDepth(const SurfaceDepth& surface, const ShrinkOptions& options);
 
 }  // namespace clearway

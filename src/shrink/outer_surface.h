@@ -41,7 +41,7 @@ struct OuterSurface {
 /// covered if the point in front of it, at the distance `fineness`, is. So gaps narrower than that count as filled.
 /// Triangles that are covered in part are bisected; a piece smaller than `fineness` is kept whole if one of four
 /// points of it is not covered. So each point of the result is within the fineness of a point of the outside.
-/// Throws std::invalid_argument when too many pieces are needed.
+/// Throws ArgumentError when too many pieces are needed.
 OuterSurface outerSurface(const std::vector<SurfaceShell>& shells,
                           const std::function<bool(const Vector3&)>& isCovered, double fineness);
 

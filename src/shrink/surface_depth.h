@@ -38,7 +38,7 @@ constexpr double kJoinFineness = 0.125;  ///< of the tolerance: where the part's
 class SurfaceDepth {
   public:
     /// fineness: narrower gaps between connected surfaces count as filled; such surfaces meet. Throws
-    /// std::invalid_argument, naming the component, if one is not closed or if a surface passes through itself.
+    /// ArgumentError, naming the component, if one is not closed or if a surface passes through itself.
     SurfaceDepth(const Mesh& mesh, double fineness);
 
     /// No depth is too small by more than this: 0, or twice the fineness where surfaces meet. Where gaps are

@@ -32,7 +32,7 @@ constexpr int widestOf(std::integer_sequence<int, kWidths...>) {
     return std::max({kWidths...});
 }
 
-/// Throws std::invalid_argument that lists the known widths.
+/// Throws ArgumentError that lists the known widths.
 [[noreturn]] void refuseNodeWidth(int nodeWidth);
 
 template <class Work, int kFirst, int... kOthers>
@@ -46,7 +46,7 @@ auto withNodeWidth(int nodeWidth, const Work& work, std::integer_sequence<int, k
 }
 
 /// Calls `work` with the node width as a std::integral_constant<int, width>, which templates can use. Throws
-/// std::invalid_argument if no tree has nodes of this width.
+/// ArgumentError if no tree has nodes of this width.
 template <class Work>
 auto withNodeWidth(int nodeWidth, const Work& work) {
     return withNodeWidth(nodeWidth, work, NodeWidths());

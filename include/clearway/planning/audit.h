@@ -76,7 +76,7 @@ class AuditStopped : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// Judges every motion of the path, also those after a motion that is not valid. Throws std::invalid_argument
+/// Judges every motion of the path, also those after a motion that is not valid. Throws ArgumentError
 /// when the path has no state, or is in another space than the validator's, and AuditStopped. Nothing else is thrown: a motion
 /// that cannot be judged is invalid, and its report says why.
 PathAudit audit(const ompl::geometric::PathGeometric& path, const MotionValidator& validator,

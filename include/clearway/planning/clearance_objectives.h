@@ -55,7 +55,7 @@ class ClearanceObjective : public ompl::base::OptimizationObjective {
     ObjectiveCounters counters() const;
 
   protected:
-    /// For OMPL's SE(3) and SE(2). Throws std::invalid_argument when si is null or has another space (see
+    /// For OMPL's SE(3) and SE(2). Throws ArgumentError when si is null or has another space (see
     /// displacementBound), a margin is negative or not finite, the part and an obstacle cannot be queried
     /// together, or the environment was built with a reach that is not longer than the margin.
     ClearanceObjective(const ompl::base::SpaceInformationPtr& si, Scene scene);
@@ -68,7 +68,7 @@ class ClearanceObjective : public ompl::base::OptimizationObjective {
     std::unique_ptr<const ObjectiveMotions> motions_;  ///< finds clearances of states and motions; never null
 };
 
-/// Returns the scene of si's validity checker. Throws std::invalid_argument when si is null or its checker is
+/// Returns the scene of si's validity checker. Throws ArgumentError when si is null or its checker is
 /// none of clearway's.
 const Scene& sceneOf(const ompl::base::SpaceInformationPtr& si);
 
@@ -210,7 +210,7 @@ struct LengthWithClearanceOptions {
     double resolution = 0.1;  ///< the largest error of a cost, as a share of it; > 0, at most 1
 };
 
-/// Returns options.wanted or its default. Throws std::invalid_argument unless the length is finite and above
+/// Returns options.wanted or its default. Throws ArgumentError unless the length is finite and above
 /// 0.
 double wantedClearance(const LengthWithClearanceOptions& options, const Model& part);
 

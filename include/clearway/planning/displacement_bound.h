@@ -20,7 +20,7 @@ using DisplacementBound = std::function<double(const ompl::base::State* from, co
 /// Makes the bound for OMPL's SE(3) (straight translation, slerp about a fixed axis), Se3Space and SE(2), with any
 /// subspace weights. The bound is NaN when a quaternion does not have unit length to 1e-9, because OMPL does
 /// not interpolate such a state. partRadius: the largest distance of a vertex of the part from the origin of
-/// its own coordinates (Model::radiusAboutOrigin). Throws std::invalid_argument that names the space when it
+/// its own coordinates (Model::radiusAboutOrigin). Throws ArgumentError that names the space when it
 /// is another one, even one derived from these: it may interpolate differently, so that its bound must come from a
 /// callback.
 DisplacementBound displacementBound(const ompl::base::StateSpace& space, double partRadius);

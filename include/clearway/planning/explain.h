@@ -45,13 +45,13 @@ struct Explanation {
 /// True when the scene has a margin above 0, or at least two obstacles, the components of its meshes, all with names.
 bool isExplainable(const Scene& scene);
 
-/// Throws std::invalid_argument that says what is missing, unless isExplainable.
+/// Throws ArgumentError that says what is missing, unless isExplainable.
 void requireExplainable(const Scene& scene);
 
 /// Plans again without the obstacles that stopped most motions, then puts back, one by one, those without which no path
 /// is lost. Of the obstacles left out only those that a path runs into are needed to be out. Then scales all margins
 /// alike, by bisection. Leaves out nothing where there is one obstacle, or one without a name. `why`: of the planning that
-/// found no path. Throws std::invalid_argument when options.seconds is not above 0, and as requireExplainable and plan do.
+/// found no path. Throws ArgumentError when options.seconds is not above 0, and as requireExplainable and plan do.
 /// Source: greedy minimum constraint removal after Hauser, The Minimum Constraint Removal Problem with Three Robotics
 /// Applications, 2012.
 Explanation explain(const Problem& problem, const WhyNoPath& why, const ExplainOptions& options);

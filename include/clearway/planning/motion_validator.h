@@ -122,7 +122,7 @@ struct ForwardOptions {
 /// through OMPL's console.
 class MotionValidator : public ompl::base::MotionValidator {
   public:
-    /// For OMPL's SE(3) and SE(2). Throws std::invalid_argument when si is null or has another space, which
+    /// For OMPL's SE(3) and SE(2). Throws ArgumentError when si is null or has another space, which
     /// the message names (see displacementBound), a margin is negative or not finite, the part and an
     /// obstacle cannot be queried together, leastInterval is not finite and above 0, or the environment was
     /// built with a reach shorter than the margin plus the least interval. Clearances beyond such a reach
@@ -176,7 +176,7 @@ class MotionValidator : public ompl::base::MotionValidator {
 
     /// Answers as checkMotion would if all margins were larger by `more`, in environment units. Counted as a
     /// motion checked. isStopped: like MotionOptions::isStopped, besides the validator's own. Throws
-    /// std::invalid_argument when `more` is negative or not finite.
+    /// ArgumentError when `more` is negative or not finite.
     virtual bool keepsClearance(const ompl::base::State* s1, const ompl::base::State* s2, double more,
                                 const std::function<bool()>& isStopped = {}) const;
 

@@ -25,7 +25,7 @@ struct ObjectiveChoice {
 std::vector<std::string> objectiveNames();
 
 /// Returns the one of objectiveNames() that is written in any case; "min_clearance" means max_min_clearance.
-/// Throws std::invalid_argument that lists the names.
+/// Throws ArgumentError that lists the names.
 std::string objectiveName(const std::string& name);
 
 /// Makes the objective of the given name. Throws as objectiveName and the constructor of the objective do.

@@ -24,7 +24,7 @@ namespace clearway::planning {
 /// Any number of threads may use one goal.
 class OutsideGoal : public ompl::base::GoalSampleableRegion {
   public:
-    /// Takes the boxes of the scene, ignored obstacles included (Scene::environmentBox). Throws std::invalid_argument when si
+    /// Takes the boxes of the scene, ignored obstacles included (Scene::environmentBox). Throws ArgumentError when si
     /// is null or its space is neither SE(3) nor SE(2).
     /// start: where draws begin, see sampleGoal.
     OutsideGoal(const ompl::base::SpaceInformationPtr& si, const Scene& scene, const Outside& outside,

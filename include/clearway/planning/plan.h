@@ -157,14 +157,15 @@ struct PlanReport {
 };
 
 /// Plans for the scene. The scene's margins count; the problem's own margin and mesh files do not. The path
-/// begins at the problem's start, ends at its goal, and is valid along its whole length. Throws std::invalid_argument
+/// begins at the problem's start, ends at its goal, and is valid along its whole length. Throws ArgumentError
 /// when an option is wrong, the problem names an unknown planner, the bounds leave out the start or the goal or
 /// leave no room for a goal outside, the environment was built with too small a reach (see planningReach), or start
 /// or goal is not valid: then the message names the two closest meshes and triangles.
+/// Throws OmplError when OMPL refuses its work.
 PlanReport plan(const Problem& problem, const Scene& scene, const PlanOptions& options);
 
 /// Looks up the names of the problem's objective, samplers, planners and planners' parameters. Throws
-/// std::invalid_argument for an unknown one, with the known names. In a file of OMPL.app's, which has no section
+/// ArgumentError for an unknown one, with the known names. In a file of OMPL.app's, which has no section
 /// [clearway], an unknown name only gives a warning: such files hold names that OMPL no longer has.
 std::vector<std::string> unknownNames(const Problem& problem);
 
@@ -172,7 +173,7 @@ std::vector<std::string> unknownNames(const Problem& problem);
 /// bounds, and distances up to the problem's largest margin plus its fineness (else 1/500 of the part's diagonal) or,
 /// where that is more, the largest clearance that an objective distinguishes, plus the part's diameter. Nothing
 /// when clearances of any size decide what is found (the sampler max_clearance, the objective max_min_clearance). environmentBox: the box of
-/// the whole environment. Throws std::invalid_argument as boundsOf does.
+/// the whole environment. Throws ArgumentError as boundsOf does.
 std::optional<Reach> planningReach(const Problem& problem, const PlanOptions& options, const Model& part,
                                    const Box& environmentBox);
 

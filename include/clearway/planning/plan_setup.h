@@ -30,7 +30,7 @@ struct PlanSetup {
 /// Makes the space, checker, validators and planners for a problem, and fills in the report's settings and
 /// warnings. isOver: called within the planners' motions; true leaves a motion undecided.
 /// beforePlanners: may replace the checker, validator or objective before the planners see them. Throws
-/// std::invalid_argument as plan() does.
+/// ArgumentError as plan() does.
 PlanSetup makePlanSetup(const Problem& problem, const Scene& scene, const PlanOptions& options,
                         PlanReport& report, const std::function<bool()>& isOver = {},
                         const std::function<void(PlanSetup&)>& beforePlanners = {});

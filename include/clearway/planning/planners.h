@@ -22,7 +22,7 @@ namespace clearway::planning {
 std::vector<std::string> plannerNames();
 
 /// OMPL's class name for a planner written in any case, or for one of OMPL.app's short names ("kpiece",
-/// "bkpiece", "lbkpiece", "spars2", "aps"). Throws std::invalid_argument that lists the known planners.
+/// "bkpiece", "lbkpiece", "spars2", "aps"). Throws ArgumentError that lists the known planners.
 std::string plannerClassName(const std::string& name);
 
 /// Whether the same seed and number of iterations give the same path. False for planners that use several
@@ -36,7 +36,7 @@ ompl::base::PlannerPtr makePlanner(const ompl::base::SpaceInformationPtr& si, co
 /// True when the planner declares such a parameter.
 bool hasParameter(const ompl::base::Planner& planner, const std::string& parameter);
 
-/// Sets one of the parameters that the planner declares. Throws std::invalid_argument when the planner has no
+/// Sets one of the parameters that the planner declares. Throws ArgumentError when the planner has no
 /// parameter of that name (and lists its parameters), or the value is not of the parameter's type or below
 /// the least value that OMPL suggests.
 void setParameter(ompl::base::Planner& planner, const std::string& parameter, const std::string& value);
@@ -44,8 +44,8 @@ void setParameter(ompl::base::Planner& planner, const std::string& parameter, co
 /// Runs planners side by side, the first one in the calling thread and each other one in a thread of its own,
 /// and returns when all have ended. onFound, which must not be empty, is called by each planner that ends
 /// with an exact solution, in that planner's thread; make isSpent true there when the first solution is to
-/// end the others. Returns the status of the first planner. Throws what a planner throws. At least one
-/// planner must be given.
+/// end the others. Returns the status of the first planner. Throws what a planner throws, OmplError if
+/// that is an exception of OMPL's, and ArgumentError without a planner.
 ompl::base::PlannerStatus solveSideBySide(const std::vector<ompl::base::PlannerPtr>& planners,
                                           const ompl::base::PlannerTerminationCondition& isSpent,
                                           const std::function<void()>& onFound);

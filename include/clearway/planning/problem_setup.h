@@ -21,20 +21,20 @@ namespace clearway::planning {
 /// gives a warning through OMPL's console. The caller sets the planner and the objective, which the problem holds
 /// as names and texts.
 ///
-/// The scene's margins count, not the problem's. Throws std::invalid_argument as boundsOf, ValidityChecker
+/// The scene's margins count, not the problem's. Throws ArgumentError as boundsOf, ValidityChecker
 /// and MotionValidator do, for a setting that OMPL refuses, and when start or goal is not valid: then the
 /// message says why, naming the two closest meshes and triangles.
 ompl::geometric::SimpleSetup makeSetup(const Problem& problem, const Scene& scene);
 
-/// Returns si's motion validator. Throws std::invalid_argument when si is null or its motion validator is no
+/// Returns si's motion validator. Throws ArgumentError when si is null or its motion validator is no
 /// clearway::planning::MotionValidator.
 const MotionValidator& motionValidatorOf(const ompl::base::SpaceInformationPtr& si);
 
-/// The states of a path as path files have them (writePath). Throws std::invalid_argument when the space is
+/// The states of a path as path files have them (writePath). Throws ArgumentError when the space is
 /// neither SE(3) nor SE(2).
 std::vector<PartState> partStates(const ompl::geometric::PathGeometric& path);
 
-/// The path through the given states, in the space of si. Throws std::invalid_argument when the space is
+/// The path through the given states, in the space of si. Throws ArgumentError when the space is
 /// neither SE(3) nor SE(2).
 ompl::geometric::PathGeometric pathThrough(const ompl::base::SpaceInformationPtr& si,
                                            const std::vector<PartState>& states);

@@ -25,7 +25,7 @@ struct SimplifyOptions {
 /// below the path's former least clearance.
 ///
 /// Returns the audit of the resulting path. The path stays as it was when not all of its motions are valid.
-/// Throws std::invalid_argument when the floor is negative or not finite, the path has no state, or the path
+/// Throws ArgumentError when the floor is negative or not finite, the path has no state, or the path
 /// is in another space than the validator's.
 PathAudit simplify(ompl::geometric::PathGeometric& path, const MotionValidator& validator,
                    const SimplifyOptions& options);

@@ -33,7 +33,7 @@ class SlidingRRTConnect : public ompl::base::Planner {
     explicit SlidingRRTConnect(const ompl::base::SpaceInformationPtr& si);
     ~SlidingRRTConnect() override;
 
-    /// Measures the part. Throws std::invalid_argument when the space or the validity checker is not as
+    /// Measures the part. Throws ArgumentError when the space or the validity checker is not as
     /// above.
     void setup() override;
 

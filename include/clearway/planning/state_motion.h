@@ -18,7 +18,7 @@ using StateMotion = std::function<PartMotion(const ompl::base::State* from, cons
 
 /// The motions of OMPL's SE(3) and SE(2): straight, with a rotation at a constant rate about an axis fixed in the
 /// part. Rotations below 2e-4 rad, which OMPL may leave out, are not trusted: they may happen or not. Throws
-/// std::invalid_argument that names the space when it is another one, even one derived from these.
+/// ArgumentError that names the space when it is another one, even one derived from these.
 StateMotion stateMotion(const ompl::base::StateSpacePtr& space, const Model& part);
 
 }  // namespace clearway::planning

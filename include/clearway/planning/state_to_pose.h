@@ -21,7 +21,7 @@ using StateToPose = std::function<Pose(const ompl::base::State*)>;
 
 /// Makes the callback for OMPL's SE(3) and SE(2), classes derived from them (Dubins, Reeds-Shepp) and
 /// wrappers around them. It normalises quaternions in double, because OMPL's own have unit length only to
-/// 1e-9. In SE(2) the part turns about z and keeps its z. Throws std::invalid_argument that names the space
+/// 1e-9. In SE(2) the part turns about z and keeps its z. Throws ArgumentError that names the space
 /// when it is none of these: hand in a callback of your own then.
 StateToPose stateToPose(const ompl::base::StateSpace& space);
 

@@ -19,7 +19,7 @@ namespace clearway::planning {
 /// samplers, one must not be shared by threads.
 class WitnessSampler : public ompl::base::ValidStateSampler {
   protected:
-    /// Throws std::invalid_argument when si's validity checker is none of clearway's or its space is neither
+    /// Throws ArgumentError when si's validity checker is none of clearway's or its space is neither
     /// SE(3) nor SE(2), by name.
     WitnessSampler(const ompl::base::SpaceInformation* si, const char* name);
     ~WitnessSampler() override;

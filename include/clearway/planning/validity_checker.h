@@ -34,7 +34,7 @@ struct CheckCounters {
 /// first one through OMPL's console.
 class ValidityChecker : public ompl::base::StateValidityChecker {
   public:
-    /// For OMPL's SE(3) and SE(2). Throws std::invalid_argument when si is null or has another space (see
+    /// For OMPL's SE(3) and SE(2). Throws ArgumentError when si is null or has another space (see
     /// stateToPose), a margin is negative or not finite, or the part and an obstacle cannot be queried
     /// together. An environment built with a reach (Model::reach) must hold all positions within the bounds:
     /// a state within the bounds and out of the reach is answered invalid, as one without a pose.
@@ -61,7 +61,7 @@ class ValidityChecker : public ompl::base::StateValidityChecker {
     using ompl::base::StateValidityChecker::clearance;
 
     /// Least distance, witness points and triangles at a state, whatever the bounds and the margins say.
-    /// Throws std::invalid_argument when the state has no pose or is out of the environment's reach.
+    /// Throws ArgumentError when the state has no pose or is out of the environment's reach.
     SceneDistance distance(const ompl::base::State* state) const;
 
     /// Says why a state is not valid, as words after "is", with meshes and triangles: "in collision: ...".

@@ -95,7 +95,7 @@ struct WhyNoPathOptions {
 /// trees towards random poses until they are blocked. Positions of these poses are drawn from the bounds widened by a
 /// quarter of the part's diagonal, so that the bounds can be what blocks.
 ///
-/// Planners whose getPlannerData is empty (CForest) count as having grown no tree. Throws std::invalid_argument when
+/// Planners whose getPlannerData is empty (CForest) count as having grown no tree. Throws ArgumentError when
 /// the definition has no start or no goal, or no state of the goal is known.
 WhyNoPath whyNoPath(const FailedPlanning& failed, const Problem& problem,
                     const WhyNoPathOptions& options = {});

@@ -32,7 +32,7 @@ class MeshCollector {
 
     const std::string& file() const { return mesh_.origin.file; }
 
-    /// Throws std::runtime_error: cannot read mesh 'FILE': REASON. The reason names the element and its number, the value and what was
+    /// Throws FileError: cannot read mesh 'FILE': REASON. The reason names the element and its number, the value and what was
     /// expected.
     [[noreturn]] void refuse(const std::string& reason) const;
 

@@ -19,7 +19,7 @@ struct MeshFormat {
 /// The format that the file's first bytes or, where they do not tell, its ending names; null for all others.
 const MeshFormat* meshFormatOf(const std::string& file, std::string_view bytes);
 
-/// Reads the file, as stored. Throws std::runtime_error when it is not what its format prescribes.
+/// Reads the file, as stored. Throws FileError when it is not what its format prescribes.
 Mesh readMesh(const MeshFormat& format, const std::string& file, std::string_view bytes);
 
 }  // namespace clearway

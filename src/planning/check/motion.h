@@ -49,7 +49,7 @@ class Motion {
     /// Whether s2 is valid: by far the cheapest test of a motion. Throws what queries and callbacks throw.
     bool isEndValid();
 
-    /// Finds length() and slack(); call it before anything that follows. Throws std::runtime_error when the
+    /// Finds length() and slack(); call it before anything that follows. Throws OmplError when the
     /// motion has no finite bound, and what the callbacks throw.
     void measure();
 

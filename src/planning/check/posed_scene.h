@@ -25,7 +25,7 @@ constexpr std::size_t kCounts = 8;
 class PosedScene {
   public:
     /// For OMPL's SE(3) and SE(2): poses and bounds come from stateToPose and displacementBound. All
-    /// constructors throw std::invalid_argument when si is null or a callback is empty, and what
+    /// constructors throw ArgumentError when si is null or a callback is empty, and what
     /// SceneClearance, stateToPose and displacementBound throw.
     PosedScene(const ompl::base::SpaceInformationPtr& si, Scene scene);
 

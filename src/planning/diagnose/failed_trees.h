@@ -43,7 +43,7 @@ struct ClosestStates {
 /// Goes from the start and goal states of the planners' graphs along their edges, breadth first, so that a part of a
 /// roadmap becomes a tree. Motions of lazy planners are checked by the validator, until isStopped, unless empty, returns true. The planners must outlive the result,
 /// and stay as they are; their states must be of the definition's space. goal: a state of the goal, which must
-/// outlive the result; null: one is sampled when no planner exposes a goal state. Throws std::invalid_argument when
+/// outlive the result; null: one is sampled when no planner exposes a goal state. Throws ArgumentError when
 /// the definition has no start or no goal, or one that cannot be drawn.
 FailedTrees failedTrees(const std::vector<ompl::base::PlannerPtr>& planners,
                         const ompl::base::ProblemDefinition& definition, const MotionValidator& validator,

@@ -46,7 +46,7 @@ struct RoomOptions {
 /// options.clearance. The path is replaced only by paths that keep more, so that isSpent may end the band at any time.
 /// The way that the path takes around obstacles stays as it is.
 ///
-/// Throws std::invalid_argument when the space is neither OMPL's SE(3) nor SE(2), when options.clearance is negative or
+/// Throws ArgumentError when the space is neither OMPL's SE(3) nor SE(2), when options.clearance is negative or
 /// not finite, or options.gain is not above 0.
 double makeRoom(ompl::geometric::PathGeometric& path, const MotionValidator& validator,
                 const RoomOptions& options);

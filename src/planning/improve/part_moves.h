@@ -14,7 +14,7 @@ using Twist = Eigen::Matrix<double, 6, 1>;
 /// Twists between the states of OMPL's SE(3), Se3Space or SE(2). In SE(2) a twist has no z, and turns about z only.
 class PartMoves {
   public:
-    /// The space must outlive this object. Throws std::invalid_argument that names the space when it is another one.
+    /// The space must outlive this object. Throws ArgumentError that names the space when it is another one.
     PartMoves(const ompl::base::StateSpace& space, const Model& part);
 
     /// Half the diagonal of the part's box.

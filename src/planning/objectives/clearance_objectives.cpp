@@ -31,7 +31,7 @@ bool isInOrder(const ob::StateSpace& space, const ob::State* a, const ob::State*
     return ofA <= ofB;
 }
 
-/// Returns the given length, else a share of the diagonal of the part's box. Throws std::invalid_argument
+/// Returns the given length, else a share of the diagonal of the part's box. Throws ArgumentError
 /// that names the length unless it is finite and above 0.
 double lengthOr(const std::optional<double>& given, double share, const Model& part,
                 const std::string& name) {

@@ -30,20 +30,20 @@ bool mayUseSampler(const Problem& problem, const std::string& sampler);
 /// Sets the sampler of planners that sample valid states: "uniform", "gaussian", "obstacle_based",
 /// "max_clearance" or "bridge_test", as OMPL.app names them, or clearway's "contact_normal" and "narrow_gap";
 /// "" leaves OMPL's default. adjust: called with each sampler that is made, also from several threads. Throws
-/// std::invalid_argument for another name.
+/// ArgumentError for another name.
 void setSampler(ompl::base::SpaceInformation& si, const std::string& name,
                 const std::function<void(ompl::base::ValidStateSampler&)>& adjust);
 
-/// Throws std::invalid_argument that lists the samplers unless the name is one of them.
+/// Throws ArgumentError that lists the samplers unless the name is one of them.
 void requireSampler(const std::string& name);
 
 /// Calls si.setup(), with the problem's sampler and settings. Adds a warning for each setting that neither
-/// the space nor the sampler has. Throws std::invalid_argument for an unknown sampler and for a value that
+/// the space nor the sampler has. Throws ArgumentError for an unknown sampler and for a value that
 /// OMPL refuses.
 void applySettings(ompl::base::SpaceInformation& si, const Problem& problem,
                    std::vector<std::string>& warnings);
 
-/// Returns the clearance of a state of the problem. Throws std::invalid_argument, naming the two closest meshes and
+/// Returns the clearance of a state of the problem. Throws ArgumentError, naming the two closest meshes and
 /// triangles, unless the state is valid. what: "start", for which it names cures too, or "goal".
 double requireValid(const Problem& problem, const ValidityChecker& checker, const ompl::base::State* state,
                     const std::string& what);
@@ -51,18 +51,18 @@ double requireValid(const Problem& problem, const ValidityChecker& checker, cons
 /// The problem's fineness, else 1/500 of the part's diagonal.
 double finenessOf(const Problem& problem, const Model& part);
 
-/// Throws std::invalid_argument when the environment was built with a reach that lacks positions within the
+/// Throws ArgumentError when the environment was built with a reach that lacks positions within the
 /// bounds, or ends before margin + fineness. Queries themselves refuse a part whose radius is too large.
 void requireReachOf(const Scene& scene, const Box& bounds, double fineness);
 
 /// The objective of the options, else of the problem. Nothing when the first path will do: where neither asks
 /// for more than length without a threshold, or the problem names an unknown objective. Throws
-/// std::invalid_argument when the options name an unknown one.
+/// ArgumentError when the options name an unknown one.
 std::optional<ObjectiveChoice> chooseObjective(const Problem& problem, const PlanOptions& options);
 
 /// Makes the objective, for a definition that has start and goal. The least clearance is capped by that of the ends, which no
 /// path exceeds; it is the threshold, too. Where the choice is the problem's own objective, its threshold counts. Throws
-/// std::invalid_argument when no path can meet that threshold, with the bound, and as makeObjective does.
+/// ArgumentError when no path can meet that threshold, with the bound, and as makeObjective does.
 ompl::base::OptimizationObjectivePtr makePlanObjective(const ompl::base::ProblemDefinition& definition,
                                                        const Scene& scene, const ObjectiveChoice& choice,
                                                        const Problem& problem, double clearanceOfEnds);

@@ -32,7 +32,7 @@ class RisingFloor : public ompl::base::Planner {
     explicit RisingFloor(const ompl::base::SpaceInformationPtr& si);
     ~RisingFloor() override;
 
-    /// Throws std::invalid_argument as sceneOf does, and as MotionValidator.
+    /// Throws ArgumentError as sceneOf does, and as MotionValidator.
     ompl::base::PlannerStatus solve(const ompl::base::PlannerTerminationCondition& isSpent) override;
     void clear() override;
     /// The trees of the team that looks for a first path, or else the best way, as one branch.

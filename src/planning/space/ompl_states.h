@@ -11,14 +11,14 @@
 
 namespace clearway::planning {
 
-/// The space that a constructor's other arguments are made from. Throws std::invalid_argument when si is
+/// The space that a constructor's other arguments are made from. Throws ArgumentError when si is
 /// null.
 const ompl::base::StateSpace& spaceOf(const ompl::base::SpaceInformationPtr& si);
 
 /// Whether a space is OMPL's SE(3), and not one derived from it that may interpolate in its own way.
 bool isOmplSe3(const ompl::base::StateSpace& space);
 
-/// Throws std::invalid_argument when a space is neither SE(3) nor SE(2).
+/// Throws ArgumentError when a space is neither SE(3) nor SE(2).
 Space kindOf(const ompl::base::StateSpace& space);
 
 /// SE(3) or SE(2) with the position within the bounds. turnWeight: the length, in environment units, that one
