@@ -56,7 +56,7 @@ constexpr NamedGeneralSplit kGeneralSplits[] = {
     {"mean", buildByMeanSplit},
 };
 
-/// Throws std::invalid_argument that lists the known names.
+/// Throws ArgumentError that lists the known names.
 const NamedGeneralSplit& generalSplitNamed(const std::string& name);
 
 }  // namespace clearway

@@ -1,4 +1,5 @@
 // Writes a problem so that readProblem reads it back to equal values.
+#include <fmt/format.h>
 #include <cmath>
 #include <filesystem>
 #include <optional>
@@ -72,7 +73,12 @@ void writeState(ConfigText& text, const std::string& name, const PartState& stat
 
 std::string relativeTo(const std::string& folder, const std::string& mesh) {
     namespace fs = std::filesystem;
-    return fs::proximate(mesh, folder.empty() ? fs::path(".") : fs::path(folder)).generic_string();
+    std::error_code failed;
+    const fs::path name = fs::proximate(mesh, folder.empty() ? fs::path(".") : fs::path(folder), failed);
+    if (!failed) return name.generic_string();
+    throw FileError(
+        fmt::format("cannot name the mesh '{}' from the folder '{}': {}, expected paths that can be followed",
+                    mesh, folder, failed.message()));
 }
 
 std::string writtenWorlds(const Problem& problem, const std::string& folder) {

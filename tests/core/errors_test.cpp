@@ -2,6 +2,7 @@
 #include "clearway/errors.h"
 
 #include <boost/test/unit_test.hpp>
+#include <filesystem>
 #include <functional>
 #include <limits>
 
@@ -100,6 +101,9 @@ BOOST_AUTO_TEST_CASE(a_file_that_cannot_be_used_is_a_file_error) {
     const Model model = Model::build(testing::randomSoup(random, 10, 1, 1));
     const std::string missing = folder().file("missing"), text = folder().write("text.stl", "no mesh");
     const std::string beneath = text + "/x";
+    Problem circular;
+    circular.robot = circular.world = folder().file("circle.stl");
+    std::filesystem::create_symlink(circular.robot, circular.robot);
     expectType<FileError, std::runtime_error>({
         {"a missing mesh", [&] { loadMesh(missing + ".stl"); }},
         {"a text as a mesh", [&] { loadMesh(text); }},
@@ -108,6 +112,8 @@ BOOST_AUTO_TEST_CASE(a_file_that_cannot_be_used_is_a_file_error) {
         {"a model beneath a file", [&] { model.save(beneath); }},
         {"a missing problem", [&] { readProblem(missing); }},
         {"a folder as a path", [&] { readPath(folder().path(), Space::kSe3); }},
+        {"a mesh whose name leads in a circle",
+         [&] { writeProblem(circular, folder().file("circular.cfg")); }},
         {"a path beneath a file", [&] { writePath({}, Space::kSe3, beneath); }},
     });
 }
