@@ -1,6 +1,7 @@
 // Lists the names of the strategy tables and checks options against them.
 #include "clearway/build_options.h"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <functional>
 
@@ -87,12 +88,11 @@ void requireBuildOptions(const BuildOptions& options) {
     leafSplitNamed(options.leafSplit);
     fitNamed(options.fit);
     if (options.leafSize < 1 || options.leafSize > kLargestLeafSize) {
-        throw ArgumentError("leafSize is " + std::to_string(options.leafSize) + ", expected 1 to " +
-                            std::to_string(kLargestLeafSize));
+        throw ArgumentError(
+            fmt::format("leafSize is {}, expected 1 to {}", options.leafSize, kLargestLeafSize));
     }
     if (options.threads < 0 || options.threads > kMostThreads) {
-        throw ArgumentError("threads is " + std::to_string(options.threads) + ", expected 0 to " +
-                            std::to_string(kMostThreads));
+        throw ArgumentError(fmt::format("threads is {}, expected 0 to {}", options.threads, kMostThreads));
     }
     withNodeWidth(options.nodeWidth, [](auto) {});
 }

@@ -1,13 +1,13 @@
 // The library for C: a table of handles, and the C++ functions behind them. No exception leaves it.
 #include "clearway/clearway.h"
 
+#include <fmt/format.h>
 #include <fstream>
 #include <memory>
 #include <mutex>
 #include <new>
 #include <optional>
 #include <shared_mutex>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <unordered_map>
@@ -58,9 +58,9 @@ class HandleTable {
 
   private:
     [[noreturn]] static void refuse(clearway_handle handle, const char* name, const char* expected) {
-        throw ArgumentError(std::string(name) + " is " + std::to_string(handle) +
-                            (handle == 0 ? "" : ", a handle that was freed or never given out") +
-                            ", expected " + expected);
+        throw ArgumentError(fmt::format("{} is {}{}, expected {}", name, handle,
+                                        handle == 0 ? "" : ", a handle that was freed or never given out",
+                                        expected));
     }
 
     mutable std::shared_mutex mutex_;
@@ -94,10 +94,8 @@ void requirePointer(const void* pointer, const char* name, const char* expected)
 Pose poseOfRows(const double* m) {
     requirePointer(m, "pose", "16 doubles");
     if (m[12] != 0 || m[13] != 0 || m[14] != 0 || m[15] != 1) {
-        std::ostringstream message;
-        message << "the last row of pose is " << m[12] << ' ' << m[13] << ' ' << m[14] << ' ' << m[15]
-                << ", expected 0 0 0 1";
-        throw ArgumentError(message.str());
+        throw ArgumentError(fmt::format("the last row of pose is {:g} {:g} {:g} {:g}, expected 0 0 0 1",
+                                        m[12], m[13], m[14], m[15]));
     }
     Pose pose;
     for (int row = 0; row < 3; ++row) {
@@ -134,11 +132,7 @@ Model loadModel(const std::string& file, double scale) {
         options.scale = scale;
         return Model::build(loadMesh(file, options));
     }
-    if (scale != 1) {
-        std::ostringstream message;
-        message << "scale is " << scale << ", expected 1 for a saved model";
-        throw ArgumentError(message.str());
-    }
+    if (scale != 1) throw ArgumentError(fmt::format("scale is {:g}, expected 1 for a saved model", scale));
     return Model::load(file);
 }
 

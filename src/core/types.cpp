@@ -1,7 +1,7 @@
+#include <fmt/format.h>
 #include <Eigen/SVD>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 #include "clearway/errors.h"
 #include "clearway/types.h"
@@ -19,18 +19,13 @@ double rotationDefect(const Pose& pose) {
 namespace {
 
 [[noreturn]] void refuseRotation(const Pose& pose, double defect, double accepted) {
-    std::ostringstream message;
-    message << "the pose's ";
     if (!pose.rotation.allFinite() || !pose.translation.allFinite()) {
-        message << "rotation or translation is not finite, expected finite numbers";
-    } else if (std::isinf(defect)) {
-        message << "matrix is no rotation: its determinant is " << pose.rotation.determinant()
-                << ", expected 1";
-    } else {
-        message << "matrix is no rotation: max |R^T R - I| is " << defect << ", expected at most "
-                << accepted;
+        throw ArgumentError("the pose's rotation or translation is not finite, expected finite numbers");
     }
-    throw ArgumentError(message.str());
+    const std::string why =
+        std::isinf(defect) ? fmt::format("its determinant is {:g}, expected 1", pose.rotation.determinant())
+                           : fmt::format("max |R^T R - I| is {:g}, expected at most {:g}", defect, accepted);
+    throw ArgumentError("the pose's matrix is no rotation: " + why);
 }
 
 }  // namespace

@@ -1,12 +1,11 @@
 // Checks of mesh files before they are read, and of meshes before anything is built from them.
 #include "mesh/check.h"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
-#include <iomanip>
-#include <sstream>
 #include <stdexcept>
 
 #include "clearway/errors.h"
@@ -63,19 +62,15 @@ void requireComponents(const Mesh& mesh) {
     for (std::size_t i = 0; i < mesh.components.size(); ++i) {
         const Component& component = mesh.components[i];
         if (component.firstTriangle != expectedFirst) {
-            std::ostringstream message;
-            message << "component " << i << " ('" << component.name << "')" << inFile(mesh)
-                    << " begins at triangle " << component.firstTriangle << ", expected " << expectedFirst
-                    << ", the end of the component before";
-            throw ArgumentError(message.str());
+            throw ArgumentError(fmt::format(
+                "component {} ('{}'){} begins at triangle {}, expected {}, the end of the component before",
+                i, component.name, inFile(mesh), component.firstTriangle, expectedFirst));
         }
         expectedFirst += component.triangleCount;
     }
     if (expectedFirst != mesh.triangles.size()) {
-        std::ostringstream message;
-        message << "the components" << inFile(mesh) << " hold " << expectedFirst << " triangles, expected "
-                << mesh.triangles.size() << ", all of the mesh";
-        throw ArgumentError(message.str());
+        throw ArgumentError(fmt::format("the components{} hold {} triangles, expected {}, all of the mesh",
+                                        inFile(mesh), expectedFirst, mesh.triangles.size()));
     }
 }
 
@@ -97,27 +92,23 @@ std::string namesWithoutArea(const Mesh& mesh) {
     }
     const std::size_t more = names.size() - std::min(names.size(), kMostNamed);
     names.resize(names.size() - more);
-    return joined(names) + (more > 0 ? " and " + std::to_string(more) + " more" : "");
+    return joined(names) + (more > 0 ? fmt::format(" and {} more", more) : "");
 }
 
 [[noreturn]] void refuseIndex(const Mesh& mesh, std::size_t triangle, std::uint32_t vertex) {
-    std::ostringstream message;
-    message << nameOfTriangle(mesh, triangle) << " refers to vertex " << vertex << ", expected one below "
-            << mesh.vertices.size();
-    throw ArgumentError(message.str());
+    throw ArgumentError(fmt::format("{} refers to vertex {}, expected one below {}",
+                                    nameOfTriangle(mesh, triangle), vertex, mesh.vertices.size()));
 }
 
 [[noreturn]] void refuseVertex(const Mesh& mesh, std::size_t triangle, const Vector3& vertex) {
-    std::ostringstream message;
-    message << nameOfTriangle(mesh, triangle) << " has a vertex at (" << vertex.x() << ", " << vertex.y()
-            << ", " << vertex.z() << "), expected finite coordinates";
-    throw ArgumentError(message.str());
+    throw ArgumentError(fmt::format("{} has a vertex at ({:g}, {:g}, {:g}), expected finite coordinates",
+                                    nameOfTriangle(mesh, triangle), vertex.x(), vertex.y(), vertex.z()));
 }
 
 }  // namespace
 
 std::string nameOfTriangle(const Mesh& mesh, std::size_t triangle) {
-    std::string name = "triangle " + std::to_string(triangle);
+    std::string name = fmt::format("triangle {}", triangle);
     if (!mesh.components.empty()) {
         name += " of component '" + mesh.components[componentOf(mesh, triangle)].name + "'";
     }
@@ -144,17 +135,14 @@ std::vector<std::string> readingWarnings(const Mesh& mesh) {
         warnings.push_back(origin.file + ": not checked: " + origin.format + " is read by assimp alone");
     }
     if (const std::size_t count = origin.crossingFaces; count > 0) {
-        warnings.push_back(origin.file + ": " + std::to_string(count) +
-                           (count == 1 ? " face left out, whose outline crosses itself"
-                                       : " faces left out, whose outlines cross themselves") +
-                           "; nothing is kept clear there");
+        warnings.push_back(fmt::format("{}: {}{}; nothing is kept clear there", origin.file, count,
+                                       count == 1 ? " face left out, whose outline crosses itself"
+                                                  : " faces left out, whose outlines cross themselves"));
     }
     if (const std::size_t count = origin.bentFaces; count > 0) {
-        std::ostringstream height;
-        height << std::setprecision(3) << origin.bentBy;
-        warnings.push_back(origin.file + ": " + std::to_string(count) + (count == 1 ? " face" : " faces") +
-                           " not flat, by up to " + height.str() +
-                           "; triangles fill them in one of several ways");
+        warnings.push_back(
+            fmt::format("{}: {}{} not flat, by up to {:.3g}; triangles fill them in one of several ways",
+                        origin.file, count, count == 1 ? " face" : " faces", origin.bentBy));
     }
     if (const std::string names = namesWithoutArea(mesh); !names.empty()) {
         warnings.push_back(origin.file + ": zero area: every triangle of " + names +

@@ -2,12 +2,12 @@
 // Source: Khronos Group, glTF 2.0 Specification.
 #include "mesh/glb.h"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <ostream>
-#include <sstream>
 #include <utility>
 
 #include "clearway/errors.h"
@@ -104,8 +104,8 @@ void Document::write(std::ostream& stream) {
     text.append((4 - text.size() % 4) % 4, ' ');  // whole words
     const std::uint64_t bytes = 12 + 8 + text.size() + 8 + binaryBytes_;
     if (bytes > std::numeric_limits<std::uint32_t>::max()) {
-        throw ArgumentError("the mesh takes " + std::to_string(bytes) +
-                            " bytes, expected at most 2^32 - 1 for a .glb file");
+        throw ArgumentError(
+            fmt::format("the mesh takes {} bytes, expected at most 2^32 - 1 for a .glb file", bytes));
     }
     writeWord(stream, 0x46546c67);  // "glTF"
     writeWord(stream, 2);
@@ -157,10 +157,9 @@ FloatJson animationOf(const std::string& name, std::size_t node, std::size_t tim
 
 std::array<float, 3> rounded(const Mesh& mesh, std::size_t triangle, const Vector3& vertex) {
     if (vertex.cwiseAbs().maxCoeff() > std::numeric_limits<float>::max()) {
-        std::ostringstream message;
-        message << nameOfTriangle(mesh, triangle) << " has a vertex at (" << vertex.x() << ", " << vertex.y()
-                << ", " << vertex.z() << "), expected coordinates within a float's range to write";
-        throw ArgumentError(message.str());
+        throw ArgumentError(fmt::format(
+            "{} has a vertex at ({:g}, {:g}, {:g}), expected coordinates within a float's range to write",
+            nameOfTriangle(mesh, triangle), vertex.x(), vertex.y(), vertex.z()));
     }
     return {static_cast<float>(vertex.x()), static_cast<float>(vertex.y()), static_cast<float>(vertex.z())};
 }

@@ -1,10 +1,10 @@
 // Reads mesh files: as stored by the readers of read/, other formats and OMPL.app's conversions by assimp.
+#include <fmt/format.h>
 #include <algorithm>
 #include <boost/interprocess/file_mapping.hpp>
 #include <boost/interprocess/mapped_region.hpp>
 #include <cmath>
 #include <new>
-#include <sstream>
 #include <string_view>
 #include <tuple>
 #include <vector>
@@ -85,9 +85,10 @@ void requireSameSurface(const AssimpMesh& theirs, const Mesh& ours, const std::s
     const std::size_t most =
         ours.triangles.size() + (ours.origin.crossingFaces > 0 ? ours.origin.ignoredFaces : 0);
     if (count < ours.triangles.size() || count > most) {
-        throw FileError("cannot read mesh '" + file + "' as OMPL.app does: its reader (assimp) finds " +
-                        std::to_string(count) + " triangles, the file holds " +
-                        std::to_string(ours.triangles.size()) + ", expected reading = stored");
+        throw FileError(
+            fmt::format("cannot read mesh '{}' as OMPL.app does: its reader (assimp) finds {} triangles, the "
+                        "file holds {}, expected reading = stored",
+                        file, count, ours.triangles.size()));
     }
     constexpr double kTolerance = 1e-4;  // of the largest coordinate; float and its text are finer
     Box expected;
@@ -130,8 +131,9 @@ Mesh readAsOmplApp(const MeshFormat* format, const std::string& file, std::strin
     if (theirs.mesh.triangles.size() == ours.triangles.size()) {
         origin.crossingFaces = stored.crossingFaces;
     } else {
-        origin.notes.push_back(std::to_string(stored.crossingFaces) +
-                               " faces whose outlines cross themselves are filled as OMPL.app fills them");
+        origin.notes.push_back(
+            fmt::format("{} faces whose outlines cross themselves are filled as OMPL.app fills them",
+                        stored.crossingFaces));
     }
     return std::move(theirs.mesh);
 }
@@ -140,9 +142,7 @@ Mesh readAsOmplApp(const MeshFormat* format, const std::string& file, std::strin
 
 Mesh loadMesh(const std::string& file, const LoadOptions& options) {
     if (!(options.scale > 0) || !std::isfinite(options.scale)) {
-        std::ostringstream message;
-        message << "scale is " << options.scale << ", expected a finite number above 0";
-        throw ArgumentError(message.str());
+        throw ArgumentError(fmt::format("scale is {:g}, expected a finite number above 0", options.scale));
     }
     requireReadableMeshFile(file);
     const MappedFile mapped(file);

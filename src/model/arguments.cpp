@@ -1,6 +1,6 @@
 #include "model/arguments.h"
 
-#include <sstream>
+#include <fmt/format.h>
 
 #include "clearway/errors.h"
 #include "tree/flat_tree.h"
@@ -10,10 +10,10 @@ namespace clearway {
 void requireSameWidth(const Model& part, const Model& environment) {
     const int partWidth = part.tree().nodeWidth, environmentWidth = environment.tree().nodeWidth;
     if (partWidth == environmentWidth) return;
-    std::ostringstream message;
-    message << "the part's nodes have " << partWidth << " children and the environment's " << environmentWidth
-            << ", expected both models to be built with the same nodeWidth";
-    throw ArgumentError(message.str());
+    throw ArgumentError(
+        fmt::format("the part's nodes have {} children and the environment's {}, expected both models to be "
+                    "built with the same nodeWidth",
+                    partWidth, environmentWidth));
 }
 
 }  // namespace clearway

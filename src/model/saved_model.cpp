@@ -2,12 +2,12 @@
 // each), payload. The hash covers the key and the payload. Numbers are written as in memory; the mark reveals
 // another byte order. Raise kVersion with every change of the layout and of the tree that a build makes from
 // a given mesh and options.
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <sstream>
 #include <stdexcept>
 
 #include "clearway/errors.h"
@@ -253,7 +253,7 @@ Model Model::load(const std::string& file) {
         in.readBytes(magic, sizeof magic);
         if (std::memcmp(magic, kMagic, sizeof magic) != 0) throw FileError("is not a saved model");
         if (const auto version = in.read<std::uint64_t>(); version != kVersion) {
-            throw FileError("has format version " + std::to_string(version));
+            throw FileError(fmt::format("has format version {}", version));
         }
         if (in.read<std::uint64_t>() != kByteOrder) throw FileError("was saved with another byte order");
         data->key = in.read<std::uint64_t>();
@@ -274,9 +274,8 @@ Model Model::load(const std::string& file) {
         data->report.triangles = trianglesOf(data->report.tree);
         const std::size_t leftOut = data->report.clean.duplicateTriangles + data->report.unreachableTriangles;
         if (data->report.triangles + leftOut != std::size_t(triangles)) {
-            throw FileError("its leaves hold " + std::to_string(data->report.triangles) +
-                            " triangles and leave out " + std::to_string(leftOut) + " of " +
-                            std::to_string(triangles));
+            throw FileError(fmt::format("its leaves hold {} triangles and leave out {} of {}",
+                                        data->report.triangles, leftOut, triangles));
         }
     } catch (const std::runtime_error& error) {
         refuseFile(file, error.what());
@@ -290,9 +289,7 @@ CachedModel buildCached(const Mesh& mesh, const BuildOptions& options, const std
     requireBuildOptions(options);
     if (reach) requireReach(*reach);
     const std::uint64_t key = modelKey(mesh, options, reach);
-    std::ostringstream name;
-    name << std::hex << key << ".clearway";
-    const std::filesystem::path file = std::filesystem::path(folder) / name.str();
+    const std::filesystem::path file = std::filesystem::path(folder) / fmt::format("{:x}.clearway", key);
     std::string warning;
     std::error_code unreadable;  // such a file is not loaded; saving then says what is wrong
     if (std::filesystem::exists(file, unreadable)) {

@@ -1,12 +1,12 @@
 // Decides on which side of closed surfaces points lie, and finds the solids of a mesh.
 #include "model/solids.h"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <array>
 #include <limits>
 #include <numeric>
 #include <optional>
-#include <sstream>
 #include <stdexcept>
 
 #include "clearway/errors.h"
@@ -34,11 +34,10 @@ constexpr double kPlaceSlack = 8 * kPoseDefect;
 EdgeReport requireClosed(const std::vector<TriangleIndices>& triangles, const std::string& name) {
     const EdgeReport edges = checkEdges(triangles);
     if (edges.isClosed()) return edges;
-    std::ostringstream why;
-    why << edges.openEdges << " open edges, " << edges.twistedEdges
-        << " edges where a triangle is turned over and " << edges.overfullEdges
-        << " edges of more than two triangles that do not face in pairs, expected a closed surface";
-    refuseSolid(name, why.str());
+    refuseSolid(name,
+                fmt::format("{} open edges, {} edges where a triangle is turned over and {} edges of more "
+                            "than two triangles that do not face in pairs, expected a closed surface",
+                            edges.openEdges, edges.twistedEdges, edges.overfullEdges));
 }
 
 bool hasThreeCorners(const TriangleIndices& t) {
@@ -244,8 +243,10 @@ void Solid::orient(const std::string& name) {
         if (volumes[shell] != 0 && isOutermost(shells, shell)) ++(volumes[shell] > 0 ? outward : inward);
     }
     if (outward > 0 && inward > 0) {
-        refuseSolid(name, std::to_string(outward) + " of its outermost shells face outwards and " +
-                              std::to_string(inward) + " inwards, expected all to face one way");
+        refuseSolid(
+            name, fmt::format(
+                      "{} of its outermost shells face outwards and {} inwards, expected all to face one way",
+                      outward, inward));
     }
     isTurnedOver_ = inward > 0;
 }

@@ -1,9 +1,9 @@
 // The public sweeps: check the caller's arguments and turn the trees' positions into ids.
 #include "clearway/sweep.h"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <limits>
-#include <sstream>
 
 #include "clearway/errors.h"
 #include "clearway/model.h"
@@ -39,10 +39,7 @@ MotionPieces piecesOf(const RigidMotion& motion, const Model& part) {
 namespace {
 
 void requireInRange(double value, const char* name, bool isInRange, const char* range) {
-    if (isInRange) return;
-    std::ostringstream message;
-    message << name << " is " << value << ", expected " << range;
-    throw ArgumentError(message.str());
+    if (!isInRange) throw ArgumentError(fmt::format("{} is {:g}, expected {}", name, value, range));
 }
 
 /// Checks the arguments that both questions share, and begins the request.

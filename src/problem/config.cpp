@@ -1,6 +1,7 @@
 // Reads the lines, values and lists of .cfg files, and writes lists.
 #include "problem/config.h"
 
+#include <fmt/format.h>
 #include <algorithm>
 
 #include "clearway/errors.h"
@@ -113,9 +114,9 @@ ConfigValues::ConfigValues(std::string file, const std::vector<ConfigEntry>& ent
         if (sections.count(sectionOf(entry.name)) == 0) continue;
         const auto [first, isNew] = entries_.insert({entry.name, entry});
         if (isNew) continue;
-        throw ArgumentError(place(file_, entry.line) + shown(entry.name) + " is given again as " +
-                            quote(entry.value) + ", after " + quote(first->second.value) + " in line " +
-                            std::to_string(first->second.line) + ", expected once");
+        throw ArgumentError(fmt::format("{}{} is given again as {}, after {} in line {}, expected once",
+                                        place(file_, entry.line), shown(entry.name), quote(entry.value),
+                                        quote(first->second.value), first->second.line));
     }
 }
 
@@ -173,7 +174,7 @@ std::string ConfigValues::insteadOf(const std::string& name) const {
         const bool isNear =
             sectionOf(entry.name) == sectionOf(name) && !didYouMean(keyOf(entry.name), {keyOf(name)}).empty();
         if (isSameKey || isNear)
-            return " (is " + shown(entry.name) + " in line " + std::to_string(entry.line) + " meant?)";
+            return fmt::format(" (is {} in line {} meant?)", shown(entry.name), entry.line);
     }
     return "";
 }

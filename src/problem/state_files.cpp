@@ -2,6 +2,7 @@
 // that begin with # are skipped.
 #include "clearway/problem.h"
 
+#include <fmt/format.h>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -60,9 +61,10 @@ PartState stateOf(const NumberLine& line, Space space, const std::string& file) 
     const std::vector<double>& n = line.numbers;
     const std::size_t expected = space == Space::kSe3 ? 7 : 3;
     if (n.size() != expected) {
-        throw ArgumentError(place(file, line.line) + "the line has " + std::to_string(n.size()) +
-                            (n.size() == 1 ? " number" : " numbers") + ", expected " +
-                            (space == Space::kSe3 ? "7: x y z qx qy qz qw, w last" : "3: x y yaw"));
+        throw ArgumentError(
+            fmt::format("{}the line has {}{}, expected {}", place(file, line.line), n.size(),
+                        n.size() == 1 ? " number" : " numbers",
+                        space == Space::kSe3 ? "7: x y z qx qy qz qw, w last" : "3: x y yaw"));
     }
     if (space == Space::kSe3) return {{n[0], n[1], n[2]}, quaternionAt(line, 3, file)};
     return {{n[0], n[1], 0}, *fromAxisAngle({Vector3::UnitZ(), n[2]})};
@@ -130,9 +132,9 @@ PoseFile readPoses(const std::string& file) {
             result.poses.push_back(acceptable(poseOfMatrix(line), line, file, result.projected));
         } else {
             throw ArgumentError(
-                place(file, line.line) + "the line has " + std::to_string(n.size()) +
-                (n.size() == 1 ? " number" : " numbers") +
-                ", expected 12 (rotation row-major, translation) or 7 (x y z qx qy qz qw, w last)");
+                fmt::format("{}the line has {}{}, expected 12 (rotation row-major, translation) or 7 (x y z "
+                            "qx qy qz qw, w last)",
+                            place(file, line.line), n.size(), n.size() == 1 ? " number" : " numbers"));
         }
     }
     return result;

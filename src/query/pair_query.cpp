@@ -1,9 +1,9 @@
 #include "query/pair_query.h"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <sstream>
 
 #include "clearway/errors.h"
 #include "exact/ball.h"
@@ -47,10 +47,8 @@ Carry makeCarry(const Matrix3& rotation, const Vector3& t, const FlatTree& carri
 
 void requireRatio(int exponent, const char* what) {
     if (std::abs(exponent) <= kLargestRatioExponent) return;
-    std::ostringstream message;
-    message << what << " are in a ratio of about 2^" << exponent << ", expected 2^-" << kLargestRatioExponent
-            << " to 2^" << kLargestRatioExponent;
-    throw ArgumentError(message.str());
+    throw ArgumentError(fmt::format("{} are in a ratio of about 2^{}, expected 2^-{} to 2^{}", what, exponent,
+                                    kLargestRatioExponent, kLargestRatioExponent));
 }
 
 }  // namespace
@@ -70,10 +68,10 @@ PairQuery preparePairQuery(const FlatTree& part, const FlatTree& environment, co
     const int partExponent = part.radius > 0 ? part.unitExponent : environmentExponent;
     requireRatio(partExponent - environmentExponent, "the sizes of part and environment");
     if (!(largest < kTooLarge) || (largest > 0 && largest < kTooSmall)) {
-        std::ostringstream message;
-        message << "the largest coordinate of part, environment and pose is " << largest
-                << ", expected 0 or from " << kTooSmall << " to less than " << kTooLarge;
-        throw ArgumentError(message.str());
+        throw ArgumentError(
+            fmt::format("the largest coordinate of part, environment and pose is {:g}, expected 0 or from "
+                        "{:g} to less than {:g}",
+                        largest, kTooSmall, kTooLarge));
     }
 
     PairQuery query;

@@ -1,6 +1,7 @@
 // Cuts the surface at half the tolerance from the part's places through tetrahedra.
 #include "clearway/swept_volume.h"
 
+#include <fmt/format.h>
 #include <tbb/enumerable_thread_specific.h>
 
 #include <algorithm>
@@ -87,9 +88,10 @@ class Sweeping {
             }
             open_ = std::move(next);
             if (tetrahedra_.vertices().size() > kMostPoints) {
-                throw ArgumentError("the tolerance of the swept volume is " +
-                                    shortNumber(options_.tolerance) + ", which takes more than " +
-                                    std::to_string(kMostPoints) + " points, expected a larger one");
+                throw ArgumentError(
+                    fmt::format("the tolerance of the swept volume is {}, which takes more than {} points, "
+                                "expected a larger one",
+                                shortNumber(options_.tolerance), kMostPoints));
             }
         }
     }

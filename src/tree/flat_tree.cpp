@@ -1,6 +1,7 @@
 // Counts and checks of flat trees.
 #include "tree/flat_tree.h"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -59,9 +60,9 @@ std::string faultOfNodes(const std::vector<WideNode<kWidth>>& nodes, const std::
     std::vector<int> depths(nodes.size());  // 0: no earlier node has this child
     if (!nodes.empty()) depths[0] = 1;
     for (std::size_t n = 0; n < nodes.size(); ++n) {
-        const auto fault = [&](const std::string& text) { return "node " + std::to_string(n) + text; };
+        const auto fault = [&](const std::string& text) { return fmt::format("node {}{}", n, text); };
         if (depths[n] == 0) return fault(" has no parent");
-        if (depths[n] > kDeepestTree) return fault(" is below " + std::to_string(kDeepestTree) + " others");
+        if (depths[n] > kDeepestTree) return fault(fmt::format(" is below {} others", kDeepestTree));
         const auto isUsed = [](std::int32_t child) { return child != kNoChild; };
         const std::int32_t* const first = nodes[n].child;
         const auto used = int(std::find_if_not(first, first + kWidth, isUsed) - first);
@@ -83,7 +84,7 @@ std::string faultOfNodes(const std::vector<WideNode<kWidth>>& nodes, const std::
     }
     const auto leftOut = std::mismatch(isLeaf.begin(), isLeaf.end(), isLeafReached.begin()).first;
     if (leftOut == isLeaf.end()) return "";
-    return "the leaf at " + std::to_string(leftOut - isLeaf.begin()) + " has no parent";
+    return fmt::format("the leaf at {} has no parent", leftOut - isLeaf.begin());
 }
 
 template <int... kWidths>
@@ -119,7 +120,7 @@ std::string faultOfLeaves(const FlatTree& tree, std::size_t meshTriangles, std::
         for (std::size_t i = 0; i < count; ++i) {
             const std::uint32_t id = wholeNumberIn(ids[i]);
             if (id >= isHeld.size()) return "its triangle ids are out of range";
-            if (isHeld[id]) return "its leaves hold triangle " + std::to_string(id) + " twice";
+            if (isHeld[id]) return fmt::format("its leaves hold triangle {} twice", id);
             isHeld[id] = true;
         }
         for (std::size_t i = count; i < (isExact ? 1 : 4) * std::size_t(count); ++i) {
@@ -141,7 +142,7 @@ std::string faultOfLeaves(const FlatTree& tree, std::size_t meshTriangles, std::
 void refuseNodeWidth(int nodeWidth) {
     std::vector<std::string> known;
     for (const int width : nodeWidths()) known.push_back(std::to_string(width));
-    throw ArgumentError("nodeWidth is " + std::to_string(nodeWidth) + ", expected one of " + joined(known));
+    throw ArgumentError(fmt::format("nodeWidth is {}, expected one of {}", nodeWidth, joined(known)));
 }
 
 TreeStatistics statistics(const FlatTree& tree) {
@@ -176,7 +177,7 @@ std::string faultOf(const FlatTree& tree, std::size_t meshTriangles) {
         withNodeWidth(tree.nodeWidth, [&](auto width) { return !tree.nodes<width>().empty(); });
     std::size_t arrays = 0;
     std::apply([&](const auto&... nodes) { ((arrays += !nodes.empty()), ...); }, tree.nodesByWidth);
-    if (!hasNodes || arrays > 1) return "its nodes are not all " + std::to_string(tree.nodeWidth) + " wide";
+    if (!hasNodes || arrays > 1) return fmt::format("its nodes are not all {} wide", tree.nodeWidth);
     fault =
         withNodeWidth(tree.nodeWidth, [&](auto width) { return faultOfNodes(tree.nodes<width>(), isLeaf); });
     if (!fault.empty()) return fault;

@@ -7,6 +7,7 @@
 #include <assimp/importerdesc.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
+#include <fmt/format.h>
 
 #include <assimp/Importer.hpp>
 #include <cmath>
@@ -14,7 +15,6 @@
 #include <filesystem>
 #include <limits>
 #include <memory>
-#include <sstream>
 #include <stdexcept>
 #include <vector>
 
@@ -69,13 +69,13 @@ void nameMeshesByNode(const aiScene& scene, const aiNode& node, const std::vecto
 void requireSoundNodes(const aiNode& node, const aiScene& scene, const std::string& file) {
     for (unsigned i = 0; i < node.mNumMeshes; ++i) {
         if (node.mMeshes[i] < scene.mNumMeshes) continue;
-        refuseMeshFile(file, "the reader's node '" + std::string(node.mName.C_Str()) + "' refers to mesh " +
-                                 std::to_string(node.mMeshes[i]) + " of " + std::to_string(scene.mNumMeshes));
+        refuseMeshFile(file, fmt::format("the reader's node '{}' refers to mesh {} of {}", node.mName.C_Str(),
+                                         node.mMeshes[i], scene.mNumMeshes));
     }
     for (unsigned i = 0; i < node.mNumChildren; ++i) {
         if (!node.mChildren[i]) {
-            refuseMeshFile(file, "the reader left out child " + std::to_string(i) + " of node '" +
-                                     node.mName.C_Str() + "'");
+            refuseMeshFile(file,
+                           fmt::format("the reader left out child {} of node '{}'", i, node.mName.C_Str()));
         }
         requireSoundNodes(*node.mChildren[i], scene, file);
     }
@@ -83,15 +83,13 @@ void requireSoundNodes(const aiNode& node, const aiScene& scene, const std::stri
 
 void requireSoundFaces(const aiMesh& mesh, const std::string& file) {
     for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
-        const auto face = [&] {
-            return "face " + std::to_string(f) + " of mesh '" + mesh.mName.C_Str() + "'";
-        };
+        const auto face = [&] { return fmt::format("face {} of mesh '{}'", f, mesh.mName.C_Str()); };
         if (mesh.mFaces[f].mNumIndices == 0) refuseMeshFile(file, face() + " has no corner");
         for (unsigned i = 0; i < mesh.mFaces[f].mNumIndices; ++i) {
             const unsigned index = mesh.mFaces[f].mIndices[i];
             if (index < mesh.mNumVertices) continue;
-            refuseMeshFile(file, face() + " refers to vertex " + std::to_string(index) + " of " +
-                                     std::to_string(mesh.mNumVertices));
+            refuseMeshFile(file,
+                           fmt::format("{} refers to vertex {} of {}", face(), index, mesh.mNumVertices));
         }
     }
 }
@@ -105,7 +103,7 @@ void requireSoundScene(const aiScene& scene, const std::string& file) {
         vertices += instances[m] * scene.mMeshes[m]->mNumVertices;
     }
     if (vertices > std::numeric_limits<std::uint32_t>::max()) {
-        refuseMeshFile(file, "its " + std::to_string(vertices) + " vertices are more than 2^32 - 1");
+        refuseMeshFile(file, fmt::format("its {} vertices are more than 2^32 - 1", vertices));
     }
 }
 
@@ -144,21 +142,20 @@ std::size_t countFaces(const aiScene& scene) {
 /// One row of an affine map in words: "0.0254 x + 3", without zero terms.
 std::string rowText(const float (&row)[4]) {
     const char* const variables[] = {"x", "y", "z", ""};
-    std::ostringstream text;
-    text.precision(9);
+    std::string text;
     for (int column = 0; column < 4; ++column) {
         const double factor = row[column];
         if (factor == 0) continue;
-        if (text.tellp() > 0) {
-            text << (factor < 0 ? " - " : " + ");
+        if (!text.empty()) {
+            text += factor < 0 ? " - " : " + ";
         } else if (factor < 0) {
-            text << '-';
+            text += '-';
         }
         const bool isUnit = column < 3 && std::fabs(factor) == 1;
-        if (!isUnit) text << std::fabs(factor) << (column < 3 ? " " : "");
-        text << variables[column];
+        if (!isUnit) text += fmt::format("{:.9g}{}", std::fabs(factor), column < 3 ? " " : "");
+        text += variables[column];
     }
-    return text.tellp() > 0 ? text.str() : "0";
+    return text.empty() ? "0" : text;
 }
 
 /// An affine map in words, for `clearway info`: "x' = 0.0254 x, y' = 0.0254 z, z' = -0.0254 y".
@@ -166,7 +163,7 @@ std::string affineText(const aiMatrix4x4& transform) {
     const auto row = [&](unsigned i) {
         return rowText({transform[i][0], transform[i][1], transform[i][2], transform[i][3]});
     };
-    return "x' = " + row(0) + ", y' = " + row(1) + ", z' = " + row(2);
+    return fmt::format("x' = {}, y' = {}, z' = {}", row(0), row(1), row(2));
 }
 
 bool isCollada(const Assimp::Importer& importer) {
@@ -202,10 +199,8 @@ void noteDeclaredUnits(const aiScene& scene, std::vector<std::string>& notes) {
         !scene.mMetaData->Get("UpAxis", axis)) {
         return;
     }
-    std::ostringstream note;
-    note << "unit and up axis that the file declares not applied: unit " << centimetres << " cm, axis "
-         << axis << " up";
-    notes.push_back(note.str());
+    notes.push_back(fmt::format(
+        "unit and up axis that the file declares not applied: unit {:g} cm, axis {} up", centimetres, axis));
 }
 
 /// Walks the nodes in the file's order, with all arithmetic in Real, and collects the meshes they show.

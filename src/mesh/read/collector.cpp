@@ -1,5 +1,6 @@
 #include "mesh/read/collector.h"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <filesystem>
 #include <limits>
@@ -23,7 +24,7 @@ MeshCollector::MeshCollector(const std::string& file) {
 }
 
 void MeshCollector::refuse(const std::string& reason) const {
-    throw FileError("cannot read mesh '" + file() + "': " + reason);
+    throw FileError(fmt::format("cannot read mesh '{}': {}", file(), reason));
 }
 
 void MeshCollector::beginComponent(std::string_view name) {
@@ -68,9 +69,9 @@ void MeshCollector::addFace(const std::uint32_t* corners, std::size_t count) {
 
 void MeshCollector::acceptTail(std::string_view tail, std::size_t most, const std::string& declared) {
     if (tail.empty()) return;
-    const std::string follow = std::to_string(tail.size()) + " bytes after " + declared;
+    const std::string follow = fmt::format("{} bytes after {}", tail.size(), declared);
     const bool isBlank = tail.find_first_not_of(std::string_view(" \t\r\n\f\v\0", 7)) == tail.npos;
-    if (tail.size() > most && !isBlank) refuse("it has " + follow + ", expected none");
+    if (tail.size() > most && !isBlank) refuse("it has {}, expected none", follow);
     if (!isBlank) note("left out: " + follow);
 }
 
@@ -86,10 +87,9 @@ Mesh MeshCollector::take() {
     closeComponent();
     if (mesh_.triangles.empty()) {
         const std::size_t crossing = mesh_.origin.crossingFaces;
-        refuse("it holds no triangle" +
-               (crossing > 0 ? ": the outlines of its " + std::to_string(crossing) + " faces cross themselves"
-                             : std::string()) +
-               ", expected at least one");
+        refuse("it holds no triangle{}, expected at least one",
+               crossing > 0 ? fmt::format(": the outlines of its {} faces cross themselves", crossing)
+                            : std::string());
     }
     if (mesh_.triangles.size() > std::numeric_limits<std::uint32_t>::max())
         refuse("it has more than 2^32 - 1 triangles");

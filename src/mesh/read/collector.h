@@ -1,9 +1,11 @@
 // Collects what readers of mesh files find: vertices, polygons, components and notes.
 #pragma once
 
+#include <fmt/format.h>
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "clearway/mesh.h"
@@ -35,6 +37,10 @@ class MeshCollector {
     /// Throws FileError: cannot read mesh 'FILE': REASON. The reason names the element and its number, the value and what was
     /// expected.
     [[noreturn]] void refuse(const std::string& reason) const;
+    template <class... Values>
+    [[noreturn]] void refuse(fmt::format_string<Values...> reason, Values&&... values) const {
+        refuse(fmt::format(reason, std::forward<Values>(values)...));
+    }
 
     /// Faces from here on belong to a component of this name; it may be empty, or another component's.
     void beginComponent(std::string_view name);
@@ -59,6 +65,10 @@ class MeshCollector {
     void ignoreFaces(std::size_t count) { mesh_.origin.ignoredFaces += count; }
 
     void note(std::string text) { mesh_.origin.notes.push_back(std::move(text)); }
+    template <class... Values>
+    void note(fmt::format_string<Values...> text, Values&&... values) {
+        note(fmt::format(text, std::forward<Values>(values)...));
+    }
 
     /// Judges the bytes after the last element that the file declares. Notes up to `most` bytes, and accepts any number of zeros and blanks: some
     /// writers add them. Refuses more, which may be elements that the file does not count. declared: what it counts, such as "its 12

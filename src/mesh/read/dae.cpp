@@ -27,11 +27,11 @@ class SceneReader {
         }
         if (hasSkins_) mesh_.note("its skins are read in their bind pose");
         const std::size_t animations = all("library_animations", "animation").size();
-        if (animations > 0) mesh_.note("animations not applied: " + std::to_string(animations));
+        if (animations > 0) mesh_.note("animations not applied: {}", animations);
         const std::size_t shown = shapes_.geometryCount();
         if (shown >= geometries.size()) return;
-        mesh_.note(std::to_string(geometries.size() - shown) + " of its " +
-                   std::to_string(geometries.size()) + " geometries left out, which no node shows");
+        mesh_.note("{} of its {} geometries left out, which no node shows", geometries.size() - shown,
+                   geometries.size());
     }
 
   private:
@@ -52,8 +52,8 @@ class SceneReader {
             return document_.find(instance.attribute("url"), {"visual_scene"}, "instance_visual_scene");
         const std::vector<xml_node> scenes = all("library_visual_scenes", "visual_scene");
         if (scenes.size() > 1) {
-            mesh_.refuse("it has " + std::to_string(scenes.size()) +
-                         " visual scenes, expected a <scene> that tells which to show");
+            mesh_.refuse("it has {} visual scenes, expected a <scene> that tells which to show",
+                         scenes.size());
         }
         return scenes.empty() ? xml_node() : scenes[0];
     }
@@ -85,7 +85,7 @@ class SceneReader {
                            isSkin ? Placement() : X_fileNode);
                 hasSkins_ = hasSkins_ || isSkin;
             } else if (!isLeftOut(name)) {
-                mesh_.refuse(what + " holds <" + child.name() + ">, which is not read");
+                mesh_.refuse("{} holds <{}>, which is not read", what, child.name());
             }
         }
         for (const xml_node child : node) {

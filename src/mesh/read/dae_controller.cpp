@@ -85,18 +85,17 @@ DaeShape DaeShapes::morphed(const xml_node& morph, DaeShape shape, std::size_t d
     const auto names = document_.wordsOf(document_.sourceOf(targets, "MORPH_TARGET", morph));
     const auto weights = document_.numbersOf(document_.sourceOf(targets, "MORPH_WEIGHT", morph), 1);
     if (method != "NORMALIZED" && method != "RELATIVE")
-        document_.mesh().refuse(what + " has the method " + quote(method));
+        document_.mesh().refuse("{} has the method {}", what, quote(method));
     if (names.size() != weights.size()) {
-        document_.mesh().refuse(what + " has " + std::to_string(names.size()) + " targets and " +
-                                std::to_string(weights.size()) + " weights");
+        document_.mesh().refuse("{} has {} targets and {} weights", what, names.size(), weights.size());
     }
     const std::vector<Vector3> base = shape.vertices;
     for (std::size_t i = 0; i < names.size(); ++i) {
         if (weights[i] == 0) continue;
         const DaeShape& target = of(document_.named(names[i], {"geometry", "controller"}, what), depth + 1);
         if (target.vertices.size() != base.size()) {
-            document_.mesh().refuse(what + " blends " + std::to_string(base.size()) + " vertices with the " +
-                                    std::to_string(target.vertices.size()) + " of " + quote(names[i]));
+            document_.mesh().refuse("{} blends {} vertices with the {} of {}", what, base.size(),
+                                    target.vertices.size(), quote(names[i]));
         }
         for (std::size_t v = 0; v < base.size(); ++v) {
             const Vector3 origin = method == "RELATIVE" ? Vector3(Vector3::Zero()) : base[v];

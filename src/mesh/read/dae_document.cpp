@@ -1,5 +1,6 @@
 #include "mesh/read/dae_document.h"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
 
@@ -26,11 +27,11 @@ xml_node nextNode(xml_node node) {
 DaeDocument::DaeDocument(std::string& bytes, MeshCollector& mesh) : mesh_(mesh) {
     root_ = parseXml(document_, bytes, "the file", mesh);
     if (std::string_view(root_.name()) != "COLLADA") {
-        mesh.refuse(std::string("its root element is <") + root_.name() + ">, expected <COLLADA>");
+        mesh.refuse("its root element is <{}>, expected <COLLADA>", root_.name());
     }
     const std::string_view version = root_.attribute("version").value();
     if (version.substr(0, 3) != "1.4" && version.substr(0, 3) != "1.5") {
-        mesh.refuse("its COLLADA version is " + quote(version) + ", expected 1.4.x or 1.5.x");
+        mesh.refuse("its COLLADA version is {}, expected 1.4.x or 1.5.x", quote(version));
     }
     readAsset();
     index();
@@ -38,7 +39,7 @@ DaeDocument::DaeDocument(std::string& bytes, MeshCollector& mesh) : mesh_(mesh) 
 
 std::string DaeDocument::textOf(const xml_node& element) {
     const xml_attribute id = element.attribute("id");
-    return element.name() + (" " + quote((id ? id : element.attribute("name")).value()));
+    return fmt::format("{} {}", element.name(), quote((id ? id : element.attribute("name")).value()));
 }
 
 void DaeDocument::readAsset() {
@@ -49,14 +50,14 @@ void DaeDocument::readAsset() {
             unitMetres_ = metres;
             mesh_.setUnit(metres);
         } else {
-            mesh_.note("its unit is " + valueOf(meter) + " metres, which is no number above 0");
+            mesh_.note("its unit is {} metres, which is no number above 0", valueOf(meter));
         }
     }
     const std::string_view axis = trimmed(asset.child_value("up_axis"));
     if (!axis.empty()) {
         upAxis_ = axis;
         if (!isOneOf(upAxis_.c_str(), {"X_UP", "Y_UP", "Z_UP"})) {
-            mesh_.refuse("its up_axis is " + quote(upAxis_) + ", expected X_UP, Y_UP or Z_UP");
+            mesh_.refuse("its up_axis is {}, expected X_UP, Y_UP or Z_UP", quote(upAxis_));
         }
         mesh_.setUpAxis(static_cast<char>(upAxis_[0] - 'X' + 'x'));
     }
@@ -67,12 +68,12 @@ void DaeDocument::requireSameAsset(const xml_node& asset) const {
     const xml_attribute meter = asset.child("unit").attribute("meter");
     double metres = 0;
     if (meter && (!isNumber(meter.value(), metres) || metres != unitMetres_)) {
-        mesh_.refuse(what + " has a unit of " + valueOf(meter) + " metres, expected the file's, " +
+        mesh_.refuse("{} has a unit of {} metres, expected the file's, {}", what, valueOf(meter),
                      shortNumber(unitMetres_));
     }
     const std::string_view axis = trimmed(asset.child_value("up_axis"));
     if (!axis.empty() && axis != upAxis_) {
-        mesh_.refuse(what + " has the up_axis " + quote(axis) + ", expected the file's, " + upAxis_);
+        mesh_.refuse("{} has the up_axis {}, expected the file's, {}", what, quote(axis), upAxis_);
     }
 }
 
@@ -90,8 +91,8 @@ xml_node DaeDocument::find(const xml_attribute& reference, std::initializer_list
                            const std::string& what, const xml_node& scope) const {
     const std::string_view text = trimmed(reference.value());
     if (text.empty() || text[0] != '#') {
-        mesh_.refuse(what + " refers to " + valueOf(reference) +
-                     ", expected '#' and the id of an element of this file");
+        mesh_.refuse("{} refers to {}, expected '#' and the id of an element of this file", what,
+                     valueOf(reference));
     }
     const std::string id(text.substr(1));
     for (const xml_node child : scope) {
@@ -103,8 +104,8 @@ xml_node DaeDocument::find(const xml_attribute& reference, std::initializer_list
 xml_node DaeDocument::named(const std::string& id, std::initializer_list<const char*> kinds,
                             const std::string& what) const {
     xml_node found;
-    const std::string expected = what + " refers to " + quote(id) + ", expected the id of a <" +
-                                 joined({kinds.begin(), kinds.end()}, "> or <") + ">";
+    const std::string expected = fmt::format("{} refers to {}, expected the id of a <{}>", what, quote(id),
+                                             joined({kinds.begin(), kinds.end()}, "> or <"));
     const auto elements = elements_.find(id);
     if (elements == elements_.end()) mesh_.refuse(expected + ", which none has");
     for (const xml_node element : elements->second) {
@@ -118,7 +119,7 @@ xml_node DaeDocument::named(const std::string& id, std::initializer_list<const c
 
 xml_node DaeDocument::sourceOf(const xml_node& element, const char* semantic, const xml_node& scope) const {
     xml_node found;
-    const std::string what = "input " + std::string(semantic) + " of " + textOf(element);
+    const std::string what = fmt::format("input {} of {}", semantic, textOf(element));
     for (const xml_node input : element.children("input")) {
         if (std::string_view(input.attribute("semantic").value()) != semantic) continue;
         if (found) mesh_.refuse(what + " is there twice");
@@ -134,8 +135,7 @@ std::size_t DaeDocument::countIn(const xml_node& element, const char* attribute,
     std::size_t count = 0;
     if (!text && missing) return *missing;
     if (!isNumber(text.value(), count)) {
-        mesh_.refuse(attribute + (" of " + what) + " is " + valueOf(text) +
-                     ", expected a whole number, 0 or more");
+        mesh_.refuse("{} of {} is {}, expected a whole number, 0 or more", attribute, what, valueOf(text));
     }
     return count;
 }
@@ -162,8 +162,8 @@ std::vector<std::size_t> DaeDocument::columnsOf(const xml_node& accessor, std::s
     // Parameters without a name are skipped, but some exporters name none.
     std::vector<std::size_t> columns = named.size() == width ? named : all;
     if (columns.size() != width || columns.back() >= stride) {
-        mesh_.refuse("the accessor of " + what + " has a stride of " + std::to_string(stride) + " and " +
-                     std::to_string(columns.size()) + " params, expected " + std::to_string(width));
+        mesh_.refuse("the accessor of {} has a stride of {} and {} params, expected {}", what, stride,
+                     columns.size(), width);
     }
     for (std::size_t i = 0; i < 3 && width == 3 && named.size() == 3; ++i) {
         const auto at = std::find(names.begin(), names.end(), std::string(1, "XYZ"[i]));
@@ -182,8 +182,7 @@ std::vector<double> DaeDocument::numbersOf(const xml_node& source, std::size_t w
     const auto numbers = numbersIn<double>(clearway::textOf(array, joinedText), textOf(array), mesh_);
     const std::size_t stated = countIn(array, "count", textOf(array));
     if (numbers.size() != stated) {
-        mesh_.refuse(textOf(array) + " holds " + std::to_string(numbers.size()) +
-                     " numbers, expected its count, " + std::to_string(stated));
+        mesh_.refuse("{} holds {} numbers, expected its count, {}", textOf(array), numbers.size(), stated);
     }
     const std::size_t none = 0, one = 1;
     const std::size_t count = countIn(accessor, "count", "the accessor of " + what);
@@ -196,9 +195,8 @@ std::vector<double> DaeDocument::numbersOf(const xml_node& source, std::size_t w
     const bool fits =
         (offset < stated && last < stated - offset && (stated - offset - last - 1) / stride >= count - 1);
     if (!fits) {
-        mesh_.refuse("the accessor of " + what + " takes " + std::to_string(count) + " rows of " +
-                     std::to_string(stride) + " numbers after " + std::to_string(offset) + " from " +
-                     std::to_string(stated));
+        mesh_.refuse("the accessor of {} takes {} rows of {} numbers after {} from {}", what, count, stride,
+                     offset, stated);
     }
     std::vector<double> rows;
     rows.reserve(count * width);
@@ -216,8 +214,7 @@ std::vector<std::string> DaeDocument::wordsOf(const xml_node& source) const {
         for (const std::string_view word : words(clearway::textOf(array, joinedText))) all.emplace_back(word);
         const std::size_t stated = countIn(array, "count", textOf(array));
         if (all.size() == stated) return all;
-        mesh_.refuse(textOf(array) + " holds " + std::to_string(all.size()) + " names, expected its count, " +
-                     std::to_string(stated));
+        mesh_.refuse("{} holds {} names, expected its count, {}", textOf(array), all.size(), stated);
     }
     mesh_.refuse(textOf(source) + " holds no names");
 }

@@ -1,5 +1,6 @@
 #include "mesh/read/dae_geometry.h"
 
+#include <fmt/format.h>
 #include <limits>
 #include <map>
 
@@ -63,8 +64,8 @@ class GeometryReader {
             if (name == "asset" || name == "extra") continue;
             const xml_node hull = child.attribute("convex_hull_of") ? child : xml_node();
             if ((name != "mesh" && name != "convex_mesh") || hull) {
-                mesh_.refuse(geometry_ + " is a <" + child.name() + (hull ? " convex_hull_of" : "") +
-                             ">, which is not read, expected a <mesh>");
+                mesh_.refuse("{} is a <{}{}>, which is not read, expected a <mesh>", geometry_, child.name(),
+                             hull ? " convex_hull_of" : "");
             }
             content_ = child;
             for (const xml_node part : child) readPart(part);
@@ -97,7 +98,7 @@ class GeometryReader {
         const std::string_view name = part.name();
         if (name == "source" || name == "vertices" || name == "extra") return;
         const std::string what =
-            "primitive " + std::to_string(primitives_++) + " (<" + part.name() + ">) of " + geometry_;
+            fmt::format("primitive {} (<{}>) of {}", primitives_++, part.name(), geometry_);
         const bool isLine = name == "lines" || name == "linestrips";  // whose count some exporters leave out
         const std::size_t count =
             part.attribute("count") || !isLine ? document_.countIn(part, "count", what) : kUncounted;
@@ -107,7 +108,7 @@ class GeometryReader {
         for (const Primitive& primitive : kPrimitives) {
             if (name == primitive.name) return readPrimitive(part, primitive, count, what);
         }
-        mesh_.refuse(what + " is not read, expected " + joined(namesOf(kPrimitives)) + " or polylist");
+        mesh_.refuse("{} is not read, expected {} or polylist", what, joined(namesOf(kPrimitives)));
     }
 
     void readPrimitive(const xml_node& part, const Primitive& primitive, std::size_t count,
@@ -118,10 +119,9 @@ class GeometryReader {
             const std::vector<std::uint32_t> corners = cornersOf(list, indices, what);
             if (corners.size() < primitive.least ||
                 (primitive.corners && corners.size() % primitive.corners != 0)) {
-                mesh_.refuse("<p> " + std::to_string(found) + " of " + what + " has " +
-                             std::to_string(corners.size()) + " corners, expected " +
-                             (primitive.corners ? "a multiple of " + std::to_string(primitive.corners)
-                                                : std::to_string(primitive.least) + " or more"));
+                mesh_.refuse("<p> {} of {} has {} corners, expected {}", found, what, corners.size(),
+                             primitive.corners ? fmt::format("a multiple of {}", primitive.corners)
+                                               : fmt::format("{} or more", primitive.least));
             }
             primitive.fill(corners, shape_);
             found += primitive.corners ? corners.size() / primitive.corners : 1;
@@ -141,8 +141,8 @@ class GeometryReader {
         std::size_t sum = 0;
         for (const std::uint32_t corner : counts) sum += corner;
         if (sum != corners.size()) {
-            mesh_.refuse(what + " has " + std::to_string(corners.size()) +
-                         " corners in <p>, expected the sum of its vcount, " + std::to_string(sum));
+            mesh_.refuse("{} has {} corners in <p>, expected the sum of its vcount, {}", what, corners.size(),
+                         sum);
         }
         shape_.corners.insert(shape_.corners.end(), corners.begin(), corners.end());
         shape_.cornerCounts.insert(shape_.cornerCounts.end(), counts.begin(), counts.end());
@@ -150,8 +150,7 @@ class GeometryReader {
 
     void requireCount(std::size_t found, std::size_t count, const std::string& what) const {
         if (found == count || count == kUncounted) return;
-        mesh_.refuse(what + " holds " + std::to_string(found) + ", expected its count, " +
-                     std::to_string(count));
+        mesh_.refuse("{} holds {}, expected its count, {}", what, found, count);
     }
 
     Indices indicesOf(const xml_node& part, const std::string& what) {
@@ -160,7 +159,7 @@ class GeometryReader {
         for (const xml_node input : part.children("input")) {
             const std::string name = "an input of " + what;
             const std::size_t offset = document_.countIn(input, "offset", name);
-            if (offset > kMostInputs) mesh_.refuse(name + " has the offset " + std::to_string(offset));
+            if (offset > kMostInputs) mesh_.refuse("{} has the offset {}", name, offset);
             indices.stride = std::max(indices.stride, offset + 1);
             if (std::string_view(input.attribute("semantic").value()) != "VERTEX") continue;
             if (isFound) mesh_.refuse(what + " has two inputs VERTEX, expected one");
@@ -193,15 +192,15 @@ class GeometryReader {
         std::string joinedText;
         const auto numbers = numbersIn<std::uint32_t>(textOf(list, joinedText), "<p> of " + what, mesh_);
         if (numbers.size() % indices.stride != 0) {
-            mesh_.refuse("<p> of " + what + " has " + std::to_string(numbers.size()) +
-                         " indices, expected a multiple of " + std::to_string(indices.stride));
+            mesh_.refuse("<p> of {} has {} indices, expected a multiple of {}", what, numbers.size(),
+                         indices.stride);
         }
         std::vector<std::uint32_t> corners;
         corners.reserve(numbers.size() / indices.stride);
         for (std::size_t i = indices.offset; i < numbers.size(); i += indices.stride) {
             if (numbers[i] >= indices.vertexCount) {
-                mesh_.refuse("index " + std::to_string(i) + " in <p> of " + what + " refers to vertex " +
-                             std::to_string(numbers[i]) + " of " + std::to_string(indices.vertexCount));
+                mesh_.refuse("index {} in <p> of {} refers to vertex {} of {}", i, what, numbers[i],
+                             indices.vertexCount);
             }
             corners.push_back(static_cast<std::uint32_t>(indices.firstVertex + numbers[i]));
         }

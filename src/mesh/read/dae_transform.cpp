@@ -1,5 +1,6 @@
 #include "mesh/read/dae_transform.h"
 
+#include <fmt/format.h>
 #include <cmath>
 
 namespace clearway {
@@ -10,19 +11,17 @@ namespace {
 
 std::vector<double> numbersOf(const DaeDocument& document, const xml_node& element, std::size_t count) {
     std::string joinedText;
-    const std::string what =
-        std::string("<") + element.name() + "> of " + DaeDocument::textOf(element.parent());
+    const std::string what = fmt::format("<{}> of {}", element.name(), DaeDocument::textOf(element.parent()));
     std::vector<double> numbers = numbersIn<double>(textOf(element, joinedText), what, document.mesh());
     if (numbers.size() == count) return numbers;
-    document.mesh().refuse(what + " has " + std::to_string(numbers.size()) + " numbers, expected " +
-                           std::to_string(count));
+    document.mesh().refuse("{} has {} numbers, expected {}", what, numbers.size(), count);
 }
 
 void requireDirection(const DaeDocument& document, const xml_node& node, const Vector3& direction,
                       const char* element) {
     if (direction.norm() > 0) return;
-    document.mesh().refuse(std::string(element) + " of " + DaeDocument::textOf(node) +
-                           " has no direction, expected one that is not 0");
+    document.mesh().refuse("{} of {} has no direction, expected one that is not 0", element,
+                           DaeDocument::textOf(node));
 }
 
 /// Quarter turns are exact, so that boxes stay boxes.
@@ -60,8 +59,8 @@ Placement daeMatrixOf(const DaeDocument& document, const xml_node& element) {
     const std::vector<double> m = numbersOf(document, element, 16);
     constexpr double kRounding = 1e-6;  // of texts with few digits
     if (std::abs(m[12]) + std::abs(m[13]) + std::abs(m[14]) + std::abs(m[15] - 1) > kRounding) {
-        document.mesh().refuse(std::string("<") + element.name() + "> of " +
-                               DaeDocument::textOf(element.parent()) + " has another last row than 0 0 0 1");
+        document.mesh().refuse("<{}> of {} has another last row than 0 0 0 1", element.name(),
+                               DaeDocument::textOf(element.parent()));
     }
     Placement placement;
     placement.linear << m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10];

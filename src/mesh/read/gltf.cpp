@@ -55,7 +55,7 @@ bool isKnown(const std::string& extension) {
 void requireKnownExtensions(const GltfItem& root) {
     for (const std::string& extension : root.texts("extensionsRequired")) {
         if (!isKnown(extension))
-            root.refuse("requires the extension " + quote(extension) + ", which is not read");
+            root.refuse("requires the extension {}, which is not read", quote(extension));
     }
     // It moves the whole scene, though files do not require it.
     if (root.extension("CESIUM_RTC")) root.refuse("uses the extension CESIUM_RTC, which is not read");
@@ -71,7 +71,7 @@ Placement placementOf(const double* matrix, const GltfItem& item) {
     for (int column = 0; column < 4; ++column) {
         const double last = matrix[4 * column + 3];
         if (std::fabs(last - (column == 3)) <= kAffine) continue;
-        item.refuse("has a matrix with " + shortNumber(last) + " in its last row, expected 0 0 0 1");
+        item.refuse("has a matrix with {} in its last row, expected 0 0 0 1", shortNumber(last));
     }
     return placement;
 }
@@ -81,7 +81,7 @@ Matrix3 rotationOf(const double* quaternion, double tolerance, const GltfItem& i
     const Eigen::Quaterniond rotation(quaternion[3], quaternion[0], quaternion[1], quaternion[2]);
     const double length = rotation.norm();
     if (!(std::fabs(length - 1) <= tolerance)) {
-        item.refuse("has a rotation whose quaternion has length " + shortNumber(length) + ", expected 1");
+        item.refuse("has a rotation whose quaternion has length {}, expected 1", shortNumber(length));
     }
     return rotation.normalized().toRotationMatrix();
 }
@@ -153,8 +153,8 @@ void GltfScene::linkNodes() {
         for (const std::size_t child : children_[parent]) {
             const GltfItem childItem = file_.item("nodes", child, item);
             if (parents_[child] != kNone) {
-                childItem.refuse("is a child of node " + std::to_string(parents_[child]) + " and of node " +
-                                 std::to_string(parent) + ", expected one parent");
+                childItem.refuse("is a child of node {} and of node {}, expected one parent", parents_[child],
+                                 parent);
             }
             parents_[child] = parent;
         }
@@ -203,16 +203,16 @@ std::vector<std::size_t> GltfScene::shownRoots() {
     const std::size_t scenes = file_.count("scenes");
     if (!stated && scenes == 0) return roots();
     const GltfItem scene = file_.item("scenes", stated.value_or(0), root);
-    if (scenes > 1) mesh_.note(scene.name + " is read, one of " + std::to_string(scenes) + " scenes");
+    if (scenes > 1) mesh_.note("{} is read, one of {} scenes", scene.name, scenes);
     const std::vector<std::size_t> numbers = scene.wholeNumbers("nodes");
     std::vector<bool> isListed(parents_.size());
     for (const std::size_t number : numbers) {
         const GltfItem item = file_.item("nodes", number, scene);
         if (parents_[number] != kNone) {
-            item.refuse("is in " + scene.name + " and a child of node " + std::to_string(parents_[number]) +
-                        ", expected a node without parent");
+            item.refuse("is in {} and a child of node {}, expected a node without parent", scene.name,
+                        parents_[number]);
         }
-        if (isListed[number]) item.refuse("is in " + scene.name + " twice");
+        if (isListed[number]) item.refuse("is in {} twice", scene.name);
         isListed[number] = true;
     }
     return numbers;
@@ -228,11 +228,10 @@ void GltfScene::noteOmissions(const std::vector<std::size_t>& shown) {
         const std::optional<GltfItem> visibility = item.extension("KHR_node_visibility");
         hidden += visibility && visibility->find("visible") && !visibility->flag("visible");
     }
-    if (unseen > 0) mesh_.note("nodes with meshes outside of the scene left out: " + std::to_string(unseen));
-    if (hidden > 0)
-        mesh_.note("nodes that the file hides are read, with those below them: " + std::to_string(hidden));
+    if (unseen > 0) mesh_.note("nodes with meshes outside of the scene left out: {}", unseen);
+    if (hidden > 0) mesh_.note("nodes that the file hides are read, with those below them: {}", hidden);
     const std::size_t animations = file_.count("animations");
-    if (animations > 0) mesh_.note("animations not applied: " + std::to_string(animations));
+    if (animations > 0) mesh_.note("animations not applied: {}", animations);
 }
 
 GltfShowing GltfScene::showingOf(const GltfItem& node, const GltfItem& mesh) {
@@ -248,8 +247,7 @@ GltfShowing GltfScene::showingOf(const GltfItem& node, const GltfItem& mesh) {
     if (const std::optional<std::size_t> bind = skin.number("inverseBindMatrices")) {
         const GltfAccessor accessor = file_.accessor(*bind, "MAT4", skin);
         if (accessor.count < joints.size()) {
-            skin.refuse("has " + std::to_string(joints.size()) + " joints and " +
-                        std::to_string(accessor.count) + " inverseBindMatrices");
+            skin.refuse("has {} joints and {} inverseBindMatrices", joints.size(), accessor.count);
         }
         inverses = allNumbers(accessor);
     }
@@ -263,8 +261,7 @@ GltfShowing GltfScene::showingOf(const GltfItem& node, const GltfItem& mesh) {
     }
     showing.isMirrored = mirrored == joints.size();
     if (mirrored > 0 && !showing.isMirrored) {
-        mesh_.note("triangles not turned over although joints mirror: " + std::to_string(mirrored) + " of " +
-                   skin.name);
+        mesh_.note("triangles not turned over although joints mirror: {} of {}", mirrored, skin.name);
     }
     return showing;
 }
@@ -300,8 +297,7 @@ std::vector<Placement> GltfScene::instancesOf(const GltfItem& instancing) {
     const std::size_t count = std::max({moves.size() / 3, turns.size() / 4, scales.size() / 3});
     for (const std::size_t rows : {moves.size() / 3, turns.size() / 4, scales.size() / 3}) {
         if (rows == count || rows == 0) continue;
-        attributes->refuse("have " + std::to_string(rows) + " and " + std::to_string(count) +
-                           " rows, expected equal counts");
+        attributes->refuse("have {} and {} rows, expected equal counts", rows, count);
     }
     if (count == 0) attributes->refuse("have no TRANSLATION, ROTATION or SCALE");
     std::vector<Placement> placements(count);

@@ -1,5 +1,6 @@
 #include "mesh/read/gltf_accessor.h"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -39,7 +40,7 @@ std::string decodePercents(const std::string& uri, const GltfItem& item) {
             return at < uri.size() && std::isxdigit(static_cast<unsigned char>(uri[at]));
         };
         if (!isHex(i + 1) || !isHex(i + 2)) {
-            item.refuse("has uri " + quote(uri) + ", expected two hexadecimal digits after each %");
+            item.refuse("has uri {}, expected two hexadecimal digits after each %", quote(uri));
         }
         text += static_cast<char>(std::stoi(uri.substr(i + 1, 2), nullptr, 16));
         i += 2;
@@ -63,8 +64,8 @@ std::string decodeBase64(std::string_view text, const GltfItem& item) {
     for (const char& c : text) {
         const int value = values[static_cast<unsigned char>(c)];
         if (value < 0) {
-            item.refuse("has " + quote({&c, 1}) + " at position " + std::to_string(&c - text.data()) +
-                        " of its base64 data, expected A-Z, a-z, 0-9, + and /");
+            item.refuse("has {} at position {} of its base64 data, expected A-Z, a-z, 0-9, + and /",
+                        quote({&c, 1}), &c - text.data());
         }
         bits = bits << 6 | static_cast<unsigned>(value);
         held += 6;
@@ -150,23 +151,22 @@ GltfFile::GltfFile(std::string_view bytes, const MeshCollector& mesh) : mesh_(me
                     reason.substr(std::min(reason.find("] ") + 2, reason.size())));
     }
     root_ = {&mesh, &json_, "it"};
-    if (!json_.is_object()) mesh.refuse("its JSON is " + shownJson(json_) + ", expected an object");
+    if (!json_.is_object()) mesh.refuse("its JSON is {}, expected an object", shownJson(json_));
     requireVersion2();
 }
 
 std::string_view GltfFile::chunksOf(std::string_view bytes) {
     const auto ends = [&](std::size_t declared, const std::string& what) {
-        mesh_.refuse(what + " declares " + std::to_string(declared) + " bytes, the file has " +
-                     std::to_string(bytes.size()));
+        mesh_.refuse("{} declares {} bytes, the file has {}", what, declared, bytes.size());
     };
     if (bytes.size() < kGlbHeader) ends(kGlbHeader, "its header");
     const std::uint32_t version = wordAt(bytes, 4);
-    if (version != 2) mesh_.refuse("it is binary glTF " + std::to_string(version) + ", expected glTF 2");
+    if (version != 2) mesh_.refuse("it is binary glTF {}, expected glTF 2", version);
     if (wordAt(bytes, 8) > bytes.size()) ends(wordAt(bytes, 8), "its header");
     bytes = bytes.substr(0, wordAt(bytes, 8));  // some writers pad the file after its end
     std::optional<std::string_view> text;
     for (std::size_t at = kGlbHeader, chunk = 0; at < bytes.size(); ++chunk) {
-        const std::string name = "chunk " + std::to_string(chunk) + " at byte " + std::to_string(at);
+        const std::string name = fmt::format("chunk {} at byte {}", chunk, at);
         if (bytes.size() - at < kChunkHeader) ends(kChunkHeader, "the header of " + name);
         const std::size_t length = wordAt(bytes, at), type = wordAt(bytes, at + 4);
         at += kChunkHeader;
@@ -183,9 +183,9 @@ void GltfFile::requireVersion2() const {
     const std::optional<GltfItem> asset = root_.object("asset");
     const std::optional<std::string> version = asset ? asset->text("version") : std::nullopt;
     if (!version) mesh_.refuse("it has no asset.version, expected '2.0'");
-    if (version->substr(0, 2) != "2.") mesh_.refuse("it is glTF " + quote(*version) + ", expected '2.0'");
+    if (version->substr(0, 2) != "2.") mesh_.refuse("it is glTF {}, expected '2.0'", quote(*version));
     const std::string least = asset->text("minVersion").value_or("2.0");
-    if (least != "2.0") mesh_.refuse("it needs a reader of glTF " + quote(least) + ", expected '2.0'");
+    if (least != "2.0") mesh_.refuse("it needs a reader of glTF {}, expected '2.0'", quote(least));
 }
 
 std::size_t GltfFile::count(const char* list) const {
@@ -196,30 +196,28 @@ std::size_t GltfFile::count(const char* list) const {
 GltfItem GltfFile::item(const char* list, std::size_t number, const GltfItem& user) const {
     std::string kind = list;
     kind.resize(kind.size() - (kind == "meshes" ? 2 : 1));
-    kind += " " + std::to_string(number);
+    kind += fmt::format(" {}", number);
     const std::size_t items = count(list);
-    if (number >= items)
-        user.refuse("refers to " + kind + ", the file has " + std::to_string(items) + " " + list);
+    if (number >= items) user.refuse("refers to {}, the file has {} {}", kind, items, list);
     return namedItem(root_, json_.find(list)->at(number), std::move(kind));
 }
 
 std::string GltfFile::besideFile(const std::string& uri, std::size_t bytes, const GltfItem& item) const {
     if (uri.find(':') != uri.npos)
-        item.refuse("has uri " + quote(uri) + ", expected a file's path or base64 data");
+        item.refuse("has uri {}, expected a file's path or base64 data", quote(uri));
     const auto path = std::filesystem::path(mesh_.file()).parent_path() / decodePercents(uri, item);
     std::error_code error;
     if (!std::filesystem::is_regular_file(path, error)) {
-        item.refuse("is in " + quote(uri) + ", there is no file '" + path.string() + "'");
+        item.refuse("is in {}, there is no file '{}'", quote(uri), path.string());
     }
     const std::size_t size = std::filesystem::file_size(path, error);
     if (error || size < bytes) {
-        item.refuse("declares " + std::to_string(bytes) + " bytes, '" + path.string() + "' has " +
-                    std::to_string(error ? 0 : size));
+        item.refuse("declares {} bytes, '{}' has {}", bytes, path.string(), std::to_string(error ? 0 : size));
     }
     std::string content(bytes, '\0');
     std::ifstream stream(path, std::ios::binary);
     if (!stream.read(content.data(), static_cast<std::streamsize>(bytes))) {
-        item.refuse("is in '" + path.string() + "', which cannot be read");
+        item.refuse("is in '{}', which cannot be read", path.string());
     }
     return content;
 }
@@ -239,7 +237,7 @@ std::string_view GltfFile::buffer(std::size_t number, const GltfItem& user) {
     } else if (const auto known = buffers_.find(number); known != buffers_.end()) {
         content = known->second;
     } else {
-        if (!uri->is_string()) item.refuse("has uri " + shownJson(*uri) + ", expected a string");
+        if (!uri->is_string()) item.refuse("has uri {}, expected a string", shownJson(*uri));
         const std::string& place = uri->get_ref<const std::string&>();
         const std::size_t comma = place.find(";base64,");
         const bool isInside = place.compare(0, 5, "data:") == 0 && comma != place.npos;
@@ -248,8 +246,7 @@ std::string_view GltfFile::buffer(std::size_t number, const GltfItem& user) {
         bytes_ += content.size();
     }
     if (content.size() < bytes) {
-        item.refuse("declares " + std::to_string(bytes) + " bytes, its data have " +
-                    std::to_string(content.size()));
+        item.refuse("declares {} bytes, its data have {}", bytes, content.size());
     }
     return content.substr(0, bytes);
 }
@@ -260,13 +257,11 @@ std::string_view GltfFile::view(std::size_t number, std::size_t& stride, const G
     const std::size_t first = item.number("byteOffset").value_or(0),
                       bytes = item.requiredNumber("byteLength");
     if (first > whole.size() || bytes > whole.size() - first) {
-        item.refuse("covers bytes " + std::to_string(first) + " to " + std::to_string(first + bytes) +
-                    " of a buffer of " + std::to_string(whole.size()));
+        item.refuse("covers bytes {} to {} of a buffer of {}", first, first + bytes, whole.size());
     }
     const std::optional<std::size_t> stated = item.number("byteStride");
     if (stated && (*stated < stride || *stated > 252)) {
-        item.refuse("has byteStride " + std::to_string(*stated) + ", expected " + std::to_string(stride) +
-                    " to 252 for " + user.name);
+        item.refuse("has byteStride {}, expected {} to 252 for {}", *stated, stride, user.name);
     }
     stride = stated.value_or(stride);
     return whole.substr(first, bytes);
@@ -275,8 +270,7 @@ std::string_view GltfFile::view(std::size_t number, std::size_t& stride, const G
 void GltfFile::setRows(GltfRows& rows, const GltfItem& item, const GltfItem& owner) {
     const std::size_t component = sizeOf(rows.componentType);
     if (component == 0) {
-        owner.refuse("has componentType " + std::to_string(rows.componentType) +
-                     ", expected 5120 to 5123, 5125 or 5126");
+        owner.refuse("has componentType {}, expected 5120 to 5123, 5125 or 5126", rows.componentType);
     }
     const std::optional<std::size_t> number = item.number("bufferView");
     if (!number) return;
@@ -287,8 +281,7 @@ void GltfFile::setRows(GltfRows& rows, const GltfItem& item, const GltfItem& own
     const std::size_t left = first > bytes.size() ? 0 : bytes.size() - first;
     const std::size_t fitting = left < row ? 0 : (left - row) / rows.stride + 1;
     if (rows.count > fitting) {
-        item.refuse("has " + std::to_string(rows.count) + " elements, bufferView " + std::to_string(*number) +
-                    " has room for " + std::to_string(fitting));
+        item.refuse("has {} elements, bufferView {} has room for {}", rows.count, *number, fitting);
     }
     rows.data = bytes.data() + std::min(first, bytes.size());
 }
@@ -301,8 +294,7 @@ void GltfFile::readSparse(GltfAccessor& accessor, const GltfItem& sparse) {
     indices.width = 1;
     indices.componentType = at->requiredNumber("componentType");
     if (indices.componentType != 5121 && indices.componentType != 5123 && indices.componentType != 5125) {
-        at->refuse("have componentType " + std::to_string(indices.componentType) +
-                   ", expected 5121, 5123 or 5125");
+        at->refuse("have componentType {}, expected 5121, 5123 or 5125", indices.componentType);
     }
     at->requiredNumber("bufferView");
     setRows(indices, *at, *at);
@@ -315,8 +307,8 @@ void GltfFile::readSparse(GltfAccessor& accessor, const GltfItem& sparse) {
     double least = 0;
     for (const double number : numbers) {
         if (!(number >= least && number < double(accessor.count))) {
-            at->refuse("have " + shownJson(json(number)) +
-                       ", expected whole numbers that rise and are below " + std::to_string(accessor.count));
+            at->refuse("have {}, expected whole numbers that rise and are below {}", shownJson(json(number)),
+                       accessor.count);
         }
         accessor.replaced.push_back(static_cast<std::size_t>(number));
         least = number + 1;
@@ -326,8 +318,7 @@ void GltfFile::readSparse(GltfAccessor& accessor, const GltfItem& sparse) {
 GltfAccessor GltfFile::accessor(std::size_t number, const std::string& type, const GltfItem& user) {
     const GltfItem item = this->item("accessors", number, user);
     const std::string ownType = item.text("type").value_or("");
-    if (ownType != type)
-        item.refuse("has type " + quote(ownType) + ", expected " + type + " for " + user.name);
+    if (ownType != type) item.refuse("has type {}, expected {} for {}", quote(ownType), type, user.name);
     GltfAccessor accessor;
     accessor.number = number;
     accessor.count = item.requiredNumber("count");
@@ -335,14 +326,12 @@ GltfAccessor GltfFile::accessor(std::size_t number, const std::string& type, con
     accessor.componentType = item.requiredNumber("componentType");
     accessor.isNormalized = item.flag("normalized");
     if (accessor.isNormalized && sizeOf(accessor.componentType) == 4) {
-        item.refuse("is normalized with componentType " + std::to_string(accessor.componentType) +
-                    ", expected 5120 to 5123");
+        item.refuse("is normalized with componentType {}, expected 5120 to 5123", accessor.componentType);
     }
     setRows(accessor, item, item);
     if (const std::optional<GltfItem> sparse = item.object("sparse")) readSparse(accessor, *sparse);
     if (!accessor.data && accessor.count > bytes_) {
-        item.refuse("has " + std::to_string(accessor.count) + " elements without data, the file has " +
-                    std::to_string(bytes_) + " bytes");
+        item.refuse("has {} elements without data, the file has {} bytes", accessor.count, bytes_);
     }
     return accessor;
 }

@@ -1,5 +1,6 @@
 #include "mesh/read/gltf_item.h"
 
+#include <fmt/format.h>
 #include <cmath>
 
 #include "core/text.h"
@@ -14,7 +15,7 @@ constexpr double kMostWhole = 9007199254740992;  ///< 2^53: doubles above it ski
 
 [[noreturn]] void refuseField(const GltfItem& item, const char* key, const json& value,
                               const char* expected) {
-    item.refuse("has " + std::string(key) + " " + shownJson(value) + ", expected " + expected);
+    item.refuse("has {} {}, expected {}", key, shownJson(value), expected);
 }
 
 std::size_t wholeNumber(const GltfItem& item, const char* key, const json& value) {
@@ -48,8 +49,7 @@ std::string shownJson(const json& value) {
 
 GltfItem namedItem(const GltfItem& parent, const json& value, std::string name) {
     GltfItem item{parent.mesh, &value, std::move(name)};
-    if (!value.is_object())
-        parent.mesh->refuse(item.name + " is " + shownJson(value) + ", expected an object");
+    if (!value.is_object()) parent.mesh->refuse("{} is {}, expected an object", item.name, shownJson(value));
     const json* const ownName = item.find("name");
     if (ownName && ownName->is_string()) item.name += " " + quote(ownName->get_ref<const std::string&>());
     return item;
@@ -96,8 +96,7 @@ std::vector<double> GltfItem::numbers(const char* key, std::size_t count) const 
         return value.get<double>();
     });
     if (count > 0 && find(key) && values.size() != count) {
-        refuse("has " + std::to_string(values.size()) + " numbers as " + key + ", expected " +
-               std::to_string(count));
+        refuse("has {} numbers as {}, expected {}", values.size(), key, count);
     }
     return values;
 }
@@ -113,20 +112,20 @@ std::vector<std::string> GltfItem::texts(const char* key) const {
 std::optional<GltfItem> GltfItem::object(const char* key) const {
     const nlohmann::json* const value = find(key);
     if (!value) return {};
-    return namedItem(*this, *value, std::string(key) + " of " + name);
+    return namedItem(*this, *value, fmt::format("{} of {}", key, name));
 }
 
 std::vector<GltfItem> GltfItem::objects(const char* key, const char* kind) const {
     std::size_t number = 0;
     return listOf<GltfItem>(*this, key, [&](const nlohmann::json& value) {
-        return namedItem(*this, value, std::string(kind) + " " + std::to_string(number++) + " of " + name);
+        return namedItem(*this, value, fmt::format("{} {} of {}", kind, number++, name));
     });
 }
 
 std::optional<GltfItem> GltfItem::extension(const char* extensionName) const {
     const std::optional<GltfItem> extensions = object("extensions");
     if (!extensions || !extensions->find(extensionName)) return {};
-    return namedItem(*this, *extensions->find(extensionName), std::string(extensionName) + " of " + name);
+    return namedItem(*this, *extensions->find(extensionName), fmt::format("{} of {}", extensionName, name));
 }
 
 std::string GltfItem::extensionNames() const {

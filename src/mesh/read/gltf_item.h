@@ -17,7 +17,11 @@ struct GltfItem {
     std::string name;  ///< for messages, such as "node 3 'bracket'"
 
     /// Refuses the file. The reason follows the name: "has mesh ...".
-    [[noreturn]] void refuse(const std::string& reason) const { mesh->refuse(name + " " + reason); }
+    [[noreturn]] void refuse(const std::string& reason) const { mesh->refuse("{} {}", name, reason); }
+    template <class... Values>
+    [[noreturn]] void refuse(fmt::format_string<Values...> reason, Values&&... values) const {
+        refuse(fmt::format(reason, std::forward<Values>(values)...));
+    }
 
     /// The field, or null if it is missing.
     const nlohmann::json* find(const char* key) const;

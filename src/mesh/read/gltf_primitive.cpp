@@ -1,5 +1,6 @@
 #include "mesh/read/gltf_primitive.h"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -28,17 +29,16 @@ std::size_t countLines(std::size_t mode, std::size_t corners) {
 void requireCount(const GltfAccessor& accessor, const char* role, std::size_t vertices,
                   const GltfItem& item) {
     if (accessor.count == vertices) return;
-    item.refuse("has " + std::to_string(accessor.count) + " rows of " + role + " in accessor " +
-                std::to_string(accessor.number) + ", expected " + std::to_string(vertices) +
-                " as its primitive has vertices");
+    item.refuse("has {} rows of {} in accessor {}, expected {} as its primitive has vertices", accessor.count,
+                role, accessor.number, vertices);
 }
 
 /// Without data, an accessor's numbers are 0, unless an extension has them.
 void requireData(const GltfAccessor& accessor, const GltfItem& primitive) {
     const std::string extensions = accessor.hasData() ? "" : primitive.extensionNames();
     if (extensions.empty()) return;
-    primitive.refuse("has the data of accessor " + std::to_string(accessor.number) +
-                     " only in an extension, which is not read: " + extensions);
+    primitive.refuse("has the data of accessor {} only in an extension, which is not read: {}",
+                     accessor.number, extensions);
 }
 
 }  // namespace
@@ -77,8 +77,8 @@ void GltfComponent::findTargets(Vertices& vertices, const GltfItem& primitive) {
     if (weights.empty()) return;
     const std::vector<GltfItem> targets = primitive.objects("targets", "target");
     if (weights.size() != targets.size()) {
-        primitive.refuse("has " + std::to_string(targets.size()) + " morph targets, its mesh or node has " +
-                         std::to_string(weights.size()) + " weights");
+        primitive.refuse("has {} morph targets, its mesh or node has {} weights", targets.size(),
+                         weights.size());
     }
     for (std::size_t i = 0; i < weights.size(); ++i) {
         const std::optional<std::size_t> number = targets[i].number("POSITION");
@@ -90,14 +90,12 @@ void GltfComponent::findTargets(Vertices& vertices, const GltfItem& primitive) {
 
 void GltfComponent::findJoints(Vertices& vertices, const GltfItem& attributes) {
     for (std::size_t set = 0;; ++set) {
-        const std::string joints = "JOINTS_" + std::to_string(set),
-                          weights = "WEIGHTS_" + std::to_string(set);
+        const std::string joints = fmt::format("JOINTS_{}", set), weights = fmt::format("WEIGHTS_{}", set);
         const std::optional<std::size_t> jointsNumber = attributes.number(joints.c_str());
         const std::optional<std::size_t> weightsNumber = attributes.number(weights.c_str());
         if (!jointsNumber && !weightsNumber && set > 0) return;
         if (!jointsNumber || !weightsNumber) {
-            attributes.refuse("lack " + (jointsNumber ? weights : joints) + ", which " + showing_.skin +
-                              " needs");
+            attributes.refuse("lack {}, which {} needs", jointsNumber ? weights : joints, showing_.skin);
         }
         vertices.joints.push_back(file_.accessor(*jointsNumber, "VEC4", attributes));
         vertices.weights.push_back(file_.accessor(*weightsNumber, "VEC4", attributes));
@@ -108,14 +106,13 @@ void GltfComponent::findJoints(Vertices& vertices, const GltfItem& attributes) {
 
 GltfComponent::Corners GltfComponent::cornersOf(const GltfItem& primitive, const Vertices& vertices) {
     Corners corners{primitive.number("mode").value_or(kTriangles), vertices.positions.count, {}};
-    if (corners.mode > kFan)
-        primitive.refuse("has mode " + std::to_string(corners.mode) + ", expected 0 to 6");
+    if (corners.mode > kFan) primitive.refuse("has mode {}, expected 0 to 6", corners.mode);
     if (const std::optional<std::size_t> number = primitive.number("indices")) {
         corners.indices = file_.accessor(*number, "SCALAR", primitive);
         const std::size_t type = corners.indices->componentType;
         if (type != 5121 && type != 5123 && type != 5125) {
-            primitive.refuse("has indices of componentType " + std::to_string(type) + " in accessor " +
-                             std::to_string(*number) + ", expected 5121, 5123 or 5125");
+            primitive.refuse("has indices of componentType {} in accessor {}, expected 5121, 5123 or 5125",
+                             type, *number);
         }
         corners.indices->isNormalized = false;
         requireData(*corners.indices, primitive);
@@ -125,8 +122,8 @@ GltfComponent::Corners GltfComponent::cornersOf(const GltfItem& primitive, const
         corners.mode == kTriangles ? corners.count % 3 != 0 : corners.count == 1 || corners.count == 2;
     if (corners.mode >= kTriangles && isCut) {
         primitive.refuse(
-            "has " + std::to_string(corners.count) + " corners, expected " +
-            (corners.mode == kTriangles ? "three for each triangle" : "at least 3 in a strip or fan"));
+            "has {} corners, expected {}", corners.count,
+            corners.mode == kTriangles ? "three for each triangle" : "at least 3 in a strip or fan");
     }
     return corners;
 }
@@ -156,11 +153,11 @@ void GltfComponent::bend(const Vertices& vertices, std::size_t first, std::size_
         for (std::size_t i = 0; i < 4 * rows; ++i) {
             if (weights[i] == 0) continue;
             if (!(joints[i] >= 0 && joints[i] < double(showing_.joints.size()) && weights[i] > 0)) {
-                mesh_.refuse("vertex " + std::to_string(first + i / 4) + " of " + vertices.name +
-                             " has joint " + shortNumber(joints[i]) + " with weight " +
-                             shortNumber(weights[i]) + ", expected one of the " +
-                             std::to_string(showing_.joints.size()) + " joints of " + showing_.skin +
-                             " and a weight above 0");
+                mesh_.refuse(
+                    "vertex {} of {} has joint {} with weight {}, expected one of the {} joints of {} and a "
+                    "weight above 0",
+                    first + i / 4, vertices.name, shortNumber(joints[i]), shortNumber(weights[i]),
+                    showing_.joints.size(), showing_.skin);
             }
             sums[i / 4] += weights[i];
             bent[i / 4] += weights[i] * showing_.joints[static_cast<std::size_t>(joints[i])](points[i / 4]);
@@ -168,8 +165,8 @@ void GltfComponent::bend(const Vertices& vertices, std::size_t first, std::size_
     }
     for (std::size_t i = 0; i < rows; ++i) {
         if (!(std::fabs(sums[i] - 1) <= kWeightSum)) {
-            mesh_.refuse("vertex " + std::to_string(first + i) + " of " + vertices.name +
-                         " has skin weights whose sum is " + shortNumber(sums[i]) + ", expected 1");
+            mesh_.refuse("vertex {} of {} has skin weights whose sum is {}, expected 1", first + i,
+                         vertices.name, shortNumber(sums[i]));
         }
         points[i] = bent[i] / sums[i];
     }
@@ -206,10 +203,8 @@ void GltfComponent::readCorners(const Vertices& vertices, const Corners& corners
     const double count = double(vertices.positions.count);
     for (std::size_t i = 0; i < rows; ++i) {
         if (!(indices[i] < count)) {
-            mesh_.refuse(vertices.name + " has index " + shortNumber(indices[i]) + " at position " +
-                         std::to_string(first + i) + " of accessor " +
-                         std::to_string(corners.indices->number) + ", it has " + shortNumber(count) +
-                         " vertices");
+            mesh_.refuse("{} has index {} at position {} of accessor {}, it has {} vertices", vertices.name,
+                         shortNumber(indices[i]), first + i, corners.indices->number, shortNumber(count));
         }
         const auto index = static_cast<std::uint32_t>(indices[i]);
         places[i] = added.isWhole ? added.first + index : placeOf(vertices, index, added);

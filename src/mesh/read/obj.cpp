@@ -1,5 +1,6 @@
 // Wavefront OBJ: polygons with their groups and objects. Free-form surfaces are refused.
 // Source: Wavefront's Advanced Visualizer manual, appendix B1.
+#include <fmt/format.h>
 #include <algorithm>
 #include <iterator>
 #include <vector>
@@ -46,7 +47,7 @@ class ObjFile {
 
   private:
     void readVertex(Scanner& scanner) {
-        const auto name = [&] { return "vertex " + std::to_string(mesh_.vertexCount() + 1); };
+        const auto name = [&] { return fmt::format("vertex {}", mesh_.vertexCount() + 1); };
         scanner.joinLines(true);
         double numbers[7] = {};
         int count = 0;
@@ -55,10 +56,11 @@ class ObjFile {
         // The others are a colour, or the weight with which only free-form surfaces use the vertex.
         const bool isKnown = count == 3 || count == 6 || count == 7 || (count == 4 && numbers[3] == 1);
         if (!isKnown || !scanner.isAtLineEnd()) {
-            scanner.refuse(name() + " has " + std::to_string(count) + " numbers" +
-                           (count == 4 ? ", the last of which is " + shortNumber(numbers[3]) : "") +
-                           ", then " + quote(scanner.restOfLine()) +
-                           ", expected 3, or 4 of which the last is 1, or 6 or 7 with a colour");
+            scanner.refuse(
+                "{} has {} numbers{}, then {}, expected 3, or 4 of which the last is 1, or 6 or 7 with a "
+                "colour",
+                name(), count, count == 4 ? ", the last of which is " + shortNumber(numbers[3]) : "",
+                quote(scanner.restOfLine()));
         }
         scanner.joinLines(false);
         mesh_.addVertex({numbers[0], numbers[1], numbers[2]});
@@ -101,8 +103,7 @@ class ObjFile {
         while (!scanner.isAtLineEnd()) corners_.push_back(readCorner(scanner));
         scanner.joinLines(false);
         if (corners_.size() < 3) {
-            scanner.refuse(faceName() + " has " + std::to_string(corners_.size()) +
-                           " corners, expected at least 3");
+            scanner.refuse("{} has {} corners, expected at least 3", faceName(), corners_.size());
         }
         mesh_.addFace(corners_.data(), corners_.size());
     }
@@ -118,15 +119,15 @@ class ObjFile {
         const auto count = std::int64_t(mesh_.vertexCount());
         const std::int64_t place = number > 0 ? number - 1 : std::int64_t(verticesBefore_) + number;
         if (number == 0 || place < 0 || place >= count) {
-            scanner.refuse(faceName() + " refers to vertex " + std::to_string(number) + ", expected 1 to " +
-                           std::to_string(count) +
-                           ", or a negative number that counts back from the latest of " +
-                           std::to_string(verticesBefore_));
+            scanner.refuse(
+                "{} refers to vertex {}, expected 1 to {}, or a negative number that counts back from the "
+                "latest of {}",
+                faceName(), number, count, verticesBefore_);
         }
         return static_cast<std::uint32_t>(place);
     }
 
-    std::string faceName() const { return "face " + std::to_string(faces_); }
+    std::string faceName() const { return fmt::format("face {}", faces_); }
 
     std::string_view bytes_;
     MeshCollector& mesh_;

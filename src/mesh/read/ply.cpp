@@ -1,5 +1,6 @@
 // PLY, as text and binary in both byte orders: faces and triangle strips over vertices; other elements are passed over.
 // Source: Turk, The PLY polygon file format, 1994.
+#include <fmt/format.h>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -63,8 +64,9 @@ const NumberType& typeNamed(std::string_view name, const Scanner& scanner) {
     for (const NumberType& type : kNumberTypes) {
         if (name == type.name || name == type.otherName) return type;
     }
-    scanner.refuse("a property has the type " + quote(name) +
-                   ", expected char, uchar, short, ushort, int, uint, float or double");
+    scanner.refuse(
+        "a property has the type {}, expected char, uchar, short, ushort, int, uint, float or double",
+        quote(name));
 }
 
 Form readForm(Scanner& scanner) {
@@ -72,16 +74,15 @@ Form readForm(Scanner& scanner) {
     if (word == "ascii") return Form::kText;
     if (word == "binary_little_endian") return Form::kLittle;
     if (word == "binary_big_endian") return Form::kBig;
-    scanner.refuse("the format is " + quote(word) +
-                   ", expected ascii, binary_little_endian or binary_big_endian");
+    scanner.refuse("the format is {}, expected ascii, binary_little_endian or binary_big_endian",
+                   quote(word));
 }
 
 Element readElement(Scanner& scanner) {
     Element element;
     element.name = scanner.word();
     const std::int64_t count = scanner.integer([&] { return "element " + quote(element.name); });
-    if (count < 0)
-        scanner.refuse("element " + quote(element.name) + " has the count " + std::to_string(count));
+    if (count < 0) scanner.refuse("element {} has the count {}", quote(element.name), count);
     element.count = std::size_t(count);
     return element;
 }
@@ -104,7 +105,7 @@ Header readHeader(Scanner& scanner) {
     bool hasForm = false;
     const std::string_view magic = scanner.word();
     if (magic != "ply" && magic != "PLY")
-        scanner.refuse("the header begins with " + quote(magic) + ", expected ply");
+        scanner.refuse("the header begins with {}, expected ply", quote(magic));
     const bool endsWithReturn = scanner.isAt('\r') && scanner.bytesLeft() > 1 && scanner.at()[1] != '\n';
     for (std::string_view word; word != "end_header";) {
         scanner.nextLine();
@@ -119,8 +120,8 @@ Header readHeader(Scanner& scanner) {
             header.elements.back().properties.push_back(readProperty(scanner));
         } else if (!header.elements.empty() && !word.empty() && word != "comment" && word != "obj_info" &&
                    word != "end_header") {  // before the first element, writers forget the word comment
-            scanner.refuse("the header has " + quote(word) +
-                           ", expected element, its properties, comment or end_header");
+            scanner.refuse("the header has {}, expected element, its properties, comment or end_header",
+                           quote(word));
         }
     }
     if (!hasForm) scanner.refuse("the header has no format");
@@ -158,14 +159,14 @@ class PlyData {
             return std::count_if(rows.begin(), rows.end(), [&](const auto& row) { return row.name == name; });
         };
         if (count(header_.elements, element.name) > 1)
-            mesh_.refuse("it has two elements " + quote(element.name) + ", expected one");
+            mesh_.refuse("it has two elements {}, expected one", quote(element.name));
         for (const Property& property : element.properties) {
             if (count(element.properties, property.name) == 1) continue;
-            mesh_.refuse("element " + quote(element.name) + " has two properties " + quote(property.name) +
-                         ", expected one");
+            mesh_.refuse("element {} has two properties {}, expected one", quote(element.name),
+                         quote(property.name));
         }
         if (count(element.properties, "vertex_index") + count(element.properties, "vertex_indices") > 1) {
-            mesh_.refuse("element " + quote(element.name) + " has two lists of vertices, expected one");
+            mesh_.refuse("element {} has two lists of vertices, expected one", quote(element.name));
         }
     }
 
@@ -177,11 +178,10 @@ class PlyData {
             least += isText_ ? 2 : (property.countType ? property.countType : property.type)->bytes;
         }
         const std::string stated =
-            "element " + quote(element.name) + " has the count " + std::to_string(element.count);
+            fmt::format("element {} has the count {}", quote(element.name), element.count);
         if (least == 0) mesh_.refuse(stated + " and no property");
         if (element.count > (scanner_.bytesLeft() + 1) / least) {
-            mesh_.refuse(stated + ", and " + std::to_string(scanner_.bytesLeft()) +
-                         " bytes follow the header");
+            mesh_.refuse("{}, and {} bytes follow the header", stated, scanner_.bytesLeft());
         }
     }
 
@@ -196,8 +196,8 @@ class PlyData {
         } else {
             const std::size_t none = element.properties.size();
             if (element.find("vertex_indices", "vertex_index") < none) {
-                mesh_.refuse("element " + quote(kind) +
-                             " has a list of vertices, expected it of face or tristrips only");
+                mesh_.refuse("element {} has a list of vertices, expected it of face or tristrips only",
+                             quote(kind));
             }
             forEachRow(element, none, [] {});
         }
@@ -218,7 +218,7 @@ class PlyData {
     void readFaces(const Element& element, bool areFaces) {
         const std::size_t place = element.find("vertex_indices", "vertex_index");
         if (place == element.properties.size() || !element.properties[place].countType) {
-            mesh_.refuse("element " + quote(element.name) + " lacks the list vertex_indices");
+            mesh_.refuse("element {} lacks the list vertex_indices", quote(element.name));
         }
         std::vector<std::size_t>& ends = areFaces ? faceEnds_ : stripEnds_;
         std::vector<double>& corners = areFaces ? faceCorners_ : stripCorners_;
@@ -234,7 +234,7 @@ class PlyData {
     void forEachRow(const Element& element, std::size_t listPlace, const Use& use) {
         numbers_.resize(element.properties.size());
         for (std::size_t row = 0; row < element.count; ++row) {
-            const auto name = [&] { return element.name + " " + std::to_string(row); };
+            const auto name = [&] { return fmt::format("{} {}", element.name, row); };
             if (isText_ && !scanner_.skipSpace()) refuseCut(name());
             for (std::size_t i = 0; i < element.properties.size(); ++i) {
                 const Property& property = element.properties[i];
@@ -245,7 +245,7 @@ class PlyData {
                 }
             }
             if (isText_ && !scanner_.isAtLineEnd()) {
-                scanner_.refuse(name() + " has " + quote(scanner_.word()) + " after its properties");
+                scanner_.refuse("{} has {} after its properties", name(), quote(scanner_.word()));
             }
             if (isText_) scanner_.nextLine();
             use();
@@ -256,8 +256,8 @@ class PlyData {
     void readList(const Property& property, bool isKept, const Name& name) {
         const double count = readNumber(*property.countType, name);
         if (!(count >= 0) || count != std::floor(count) || count > double(scanner_.bytesLeft())) {
-            mesh_.refuse(name() + " has a list of " + shortNumber(count) + " values, and " +
-                         std::to_string(scanner_.bytesLeft()) + " bytes follow");
+            mesh_.refuse("{} has a list of {} values, and {} bytes follow", name(), shortNumber(count),
+                         scanner_.bytesLeft());
         }
         if (isKept) list_.clear();
         for (std::size_t i = 0; i < std::size_t(count); ++i) {
@@ -278,7 +278,7 @@ class PlyData {
     }
 
     [[noreturn]] void refuseCut(const std::string& where) const {
-        mesh_.refuse("the file ends at " + where + ", expected the rows that its header states");
+        mesh_.refuse("the file ends at {}, expected the rows that its header states", where);
     }
 
     /// Faces wait until now, because they may precede the vertices.
@@ -289,7 +289,7 @@ class PlyData {
             corners.clear();
             for (std::size_t i = first; i < faceEnds_[face]; ++i)
                 corners.push_back(corner(faceCorners_[i], face, "face "));
-            if (corners.empty()) mesh_.refuse("face " + std::to_string(face) + " has no corner");
+            if (corners.empty()) mesh_.refuse("face {} has no corner", face);
             mesh_.addFace(corners.data(), corners.size());
         }
         first = 0;
@@ -315,8 +315,8 @@ class PlyData {
     std::uint32_t corner(double index, std::size_t row, const char* element) const {
         if (index >= 0 && index < double(mesh_.vertexCount()) && index == std::floor(index))
             return static_cast<std::uint32_t>(index);
-        mesh_.refuse(element + std::to_string(row) + " refers to vertex " + shortNumber(index) +
-                     ", expected one below " + std::to_string(mesh_.vertexCount()));
+        mesh_.refuse("{}{} refers to vertex {}, expected one below {}", element, row, shortNumber(index),
+                     mesh_.vertexCount());
     }
 
     Scanner scanner_;

@@ -126,8 +126,10 @@ class Scanner {
     }
 
     /// Refuses the file because of what stands in this line.
-    [[noreturn]] void refuse(const std::string& reason) const {
-        mesh_.refuse("line " + std::to_string(line_) + ": " + reason);
+    [[noreturn]] void refuse(const std::string& reason) const { mesh_.refuse("line {}: {}", line_, reason); }
+    template <class... Values>
+    [[noreturn]] void refuse(fmt::format_string<Values...> reason, Values&&... values) const {
+        refuse(fmt::format(reason, std::forward<Values>(values)...));
     }
 
   protected:
@@ -155,7 +157,7 @@ class Scanner {
     template <class What>
     [[noreturn]] void refuseWord(const What& what, const char* expected) {
         const std::string_view found = word();
-        refuse(what() + (found.empty() ? " ends too soon" : " has " + quote(found)) + ", expected " +
+        refuse("{}{}, expected {}", what(), found.empty() ? " ends too soon" : " has " + quote(found),
                expected);
     }
 

@@ -1,4 +1,5 @@
 // STL, as text and binary. Each facet is a triangle of its own; equal corners are welded when a tree is built.
+#include <fmt/format.h>
 #include <algorithm>
 #include <array>
 #include <cstring>
@@ -46,8 +47,7 @@ class StlText {
     void read() {
         while (scanner_.skipSpace()) {
             const std::string word = lower(scanner_.word());
-            if (word != "solid")
-                scanner_.refuse(quote(word) + " stands after " + place() + ", expected solid");
+            if (word != "solid") scanner_.refuse("{} stands after {}, expected solid", quote(word), place());
             mesh_.beginComponent(scanner_.restOfLine());
             while (readFacet()) continue;
             scanner_.nextLine();  // the solid's name stands there again
@@ -93,16 +93,15 @@ class StlText {
             std::string word = lower(scanner_.word());
             if (isKeyword(word)) return followsVertex_ = false, word;
             if (followsVertex_)
-                scanner_.refuse("a vertex of " + place() + " has " + quote(word) +
-                                " after its three numbers");
+                scanner_.refuse("a vertex of {} has {} after its three numbers", place(), quote(word));
         }
         followsVertex_ = false;
-        if (!scanner_.skipSpace()) scanner_.refuse("the file ends at " + place() + ", expected endsolid");
+        if (!scanner_.skipSpace()) scanner_.refuse("the file ends at {}, expected endsolid", place());
         return lower(scanner_.word());
     }
 
     [[noreturn]] void refuseWord(const std::string& word, const std::string& expected) {
-        scanner_.refuse(place() + " has " + quote(word) + ", expected " + expected);
+        scanner_.refuse("{} has {}, expected {}", place(), quote(word), expected);
     }
 
     static bool isKeyword(const std::string& word) {
@@ -111,7 +110,7 @@ class StlText {
         return std::find(std::begin(kKeywords), std::end(kKeywords), word) != std::end(kKeywords);
     }
 
-    std::string place() const { return "facet " + std::to_string(facets_); }
+    std::string place() const { return fmt::format("facet {}", facets_); }
 
     Scanner scanner_;
     MeshCollector& mesh_;
@@ -123,15 +122,15 @@ void readBinary(std::string_view bytes, MeshCollector& mesh) {
     const std::string_view start = bytes.substr(0, kStart);
     if (std::all_of(start.begin(), start.end(), [](unsigned char c) { return c >= 9; })) {
         const std::vector<std::string_view> all = words(start);
-        mesh.refuse("its text begins with " + quote(all.empty() ? "" : all[0]) + ", expected solid");
+        mesh.refuse("its text begins with {}, expected solid", quote(all.empty() ? "" : all[0]));
     }
-    const std::string cut = "it ends after " + std::to_string(bytes.size()) + " bytes of ";
+    const std::string cut = fmt::format("it ends after {} bytes of ", bytes.size());
     if (bytes.size() < kStart) mesh.refuse(cut + "the 84 with which a binary STL file begins");
     const std::size_t count = statedTriangles(bytes), whole = kStart + kFacet * count;
     if (bytes.size() < whole) {
-        mesh.refuse(cut + std::to_string(whole) + ", which its " + std::to_string(count) + " triangles take");
+        mesh.refuse("{}{}, which its {} triangles take", cut, whole, count);
     }
-    mesh.acceptTail(bytes.substr(whole), kFacet - 1, "its " + std::to_string(count) + " triangles");
+    mesh.acceptTail(bytes.substr(whole), kFacet - 1, fmt::format("its {} triangles", count));
     mesh.reserve(3 * count, count);
     for (std::size_t facet = 0; facet < count; ++facet) {
         float corners[9];

@@ -1,6 +1,7 @@
 // Reads 3MF files: zip archives of models in XML, whose build places objects made of triangles or of other objects.
 // Material that an extension adds (beam lattices, booleans, slices) is refused by name, because it would be missing.
 // Source: 3MF Core Specification 1.3, Production Extension 1.1.2, Slice Extension 1.0.2.
+#include <fmt/format.h>
 #include <map>
 #include <unordered_set>
 
@@ -27,7 +28,7 @@ struct Object {
     xml_node node;
 
     std::string text() const {
-        return "object " + quote(node.attribute("id").value()) + " of " + quote(part.name);
+        return fmt::format("object {} of {}", quote(node.attribute("id").value()), quote(part.name));
     }
 };
 
@@ -58,15 +59,15 @@ class Reader {
             const bool isNamed =
                 std::find(names.begin(), names.end(), localName(child.name())) != names.end();
             if ((space == kCoreSpace && isNamed) || space == kTriangleSetSpace) continue;
-            mesh_.refuse(what + " holds <" + child.name() + ">" +
-                         (space.empty() ? "" : " of " + quoteNamespace(space)) + ", which is not read");
+            mesh_.refuse("{} holds <{}>{}, which is not read", what, child.name(),
+                         space.empty() ? "" : " of " + quoteNamespace(space));
         }
     }
 
     void placeBuild(ModelPart& root, const xml_node& build) {
         requireKnown(build, {"item"}, "the build");
         for (const xml_node item : build) {
-            const std::string what = "item " + std::to_string(items_++) + " of the build";
+            const std::string what = fmt::format("item {} of the build", items_++);
             requireKnown(item, {"metadatagroup"}, what);
             unprintable_ += std::string_view(item.attribute("printable").value()) == "0";
             place(target(root, item, what), transformOf(item, what), nameOf(item));
@@ -78,15 +79,15 @@ class Reader {
         const xml_attribute path = extensionAttribute(reference, "path", kProductionSpace);
         if (!path &&
             reference.find_attribute([](xml_attribute a) { return localName(a.name()) == "path"; })) {
-            mesh_.refuse(what + " has a path, expected it in the namespace " +
+            mesh_.refuse("{} has a path, expected it in the namespace {}", what,
                          quoteNamespace(kProductionSpace));
         }
         ModelPart& part = path ? package_.part(path.value()) : from;
         const auto found =
             part.objects.find(package_.idIn(reference.attribute("objectid"), "the objectid of " + what));
         if (found == part.objects.end()) {
-            mesh_.refuse(what + " refers to object " + quote(reference.attribute("objectid").value()) +
-                         " of " + quote(part.name) + ", which is not there");
+            mesh_.refuse("{} refers to object {} of {}, which is not there", what,
+                         quote(reference.attribute("objectid").value()), quote(part.name));
         }
         return {part, found->second};
     }
@@ -97,8 +98,7 @@ class Reader {
         if (!text) return {};
         const auto m = numbersIn<double>(text.value(), "the transform of " + what, mesh_);
         if (m.size() != 12) {
-            mesh_.refuse("the transform of " + what + " has " + std::to_string(m.size()) +
-                         " numbers, expected 12");
+            mesh_.refuse("the transform of {} has {} numbers, expected 12", what, m.size());
         }
         Placement placement;
         placement.linear << m[0], m[3], m[6], m[1], m[4], m[7], m[2], m[5], m[8];
@@ -122,8 +122,10 @@ class Reader {
         requireKnown(object.node, {"mesh", "components", "metadatagroup"}, object.text());
         const xml_attribute resolution = extensionAttribute(object.node, "meshresolution", kSliceSpace);
         if (resolution && std::string_view(resolution.value()) != "fullres") {
-            mesh_.refuse(object.text() + " has a meshresolution of " + valueOf(resolution) +
-                         ": its slices, which are not read, are finer than its mesh; expected 'fullres'");
+            mesh_.refuse(
+                "{} has a meshresolution of {}: its slices, which are not read, are finer than its mesh; "
+                "expected 'fullres'",
+                object.text(), valueOf(resolution));
         }
         sliced_ += !extensionAttribute(object.node, "slicestackid", kSliceSpace).empty();
         if (extensionAttribute(object.node, "modelresolution", kAlternativesSpace)) {
@@ -139,7 +141,7 @@ class Reader {
         requireKnown(components, {"component"}, object.text());
         std::size_t number = 0;
         for (const xml_node component : components) {
-            const std::string what = "component " + std::to_string(number++) + " of " + object.text();
+            const std::string what = fmt::format("component {} of {}", number++, object.text());
             requireKnown(component, {}, what);
             place(target(object.part, component, what), X_fileObject * transformOf(component, what), name);
         }
@@ -182,18 +184,17 @@ class Reader {
         Number value{};
         const xml_attribute text = node.attribute(attribute);
         if (isNumber(text.value(), value)) return value;
-        mesh_.refuse(attribute + (" of " + what()) + " is " + valueOf(text) + ", expected " +
-                     (std::is_integral_v<Number> ? "the number of a vertex" : "a number"));
+        mesh_.refuse("{} of {} is {}, expected {}", attribute, what(), valueOf(text),
+                     std::is_integral_v<Number> ? "the number of a vertex" : "a number");
     }
 
     void readVertices(const Object& object, const xml_node& list, Shape& shape) const {
         const std::string name = std::string(prefixOf(list.name())) + "vertex";
         for (const xml_node node : list) {
             const auto what = [&] {
-                return "vertex " + std::to_string(shape.vertices.size()) + " of " + object.text();
+                return fmt::format("vertex {} of {}", shape.vertices.size(), object.text());
             };
-            if (name != node.name())
-                mesh_.refuse(what() + " is <" + node.name() + ">, expected <" + name + ">");
+            if (name != node.name()) mesh_.refuse("{} is <{}>, expected <{}>", what(), node.name(), name);
             const auto x = numberIn<double>(node, "x", what);
             const auto y = numberIn<double>(node, "y", what);
             shape.vertices.emplace_back(x, y, numberIn<double>(node, "z", what));
@@ -204,17 +205,15 @@ class Reader {
         const std::string name = std::string(prefixOf(list.name())) + "triangle";
         for (const xml_node node : list) {
             const auto what = [&] {
-                return "triangle " + std::to_string(shape.triangles.size()) + " of " + object.text();
+                return fmt::format("triangle {} of {}", shape.triangles.size(), object.text());
             };
-            if (name != node.name())
-                mesh_.refuse(what() + " is <" + node.name() + ">, expected <" + name + ">");
+            if (name != node.name()) mesh_.refuse("{} is <{}>, expected <{}>", what(), node.name(), name);
             TriangleIndices corners{};
             for (std::size_t i = 0; i < 3; ++i) {
                 constexpr const char* kCorners[] = {"v1", "v2", "v3"};
                 corners[i] = numberIn<std::uint32_t>(node, kCorners[i], what);
                 if (corners[i] < shape.vertices.size()) continue;
-                mesh_.refuse(what() + " refers to vertex " + std::to_string(corners[i]) + " of " +
-                             std::to_string(shape.vertices.size()));
+                mesh_.refuse("{} refers to vertex {} of {}", what(), corners[i], shape.vertices.size());
             }
             shape.triangles.push_back(corners);
         }
@@ -222,8 +221,8 @@ class Reader {
 
     void noteWhatIsSpecial(const ModelPart& root) {
         if (items_ == 0 && !root.objects.empty()) {
-            mesh_.refuse("its build has no item, which leaves out all of its " +
-                         std::to_string(root.objects.size()) + " objects");
+            mesh_.refuse("its build has no item, which leaves out all of its {} objects",
+                         root.objects.size());
         }
         const auto note = [&](std::size_t count, const std::string& text) {
             if (count > 0) mesh_.note(std::to_string(count) + (count == 1 ? " object" : " objects") + text);
@@ -233,7 +232,7 @@ class Reader {
         note(sliced_, " read as a mesh only, without slices that the file has, too");
         note(unprintable_, " placed by items that are marked as not printable");
         for (const auto& [type, count] : types_)
-            note(count, " read of type " + quote(type) + ", not 'model'");
+            note(count, fmt::format(" read of type {}, not 'model'", quote(type)));
         noteSlicerVolumes();
     }
 
@@ -246,7 +245,7 @@ class Reader {
                  {"NegativeVolume", "ParameterModifier", "SupportBlocker", "SupportEnforcer", "negative_part",
                   "modifier_part", "support_blocker", "support_enforcer"}) {
                 if (settings.find('"' + std::string(type) + '"') == std::string::npos) continue;
-                mesh_.note("a slicer's volumes of type " + quote(type) + " are read as if they were solid");
+                mesh_.note("a slicer's volumes of type {} are read as if they were solid", quote(type));
             }
         }
     }

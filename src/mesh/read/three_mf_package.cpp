@@ -1,5 +1,7 @@
 #include "mesh/read/three_mf_package.h"
 
+#include <fmt/format.h>
+
 namespace clearway {
 
 using pugi::xml_attribute;
@@ -75,7 +77,7 @@ ModelPart& ThreeMfPackage::root() {
         if (name.substr(stem) == kModelEnding) names.emplace(name, name);
     }
     if (names.size() == 1) return part(names.begin()->second);
-    mesh_.refuse("the archive starts at " + std::to_string(names.size()) + " 3D models, expected one");
+    mesh_.refuse("the archive starts at {} 3D models, expected one", names.size());
 }
 
 ModelPart& ThreeMfPackage::part(const std::string& name) {
@@ -87,9 +89,9 @@ ModelPart& ThreeMfPackage::part(const std::string& name) {
     part.bytes = archive_.read(name);
     part.model = parseXml(part.document, part.bytes, "part " + quote(name), mesh_);
     if (!isCore(part.model, "model")) {
-        mesh_.refuse("part " + quote(name) + " begins with <" + part.model.name() + "> of " +
-                     quoteNamespace(namespaceOf(part.model, prefixOf(part.model.name()))) +
-                     ", expected <model> of " + quoteNamespace(kCoreSpace));
+        mesh_.refuse("part {} begins with <{}> of {}, expected <model> of {}", quote(name), part.model.name(),
+                     quoteNamespace(namespaceOf(part.model, prefixOf(part.model.name()))),
+                     quoteNamespace(kCoreSpace));
     }
     requireKnownExtensions(part);
     requireSameUnit(part);
@@ -108,7 +110,7 @@ std::size_t ThreeMfPackage::objectCount() const {
 std::int64_t ThreeMfPackage::idIn(const xml_attribute& attribute, const std::string& what) const {
     std::int64_t id = 0;
     if (isNumber(attribute.value(), id)) return id;
-    mesh_.refuse(what + " is " + valueOf(attribute) + ", expected a whole number");
+    mesh_.refuse("{} is {}, expected a whole number", what, valueOf(attribute));
 }
 
 void ThreeMfPackage::requireKnownExtensions(const ModelPart& part) const {
@@ -116,8 +118,8 @@ void ThreeMfPackage::requireKnownExtensions(const ModelPart& part) const {
         const std::string_view space = namespaceOf(part.model, std::string(prefix) + ":");
         if (std::find(std::begin(kRead), std::end(kRead), space) != std::end(kRead)) continue;
         mesh_.refuse(
-            "part " + quote(part.name) + " requires the extension " + quote(prefix) + ", " +
-            (space.empty() ? "a prefix that is not bound" : quoteNamespace(space) + ", which is not read"));
+            "part {} requires the extension {}, {}", quote(part.name), quote(prefix),
+            space.empty() ? "a prefix that is not bound" : quoteNamespace(space) + ", which is not read");
     }
 }
 
@@ -125,22 +127,23 @@ void ThreeMfPackage::requireSameUnit(const ModelPart& part) {
     const std::string unit = part.model.attribute("unit").as_string("millimeter");
     const auto known =
         std::find_if(std::begin(kUnits), std::end(kUnits), [&](const Unit& row) { return unit == row.name; });
-    const std::string what = "the unit of part " + quote(part.name) + " is " + quote(unit) + ", expected ";
-    if (known == std::end(kUnits)) mesh_.refuse(what + "one of " + joined(namesOf(kUnits)));
+    const std::string what =
+        fmt::format("the unit of part {} is {}, expected ", quote(part.name), quote(unit));
+    if (known == std::end(kUnits)) mesh_.refuse("{}one of {}", what, joined(namesOf(kUnits)));
     if (unit_.empty()) {
         unit_ = unit;
         mesh_.setUnit(known->metres);
     }
-    if (unit != unit_) mesh_.refuse(what + quote(unit_) + " as in the first part");
+    if (unit != unit_) mesh_.refuse("{}{} as in the first part", what, quote(unit_));
 }
 
 void ThreeMfPackage::indexObjects(ModelPart& part, const xml_node& resources) const {
     for (const xml_node node : resources) {
         if (!isCore(node, "object")) continue;
         const std::int64_t id =
-            idIn(node.attribute("id"), "the id of object " + std::to_string(part.objects.size()));
+            idIn(node.attribute("id"), fmt::format("the id of object {}", part.objects.size()));
         if (part.objects.emplace(id, node).second) continue;
-        mesh_.refuse("id " + std::to_string(id) + " of " + quote(part.name) + " names two objects");
+        mesh_.refuse("id {} of {} names two objects", id, quote(part.name));
     }
 }
 

@@ -32,8 +32,8 @@ inline pugi::xml_node parseXml(pugi::xml_document& document, std::string& bytes,
         pugi::parse_escapes | pugi::parse_cdata | pugi::parse_wconv_attribute | pugi::parse_doctype;
     const pugi::xml_parse_result result = document.load_buffer_inplace(bytes.data(), bytes.size(), kParts);
     if (!result) {
-        mesh.refuse(part + " is not sound XML at byte " + std::to_string(result.offset) + " of " +
-                    std::to_string(bytes.size()) + ": " + result.description());
+        mesh.refuse("{} is not sound XML at byte {} of {}: {}", part, result.offset, bytes.size(),
+                    result.description());
     }
     pugi::xml_node root;
     for (const pugi::xml_node node : document) {
@@ -42,7 +42,7 @@ inline pugi::xml_node parseXml(pugi::xml_document& document, std::string& bytes,
             mesh.refuse(part + " has a DOCTYPE with declarations, expected none");
         }
         if (node.type() != pugi::node_element) continue;
-        if (root) mesh.refuse(part + " has a second root element <" + node.name() + ">, expected one");
+        if (root) mesh.refuse("{} has a second root element <{}>, expected one", part, node.name());
         root = node;
     }
     return root;
@@ -92,8 +92,8 @@ std::vector<Number> numbersIn(std::string_view text, const std::string& what, co
         if (!takeNumber(text, value)) {
             const char* const expected =
                 std::is_integral_v<Number> ? "a whole number, 0 or more" : "a number";
-            mesh.refuse("number " + std::to_string(numbers.size()) + " of " + what + " is " +
-                        quote(text.substr(0, text.find_first_of(" \t\r\n"))) + ", expected " + expected);
+            mesh.refuse("number {} of {} is {}, expected {}", numbers.size(), what,
+                        quote(text.substr(0, text.find_first_of(" \t\r\n"))), expected);
         }
         numbers.push_back(value);
     }
@@ -124,10 +124,10 @@ class PlacementPath {
         if (std::find(nodes_.begin(), nodes_.end(), node) != nodes_.end())
             mesh_.refuse(what + " contains itself");
         if (nodes_.size() == kDeepestNesting) {
-            mesh_.refuse(what + " is nested deeper than " + std::to_string(kDeepestNesting) + " levels");
+            mesh_.refuse("{} is nested deeper than {} levels", what, kDeepestNesting);
         }
         if (++placed_ > kMostPlacements) {
-            mesh_.refuse("it places more than " + std::to_string(kMostPlacements) + " nodes");
+            mesh_.refuse("it places more than {} nodes", kMostPlacements);
         }
         nodes_.push_back(node);
     }

@@ -79,25 +79,25 @@ std::string ZipArchive::read(const std::string& name) {
     }
     bytesRead_ += std::min(stat.size, kMostBytes);
     if (stat.size / kMostExpansion > stat.comp_size || bytesRead_ >= kMostBytes) {
-        mesh_.refuse(part + " states " + std::to_string(stat.size) + " bytes, compressed to " +
-                     std::to_string(stat.comp_size) +
-                     ", expected at most 1032 times as many and 16 GiB in all");
+        mesh_.refuse(
+            "{} states {} bytes, compressed to {}, expected at most 1032 times as many and 16 GiB in all",
+            part, stat.size, stat.comp_size);
     }
     const std::unique_ptr<zip_file_t, int (*)(zip_file_t*)> file(zip_fopen_index(archive_, entry->second, 0),
                                                                  zip_fclose);
-    if (!file) mesh_.refuse(part + " cannot be read: " + zip_strerror(archive_));
+    if (!file) mesh_.refuse("{} cannot be read: {}", part, zip_strerror(archive_));
     std::string bytes(stat.size + 1,
                       '\0');  // one more than is there: only at the end is the checksum compared
     std::size_t size = 0;
     while (size < bytes.size()) {
         const zip_int64_t count = zip_fread(file.get(), &bytes[size], bytes.size() - size);
-        if (count < 0) mesh_.refuse(part + " is damaged: " + zip_file_strerror(file.get()));
+        if (count < 0) mesh_.refuse("{} is damaged: {}", part, zip_file_strerror(file.get()));
         if (count == 0) break;
         size += static_cast<std::size_t>(count);
     }
     if (size != stat.size) {
-        mesh_.refuse(part + " has " + (size < stat.size ? std::to_string(size) : "more") +
-                     " bytes, expected the stated " + std::to_string(stat.size));
+        mesh_.refuse("{} has {} bytes, expected the stated {}", part,
+                     size < stat.size ? std::to_string(size) : "more", stat.size);
     }
     bytes.pop_back();
     return bytes;
