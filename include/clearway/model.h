@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "clearway/build_options.h"
-#include "clearway/build_report.h"
 #include "clearway/mesh.h"
 #include "clearway/types.h"
 

@@ -12,7 +12,6 @@
 #include "clearway/mesh.h"
 #include "clearway/obstacle_groups.h"
 #include "clearway/obstacle_rules.h"
-#include "clearway/outside.h"
 #include "clearway/scene.h"
 #include "clearway/shrink.h"
 #include "clearway/types.h"
@@ -37,6 +36,24 @@ struct PartState {
 /// The pose X_environmentPart of a state. The quaternion is normalised first, so that the rotation's defect
 /// is only rounding. Throws std::invalid_argument when the quaternion has length 0 or is not finite.
 Pose poseOf(const PartState& state);
+
+/// One of the six sides of a box along the axes.
+struct BoxSide {
+    int axis = 0;         ///< 0, 1, 2 for x, y, z
+    bool isUpper = true;  ///< the side of the larger coordinates
+};
+
+/// The name of a side: "+x", "-x", ... "-z".
+std::string nameOf(const BoxSide& side);
+
+/// The side of that name; empty for every other text.
+std::optional<BoxSide> sideNamed(const std::string& name);
+
+/// The part is outside where its box and that of its surroundings are apart or, with a side, where its box is
+/// beyond that side of the other one. Both boxes are along the environment's axes.
+struct Outside {
+    std::optional<BoxSide> side;  ///< the side to leave by; without it any side will do
+};
 
 /// Keys and values as texts, in the order of the file.
 using NamedTexts = std::vector<std::pair<std::string, std::string>>;

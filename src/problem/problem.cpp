@@ -8,6 +8,7 @@
 #include "clearway/obstacle_groups.h"
 #include "core/number.h"
 #include "problem/config.h"
+#include "problem/outside.h"
 #include "problem/rotation.h"
 
 namespace clearway {

@@ -1,4 +1,4 @@
-#include "clearway/planning/plan_setup.h"
+#include "planning/plan/plan_setup.h"
 
 #include <ompl/geometric/planners/AnytimePathShortening.h>
 #include <ompl/util/RandomNumbers.h>

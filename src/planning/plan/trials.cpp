@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <atomic>
 
-#include "clearway/planning/finish.h"
 #include "clearway/planning/ompl_messages.h"
-#include "clearway/planning/plan_setup.h"
 #include "clearway/planning/planners.h"
 #include "clearway/planning/problem_setup.h"
+#include "planning/plan/finish.h"
+#include "planning/plan/plan_setup.h"
 
 namespace clearway::planning {
 namespace {

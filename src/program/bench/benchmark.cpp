@@ -10,9 +10,9 @@
 #include <stdexcept>
 
 #include "clearway/planning/ompl_messages.h"
-#include "clearway/planning/plan_setup.h"
 #include "core/clock.h"
 #include "core/number.h"
+#include "planning/plan/plan_setup.h"
 
 namespace clearway::study {
 namespace {

@@ -19,9 +19,9 @@
 #include <string>
 #include <vector>
 
-#include "clearway/planning/plan_setup.h"
 #include "core/number.h"
 #include "demos/scenes/scene_checks.h"
+#include "planning/plan/plan_setup.h"
 #include "support/full_run.h"
 
 namespace clearway::testing {

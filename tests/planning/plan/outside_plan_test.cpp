@@ -4,11 +4,11 @@
 #include <stdexcept>
 
 #include "clearway/planning/check_path.h"
-#include "clearway/planning/finish.h"
 #include "clearway/planning/outside_goal.h"
 #include "clearway/planning/plan.h"
 #include "clearway/planning/planners.h"
 #include "clearway/planning/problem_setup.h"
+#include "planning/plan/finish.h"
 #include "support/oracle.h"
 #include "support/path_check.h"
 #include "support/window_scene.h"

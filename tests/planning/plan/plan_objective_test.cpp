@@ -4,7 +4,7 @@
 
 #include "clearway/planning/objectives.h"
 #include "clearway/planning/plan.h"
-#include "clearway/planning/plan_setup.h"
+#include "planning/plan/plan_setup.h"
 #include "support/gates_scene.h"
 #include "support/oracle.h"
 #include "support/path_check.h"
