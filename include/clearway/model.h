@@ -19,7 +19,7 @@
 
 namespace clearway {
 
-struct FlatTree;
+struct ModelAccess;
 
 /// The poses X_environmentPart of future queries, with any rotation, and the largest distance from the part
 /// that matters. Lengths in environment units. An environment built for a reach leaves out its triangles
@@ -89,10 +89,8 @@ class Model {
     /// modelKey of the mesh, options and reach that the model was built from, also for a loaded model.
     std::uint64_t key() const;
 
-    /// The tree, for the query layer only.
-    const FlatTree& tree() const;
-
   private:
+    friend struct ModelAccess;
     struct Data;
     explicit Model(std::shared_ptr<const Data> data);
     static std::uint64_t newId();

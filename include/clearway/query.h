@@ -14,6 +14,7 @@
 namespace clearway {
 
 class Model;
+struct WorkspaceAccess;
 
 /// Exact counts of the work of one query.
 struct QueryCounters {
@@ -65,10 +66,10 @@ class Workspace {
     /// The counters of the last query.
     const QueryCounters& counters() const;
 
-    struct State;
-    State& state() { return *state_; }  ///< the memory, for the query layer only
+    struct State;  ///< the memory
 
   private:
+    friend struct WorkspaceAccess;
     std::unique_ptr<State> state_;
 };
 

@@ -3,12 +3,13 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "model/model_data.h"
 #include "tree/flat_tree.h"
 
 namespace clearway {
 
 void requireSameWidth(const Model& part, const Model& environment) {
-    const int partWidth = part.tree().nodeWidth, environmentWidth = environment.tree().nodeWidth;
+    const int partWidth = treeOf(part).nodeWidth, environmentWidth = treeOf(environment).nodeWidth;
     if (partWidth == environmentWidth) return;
     std::ostringstream message;
     message << "the part's nodes have " << partWidth << " children and the environment's " << environmentWidth

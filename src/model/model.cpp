@@ -80,8 +80,4 @@ std::uint64_t Model::key() const {
 std::uint64_t Model::id() const {
     return data_->id;
 }
-const FlatTree& Model::tree() const {
-    return data_->tree;
-}
-
 }  // namespace clearway

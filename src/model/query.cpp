@@ -10,6 +10,7 @@
 #include "clearway/model.h"
 #include "core/number.h"
 #include "model/arguments.h"
+#include "model/model_data.h"
 #include "model/reach.h"
 #include "query/queries.h"
 
@@ -27,7 +28,7 @@ PairQuery beginQuery(const Model& part, const Model& environment, const Pose& X_
     requireWithinReach(part, environment, X_environmentPart);
     state.counters = {};
     state.witnesses.serve(part.id(), environment.id());
-    return preparePairQuery(part.tree(), environment.tree(), X_environmentPart);
+    return preparePairQuery(treeOf(part), treeOf(environment), X_environmentPart);
 }
 
 /// |v|, also if the squares would overflow or vanish.
@@ -57,7 +58,7 @@ double scaledUp(double length, double unit, double perUnit) {
 bool answerWithin(const Model& part, const Model& environment, const Pose& X_environmentPart, double d,
                   Workspace& workspace) {
     requireWithinCap(environment, d);
-    Workspace::State& state = workspace.state();
+    Workspace::State& state = stateOf(workspace);
     const WorkspaceUse use(state);
     const PairQuery query = beginQuery(part, environment, X_environmentPart, state);
     const WithinAnswer answer = anyPairWithin(query, d, state);
@@ -83,7 +84,7 @@ DistanceResult distance(const Model& part, const Model& environment, const Pose&
     requireNotNegative("absoluteError", options.absoluteError);
     requireBound("cap", options.cap);
     const double cap = cappedByReach(environment, options.cap);
-    Workspace::State& state = workspace.state();
+    Workspace::State& state = stateOf(workspace);
     const WorkspaceUse use(state);
     const PairQuery query = beginQuery(part, environment, X_environmentPart, state);
     const double toMeshUnits = std::ldexp(1.0, query.unitExponent);
@@ -113,8 +114,8 @@ DistanceResult distance(const Model& part, const Model& environment, const Pose&
     }
     const bool isContact = answer.pair.contact == Verdict::yes;
     result.distance = isContact ? 0.0 : lengthOf(result.pointOnPart - result.pointOnEnvironment);
-    const std::uint32_t onPart = part.tree().triangleId(answer.triangles.part),
-                        onEnvironment = environment.tree().triangleId(answer.triangles.environment);
+    const std::uint32_t onPart = treeOf(part).triangleId(answer.triangles.part),
+                        onEnvironment = treeOf(environment).triangleId(answer.triangles.environment);
     result.partTriangle = onPart;
     result.environmentTriangle = onEnvironment;
     result.partComponent = static_cast<std::int64_t>(componentOf(part.components(), onPart));

@@ -9,6 +9,7 @@
 #include "clearway/model.h"
 #include "core/number.h"
 #include "model/arguments.h"
+#include "model/model_data.h"
 #include "model/reach.h"
 #include "query/sweep.h"
 
@@ -67,7 +68,7 @@ SweepRequest beginSweep(const Model& part, const Model& environment, const Motio
 SweepAnswer answerTo(const SweepRequest& request, const Model& part, const Model& environment,
                      const MotionPieces& motion, Workspace::State& state) {
     if (!part.reach() && !environment.reach()) {
-        return sweepTrees(part.tree(), environment.tree(), motion, request, state);
+        return sweepTrees(treeOf(part), treeOf(environment), motion, request, state);
     }
     const MotionPieces withinReach = [&](double from, double to) {
         MotionPiece piece = motion(from, to);
@@ -75,14 +76,14 @@ SweepAnswer answerTo(const SweepRequest& request, const Model& part, const Model
         return piece;
     };
     for (const double end : {request.from, request.until}) withinReach(end, end);
-    return sweepTrees(part.tree(), environment.tree(), withinReach, request, state);
+    return sweepTrees(treeOf(part), treeOf(environment), withinReach, request, state);
 }
 
 }  // namespace
 
 SweepResult sweep(const Model& part, const Model& environment, const MotionPieces& motion,
                   const SweepOptions& options, Workspace& workspace) {
-    Workspace::State& state = workspace.state();
+    Workspace::State& state = stateOf(workspace);
     const WorkspaceUse use(state);
     SweepRequest request =
         beginSweep(part, environment, motion, options.margin, options.poseError, options.isStopped, state);
@@ -107,8 +108,8 @@ SweepResult sweep(const Model& part, const Model& environment, const MotionPiece
     if (answer.isContact) {
         result.contactTime = answer.contactTime;
         if (answer.isPair) {
-            result.partTriangle = part.tree().triangleId(answer.contact.part);
-            result.environmentTriangle = environment.tree().triangleId(answer.contact.environment);
+            result.partTriangle = treeOf(part).triangleId(answer.contact.part);
+            result.environmentTriangle = treeOf(environment).triangleId(answer.contact.environment);
         }
     }
     if (options.isForward) {
@@ -140,11 +141,11 @@ PairAtTime nearAtEnds(const Model& part, const Model& environment, const MotionP
         const DistanceResult found = distance(part, environment, piece.middle, options, workspace);
         counters += found.counters;
         if (found.upper - margin < known.clearance) {
-            const Witnesses& witnesses = workspace.state().witnesses;
+            const Witnesses& witnesses = stateOf(workspace).witnesses;
             known = {found.upper - margin, end, witnesses.last};
         }
     }
-    workspace.state().counters = counters;
+    stateOf(workspace).counters = counters;
     return known;
 }
 
@@ -152,7 +153,7 @@ PairAtTime nearAtEnds(const Model& part, const Model& environment, const MotionP
 
 LeastDistance leastDistance(const Model& part, const Model& environment, const MotionPieces& motion,
                             const LeastDistanceOptions& options, Workspace& workspace) {
-    Workspace::State& state = workspace.state();
+    Workspace::State& state = stateOf(workspace);
     const WorkspaceUse use(state);
     SweepRequest request =
         beginSweep(part, environment, motion, options.margin, options.poseError, options.isStopped, state);
@@ -177,11 +178,12 @@ LeastDistance leastDistance(const Model& part, const Model& environment, const M
     const auto& [clearance, time, triangles] = answer.nearest;
     if (clearance < request.cap) {
         result.time = time;
-        const PairQuery query = preparePairQuery(part.tree(), environment.tree(), motion(time, time).middle);
+        const PairQuery query =
+            preparePairQuery(treeOf(part), treeOf(environment), motion(time, time).middle);
         const ResolvedPair nearest = resolvePair(query, triangles);
         result.upper = std::min(clearance, nearest.upper / query.perMeshUnit - options.margin);
-        result.partTriangle = part.tree().triangleId(triangles.part);
-        result.environmentTriangle = environment.tree().triangleId(triangles.environment);
+        result.partTriangle = treeOf(part).triangleId(triangles.part);
+        result.environmentTriangle = treeOf(environment).triangleId(triangles.environment);
         result.pointOnPart = nearest.pointOnPart / query.perMeshUnit;
         result.pointOnEnvironment = nearest.pointOnEnvironment / query.perMeshUnit;
         state.witnesses.serve(part.id(), environment.id());

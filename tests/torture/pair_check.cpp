@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "clearway/model.h"
+#include "model/model_data.h"
 #include "query/queries.h"
 #include "support/query_cases.h"
 #include "support/triangle_distance.h"
@@ -94,7 +95,7 @@ class Check {
 
     void checkFinish() {
         if (posed_.part.triangles.size() != 1 || posed_.environment.triangles.size() != 1) return;
-        const PairQuery query = preparePairQuery(part_.tree(), environment_.tree(), posed_.pose);
+        const PairQuery query = preparePairQuery(treeOf(part_), treeOf(environment_), posed_.pose);
         const ResolvedPair pair = resolvePair(query, {});
         Apart apart;
         for (int k = 0; k < 3; ++k) {
