@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -75,8 +74,7 @@ class Model {
     /// relative excess is at most 1e-6, apart from rounding (1e-14 of radiusAboutOrigin() and of the distance
     /// between the translations). With a cap: if a vertex moves further than the cap, the answer is only
     /// known to be above the cap. Takes a few microseconds.
-    double displacement(const Pose& from, const Pose& to,
-                        double cap = std::numeric_limits<double>::infinity()) const;
+    double displacement(const Pose& from, const Pose& to, std::optional<double> cap = std::nullopt) const;
 
     /// The reach of the model, present only if triangles were left out. Such a model can only be queried as
     /// the environment, with a part and at poses within the reach. Up to the cap its answers are those of the

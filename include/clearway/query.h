@@ -3,8 +3,8 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <memory>
+#include <optional>
 #include <thread>
 
 #include "clearway/types.h"
@@ -91,11 +91,11 @@ struct DistanceOptions {
     /// pose's translation. Both options must be >= 0.
     double relativeError = 0;
     double absoluteError = 0;  ///< environment units; see relativeError
-    /// Distances above the cap do not matter. If the distance is proved larger, then lower >= cap, upper and
+    /// Distances above the cap do not matter; without a cap all do. If the distance is proved larger, then lower >= cap, upper and
     /// distance are infinite, ids are -1 and witness points are NaN. An interval that contains the cap is
     /// answered as if there were no cap; isWithin(cap) decides such a case. Must be >= 0. An environment with
     /// a reach lowers the cap to its own.
-    double cap = std::numeric_limits<double>::infinity();
+    std::optional<double> cap;
 };
 
 /// A distance as an interval: lower <= true distance <= upper. The true distance is the exact distance

@@ -82,8 +82,10 @@ DistanceResult distance(const Model& part, const Model& environment, const Pose&
                         const DistanceOptions& options, Workspace& workspace) {
     requireNotNegative("relativeError", options.relativeError);
     requireNotNegative("absoluteError", options.absoluteError);
-    requireBound("cap", options.cap);
-    const double cap = cappedByReach(environment, options.cap);
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    const double wanted = options.cap.value_or(kInfinity);
+    requireBound("cap", wanted);
+    const double cap = cappedByReach(environment, wanted);
     Workspace::State& state = stateOf(workspace);
     const WorkspaceUse use(state);
     const PairQuery query = beginQuery(part, environment, X_environmentPart, state);
@@ -95,7 +97,6 @@ DistanceResult distance(const Model& part, const Model& environment, const Pose&
     DistanceResult result;
     result.counters = state.counters;
     if (!answer.found) {
-        constexpr double kInfinity = std::numeric_limits<double>::infinity();
         // Triangles that were left out may be nearer than the tree's own bound, but not nearer than the
         // reach's cap.
         result.lower = cappedByReach(

@@ -46,6 +46,10 @@ void requireInRange(double value, const char* name, bool isInRange, const char* 
     throw std::invalid_argument(message.str());
 }
 
+TriangleIds triangleIdsOf(const Model& part, const Model& environment, const TrianglesAt& triangles) {
+    return {treeOf(part).triangleId(triangles.part), treeOf(environment).triangleId(triangles.environment)};
+}
+
 /// Checks the arguments that both questions share, and begins the request.
 SweepRequest beginSweep(const Model& part, const Model& environment, const MotionPieces& motion,
                         double margin, double poseError, const std::function<bool()>& isStopped,
@@ -108,8 +112,7 @@ SweepResult sweep(const Model& part, const Model& environment, const MotionPiece
     if (answer.isContact) {
         result.contactTime = answer.contactTime;
         if (answer.isPair) {
-            result.partTriangle = treeOf(part).triangleId(answer.contact.part);
-            result.environmentTriangle = treeOf(environment).triangleId(answer.contact.environment);
+            result.contact = triangleIdsOf(part, environment, answer.contact);
         }
     }
     if (options.isForward) {
@@ -163,12 +166,12 @@ LeastDistance leastDistance(const Model& part, const Model& environment, const M
     requireNotNegative("resolution.length", resolution.length);
     requireInRange(resolution.least, "resolution.least", resolution.least > 0, "a length above 0");
     request.leastInterval = resolution.least;
-    requireInRange(options.cap, "cap", options.cap >= -options.margin,
-                   "a number of at least minus the margin");
+    const double cap = options.cap.value_or(std::numeric_limits<double>::infinity());
+    requireInRange(cap, "cap", cap >= -options.margin, "a number of at least minus the margin");
     request.goal = SweepGoal::kLeastDistance;
     request.resolution = resolution;
     const double reach = cappedByReach(environment, std::numeric_limits<double>::infinity());
-    request.cap = std::min(options.cap, reach - options.margin - options.poseError);
+    request.cap = std::min(cap, reach - options.margin - options.poseError);
     request.known = nearAtEnds(part, environment, motion, options.margin, request.cap, workspace);
     const SweepAnswer answer = answerTo(request, part, environment, motion, state);
 
@@ -177,15 +180,13 @@ LeastDistance leastDistance(const Model& part, const Model& environment, const M
     result.lower = std::max(answer.lower, -options.margin);
     const auto& [clearance, time, triangles] = answer.nearest;
     if (clearance < request.cap) {
-        result.time = time;
         const PairQuery query =
             preparePairQuery(treeOf(part), treeOf(environment), motion(time, time).middle);
         const ResolvedPair nearest = resolvePair(query, triangles);
         result.upper = std::min(clearance, nearest.upper / query.perMeshUnit - options.margin);
-        result.partTriangle = treeOf(part).triangleId(triangles.part);
-        result.environmentTriangle = treeOf(environment).triangleId(triangles.environment);
-        result.pointOnPart = nearest.pointOnPart / query.perMeshUnit;
-        result.pointOnEnvironment = nearest.pointOnEnvironment / query.perMeshUnit;
+        result.nearest = NearestAlong{time, triangleIdsOf(part, environment, triangles),
+                                      nearest.pointOnPart / query.perMeshUnit,
+                                      nearest.pointOnEnvironment / query.perMeshUnit};
         state.witnesses.serve(part.id(), environment.id());
         state.witnesses.keep(query, triangles, nearest.pointOnPart, nearest.pointOnEnvironment);
     }

@@ -128,16 +128,17 @@ PoseClearance SceneClearance::at(const Pose& X_environmentPart, const ClearanceO
     zones_->findSpares(scene_, X_environmentPart, answer);
     visitAll(scene_.obstacles.size(), mine.nearest, [&](std::size_t i) {
         ClearanceOptions asked = options;
-        asked.cap =
-            std::min(options.cap, answer.upper);  // more than the nearest one so far is of no interest
-        if (asked.cap + scene_.obstacles[i].margin < 0) return true;
+        const double cap =
+            std::min(options.cap.value_or(kFarAway), answer.upper);  // the nearest one so far is enough
+        if (cap + scene_.obstacles[i].margin < 0) return true;
+        asked.cap = cap;
         ZoneClearance* zone = zones_->zoneOf(i, answer);
         if (zone && zone->isIgnored() && zone->spare.lower >= options.leastSpare) return true;
         const Asked found = ask(i, X_environmentPart, asked, mine);
         answer.queries += found.queries;
-        Bounds& least = zone ? zone->clearance : answer.always;
-        const bool isFirst = least.lower == kUnknownClearance;
-        least.lower = isFirst ? found.clearance.lower : std::min(least.lower, found.clearance.lower);
+        if (zone && !zone->clearance) zone->clearance.emplace();
+        Bounds& least = zone ? *zone->clearance : answer.always;
+        least.lower = std::min(least.lower, found.clearance.lower);
         least.upper = std::min(least.upper, found.clearance.upper);
         if (zone && zone->isIgnored()) return true;
         if (found.isNearerThan(answer)) {
@@ -158,7 +159,7 @@ SceneClearance::Asked SceneClearance::ask(std::size_t i, const Pose& X_environme
                                           const ClearanceOptions& options, Scratch& scratch) const {
     Asked answer;
     DistanceOptions asked;
-    asked.cap = options.cap + scene_.obstacles[i].margin;
+    if (options.cap) asked.cap = *options.cap + scene_.obstacles[i].margin;
     if (options.isRough) {
         asked.relativeError = kRoughError;
         ask(i, X_environmentPart, asked, scratch, answer);
@@ -266,8 +267,9 @@ void SceneClearance::lookAtSolids(const Pose& X_environmentPart, bool isOutside,
                                   PoseClearance& answer) const {
     for (std::size_t i = 0; i < scene_.obstacles.size(); ++i) {
         ZoneClearance* zone = zones_->zoneOf(i, answer);
-        double& lower = zone ? zone->clearance.lower : answer.always.lower;
-        if (!(lower > 0) || (!zone && isOutside)) continue;
+        if (zone ? !zone->clearance : isOutside) continue;
+        double& lower = zone ? zone->clearance->lower : answer.always.lower;
+        if (!(lower > 0)) continue;
         if (!enclosureBy(i, X_environmentPart)) continue;
         lower = 0;
         if (zones_->isIgnored(i, answer)) continue;

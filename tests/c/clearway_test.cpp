@@ -69,7 +69,7 @@ BOOST_AUTO_TEST_CASE(answers_are_those_of_cpp_to_the_last_digit) {
             const Rows rows = rowsOf(pose);
             for (const clearway_distance_options options :
                  {clearway_distance_options{}, clearway_distance_options{0.1, 0.01, 0},
-                  clearway_distance_options{0, 0, 0.5}}) {
+                  clearway_distance_options{0, 0, 0.5}, clearway_distance_options{0, 0, HUGE_VAL}}) {
                 DistanceOptions same;
                 same.relativeError = options.relative_error;
                 same.absoluteError = options.absolute_error;
@@ -177,12 +177,13 @@ BOOST_AUTO_TEST_CASE(bad_input_is_refused_in_the_words_of_cpp) {
         expectWordsOfCpp<std::invalid_argument>(
             clearway_within(boxes.part, boxes.environment, rows.data(), 1, 0, &boxes.flag), inCpp);
     }
-    for (double DistanceOptions::*const option :
-         {&DistanceOptions::relativeError, &DistanceOptions::absoluteError, &DistanceOptions::cap}) {
+    for (double clearway_distance_options::*const option :
+         {&clearway_distance_options::relative_error, &clearway_distance_options::absolute_error,
+          &clearway_distance_options::cap}) {
         for (const double value : {-1.0, nan}) {
-            DistanceOptions bad;
-            bad.*option = value;
-            const clearway_distance_options same = {bad.relativeError, bad.absoluteError, bad.cap};
+            clearway_distance_options same = {0, 0, HUGE_VAL};
+            same.*option = value;
+            const DistanceOptions bad{same.relative_error, same.absolute_error, same.cap};
             expectWordsOfCpp<std::invalid_argument>(boxes.distance(boxes.rows.data(), &same), [&] {
                 distance(boxes.model, boxes.model, boxes.apart, bad);
             });

@@ -117,7 +117,7 @@ void requireWitnesses(const Case& given, const DistanceResult& result) {
 }
 
 void requireDistance(const Case& given, const DistanceOptions& options, const DistanceResult& result) {
-    if (result.lower >= options.cap && result.upper > options.cap) {
+    if (options.cap && result.lower >= *options.cap && result.upper > *options.cap) {
         require(given.distance.compare(result.lower) >= 0, "lower <= distance");
         return;
     }
@@ -157,7 +157,7 @@ void askDistance(const Case& given, const DistanceOptions& options, const Model&
                  const Model& environment, Workspace& workspace) {
     std::ostringstream question;
     question << std::setprecision(17) << "distance, relative error " << options.relativeError << ", cap "
-             << options.cap;
+             << options.cap.value_or(HUGE_VAL);
     const Asking asking(given, question.str());
     const DistanceResult result = distance(part, environment, given.pose, options, workspace);
     question << ": " << result.lower << " to " << result.upper << " by triangles " << result.partTriangle

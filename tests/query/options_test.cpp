@@ -54,7 +54,7 @@ BOOST_DATA_TEST_CASE(beyond_the_cap_only_the_cap_is_known, eachTarget() * eachWi
                     if (truth < 1e-6 * queryCase.oracle->sceneSize()) break;
                     const DistanceResult result =
                         distance(models.part, models.environment, pose, options, workspace);
-                    BOOST_TEST(result.lower >= options.cap);
+                    BOOST_TEST(result.lower >= *options.cap);
                     BOOST_TEST(result.lower <= truth);
                     BOOST_TEST(result.upper == kInfinity);
                     BOOST_TEST(result.distance == kInfinity);

@@ -83,11 +83,12 @@ class Check {
         const auto described = [&] {
             std::ostringstream text;
             text << std::hexfloat << "distance with relativeError " << options.relativeError
-                 << ", absoluteError " << options.absoluteError << ", cap " << options.cap;
+                 << ", absoluteError " << options.absoluteError << ", cap "
+                 << options.cap.value_or(kInfinity);
             return text.str();
         };
         if (result.upper != kInfinity) return checkInterval(result, width, described());
-        require(result.lower >= options.cap && truth_.compare(options.cap) >= 0 &&
+        require(options.cap && result.lower >= *options.cap && truth_.compare(*options.cap) >= 0 &&
                     truth_.compare(result.lower) >= 0 && result.distance == kInfinity &&
                     result.partTriangle == -1 && result.environmentTriangle == -1,
                 [&] { return described() + " says farther than the cap, lower " + shown(result.lower); });

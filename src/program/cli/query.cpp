@@ -188,7 +188,7 @@ bool readArguments(const Arguments& arguments, QueryArguments& given) {
     line.option("--csv FILE", "writes the answers, one row a pose in the file's order", to(given.csv));
     line.option("--scale F", "factor for both meshes' coordinates, not for the poses (1)",
                 positive(given.load.scale));
-    const auto distanceOnly = [&](double& to) {
+    const auto distanceOnly = [&](auto& to) {
         return [&](const std::string& value) {
             if (question.kind != Question::Kind::kDistance) throw Expected{"only with --query distance"};
             to = nonNegativeNumber(value);
