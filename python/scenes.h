@@ -37,7 +37,7 @@ inline Problem problemOf(const pybind11::object& given) {
 
 /// Throws std::invalid_argument when the problem has no mesh files.
 inline void requireMeshFiles(const Problem& problem) {
-    if (!problem.robot.empty() && !problem.world.empty()) return;
+    if (!problem.meshes.robot.empty() && !problem.meshes.world.empty()) return;
     throw std::invalid_argument("the problem names no mesh files, expected robot and worlds, or a scene");
 }
 

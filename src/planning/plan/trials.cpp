@@ -27,8 +27,8 @@ constexpr double kShareOfMotions = 0.25;
 
 /// Without an objective a trial ends with its first path.
 Problem withoutObjective(Problem problem) {
-    problem.objective = "length";
-    problem.objectiveThreshold.reset();
+    problem.planning.objective = "length";
+    problem.planning.objectiveThreshold.reset();
     return problem;
 }
 

@@ -122,8 +122,8 @@ BOOST_AUTO_TEST_CASE(paths_of_more_clearance_end_outside_too) {
     auto window = throughTheWindow();
     PlanOptions options;
     options.seconds = 100;
-    window.problem.objective = "max_min_clearance";
-    window.problem.objectiveThreshold = 0.5;  // ends the planning, however busy the machine is
+    window.problem.planning.objective = "max_min_clearance";
+    window.problem.planning.objectiveThreshold = 0.5;  // ends the planning, however busy the machine is
     const PlanReport report = plan(window.problem, window.scene, options);
     BOOST_REQUIRE((report.outcome == Outcome::kFound));
     BOOST_TEST(report.foundBy == "RisingFloor");
