@@ -66,8 +66,8 @@ struct Clearances {
 
 /// The answer of SceneClearance::at about a pose.
 struct PoseClearance : Clearances {
-    SceneDistance nearest;      ///< the pair that lower and upper belong to; its ids are -1 beyond the cap
-    std::uint64_t queries = 0;  ///< that the answer took
+    SceneDistance nearest;          ///< the pair that lower and upper belong to; no witness beyond the cap
+    std::uint64_t queries = 0;      ///< that the answer took
     bool isInStartContact = false;  ///< the pose is within Scene::startContact
     bool isInGoalContact = false;   ///< the pose is within Scene::goalContact
 
@@ -282,8 +282,8 @@ struct QueryTally {
 /// Returns the tally of the calling thread's queries, of all scenes, and starts a new one at 0.
 QueryTally takeQueryTally();
 
-/// Names of the two meshes of a pair: a component's name, else its file's. Both are empty when `nearest` is
-/// no pair of triangles.
+/// Names of the two meshes of a pair: a component's name, else its file's. Both are empty when `nearest` has
+/// no witness.
 struct MeshNames {
     std::string part;         ///< the mesh of the part
     std::string environment;  ///< the mesh of the obstacle

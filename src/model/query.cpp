@@ -102,25 +102,24 @@ DistanceResult distance(const Model& part, const Model& environment, const Pose&
         result.lower = cappedByReach(
             environment, std::max(cap, scaledDown(answer.pair.lower, toMeshUnits, query.perMeshUnit)));
         result.upper = result.distance = kInfinity;
-        result.pointOnPart.setConstant(std::numeric_limits<double>::quiet_NaN());
-        result.pointOnEnvironment = result.pointOnPart;
         return result;
     }
     state.witnesses.keep(query, answer.triangles, answer.pair.pointOnPart, answer.pair.pointOnEnvironment);
     result.lower = scaledDown(answer.pair.lower, toMeshUnits, query.perMeshUnit);
     result.upper = scaledUp(answer.pair.upper, toMeshUnits, query.perMeshUnit);
+    Witness& witness = result.witness.emplace();
     for (int k = 0; k < 3; ++k) {
-        result.pointOnPart[k] = answer.pair.pointOnPart[k] * toMeshUnits;
-        result.pointOnEnvironment[k] = answer.pair.pointOnEnvironment[k] * toMeshUnits;
+        witness.pointOnPart[k] = answer.pair.pointOnPart[k] * toMeshUnits;
+        witness.pointOnEnvironment[k] = answer.pair.pointOnEnvironment[k] * toMeshUnits;
     }
     const bool isContact = answer.pair.contact == Verdict::yes;
-    result.distance = isContact ? 0.0 : lengthOf(result.pointOnPart - result.pointOnEnvironment);
+    result.distance = isContact ? 0.0 : lengthOf(witness.pointOnPart - witness.pointOnEnvironment);
     const std::uint32_t onPart = treeOf(part).triangleId(answer.triangles.part),
                         onEnvironment = treeOf(environment).triangleId(answer.triangles.environment);
-    result.partTriangle = onPart;
-    result.environmentTriangle = onEnvironment;
-    result.partComponent = static_cast<std::int64_t>(componentOf(part.components(), onPart));
-    result.environmentComponent =
+    witness.partTriangle = onPart;
+    witness.environmentTriangle = onEnvironment;
+    witness.partComponent = static_cast<std::int64_t>(componentOf(part.components(), onPart));
+    witness.environmentComponent =
         static_cast<std::int64_t>(componentOf(environment.components(), onEnvironment));
     return result;
 }

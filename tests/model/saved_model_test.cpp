@@ -74,7 +74,7 @@ BOOST_FIXTURE_TEST_CASE(a_loaded_model_answers_as_the_saved_one, Fixture) {
                                  second = distance(moving, loaded, X, {}, b);
             BOOST_TEST(first.lower == second.lower);
             BOOST_TEST(first.upper == second.upper);
-            BOOST_TEST(first.environmentTriangle == second.environmentTriangle);
+            BOOST_TEST(first.witness->environmentTriangle == second.witness->environmentTriangle);
             BOOST_TEST(first.counters.volumeTests == second.counters.volumeTests);
         }
     }

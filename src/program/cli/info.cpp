@@ -189,7 +189,7 @@ void describePose(const char* label, const SceneClearance& clearance, const Part
     const std::string note = mayTouch ? "" : enclosureNote(part, worlds, X_environmentPart);
     if (!note.empty()) printWarnings({std::string(label) + " " + note});
     const PoseClearance at = clearance.at(X_environmentPart);
-    if (at.nearest.partTriangle < 0) return printRow(label, "valid, with nothing near");
+    if (!at.nearest.witness) return printRow(label, "valid, with nothing near");
     const MeshNames names = distinctMeshNames(clearance.scene(), at.nearest);
     printRow(label, "valid, clearance " + shownLength(at.lower) + ", between '" + names.part + "' and '" +
                         names.environment + "'" + leftOutAt(at));

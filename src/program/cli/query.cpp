@@ -95,10 +95,12 @@ std::string describe(const Question& question, const Answer& answer, const Model
     if (question.kind != Question::Kind::kDistance) return answer.verdict ? "yes" : "no";
     const DistanceResult& found = answer.distance;
     if (isBeyondCap(found)) return "beyond the cap";
-    return readable(found.distance) + ", on the part " + quotedNameAt(part, found.partComponent) +
-           "triangle " + std::to_string(found.partTriangle) + " at " + readable(found.pointOnPart) +
-           ", on the environment " + quotedNameAt(environment, found.environmentComponent) + "triangle " +
-           std::to_string(found.environmentTriangle) + " at " + readable(found.pointOnEnvironment);
+    return readable(found.distance) + ", on the part " + quotedNameAt(part, found.witness->partComponent) +
+           "triangle " + std::to_string(found.witness->partTriangle) + " at " +
+           readable(found.witness->pointOnPart) + ", on the environment " +
+           quotedNameAt(environment, found.witness->environmentComponent) + "triangle " +
+           std::to_string(found.witness->environmentTriangle) + " at " +
+           readable(found.witness->pointOnEnvironment);
 }
 
 void printFirst(const Question& question, const QueryRun& run, const Model& part, const Model& environment) {

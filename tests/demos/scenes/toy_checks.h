@@ -73,7 +73,7 @@ inline StraightMotion straightMotion(const BuiltScene& made) {
         const DistanceResult found = distance(made.part, made.environment, poseOf(state), {}, workspace);
         if (!found.collides()) continue;
         ++collisions;
-        hit.insert(found.environmentComponent);
+        hit.insert(found.witness->environmentComponent);
     }
     return {static_cast<double>(collisions) / kSamples, hit.size()};
 }
