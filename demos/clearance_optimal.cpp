@@ -50,8 +50,9 @@ int main(int argc, char** argv) try {
     std::printf("audit: %s, least clearance %.3f to %.3f, between '%s' and '%s' at (%.1f, %.1f, %.1f)\n",
                 audit.isValid() ? "valid along the whole path" : "NOT valid", audit.lowerClearance,
                 audit.upperClearance, tight.partMesh.c_str(), tight.environmentMesh.c_str(),
-                tight.motion.closest.pointOnEnvironment.x(), tight.motion.closest.pointOnEnvironment.y(),
-                tight.motion.closest.pointOnEnvironment.z());
+                tight.motion.closest.witness->pointOnEnvironment.x(),
+                tight.motion.closest.witness->pointOnEnvironment.y(),
+                tight.motion.closest.witness->pointOnEnvironment.z());
     clearway::writePath(cp::partStates(path), problem.space, argv[2]);
     std::printf("written to %s\n", argv[2]);
     return audit.isValid() ? 0 : 1;

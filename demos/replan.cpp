@@ -83,7 +83,7 @@ int main(int argc, char** argv) try {
 
     const std::string folder = std::string(argv[2]) + "/";  // for `clearway check` and `clearway render`
     clearway::saveMesh(box, folder + "box.obj");
-    problem.furtherWorlds.push_back(folder + "box.obj");
+    problem.meshes.furtherWorlds.push_back(folder + "box.obj");
     problem.rules.margins["box"] = margin;
     clearway::writeProblem(problem, folder + "with_box.cfg");
     clearway::writePath(cp::partStates(old), problem.space, folder + "old.path");

@@ -5,11 +5,13 @@
 #include <pybind11/pybind11.h>
 
 #include <cstdint>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "clearway/errors.h"
+#include "clearway/query.h"
 #include "clearway/types.h"
 #include "python/released_gil.h"
 
@@ -75,6 +77,12 @@ inline std::vector<Pose> posesOf(const py::handle& object) {
         poses.push_back(poseOfRows(matrices.data(i, 0, 0), "poses[" + std::to_string(i) + "]"));
     }
     return poses;
+}
+
+/// The witness of a distance. Beyond the cap triangles are -1 and points NaN, as in arrays.
+inline Witness witnessOf(const DistanceResult& result) {
+    const Vector3 nowhere = Vector3::Constant(std::numeric_limits<double>::quiet_NaN());
+    return result.witness.value_or(Witness{nowhere, nowhere, -1, -1, -1, -1});
 }
 
 /// (N, 4, 4).

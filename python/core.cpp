@@ -47,8 +47,8 @@ std::string describe(const DistanceResult& result) {
     std::ostringstream text;
     text.precision(17);
     text << "DistanceResult(lower=" << result.lower << ", upper=" << result.upper
-         << ", part_triangle=" << result.partTriangle
-         << ", environment_triangle=" << result.environmentTriangle << ")";
+         << ", part_triangle=" << witnessOf(result).partTriangle
+         << ", environment_triangle=" << witnessOf(result).environmentTriangle << ")";
     return text.str();
 }
 
@@ -59,12 +59,10 @@ py::dict arraysOf(const std::vector<DistanceResult>& results) {
         {"lower", &DistanceResult::lower},
         {"upper", &DistanceResult::upper},
         {"distance", &DistanceResult::distance}};
-    const std::pair<const char*, Vector3 DistanceResult::*> points[] = {
-        {"point_on_part", &DistanceResult::pointOnPart},
-        {"point_on_environment", &DistanceResult::pointOnEnvironment}};
-    const std::pair<const char*, std::int64_t DistanceResult::*> ids[] = {
-        {"part_triangle", &DistanceResult::partTriangle},
-        {"environment_triangle", &DistanceResult::environmentTriangle}};
+    const std::pair<const char*, Vector3 Witness::*> points[] = {
+        {"point_on_part", &Witness::pointOnPart}, {"point_on_environment", &Witness::pointOnEnvironment}};
+    const std::pair<const char*, std::int64_t Witness::*> ids[] = {
+        {"part_triangle", &Witness::partTriangle}, {"environment_triangle", &Witness::environmentTriangle}};
     py::dict arrays;
     for (const auto& [name, member] : lengths) {
         py::array_t<double> column(count);
@@ -74,13 +72,14 @@ py::dict arraysOf(const std::vector<DistanceResult>& results) {
     for (const auto& [name, member] : points) {
         py::array_t<double> column({count, py::ssize_t{3}});
         for (py::ssize_t i = 0; i < count; ++i) {
-            for (int axis = 0; axis < 3; ++axis) column.mutable_at(i, axis) = (results[i].*member)[axis];
+            const Vector3 point = witnessOf(results[i]).*member;
+            for (int axis = 0; axis < 3; ++axis) column.mutable_at(i, axis) = point[axis];
         }
         arrays[name] = column;
     }
     for (const auto& [name, member] : ids) {
         py::array_t<std::int64_t> column(count);
-        for (py::ssize_t i = 0; i < count; ++i) column.mutable_at(i) = results[i].*member;
+        for (py::ssize_t i = 0; i < count; ++i) column.mutable_at(i) = witnessOf(results[i]).*member;
         arrays[name] = column;
     }
     return arrays;
@@ -111,16 +110,20 @@ environment's frame; triangles count as in the mesh. Beyond the cap upper and di
         .def_readonly("distance", &DistanceResult::distance,
                       R"(The distance of the two points; 0 on contact.)")
         .def_property_readonly(
-            "point_on_part", [](const DistanceResult& result) { return arrayOf(result.pointOnPart); },
+            "point_on_part",
+            [](const DistanceResult& result) { return arrayOf(witnessOf(result).pointOnPart); },
             R"((3,): the part's point of the closest pair, environment frame.)")
         .def_property_readonly(
             "point_on_environment",
-            [](const DistanceResult& result) { return arrayOf(result.pointOnEnvironment); },
+            [](const DistanceResult& result) { return arrayOf(witnessOf(result).pointOnEnvironment); },
             R"((3,): the environment's point of the closest pair, environment frame.)")
-        .def_readonly("part_triangle", &DistanceResult::partTriangle,
-                      R"(The row of the part's triangles that has the point; -1 beyond the cap.)")
-        .def_readonly("environment_triangle", &DistanceResult::environmentTriangle,
-                      R"(The row of the environment's triangles that has the point; -1 beyond the cap.)")
+        .def_property_readonly(
+            "part_triangle", [](const DistanceResult& result) { return witnessOf(result).partTriangle; },
+            R"(The row of the part's triangles that has the point; -1 beyond the cap.)")
+        .def_property_readonly(
+            "environment_triangle",
+            [](const DistanceResult& result) { return witnessOf(result).environmentTriangle; },
+            R"(The row of the environment's triangles that has the point; -1 beyond the cap.)")
         .def_property_readonly("collides", &DistanceResult::collides,
                                R"(Whether the two share a point, exactly.)")
         .def("__repr__", &describe);

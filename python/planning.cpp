@@ -91,10 +91,11 @@ py::dict dictOf(const PathAudit& audit, std::size_t index) {
     result["pose"] = arrayOf(segment.X_environmentPart);
     result["part_mesh"] = segment.partMesh;
     result["environment_mesh"] = segment.environmentMesh;
-    result["part_triangle"] = segment.motion.closest.partTriangle;
-    result["environment_triangle"] = segment.motion.closest.environmentTriangle;
-    result["point_on_part"] = arrayOf(segment.motion.closest.pointOnPart);
-    result["point_on_environment"] = arrayOf(segment.motion.closest.pointOnEnvironment);
+    const Witness witness = witnessOf(segment.motion.closest);
+    result["part_triangle"] = witness.partTriangle;
+    result["environment_triangle"] = witness.environmentTriangle;
+    result["point_on_part"] = arrayOf(witness.pointOnPart);
+    result["point_on_environment"] = arrayOf(witness.pointOnEnvironment);
     return result;
 }
 

@@ -71,15 +71,15 @@ Problem makeProblem(const py::object& start, const py::object& goal, const std::
     setGoal(problem, goal);
     setBounds(problem, bounds);
     setMargin(problem, margin);
-    problem.robot = robot.string();
+    problem.meshes.robot = robot.string();
     for (const FileName& world : worlds) {
-        if (problem.world.empty()) {
-            problem.world = world.string();
+        if (problem.meshes.world.empty()) {
+            problem.meshes.world = world.string();
         } else {
-            problem.furtherWorlds.push_back(world.string());
+            problem.meshes.furtherWorlds.push_back(world.string());
         }
     }
-    problem.asOmplApp = false;
+    problem.meshes.asOmplApp = false;
     return problem;
 }
 
@@ -105,12 +105,12 @@ std::optional<std::string> outsideOf(const Problem& problem) {
 }
 
 std::vector<std::string> worldsOf(const Problem& problem) {
-    return problem.world.empty() ? std::vector<std::string>() : worldFiles(problem);
+    return problem.meshes.world.empty() ? std::vector<std::string>() : worldFiles(problem);
 }
 
 std::vector<std::string> plannersOf(const Problem& problem) {
     std::vector<std::string> names;
-    for (const PlannerChoice& choice : problem.planners) names.push_back(choice.name);
+    for (const PlannerChoice& choice : problem.planning.planners) names.push_back(choice.name);
     return names;
 }
 
@@ -168,7 +168,9 @@ are not read yet: Scene.load does that.)")
             py::arg("file"), R"(Writes a problem file that load reads back to equal values.)")
         .def_readonly("file", &Problem::file, R"(The problem file; empty when made in memory.)")
         .def_readonly("name", &Problem::name, R"(The problem's name, from its file.)")
-        .def_readonly("robot", &Problem::robot, R"(The mesh file of the part, with its folder.)")
+        .def_property_readonly(
+            "robot", [](const Problem& problem) { return problem.meshes.robot; },
+            R"(The mesh file of the part, with its folder.)")
         .def_property_readonly("worlds", &worldsOf,
                                R"(The mesh files of the environment, with their folders.)")
         .def_property_readonly(
@@ -195,7 +197,9 @@ box grown to hold start and goal.)")
             R"(The distance to keep from obstacles that no rule of the file names; environment units, >= 0.)")
         .def_readonly("unit", &Problem::unit,
                       R"(The unit of all lengths, such as "mm", to be shown beside them; empty: not stated.)")
-        .def_readonly("objective", &Problem::objective, R"(The name of the problem's objective.)")
+        .def_property_readonly(
+            "objective", [](const Problem& problem) { return problem.planning.objective; },
+            R"(The name of the problem's objective.)")
         .def_property_readonly("planners", &plannersOf, R"(The names of the planners in the file.)")
         .def_readonly("warnings", &Problem::warnings,
                       R"(One line for each key of the file that has no effect.)")

@@ -181,7 +181,7 @@ preset: as for Model. threads: 0 for all cores.)")
             "check_motion", &checkMotion, py::arg("start"), py::arg("end"),
             R"(Checks the straight motion with the shorter turn between two poses (4, 4), however thin an obstacle is. Returns
 (verdict, certified_until, contact_time): "certified", "contact" or "undecided" (too close to a margin to tell), the time up
-to which it is free, of 0 to 1, and that of a pose that is not (inf for none). A half turn is taken either way.)")
+to which it is free, of 0 to 1, and that of a pose that is not (None for none). A half turn is taken either way.)")
         .def("__repr__", [](const PyScene& scene) {
             return "Scene(" + std::to_string(scene.clearance.scene().obstacles.size()) + " obstacles)";
         });

@@ -38,7 +38,7 @@ inline Problem problemOf(const pybind11::object& given) {
 
 /// Throws ArgumentError when the problem has no mesh files.
 inline void requireMeshFiles(const Problem& problem) {
-    if (!problem.robot.empty() && !problem.world.empty()) return;
+    if (!problem.meshes.robot.empty() && !problem.meshes.world.empty()) return;
     throw ArgumentError("the problem names no mesh files, expected robot and worlds, or a scene");
 }
 

@@ -34,16 +34,17 @@ set(planning/plan_may_include core model problem planning/space planning/check p
 set(planning planning/space planning/check planning/objectives planning/improve planning/diagnose planning/planners planning/plan)
 
 # The program's rooms see the library through its public headers and core. Below the command line and what it prints, they are options.
+# The planner runs of program/bench time and trace the parts of plan(), which are not public.
 set(program/render_may_include core mesh model problem)
 set(program/report_may_include core mesh model problem program/render)
 set(program/options_may_include core mesh model problem)
-set(program/bench_may_include core mesh model problem)
+set(program/bench_may_include core mesh model problem planning/plan)
 set(program/cli_may_include core mesh tree exact model problem program/render program/report program/options program/bench)
 set(program program/render program/report program/options program/bench program/cli)
 
 # The scenes and the study, which no other room includes. A scene has a preview, drawn as `clearway render` does.
 set(demos/scenes_may_include core mesh problem program/render program/report program/options program/cli)
-set(demos/study_may_include core mesh model problem program/options program/bench program/cli demos/scenes)
+set(demos/study_may_include core mesh model problem planning/plan program/options program/bench program/cli demos/scenes)
 set(demos demos/scenes demos/study)
 set(layers ${library} ${planning} ${program} ${demos})
 
@@ -53,11 +54,11 @@ set(check_headers validity_checker.h motion_validator.h audit.h)
 set(objectives_headers clearance_objectives.h objectives.h)
 set(improve_headers simplify.h)
 set(diagnose_headers why_no_path.h)
-set(planners_headers planners.h planner_team.h sliding_rrt_connect.h)
-set(plan_headers problem_setup.h plan.h plan_setup.h finish.h check_path.h explain.h)
+set(planners_headers planners.h sliding_rrt_connect.h)
+set(plan_headers problem_setup.h plan.h check_path.h explain.h)
 
 # Public headers that only declare values and free functions are open to every layer, the others from model on.
-set(value_headers errors.h types.h mesh.h build_options.h build_report.h query.h sweep.h targets.h)
+set(value_headers errors.h types.h mesh.h build_options.h query.h sweep.h targets.h)
 
 # Which files may see a library, by its include folder; every other file may not.
 set(hwy_users "^src/(kernels|query)/")

@@ -119,9 +119,9 @@ SceneFiles writeScene(const GeneratedScene& scene, const std::string& folder) {
     saveMesh(scene.environment, files.environment);
     Problem problem = scene.problem;
     problem.file = files.problem;
-    problem.robot = files.part;
-    problem.world = files.environment;
-    problem.asOmplApp = true;
+    problem.meshes.robot = files.part;
+    problem.meshes.world = files.environment;
+    problem.meshes.asOmplApp = true;
     problem.start = afterMove(problem.start, moved);
     problem.goal = afterMove(problem.goal, moved);
     if (problem.volume) {

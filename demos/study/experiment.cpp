@@ -126,12 +126,12 @@ std::string StudyProblem::fingerprint() const {
         if (group.overlap > 0) text += " overlap " + formatNumber(group.overlap);
     }
     for (const ShrunkPart& each : shrunk) text += " " + keyOf(each.mesh);
-    for (const PlannerChoice& choice : problem.planners) {
+    for (const PlannerChoice& choice : problem.planning.planners) {
         for (const NamedTexts* texts : {&choice.parameters, &choice.settings}) {
             for (const auto& [key, value] : *texts) text += " " + choice.name + "." + key + "=" + value;
         }
     }
-    for (const auto& [key, value] : problem.settings) text += " " + key + "=" + value;
+    for (const auto& [key, value] : problem.planning.settings) text += " " + key + "=" + value;
     const Box bounds = boundsOf(problem, obstacles.environmentBox(), boundingBox(part));
     return text + textOf(problem.start) + goalText(problem) + textOf(bounds.min()) + textOf(bounds.max());
 }

@@ -58,13 +58,13 @@ void requireOnce(const GrowingTable<RunRow>& runs) {
 /// The problem with this planner alone, and with the parameters that the problem has for it.
 Problem problemFor(const Problem& stated, const StudyPlanner& planner) {
     Problem problem = stated;
-    problem.planners.clear();
-    for (const PlannerChoice& choice : stated.planners) {
-        if (planning::plannerClassName(choice.name) == planner.name) problem.planners = {choice};
+    problem.planning.planners.clear();
+    for (const PlannerChoice& choice : stated.planning.planners) {
+        if (planning::plannerClassName(choice.name) == planner.name) problem.planning.planners = {choice};
     }
-    if (problem.planners.empty()) problem.planners = {{planner.name}};
-    problem.objective = "length";
-    problem.objectiveThreshold.reset();
+    if (problem.planning.planners.empty()) problem.planning.planners = {{planner.name}};
+    problem.planning.objective = "length";
+    problem.planning.objectiveThreshold.reset();
     return problem;
 }
 

@@ -9,9 +9,9 @@
 
 #include "clearway/planning/clearance_objectives.h"
 #include "clearway/planning/ompl_messages.h"
-#include "clearway/planning/plan_setup.h"
 #include "clearway/planning/state_to_pose.h"
 #include "demos/study/experiment.h"
+#include "planning/plan/plan_setup.h"
 
 namespace clearway::study {
 namespace {

@@ -2,14 +2,12 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "clearway/build_options.h"
-#include "clearway/build_report.h"
 #include "clearway/mesh.h"
 #include "clearway/types.h"
 
@@ -20,7 +18,7 @@
 
 namespace clearway {
 
-struct FlatTree;
+struct ModelAccess;
 
 /// The poses X_environmentPart of future queries, with any rotation, and the largest distance from the part
 /// that matters. Lengths in environment units. An environment built for a reach leaves out its triangles
@@ -76,8 +74,7 @@ class Model {
     /// relative excess is at most 1e-6, apart from rounding (1e-14 of radiusAboutOrigin() and of the distance
     /// between the translations). With a cap: if a vertex moves further than the cap, the answer is only
     /// known to be above the cap. Takes a few microseconds.
-    double displacement(const Pose& from, const Pose& to,
-                        double cap = std::numeric_limits<double>::infinity()) const;
+    double displacement(const Pose& from, const Pose& to, std::optional<double> cap = std::nullopt) const;
 
     /// The reach of the model, present only if triangles were left out. Such a model can only be queried as
     /// the environment, with a part and at poses within the reach. Up to the cap its answers are those of the
@@ -90,10 +87,8 @@ class Model {
     /// modelKey of the mesh, options and reach that the model was built from, also for a loaded model.
     std::uint64_t key() const;
 
-    /// The tree, for the query layer only.
-    const FlatTree& tree() const;
-
   private:
+    friend struct ModelAccess;
     struct Data;
     explicit Model(std::shared_ptr<const Data> data);
     static std::uint64_t newId();

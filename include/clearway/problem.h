@@ -12,7 +12,6 @@
 #include "clearway/mesh.h"
 #include "clearway/obstacle_groups.h"
 #include "clearway/obstacle_rules.h"
-#include "clearway/outside.h"
 #include "clearway/scene.h"
 #include "clearway/shrink.h"
 #include "clearway/types.h"
@@ -38,6 +37,24 @@ struct PartState {
 /// is only rounding. Throws ArgumentError when the quaternion has length 0 or is not finite.
 Pose poseOf(const PartState& state);
 
+/// One of the six sides of a box along the axes.
+struct BoxSide {
+    int axis = 0;         ///< 0, 1, 2 for x, y, z
+    bool isUpper = true;  ///< the side of the larger coordinates
+};
+
+/// The name of a side: "+x", "-x", ... "-z".
+std::string nameOf(const BoxSide& side);
+
+/// The side of that name; empty for every other text.
+std::optional<BoxSide> sideNamed(const std::string& name);
+
+/// The part is outside where its box and that of its surroundings are apart or, with a side, where its box is
+/// beyond that side of the other one. Both boxes are along the environment's axes.
+struct Outside {
+    std::optional<BoxSide> side;  ///< the side to leave by; without it any side will do
+};
+
 /// Keys and values as texts, in the order of the file.
 using NamedTexts = std::vector<std::pair<std::string, std::string>>;
 
@@ -47,7 +64,7 @@ struct PlannerChoice {
     std::string name;         ///< OMPL's class name, or one of clearway's planners
     NamedTexts parameters{};  ///< checked when the planner is made, see planning::makePlanner
     /// Settings of the problem for this planner only (`problem.KEY` in [planner]): those of
-    /// Problem::settings, and "sampler" and "objective.threshold".
+    /// PlanningSettings::settings, and "sampler" and "objective.threshold".
     NamedTexts settings{};
 };
 
@@ -58,20 +75,23 @@ enum class SavedPaths {
     kShortest  ///< the shortest one
 };
 
-/// A planning problem: the meshes, start and goal, the rules for obstacles, and how to plan. Lengths in
-/// environment units, unless `unit` is about their display alone.
-struct Problem {
-    std::string file;  ///< the .cfg; empty when made in memory
-    std::string name;  ///< what reports and logs call the problem; may be empty
+/// The mesh files of a problem, and how they are read.
+struct ProblemMeshes {
     /// Mesh file of the part, with its path: in the .cfg's folder or, if it is not there, in the current
     /// folder.
     std::string robot;
     std::string world;                       ///< mesh file of the environment, found like robot
     std::vector<std::string> furtherWorlds;  ///< further mesh files of the environment; see readProblem
-    Space space = Space::kSe3;               ///< what part states may be
-    PartState start;                         ///< where the path begins
-    PartState goal;                          ///< has no meaning when the goal is `outside`
-    std::optional<Box> volume;               ///< bounds of the part's position; without them see boundsOf()
+    double partScale = 1;                    ///< `robot.scale`: LoadOptions::scale of the part's mesh
+    double worldScale = 1;  ///< `world.scale`: LoadOptions::scale of the environment's meshes
+    bool asOmplApp = true;  ///< read meshes as OMPL.app does; `reading = stored` turns this off
+    /// False for a file without the key `reading`. Without a section [clearway] it is then read as OMPL.app reads
+    /// it; otherwise as stored, and a mesh that OMPL.app would place differently is refused when it is loaded.
+    bool isReadingStated = true;
+};
+
+/// How a problem is planned for: OMPL's objective, sampler and planners.
+struct PlanningSettings {
     std::string objective = "length";  ///< the cost to improve, by its name; see planning::makeObjective
     std::optional<double>
         objectiveThreshold;  ///< a cost that is good enough to stop, in the objective's unit
@@ -81,29 +101,39 @@ struct Problem {
     /// sampler ("standard_deviation"). They never decide validity.
     NamedTexts settings;
     std::vector<PlannerChoice> planners;  ///< a benchmark runs each entry, also two of equal name
+};
 
-    // [benchmark]
+/// How a problem's planners are compared: the section [benchmark].
+struct BenchmarkSettings {
     std::optional<double> timeLimit;    ///< seconds of each run
     std::optional<double> memoryLimit;  ///< megabytes of each run
     std::optional<int> runCount;        ///< of each planner
     std::string outputFolder;           ///< of the log, relative to the .cfg's folder; empty: that folder
     SavedPaths savedPaths = SavedPaths::kNone;  ///< for each planner
     bool simplify = true;                       ///< whether paths are simplified after each run
+};
 
-    // [clearway]
-    double margin = 0;               ///< of obstacles that no rule names, environment units
-    ObstacleRules rules;             ///< margins, solids, contacts and overlaps by the obstacles' names
+/// A planning problem: where the part begins and ends, the space of its poses and the rules for obstacles; and the
+/// files and settings that a .cfg holds besides. Lengths in environment units, unless `unit` is about their display
+/// alone.
+struct Problem {
+    std::string file;                ///< the .cfg; empty when made in memory
+    std::string name;                ///< what reports and logs call the problem; may be empty
+    Space space = Space::kSe3;       ///< what part states may be
+    PartState start;                 ///< where the path begins
+    PartState goal;                  ///< has no meaning when the goal is `outside`
     std::optional<Outside> outside;  ///< the goal is any pose outside of the environment's box, not `goal`
+    std::optional<Box> volume;       ///< bounds of the part's position; without them see boundsOf()
+    Box knownWay;         ///< positions of a known path, which derived bounds hold too; no key of the file
+    double margin = 0;    ///< of obstacles that no rule names, environment units
+    ObstacleRules rules;  ///< margins, solids, contacts and overlaps by the obstacles' names
     std::optional<double>
-        fineness;           ///< of the scene, environment units: planners' edges are 20 times as long
-    bool asOmplApp = true;  ///< read meshes as OMPL.app does; `reading = stored` turns this off
-    /// False for a file without the key `reading`. Without a section [clearway] it is then read as OMPL.app reads
-    /// it; otherwise as stored, and a mesh that OMPL.app would place differently is refused when it is loaded.
-    bool isReadingStated = true;
-    Box knownWay;           ///< positions of a known path, which derived bounds hold too; no key of the file
-    double partScale = 1;   ///< `robot.scale`: LoadOptions::scale of the part's mesh
-    double worldScale = 1;  ///< `world.scale`: LoadOptions::scale of the environment's meshes
+        fineness;      ///< of the scene, environment units: planners' edges are 20 times as long
     std::string unit;  ///< of all lengths, one of lengthUnits(), to be shown beside them; empty: not stated
+
+    ProblemMeshes meshes;         ///< the mesh files; a problem with a Scene needs none
+    PlanningSettings planning;    ///< OMPL's settings
+    BenchmarkSettings benchmark;  ///< settings of benchmarks
 
     /// One line for each key that has no effect, to be shown once.
     std::vector<std::string> warnings;
@@ -138,7 +168,7 @@ const std::vector<LengthUnit>& lengthUnits();
 /// Metres in one of the problem's unit; empty without a unit.
 std::optional<double> metresPerUnit(const Problem& problem);
 
-/// The mesh files of the environment: world and furtherWorlds.
+/// The mesh files of the environment: meshes.world and meshes.furtherWorlds.
 std::vector<std::string> worldFiles(const Problem& problem);
 
 /// The larger one of problem.margin and the largest margin of a rule.
@@ -149,7 +179,7 @@ using MeshReader = std::function<Mesh(const std::string& file, const LoadOptions
 
 /// Loads the mesh of the part with the MeshReading and the scale that fit the problem. Throws what `read`
 /// throws, and ArgumentError when the problem does not state its reading and the readings differ (see
-/// Problem::isReadingStated).
+/// ProblemMeshes::isReadingStated).
 Mesh loadPart(const Problem& problem, const MeshReader& read = loadMesh);
 
 /// Loads the meshes of the environment, one for each of worldFiles(). Reads and throws as loadPart does.

@@ -3,8 +3,8 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <memory>
+#include <optional>
 #include <thread>
 
 #include "clearway/types.h"
@@ -14,6 +14,7 @@
 namespace clearway {
 
 class Model;
+struct WorkspaceAccess;
 
 /// Exact counts of the work of one query.
 struct QueryCounters {
@@ -65,10 +66,10 @@ class Workspace {
     /// The counters of the last query.
     const QueryCounters& counters() const;
 
-    struct State;
-    State& state() { return *state_; }  ///< the memory, for the query layer only
+    struct State;  ///< the memory
 
   private:
+    friend struct WorkspaceAccess;
     std::unique_ptr<State> state_;
 };
 
@@ -90,28 +91,33 @@ struct DistanceOptions {
     /// pose's translation. Both options must be >= 0.
     double relativeError = 0;
     double absoluteError = 0;  ///< environment units; see relativeError
-    /// Distances above the cap do not matter. If the distance is proved larger, then lower >= cap, upper and
-    /// distance are infinite, ids are -1 and witness points are NaN. An interval that contains the cap is
+    /// Distances above the cap do not matter; without a cap all do. If the distance is proved larger, then lower >= cap, upper and
+    /// distance are infinite, and there is no witness. An interval that contains the cap is
     /// answered as if there were no cap; isWithin(cap) decides such a case. Must be >= 0. An environment with
     /// a reach lowers the cap to its own.
-    double cap = std::numeric_limits<double>::infinity();
+    std::optional<double> cap;
+};
+
+/// Two triangles that are a distance apart, and a point on each. Points are in the environment's frame.
+struct Witness {
+    Vector3 pointOnPart = Vector3::Zero();         ///< on the part's triangle
+    Vector3 pointOnEnvironment = Vector3::Zero();  ///< on the environment's triangle
+    std::int64_t partTriangle = 0;                 ///< position in the mesh as loaded, before cleaning
+    std::int64_t environmentTriangle = 0;          ///< position in the mesh as loaded, before cleaning
+    std::int64_t partComponent = 0;                ///< index into the part's Model::components()
+    std::int64_t environmentComponent = 0;         ///< index into the environment's Model::components()
 };
 
 /// A distance as an interval: lower <= true distance <= upper. The true distance is the exact distance
 /// between the stored doubles of the environment and those of the part as moved by the pose, which is taken
 /// as an affine map. On contact lower and upper are 0, otherwise upper is above 0. Lengths are in environment
-/// units, points in the environment's frame.
+/// units.
 struct DistanceResult {
-    double lower = 0;                              ///< never above the true distance; 0 on contact
-    double upper = 0;                              ///< never below the true distance; 0 exactly on contact
-    double distance = 0;                           ///< between the two witness points; 0 on contact
-    Vector3 pointOnPart = Vector3::Zero();         ///< the witness point of the part
-    Vector3 pointOnEnvironment = Vector3::Zero();  ///< the witness point of the environment
-    std::int64_t partTriangle = -1;                ///< position in the mesh as loaded, before cleaning
-    std::int64_t environmentTriangle = -1;         ///< position in the mesh as loaded, before cleaning
-    std::int64_t partComponent = -1;               ///< index into the part's Model::components()
-    std::int64_t environmentComponent = -1;        ///< index into the environment's Model::components()
-    QueryCounters counters;                        ///< the work that the answer took
+    double lower = 0;                ///< never above the true distance; 0 on contact
+    double upper = 0;                ///< never below the true distance; 0 exactly on contact
+    double distance = 0;             ///< between the witness points; 0 on contact, infinite without a witness
+    std::optional<Witness> witness;  ///< a closest pair; none beyond the cap
+    QueryCounters counters;          ///< the work that the answer took
 
     /// Whether part and environment share a point.
     bool collides() const { return upper == 0; }

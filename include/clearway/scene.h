@@ -122,10 +122,10 @@ struct Scene {
     }
 };
 
-/// The distance to one of a scene's obstacles. environmentComponent is an index into that obstacle's model;
-/// environmentTriangle is the position in the component's file (see Obstacle::fileTriangles).
+/// The distance to one of a scene's obstacles. Witness::environmentComponent is an index into that
+/// obstacle's model; Witness::environmentTriangle is the position in the component's file (see Obstacle::fileTriangles).
 struct SceneDistance : DistanceResult {
-    int obstacle = -1;  ///< index into Scene::obstacles; -1 without obstacles
+    std::optional<std::size_t> obstacle;  ///< index into Scene::obstacles; none without obstacles
 };
 
 }  // namespace clearway

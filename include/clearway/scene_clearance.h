@@ -38,9 +38,6 @@ struct Bounds {
     double upper = std::numeric_limits<double>::infinity();  ///< the length is at most this
 };
 
-/// The lower bound of a clearance that was not asked for; environment units.
-constexpr double kUnknownClearance = -1e300;
-
 /// The most zones that a scene can have. A zone is the set of obstacles that share one pair of the flags
 /// isIgnoredAtStart and isIgnoredAtGoal. Obstacles with neither flag count at every pose and belong to no
 /// zone.
@@ -48,8 +45,8 @@ constexpr std::size_t kMostZones = 3;
 
 /// The clearance to the obstacles of one zone at a pose.
 struct ZoneClearance {
-    /// Distance - margin. The lower bound is at most 0 where a solid holds the other body.
-    Bounds clearance{0, std::numeric_limits<double>::infinity()};
+    /// Distance - margin; none where it was not asked for. The lower bound is at most 0 where a solid holds the other body.
+    std::optional<Bounds> clearance;
     /// How far any vertex of the part may move while the obstacles stay ignored. Below 0 they count.
     Bounds spare{-1, -1};
     /// Whether the obstacles of the zone are ignored at the pose.
@@ -69,8 +66,8 @@ struct Clearances {
 
 /// The answer of SceneClearance::at about a pose.
 struct PoseClearance : Clearances {
-    SceneDistance nearest;      ///< the pair that lower and upper belong to; its ids are -1 beyond the cap
-    std::uint64_t queries = 0;  ///< that the answer took
+    SceneDistance nearest;          ///< the pair that lower and upper belong to; no witness beyond the cap
+    std::uint64_t queries = 0;      ///< that the answer took
     bool isInStartContact = false;  ///< the pose is within Scene::startContact
     bool isInGoalContact = false;   ///< the pose is within Scene::goalContact
 
@@ -83,8 +80,8 @@ struct PoseClearance : Clearances {
 /// How accurately SceneClearance::at must know a clearance. Lengths in environment units.
 struct ClearanceOptions {
     /// A clearance above the cap need not be known closer: lower is then at least the cap, but for the
-    /// rounding of lower + margin.
-    double cap = std::numeric_limits<double>::infinity();
+    /// rounding of lower + margin. Without a cap all clearances matter.
+    std::optional<double> cap;
     /// Lets lower be less than upper by a tenth of upper. Otherwise both are as tight as distances come.
     bool isRough = false;
     /// Skips the solids that always count: the caller knows that none of them holds the part, nor the part
@@ -96,9 +93,9 @@ struct ClearanceOptions {
 
 /// The answer of SceneClearance::stayOutsideSolids. Times are those of the motion, from 0 to 1.
 struct SolidsAlong {
-    SweepVerdict verdict = SweepVerdict::kCertified;               ///< kCertified: outside all along
-    double until = 1;                                              ///< the part is outside up to this time
-    double contactTime = std::numeric_limits<double>::infinity();  ///< of a pose inside a solid that counts
+    SweepVerdict verdict = SweepVerdict::kCertified;  ///< kCertified: outside all along
+    double until = 1;                                 ///< the part is outside up to this time
+    std::optional<double> contactTime;  ///< of a pose inside a solid that counts; none if none is known
 };
 
 /// Which contact zones hold a pose.
@@ -124,23 +121,22 @@ struct SceneSweepOptions {
 struct SceneSweep {
     SweepVerdict verdict = SweepVerdict::kCertified;  ///< kCertified: all clearances stay above the floor
     double certifiedUntil = 1;                        ///< when going forward
-    double contactTime = std::numeric_limits<double>::infinity();  ///< of a pose in contact; infinite without
-    std::uint64_t queries = 0;                                     ///< sweeps of one obstacle each
+    std::optional<double> contactTime;                ///< of a pose in contact; none without contact
+    std::uint64_t queries = 0;                        ///< sweeps of one obstacle each
 };
 
 /// The answer about a rigid motion.
 struct MotionAnswer {
     /// kCertified: free all along. kUndecided: somewhere within rounding of a margin.
     SweepVerdict verdict = SweepVerdict::kUndecided;
-    double certifiedUntil = 0;  ///< free from time 0 to this one, unless the start is not free
-    double contactTime = std::numeric_limits<double>::infinity();  ///< of a pose that is not free
+    double certifiedUntil = 0;          ///< free from time 0 to this one, unless the start is not free
+    std::optional<double> contactTime;  ///< of a pose that is not free; none if none is known
 };
 
 /// How accurately SceneClearance::leastClearance must know a clearance. Lengths in environment units.
 struct LeastClearanceOptions {
-    double poseError = 0;  ///< how far the poses in question may be off the motion
-    double cap = std::numeric_limits<
-        double>::infinity();           ///< larger clearances do not matter, e.g. than those found already
+    double poseError = 0;              ///< how far the poses in question may be off the motion
+    std::optional<double> cap;         ///< larger clearances do not matter, e.g. than those found already
     ClearanceResolution resolution{};  ///< how close the bounds must be; `least` must be set above 0
     std::function<bool()> isStopped;   ///< true ends the search; empty: never stopped
 };
@@ -286,8 +282,8 @@ struct QueryTally {
 /// Returns the tally of the calling thread's queries, of all scenes, and starts a new one at 0.
 QueryTally takeQueryTally();
 
-/// Names of the two meshes of a pair: a component's name, else its file's. Both are empty when `nearest` is
-/// no pair of triangles.
+/// Names of the two meshes of a pair: a component's name, else its file's. Both are empty when `nearest` has
+/// no witness.
 struct MeshNames {
     std::string part;         ///< the mesh of the part
     std::string environment;  ///< the mesh of the obstacle

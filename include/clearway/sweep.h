@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <optional>
 
 #include "clearway/query.h"
 #include "clearway/types.h"
@@ -95,7 +96,13 @@ struct SweepOptions {
     std::function<bool()> isStopped;
 };
 
-/// The answer of sweep(). Triangles are positions in the meshes as loaded, before cleaning.
+/// A pair of triangles, by their positions in the meshes as loaded, before cleaning.
+struct TriangleIds {
+    std::int64_t part = 0;         ///< in the part's mesh
+    std::int64_t environment = 0;  ///< in the environment's mesh
+};
+
+/// The answer of sweep().
 struct SweepResult {
     SweepVerdict verdict = SweepVerdict::kUndecided;  ///< about all times from SweepOptions::from to `until`
 
@@ -103,11 +110,10 @@ struct SweepResult {
     /// forward; otherwise `until` for a certified motion and `from` for others.
     double certifiedUntil = 0;
 
-    double contactTime =
-        std::numeric_limits<double>::infinity();  ///< of a pose in contact; infinite without contact
-    std::int64_t partTriangle = -1;  ///< of a pair in contact then; -1 without, and for a forbidden pose
-    std::int64_t environmentTriangle = -1;  ///< the other one of the pair
-    QueryCounters counters;                 ///< the work that the answer took
+    std::optional<double> contactTime;  ///< of a pose in contact, or forbidden; none without contact
+    /// A pair of triangles in contact then; none without contact, and for a forbidden pose.
+    std::optional<TriangleIds> contact;
+    QueryCounters counters;  ///< the work that the answer took
 };
 
 /// Certifies a motion of the part: a pair of volumes is certified for as long as their gap exceeds their approach
@@ -136,10 +142,17 @@ struct LeastDistanceOptions {
     double margin = 0;     ///< the resolution is that of the distance less this; environment units, >= 0
     double poseError = 0;  ///< how far poses may be off the motion, because they are rounded; >= 0
 
-    /// Distances less the margin from here on do not matter.
-    double cap = std::numeric_limits<double>::infinity();
+    std::optional<double> cap;  ///< distances less the margin from here on do not matter; without it all do
     ClearanceResolution resolution{1e-2, 0.1, 0, 1e-6};  ///< how close the two bounds must be
     std::function<bool()> isStopped;  ///< asked after at most 256 steps; true ends the search
+};
+
+/// A pose of a motion, and two triangles that are nearest to each other there.
+struct NearestAlong {
+    double time = 0;             ///< of the motion
+    TriangleIds triangles;       ///< the two triangles
+    Vector3 pointOnPart;         ///< the point of the part's triangle; environment's frame
+    Vector3 pointOnEnvironment;  ///< the point of the environment's triangle; environment's frame
 };
 
 /// The answer of leastDistance(): lower <= the least distance along the motion less the margin <= upper.
@@ -147,16 +160,9 @@ struct LeastDistanceOptions {
 struct LeastDistance {
     double lower = 0;                                        ///< minus the margin where nothing is known
     double upper = std::numeric_limits<double>::infinity();  ///< infinite beyond the cap
-    /// The witness of `upper`: a pose of the motion and a pair of triangles that are that near to each other there. Points
-    /// are in the environment's frame. Beyond the cap the ids are -1 and the points NaN.
-    double time = 0;
-    std::int64_t partTriangle = -1;         ///< position in the part's mesh as loaded
-    std::int64_t environmentTriangle = -1;  ///< position in the environment's mesh as loaded
-    /// The point of the part's triangle; environment's frame.
-    Vector3 pointOnPart = Vector3::Constant(std::numeric_limits<double>::quiet_NaN());
-    Vector3 pointOnEnvironment = pointOnPart;  ///< the point of the environment's triangle
-    bool isStopped = false;                    ///< the search ended early; lower is then minus the margin
-    QueryCounters counters;                    ///< the work that the answer took
+    std::optional<NearestAlong> nearest;                     ///< the witness of `upper`; none beyond the cap
+    bool isStopped = false;  ///< the search ended early; lower is then minus the margin
+    QueryCounters counters;  ///< the work that the answer took
 };
 
 /// Finds the least distance along a motion. Ends early when some distance less the margin is not above the

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 #include <fstream>
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <new>
@@ -166,12 +167,14 @@ void writeResult(const DistanceResult& found, clearway_distance_result& result) 
     result.lower = found.lower;
     result.upper = found.upper;
     result.distance = found.distance;
+    constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
     for (int axis = 0; axis < 3; ++axis) {
-        result.point_on_part[axis] = found.pointOnPart[axis];
-        result.point_on_environment[axis] = found.pointOnEnvironment[axis];
+        result.point_on_part[axis] = found.witness ? found.witness->pointOnPart[axis] : kNowhere;
+        result.point_on_environment[axis] =
+            found.witness ? found.witness->pointOnEnvironment[axis] : kNowhere;
     }
-    result.part_triangle = found.partTriangle;
-    result.environment_triangle = found.environmentTriangle;
+    result.part_triangle = found.witness ? found.witness->partTriangle : -1;
+    result.environment_triangle = found.witness ? found.witness->environmentTriangle : -1;
 }
 
 struct LastError {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "clearway/build_report.h"
+#include "clearway/build_options.h"
 #include "clearway/mesh.h"
 #include "clearway/types.h"
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <limits>
 
 #include "build/build.h"
 #include "build/flatten.h"
@@ -71,8 +72,8 @@ double Model::radiusAboutAxis(const Vector3& direction) const {
     if (!(length > 0) || !std::isfinite(length) || !unit.allFinite()) return radiusAboutOrigin();
     return std::min(clearway::radiusAboutAxis(data_->tree, unit.normalized()), radiusAboutOrigin());
 }
-double Model::displacement(const Pose& from, const Pose& to, double cap) const {
-    return largestDisplacement(data_->tree, from, to, cap);
+double Model::displacement(const Pose& from, const Pose& to, std::optional<double> cap) const {
+    return largestDisplacement(data_->tree, from, to, cap.value_or(std::numeric_limits<double>::infinity()));
 }
 std::uint64_t Model::key() const {
     return data_->key;
@@ -80,8 +81,4 @@ std::uint64_t Model::key() const {
 std::uint64_t Model::id() const {
     return data_->id;
 }
-const FlatTree& Model::tree() const {
-    return data_->tree;
-}
-
 }  // namespace clearway

@@ -1,4 +1,4 @@
-// The data that copies of a Model share.
+// The data that copies of a Model share, and their tree for queries.
 #pragma once
 
 #include "clearway/model.h"
@@ -15,5 +15,14 @@ struct Model::Data {
     MeshOrigin origin;
     std::optional<Reach> reach;  ///< set only when triangles were left out
 };
+
+struct ModelAccess {
+    static const FlatTree& tree(const Model& model) { return model.data_->tree; }
+};
+
+/// Returns the model's tree, as long as a copy of the model lives.
+inline const FlatTree& treeOf(const Model& model) {
+    return ModelAccess::tree(model);
+}
 
 }  // namespace clearway

@@ -10,6 +10,7 @@
 #include "clearway/model.h"
 #include "core/number.h"
 #include "model/arguments.h"
+#include "model/model_data.h"
 #include "model/reach.h"
 #include "query/queries.h"
 
@@ -27,7 +28,7 @@ PairQuery beginQuery(const Model& part, const Model& environment, const Pose& X_
     requireWithinReach(part, environment, X_environmentPart);
     state.counters = {};
     state.witnesses.serve(part.id(), environment.id());
-    return preparePairQuery(part.tree(), environment.tree(), X_environmentPart);
+    return preparePairQuery(treeOf(part), treeOf(environment), X_environmentPart);
 }
 
 /// |v|, also if the squares would overflow or vanish.
@@ -57,7 +58,7 @@ double scaledUp(double length, double unit, double perUnit) {
 bool answerWithin(const Model& part, const Model& environment, const Pose& X_environmentPart, double d,
                   Workspace& workspace) {
     requireWithinCap(environment, d);
-    Workspace::State& state = workspace.state();
+    Workspace::State& state = stateOf(workspace);
     const WorkspaceUse use(state);
     const PairQuery query = beginQuery(part, environment, X_environmentPart, state);
     const WithinAnswer answer = anyPairWithin(query, d, state);
@@ -81,9 +82,11 @@ DistanceResult distance(const Model& part, const Model& environment, const Pose&
                         const DistanceOptions& options, Workspace& workspace) {
     requireNotNegative("relativeError", options.relativeError);
     requireNotNegative("absoluteError", options.absoluteError);
-    requireBound("cap", options.cap);
-    const double cap = cappedByReach(environment, options.cap);
-    Workspace::State& state = workspace.state();
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    const double wanted = options.cap.value_or(kInfinity);
+    requireBound("cap", wanted);
+    const double cap = cappedByReach(environment, wanted);
+    Workspace::State& state = stateOf(workspace);
     const WorkspaceUse use(state);
     const PairQuery query = beginQuery(part, environment, X_environmentPart, state);
     const double toMeshUnits = std::ldexp(1.0, query.unitExponent);
@@ -94,31 +97,29 @@ DistanceResult distance(const Model& part, const Model& environment, const Pose&
     DistanceResult result;
     result.counters = state.counters;
     if (!answer.found) {
-        constexpr double kInfinity = std::numeric_limits<double>::infinity();
         // Triangles that were left out may be nearer than the tree's own bound, but not nearer than the
         // reach's cap.
         result.lower = cappedByReach(
             environment, std::max(cap, scaledDown(answer.pair.lower, toMeshUnits, query.perMeshUnit)));
         result.upper = result.distance = kInfinity;
-        result.pointOnPart.setConstant(std::numeric_limits<double>::quiet_NaN());
-        result.pointOnEnvironment = result.pointOnPart;
         return result;
     }
     state.witnesses.keep(query, answer.triangles, answer.pair.pointOnPart, answer.pair.pointOnEnvironment);
     result.lower = scaledDown(answer.pair.lower, toMeshUnits, query.perMeshUnit);
     result.upper = scaledUp(answer.pair.upper, toMeshUnits, query.perMeshUnit);
+    Witness& witness = result.witness.emplace();
     for (int k = 0; k < 3; ++k) {
-        result.pointOnPart[k] = answer.pair.pointOnPart[k] * toMeshUnits;
-        result.pointOnEnvironment[k] = answer.pair.pointOnEnvironment[k] * toMeshUnits;
+        witness.pointOnPart[k] = answer.pair.pointOnPart[k] * toMeshUnits;
+        witness.pointOnEnvironment[k] = answer.pair.pointOnEnvironment[k] * toMeshUnits;
     }
     const bool isContact = answer.pair.contact == Verdict::yes;
-    result.distance = isContact ? 0.0 : lengthOf(result.pointOnPart - result.pointOnEnvironment);
-    const std::uint32_t onPart = part.tree().triangleId(answer.triangles.part),
-                        onEnvironment = environment.tree().triangleId(answer.triangles.environment);
-    result.partTriangle = onPart;
-    result.environmentTriangle = onEnvironment;
-    result.partComponent = static_cast<std::int64_t>(componentOf(part.components(), onPart));
-    result.environmentComponent =
+    result.distance = isContact ? 0.0 : lengthOf(witness.pointOnPart - witness.pointOnEnvironment);
+    const std::uint32_t onPart = treeOf(part).triangleId(answer.triangles.part),
+                        onEnvironment = treeOf(environment).triangleId(answer.triangles.environment);
+    witness.partTriangle = onPart;
+    witness.environmentTriangle = onEnvironment;
+    witness.partComponent = static_cast<std::int64_t>(componentOf(part.components(), onPart));
+    witness.environmentComponent =
         static_cast<std::int64_t>(componentOf(environment.components(), onEnvironment));
     return result;
 }

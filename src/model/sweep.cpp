@@ -9,6 +9,7 @@
 #include "clearway/model.h"
 #include "core/number.h"
 #include "model/arguments.h"
+#include "model/model_data.h"
 #include "model/reach.h"
 #include "query/sweep.h"
 
@@ -42,6 +43,10 @@ void requireInRange(double value, const char* name, bool isInRange, const char* 
     if (!isInRange) throw ArgumentError(fmt::format("{} is {:g}, expected {}", name, value, range));
 }
 
+TriangleIds triangleIdsOf(const Model& part, const Model& environment, const TrianglesAt& triangles) {
+    return {treeOf(part).triangleId(triangles.part), treeOf(environment).triangleId(triangles.environment)};
+}
+
 /// Checks the arguments that both questions share, and begins the request.
 SweepRequest beginSweep(const Model& part, const Model& environment, const MotionPieces& motion,
                         double margin, double poseError, const std::function<bool()>& isStopped,
@@ -63,7 +68,7 @@ SweepRequest beginSweep(const Model& part, const Model& environment, const Motio
 SweepAnswer answerTo(const SweepRequest& request, const Model& part, const Model& environment,
                      const MotionPieces& motion, Workspace::State& state) {
     if (!part.reach() && !environment.reach()) {
-        return sweepTrees(part.tree(), environment.tree(), motion, request, state);
+        return sweepTrees(treeOf(part), treeOf(environment), motion, request, state);
     }
     const MotionPieces withinReach = [&](double from, double to) {
         MotionPiece piece = motion(from, to);
@@ -71,14 +76,14 @@ SweepAnswer answerTo(const SweepRequest& request, const Model& part, const Model
         return piece;
     };
     for (const double end : {request.from, request.until}) withinReach(end, end);
-    return sweepTrees(part.tree(), environment.tree(), withinReach, request, state);
+    return sweepTrees(treeOf(part), treeOf(environment), withinReach, request, state);
 }
 
 }  // namespace
 
 SweepResult sweep(const Model& part, const Model& environment, const MotionPieces& motion,
                   const SweepOptions& options, Workspace& workspace) {
-    Workspace::State& state = workspace.state();
+    Workspace::State& state = stateOf(workspace);
     const WorkspaceUse use(state);
     SweepRequest request =
         beginSweep(part, environment, motion, options.margin, options.poseError, options.isStopped, state);
@@ -103,8 +108,7 @@ SweepResult sweep(const Model& part, const Model& environment, const MotionPiece
     if (answer.isContact) {
         result.contactTime = answer.contactTime;
         if (answer.isPair) {
-            result.partTriangle = part.tree().triangleId(answer.contact.part);
-            result.environmentTriangle = environment.tree().triangleId(answer.contact.environment);
+            result.contact = triangleIdsOf(part, environment, answer.contact);
         }
     }
     if (options.isForward) {
@@ -136,11 +140,11 @@ PairAtTime nearAtEnds(const Model& part, const Model& environment, const MotionP
         const DistanceResult found = distance(part, environment, piece.middle, options, workspace);
         counters += found.counters;
         if (found.upper - margin < known.clearance) {
-            const Witnesses& witnesses = workspace.state().witnesses;
+            const Witnesses& witnesses = stateOf(workspace).witnesses;
             known = {found.upper - margin, end, witnesses.last};
         }
     }
-    workspace.state().counters = counters;
+    stateOf(workspace).counters = counters;
     return known;
 }
 
@@ -148,7 +152,7 @@ PairAtTime nearAtEnds(const Model& part, const Model& environment, const MotionP
 
 LeastDistance leastDistance(const Model& part, const Model& environment, const MotionPieces& motion,
                             const LeastDistanceOptions& options, Workspace& workspace) {
-    Workspace::State& state = workspace.state();
+    Workspace::State& state = stateOf(workspace);
     const WorkspaceUse use(state);
     SweepRequest request =
         beginSweep(part, environment, motion, options.margin, options.poseError, options.isStopped, state);
@@ -158,12 +162,12 @@ LeastDistance leastDistance(const Model& part, const Model& environment, const M
     requireNotNegative("resolution.length", resolution.length);
     requireInRange(resolution.least, "resolution.least", resolution.least > 0, "a length above 0");
     request.leastInterval = resolution.least;
-    requireInRange(options.cap, "cap", options.cap >= -options.margin,
-                   "a number of at least minus the margin");
+    const double cap = options.cap.value_or(std::numeric_limits<double>::infinity());
+    requireInRange(cap, "cap", cap >= -options.margin, "a number of at least minus the margin");
     request.goal = SweepGoal::kLeastDistance;
     request.resolution = resolution;
     const double reach = cappedByReach(environment, std::numeric_limits<double>::infinity());
-    request.cap = std::min(options.cap, reach - options.margin - options.poseError);
+    request.cap = std::min(cap, reach - options.margin - options.poseError);
     request.known = nearAtEnds(part, environment, motion, options.margin, request.cap, workspace);
     const SweepAnswer answer = answerTo(request, part, environment, motion, state);
 
@@ -172,14 +176,13 @@ LeastDistance leastDistance(const Model& part, const Model& environment, const M
     result.lower = std::max(answer.lower, -options.margin);
     const auto& [clearance, time, triangles] = answer.nearest;
     if (clearance < request.cap) {
-        result.time = time;
-        const PairQuery query = preparePairQuery(part.tree(), environment.tree(), motion(time, time).middle);
+        const PairQuery query =
+            preparePairQuery(treeOf(part), treeOf(environment), motion(time, time).middle);
         const ResolvedPair nearest = resolvePair(query, triangles);
         result.upper = std::min(clearance, nearest.upper / query.perMeshUnit - options.margin);
-        result.partTriangle = part.tree().triangleId(triangles.part);
-        result.environmentTriangle = environment.tree().triangleId(triangles.environment);
-        result.pointOnPart = nearest.pointOnPart / query.perMeshUnit;
-        result.pointOnEnvironment = nearest.pointOnEnvironment / query.perMeshUnit;
+        result.nearest = NearestAlong{time, triangleIdsOf(part, environment, triangles),
+                                      nearest.pointOnPart / query.perMeshUnit,
+                                      nearest.pointOnEnvironment / query.perMeshUnit};
         state.witnesses.serve(part.id(), environment.id());
         state.witnesses.keep(query, triangles, nearest.pointOnPart, nearest.pointOnEnvironment);
     }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "clearway/model.h"
+#include "model/model_data.h"
 #include "tree/flat_tree.h"
 
 namespace clearway {
@@ -20,7 +21,7 @@ void eachTriangleOf(const Model& model, const Take& take) {
     std::vector<std::size_t> ofTriangle;
     for (std::size_t i = 0; i < components.size(); ++i)
         ofTriangle.resize(components[i].firstTriangle + std::size_t(components[i].triangleCount), i);
-    const FlatTree& tree = model.tree();
+    const FlatTree& tree = treeOf(model);
     for (const LeafReference leaf : tree.leaves()) {
         for (std::uint32_t n = 0; n < tree.leaf(leaf).triangleCount; ++n) {
             const TriangleAt at{leaf, n};

@@ -7,6 +7,7 @@
 
 #include "mesh/clean.h"
 #include "mesh/topology.h"
+#include "model/model_data.h"
 #include "model/solids.h"
 #include "model/triangles_of.h"
 
@@ -102,7 +103,7 @@ std::optional<bool> endInside(const std::vector<TriangleCorners>& triangles, con
 }  // namespace
 
 Vector3 anyPointOf(const Model& model) {
-    const FlatTree& tree = model.tree();
+    const FlatTree& tree = treeOf(model);
     return tree.corners({tree.leaves().at(0), 0})[0];
 }
 

@@ -55,7 +55,7 @@ class Section {
         }
         if (name == "problem") return readSetting(entry, rest);
         if (dot == std::string::npos) return add(entry, name);
-        PlannerChoice& planner = lastOf(problem_.planners, name);
+        PlannerChoice& planner = lastOf(problem_.planning.planners, name);
         set(planner.parameters, rest, entry.value);
         take(planner);
     }
@@ -70,8 +70,8 @@ class Section {
 
   private:
     void add(const ConfigEntry& entry, const std::string& name) {
-        problem_.planners.push_back({name, {}, {}});
-        take(problem_.planners.back());
+        problem_.planning.planners.push_back({name, {}, {}});
+        take(problem_.planning.planners.back());
         if (entry.value.empty()) return;
         warn(entry, " is " + quote(entry.value) +
                         ", which has no effect: parameters are set as NAME.PARAMETER = VALUE");
@@ -80,7 +80,7 @@ class Section {
     /// Makes this the planner that gets the next settings, and gives it the settings that were waiting for a
     /// planner.
     void take(PlannerChoice& planner) {
-        last_ = &planner - problem_.planners.data();
+        last_ = &planner - problem_.planning.planners.data();
         for (const auto& [key, value] : pending_) set(planner.settings, key, value);
         pending_.clear();
     }
@@ -94,7 +94,7 @@ class Section {
         if (key != "sampler" && key != "objective.threshold" && !isSetting(key)) {
             return judgeUnknown(entry, key);
         }
-        set(last_ < 0 ? pending_ : problem_.planners[static_cast<std::size_t>(last_)].settings, key,
+        set(last_ < 0 ? pending_ : problem_.planning.planners[static_cast<std::size_t>(last_)].settings, key,
             entry.value);
     }
 
@@ -110,12 +110,12 @@ class Section {
 
     /// There is one objective for all planners: the problem's, or the first that is named for a planner.
     void readObjective(const ConfigEntry& entry) {
-        if (!hasObjective_) problem_.objective = entry.value;
+        if (!hasObjective_) problem_.planning.objective = entry.value;
         hasObjective_ = true;
-        if (problem_.objective != entry.value) {
+        if (problem_.planning.objective != entry.value) {
             warn(entry, " is " + quote(entry.value) +
                             ", which has no effect: the objective of all planners is " +
-                            quote(problem_.objective));
+                            quote(problem_.planning.objective));
         }
     }
 

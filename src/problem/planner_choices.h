@@ -14,7 +14,7 @@ namespace clearway {
 /// Whether OMPL.app passes this key of [problem] on to OMPL's space or sampler.
 bool isSetting(const std::string& key);
 
-/// Fills problem.planners in the file's order and skips entries of other sections. Keys are put into lower
+/// Fills problem.planning.planners in the file's order and skips entries of other sections. Keys are put into lower
 /// case, as in OMPL.app. Adds a warning for each entry without effect. Throws ArgumentError, naming
 /// file and line, for a key of another form and, where the file has a section [clearway] (isClearways), for an unknown
 /// setting.

@@ -8,6 +8,7 @@
 #include "clearway/obstacle_groups.h"
 #include "core/number.h"
 #include "problem/config.h"
+#include "problem/outside.h"
 #include "problem/rotation.h"
 
 namespace clearway {
@@ -150,9 +151,9 @@ Mesh loadAs(const Problem& problem, const std::string& file, double scale, MeshR
             const MeshReader& read) {
     LoadOptions options;
     options.scale = scale;
-    options.reading = problem.asOmplApp ? omplAppReading : MeshReading::kAsStored;
+    options.reading = problem.meshes.asOmplApp ? omplAppReading : MeshReading::kAsStored;
     Mesh mesh = read(file, options);
-    if (problem.isReadingStated || problem.asOmplApp) return mesh;
+    if (problem.meshes.isReadingStated || problem.meshes.asOmplApp) return mesh;
     options.reading = omplAppReading;
     requireAlike(problem, file, boundingBox(mesh), read(file, options));
     return mesh;
@@ -182,8 +183,8 @@ Pose poseOf(const PartState& state) {
 }
 
 std::vector<std::string> worldFiles(const Problem& problem) {
-    std::vector<std::string> files = {problem.world};
-    files.insert(files.end(), problem.furtherWorlds.begin(), problem.furtherWorlds.end());
+    std::vector<std::string> files = {problem.meshes.world};
+    files.insert(files.end(), problem.meshes.furtherWorlds.begin(), problem.meshes.furtherWorlds.end());
     return files;
 }
 
@@ -224,7 +225,7 @@ Box boundsOf(const Problem& problem, const Box& environmentBox, const Box& partB
 
 Mesh loadPart(const Problem& problem, const MeshReader& read) {
     const bool isSpatial = problem.space == Space::kSe3;
-    const Mesh part = loadAs(problem, problem.robot, problem.partScale,
+    const Mesh part = loadAs(problem, problem.meshes.robot, problem.meshes.partScale,
                              isSpatial ? MeshReading::kOmplAppRobot : MeshReading::kOmplAppPlanarRobot, read);
     requirePartExtent(part);
     return part;
@@ -233,14 +234,15 @@ Mesh loadPart(const Problem& problem, const MeshReader& read) {
 std::vector<Mesh> loadWorlds(const Problem& problem, const MeshReader& read) {
     std::vector<Mesh> worlds;
     for (const std::string& file : worldFiles(problem)) {
-        worlds.push_back(loadAs(problem, file, problem.worldScale, MeshReading::kOmplAppEnvironment, read));
+        worlds.push_back(
+            loadAs(problem, file, problem.meshes.worldScale, MeshReading::kOmplAppEnvironment, read));
     }
     return worlds;
 }
 
 std::string readingNote(const Problem& problem, const Mesh& part) {
     const Vector3& shift = part.origin.shift;
-    if (problem.isReadingStated || !problem.asOmplApp ||
+    if (problem.meshes.isReadingStated || !problem.meshes.asOmplApp ||
         shift.norm() <= kSamePlace * boundingBox(part).diagonal().norm())
         return "";
     return "the part is moved by " + withUnit(roundedPoint(shift), problem.unit) +

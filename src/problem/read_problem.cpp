@@ -75,8 +75,8 @@ void readWorlds(ConfigValues& values, Problem& problem) {
     }
     for (std::string& name : names) name = meshFile(name, problem.file, problem.warnings);
     requireEachOnce(values, key, names);
-    problem.world = names[0];
-    problem.furtherWorlds.assign(names.begin() + 1, names.end());
+    problem.meshes.world = names[0];
+    problem.meshes.furtherWorlds.assign(names.begin() + 1, names.end());
 }
 
 /// SE(2) if no z or axis key is given, otherwise SE(3). If only some of these keys are given, reading the
@@ -151,8 +151,8 @@ PartState readState(ConfigValues& values, const std::string& name, bool isClearw
 
 void readGoal(ConfigValues& values, bool isClearways, Problem& problem) {
     problem.goal = readState(values, "goal", isClearways, problem);
-    problem.goalThreshold = values.number("problem.threshold");
-    if (problem.goalThreshold && *problem.goalThreshold < 0) {
+    problem.planning.goalThreshold = values.number("problem.threshold");
+    if (problem.planning.goalThreshold && *problem.planning.goalThreshold < 0) {
         values.refuse("problem.threshold", "a number of at least 0");
     }
 }
@@ -191,7 +191,7 @@ void readSettings(ConfigValues& values, Problem& problem) {
     for (const ConfigEntry& entry : values.unread()) {
         const std::string key = boost::to_lower_copy(keyOf(entry.name));
         if (sectionOf(entry.name) != "problem" || !isSetting(key)) continue;
-        problem.settings.emplace_back(key, *values.text(entry.name));
+        problem.planning.settings.emplace_back(key, *values.text(entry.name));
     }
 }
 
@@ -208,18 +208,18 @@ SavedPaths readSavedPaths(ConfigValues& values) {
 }
 
 void readBenchmark(ConfigValues& values, Problem& problem) {
-    problem.timeLimit = readPositive(values, "benchmark.time_limit");
-    problem.memoryLimit = readPositive(values, "benchmark.mem_limit");
-    problem.outputFolder = values.text("benchmark.output").value_or("");
-    problem.savedPaths = readSavedPaths(values);
-    problem.simplify = values.flag("benchmark.simplify").value_or(true);
+    problem.benchmark.timeLimit = readPositive(values, "benchmark.time_limit");
+    problem.benchmark.memoryLimit = readPositive(values, "benchmark.mem_limit");
+    problem.benchmark.outputFolder = values.text("benchmark.output").value_or("");
+    problem.benchmark.savedPaths = readSavedPaths(values);
+    problem.benchmark.simplify = values.flag("benchmark.simplify").value_or(true);
     const std::string name = "benchmark.run_count";
     const std::optional<std::string> text = values.text(name);
     if (!text) return;
     constexpr std::int64_t kMostRuns = 1000000;
     const std::optional<std::int64_t> count = parseInteger(*text);
     if (!count || *count < 1 || *count > kMostRuns) values.refuse(name, "an integer from 1 to 1000000");
-    problem.runCount = static_cast<int>(*count);
+    problem.benchmark.runCount = static_cast<int>(*count);
 }
 
 std::string readUnit(ConfigValues& values) {
@@ -245,10 +245,10 @@ void readClearway(ConfigValues& values, bool isClearways, Problem& problem) {
     const std::string reading = "clearway.reading";
     const std::optional<std::string> how = values.text(reading);
     if (how && *how != "omplapp" && *how != "stored") values.refuse(reading, "omplapp or stored");
-    problem.isReadingStated = how.has_value();
-    problem.asOmplApp = how ? *how == "omplapp" : !isClearways;
-    problem.partScale = readPositive(values, "clearway.robot.scale").value_or(1);
-    problem.worldScale = readPositive(values, "clearway.world.scale").value_or(1);
+    problem.meshes.isReadingStated = how.has_value();
+    problem.meshes.asOmplApp = how ? *how == "omplapp" : !isClearways;
+    problem.meshes.partScale = readPositive(values, "clearway.robot.scale").value_or(1);
+    problem.meshes.worldScale = readPositive(values, "clearway.world.scale").value_or(1);
     problem.unit = readUnit(values);
 }
 
@@ -286,7 +286,7 @@ Problem readProblem(const std::string& file) {
     problem.file = file;
     judgeSections(file, config, problem);
     problem.name = values.text("problem.name").value_or("");
-    problem.robot =
+    problem.meshes.robot =
         meshFile(values.requiredText("problem.robot", "the part's mesh file"), file, problem.warnings);
     readWorlds(values, problem);
     problem.space = spaceOf(values);
@@ -295,9 +295,9 @@ Problem readProblem(const std::string& file) {
     problem.outside = readOutside(values, problem.space);
     if (!problem.outside) readGoal(values, isClearways, problem);
     problem.volume = readVolume(values, problem.space);
-    problem.objective = values.text("problem.objective").value_or(problem.objective);
-    problem.objectiveThreshold = values.number("problem.objective.threshold");
-    problem.sampler = values.text("problem.sampler").value_or("");
+    problem.planning.objective = values.text("problem.objective").value_or(problem.planning.objective);
+    problem.planning.objectiveThreshold = values.number("problem.objective.threshold");
+    problem.planning.sampler = values.text("problem.sampler").value_or("");
     readSettings(values, problem);
     readBenchmark(values, problem);
     readClearway(values, isClearways, problem);

@@ -106,7 +106,7 @@ void writeProblemSection(ConfigText& text, const Problem& problem, const std::st
     const int dimensions = problem.space == Space::kSe3 ? 3 : 2;
     text.section("problem");
     if (!problem.name.empty()) text.line("name", problem.name);
-    text.line("robot", relativeTo(folder, problem.robot));
+    text.line("robot", relativeTo(folder, problem.meshes.robot));
     text.line("world", writtenWorlds(problem, folder));
     writeState(text, "start", problem.start, problem.space);
     if (!problem.outside) writeState(text, "goal", problem.goal, problem.space);
@@ -114,34 +114,37 @@ void writeProblemSection(ConfigText& text, const Problem& problem, const std::st
         text.vector("volume.min", problem.volume->min(), dimensions);
         text.vector("volume.max", problem.volume->max(), dimensions);
     }
-    text.line("objective", problem.objective);
-    if (problem.objectiveThreshold) text.line("objective.threshold", *problem.objectiveThreshold);
-    if (problem.goalThreshold && !problem.outside) text.line("threshold", *problem.goalThreshold);
-    if (!problem.sampler.empty()) text.line("sampler", problem.sampler);
-    writeTexts(text, "a setting of the problem", "", problem.settings);
+    text.line("objective", problem.planning.objective);
+    if (problem.planning.objectiveThreshold)
+        text.line("objective.threshold", *problem.planning.objectiveThreshold);
+    if (problem.planning.goalThreshold && !problem.outside)
+        text.line("threshold", *problem.planning.goalThreshold);
+    if (!problem.planning.sampler.empty()) text.line("sampler", problem.planning.sampler);
+    writeTexts(text, "a setting of the problem", "", problem.planning.settings);
 }
 
 void writeBenchmarkSection(ConfigText& text, const Problem& problem) {
-    const bool savesPaths = problem.savedPaths != SavedPaths::kNone;
-    if (!problem.timeLimit && !problem.memoryLimit && !problem.runCount && problem.outputFolder.empty() &&
-        !savesPaths && problem.simplify) {
+    const bool savesPaths = problem.benchmark.savedPaths != SavedPaths::kNone;
+    if (!problem.benchmark.timeLimit && !problem.benchmark.memoryLimit && !problem.benchmark.runCount &&
+        problem.benchmark.outputFolder.empty() && !savesPaths && problem.benchmark.simplify) {
         return;
     }
     text.section("benchmark");
-    if (problem.timeLimit) text.line("time_limit", *problem.timeLimit);
-    if (problem.memoryLimit) text.line("mem_limit", *problem.memoryLimit);
-    if (problem.runCount) text.line("run_count", std::to_string(*problem.runCount));
-    if (!problem.outputFolder.empty()) text.line("output", problem.outputFolder);
+    if (problem.benchmark.timeLimit) text.line("time_limit", *problem.benchmark.timeLimit);
+    if (problem.benchmark.memoryLimit) text.line("mem_limit", *problem.benchmark.memoryLimit);
+    if (problem.benchmark.runCount) text.line("run_count", std::to_string(*problem.benchmark.runCount));
+    if (!problem.benchmark.outputFolder.empty()) text.line("output", problem.benchmark.outputFolder);
     if (savesPaths) {
-        text.line("save_paths", std::string(problem.savedPaths == SavedPaths::kAll ? "all" : "shortest"));
+        text.line("save_paths",
+                  std::string(problem.benchmark.savedPaths == SavedPaths::kAll ? "all" : "shortest"));
     }
-    if (!problem.simplify) text.line("simplify", std::string("0"));
+    if (!problem.benchmark.simplify) text.line("simplify", std::string("0"));
 }
 
 void writePlannerSection(ConfigText& text, const Problem& problem) {
-    if (problem.planners.empty()) return;
+    if (problem.planning.planners.empty()) return;
     text.section("planner");
-    for (const PlannerChoice& planner : problem.planners) {
+    for (const PlannerChoice& planner : problem.planning.planners) {
         requireWritableKey("a planner's name", planner.name, "#=[.\n\r");
         text.line(planner.name, std::string());
         writeTexts(text, "a parameter of planner " + quote(planner.name), planner.name + ".",
@@ -161,10 +164,10 @@ void writeClearwaySection(ConfigText& text, const Problem& problem) {
     for (const auto& [key, value] : writtenRules(problem.rules)) text.quotedLine(key, value);
     if (problem.fineness) text.line("fineness", *problem.fineness);
     if (!problem.unit.empty()) text.line("unit", problem.unit);
-    if (problem.partScale != 1) text.line("robot.scale", problem.partScale);
-    if (problem.worldScale != 1) text.line("world.scale", problem.worldScale);
-    if (problem.isReadingStated || problem.asOmplApp)
-        text.line("reading", std::string(problem.asOmplApp ? "omplapp" : "stored"));
+    if (problem.meshes.partScale != 1) text.line("robot.scale", problem.meshes.partScale);
+    if (problem.meshes.worldScale != 1) text.line("world.scale", problem.meshes.worldScale);
+    if (problem.meshes.isReadingStated || problem.meshes.asOmplApp)
+        text.line("reading", std::string(problem.meshes.asOmplApp ? "omplapp" : "stored"));
 }
 
 }  // namespace

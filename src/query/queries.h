@@ -51,6 +51,14 @@ struct Workspace::State {
     std::atomic<std::thread::id> user{};  ///< the thread that uses the workspace now; see WorkspaceUse
 };
 
+struct WorkspaceAccess {
+    static Workspace::State& state(Workspace& workspace) { return *workspace.state_; }
+};
+
+inline Workspace::State& stateOf(Workspace& workspace) {
+    return WorkspaceAccess::state(workspace);
+}
+
 /// The use of a workspace by one query. In builds with assertions it fails if another thread uses the workspace meanwhile;
 /// in others it does nothing. A query within a query of the same thread is one use.
 #ifdef NDEBUG

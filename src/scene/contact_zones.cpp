@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <string>
 
@@ -70,7 +69,7 @@ void ContactZones::findSpares(const Scene& scene, const Pose& X_environmentPart,
     for (std::size_t i = 0; i < zones_.size(); ++i) {
         const Bounds start = zones_[i].atStart ? atStart : Bounds{-1, -1},
                      goal = zones_[i].atGoal ? atGoal : Bounds{-1, -1};
-        answer.zones[i].clearance = {kUnknownClearance, std::numeric_limits<double>::infinity()};
+        answer.zones[i].clearance.reset();
         answer.zones[i].spare = {std::max(start.lower, goal.lower), std::max(start.upper, goal.upper)};
     }
 }

@@ -23,10 +23,8 @@ constexpr double kRoughEnough = 0.9;
 
 /// The answer when no obstacle was asked.
 SceneDistance nowhere() {
-    constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
     SceneDistance result;
     result.lower = result.upper = result.distance = kFarAway;
-    result.pointOnPart = result.pointOnEnvironment = Vector3::Constant(kNowhere);
     return result;
 }
 
@@ -40,7 +38,7 @@ struct SceneClearance::Asked {
 
     /// True when reports are to name this obstacle: it has less clearance, as far as that is known.
     bool isNearerThan(const PoseClearance& sofar) const {
-        if (sofar.nearest.obstacle < 0) return true;
+        if (!sofar.nearest.obstacle) return true;
         const bool isFar = std::isinf(clearance.upper) && std::isinf(sofar.upper);
         return isFar ? clearance.lower < sofar.lower : clearance.upper < sofar.upper;
     }
@@ -128,16 +126,17 @@ PoseClearance SceneClearance::at(const Pose& X_environmentPart, const ClearanceO
     zones_->findSpares(scene_, X_environmentPart, answer);
     visitAll(scene_.obstacles.size(), mine.nearest, [&](std::size_t i) {
         ClearanceOptions asked = options;
-        asked.cap =
-            std::min(options.cap, answer.upper);  // more than the nearest one so far is of no interest
-        if (asked.cap + scene_.obstacles[i].margin < 0) return true;
+        const double cap =
+            std::min(options.cap.value_or(kFarAway), answer.upper);  // the nearest one so far is enough
+        if (cap + scene_.obstacles[i].margin < 0) return true;
+        asked.cap = cap;
         ZoneClearance* zone = zones_->zoneOf(i, answer);
         if (zone && zone->isIgnored() && zone->spare.lower >= options.leastSpare) return true;
         const Asked found = ask(i, X_environmentPart, asked, mine);
         answer.queries += found.queries;
-        Bounds& least = zone ? zone->clearance : answer.always;
-        const bool isFirst = least.lower == kUnknownClearance;
-        least.lower = isFirst ? found.clearance.lower : std::min(least.lower, found.clearance.lower);
+        if (zone && !zone->clearance) zone->clearance.emplace();
+        Bounds& least = zone ? *zone->clearance : answer.always;
+        least.lower = std::min(least.lower, found.clearance.lower);
         least.upper = std::min(least.upper, found.clearance.upper);
         if (zone && zone->isIgnored()) return true;
         if (found.isNearerThan(answer)) {
@@ -148,7 +147,7 @@ PoseClearance SceneClearance::at(const Pose& X_environmentPart, const ClearanceO
         answer.upper = std::min(answer.upper, found.clearance.upper);
         return true;
     });
-    if (answer.nearest.obstacle < 0) answer.nearest = nowhere();
+    if (!answer.nearest.obstacle) answer.nearest = nowhere();
     if (hasSolids_) lookAtSolids(X_environmentPart, options.isOutside, answer);
     nameTriangle(answer.nearest);
     return answer;
@@ -158,7 +157,7 @@ SceneClearance::Asked SceneClearance::ask(std::size_t i, const Pose& X_environme
                                           const ClearanceOptions& options, Scratch& scratch) const {
     Asked answer;
     DistanceOptions asked;
-    asked.cap = options.cap + scene_.obstacles[i].margin;
+    if (options.cap) asked.cap = *options.cap + scene_.obstacles[i].margin;
     if (options.isRough) {
         asked.relativeError = kRoughError;
         ask(i, X_environmentPart, asked, scratch, answer);
@@ -182,7 +181,7 @@ void SceneClearance::ask(std::size_t i, const Pose& X_environmentPart, const Dis
     d = clearway::distance(scene_.partFor(obstacle), obstacle.model, X_environmentPart, options, workspace);
     ++tallyOfThisThread().distances;
     tallyOfThisThread().work += workspace.counters();
-    answer.nearest.obstacle = static_cast<int>(i);
+    answer.nearest.obstacle = i;
     ++answer.queries;
     bool valid = d.upper > margin;
     const bool isSure = margin == 0 || d.lower > margin || !valid;
@@ -206,9 +205,9 @@ SceneDistance SceneClearance::distance(const Pose& X_environmentPart) const {
         const DistanceResult found = clearway::distance(scene_.partFor(obstacle), obstacle.model,
                                                         X_environmentPart, options, mine.workspaces[i]);
         const double lower = std::min(least.lower, found.lower);
-        if (found.upper < least.upper || least.obstacle < 0) {
+        if (found.upper < least.upper || !least.obstacle) {
             static_cast<DistanceResult&>(least) = found;
-            least.obstacle = static_cast<int>(i);
+            least.obstacle = i;
         }
         least.lower = lower;
         return true;
@@ -218,17 +217,18 @@ SceneDistance SceneClearance::distance(const Pose& X_environmentPart) const {
 }
 
 void SceneClearance::nameTriangle(SceneDistance& nearest) const {
-    if (nearest.environmentTriangle < 0) return;
-    const Obstacle& obstacle = scene_.obstacles[static_cast<std::size_t>(nearest.obstacle)];
+    if (!nearest.witness) return;
+    Witness& witness = *nearest.witness;
+    const Obstacle& obstacle = scene_.obstacles[*nearest.obstacle];
     if (obstacle.shrunk) {
         const std::uint32_t triangle =
-            obstacle.shrunk->partTriangles[static_cast<std::size_t>(nearest.partTriangle)];
-        nearest.partTriangle = triangle;
-        nearest.partComponent = static_cast<std::int64_t>(componentOf(scene_.part.components(), triangle));
+            obstacle.shrunk->partTriangles[static_cast<std::size_t>(witness.partTriangle)];
+        witness.partTriangle = triangle;
+        witness.partComponent = static_cast<std::int64_t>(componentOf(scene_.part.components(), triangle));
     }
     if (obstacle.fileTriangles.empty()) return;
-    const auto component = static_cast<std::size_t>(nearest.environmentComponent);
-    nearest.environmentTriangle += static_cast<std::int64_t>(obstacle.fileTriangles[component]) -
+    const auto component = static_cast<std::size_t>(witness.environmentComponent);
+    witness.environmentTriangle += static_cast<std::int64_t>(obstacle.fileTriangles[component]) -
                                    obstacle.model.components()[component].firstTriangle;
 }
 
@@ -266,8 +266,9 @@ void SceneClearance::lookAtSolids(const Pose& X_environmentPart, bool isOutside,
                                   PoseClearance& answer) const {
     for (std::size_t i = 0; i < scene_.obstacles.size(); ++i) {
         ZoneClearance* zone = zones_->zoneOf(i, answer);
-        double& lower = zone ? zone->clearance.lower : answer.always.lower;
-        if (!(lower > 0) || (!zone && isOutside)) continue;
+        if (zone ? !zone->clearance : isOutside) continue;
+        double& lower = zone ? zone->clearance->lower : answer.always.lower;
+        if (!(lower > 0)) continue;
         if (!enclosureBy(i, X_environmentPart)) continue;
         lower = 0;
         if (zones_->isIgnored(i, answer)) continue;

@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -11,6 +13,13 @@
 #include "scene/scene_scratch.h"
 
 namespace clearway {
+namespace {
+
+std::optional<double> earlierOf(const std::optional<double>& a, const std::optional<double>& b) {
+    return a && (!b || *a < *b) ? a : b;
+}
+
+}  // namespace
 
 /// No point of the part moves further than this from the middle of a piece to either end. PartMotion::length tells more
 /// where the part is far from its own origin and turns.
@@ -75,7 +84,7 @@ SolidsAlong SceneClearance::stayOutsideSolid(std::size_t i, const PartMotion& mo
         if (side == SweepVerdict::kCertified) continue;
         if (side == SweepVerdict::kContact) {
             const double until = std::min(answer.until, range.from);
-            return {SweepVerdict::kContact, until, std::min(answer.contactTime, range.from)};
+            return {SweepVerdict::kContact, until, earlierOf(answer.contactTime, range.from)};
         }
         const double middle = range.from + 0.5 * (range.to - range.from);
         if (motion.length * (range.to - range.from) > leastInterval) {
@@ -137,7 +146,7 @@ SceneSweep SceneClearance::sweep(const PartMotion& motion, const SceneSweepOptio
         mine.nearest = i;
         const bool isFirst = answer.verdict == SweepVerdict::kCertified;
         if (isFirst || found.verdict == SweepVerdict::kContact) answer.verdict = found.verdict;
-        answer.contactTime = std::min(answer.contactTime, found.contactTime);
+        answer.contactTime = earlierOf(answer.contactTime, found.contactTime);
         answer.certifiedUntil = std::min(answer.certifiedUntil, found.certifiedUntil);
         return options.isForward && answer.certifiedUntil > options.from;
     });
@@ -152,7 +161,7 @@ void SceneClearance::lookBehind(const PartMotion& motion, SceneSweepOptions opti
     asked.from = answer.certifiedUntil;
     asked.leastInterval = options.leastInterval;
     asked.poseError = options.poseError;
-    double contactTime = std::numeric_limits<double>::infinity();
+    std::optional<double> contactTime;
     for (std::size_t i = 0; i < scene_.obstacles.size() && asked.from < 1; ++i) {
         const Obstacle& obstacle = scene_.obstacles[i];
         asked.margin = obstacle.margin;
@@ -161,10 +170,10 @@ void SceneClearance::lookBehind(const PartMotion& motion, SceneSweepOptions opti
                             asked, mine.workspaces[i]);
         ++tallyOfThisThread().sweeps;
         tallyOfThisThread().work += found.counters;
-        if (found.verdict == SweepVerdict::kContact) contactTime = std::min(contactTime, found.contactTime);
+        if (found.verdict == SweepVerdict::kContact) contactTime = earlierOf(contactTime, found.contactTime);
     }
-    if (!isFree(motion.pieces(1, 1).middle)) contactTime = std::min(contactTime, 1.0);
-    if (!std::isfinite(contactTime)) return;
+    if (!isFree(motion.pieces(1, 1).middle)) contactTime = earlierOf(contactTime, 1.0);
+    if (!contactTime) return;
     answer.verdict = SweepVerdict::kContact;
     answer.contactTime = contactTime;
 }
@@ -192,7 +201,7 @@ MotionAnswer SceneClearance::check(const RigidMotion& motion, double poseError) 
         stayOutsideSolids(whole, surfaces.certifiedUntil, options.poseError, options.leastInterval);
 
     MotionAnswer answer{surfaces.verdict, std::min(surfaces.certifiedUntil, solids.until),
-                        std::min(surfaces.contactTime, solids.contactTime)};
+                        earlierOf(surfaces.contactTime, solids.contactTime)};
     const bool isWorse =
         answer.verdict == SweepVerdict::kCertified || solids.verdict == SweepVerdict::kContact;
     if (solids.verdict != SweepVerdict::kCertified && isWorse) answer.verdict = solids.verdict;
@@ -204,7 +213,7 @@ LeastClearance SceneClearance::leastClearance(const PartMotion& motion,
                                               const LeastClearanceOptions& options) const {
     LeastClearance answer;
     answer.lower = std::numeric_limits<double>::infinity();
-    answer.upper = std::min(options.cap, mostClearance());
+    answer.upper = std::min(options.cap.value_or(answer.lower), mostClearance());
     Scratch& mine = scratch_->perThread.local();
     LeastDistanceOptions asked;
     asked.poseError = options.poseError;
@@ -224,7 +233,7 @@ LeastClearance SceneClearance::leastClearance(const PartMotion& motion,
         answer.isStopped = answer.isStopped || found.isStopped;
         if (found.upper < answer.upper) {
             answer.upper = found.upper;
-            answer.time = found.time;
+            answer.time = found.nearest->time;
             mine.nearest = i;
         }
         return !answer.isStopped && answer.upper > 0;  // a motion in contact has no least clearance to find

@@ -24,12 +24,11 @@ std::string meshName(const Model& model, std::int64_t component) {
 }
 
 double marginOf(const Scene& scene, const SceneDistance& nearest) {
-    return nearest.obstacle < 0 ? 0 : scene.obstacles[static_cast<std::size_t>(nearest.obstacle)].margin;
+    return nearest.obstacle ? scene.obstacles[*nearest.obstacle].margin : 0;
 }
 
 const ShrunkModel* shrunkFor(const Scene& scene, const SceneDistance& nearest) {
-    return nearest.obstacle < 0 ? nullptr
-                                : scene.obstacles[static_cast<std::size_t>(nearest.obstacle)].shrunk.get();
+    return nearest.obstacle ? scene.obstacles[*nearest.obstacle].shrunk.get() : nullptr;
 }
 
 /// Describes a pair that touches or is closer than the margin.
@@ -42,12 +41,12 @@ std::string describePair(const Scene& scene, const SceneDistance& nearest) {
     if (shrunk && nearest.collides()) {
         message << "the environment's mesh '" << names.environment << "' reaches more than "
                 << inUnit(shrunk->overlap) << " below the surface of the part's mesh '" << names.part
-                << "', at triangle " << nearest.environmentTriangle << ", nearest to triangle "
-                << nearest.partTriangle << " of the part";
+                << "', at triangle " << nearest.witness->environmentTriangle << ", nearest to triangle "
+                << nearest.witness->partTriangle << " of the part";
         return message.str();
     }
-    message << "triangle " << nearest.partTriangle << " of the part's mesh '" << names.part
-            << "' and triangle " << nearest.environmentTriangle << " of the environment's mesh '"
+    message << "triangle " << nearest.witness->partTriangle << " of the part's mesh '" << names.part
+            << "' and triangle " << nearest.witness->environmentTriangle << " of the environment's mesh '"
             << names.environment << "' are ";
     if (nearest.collides()) {
         message << "touching, expected a distance above " << inUnit(margin);
@@ -78,21 +77,22 @@ std::string SceneClearance::whyInvalid(const Pose& X_environmentPart) const {
     const PoseClearance found = at(X_environmentPart);
     if (found.isValid()) return "";
     if (found.nearest.collides()) return "in collision: " + describePair(scene_, found.nearest);
-    const bool isApart = found.nearest.lower > marginOf(scene_, found.nearest);
+    const bool isApart = !found.nearest.witness || found.nearest.lower > marginOf(scene_, found.nearest);
     if (!isApart) return "too close: " + describePair(scene_, found.nearest);
     return "in collision: " + describeEnclosure(X_environmentPart);
 }
 
 MeshNames meshNames(const Scene& scene, const SceneDistance& nearest) {
-    if (nearest.partTriangle < 0 || nearest.obstacle < 0) return {};
-    const Model& environment = scene.obstacles[static_cast<std::size_t>(nearest.obstacle)].model;
-    return {meshName(scene.part, nearest.partComponent), meshName(environment, nearest.environmentComponent)};
+    if (!nearest.witness || !nearest.obstacle) return {};
+    const Model& environment = scene.obstacles[*nearest.obstacle].model;
+    return {meshName(scene.part, nearest.witness->partComponent),
+            meshName(environment, nearest.witness->environmentComponent)};
 }
 
 MeshNames distinctMeshNames(const Scene& scene, const SceneDistance& nearest) {
     MeshNames names = meshNames(scene, nearest);
     if (names.part != names.environment || names.part.empty()) return names;
-    const Model& environment = scene.obstacles[static_cast<std::size_t>(nearest.obstacle)].model;
+    const Model& environment = scene.obstacles[*nearest.obstacle].model;
     const std::string partFile = scene.part.origin().file, environmentFile = environment.origin().file;
     if (partFile.empty() || environmentFile.empty()) return names;
     const bool isTold = fileName(scene.part) != fileName(environment);

@@ -88,7 +88,7 @@ class FarSearch {
         double radius = 0;
         for (const Vector3& corner : c) radius = std::max(radius, (corner - middle).norm());
         if (found.distance + radius <= most_ || radius <= fineness_) return;
-        const auto& [p, q, r] = shrunk_.triangles[found.environmentTriangle];
+        const auto& [p, q, r] = shrunk_.triangles[found.witness->environmentTriangle];
         const Corners3 nearest = {shrunk_.vertices[p], shrunk_.vertices[q], shrunk_.vertices[r]};
         if (std::all_of(c.begin(), c.end(),
                         [&](const Vector3& corner) { return distanceToTriangle(corner, nearest) <= most_; }))

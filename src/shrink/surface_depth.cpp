@@ -244,14 +244,14 @@ std::size_t SurfaceDepth::bodyNear(const Vector3& point, Workspace& workspace) c
 
 SurfaceDepth::Place SurfaceDepth::at(const Vector3& point, Workspace& workspace) const {
     const DistanceResult found = distance_.find(point, workspace);
-    const auto triangle = static_cast<std::uint32_t>(found.environmentTriangle);
+    const auto triangle = static_cast<std::uint32_t>(found.witness->environmentTriangle);
     if (everything_) {
         const bool isIn = isInComponent(point) || isInGap(point, found.distance, workspace);
-        return {isIn ? found.distance : -found.distance, triangle, found.pointOnEnvironment};
+        return {isIn ? found.distance : -found.distance, triangle, found.witness->pointOnEnvironment};
     }
     const std::optional<bool> isBehind = isBehindFace(point, triangle);
     const bool isIn = isBehind ? *isBehind : isInside(point);
-    return {isIn ? found.distance : -found.distance, triangle, found.pointOnEnvironment};
+    return {isIn ? found.distance : -found.distance, triangle, found.witness->pointOnEnvironment};
 }
 
 bool SurfaceDepth::isInComponent(const Vector3& point) const {
@@ -290,7 +290,7 @@ Vector3 SurfaceDepth::outwardNormal(std::uint32_t triangle) const {
 }
 
 std::uint32_t SurfaceDepth::nearest(const Vector3& point, Workspace& workspace) const {
-    return static_cast<std::uint32_t>(distance_.find(point, workspace).environmentTriangle);
+    return static_cast<std::uint32_t>(distance_.find(point, workspace).witness->environmentTriangle);
 }
 
 bool SurfaceDepth::isInside(const Vector3& point) const {

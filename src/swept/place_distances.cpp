@@ -82,8 +82,8 @@ PlaceDistance PlaceDistances::at(const Vector3& point, std::size_t& first, Works
         if (found.upper >= least.upper) continue;
         least.upper = found.upper;
         least.motion = first = k;
-        least.time = found.time;
-        least.partTriangle = found.partTriangle;
+        least.time = found.nearest->time;
+        least.partTriangle = found.nearest->triangles.part;
     }
     return least;
 }

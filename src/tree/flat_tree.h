@@ -19,7 +19,7 @@
 #include <utility>
 #include <vector>
 
-#include "clearway/build_report.h"
+#include "clearway/build_options.h"
 #include "clearway/types.h"
 
 namespace clearway {

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <optional>
 
+#include "model/model_data.h"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "bench/float_only.cpp"
 #include "hwy/foreach_target.h"  // must come before highway.h and the kernels
@@ -130,9 +132,9 @@ void FloatOnly::forgetWarmStart() {
 }
 
 Answer FloatOnly::distance(const Pose& X_environmentPart) {
-    const FlatTree &part = data_->part.tree(), &environment = data_->environment.tree();
+    const FlatTree &part = treeOf(data_->part), &environment = treeOf(data_->environment);
     const PairQuery query = preparePairQuery(part, environment, X_environmentPart);
-    Workspace::State& state = data_->workspace.state();
+    Workspace::State& state = stateOf(data_->workspace);
     state.counters = {};
     FloatPair found;
     if (part.nodeWidth == 2) {

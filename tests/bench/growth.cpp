@@ -80,7 +80,7 @@ class Motions {
     bool isRight(std::size_t i) {
         const SweepResult& result = results_[i];
         if (result.verdict == SweepVerdict::kContact) {
-            return distanceAt(i, result.contactTime) <= kAgreement * task_.sceneSize();
+            return distanceAt(i, *result.contactTime) <= kAgreement * task_.sceneSize();
         }
         for (const double time : {0.0, 0.25, 0.5, 0.75, 1.0}) {
             if (result.verdict == SweepVerdict::kCertified && !(distanceAt(i, time) > 0)) return false;

@@ -189,7 +189,7 @@ class MotionChecks {
         });
         for (std::size_t i = 0; i < results.size(); ++i) {
             const bool isContact = results[i].verdict == SweepVerdict::kContact;
-            const bool touches = isContact && distanceAt(motions_[i].motion, results[i].contactTime) <=
+            const bool touches = isContact && distanceAt(motions_[i].motion, *results[i].contactTime) <=
                                                   kDoubleError * sceneSize_;
             certified.wrong +=
                 (isContact && !touches) || (results[i].verdict == SweepVerdict::kCertified && !areValid[i]);

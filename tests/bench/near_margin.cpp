@@ -86,7 +86,7 @@ PosesNearMargin posesNearMargin(const BenchTask& task, const TreePair& trees, co
     Workspace workspace;
     for (const std::size_t base : freePoses(truths, margin, bases)) {
         const DistanceResult near = distance(trees.part, trees.environment, task.poses[base], {}, workspace);
-        const Vector3 between = near.pointOnEnvironment - near.pointOnPart;
+        const Vector3 between = near.witness->pointOnEnvironment - near.witness->pointOnPart;
         if (!(between.norm() > 0)) continue;
         for (const double target : targets(margin, task.sceneSize())) {
             // No pair comes nearer by more than the motion, and the closest pair comes nearer by the whole

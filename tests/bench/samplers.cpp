@@ -42,7 +42,7 @@ int run(int count, char** words) {
     std::string table = "sampler,seed,found,planning_seconds,checks,length,least_clearance\n";
     const std::vector<std::string> asked(words + 5, words + count);
     for (const std::string& sampler : asked.empty() ? kSamplers : asked) {
-        problem.sampler = sampler;
+        problem.planning.sampler = sampler;
         std::vector<double> seconds;
         int found = 0;
         for (options.seed = 1; options.seed <= seeds; ++options.seed) {

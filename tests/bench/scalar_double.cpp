@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "model/model_data.h"
 #include "query/pair_query.h"
 #include "query/refine.h"
 
@@ -375,8 +376,9 @@ void ScalarDouble::forgetWarmStart() {
 }
 
 Answer ScalarDouble::distance(const Pose& X_environmentPart) {
-    return withNodeWidth(data_->part.tree().nodeWidth, [&](auto width) {
-        Search<width> search(data_->part.tree(), data_->environment.tree(), X_environmentPart, data_->stack);
+    return withNodeWidth(treeOf(data_->part).nodeWidth, [&](auto width) {
+        Search<width> search(treeOf(data_->part), treeOf(data_->environment), X_environmentPart,
+                             data_->stack);
         if (data_->warmStart) search.resolve(*data_->warmStart);
         search.run();
         data_->warmStart = search.triangles();
@@ -385,8 +387,8 @@ Answer ScalarDouble::distance(const Pose& X_environmentPart) {
 }
 
 Answer ScalarDouble::rootBound(const Pose& X_environmentPart) const {
-    const Placed placed(data_->part.tree(), data_->environment.tree(), X_environmentPart);
-    const double bound = withNodeWidth(data_->part.tree().nodeWidth, [&](auto width) {
+    const Placed placed(treeOf(data_->part), treeOf(data_->environment), X_environmentPart);
+    const double bound = withNodeWidth(treeOf(data_->part).nodeWidth, [&](auto width) {
         return volumeGap<width>(placed.toEnvironment(placed.template partVolume<width>(0)),
                                 placed.template environmentVolume<width>(0), kInfinity) -
                placed.margin;

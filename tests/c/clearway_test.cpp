@@ -46,12 +46,19 @@ void checkEqual(const clearway_distance_result& found, const DistanceResult& exp
     BOOST_TEST(found.lower == expected.lower);
     BOOST_TEST(found.upper == expected.upper);
     BOOST_TEST(found.distance == expected.distance);
-    for (int axis = 0; axis < 3; ++axis) {
-        BOOST_TEST(areEqual(found.point_on_part[axis], expected.pointOnPart[axis]));
-        BOOST_TEST(areEqual(found.point_on_environment[axis], expected.pointOnEnvironment[axis]));
+    if (!expected.witness) {
+        BOOST_TEST(std::isnan(found.point_on_part[0]));
+        BOOST_TEST(std::isnan(found.point_on_environment[0]));
+        BOOST_TEST(found.part_triangle == -1);
+        BOOST_TEST(found.environment_triangle == -1);
+        return;
     }
-    BOOST_TEST(found.part_triangle == expected.partTriangle);
-    BOOST_TEST(found.environment_triangle == expected.environmentTriangle);
+    for (int axis = 0; axis < 3; ++axis) {
+        BOOST_TEST(areEqual(found.point_on_part[axis], expected.witness->pointOnPart[axis]));
+        BOOST_TEST(areEqual(found.point_on_environment[axis], expected.witness->pointOnEnvironment[axis]));
+    }
+    BOOST_TEST(found.part_triangle == expected.witness->partTriangle);
+    BOOST_TEST(found.environment_triangle == expected.witness->environmentTriangle);
 }
 
 }  // namespace
@@ -69,7 +76,7 @@ BOOST_AUTO_TEST_CASE(answers_are_those_of_cpp_to_the_last_digit) {
             const Rows rows = rowsOf(pose);
             for (const clearway_distance_options options :
                  {clearway_distance_options{}, clearway_distance_options{0.1, 0.01, 0},
-                  clearway_distance_options{0, 0, 0.5}}) {
+                  clearway_distance_options{0, 0, 0.5}, clearway_distance_options{0, 0, HUGE_VAL}}) {
                 DistanceOptions same;
                 same.relativeError = options.relative_error;
                 same.absoluteError = options.absolute_error;
@@ -177,12 +184,13 @@ BOOST_AUTO_TEST_CASE(bad_input_is_refused_in_the_words_of_cpp) {
         expectWordsOfCpp<std::invalid_argument>(
             clearway_within(boxes.part, boxes.environment, rows.data(), 1, 0, &boxes.flag), inCpp);
     }
-    for (double DistanceOptions::*const option :
-         {&DistanceOptions::relativeError, &DistanceOptions::absoluteError, &DistanceOptions::cap}) {
+    for (double clearway_distance_options::*const option :
+         {&clearway_distance_options::relative_error, &clearway_distance_options::absolute_error,
+          &clearway_distance_options::cap}) {
         for (const double value : {-1.0, nan}) {
-            DistanceOptions bad;
-            bad.*option = value;
-            const clearway_distance_options same = {bad.relativeError, bad.absoluteError, bad.cap};
+            clearway_distance_options same = {0, 0, HUGE_VAL};
+            same.*option = value;
+            const DistanceOptions bad{same.relative_error, same.absolute_error, same.cap};
             expectWordsOfCpp<std::invalid_argument>(boxes.distance(boxes.rows.data(), &same), [&] {
                 distance(boxes.model, boxes.model, boxes.apart, bad);
             });

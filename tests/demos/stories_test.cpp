@@ -160,7 +160,7 @@ BOOST_AUTO_TEST_CASE(replan_says_where_the_old_path_is_blocked_and_finds_another
     BOOST_TEST(std::regex_search(story.out,
                                  std::regex("old path's segment [0-9]+ is valid up to .*'forgotten box'")));
     const std::string with = folder.file("with_box.cfg");
-    BOOST_TEST(readProblem(with).furtherWorlds.size() == 1u);
+    BOOST_TEST(readProblem(with).meshes.furtherWorlds.size() == 1u);
     const std::size_t appeared = story.out.find("a box appears");
     BOOST_TEST_REQUIRE(appeared != std::string::npos);
     requireClearance(numbers(story.out.substr(appeared), "certified least clearance " + kNumber)[0], with,

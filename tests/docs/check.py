@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Checks the repository's documents: links, pieces of code, commands.
 
-    check.py links ROOT                      links, anchors, paths named in `code`, the table of include rules
+    check.py links ROOT                      links, anchors, paths named in `code`, tables of include rules and headers
     check.py code ROOT BUILD                 compiles ```cpp and ```c blocks, configures ```cmake blocks
     check.py commands ROOT BUILD PROGRAM     runs ```sh blocks, reads ```ini blocks as problem files
 
@@ -25,6 +25,7 @@ HTML comments before a block state exceptions:
     <!-- test: file NAME begins as BASE up to TEXT -->  ... or what BASE holds before TEXT
     <!-- test: prints the distance -->       tests/install runs the block among the files before it (text)
     <!-- test: layering -->                  the table repeats the include rules of tests/layering.cmake
+    <!-- test: headers of FOLDER -->         the table has one row for each header of the folder
 """
 
 import os
@@ -41,7 +42,7 @@ from markdown import read_document
 
 LANGUAGES = {"sh", "cpp", "c", "ini", "cmake", "python", "text", "indented"}
 DIRECTIVES = re.compile(
-    r'options only|full|".+?" becomes ".*"|exits with \d+|before\s.+|file \S+( begins as \S+( up to .+)?)?|prints the distance|layering', re.S
+    r'options only|full|".+?" becomes ".*"|exits with \d+|before\s.+|file \S+( begins as \S+( up to .+)?)?|prints the distance|layering|headers of \S+', re.S
 )
 SKIPPED_FOLDERS = {".git", "build", "out", "vendor"}
 
@@ -122,23 +123,39 @@ def include_rules(root):
     return {name[: -len("_may_include")]: set(values) for name, values in lists.items() if name.endswith("_may_include")}
 
 
-def check_include_table(root, documents, report):
+def check_tables(root, documents, report):
     for document in documents:
         for line, directives, rows in document.tables:
-            if not any(text == "layering" for _, text in directives):
-                for at, text in directives:
+            for at, text in directives:
+                if text == "layering":
+                    check_include_table(root, document, line, rows, report)
+                elif text.startswith("headers of "):
+                    check_header_table(root, document, line, rows, text[len("headers of ") :], report)
+                else:
                     report.refuse(document, at, f"the directive '{text}' stands before a table")
-                continue
-            rules = include_rules(root)
-            stated = {}
-            for row in rows[2:]:
-                (room,), names = re.findall(r"`([^`]+)`", row[0]), re.findall(r"`([^`]+)`", row[1])
-                stars = {rule for rule in rules for name in names if name.endswith("*") and rule.startswith(name[:-1])}
-                stated[room] = ({name for name in names if not name.endswith("*")} | stars) - {room}
-            for room in sorted(rules.keys() | stated.keys()):
-                if rules.get(room) != stated.get(room):
-                    truth = ", ".join(sorted(rules.get(room, ()))) or "no other"
-                    report.refuse(document, line, f"by tests/layering.cmake {room} may include {truth}; the table differs")
+
+
+def check_include_table(root, document, line, rows, report):
+    rules = include_rules(root)
+    stated = {}
+    for row in rows[2:]:
+        (room,), names = re.findall(r"`([^`]+)`", row[0]), re.findall(r"`([^`]+)`", row[1])
+        stars = {rule for rule in rules for name in names if name.endswith("*") and rule.startswith(name[:-1])}
+        stated[room] = ({name for name in names if not name.endswith("*")} | stars) - {room}
+    for room in sorted(rules.keys() | stated.keys()):
+        if rules.get(room) != stated.get(room):
+            truth = ", ".join(sorted(rules.get(room, ()))) or "no other"
+            report.refuse(document, line, f"by tests/layering.cmake {room} may include {truth}; the table differs")
+
+
+def check_header_table(root, document, line, rows, folder, report):
+    headers = [file.name for file in (root / folder).glob("*.h*")]
+    listed = re.findall(r"/([\w.]+)\)", " ".join(row[1] for row in rows[2:]))
+    for header in sorted({*headers, *listed}):
+        if (headers.count(header), listed.count(header)) != (1, 1):
+            report.refuse(document, line, f"{folder}/{header} is there {headers.count(header)} times, in the table {listed.count(header)} times")
+    if not headers:
+        report.refuse(document, line, f"{folder} has no headers")
 
 
 def main(arguments):
@@ -152,7 +169,7 @@ def main(arguments):
     if what == "links":
         check_links(root, documents, report)
         check_paths(root, documents, report)
-        check_include_table(root, documents, report)
+        check_tables(root, documents, report)
     elif what == "code":
         check_code(root, pathlib.Path(arguments[2]).resolve(), documents, report)
     else:

@@ -9,6 +9,7 @@
 #include "fuzz/bytes.h"
 #include "fuzz/soup.h"
 #include "mesh/clean.h"
+#include "model/model_data.h"
 #include "support/temporary_folder.h"
 #include "tree/flat_tree.h"
 
@@ -86,7 +87,7 @@ void requireCleanedWithoutLoss(const Mesh& mesh) {
 }
 
 void requireSoundModel(const Model& model, std::size_t triangles) {
-    require(faultOf(model.tree(), triangles).empty(), "a tree that was built is sound");
+    require(faultOf(treeOf(model), triangles).empty(), "a tree that was built is sound");
     const BuildReport& report = model.report();
     require(report.triangles + report.clean.duplicateTriangles == triangles,
             "the report counts all triangles");

@@ -104,12 +104,14 @@ void requireWitness(const Vector3& point, const Pose& X, const std::array<Vector
 void requireWitnesses(const Case& given, const DistanceResult& result) {
     const double rounding = kUnitRoundoff * given.largest + kLeast;
     const double within = (result.collides() ? 16 : 8) * rounding;
-    const auto part = std::size_t(result.partTriangle), other = std::size_t(result.environmentTriangle);
+    require(result.witness.has_value(), "a distance has a witness");
+    const auto part = std::size_t(result.witness->partTriangle),
+               other = std::size_t(result.witness->environmentTriangle);
     require(part < given.part.triangles.size() && other < given.environment.triangles.size(),
             "an id is that of a triangle");
-    requireWitness(result.pointOnPart, given.pose, cornersOf(given.part, part), within);
-    requireWitness(result.pointOnEnvironment, {}, cornersOf(given.environment, other), within);
-    const double apart = (result.pointOnPart - result.pointOnEnvironment).norm();
+    requireWitness(result.witness->pointOnPart, given.pose, cornersOf(given.part, part), within);
+    requireWitness(result.witness->pointOnEnvironment, {}, cornersOf(given.environment, other), within);
+    const double apart = (result.witness->pointOnPart - result.witness->pointOnEnvironment).norm();
     require(std::abs(apart - result.distance) <= 4 * rounding, "the distance is that of the witnesses");
     require(apart >= result.lower - 16 * rounding && result.upper >= apart - 4 * rounding &&
                 result.upper <= apart + 16 * rounding,
@@ -117,7 +119,7 @@ void requireWitnesses(const Case& given, const DistanceResult& result) {
 }
 
 void requireDistance(const Case& given, const DistanceOptions& options, const DistanceResult& result) {
-    if (result.lower >= options.cap && result.upper > options.cap) {
+    if (options.cap && result.lower >= *options.cap && result.upper > *options.cap) {
         require(given.distance.compare(result.lower) >= 0, "lower <= distance");
         return;
     }
@@ -157,13 +159,16 @@ void askDistance(const Case& given, const DistanceOptions& options, const Model&
                  const Model& environment, Workspace& workspace) {
     std::ostringstream question;
     question << std::setprecision(17) << "distance, relative error " << options.relativeError << ", cap "
-             << options.cap;
+             << options.cap.value_or(HUGE_VAL);
     const Asking asking(given, question.str());
     const DistanceResult result = distance(part, environment, given.pose, options, workspace);
-    question << ": " << result.lower << " to " << result.upper << " by triangles " << result.partTriangle
-             << " and " << result.environmentTriangle << ", witnesses " << result.distance
-             << " apart: " << result.pointOnPart.transpose() << " and "
-             << result.pointOnEnvironment.transpose();
+    question << ": " << result.lower << " to " << result.upper;
+    if (result.witness) {
+        question << " by triangles " << result.witness->partTriangle << " and "
+                 << result.witness->environmentTriangle << ", witnesses " << result.distance
+                 << " apart: " << result.witness->pointOnPart.transpose() << " and "
+                 << result.witness->pointOnEnvironment.transpose();
+    }
     const Asking answered(given, question.str());
     requireDistance(given, options, result);
 }

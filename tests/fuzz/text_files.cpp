@@ -58,17 +58,18 @@ void requireSameAgain(const Problem& problem) {
     require(back.space == problem.space, "the space survives");
     requireSame(back.start, problem.start, "the start survives");
     requireSame(back.goal, problem.goal, "the goal survives");
-    require(
-        back.name == problem.name && back.objective == problem.objective && back.sampler == problem.sampler,
-        "texts survive");
+    require(back.name == problem.name && back.planning.objective == problem.planning.objective &&
+                back.planning.sampler == problem.planning.sampler,
+            "texts survive");
     require(back.margin == problem.margin && back.fineness == problem.fineness &&
-                back.objectiveThreshold == problem.objectiveThreshold &&
-                back.timeLimit == problem.timeLimit && back.memoryLimit == problem.memoryLimit &&
-                back.runCount == problem.runCount,
+                back.planning.objectiveThreshold == problem.planning.objectiveThreshold &&
+                back.benchmark.timeLimit == problem.benchmark.timeLimit &&
+                back.benchmark.memoryLimit == problem.benchmark.memoryLimit &&
+                back.benchmark.runCount == problem.benchmark.runCount,
             "numbers survive");
-    require(back.asOmplApp == problem.asOmplApp, "the reading survives");
-    require(back.unit == problem.unit && back.partScale == problem.partScale &&
-                back.worldScale == problem.worldScale,
+    require(back.meshes.asOmplApp == problem.meshes.asOmplApp, "the reading survives");
+    require(back.unit == problem.unit && back.meshes.partScale == problem.meshes.partScale &&
+                back.meshes.worldScale == problem.meshes.worldScale,
             "unit and scales survive");
     require(back.outside.has_value() == problem.outside.has_value(), "a goal outside survives");
     if (back.outside) {
@@ -81,10 +82,10 @@ void requireSameAgain(const Problem& problem) {
         require(back.volume->min() == problem.volume->min() && back.volume->max() == problem.volume->max(),
                 "bounds survive");
     }
-    require(back.planners.size() == problem.planners.size(), "planners survive");
-    for (std::size_t i = 0; i < back.planners.size(); ++i) {
-        require(back.planners[i].name == problem.planners[i].name &&
-                    back.planners[i].parameters == problem.planners[i].parameters,
+    require(back.planning.planners.size() == problem.planning.planners.size(), "planners survive");
+    for (std::size_t i = 0; i < back.planning.planners.size(); ++i) {
+        require(back.planning.planners[i].name == problem.planning.planners[i].name &&
+                    back.planning.planners[i].parameters == problem.planning.planners[i].parameters,
                 "planners survive");
     }
     require(back.warnings.empty(), "what is written is understood");

@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "model/model_data.h"
 #include "query/pair_query.h"
 #include "query/queries.h"
 #include "support/each_target.h"
@@ -163,7 +164,7 @@ void compareBothWays(const QueryCase& queryCase, int width, Tightness& tightness
     options.nodeWidth = width;
     options.leafSize = 1;  // down to volumes around one triangle, whose bounds are tight
     const ModelPair models = buildPair(queryCase, options);
-    const FlatTree &part = models.part.tree(), &environment = models.environment.tree();
+    const FlatTree &part = treeOf(models.part), &environment = treeOf(models.environment);
     for (const Pose& pose : queryCase.poses) {
         const PairQuery query = preparePairQuery(part, environment, pose);
         const double toMeshUnit = 1 / query.perMeshUnit;

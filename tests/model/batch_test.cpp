@@ -28,8 +28,10 @@ struct Fixture {
 
 bool isSame(const DistanceResult& a, const DistanceResult& b) {
     return a.lower == b.lower && a.upper == b.upper && a.distance == b.distance &&
-           a.pointOnPart == b.pointOnPart && a.partTriangle == b.partTriangle &&
-           a.environmentTriangle == b.environmentTriangle && a.counters.volumeTests == b.counters.volumeTests;
+           a.witness->pointOnPart == b.witness->pointOnPart &&
+           a.witness->partTriangle == b.witness->partTriangle &&
+           a.witness->environmentTriangle == b.witness->environmentTriangle &&
+           a.counters.volumeTests == b.counters.volumeTests;
 }
 
 BOOST_FIXTURE_TEST_CASE(results_do_not_depend_on_the_number_of_threads, Fixture) {

@@ -9,6 +9,7 @@
 #include "clearway/model.h"
 #include "clearway/query.h"
 #include "core/hash.h"
+#include "model/model_data.h"
 #include "support/random_meshes.h"
 #include "support/temporary_folder.h"
 #include "tree/flat_tree.h"
@@ -73,7 +74,7 @@ BOOST_FIXTURE_TEST_CASE(a_loaded_model_answers_as_the_saved_one, Fixture) {
                                  second = distance(moving, loaded, X, {}, b);
             BOOST_TEST(first.lower == second.lower);
             BOOST_TEST(first.upper == second.upper);
-            BOOST_TEST(first.environmentTriangle == second.environmentTriangle);
+            BOOST_TEST(first.witness->environmentTriangle == second.witness->environmentTriangle);
             BOOST_TEST(first.counters.volumeTests == second.counters.volumeTests);
         }
     }
@@ -128,7 +129,7 @@ BOOST_FIXTURE_TEST_CASE(nodes_that_are_no_tree_are_refused_on_loading, Fixture) 
     options.nodeWidth = 2;
     const Model model = Model::build(environment, options);
     model.save(file);
-    auto nodes = model.tree().nodes<2>();
+    auto nodes = treeOf(model).nodes<2>();
     std::string content = contentOf(file);
     const std::size_t bytes = nodes.size() * sizeof nodes[0];
     const std::size_t at = content.find({reinterpret_cast<const char*>(nodes.data()), bytes});
@@ -167,12 +168,12 @@ BOOST_FIXTURE_TEST_CASE(leaves_of_floats_and_of_doubles_are_saved, Fixture) {
         const Model built = Model::build(mesh);
         built.save(file);
         const Model loaded = Model::load(file);
-        const std::vector<LeafReference> leaves = loaded.tree().leaves();
-        BOOST_TEST((leaves == built.tree().leaves()));
+        const std::vector<LeafReference> leaves = treeOf(loaded).leaves();
+        BOOST_TEST((leaves == treeOf(built).leaves()));
         for (const LeafReference leaf : leaves) {
-            for (std::uint32_t i = 0; i < loaded.tree().leaf(leaf).triangleCount; ++i) {
-                BOOST_REQUIRE((loaded.tree().corners({leaf, i}) == built.tree().corners({leaf, i})));
-                BOOST_REQUIRE(loaded.tree().triangleId({leaf, i}) == built.tree().triangleId({leaf, i}));
+            for (std::uint32_t i = 0; i < treeOf(loaded).leaf(leaf).triangleCount; ++i) {
+                BOOST_REQUIRE((treeOf(loaded).corners({leaf, i}) == treeOf(built).corners({leaf, i})));
+                BOOST_REQUIRE(treeOf(loaded).triangleId({leaf, i}) == treeOf(built).triangleId({leaf, i}));
             }
         }
     }

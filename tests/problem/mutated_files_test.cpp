@@ -108,7 +108,7 @@ BOOST_AUTO_TEST_CASE(mutated_problems_are_taken_with_sound_states_or_refused) {
             BOOST_TEST_REQUIRE(problem.margin >= 0);
             BOOST_TEST_REQUIRE((!problem.fineness || *problem.fineness > 0));
             BOOST_TEST_REQUIRE((!problem.volume || !problem.volume->isEmpty()));
-            BOOST_TEST_REQUIRE((problem.partScale > 0 && problem.worldScale > 0));
+            BOOST_TEST_REQUIRE((problem.meshes.partScale > 0 && problem.meshes.worldScale > 0));
             BOOST_TEST_REQUIRE((problem.unit.empty() || metresPerUnit(problem).has_value()));
         });
     }

@@ -98,9 +98,9 @@ BOOST_AUTO_TEST_CASE(a_world_may_be_several_files) {
 BOOST_AUTO_TEST_CASE(rules_and_worlds_written_read_back_the_same) {
     const TemporaryFolder folder;
     Problem problem;
-    problem.robot = folder.file("part.stl");
-    problem.world = folder.file("tray.stl");
-    problem.furtherWorlds = {folder.file("a, b.stl"), folder.file("c.obj")};
+    problem.meshes.robot = folder.file("part.stl");
+    problem.meshes.world = folder.file("tray.stl");
+    problem.meshes.furtherWorlds = {folder.file("a, b.stl"), folder.file("c.obj")};
     problem.rules.margins = {{"door", 0.1}, {" spaced ", 2}, {"a=b#c,d", 1.0 / 3}, {"x.y", 4}};
     problem.rules.ignored = {"one", "[two]", "three, four"};
     problem.rules.solid = {"all"};
@@ -121,8 +121,8 @@ BOOST_AUTO_TEST_CASE(rules_and_worlds_written_read_back_the_same) {
         BOOST_TEST(back.rules.startContact->distance == problem.rules.startContact->distance);
         BOOST_TEST((back.rules.goalContact->names == problem.rules.goalContact->names));
     }
-    problem.furtherWorlds.clear();
-    problem.world = folder.file("a, b.stl");
+    problem.meshes.furtherWorlds.clear();
+    problem.meshes.world = folder.file("a, b.stl");
     writeProblem(problem, folder.file("b.cfg"));
     BOOST_TEST(worldFiles(readProblem(folder.file("b.cfg"))) == Names{folder.file("a, b.stl")},
                boost::test_tools::per_element());
@@ -131,7 +131,7 @@ BOOST_AUTO_TEST_CASE(rules_and_worlds_written_read_back_the_same) {
 BOOST_AUTO_TEST_CASE(names_that_no_file_can_hold_are_not_written) {
     const TemporaryFolder folder;
     Problem problem;
-    problem.robot = problem.world = folder.file("part.stl");
+    problem.meshes.robot = problem.meshes.world = folder.file("part.stl");
     for (const char* wrong : {"", "a\"b", "a\nb"}) {
         problem.rules.ignored = {wrong};
         BOOST_CHECK_THROW(writeProblem(problem, folder.file("b.cfg")), std::invalid_argument);

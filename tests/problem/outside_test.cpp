@@ -1,4 +1,4 @@
-#include "clearway/outside.h"
+#include "problem/outside.h"
 
 #include <boost/test/unit_test.hpp>
 #include <limits>

@@ -94,10 +94,10 @@ BOOST_AUTO_TEST_CASE(states_in_space_are_position_axis_and_angle) {
     BOOST_TEST(problem.goal.position == Vector3(4, 5, 6));
     BOOST_TEST(problem.goal.rotation.w() == 1);
     BOOST_TEST(!problem.volume);
-    BOOST_TEST(problem.objective == "length");
+    BOOST_TEST(problem.planning.objective == "length");
     BOOST_TEST(problem.margin == 0);
     BOOST_TEST(!problem.fineness);
-    BOOST_TEST(problem.asOmplApp);
+    BOOST_TEST(problem.meshes.asOmplApp);
     BOOST_TEST(problem.warnings.empty());
 }
 
@@ -128,12 +128,12 @@ reading = stored
     BOOST_TEST_REQUIRE(problem.volume.has_value());
     BOOST_TEST(problem.volume->min() == Vector3(-10, -11, -12));
     BOOST_TEST(problem.volume->max() == Vector3(10, 11, 42));
-    BOOST_TEST(problem.objective == "max_min_clearance");
-    BOOST_TEST(problem.objectiveThreshold.value() == 0.25);
-    BOOST_TEST(problem.sampler == "obstacle_based");
+    BOOST_TEST(problem.planning.objective == "max_min_clearance");
+    BOOST_TEST(problem.planning.objectiveThreshold.value() == 0.25);
+    BOOST_TEST(problem.planning.sampler == "obstacle_based");
     BOOST_TEST(problem.margin == 1.5);
     BOOST_TEST(problem.fineness.value() == 0.5);
-    BOOST_TEST(!problem.asOmplApp);
+    BOOST_TEST(!problem.meshes.asOmplApp);
     BOOST_TEST(problem.warnings.empty());
 }
 
@@ -186,7 +186,7 @@ BOOST_AUTO_TEST_CASE(values_out_of_their_range_are_refused) {
     requireRefused(with(kSpatial, "goal.axis.x", "goal.axis.x = 0"),
                    {"15:", "goal.axis.x is '0'", "of length above 0"});
     requireRefused(with(kSpatial, "goal.x", "goal.x = 1e300"), {"12:", "goal.x is '1e300'", "at most 1e+30"});
-    BOOST_TEST(read(kSpatial + "threshold = 0\n").goalThreshold.value() == 0);
+    BOOST_TEST(read(kSpatial + "threshold = 0\n").planning.goalThreshold.value() == 0);
 }
 
 BOOST_AUTO_TEST_CASE(a_volume_is_whole_and_has_an_inside) {
@@ -260,25 +260,26 @@ BOOST_AUTO_TEST_CASE(fineness_may_have_its_older_name) {
 }
 
 BOOST_AUTO_TEST_CASE(a_file_of_clearway_reads_meshes_as_stored_and_others_as_omplapp_does) {
-    BOOST_TEST(read(kSpatial).asOmplApp);
-    BOOST_TEST(!read(kSpatial).isReadingStated);
+    BOOST_TEST(read(kSpatial).meshes.asOmplApp);
+    BOOST_TEST(!read(kSpatial).meshes.isReadingStated);
     const Problem unsaid = read(kSpatial + "[clearway]\nmargin = 0\n");
-    BOOST_TEST(!unsaid.asOmplApp);
-    BOOST_TEST(!unsaid.isReadingStated);
+    BOOST_TEST(!unsaid.meshes.asOmplApp);
+    BOOST_TEST(!unsaid.meshes.isReadingStated);
     const Problem stated =
         read(kSpatial + "[clearway]\nreading = omplapp\nrobot.scale = 0.001\nworld.scale = 25.4\n");
-    BOOST_TEST(stated.asOmplApp);
-    BOOST_TEST(stated.isReadingStated);
-    BOOST_TEST(stated.partScale == 0.001);
-    BOOST_TEST(stated.worldScale == 25.4);
+    BOOST_TEST(stated.meshes.asOmplApp);
+    BOOST_TEST(stated.meshes.isReadingStated);
+    BOOST_TEST(stated.meshes.partScale == 0.001);
+    BOOST_TEST(stated.meshes.worldScale == 25.4);
 }
 
 BOOST_AUTO_TEST_CASE(a_part_without_extent_is_refused_by_name) {
     const TemporaryFolder folder;
     Problem problem;
-    problem.asOmplApp = false;
-    problem.robot = folder.write("point.obj", "v 1 2 3\nv 1 2 3\nv 1 2 3\nf 1 2 3\n");
-    requireRefusedBy([&] { loadPart(problem); }, {problem.robot, "no extent", "at (1, 2, 3)", "some length"});
+    problem.meshes.asOmplApp = false;
+    problem.meshes.robot = folder.write("point.obj", "v 1 2 3\nv 1 2 3\nv 1 2 3\nf 1 2 3\n");
+    requireRefusedBy([&] { loadPart(problem); },
+                     {problem.meshes.robot, "no extent", "at (1, 2, 3)", "some length"});
 }
 
 BOOST_AUTO_TEST_CASE(a_part_that_the_readings_place_differently_needs_a_stated_reading) {
@@ -293,20 +294,20 @@ BOOST_AUTO_TEST_CASE(a_part_that_the_readings_place_differently_needs_a_stated_r
     saveMesh(centred, folder.file("centred.obj"));
     Problem problem;
     problem.file = "p.cfg";
-    problem.world = folder.file("off.obj");
-    problem.asOmplApp = problem.isReadingStated = false;
-    problem.robot = folder.file("centred.obj");
+    problem.meshes.world = folder.file("off.obj");
+    problem.meshes.asOmplApp = problem.meshes.isReadingStated = false;
+    problem.meshes.robot = folder.file("centred.obj");
     BOOST_TEST(loadPart(problem).vertices[0] == Vector3(-1, -1, 0));
-    problem.robot = folder.file("off.obj");
+    problem.meshes.robot = folder.file("off.obj");
     requireRefusedBy([&] { loadPart(problem); },
                      {"p.cfg: [clearway]", "moved by (-5.333", "(5, 0, 0) to (6, 1, 0)", "(-0.33",
                       "expected reading = stored or reading = omplapp"});
-    problem.asOmplApp = true;
+    problem.meshes.asOmplApp = true;
     BOOST_TEST(holds(readingNote(problem, loadPart(problem)), "moved by (-5.33"));
-    problem.isReadingStated = true;
+    problem.meshes.isReadingStated = true;
     BOOST_TEST(readingNote(problem, loadPart(problem)).empty());
-    problem.asOmplApp = false;
-    problem.partScale = 2;
+    problem.meshes.asOmplApp = false;
+    problem.meshes.partScale = 2;
     BOOST_TEST(loadPart(problem).vertices[1] == Vector3(12, 0, 0));
 }
 
@@ -372,15 +373,17 @@ rrtconnect.name=Second RRT*
 kpiece=
 )");
     using Parameters = std::vector<std::pair<std::string, std::string>>;
-    BOOST_TEST_REQUIRE(problem.planners.size() == 5);
-    BOOST_TEST((problem.planners[0].name == "rrtconnect" &&
-                problem.planners[0].parameters == Parameters{{"range", "50"}}));
-    BOOST_TEST((problem.planners[1].name == "rrtconnect" &&
-                problem.planners[1].parameters == Parameters{{"range", "200"}}));
-    BOOST_TEST((problem.planners[2].name == "prm" && problem.planners[2].parameters.empty()));
-    BOOST_TEST((problem.planners[3].name == "rrtconnect" &&
-                problem.planners[3].parameters == Parameters{{"name", "Second RRT*"}}));
-    BOOST_TEST((problem.planners[4].name == "kpiece" && problem.planners[4].parameters.empty()));
+    BOOST_TEST_REQUIRE(problem.planning.planners.size() == 5);
+    BOOST_TEST((problem.planning.planners[0].name == "rrtconnect" &&
+                problem.planning.planners[0].parameters == Parameters{{"range", "50"}}));
+    BOOST_TEST((problem.planning.planners[1].name == "rrtconnect" &&
+                problem.planning.planners[1].parameters == Parameters{{"range", "200"}}));
+    BOOST_TEST(
+        (problem.planning.planners[2].name == "prm" && problem.planning.planners[2].parameters.empty()));
+    BOOST_TEST((problem.planning.planners[3].name == "rrtconnect" &&
+                problem.planning.planners[3].parameters == Parameters{{"name", "Second RRT*"}}));
+    BOOST_TEST(
+        (problem.planning.planners[4].name == "kpiece" && problem.planning.planners[4].parameters.empty()));
     BOOST_TEST(problem.warnings.empty());
 }
 
@@ -400,22 +403,22 @@ problem.objective.threshold = 12.5
 prm.max_nearest_neighbors = 5
 problem.nr_attempts = 9
 )");
-    BOOST_TEST(problem.goalThreshold.value() == 1e-3);
-    BOOST_TEST((problem.settings ==
+    BOOST_TEST(problem.planning.goalThreshold.value() == 1e-3);
+    BOOST_TEST((problem.planning.settings ==
                 NamedTexts{{"longest_valid_segment_fraction", "0.02"}, {"standard_deviation", "7"}}));
-    BOOST_TEST_REQUIRE(problem.planners.size() == 3);
-    BOOST_TEST((problem.planners[0].settings == NamedTexts{{"sampler", "gaussian"},
-                                                           {"longest_valid_segment_fraction", "0.2"},
-                                                           {"nr_attempts", "9"}}));
-    BOOST_TEST(problem.planners[1].settings.empty());
-    BOOST_TEST((problem.planners[2].settings ==
+    BOOST_TEST_REQUIRE(problem.planning.planners.size() == 3);
+    BOOST_TEST((problem.planning.planners[0].settings == NamedTexts{{"sampler", "gaussian"},
+                                                                    {"longest_valid_segment_fraction", "0.2"},
+                                                                    {"nr_attempts", "9"}}));
+    BOOST_TEST(problem.planning.planners[1].settings.empty());
+    BOOST_TEST((problem.planning.planners[2].settings ==
                 NamedTexts{{"projection.cellsize_factor", "4.0"}, {"objective.threshold", "12.5"}}));
     BOOST_TEST(problem.warnings.empty());
 }
 
 BOOST_AUTO_TEST_CASE(all_planners_have_one_objective) {
     const Problem named = read(kSpatial + "[planner]\nrrt=\nproblem.objective = mechanical_work\n");
-    BOOST_TEST(named.objective == "mechanical_work");
+    BOOST_TEST(named.planning.objective == "mechanical_work");
     requireWarned(kSpatial + "objective = length\n[planner]\nrrt=\nproblem.objective = other\n",
                   {{":22:", "problem.objective is 'other'", "no effect", "'length'"}});
     requireWarned(kSpatial + "[planner]\nproblem.sampler = uniform\n", {{"problem.sampler", "no planner"}});
@@ -430,25 +433,25 @@ output = ../results/
 save_paths = best_path
 simplify = 0
 )");
-    BOOST_TEST(problem.timeLimit.value() == 8.5);
-    BOOST_TEST(problem.memoryLimit.value() == 4096);
-    BOOST_TEST(problem.runCount.value() == 50);
-    BOOST_TEST(problem.outputFolder == "../results/");
-    BOOST_TEST((problem.savedPaths == SavedPaths::kShortest));
-    BOOST_TEST(!problem.simplify);
+    BOOST_TEST(problem.benchmark.timeLimit.value() == 8.5);
+    BOOST_TEST(problem.benchmark.memoryLimit.value() == 4096);
+    BOOST_TEST(problem.benchmark.runCount.value() == 50);
+    BOOST_TEST(problem.benchmark.outputFolder == "../results/");
+    BOOST_TEST((problem.benchmark.savedPaths == SavedPaths::kShortest));
+    BOOST_TEST(!problem.benchmark.simplify);
     BOOST_TEST(problem.warnings.empty());
     const Problem bare = read(kSpatial);
-    BOOST_TEST((bare.savedPaths == SavedPaths::kNone));
-    BOOST_TEST(bare.simplify);
-    BOOST_TEST((read(kSpatial + "[benchmark]\nsave_paths = all\n").savedPaths == SavedPaths::kAll));
+    BOOST_TEST((bare.benchmark.savedPaths == SavedPaths::kNone));
+    BOOST_TEST(bare.benchmark.simplify);
+    BOOST_TEST((read(kSpatial + "[benchmark]\nsave_paths = all\n").benchmark.savedPaths == SavedPaths::kAll));
 }
 
 BOOST_AUTO_TEST_CASE(meshes_are_found_beside_the_problem_whatever_the_current_folder) {
     const TemporaryFolder folder;
     const Problem problem =
         readProblem(folder.write("a.cfg", with(kSpatial, "world", "world = /meshes/world.stl")));
-    BOOST_TEST(problem.robot == folder.file("part.stl"));
-    BOOST_TEST(problem.world == "/meshes/world.stl");
+    BOOST_TEST(problem.meshes.robot == folder.file("part.stl"));
+    BOOST_TEST(problem.meshes.world == "/meshes/world.stl");
     BOOST_TEST(problem.file == folder.file("a.cfg"));
 }
 
@@ -460,8 +463,8 @@ BOOST_AUTO_TEST_CASE(a_mesh_found_in_the_current_folder_alone_is_taken_and_said)
     std::filesystem::current_path(current.path());
     const Problem problem = readProblem(folder.write("a.cfg", kSpatial));
     std::filesystem::current_path(before);
-    BOOST_TEST(problem.robot == "part.stl");
-    BOOST_TEST(problem.world == folder.file("world.stl"));
+    BOOST_TEST(problem.meshes.robot == "part.stl");
+    BOOST_TEST(problem.meshes.world == folder.file("world.stl"));
     BOOST_TEST_REQUIRE(problem.warnings.size() == 1);
     BOOST_TEST(holds(problem.warnings[0], problem.file, "'part.stl'", "from the current folder"));
 }

@@ -25,8 +25,8 @@ constexpr double kRotationRounding = 8 * std::numeric_limits<double>::epsilon();
 
 Problem basicProblem(const TemporaryFolder& folder) {
     Problem problem;
-    problem.robot = folder.file("part.stl");
-    problem.world = folder.file("world.stl");
+    problem.meshes.robot = folder.file("part.stl");
+    problem.meshes.world = folder.file("world.stl");
     return problem;
 }
 
@@ -44,52 +44,52 @@ BOOST_AUTO_TEST_CASE(everything_written_reads_back_to_the_same_values) {
     Problem problem = basicProblem(folder);
     problem.name = "a drawer";
     problem.volume = Box(Vector3(-1.1, -2.2, -3.3), Vector3(1.1, 2.2, 1.0 / 3));
-    problem.objective = "clearance";
-    problem.objectiveThreshold = 0.1;
-    problem.sampler = "gaussian";
-    problem.planners = {
+    problem.planning.objective = "clearance";
+    problem.planning.objectiveThreshold = 0.1;
+    problem.planning.sampler = "gaussian";
+    problem.planning.planners = {
         {"rrtconnect", {{"range", "0.7"}, {"name", "RRT 1"}}}, {"prm", {}}, {"rrtconnect", {}}};
-    problem.planners[1].settings = {{"sampler", "uniform"}, {"nr_attempts", "3"}};
-    problem.settings = {{"longest_valid_segment_fraction", "0.02"}};
-    problem.goalThreshold = 1e-3;
-    problem.outputFolder = "../logs";
-    problem.savedPaths = SavedPaths::kShortest;
-    problem.simplify = false;
-    problem.timeLimit = 0.3;
-    problem.memoryLimit = 1e3;
-    problem.runCount = 7;
+    problem.planning.planners[1].settings = {{"sampler", "uniform"}, {"nr_attempts", "3"}};
+    problem.planning.settings = {{"longest_valid_segment_fraction", "0.02"}};
+    problem.planning.goalThreshold = 1e-3;
+    problem.benchmark.outputFolder = "../logs";
+    problem.benchmark.savedPaths = SavedPaths::kShortest;
+    problem.benchmark.simplify = false;
+    problem.benchmark.timeLimit = 0.3;
+    problem.benchmark.memoryLimit = 1e3;
+    problem.benchmark.runCount = 7;
     problem.margin = 0.1;
     problem.fineness = 0.7;
-    problem.asOmplApp = false;
+    problem.meshes.asOmplApp = false;
 
     writeProblem(problem, folder.file("a.cfg"));
     const Problem back = readProblem(folder.file("a.cfg"));
     BOOST_TEST(back.warnings.empty());
     BOOST_TEST(back.name == problem.name);
-    BOOST_TEST(back.robot == problem.robot);
-    BOOST_TEST(back.world == problem.world);
+    BOOST_TEST(back.meshes.robot == problem.meshes.robot);
+    BOOST_TEST(back.meshes.world == problem.meshes.world);
     BOOST_TEST(back.volume->min() == problem.volume->min());
     BOOST_TEST(back.volume->max() == problem.volume->max());
-    BOOST_TEST(back.objective == problem.objective);
-    BOOST_TEST(back.objectiveThreshold.value() == 0.1);
-    BOOST_TEST(back.sampler == problem.sampler);
-    BOOST_TEST_REQUIRE(back.planners.size() == 3);
+    BOOST_TEST(back.planning.objective == problem.planning.objective);
+    BOOST_TEST(back.planning.objectiveThreshold.value() == 0.1);
+    BOOST_TEST(back.planning.sampler == problem.planning.sampler);
+    BOOST_TEST_REQUIRE(back.planning.planners.size() == 3);
     for (int i = 0; i < 3; ++i) {
-        BOOST_TEST(back.planners[i].name == problem.planners[i].name);
-        BOOST_TEST((back.planners[i].parameters == problem.planners[i].parameters));
-        BOOST_TEST((back.planners[i].settings == problem.planners[i].settings));
+        BOOST_TEST(back.planning.planners[i].name == problem.planning.planners[i].name);
+        BOOST_TEST((back.planning.planners[i].parameters == problem.planning.planners[i].parameters));
+        BOOST_TEST((back.planning.planners[i].settings == problem.planning.planners[i].settings));
     }
-    BOOST_TEST((back.settings == problem.settings));
-    BOOST_TEST(back.goalThreshold.value() == 1e-3);
-    BOOST_TEST(back.outputFolder == problem.outputFolder);
-    BOOST_TEST((back.savedPaths == SavedPaths::kShortest));
-    BOOST_TEST(!back.simplify);
-    BOOST_TEST(back.timeLimit.value() == 0.3);
-    BOOST_TEST(back.memoryLimit.value() == 1e3);
-    BOOST_TEST(back.runCount.value() == 7);
+    BOOST_TEST((back.planning.settings == problem.planning.settings));
+    BOOST_TEST(back.planning.goalThreshold.value() == 1e-3);
+    BOOST_TEST(back.benchmark.outputFolder == problem.benchmark.outputFolder);
+    BOOST_TEST((back.benchmark.savedPaths == SavedPaths::kShortest));
+    BOOST_TEST(!back.benchmark.simplify);
+    BOOST_TEST(back.benchmark.timeLimit.value() == 0.3);
+    BOOST_TEST(back.benchmark.memoryLimit.value() == 1e3);
+    BOOST_TEST(back.benchmark.runCount.value() == 7);
     BOOST_TEST(back.margin == 0.1);
     BOOST_TEST(back.fineness.value() == 0.7);
-    BOOST_TEST(!back.asOmplApp);
+    BOOST_TEST(!back.meshes.asOmplApp);
 }
 
 BOOST_AUTO_TEST_CASE(a_goal_outside_reads_back) {
@@ -155,11 +155,11 @@ BOOST_AUTO_TEST_CASE(meshes_are_written_relative_to_the_problem_so_that_the_fold
     const TemporaryFolder folder;
     std::filesystem::create_directory(folder.file("meshes"));
     Problem problem = basicProblem(folder);
-    problem.world = folder.file("meshes/world.stl");
+    problem.meshes.world = folder.file("meshes/world.stl");
     writeProblem(problem, folder.file("a.cfg"));
     const std::string text = readText(folder.file("a.cfg"));
     BOOST_TEST(text.find("robot = part.stl\nworld = meshes/world.stl\n") != std::string::npos, text);
-    BOOST_TEST(readProblem(folder.file("a.cfg")).world == folder.file("meshes/world.stl"));
+    BOOST_TEST(readProblem(folder.file("a.cfg")).meshes.world == folder.file("meshes/world.stl"));
 }
 
 BOOST_AUTO_TEST_CASE(what_could_not_be_read_back_is_refused_and_leaves_nothing) {
@@ -171,13 +171,13 @@ BOOST_AUTO_TEST_CASE(what_could_not_be_read_back_is_refused_and_leaves_nothing) 
         BOOST_TEST(folder.names().empty());
     };
     refused({"name is 'no #1'", "text without #"}, [](Problem& p) { p.name = "no #1"; });
-    refused({"sampler is ' x'", "white space at its ends"}, [](Problem& p) { p.sampler = " x"; });
+    refused({"sampler is ' x'", "white space at its ends"}, [](Problem& p) { p.planning.sampler = " x"; });
     refused({"start.y is nan", "a finite number"}, [](Problem& p) { p.start.position.y() = std::nan(""); });
     for (const char* const name : {"", "rrt ", "[rrt", "rrt.range", "rrt=", "rrt\n"})
-        refused({"a planner's name is '"}, [&](Problem& p) { p.planners = {{name, {}}}; });
+        refused({"a planner's name is '"}, [&](Problem& p) { p.planning.planners = {{name, {}}}; });
     for (const std::string parameter : {"", " range", "a=b", "#"})
         refused({"planner 'rrt'", "'" + parameter + "'", "without any of #="}, [&](Problem& p) {
-            p.planners = {{"rrt", {{parameter, "1"}}}};
+            p.planning.planners = {{"rrt", {{parameter, "1"}}}};
         });
     Problem problem = basicProblem(folder);
     BOOST_CHECK_THROW(writeProblem(problem, folder.file("none/a.cfg")), std::runtime_error);

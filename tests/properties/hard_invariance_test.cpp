@@ -107,8 +107,9 @@ BOOST_DATA_TEST_CASE(scaling_by_a_power_of_two_scales_every_answer_exactly, each
                 BOOST_TEST(after.lower == before.lower * factor);
                 BOOST_TEST(after.upper == before.upper * factor);
                 BOOST_TEST(after.distance == before.distance * factor);
-                BOOST_TEST(after.pointOnPart == Vector3(before.pointOnPart * factor));
-                BOOST_TEST(after.pointOnEnvironment == Vector3(before.pointOnEnvironment * factor));
+                BOOST_TEST(after.witness->pointOnPart == Vector3(before.witness->pointOnPart * factor));
+                BOOST_TEST(after.witness->pointOnEnvironment ==
+                           Vector3(before.witness->pointOnEnvironment * factor));
                 BOOST_TEST(isWithinOf(scaled, pose, around.above * factor));
                 if (around.below >= 0) BOOST_TEST(!isWithinOf(scaled, pose, around.below * factor));
             }

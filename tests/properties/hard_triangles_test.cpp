@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "model/model_data.h"
 #include "query/pair_query.h"
 #include "query/refine.h"
 #include "support/each_target.h"
@@ -34,7 +35,7 @@ std::string caseName(const TriangleFamily& family) {
 }
 
 void checkInDouble(const ExactCase& exact, const ModelPair& models) {
-    const PairQuery query = preparePairQuery(models.part.tree(), models.environment.tree(), exact.pose);
+    const PairQuery query = preparePairQuery(treeOf(models.part), treeOf(models.environment), exact.pose);
     const ResolvedPair pair = resolvePair(query, {});
     BOOST_TEST_CONTEXT(exact.name << ", in double") {
         BOOST_TEST(exact.truth.compare(pair.lower / query.perMeshUnit) >= 0);

@@ -90,7 +90,7 @@ BOOST_DATA_TEST_CASE(scaling_by_powers_of_two_scales_the_answer_exactly, eachTar
                     BOOST_TEST(after.distance == before.distance * factor);
                     BOOST_TEST(after.lower == before.lower * factor);
                     BOOST_TEST(after.upper == before.upper * factor);
-                    BOOST_TEST(after.partTriangle == before.partTriangle);
+                    BOOST_TEST(after.witness->partTriangle == before.witness->partTriangle);
                 }
             }
         }

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "model/model_data.h"
 #include "query/pair_query.h"
 #include "support/each_target.h"
 #include "support/exact_triangle.h"
@@ -84,8 +85,9 @@ double trueDistance(const Pose& pose, const std::array<Vector3, 3>& a, const std
 PairsCase makePairs(const std::string& name, const Mesh& part, const Mesh& environment, const Pose& pose,
                     const std::vector<std::pair<std::size_t, std::size_t>>& ids) {
     PairsCase made{name, Model::build(part), Model::build(environment), pose, {}, {}, {}, {}};
-    const auto partPlaces = placesOf(made.part.tree()), environmentPlaces = placesOf(made.environment.tree());
-    const PairQuery query = preparePairQuery(made.part.tree(), made.environment.tree(), pose);
+    const auto partPlaces = placesOf(treeOf(made.part)),
+               environmentPlaces = placesOf(treeOf(made.environment));
+    const PairQuery query = preparePairQuery(treeOf(made.part), treeOf(made.environment), pose);
     for (const auto& [p, e] : ids) {
         const auto inPart = partPlaces.find(p), inEnvironment = environmentPlaces.find(e);
         if (inPart == partPlaces.end() || inEnvironment == environmentPlaces.end()) continue;  // removed
@@ -186,7 +188,7 @@ BOOST_DATA_TEST_CASE(no_bound_exceeds_the_distance_or_is_far_from_that_of_a_plai
                      target) {
     const UsingTarget using_(target);
     for (const PairsCase& pairs : cases()) {
-        const PairQuery query = preparePairQuery(pairs.part.tree(), pairs.environment.tree(), pairs.pose);
+        const PairQuery query = preparePairQuery(treeOf(pairs.part), treeOf(pairs.environment), pairs.pose);
         const double M = query.largestCoordinate / query.perMeshUnit;
         const std::vector<double> bounds = boundsOf(query, pairs.pairs);
         for (std::size_t i = 0; i < bounds.size(); ++i) {

@@ -122,8 +122,9 @@ BOOST_AUTO_TEST_CASE(contact_points_lie_on_both_triangles) {
         const Models models(draw.pair);
         Workspace workspace;
         const DistanceResult result = distance(models.part, models.environment, draw.pose, {}, workspace);
-        BOOST_TEST(result.pointOnPart == result.pointOnEnvironment);
-        const Triangle point = {result.pointOnPart, result.pointOnPart, result.pointOnPart};
+        BOOST_TEST(result.witness->pointOnPart == result.witness->pointOnEnvironment);
+        const Triangle point = {result.witness->pointOnPart, result.witness->pointOnPart,
+                                result.witness->pointOnPart};
         const Rational most = square(16 * kUnitRoundoff * largestOf(draw));
         BOOST_TEST_CONTEXT(draw.name) {
             BOOST_TEST((exactDistanceSquared(toExact(point), exactlyMoved(draw.pose, draw.pair.a)) <= most));

@@ -76,10 +76,11 @@ BOOST_AUTO_TEST_CASE(components_are_those_that_hold_the_triangles) {
     Workspace workspace;
     for (const Pose& pose : queryCase.poses) {
         const DistanceResult result = distance(part, environment, pose, {}, workspace);
-        BOOST_TEST(result.partComponent ==
-                   static_cast<std::int64_t>(componentOf(partMesh, result.partTriangle)));
-        BOOST_TEST(result.environmentComponent ==
-                   static_cast<std::int64_t>(componentOf(environmentMesh, result.environmentTriangle)));
+        BOOST_TEST(result.witness->partComponent ==
+                   static_cast<std::int64_t>(componentOf(partMesh, result.witness->partTriangle)));
+        BOOST_TEST(
+            result.witness->environmentComponent ==
+            static_cast<std::int64_t>(componentOf(environmentMesh, result.witness->environmentTriangle)));
     }
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "model/model_data.h"
 #include "support/exact_check.h"
 #include "support/random_meshes.h"
 #include "tree/flat_tree.h"
@@ -81,8 +82,8 @@ BOOST_AUTO_TEST_CASE(every_kind_of_leaf_answers_exactly_for_the_mesh) {
                 const ModelPair models = buildPair(exactly, small());
                 for (const Model* model : {&models.part, &models.environment}) {
                     std::size_t here = 0;
-                    const std::vector<LeafReference> leaves = model->tree().leaves();
-                    for (const LeafReference at : leaves) here += model->tree().leaf(at).isExact;
+                    const std::vector<LeafReference> leaves = treeOf(*model).leaves();
+                    for (const LeafReference at : leaves) here += treeOf(*model).leaf(at).isExact;
                     exact += here;
                     others += leaves.size() - here;
                     mixed += here > 0 && here < leaves.size();

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "model/model_data.h"
 #include "query/pair_query.h"
 #include "query/refine.h"
 #include "support/each_target.h"
@@ -101,7 +102,7 @@ LeafCase makeLeaves(const std::string& name, const Mesh& part, const Mesh& envir
     BuildOptions options;
     options.leafSize = leafSize;
     LeafCase leaves{name, Model::build(part, options), Model::build(environment, options), pose, {}};
-    const FlatTree &a = leaves.part.tree(), &b = leaves.environment.tree();
+    const FlatTree &a = treeOf(leaves.part), &b = treeOf(leaves.environment);
     const double perMeshUnit = preparePairQuery(a, b, pose).perMeshUnit;
     const MeshOracle oracle(part, environment);
     for (const TriangleAt p : trianglesOf(a)) {
@@ -195,7 +196,7 @@ std::vector<std::vector<std::vector<TakenPair>>> takenOf(const LeafCase& leaves,
     hwy::GetChosenTarget().Update(hwy::SupportedTargets());  // this program's own dispatch
     std::vector<TakenPair> taken;
     HWY_DYNAMIC_DISPATCH(visitLeaves)(query, dropFrom, taken);
-    const FlatTree &part = leaves.part.tree(), &environment = leaves.environment.tree();
+    const FlatTree &part = treeOf(leaves.part), &environment = treeOf(leaves.environment);
     const std::vector<TriangleAt> ofPart = trianglesOf(part), ofEnvironment = trianglesOf(environment);
     const auto positionIn = [](const std::vector<TriangleAt>& all, TriangleAt triangle) {
         return std::size_t(std::find(all.begin(), all.end(), triangle) - all.begin());
@@ -213,7 +214,7 @@ std::vector<std::vector<std::vector<TakenPair>>> takenOf(const LeafCase& leaves,
 /// The reach of two trees of one leaf each: both radii and the offset between the centres, as LeafPairs adds
 /// them up.
 long double reachOf(const LeafCase& leaves, const PairQuery& query) {
-    const Leaf a = leaves.part.tree().leaf(0), b = leaves.environment.tree().leaf(0);
+    const Leaf a = treeOf(leaves.part).leaf(0), b = treeOf(leaves.environment).leaf(0);
     const Vector3 between = leaves.pose * Vector3(a.centre.data()) - Vector3(b.centre.data());
     return a.radius * query.partLeafToQuery + b.radius * query.environmentLeafToQuery +
            between.lpNorm<1>() * query.perMeshUnit;
@@ -226,7 +227,7 @@ BOOST_AUTO_TEST_SUITE(leaf_pairs_test)
 BOOST_AUTO_TEST_CASE(the_cases_hold_leaves_of_1_to_16_triangles) {
     std::vector<int> leaves(17);
     for (const LeafCase& pair : cases()) {
-        const FlatTree& tree = pair.part.tree();
+        const FlatTree& tree = treeOf(pair.part);
         for (const LeafReference at : tree.leaves()) ++leaves.at(tree.leaf(at).triangleCount);
     }
     for (int n = 1; n <= 16; ++n) BOOST_TEST(leaves[std::size_t(n)] >= 32, n << " triangles");
@@ -236,7 +237,8 @@ BOOST_DATA_TEST_CASE(every_near_pair_is_taken_once_with_bounds_that_hold_its_dis
     const UsingTarget using_(target);
     Random random(kSeed);
     for (const LeafCase& leaves : cases()) {
-        const PairQuery query = preparePairQuery(leaves.part.tree(), leaves.environment.tree(), leaves.pose);
+        const PairQuery query =
+            preparePairQuery(treeOf(leaves.part), treeOf(leaves.environment), leaves.pose);
         const std::size_t rows = leaves.distances.size(), columns = leaves.distances[0].size();
         for (int draw = 0; draw < 6; ++draw) {
             // Just above one of the distances, so that one rounding too many would drop its pair.
@@ -268,8 +270,9 @@ BOOST_DATA_TEST_CASE(rounding_takes_less_than_half_of_its_slack, eachTarget(), t
     const UsingTarget using_(target);
     long double worstGap = 0, worstDistance = 0;  // in u32 of the leaves' reach
     for (const LeafCase& leaves : cases()) {
-        const PairQuery query = preparePairQuery(leaves.part.tree(), leaves.environment.tree(), leaves.pose);
-        if (leaves.part.tree().leaves().size() != 1 || leaves.environment.tree().leaves().size() != 1)
+        const PairQuery query =
+            preparePairQuery(treeOf(leaves.part), treeOf(leaves.environment), leaves.pose);
+        if (treeOf(leaves.part).leaves().size() != 1 || treeOf(leaves.environment).leaves().size() != 1)
             continue;
         const long double reach = reachOf(leaves, query), u = kUnitRoundoffFloat;
         const long double slack = kTriangleSlack * u * reach + query.offsetSlack;
@@ -295,7 +298,8 @@ BOOST_DATA_TEST_CASE(most_pairs_that_are_not_near_are_left_out, eachTarget(), ta
     const UsingTarget using_(target);
     long beyond = 0, leftOut = 0;
     for (const LeafCase& leaves : cases()) {
-        const PairQuery query = preparePairQuery(leaves.part.tree(), leaves.environment.tree(), leaves.pose);
+        const PairQuery query =
+            preparePairQuery(treeOf(leaves.part), treeOf(leaves.environment), leaves.pose);
         long double least = std::numeric_limits<long double>::max();
         for (const auto& row : leaves.distances) {
             for (const long double distance : row) least = std::min(least, distance);

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "model/model_data.h"
 #include "query/sweep.h"
 #include "support/each_target.h"
 #include "support/swept_pairs.h"
@@ -90,7 +91,8 @@ BOOST_DATA_TEST_CASE(a_full_stack_is_undecided, eachWidth(), width) {
         request.goal = goal;
         request.mostEntries = kMostSweepEntries;
         const auto answer = [&] {
-            return sweepTrees(pair.part.tree(), pair.environment.tree(), pieces, request, workspace.state());
+            return sweepTrees(treeOf(pair.part), treeOf(pair.environment), pieces, request,
+                              stateOf(workspace));
         };
         BOOST_TEST(!answer().isUndecided);
         request.mostEntries = 0;

@@ -39,12 +39,12 @@ Tally judge(const SweptPair& pair, const RigidMotion& motion, SweepOptions optio
     }
     for (const SweepResult& found : {whole, forward}) {
         if (found.verdict != SweepVerdict::kContact) continue;
-        BOOST_TEST(isWithinAt(found.contactTime));
-        BOOST_TEST(found.certifiedUntil <= found.contactTime);
-        BOOST_TEST(found.partTriangle >= 0);
+        BOOST_TEST(isWithinAt(found.contactTime.value()));
+        BOOST_TEST(found.certifiedUntil <= *found.contactTime);
+        BOOST_TEST(found.contact.has_value());
     }
     if (forward.verdict == SweepVerdict::kContact) {
-        BOOST_TEST(forward.contactTime - forward.certifiedUntil <= 2 * options.contactTime);
+        BOOST_TEST(forward.contactTime.value() - forward.certifiedUntil <= 2 * options.contactTime);
     }
     return {whole.verdict == SweepVerdict::kCertified, whole.verdict == SweepVerdict::kContact,
             whole.verdict == SweepVerdict::kUndecided};
@@ -210,22 +210,20 @@ BOOST_DATA_TEST_CASE(the_least_distance_is_bounded_from_both_sides, eachTarget()
                 for (int i = 0; i <= 50; ++i) sampled = std::min(sampled, clearanceAt(i / 50.0));
                 BOOST_TEST(least.lower <= sampled + doubt);
                 BOOST_TEST(least.lower <= least.upper);
-                BOOST_TEST(clearanceAt(least.time) <= least.upper + doubt);
+                const NearestAlong nearest = least.nearest.value();
+                BOOST_TEST(clearanceAt(nearest.time) <= least.upper + doubt);
                 BOOST_TEST(!least.isStopped);
-                const double gap = (least.pointOnPart - least.pointOnEnvironment).norm();
+                const double gap = (nearest.pointOnPart - nearest.pointOnEnvironment).norm();
                 BOOST_TEST(std::abs(gap - options.margin - least.upper) <= doubt);
-                BOOST_TEST(least.partTriangle >= 0);
-                BOOST_TEST(least.environmentTriangle >= 0);
                 if (least.upper <= options.resolution.least) continue;
                 BOOST_TEST(least.upper - least.lower <= 1.001 * options.resolution.of(least.upper) + doubt);
                 ++apart;
                 options.cap = 0.5 * least.lower;
                 const LeastDistance capped = leastDistance(pair.part, pair.environment,
                                                            piecesOf(motion, pair.part), options, workspace);
-                BOOST_TEST(capped.lower == options.cap);
+                BOOST_TEST(capped.lower == *options.cap);
                 BOOST_TEST(std::isinf(capped.upper));
-                BOOST_TEST(capped.partTriangle == -1);
-                BOOST_TEST(std::isnan(capped.pointOnPart.x()));
+                BOOST_TEST(!capped.nearest);
             }
         }
     }

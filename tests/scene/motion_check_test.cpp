@@ -38,7 +38,7 @@ BOOST_AUTO_TEST_CASE(a_thin_wall_between_two_free_poses_is_found) {
     BOOST_TEST((through.verdict == SweepVerdict::kContact));
     BOOST_TEST(std::abs(through.certifiedUntil - 0.425) < 1e-4);
     BOOST_TEST(through.certifiedUntil < 0.425);
-    BOOST_TEST(through.contactTime >= 0.425);
+    BOOST_TEST(through.contactTime.value() >= 0.425);
     const MotionAnswer before = room.check(motionBetween(at(0, 0, 0), at(4.2, 0, 0)));
     BOOST_TEST((before.verdict == SweepVerdict::kCertified));
     BOOST_TEST(before.certifiedUntil == 1);
@@ -118,10 +118,10 @@ BOOST_AUTO_TEST_CASE(a_collision_behind_a_stretch_that_is_too_close_to_tell_is_f
         (room.check(motionBetween(at(0, 0, 0), at(3, 0, 0)), poseError).verdict == SweepVerdict::kUndecided));
     const MotionAnswer atEnd = room.check(motionBetween(at(0, 0, 0), at(4, 0, 0)), poseError);
     BOOST_TEST((atEnd.verdict == SweepVerdict::kContact));
-    BOOST_TEST(!room.isFree(at(4 * atEnd.contactTime, 0, 0)));
+    BOOST_TEST(!room.isFree(at(4 * atEnd.contactTime.value(), 0, 0)));
     const MotionAnswer onTheWay = room.check(motionBetween(at(0, 0, 0), at(9, 0, 0)), poseError);
     BOOST_TEST((onTheWay.verdict == SweepVerdict::kContact));
-    BOOST_TEST(!room.isFree(at(9 * onTheWay.contactTime, 0, 0)));
+    BOOST_TEST(!room.isFree(at(9 * onTheWay.contactTime.value(), 0, 0)));
     BOOST_TEST(onTheWay.certifiedUntil == 0);
 }
 

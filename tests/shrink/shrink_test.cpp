@@ -497,7 +497,7 @@ BOOST_AUTO_TEST_CASE(depths_in_scenes_whose_parts_have_components_that_meet_end_
             triangle.triangles = {{0, 1, 2}};
             const DistanceResult found =
                 distance(Model::build(pointMeshAt(p)), Model::build(triangle), {}, {}, workspace);
-            const Vector3 end = found.pointOnEnvironment;
+            const Vector3 end = found.witness->pointOnEnvironment;
             bool hasOutside = false;
             for (int k = 0; k < 400 && !hasOutside; ++k) {
                 hasOutside = !isInSome(part, end + surface.slack() * random.inBox(1));

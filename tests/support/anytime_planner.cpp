@@ -7,12 +7,12 @@
 #include <atomic>
 #include <limits>
 
-#include "clearway/planning/finish.h"
 #include "clearway/planning/objectives.h"
 #include "clearway/planning/ompl_messages.h"
 #include "clearway/planning/planners.h"
 #include "clearway/planning/validity_checker.h"
 #include "core/number.h"
+#include "planning/plan/finish.h"
 #include "planning/space/ompl_states.h"
 #include "support/processor_time.h"
 

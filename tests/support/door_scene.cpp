@@ -26,7 +26,7 @@ DoorScene doorScene() {
     append(scene.box, {-5, -4, -4}, {-4, 4, 4}, "back");
     append(scene.box, {4, -4, -4}, {5, 4, 4}, "door");
     scene.problem.name = "door";
-    scene.problem.asOmplApp = false;
+    scene.problem.meshes.asOmplApp = false;
     scene.problem.goal.position = {15, 0, 0};
     scene.problem.volume = Box(Vector3(-3, -3, -3), Vector3(18, 3, 3));
     return scene;

@@ -38,11 +38,13 @@ double diagonalOf(const Mesh& mesh) {
 }
 
 void checkWitnesses(const ExactCase& exact, const DistanceResult& result) {
-    BOOST_TEST_REQUIRE(result.partTriangle >= 0);
-    BOOST_TEST_REQUIRE(result.environmentTriangle >= 0);
-    const auto a = cornersOf(exact.part, static_cast<std::size_t>(result.partTriangle)),
-               b = cornersOf(exact.environment, static_cast<std::size_t>(result.environmentTriangle));
-    const Vector3 &p = result.pointOnPart, &q = result.pointOnEnvironment;
+    BOOST_TEST_REQUIRE(result.witness.has_value());
+    BOOST_TEST_REQUIRE(result.witness->partTriangle >= 0);
+    BOOST_TEST_REQUIRE(result.witness->environmentTriangle >= 0);
+    const auto a = cornersOf(exact.part, static_cast<std::size_t>(result.witness->partTriangle)),
+               b = cornersOf(exact.environment,
+                             static_cast<std::size_t>(result.witness->environmentTriangle));
+    const Vector3 &p = result.witness->pointOnPart, &q = result.witness->pointOnEnvironment;
     const double rounding = kUnitRoundoff * exact.largestCoordinate + kLeast;
     const double off = (exact.truth.isZero() ? 16 : 8) * rounding;
     BOOST_TEST(exactDistance(exact.pose, a, {p, p, p}).compare(off) <= 0);

@@ -73,9 +73,10 @@ ob::ScopedState<> EndDraw::moved(PartState body, const Vector3& by, double angle
 void EndDraw::nestle(ob::ScopedState<>& state, double clearance) {
     for (int i = 0; i < 5 && scene_.checker->isValid(state.get()); ++i) {
         const SceneDistance near = scene_.checker->distance(state.get());
-        if (near.partTriangle < 0 || !(near.distance > 0)) return;
-        const double margin = scene_.scene.obstacles[static_cast<std::size_t>(near.obstacle)].margin;
-        const Vector3 towards = (near.pointOnEnvironment - near.pointOnPart) / near.distance;
+        if (!near.witness || !(near.distance > 0)) return;
+        const double margin = scene_.scene.obstacles[*near.obstacle].margin;
+        const Vector3 towards =
+            (near.witness->pointOnEnvironment - near.witness->pointOnPart) / near.distance;
         const auto closer =
             moved(scene_.bodyState(state.get()), (near.distance - margin - clearance) * towards, 0);
         if (!scene_.checker->isValid(closer.get())) return;

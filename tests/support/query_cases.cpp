@@ -34,22 +34,24 @@ double distanceToTriangle(const Vector3& point, const LongTriangle& triangle) {
 
 void checkWitnesses(const DistanceResult& result, const QueryCase& queryCase, const Pose& pose) {
     const double rounding = kUnitRoundoff * largestCoordinate(queryCase, pose);
-    BOOST_TEST_REQUIRE(result.partTriangle >= 0);
-    BOOST_TEST_REQUIRE(result.environmentTriangle >= 0);
-    BOOST_TEST_REQUIRE(result.partTriangle < static_cast<std::int64_t>(queryCase.part.triangles.size()));
-    BOOST_TEST_REQUIRE(result.environmentTriangle <
+    BOOST_TEST_REQUIRE(result.witness.has_value());
+    BOOST_TEST_REQUIRE(result.witness->partTriangle >= 0);
+    BOOST_TEST_REQUIRE(result.witness->environmentTriangle >= 0);
+    BOOST_TEST_REQUIRE(result.witness->partTriangle <
+                       static_cast<std::int64_t>(queryCase.part.triangles.size()));
+    BOOST_TEST_REQUIRE(result.witness->environmentTriangle <
                        static_cast<std::int64_t>(queryCase.environment.triangles.size()));
     const double reach = result.collides() ? 16 * rounding : 8 * rounding;
-    const LongTriangle onEnvironment =
-        toLong(cornersOf(queryCase.environment, static_cast<std::size_t>(result.environmentTriangle)));
-    BOOST_TEST(distanceToTriangle(result.pointOnPart, partTriangle(queryCase, pose, result.partTriangle)) <=
-               reach);
-    BOOST_TEST(distanceToTriangle(result.pointOnEnvironment, onEnvironment) <= reach);
-    const double apart = (result.pointOnPart - result.pointOnEnvironment).norm();
+    const LongTriangle onEnvironment = toLong(
+        cornersOf(queryCase.environment, static_cast<std::size_t>(result.witness->environmentTriangle)));
+    BOOST_TEST(distanceToTriangle(result.witness->pointOnPart,
+                                  partTriangle(queryCase, pose, result.witness->partTriangle)) <= reach);
+    BOOST_TEST(distanceToTriangle(result.witness->pointOnEnvironment, onEnvironment) <= reach);
+    const double apart = (result.witness->pointOnPart - result.witness->pointOnEnvironment).norm();
     BOOST_TEST(std::abs(apart - result.distance) <= 4 * rounding);
     if (result.collides()) BOOST_TEST(apart == 0.0);
-    BOOST_TEST(result.partComponent == 0);
-    BOOST_TEST(result.environmentComponent == 0);
+    BOOST_TEST(result.witness->partComponent == 0);
+    BOOST_TEST(result.witness->environmentComponent == 0);
 }
 
 }  // namespace
@@ -112,8 +114,8 @@ void checkDistance(const DistanceResult& result, const QueryCase& queryCase, con
     }
     checkWitnesses(result, queryCase, pose);
     const double ofPair =
-        queryCase.oracle->pairDistance(pose, static_cast<std::size_t>(result.partTriangle),
-                                       static_cast<std::size_t>(result.environmentTriangle));
+        queryCase.oracle->pairDistance(pose, static_cast<std::size_t>(result.witness->partTriangle),
+                                       static_cast<std::size_t>(result.witness->environmentTriangle));
     BOOST_TEST(std::abs(ofPair - result.distance) <= accuracy);
 }
 

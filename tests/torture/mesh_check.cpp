@@ -42,7 +42,7 @@ MeshCheck::MeshCheck(const MeshFamily& family)
 Pose MeshCheck::draw(Random& random) {
     return adversarialPose(random, family_, [this](const Pose& pose) -> Vector3 {
         const DistanceResult result = distance(part_, environment_, pose, {}, workspace_);
-        return result.pointOnEnvironment - result.pointOnPart;
+        return result.witness->pointOnEnvironment - result.witness->pointOnPart;
     });
 }
 

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "clearway/model.h"
+#include "model/model_data.h"
 #include "query/queries.h"
 #include "support/query_cases.h"
 #include "support/triangle_distance.h"
@@ -82,19 +83,19 @@ class Check {
         const auto described = [&] {
             std::ostringstream text;
             text << std::hexfloat << "distance with relativeError " << options.relativeError
-                 << ", absoluteError " << options.absoluteError << ", cap " << options.cap;
+                 << ", absoluteError " << options.absoluteError << ", cap "
+                 << options.cap.value_or(kInfinity);
             return text.str();
         };
         if (result.upper != kInfinity) return checkInterval(result, width, described());
-        require(result.lower >= options.cap && truth_.compare(options.cap) >= 0 &&
-                    truth_.compare(result.lower) >= 0 && result.distance == kInfinity &&
-                    result.partTriangle == -1 && result.environmentTriangle == -1,
+        require(options.cap && result.lower >= *options.cap && truth_.compare(*options.cap) >= 0 &&
+                    truth_.compare(result.lower) >= 0 && result.distance == kInfinity && !result.witness,
                 [&] { return described() + " says farther than the cap, lower " + shown(result.lower); });
     }
 
     void checkFinish() {
         if (posed_.part.triangles.size() != 1 || posed_.environment.triangles.size() != 1) return;
-        const PairQuery query = preparePairQuery(part_.tree(), environment_.tree(), posed_.pose);
+        const PairQuery query = preparePairQuery(treeOf(part_), treeOf(environment_), posed_.pose);
         const ResolvedPair pair = resolvePair(query, {});
         Apart apart;
         for (int k = 0; k < 3; ++k) {
@@ -160,21 +161,23 @@ class Check {
 
     void checkWitnesses(const DistanceResult& result) {
         const auto count = [](const Mesh& mesh) { return std::int64_t(mesh.triangles.size()); };
-        const bool areNamed = result.partTriangle >= 0 && result.partTriangle < count(posed_.part) &&
-                              result.environmentTriangle >= 0 &&
-                              result.environmentTriangle < count(posed_.environment);
+        const bool areNamed = result.witness && result.witness->partTriangle >= 0 &&
+                              result.witness->partTriangle < count(posed_.part) &&
+                              result.witness->environmentTriangle >= 0 &&
+                              result.witness->environmentTriangle < count(posed_.environment);
         require(areNamed, [] { return std::string("a triangle's id is out of range"); });
         if (!areNamed) return;
         const double reach = (result.collides() ? 16 : 8) * roundoff_;
-        const auto i = std::size_t(result.partTriangle), j = std::size_t(result.environmentTriangle);
-        require(isNear(result.pointOnPart, moved(posed_.pose, cornersOf(posed_.part, i)), reach) ||
-                    exactlyFromPart(posed_, i, result.pointOnPart).compare(reach) <= 0,
+        const auto i = std::size_t(result.witness->partTriangle),
+                   j = std::size_t(result.witness->environmentTriangle);
+        require(isNear(result.witness->pointOnPart, moved(posed_.pose, cornersOf(posed_.part, i)), reach) ||
+                    exactlyFromPart(posed_, i, result.witness->pointOnPart).compare(reach) <= 0,
                 [&] { return std::string("the part's witness is off its triangle"); });
-        require(isNear(result.pointOnEnvironment, toLong(cornersOf(posed_.environment, j)), reach) ||
-                    exactlyFromEnvironment(posed_, j, result.pointOnEnvironment).compare(reach) <= 0,
+        require(isNear(result.witness->pointOnEnvironment, toLong(cornersOf(posed_.environment, j)), reach) ||
+                    exactlyFromEnvironment(posed_, j, result.witness->pointOnEnvironment).compare(reach) <= 0,
                 [&] { return std::string("the environment's witness is off its triangle"); });
-        const Apart between =
-            result.pointOnPart.cast<long double>() - result.pointOnEnvironment.cast<long double>();
+        const Apart between = result.witness->pointOnPart.cast<long double>() -
+                              result.witness->pointOnEnvironment.cast<long double>();
         const long double apart = between.norm(), little = 0x1p-51L * apart + 0x1p-1072L;
         const auto described = [&] {
             return "witnesses " + shown(apart) + " apart, distance " + shown(result.distance) + ", lower " +

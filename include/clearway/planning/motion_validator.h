@@ -74,8 +74,8 @@ struct MotionReport {
     /// environment units.
     double upperClearance = 0;
     double closestTime = 0;  ///< of the closest of the poses looked at; 1 is s2 itself
-    /// Both triangles, their components and points, and the obstacle at closestTime. The ids are -1 when that
-    /// pose is farther than the environment's reach, or no pose was looked at.
+    /// Both triangles, their components and points, and the obstacle at closestTime. No witness when that pose
+    /// is farther than the environment's reach, or no pose was looked at.
     SceneDistance closest;
     /// The times from the first to the last of the poses looked at that are within Scene::startContact, where
     /// obstacles are ignored.

@@ -8,7 +8,6 @@
 
 #include <mutex>
 
-#include "clearway/outside.h"
 #include "clearway/planning/state_to_pose.h"
 #include "clearway/problem.h"
 #include "clearway/scene.h"

@@ -16,8 +16,9 @@
 namespace clearway::planning {
 
 /// The names of all planners: OMPL's class names ("RRTConnect", "BITstar", ...), and clearway's own, in
-/// alphabetical order: SlidingRRTConnect and PlannerTeam (see their headers), and RisingFloor, which plans
-/// for paths of more and more least clearance. The three need a clearway::planning::ValidityChecker.
+/// alphabetical order: SlidingRRTConnect (see its header); PlannerTeam, which runs RRTConnect with restarts and two
+/// SlidingRRTConnect, side by side or by turns, until one finds a path; and RisingFloor, which plans for paths of more and
+/// more least clearance. The three need a clearway::planning::ValidityChecker.
 /// RisingFloor also needs an environment whose reach covers the clearances of max_min_clearance.
 std::vector<std::string> plannerNames();
 

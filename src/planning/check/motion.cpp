@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "planning/space/ompl_refusal.h"
+#include <limits>
+#include <stdexcept>
 
 namespace clearway::planning {
 namespace {
@@ -117,21 +119,21 @@ std::optional<LeastClearance> Motion::leastClearance(LeastClearanceOptions optio
     if (!isStartWithinBounds() || !isEndWithinBounds()) return std::nullopt;
     const double jump = isForReverse ? slack_ + motion_.endJump : 0;
     options.poseError = 0.5 * slack_ + jump;
+    double cap = options.cap.value_or(std::numeric_limits<double>::infinity());
     std::vector<MotionSample> ends;
-    if (detail_ == ClearanceDetail::kWhole) ends.push_back(atStart(options.cap));
-    if (!ends.empty() || jumpsAtEnd()) ends.push_back(atEnd(options.cap));
+    if (detail_ == ClearanceDetail::kWhole) ends.push_back(atStart(cap));
+    if (!ends.empty() || jumpsAtEnd()) ends.push_back(atEnd(cap));
     Bounds atEnds;
     for (const MotionSample& sample : ends) {
         if (!sample.isValid()) return std::nullopt;
         if (sample.upper < atEnds.upper) leastTime_ = sample.time;
         atEnds = {std::min(atEnds.lower, sample.lower), std::min(atEnds.upper, sample.upper)};
     }
-    if (atEnds.upper < options.cap) {
-        options.cap = std::max(0.0, atEnds.upper - options.resolution.of(atEnds.upper));
-    }
+    if (atEnds.upper < cap) cap = std::max(0.0, atEnds.upper - options.resolution.of(atEnds.upper));
     LeastClearance found;
-    found.upper = options.cap;
-    if (options.cap > 0) {
+    found.upper = cap;
+    if (cap > 0) {
+        options.cap = cap;
         found = posed_.clearance().leastClearance(motion_, options);
         queries_ += found.queries;
         if (found.time) leastTime_ = found.time;
@@ -373,6 +375,7 @@ MotionSample Motion::sampleOf(double time, const PoseClearance& found) const {
     const auto aboveFloor = [this](const Bounds& clearance) {
         return Bounds{clearance.lower - floor_, clearance.upper - floor_};
     };
+    constexpr double kUnbounded = std::numeric_limits<double>::infinity();
     MotionSample sample;
     sample.time = time;
     sample.lower = found.lower - floor_;
@@ -380,7 +383,8 @@ MotionSample Motion::sampleOf(double time, const PoseClearance& found) const {
     sample.room = aboveFloor(found.always);
     for (std::size_t i = 0; i < posed_.clearance().zoneCount(); ++i) {
         const Bounds& spare = found.zones[i].spare;
-        const Bounds clearance = aboveFloor(found.zones[i].clearance);
+        const std::optional<Bounds>& known = found.zones[i].clearance;
+        const Bounds clearance = known ? aboveFloor(*known) : Bounds{-kUnbounded, kUnbounded};
         sample.room.lower = std::min(sample.room.lower, std::max(clearance.lower, spare.lower));
         sample.room.upper = std::min(sample.room.upper, std::max(clearance.upper, spare.upper));
     }

@@ -90,7 +90,8 @@ MotionVerdict MotionSweep::goForward() {
     certifiedTime_ = solids.until;
     const bool isInside = solids.verdict == SweepVerdict::kContact;
     if (options_.isContactAtEnd || found.verdict == SweepVerdict::kContact || isInside) {
-        blockedTime_ = std::min({found.contactTime, solids.contactTime, options_.until});
+        blockedTime_ =
+            std::min({found.contactTime.value_or(1), solids.contactTime.value_or(1), options_.until});
         if (blockedTime_ == 1 && motion_.isEndValid()) blockedTime_ = kJustBeforeEnd;
         leavesBounds_ = !motion_.isWithinBoundsAt(blockedTime_);
         return MotionVerdict::kInvalid;

@@ -6,12 +6,13 @@ namespace clearway::planning {
 
 std::optional<ContactPlane> contactPlaneOf(const SceneDistance& nearest, const Scene& scene,
                                            const Pose& X_environmentPart) {
-    if (nearest.partTriangle < 0 || nearest.obstacle < 0) return std::nullopt;
-    const Vector3 apart = nearest.pointOnPart - nearest.pointOnEnvironment;
+    if (!nearest.witness || !nearest.obstacle) return std::nullopt;
+    const Vector3 apart = nearest.witness->pointOnPart - nearest.witness->pointOnEnvironment;
     const double distance = apart.norm();
     if (!(distance > 0)) return std::nullopt;
-    return ContactPlane{inverse(X_environmentPart) * nearest.pointOnPart, nearest.pointOnEnvironment,
-                        apart / distance, scene.obstacles[static_cast<std::size_t>(nearest.obstacle)].margin};
+    return ContactPlane{inverse(X_environmentPart) * nearest.witness->pointOnPart,
+                        nearest.witness->pointOnEnvironment, apart / distance,
+                        scene.obstacles[*nearest.obstacle].margin};
 }
 
 ContactRow rowAt(const ContactPlane& plane, const PartMoves& moves, const Pose& X_environmentPart) {

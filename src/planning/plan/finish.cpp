@@ -1,4 +1,4 @@
-#include "clearway/planning/finish.h"
+#include "planning/plan/finish.h"
 
 #include <algorithm>
 #include <cmath>

@@ -16,7 +16,7 @@ ob::GoalPtr makeGoal(const ob::SpaceInformationPtr& si, const Problem& problem, 
     if (problem.outside) return std::make_shared<OutsideGoal>(si, scene, *problem.outside, problem.start);
     const auto goal = std::make_shared<ob::GoalState>(si);
     goal->setState(toOmpl(si->getStateSpace(), problem.space, problem.goal));
-    goal->setThreshold(problem.goalThreshold.value_or(std::numeric_limits<double>::epsilon()));
+    goal->setThreshold(problem.planning.goalThreshold.value_or(std::numeric_limits<double>::epsilon()));
     return goal;
 }
 

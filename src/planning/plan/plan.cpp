@@ -8,12 +8,12 @@
 #include <optional>
 #include <utility>
 
-#include "clearway/planning/finish.h"
 #include "clearway/planning/ompl_messages.h"
-#include "clearway/planning/plan_setup.h"
 #include "clearway/planning/planners.h"
 #include "core/clock.h"
 #include "core/watch.h"
+#include "planning/plan/finish.h"
+#include "planning/plan/plan_setup.h"
 #include "planning/plan/problem_settings.h"
 #include "planning/plan/room.h"
 #include "planning/space/ompl_refusal.h"

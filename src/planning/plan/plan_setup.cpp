@@ -1,4 +1,4 @@
-#include "clearway/planning/plan_setup.h"
+#include "planning/plan/plan_setup.h"
 
 #include <ompl/geometric/planners/AnytimePathShortening.h>
 #include <ompl/util/RandomNumbers.h>
@@ -69,7 +69,7 @@ void requireOptions(const Problem& problem, const PlanOptions& options) {
                             (options.iterations ? ", expected 1 with a number of iterations"
                                                 : ", expected a whole number of at least 0"));
     }
-    for (const PlannerChoice& choice : problem.planners) {
+    for (const PlannerChoice& choice : problem.planning.planners) {
         try {
             plannerClassName(choice.name);
         } catch (const std::invalid_argument& error) {
@@ -105,8 +105,8 @@ std::vector<std::string> choosePlanners(const Problem& problem, const PlanOption
     std::string name = defaultPlanner(objective, options);
     if (!options.planner.empty()) {
         name = plannerClassName(options.planner);
-    } else if (problem.planners.size() == 1) {
-        name = plannerClassName(problem.planners[0].name);
+    } else if (problem.planning.planners.size() == 1) {
+        name = plannerClassName(problem.planning.planners[0].name);
     }
     const bool hasThreads = name == kDefaultPlanner || !isRepeatable(name);
     return std::vector<std::string>(hasThreads ? 1 : planCount(options), name);
@@ -122,7 +122,7 @@ void warnOfNames(const Problem& problem, std::vector<std::string>& warnings) {
 
 /// Leaves out unknown parameters, of which unknownNames() warns.
 void setFileParameters(ob::Planner& planner, const std::string& plannerName, const Problem& problem) {
-    for (const PlannerChoice& choice : problem.planners) {
+    for (const PlannerChoice& choice : problem.planning.planners) {
         if (plannerClassName(choice.name) != plannerName) continue;
         for (const auto& [name, value] : choice.parameters) {
             if (name == "name") {

@@ -63,11 +63,12 @@ ob::Cost boundOf(const ob::OptimizationObjective& objective, const ob::ProblemDe
 /// keeps its own threshold.
 void useThreshold(ob::OptimizationObjective& objective, const Problem& problem,
                   const ob::ProblemDefinition& definition, const std::string& unit) {
-    const ob::Cost threshold(*problem.objectiveThreshold), bound = boundOf(objective, definition);
+    const ob::Cost threshold(*problem.planning.objectiveThreshold), bound = boundOf(objective, definition);
     if (threshold.value() != 0 && objective.isCostBetterThan(threshold, bound)) {
-        throw ArgumentError(problem.file + ": objective.threshold is " + shortNumber(threshold.value()) +
-                            ", which no path meets: " + problem.objective + " is at best " +
-                            withUnit(roundedNumber(bound.value()), unit) + " between start and goal");
+        throw ArgumentError(problem.file + ": objective.threshold is " +
+                                    shortNumber(threshold.value()) +
+                                    ", which no path meets: " + problem.planning.objective + " is at best " +
+                                    withUnit(roundedNumber(bound.value()), unit) + " between start and goal");
     }
     const bool isLeast = dynamic_cast<const MinClearanceObjective*>(&objective) != nullptr;
     if (!isLeast || (threshold.value() != 0 && threshold.value() < objective.getCostThreshold().value()))
@@ -126,16 +127,16 @@ std::set<std::string> apply(ob::ParamSet& parameters, const NamedTexts& settings
 Problem problemFor(const std::string& planner, const Problem& problem) {
     Problem result = problem;
     const auto choice =
-        std::find_if(problem.planners.begin(), problem.planners.end(),
+        std::find_if(problem.planning.planners.begin(), problem.planning.planners.end(),
                      [&](const PlannerChoice& each) { return plannerClassName(each.name) == planner; });
-    if (choice == problem.planners.end()) return result;
+    if (choice == problem.planning.planners.end()) return result;
     for (const auto& [name, value] : choice->settings) {
         if (name == "sampler") {
-            result.sampler = value;
+            result.planning.sampler = value;
         } else if (name == "objective.threshold") {
-            result.objectiveThreshold = parseNumber(value);
+            result.planning.objectiveThreshold = parseNumber(value);
         } else {
-            result.settings.emplace_back(name, value);  // the later value counts
+            result.planning.settings.emplace_back(name, value);  // the later value counts
         }
     }
     return result;
@@ -143,11 +144,12 @@ Problem problemFor(const std::string& planner, const Problem& problem) {
 
 bool mayUseSampler(const Problem& problem, const std::string& sampler) {
     const std::pair<std::string, std::string> wanted("sampler", sampler);
-    return problem.sampler == sampler ||
-           std::any_of(problem.planners.begin(), problem.planners.end(), [&](const PlannerChoice& planner) {
-               const NamedTexts& settings = planner.settings;
-               return std::find(settings.begin(), settings.end(), wanted) != settings.end();
-           });
+    return problem.planning.sampler == sampler ||
+           std::any_of(problem.planning.planners.begin(), problem.planning.planners.end(),
+                       [&](const PlannerChoice& planner) {
+                           const NamedTexts& settings = planner.settings;
+                           return std::find(settings.begin(), settings.end(), wanted) != settings.end();
+                       });
 }
 
 void setSampler(ob::SpaceInformation& si, const std::string& name,
@@ -166,15 +168,16 @@ void requireSampler(const std::string& name) {
 }
 
 void applySettings(ob::SpaceInformation& si, const Problem& problem, std::vector<std::string>& warnings) {
-    std::set<std::string> known = apply(si.getStateSpace()->params(), problem.settings);
-    const bool isDefault = problem.sampler.empty() && !problem.settings.empty();
-    setSampler(
-        si, isDefault ? "uniform" : problem.sampler,
-        [settings = problem.settings](ob::ValidStateSampler& sampler) { apply(sampler.params(), settings); });
+    std::set<std::string> known = apply(si.getStateSpace()->params(), problem.planning.settings);
+    const bool isDefault = problem.planning.sampler.empty() && !problem.planning.settings.empty();
+    setSampler(si, isDefault ? "uniform" : problem.planning.sampler,
+               [settings = problem.planning.settings](ob::ValidStateSampler& sampler) {
+                   apply(sampler.params(), settings);
+               });
     si.setup();
-    known.merge(apply(si.params(), problem.settings));  // projections come with the setup
-    known.merge(apply(si.allocValidStateSampler()->params(), problem.settings));
-    for (const auto& [name, value] : problem.settings) {
+    known.merge(apply(si.params(), problem.planning.settings));  // projections come with the setup
+    known.merge(apply(si.allocValidStateSampler()->params(), problem.planning.settings));
+    for (const auto& [name, value] : problem.planning.settings) {
         if (known.count(name)) continue;
         warnings.push_back(problem.file + ": neither the space nor the sampler has a setting '" + name +
                            "'; it is left out");
@@ -236,11 +239,11 @@ std::optional<ObjectiveChoice> chooseObjective(const Problem& problem, const Pla
     }
     std::string name;
     try {
-        name = objectiveName(problem.objective);
+        name = objectiveName(problem.planning.objective);
     } catch (const std::invalid_argument&) {
         return std::nullopt;
     }
-    if (name == "length" && !problem.objectiveThreshold) return std::nullopt;
+    if (name == "length" && !problem.planning.objectiveThreshold) return std::nullopt;
     return ObjectiveChoice{name, options.wantedClearance};
 }
 
@@ -252,7 +255,7 @@ ob::OptimizationObjectivePtr makePlanObjective(const ob::ProblemDefinition& defi
                                                        ? leastClearance(si, scene, clearanceOfEnds)
                                                        : makeObjective(si, scene, choice);
     const auto own = chooseObjective(problem, {});
-    if (problem.objectiveThreshold && own && own->name == choice.name)
+    if (problem.planning.objectiveThreshold && own && own->name == choice.name)
         useThreshold(*objective, problem, definition, scene.unit);
     return objective;
 }

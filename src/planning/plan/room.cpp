@@ -5,13 +5,13 @@
 #include <memory>
 #include <mutex>
 
-#include "clearway/planning/finish.h"
 #include "clearway/planning/motion_validator.h"
 #include "clearway/scene_clearance.h"
 #include "core/clock.h"
 #include "planning/improve/kept_clearance.h"
 #include "planning/improve/part_moves.h"
 #include "planning/improve/room_both_ways.h"
+#include "planning/plan/finish.h"
 #include "planning/plan/goals.h"
 #include "planning/planners/rising_floor.h"
 #include "planning/space/ompl_states.h"

@@ -7,7 +7,7 @@
 #include <functional>
 #include <optional>
 
-#include "clearway/planning/plan_setup.h"
+#include "planning/plan/plan_setup.h"
 
 namespace clearway::planning {
 

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <atomic>
 
-#include "clearway/planning/finish.h"
 #include "clearway/planning/ompl_messages.h"
-#include "clearway/planning/plan_setup.h"
 #include "clearway/planning/planners.h"
 #include "clearway/planning/problem_setup.h"
+#include "planning/plan/finish.h"
+#include "planning/plan/plan_setup.h"
 
 namespace clearway::planning {
 namespace {
@@ -27,8 +27,8 @@ constexpr double kShareOfMotions = 0.25;
 
 /// Without an objective a trial ends with its first path.
 Problem withoutObjective(Problem problem) {
-    problem.objective = "length";
-    problem.objectiveThreshold.reset();
+    problem.planning.objective = "length";
+    problem.planning.objectiveThreshold.reset();
     return problem;
 }
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "clearway/planning/explain.h"
-#include "clearway/planning/plan_setup.h"
 #include "core/clock.h"
+#include "planning/plan/plan_setup.h"
 
 namespace clearway::planning {
 

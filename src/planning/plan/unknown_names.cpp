@@ -31,7 +31,7 @@ class Judge {
             return true;
         } catch (const std::invalid_argument& error) {
             const std::string what = (problem_.file.empty() ? "" : problem_.file + ": ") + error.what();
-            const bool isOmplApps = problem_.asOmplApp && !problem_.isReadingStated;
+            const bool isOmplApps = problem_.meshes.asOmplApp && !problem_.meshes.isReadingStated;
             if (!isOmplApps) throw ArgumentError(what);
             const std::string warning = what + consequence;
             if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end())
@@ -69,9 +69,10 @@ void requireParameters(const PlannerChoice& choice, Judge& judge) {
 
 std::vector<std::string> unknownNames(const Problem& problem) {
     Judge judge(problem);
-    judge.require([&] { objectiveName(problem.objective); }, "; paths are judged by length");
-    if (!problem.sampler.empty()) judge.require([&] { requireSampler(problem.sampler); }, "");
-    for (const PlannerChoice& choice : problem.planners) {
+    judge.require([&] { objectiveName(problem.planning.objective); }, "; paths are judged by length");
+    if (!problem.planning.sampler.empty())
+        judge.require([&] { requireSampler(problem.planning.sampler); }, "");
+    for (const PlannerChoice& choice : problem.planning.planners) {
         for (const auto& [name, value] : choice.settings) {
             if (name == "sampler") judge.require([&, &sampler = value] { requireSampler(sampler); }, "");
         }

@@ -1,4 +1,4 @@
-#include "clearway/planning/planner_team.h"
+#include "planning/planners/planner_team.h"
 
 #include <ompl/base/goals/GoalSampleableRegion.h>
 #include <ompl/geometric/planners/rrt/RRTConnect.h>

@@ -45,10 +45,10 @@
 #include <type_traits>
 
 #include "clearway/errors.h"
-#include "clearway/planning/planner_team.h"
 #include "clearway/planning/sliding_rrt_connect.h"
 #include "core/number.h"
 #include "core/text.h"
+#include "planning/planners/planner_team.h"
 #include "planning/planners/rising_floor.h"
 #include "planning/space/ompl_refusal.h"
 #include "planning/space/ompl_states.h"

@@ -12,8 +12,8 @@
 #include <utility>
 
 #include "clearway/planning/motion_validator.h"
-#include "clearway/planning/planner_team.h"
 #include "planning/planners/floor_search.h"
+#include "planning/planners/planner_team.h"
 
 namespace clearway::planning {
 

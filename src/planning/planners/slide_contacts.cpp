@@ -71,7 +71,7 @@ void SlideContacts::lookAround(const ob::State* state) {
     const auto plane = contactPlaneOf(found.nearest, clearance_.scene(), X_environmentPart);
     if (!plane) return;
     const ContactRow row = rowAt(*plane, moves_, X_environmentPart);
-    if (row.gap > options.cap) return;
+    if (row.gap > *options.cap) return;
     for (ContactPlane& known : contacts_) {
         if ((rowAt(known, moves_, X_environmentPart).row - row.row).norm() < kLikeContact) {
             known = *plane;

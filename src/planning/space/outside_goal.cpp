@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "planning/space/ompl_states.h"
+#include "problem/outside.h"
 
 namespace clearway::planning {
 namespace {

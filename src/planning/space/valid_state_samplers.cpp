@@ -60,10 +60,11 @@ WitnessSampler::Room WitnessSampler::roomAt(const ob::State* state) const {
     room.isValid = checker_->isValid(state, room.clearance);
     if (!room.isValid) return room;
     const SceneDistance nearest = checker_->distance(state);
-    Vector3 away = nearest.pointOnPart - nearest.pointOnEnvironment;
+    if (!nearest.witness) return room;
+    Vector3 away = nearest.witness->pointOnPart - nearest.witness->pointOnEnvironment;
     if (isPlanar_) away.z() = 0;
     const double length = away.norm();
-    if (length > 0 && nearest.partTriangle >= 0) room.away = away / length;
+    if (length > 0) room.away = away / length;
     return room;
 }
 

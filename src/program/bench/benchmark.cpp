@@ -10,9 +10,9 @@
 #include <stdexcept>
 
 #include "clearway/planning/ompl_messages.h"
-#include "clearway/planning/plan_setup.h"
 #include "core/clock.h"
 #include "core/number.h"
+#include "planning/plan/plan_setup.h"
 
 namespace clearway::study {
 namespace {
@@ -55,12 +55,12 @@ std::string experimentName(const Problem& problem) {
 
 /// A copy of the problem for each planner. Each copy names one planner alone.
 std::vector<Problem> problemsOf(const Problem& problem) {
-    std::vector<PlannerChoice> planners = problem.planners;
+    std::vector<PlannerChoice> planners = problem.planning.planners;
     if (planners.empty()) {
         for (const char* name : kDefaultPlanners) planners.push_back({name, {}});
     }
     std::vector<Problem> problems(planners.size(), problem);
-    for (std::size_t i = 0; i < planners.size(); ++i) problems[i].planners = {planners[i]};
+    for (std::size_t i = 0; i < planners.size(); ++i) problems[i].planning.planners = {planners[i]};
     return problems;
 }
 

@@ -13,11 +13,11 @@
 #include <mutex>
 #include <thread>
 
-#include "clearway/planning/finish.h"
-#include "clearway/planning/plan_setup.h"
 #include "clearway/planning/problem_setup.h"
 #include "core/clock.h"
 #include "core/number.h"
+#include "planning/plan/finish.h"
+#include "planning/plan/plan_setup.h"
 
 namespace clearway::study {
 namespace {

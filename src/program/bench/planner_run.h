@@ -9,10 +9,10 @@
 #include <variant>
 #include <vector>
 
-#include "clearway/planning/plan_setup.h"
 #include "clearway/problem.h"
 #include "clearway/scene.h"
 #include "clearway/scene_clearance.h"
+#include "planning/plan/plan_setup.h"
 #include "program/bench/table.h"
 
 namespace clearway::study {

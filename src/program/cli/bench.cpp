@@ -115,12 +115,13 @@ std::vector<PlannerChoice> choose(const std::vector<std::string>& names,
 /// Reads the problem and replaces its values by those of the options.
 Problem readProblemFor(const BenchArguments& given) {
     Problem problem = given.problem.read();
-    if (given.seconds) problem.timeLimit = given.seconds;
-    if (given.megabytes) problem.memoryLimit = given.megabytes;
-    if (given.runs) problem.runCount = given.runs;
-    if (!given.planners.empty()) problem.planners = choose(given.planners, problem.planners);
-    if (given.savedPaths) problem.savedPaths = *given.savedPaths;
-    if (given.keepsPathsAsFound) problem.simplify = false;
+    if (given.seconds) problem.benchmark.timeLimit = given.seconds;
+    if (given.megabytes) problem.benchmark.memoryLimit = given.megabytes;
+    if (given.runs) problem.benchmark.runCount = given.runs;
+    if (!given.planners.empty())
+        problem.planning.planners = choose(given.planners, problem.planning.planners);
+    if (given.savedPaths) problem.benchmark.savedPaths = *given.savedPaths;
+    if (given.keepsPathsAsFound) problem.benchmark.simplify = false;
     return problem;
 }
 
@@ -130,7 +131,7 @@ study::Properties parametersOf(const BenchArguments& given, const Problem& probl
     study::Properties parameters = {{"general_split VARCHAR", tree.generalSplit},
                                     {"leaf_split VARCHAR", tree.leafSplit},
                                     {"leaf_size INTEGER", std::to_string(tree.leafSize)},
-                                    {"simplify BOOLEAN", problem.simplify ? "1" : "0"}};
+                                    {"simplify BOOLEAN", problem.benchmark.simplify ? "1" : "0"}};
     Hash hash;
     for (const std::string& file : inputsOf(problem)) {
         std::ifstream in(file, std::ios::binary);
@@ -142,10 +143,10 @@ study::Properties parametersOf(const BenchArguments& given, const Problem& probl
 
 BenchmarkOptions benchmarkOptions(const BenchArguments& given, const Problem& problem) {
     BenchmarkOptions result = given.benchmark;
-    result.seconds = problem.timeLimit.value_or(result.seconds);
-    result.megabytes = problem.memoryLimit.value_or(result.megabytes);
-    result.runs = problem.runCount.value_or(result.runs);
-    result.simplify = problem.simplify;
+    result.seconds = problem.benchmark.timeLimit.value_or(result.seconds);
+    result.megabytes = problem.benchmark.memoryLimit.value_or(result.megabytes);
+    result.runs = problem.benchmark.runCount.value_or(result.runs);
+    result.simplify = problem.benchmark.simplify;
     result.isStopped = isInterrupted;
     result.parameters = parametersOf(given, problem);
     return result;
@@ -154,8 +155,8 @@ BenchmarkOptions benchmarkOptions(const BenchArguments& given, const Problem& pr
 /// The log's file: by default in the problem's output folder, which is made.
 std::string logFile(const BenchArguments& given, const Problem& problem) {
     if (!given.log.empty()) return given.log;
-    const fs::path folder = fs::path(problem.file).parent_path() / problem.outputFolder;
-    if (!problem.outputFolder.empty()) makeFolder(folder.string());
+    const fs::path folder = fs::path(problem.file).parent_path() / problem.benchmark.outputFolder;
+    if (!problem.benchmark.outputFolder.empty()) makeFolder(folder.string());
     return (folder / fs::path(problem.file).filename().replace_extension(".log")).string();
 }
 

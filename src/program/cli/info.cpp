@@ -151,23 +151,28 @@ void describeProblem(const Problem& problem, const Box& environmentBox, const Bo
     printRow("start", shownState(problem.start));
     printRow("goal", goalOf(problem));
     printRow("bounds", inUnit(readable(bounds)) + boundsNote(problem));
-    printRow("objective", problem.objective + (problem.objectiveThreshold
-                                                   ? ", threshold " + readable(*problem.objectiveThreshold)
-                                                   : std::string()));
-    if (!problem.sampler.empty()) printRow("sampler", problem.sampler);
-    if (problem.goalThreshold) printRow("goal threshold", readable(*problem.goalThreshold));
-    for (const auto& [name, value] : problem.settings) printRow("setting", name + " = " + value);
+    printRow("objective", problem.planning.objective +
+                              (problem.planning.objectiveThreshold
+                                   ? ", threshold " + readable(*problem.planning.objectiveThreshold)
+                                   : std::string()));
+    if (!problem.planning.sampler.empty()) printRow("sampler", problem.planning.sampler);
+    if (problem.planning.goalThreshold) printRow("goal threshold", readable(*problem.planning.goalThreshold));
+    for (const auto& [name, value] : problem.planning.settings) printRow("setting", name + " = " + value);
     printRow("margin", statedLength(problem.margin));
     printRow("unit", problem.unit.empty() ? "not stated" : problem.unit);
     printContact("contact at start", problem.rules.startContact);
     printContact("contact at goal", problem.rules.goalContact);
     printRow("fineness", problem.fineness ? statedLength(*problem.fineness) : "not stated");
-    printRow("planners", problem.planners.empty() ? "not stated" : std::to_string(problem.planners.size()));
-    for (const PlannerChoice& planner : problem.planners) printRow("  planner", description(planner));
-    if (problem.timeLimit) printRow("time limit", readable(*problem.timeLimit) + " s");
-    if (problem.memoryLimit) printRow("memory limit", readable(*problem.memoryLimit) + " MB");
-    if (problem.runCount) printRow("runs", std::to_string(*problem.runCount));
-    if (!problem.outputFolder.empty()) printRow("log folder", problem.outputFolder);
+    printRow("planners", problem.planning.planners.empty()
+                             ? "not stated"
+                             : std::to_string(problem.planning.planners.size()));
+    for (const PlannerChoice& planner : problem.planning.planners)
+        printRow("  planner", description(planner));
+    if (problem.benchmark.timeLimit) printRow("time limit", readable(*problem.benchmark.timeLimit) + " s");
+    if (problem.benchmark.memoryLimit)
+        printRow("memory limit", readable(*problem.benchmark.memoryLimit) + " MB");
+    if (problem.benchmark.runCount) printRow("runs", std::to_string(*problem.benchmark.runCount));
+    if (!problem.benchmark.outputFolder.empty()) printRow("log folder", problem.benchmark.outputFolder);
     for (const std::string& warning : problem.warnings) printRow("warning", warning);
 }
 
@@ -184,7 +189,7 @@ void describePose(const char* label, const SceneClearance& clearance, const Part
     const std::string note = mayTouch ? "" : enclosureNote(part, worlds, X_environmentPart);
     if (!note.empty()) printWarnings({std::string(label) + " " + note});
     const PoseClearance at = clearance.at(X_environmentPart);
-    if (at.nearest.partTriangle < 0) return printRow(label, "valid, with nothing near");
+    if (!at.nearest.witness) return printRow(label, "valid, with nothing near");
     const MeshNames names = distinctMeshNames(clearance.scene(), at.nearest);
     printRow(label, "valid, clearance " + shownLength(at.lower) + ", between '" + names.part + "' and '" +
                         names.environment + "'" + leftOutAt(at));
@@ -213,11 +218,12 @@ void describeProblemFile(const std::string& file, const BuildOptions& tree) {
     facts()["obstacles"] = obstacleFacts(obstacles);
     describeEnds(problem, part, worlds);
     std::cout << "\nPart\n";
-    const Model partModel =
-        describeMesh("part", part, problem.asOmplApp ? "as OMPL.app reads a robot" : "as stored", tree);
+    const Model partModel = describeMesh(
+        "part", part, problem.meshes.asOmplApp ? "as OMPL.app reads a robot" : "as stored", tree);
     std::cout << "\nEnvironment\n";
-    describeMesh("environment", environment, problem.asOmplApp ? "as OMPL.app reads its world" : "as stored",
-                 tree, planning::planningReach(problem, {}, partModel, boundingBox(environment)));
+    describeMesh("environment", environment,
+                 problem.meshes.asOmplApp ? "as OMPL.app reads its world" : "as stored", tree,
+                 planning::planningReach(problem, {}, partModel, boundingBox(environment)));
 }
 
 double liftTolerance(const Problem& problem, double overlap) {

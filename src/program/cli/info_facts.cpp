@@ -89,23 +89,23 @@ Json problemFacts(const Problem& problem, const Box& bounds) {
                  {"goal", problem.outside ? Json("outside") : toJson(problem.goal)},
                  {"bounds", toJson(bounds)},
                  {"bounds_stated", problem.volume.has_value()},
-                 {"objective", problem.objective},
-                 {"objective_threshold", orNull(problem.objectiveThreshold)},
-                 {"sampler", problem.sampler},
-                 {"goal_threshold", orNull(problem.goalThreshold)},
-                 {"settings", namesIn(problem.settings)},
+                 {"objective", problem.planning.objective},
+                 {"objective_threshold", orNull(problem.planning.objectiveThreshold)},
+                 {"sampler", problem.planning.sampler},
+                 {"goal_threshold", orNull(problem.planning.goalThreshold)},
+                 {"settings", namesIn(problem.planning.settings)},
                  {"margin", toJson(problem.margin)},
                  {"contact_start", contactFacts(problem.rules.startContact)},
                  {"contact_goal", contactFacts(problem.rules.goalContact)},
                  {"fineness", orNull(problem.fineness)},
-                 {"coordinates", problem.asOmplApp ? "omplapp" : "stored"},
+                 {"coordinates", problem.meshes.asOmplApp ? "omplapp" : "stored"},
                  {"planners", Json::array()},
-                 {"time_limit_seconds", orNull(problem.timeLimit)},
-                 {"memory_limit_megabytes", orNull(problem.memoryLimit)},
-                 {"runs", orNull(problem.runCount)},
+                 {"time_limit_seconds", orNull(problem.benchmark.timeLimit)},
+                 {"memory_limit_megabytes", orNull(problem.benchmark.memoryLimit)},
+                 {"runs", orNull(problem.benchmark.runCount)},
                  {"warnings", problem.warnings}};
     if (problem.outside && problem.outside->side) json["outside"] = nameOf(*problem.outside->side);
-    for (const PlannerChoice& planner : problem.planners)
+    for (const PlannerChoice& planner : problem.planning.planners)
         json["planners"].push_back({{"name", planner.name},
                                     {"parameters", namesIn(planner.parameters)},
                                     {"settings", namesIn(planner.settings)}});

@@ -248,10 +248,10 @@ int init(const Arguments& words) {
     requireFactsFile(files);
 
     Problem problem;
-    problem.asOmplApp = false;
-    problem.robot = given.part;
-    problem.world = given.environment[0];
-    problem.furtherWorlds.assign(given.environment.begin() + 1, given.environment.end());
+    problem.meshes.asOmplApp = false;
+    problem.meshes.robot = given.part;
+    problem.meshes.world = given.environment[0];
+    problem.meshes.furtherWorlds.assign(given.environment.begin() + 1, given.environment.end());
     problem.outside.emplace();
     const Mesh part = loadPart(problem, guardedLoadMesh);
     const std::vector<Mesh> worlds = loadWorlds(problem, guardedLoadMesh);

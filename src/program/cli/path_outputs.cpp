@@ -36,10 +36,11 @@ std::string shortName(const std::string& file) {
 Rows problemRows(const Problem& problem, const Mesh& part, const Mesh& environment) {
     std::string worlds;
     for (const std::string& file : worldFiles(problem)) worlds += shortName(file) + ", ";
-    Rows rows = {{"problem", shortName(problem.file)},
-                 {"part", shortName(problem.robot) + ", " + counted(part.triangles.size(), "triangle")},
-                 {"environment", worlds + counted(environment.triangles.size(), "triangle")},
-                 {"margin", statedLength(problem.margin)}};
+    Rows rows = {
+        {"problem", shortName(problem.file)},
+        {"part", shortName(problem.meshes.robot) + ", " + counted(part.triangles.size(), "triangle")},
+        {"environment", worlds + counted(environment.triangles.size(), "triangle")},
+        {"margin", statedLength(problem.margin)}};
     for (const Mesh* mesh : {&part, &environment}) {
         for (const std::string& warning : mesh->origin.warnings) rows.push_back({"warning", warning});
     }

@@ -41,8 +41,9 @@ std::string nameOf(const SegmentAudit& segment) {
 /// Names the closest pair of meshes and its triangles.
 std::string pairOf(const SegmentAudit& segment) {
     if (segment.partMesh.empty()) return "";
-    return "'" + segment.partMesh + "' (" + std::to_string(segment.motion.closest.partTriangle) + ") and '" +
-           segment.environmentMesh + "' (" + std::to_string(segment.motion.closest.environmentTriangle) + ")";
+    return "'" + segment.partMesh + "' (" + std::to_string(segment.motion.closest.witness->partTriangle) +
+           ") and '" + segment.environmentMesh + "' (" +
+           std::to_string(segment.motion.closest.witness->environmentTriangle) + ")";
 }
 
 /// Says up to where an invalid segment is valid.
@@ -76,11 +77,12 @@ std::string contactSpans(const PathAudit& audit, std::optional<planning::TimeSpa
 std::string pairCells(const SceneClearance& clearance, const Pose& X_environmentPart) {
     SceneDistance nearest;
     if (!clearance.isOutOfReach(X_environmentPart)) nearest = clearance.at(X_environmentPart).nearest;
-    if (nearest.partTriangle < 0) return ",,,,,,,,,";
+    if (!nearest.witness) return ",,,,,,,,,";
     const MeshNames names = distinctMeshNames(clearance.scene(), nearest);
-    return textCell(names.part) + "," + std::to_string(nearest.partTriangle) + "," +
-           numberCells(nearest.pointOnPart) + "," + textCell(names.environment) + "," +
-           std::to_string(nearest.environmentTriangle) + "," + numberCells(nearest.pointOnEnvironment);
+    return textCell(names.part) + "," + std::to_string(nearest.witness->partTriangle) + "," +
+           numberCells(nearest.witness->pointOnPart) + "," + textCell(names.environment) + "," +
+           std::to_string(nearest.witness->environmentTriangle) + "," +
+           numberCells(nearest.witness->pointOnEnvironment);
 }
 
 /// Says where the path is closest. Points are in the environment's frame, as the pose is.
@@ -93,9 +95,9 @@ void printClosest(const PathAudit& audit) {
     printRow("  on the path",
              "segment " + std::to_string(audit.closest + 1) + " of " + std::to_string(audit.segments.size()) +
                  ", t = " + shortened(closest.motion.closestTime) + " (0 its start, 1 its end)");
-    printRow("  on the part", point(closest.partMesh, pair.partTriangle, pair.pointOnPart));
-    printRow("  on the obstacle",
-             point(closest.environmentMesh, pair.environmentTriangle, pair.pointOnEnvironment));
+    printRow("  on the part", point(closest.partMesh, pair.witness->partTriangle, pair.witness->pointOnPart));
+    printRow("  on the obstacle", point(closest.environmentMesh, pair.witness->environmentTriangle,
+                                        pair.witness->pointOnEnvironment));
     const Eigen::Quaterniond q(closest.X_environmentPart.rotation);
     PartState state;
     state.position = closest.X_environmentPart.translation;

@@ -95,10 +95,12 @@ std::string describe(const Question& question, const Answer& answer, const Model
     if (question.kind != Question::Kind::kDistance) return answer.verdict ? "yes" : "no";
     const DistanceResult& found = answer.distance;
     if (isBeyondCap(found)) return "beyond the cap";
-    return readable(found.distance) + ", on the part " + quotedNameAt(part, found.partComponent) +
-           "triangle " + std::to_string(found.partTriangle) + " at " + readable(found.pointOnPart) +
-           ", on the environment " + quotedNameAt(environment, found.environmentComponent) + "triangle " +
-           std::to_string(found.environmentTriangle) + " at " + readable(found.pointOnEnvironment);
+    return readable(found.distance) + ", on the part " + quotedNameAt(part, found.witness->partComponent) +
+           "triangle " + std::to_string(found.witness->partTriangle) + " at " +
+           readable(found.witness->pointOnPart) + ", on the environment " +
+           quotedNameAt(environment, found.witness->environmentComponent) + "triangle " +
+           std::to_string(found.witness->environmentTriangle) + " at " +
+           readable(found.witness->pointOnEnvironment);
 }
 
 void printFirst(const Question& question, const QueryRun& run, const Model& part, const Model& environment) {
@@ -188,7 +190,7 @@ bool readArguments(const Arguments& arguments, QueryArguments& given) {
     line.option("--csv FILE", "writes the answers, one row a pose in the file's order", to(given.csv));
     line.option("--scale F", "factor for both meshes' coordinates, not for the poses (1)",
                 positive(given.load.scale));
-    const auto distanceOnly = [&](double& to) {
+    const auto distanceOnly = [&](auto& to) {
         return [&](const std::string& value) {
             if (question.kind != Question::Kind::kDistance) throw Expected{"only with --query distance"};
             to = nonNegativeNumber(value);

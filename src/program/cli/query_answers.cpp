@@ -20,12 +20,12 @@ Json answerFacts(const Question& question, const Answer& answer, const Model& pa
     Json json = {
         {"distance", toJson(found.distance)}, {"lower", toJson(found.lower)}, {"upper", toJson(found.upper)}};
     if (isBeyondCap(found)) return json;
-    json["part"] = {{"mesh", nameAt(part, found.partComponent)},
-                    {"triangle", found.partTriangle},
-                    {"point", toJson(found.pointOnPart)}};
-    json["environment"] = {{"mesh", nameAt(environment, found.environmentComponent)},
-                           {"triangle", found.environmentTriangle},
-                           {"point", toJson(found.pointOnEnvironment)}};
+    json["part"] = {{"mesh", nameAt(part, found.witness->partComponent)},
+                    {"triangle", found.witness->partTriangle},
+                    {"point", toJson(found.witness->pointOnPart)}};
+    json["environment"] = {{"mesh", nameAt(environment, found.witness->environmentComponent)},
+                           {"triangle", found.witness->environmentTriangle},
+                           {"point", toJson(found.witness->pointOnEnvironment)}};
     return json;
 }
 
@@ -44,22 +44,25 @@ Json distanceFacts(const QueryRun& run) {
 
 std::string rowOf(const DistanceResult& result) {
     return formatNumber(result.distance) + "," + formatNumber(result.lower) + "," +
-           formatNumber(result.upper) + "," + std::to_string(result.partTriangle) + "," +
-           std::to_string(result.environmentTriangle);
+           formatNumber(result.upper) + "," +
+           (isBeyondCap(result) ? "-1,-1"
+                                : std::to_string(result.witness->partTriangle) + "," +
+                                      std::to_string(result.witness->environmentTriangle));
 }
 
 /// The names and closest points of an answer; empty cells beyond the cap.
 std::string pairCells(const DistanceResult& found, const Model& part, const Model& environment) {
     if (isBeyondCap(found)) return ",,,,,,,";
-    return textCell(nameAt(part, found.partComponent)) + "," + numberCells(found.pointOnPart) + "," +
-           textCell(nameAt(environment, found.environmentComponent)) + "," +
-           numberCells(found.pointOnEnvironment);
+    return textCell(nameAt(part, found.witness->partComponent)) + "," +
+           numberCells(found.witness->pointOnPart) + "," +
+           textCell(nameAt(environment, found.witness->environmentComponent)) + "," +
+           numberCells(found.witness->pointOnEnvironment);
 }
 
 }  // namespace
 
 bool isBeyondCap(const DistanceResult& result) {
-    return result.partTriangle < 0;
+    return !result.witness;
 }
 
 DistanceStatistics statisticsOf(const std::vector<Answer>& answers) {

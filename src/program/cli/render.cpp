@@ -84,9 +84,8 @@ std::vector<PartState> endsOf(const Problem& problem) {
 void printPose(double share, const Scene& scene, const PoseClearance& at) {
     const SceneDistance& nearest = at.nearest;
     const MeshNames names = distinctMeshNames(scene, nearest);
-    const std::string between = nearest.partTriangle < 0
-                                    ? " or more"
-                                    : ", between '" + names.part + "' and '" + names.environment + "'";
+    const std::string between =
+        nearest.witness ? ", between '" + names.part + "' and '" + names.environment + "'" : " or more";
     printRow("pose at " + readable(share),
              std::isinf(at.lower) ? "nothing to keep clear of"
              : nearest.collides() ? "IN COLLISION" + between

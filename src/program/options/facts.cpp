@@ -140,14 +140,15 @@ Json toJson(const planning::PathAudit& audit) {
 
 Json closestPair(const SceneDistance& closest, const std::string& partMesh,
                  const std::string& environmentMesh) {
-    if (closest.partTriangle < 0) return nullptr;
-    return {
-        {"part",
-         {{"mesh", partMesh}, {"triangle", closest.partTriangle}, {"point", toJson(closest.pointOnPart)}}},
-        {"environment",
-         {{"mesh", environmentMesh},
-          {"triangle", closest.environmentTriangle},
-          {"point", toJson(closest.pointOnEnvironment)}}}};
+    if (!closest.witness) return nullptr;
+    return {{"part",
+             {{"mesh", partMesh},
+              {"triangle", closest.witness->partTriangle},
+              {"point", toJson(closest.witness->pointOnPart)}}},
+            {"environment",
+             {{"mesh", environmentMesh},
+              {"triangle", closest.witness->environmentTriangle},
+              {"point", toJson(closest.witness->pointOnEnvironment)}}}};
 }
 
 }  // namespace clearway::cli

@@ -148,7 +148,7 @@ void addCache(CommandLine& commandLine, TreeChoice& choice) {
 std::vector<std::string> inputsOf(const Problem& problem) {
     std::vector<std::string> files = worldFiles(problem);
     files.push_back(problem.file);
-    files.push_back(problem.robot);
+    files.push_back(problem.meshes.robot);
     return files;
 }
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <unordered_map>
 
-#include "clearway/outside.h"
 #include "mesh/components.h"
+#include "problem/outside.h"
 
 namespace clearway::report {
 

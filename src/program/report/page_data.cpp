@@ -97,9 +97,9 @@ void addClearance(const ObstacleClearance& clearance, FloatJson& object) {
 std::string troubleOf(const ReportFrame& frame, const Scene& scene) {
     const SceneDistance& nearest = frame.clearance.nearest;
     if (!frame.isInReach || frame.clearance.isValid()) return "";
-    if (nearest.obstacle < 0) return "inside a solid";
+    if (!nearest.obstacle) return "inside a solid";
     if (nearest.collides()) return "in contact";
-    const double margin = scene.obstacles[static_cast<std::size_t>(nearest.obstacle)].margin;
+    const double margin = scene.obstacles[*nearest.obstacle].margin;
     return nearest.lower > margin ? "inside a solid" : "closer than the margin";
 }
 
@@ -194,12 +194,13 @@ class PageMaker {
         if (!trouble.empty()) json["trouble"] = trouble;
         if (frame.partMesh.empty()) return json;
         const SceneDistance& nearest = frame.clearance.nearest;
-        json["distance"] = (nearest.pointOnPart - nearest.pointOnEnvironment).norm();
-        json["pair"] = {pointOf(nearest.pointOnPart - origin_),
-                        pointOf(nearest.pointOnEnvironment - origin_)};
+        json["distance"] = (nearest.witness->pointOnPart - nearest.witness->pointOnEnvironment).norm();
+        json["pair"] = {pointOf(nearest.witness->pointOnPart - origin_),
+                        pointOf(nearest.witness->pointOnEnvironment - origin_)};
         json["between"] = {frame.partMesh, frame.environmentMesh};
-        json["triangles"] = {nearest.partTriangle, nearest.environmentTriangle};
-        json["points"] = {exactText(nearest.pointOnPart), exactText(nearest.pointOnEnvironment)};
+        json["triangles"] = {nearest.witness->partTriangle, nearest.witness->environmentTriangle};
+        json["points"] = {exactText(nearest.witness->pointOnPart),
+                          exactText(nearest.witness->pointOnEnvironment)};
         return json;
     }
 
@@ -262,8 +263,8 @@ class PageMaker {
             tightPart.points.push_back(onPage(point));
         json["view"]["tightVisible"] = visibleShare(rays, tightPart, chosen.direction);
         const SceneDistance& pair = tight.clearance.nearest;
-        const Vector3 middle = 0.5 * (pair.pointOnPart + pair.pointOnEnvironment);
-        const Vector3 gap = pair.pointOnEnvironment - pair.pointOnPart;
+        const Vector3 middle = 0.5 * (pair.witness->pointOnPart + pair.witness->pointOnEnvironment);
+        const Vector3 gap = pair.witness->pointOnEnvironment - pair.witness->pointOnPart;
         ViewRequest close{{onPage(middle)}, onPage(middle), 0, gap.cast<float>()};
         close.distance = static_cast<float>(kCameraDistance * kTightRadius * part_.box.diagonal().norm());
         json["view"]["tightDirection"] = pointOf(chooseView(rays, close).direction.cast<double>());

@@ -29,16 +29,16 @@ constexpr int kDirections = 1000;
 Problem problemOf(const Assembly& assembly, std::size_t part) {
     Problem problem;
     problem.name = std::filesystem::path(assembly.files[part]).stem().string();
-    problem.robot = assembly.files[part];
+    problem.meshes.robot = assembly.files[part];
     for (std::size_t i = 0; i < assembly.files.size(); ++i) {
         if (i == part) continue;
-        if (problem.world.empty())
-            problem.world = assembly.files[i];
+        if (problem.meshes.world.empty())
+            problem.meshes.world = assembly.files[i];
         else
-            problem.furtherWorlds.push_back(assembly.files[i]);
+            problem.meshes.furtherWorlds.push_back(assembly.files[i]);
     }
     problem.outside = Outside{};
-    problem.asOmplApp = false;
+    problem.meshes.asOmplApp = false;
     return problem;
 }
 

@@ -71,7 +71,7 @@ class Finder {
         for (const fs::path& file : files) {
             const std::string name = "omplapp/" + space + "/" + file.stem().string();
             const Problem problem = readProblem(file.string());
-            if (!areThere(name, {problem.robot, problem.world})) continue;
+            if (!areThere(name, {problem.meshes.robot, problem.meshes.world})) continue;
             add({name, file.string(), thoseThere({fs::path(file).replace_extension(".path")})});
         }
     }
@@ -85,8 +85,8 @@ class Finder {
                        counterpart = folder / "Puzzle-CounterPart-v1.75.ply";
         if (!areThere(name, {config, part, counterpart})) return;
         Problem problem = readProblem(config.string());
-        problem.robot = part.string();
-        problem.world = counterpart.string();
+        problem.meshes.robot = part.string();
+        problem.meshes.world = counterpart.string();
         addPuzzle(name, problem, thoseThere({folder / "Puzzle-Path-v1.75-RRTConnect.txt"}));
     }
 
@@ -99,12 +99,12 @@ class Finder {
                        path = folder / "alpha-1.2.org.path";
         if (!areThere(name, {part, environment, path})) return;
         Problem problem;
-        problem.robot = part.string();
-        problem.world = environment.string();
+        problem.meshes.robot = part.string();
+        problem.meshes.world = environment.string();
         const std::vector<PartState> states = readPath(path.string(), problem.space);
         problem.start = states.front();
         problem.goal = states.back();
-        Box bounds = boundingBox(loadMesh(problem.world));
+        Box bounds = boundingBox(loadMesh(problem.meshes.world));
         for (const PartState& state : states) bounds.extend(state.position);
         problem.volume = bounds;
         addPuzzle(name, problem, {path.string()});
@@ -123,9 +123,9 @@ class Finder {
         if (!areThere(name, {scene.robotFile, scene.obstacleFile})) return;
         const fs::path folder = folderOf(name);
         Problem problem;
-        problem.robot = (folder / "part.ply").string();
-        problem.world = (folder / "environment.ply").string();
-        problem.asOmplApp = false;
+        problem.meshes.robot = (folder / "part.ply").string();
+        problem.meshes.world = (folder / "environment.ply").string();
+        problem.meshes.asOmplApp = false;
         problem.volume = scene.bounds;
         const Mesh robot = loadPplMesh(scene.robotFile);
         Mesh obstacle = loadPplMesh(scene.obstacleFile);
@@ -135,9 +135,9 @@ class Finder {
             problem.goal = scene.start;
             problem.start = {obstacle.origin.shift - robot.origin.shift + scene.obstaclePosition};
         }
-        saveMesh(robot, problem.robot);
+        saveMesh(robot, problem.meshes.robot);
         for (Vector3& vertex : obstacle.vertices) vertex += scene.obstaclePosition;
-        saveMesh(obstacle, problem.world);
+        saveMesh(obstacle, problem.meshes.world);
         addPuzzle(name, problem, {});
     }
 
@@ -170,7 +170,7 @@ class Finder {
         const Problem problem = readProblem(puzzle.file);
         for (const PublicProblem& earlier : found_.puzzles) {
             const Problem other = readProblem(earlier.file);
-            if (problem.robot != other.robot || problem.world != other.world ||
+            if (problem.meshes.robot != other.meshes.robot || problem.meshes.world != other.meshes.world ||
                 !areAlike(problem.start, other.start) || !areAlike(problem.goal, other.goal))
                 continue;
             found_.skipped.push_back(puzzle.name + ": it has the meshes, start and goal of " + earlier.name);

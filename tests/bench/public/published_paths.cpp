@@ -78,9 +78,10 @@ PathVerdict judgePath(const PublicProblem& published, const std::string& path) {
         }
         words.push_back(isOut ? "out of bounds" : isUndecided ? "undecided" : "in collision");
         words.push_back(inQuotes(segment.partMesh));
-        words.push_back(std::to_string(report.closest.partTriangle));
+        words.push_back(report.closest.witness ? std::to_string(report.closest.witness->partTriangle) : "-1");
         words.push_back(inQuotes(segment.environmentMesh));
-        words.push_back(std::to_string(report.closest.environmentTriangle));
+        words.push_back(report.closest.witness ? std::to_string(report.closest.witness->environmentTriangle)
+                                               : "-1");
         verdict.invalidRows.push_back(clearway::joined(words, ","));
     }
     verdict.row = published.name + "," + name;

@@ -19,9 +19,9 @@
 #include <string>
 #include <vector>
 
-#include "clearway/planning/plan_setup.h"
 #include "core/number.h"
 #include "demos/scenes/scene_checks.h"
+#include "planning/plan/plan_setup.h"
 #include "support/full_run.h"
 
 namespace clearway::testing {
@@ -73,7 +73,7 @@ inline StraightMotion straightMotion(const BuiltScene& made) {
         const DistanceResult found = distance(made.part, made.environment, poseOf(state), {}, workspace);
         if (!found.collides()) continue;
         ++collisions;
-        hit.insert(found.environmentComponent);
+        hit.insert(found.witness->environmentComponent);
     }
     return {static_cast<double>(collisions) / kSamples, hit.size()};
 }

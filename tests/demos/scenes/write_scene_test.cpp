@@ -39,7 +39,7 @@ BOOST_AUTO_TEST_CASE(written_files_read_back_as_the_scene) {
     const SceneFiles files = writeScene(made, folder.file("new/sub"));
     const GeneratedScene read = readScene(files.problem, files.path);
     BOOST_TEST(read.problem.warnings.empty());
-    BOOST_TEST(read.problem.asOmplApp);
+    BOOST_TEST(read.problem.meshes.asOmplApp);
     BOOST_TEST(read.problem.fineness.value() == made.problem.fineness.value());
     BOOST_TEST(read.part.triangles.size() == made.part.triangles.size());
     BOOST_TEST(read.environment.triangles.size() == made.environment.triangles.size());

@@ -25,7 +25,7 @@ struct TracedRun : BenchmarkRun {
 
 TracedRun runTraced(Problem problem, const Scene& scene, const std::string& planner,
                     const std::string& objective, double seconds) {
-    problem.planners = {{planner}};
+    problem.planning.planners = {{planner}};
     planning::PlanOptions options;
     options.threads = 1;
     options.objective = objective;

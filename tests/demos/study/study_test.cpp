@@ -192,14 +192,14 @@ BOOST_AUTO_TEST_CASE(other_options_than_those_of_the_folder_and_a_run_that_is_th
     overwrite(folder.file("study/runs.csv"), runs);
     Problem problem = readProblem(folder.file("window.cfg"));
     std::filesystem::rename(folder.file("plate.obj"), folder.file("moved.obj"));
-    problem.robot = folder.file("moved.obj");
+    problem.meshes.robot = folder.file("moved.obj");
     folder.rewrite(problem);
     BOOST_TEST(runStudy(folder, command).code == 0, "the same scene in another file is taken for another");
     problem.start.position.x() += 1;
     folder.rewrite(problem);
     requireRefused(folder, command, {"scene window"}, kStudyProgram);
     problem.start.position.x() -= 1;
-    problem.planners = {{"RRTConnect", {{"range", "7"}}}};
+    problem.planning.planners = {{"RRTConnect", {{"range", "7"}}}};
     folder.rewrite(problem);
     requireRefused(folder, command, {"scene window"}, kStudyProgram);
 }

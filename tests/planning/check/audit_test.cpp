@@ -43,7 +43,7 @@ BOOST_AUTO_TEST_CASE(the_least_clearance_is_found_in_its_segment_between_its_mes
     const SegmentAudit& closest = found.segments[found.closest];
     BOOST_TEST(closest.partMesh == "plate");
     BOOST_TEST(closest.environmentMesh == "above");
-    BOOST_TEST(closest.motion.closest.partTriangle >= 0);
+    BOOST_TEST(closest.motion.closest.witness.has_value());
     BOOST_TEST(closest.X_environmentPart.translation.isApprox(Vector3(-34, 0, 40)));
     BOOST_TEST(found.length == Vector3(26, 0, 40).norm() + Vector3(46, 20, 0).norm(),
                boost::test_tools::tolerance(1e-12));

@@ -241,7 +241,7 @@ BOOST_AUTO_TEST_CASE(between_two_zones_the_least_clearance_is_found) {
     BOOST_TEST(report.upperClearance == 6, boost::test_tools::tolerance(1e-9));
     BOOST_TEST(report.lowerClearance <= 6);
     BOOST_TEST(report.lowerClearance >= 0.98 * 6);
-    BOOST_TEST(report.closest.obstacle == 0);
+    BOOST_TEST(report.closest.obstacle.value() == 0u);
     const auto near = space.at({0.5, 0, 7});
     BOOST_TEST(std::isinf(space.validator->report(s1.get(), near.get()).lowerClearance));
 }

@@ -58,10 +58,11 @@ BOOST_AUTO_TEST_CASE(a_report_tells_what_blocks_and_where) {
     BOOST_TEST(blocked.lowerClearance == -0.5);
     BOOST_TEST(blocked.upperClearance <= 0);
     BOOST_TEST(blocked.closestTime >= 0.3);
-    BOOST_REQUIRE(blocked.closest.environmentComponent >= 0);
+    BOOST_REQUIRE(blocked.closest.witness);
     const auto& components = f.window.scene.obstacles[0].model.components();
-    BOOST_TEST(components[static_cast<std::size_t>(blocked.closest.environmentComponent)].name == "above");
-    BOOST_TEST(blocked.closest.partComponent == 0);
+    BOOST_TEST(components[static_cast<std::size_t>(blocked.closest.witness->environmentComponent)].name ==
+               "above");
+    BOOST_TEST(blocked.closest.witness->partComponent == 0);
     BOOST_TEST(blocked.queries > 2u);
     BOOST_TEST(f.validator->counters().invalid == 0u);  // reports are not counted
 
@@ -336,7 +337,7 @@ BOOST_AUTO_TEST_CASE(an_environment_within_reach_gives_the_same_verdicts) {
         BOOST_TEST(report.lowerClearance > 0.9);
         BOOST_TEST(report.lowerClearance <= 1);
         BOOST_TEST(std::isinf(report.upperClearance));
-        BOOST_TEST(report.closest.environmentTriangle == -1);
+        BOOST_TEST(!report.closest.witness);
         const auto beyondReach = f.at({-120, 0, 0});
         BOOST_TEST(validator.profile(beyondReach.get(), f.at({-50, 0, 0}).get()).report.problem == "");
         reach.cap = margin;

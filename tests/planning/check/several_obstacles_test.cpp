@@ -79,7 +79,7 @@ BOOST_AUTO_TEST_CASE(clearance_is_the_least_of_distance_less_margin_and_tells_wh
                 BOOST_TEST(clearance == separate, boost::test_tools::tolerance(1e-9));
                 const auto report = space.validator->report(state.get(), state.get());
                 if (secondLeast > least + 1e-9) {
-                    BOOST_TEST(report.closest.obstacle == static_cast<int>(which));
+                    BOOST_TEST(report.closest.obstacle.value() == which);
                     ++nearest[which];
                 }
                 ++valid;
@@ -145,7 +145,7 @@ BOOST_AUTO_TEST_CASE(without_obstacles_all_is_valid_within_the_bounds) {
     const auto report = space.validator->report(space.at({0, 0, 0}).get(), space.at({9, 9, 9}, 1).get());
     BOOST_TEST((report.verdict == planning::MotionVerdict::kValid));
     BOOST_TEST(std::isinf(report.lowerClearance));
-    BOOST_TEST(report.closest.obstacle == -1);
+    BOOST_TEST(!report.closest.obstacle);
 }
 
 BOOST_AUTO_TEST_CASE(eight_threads_among_several_obstacles_solids_and_zones_agree_with_one) {

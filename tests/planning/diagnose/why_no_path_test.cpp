@@ -12,7 +12,7 @@
 
 #include "clearway/planning/check_path.h"
 #include "clearway/planning/ompl_messages.h"
-#include "clearway/planning/plan_setup.h"
+#include "planning/plan/plan_setup.h"
 #include "planning/space/ompl_states.h"
 #include "support/door_scene.h"
 #include "support/full_run.h"

@@ -4,11 +4,11 @@
 #include <stdexcept>
 
 #include "clearway/planning/check_path.h"
-#include "clearway/planning/finish.h"
 #include "clearway/planning/outside_goal.h"
 #include "clearway/planning/plan.h"
 #include "clearway/planning/planners.h"
 #include "clearway/planning/problem_setup.h"
+#include "planning/plan/finish.h"
 #include "support/oracle.h"
 #include "support/path_check.h"
 #include "support/window_scene.h"
@@ -122,8 +122,8 @@ BOOST_AUTO_TEST_CASE(paths_of_more_clearance_end_outside_too) {
     auto window = throughTheWindow();
     PlanOptions options;
     options.seconds = 100;
-    window.problem.objective = "max_min_clearance";
-    window.problem.objectiveThreshold = 0.5;  // ends the planning, however busy the machine is
+    window.problem.planning.objective = "max_min_clearance";
+    window.problem.planning.objectiveThreshold = 0.5;  // ends the planning, however busy the machine is
     const PlanReport report = plan(window.problem, window.scene, options);
     BOOST_REQUIRE((report.outcome == Outcome::kFound));
     BOOST_TEST(report.foundBy == "RisingFloor");

@@ -4,7 +4,7 @@
 
 #include "clearway/planning/objectives.h"
 #include "clearway/planning/plan.h"
-#include "clearway/planning/plan_setup.h"
+#include "planning/plan/plan_setup.h"
 #include "support/gates_scene.h"
 #include "support/oracle.h"
 #include "support/path_check.h"
@@ -71,8 +71,8 @@ BOOST_AUTO_TEST_CASE(the_least_clearance_claimed_is_there_by_the_oracle) {
 
 BOOST_AUTO_TEST_CASE(the_problem_names_the_objective_unless_the_options_do) {
     auto gates = gatesScene();
-    gates.problem.objective = "max_min_clearance";
-    gates.problem.objectiveThreshold = 1;
+    gates.problem.planning.objective = "max_min_clearance";
+    gates.problem.planning.objectiveThreshold = 1;
     PlanOptions options;
     options.seconds = 20;
     PlanReport report;
@@ -82,7 +82,7 @@ BOOST_AUTO_TEST_CASE(the_problem_names_the_objective_unless_the_options_do) {
     BOOST_TEST(report.cost > 1);
     BOOST_TEST(seconds < 10);  // ends when the wanted clearance is reached
 
-    gates.problem.objectiveThreshold.reset();
+    gates.problem.planning.objectiveThreshold.reset();
     options = withObjective("Length_With_Clearance", 1);
     options.wantedClearance = 3;
     const PlanReport wanted = found(gates.problem, gates.scene, options);
@@ -90,17 +90,17 @@ BOOST_AUTO_TEST_CASE(the_problem_names_the_objective_unless_the_options_do) {
     BOOST_TEST(wanted.cost >= wanted.length);
     BOOST_TEST(wanted.warnings.empty());
 
-    gates.problem.objective = "beauty";
-    gates.problem.asOmplApp = true;  // as in OMPL.app's files, which know no [clearway]
-    gates.problem.isReadingStated = false;
+    gates.problem.planning.objective = "beauty";
+    gates.problem.meshes.asOmplApp = true;  // as in OMPL.app's files, which know no [clearway]
+    gates.problem.meshes.isReadingStated = false;
     const PlanReport unknown = found(gates.problem, gates.scene, {});
     BOOST_TEST(unknown.objective == "");
     BOOST_REQUIRE(unknown.warnings.size() == 1u);
     BOOST_TEST(unknown.warnings[0].find("unknown objective 'beauty', expected one of length, ") == 0u);
     BOOST_TEST(unknown.warnings[0].find("; paths are judged by length") != std::string::npos);
 
-    gates.problem.objective = "lenght";
-    gates.problem.asOmplApp = false;  // as in a file with a section [clearway]
+    gates.problem.planning.objective = "lenght";
+    gates.problem.meshes.asOmplApp = false;  // as in a file with a section [clearway]
     BOOST_CHECK_EXCEPTION(
         plan(gates.problem, gates.scene, {}), std::invalid_argument, [](const std::exception& error) {
             return std::string(error.what()).find("unknown objective 'lenght' (did you mean 'length'?)") == 0;
@@ -192,25 +192,25 @@ std::string refusalOf(const Problem& problem, const Scene& scene, const PlanOpti
 BOOST_AUTO_TEST_CASE(a_threshold_that_no_path_meets_is_refused_with_the_bound) {
     auto gates = gatesScene();
     gates.problem.file = "gates.cfg";
-    gates.problem.objective = "max_min_clearance";
-    gates.problem.objectiveThreshold = 1000;
+    gates.problem.planning.objective = "max_min_clearance";
+    gates.problem.planning.objectiveThreshold = 1000;
     const std::string least = refusalOf(gates.problem, gates.scene, withObjective("", 1));
     BOOST_TEST(
         least.find("gates.cfg: objective.threshold is 1000, which no path meets: max_min_clearance is at "
                    "best 38.") == 0u,
         least);
-    gates.problem.objective = "length";
-    gates.problem.objectiveThreshold = 100;
+    gates.problem.planning.objective = "length";
+    gates.problem.planning.objectiveThreshold = 100;
     const std::string length = refusalOf(gates.problem, gates.scene, withObjective("", 1));
     BOOST_TEST(length.find("length is at best 160 between") != std::string::npos, length);
     BOOST_TEST(found(gates.problem, gates.scene, withObjective("max_min_clearance", 0.3)).cost > 0);
-    gates.problem.objectiveThreshold = 0;  // OMPL's word for none
+    gates.problem.planning.objectiveThreshold = 0;  // OMPL's word for none
     BOOST_TEST(found(gates.problem, gates.scene, withObjective("", 0.3)).cost >= 160);
 }
 
 BOOST_AUTO_TEST_CASE(the_threshold_0_of_a_least_clearance_stands_for_none) {
     auto gates = gatesScene();
-    gates.problem.objective = "max_min_clearance";
+    gates.problem.planning.objective = "max_min_clearance";
     const auto thresholdOf = [&] {
         PlanReport report;
         const PlanSetup setup = makePlanSetup(gates.problem, gates.scene, {}, report, [] { return true; });
@@ -218,16 +218,17 @@ BOOST_AUTO_TEST_CASE(the_threshold_0_of_a_least_clearance_stands_for_none) {
     };
     const double own = thresholdOf();
     BOOST_TEST(own > testing::kWideGates);
-    gates.problem.objectiveThreshold = 0;
+    gates.problem.planning.objectiveThreshold = 0;
     BOOST_TEST(thresholdOf() == own);
-    gates.problem.objectiveThreshold = 5;
+    gates.problem.planning.objectiveThreshold = 5;
     BOOST_TEST(thresholdOf() == 5);
 }
 
 BOOST_AUTO_TEST_CASE(planning_ends_with_the_first_path_that_meets_the_threshold) {
     auto gates = gatesScene();
-    gates.problem.objective = "max_min_clearance";
-    gates.problem.objectiveThreshold = 0.9 * testing::kWideGates;  // no path keeps 1.15 times as much
+    gates.problem.planning.objective = "max_min_clearance";
+    gates.problem.planning.objectiveThreshold =
+        0.9 * testing::kWideGates;  // no path keeps 1.15 times as much
     const PlanReport report = found(gates.problem, gates.scene, withObjective("", 40));
     BOOST_TEST(report.cost >= 0.99 * 0.9 * testing::kWideGates);
     BOOST_TEST(report.planningSeconds < 20);
@@ -252,7 +253,7 @@ BOOST_AUTO_TEST_CASE(a_wanted_clearance_without_its_objective_is_refused) {
     BOOST_TEST(
         refusalOf(gates.problem, gates.scene, options) ==
         "a wanted clearance is given without an objective, expected the objective length_with_clearance");
-    gates.problem.objective = "length_with_clearance";
+    gates.problem.planning.objective = "length_with_clearance";
     options.seconds = 0.3;
     BOOST_TEST(found(gates.problem, gates.scene, options).objective == "length_with_clearance");
 }

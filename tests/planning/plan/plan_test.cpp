@@ -297,25 +297,26 @@ BOOST_AUTO_TEST_CASE(wrong_planners_and_parameters_are_refused_on_demand_and_war
     BOOST_TEST(contains(refusal(planIt), "'far'"));
 
     options.parameters.clear();
-    window.problem.planners = {{"rrtconnect", {{"name", "mine"}, {"max_failures", "3"}, {"range", "7"}}}};
+    window.problem.planning.planners = {
+        {"rrtconnect", {{"name", "mine"}, {"max_failures", "3"}, {"range", "7"}}}};
     BOOST_TEST(contains(refusal(planIt), "RRTConnect has no parameter 'max_failures', expected one of"));
-    window.problem.isReadingStated = false;  // as OMPL.app's files, which know no [clearway]
+    window.problem.meshes.isReadingStated = false;  // as OMPL.app's files, which know no [clearway]
     const PlanReport report = plan(window.problem, window.scene, options);
     BOOST_REQUIRE(report.warnings.size() == 1u);
     BOOST_TEST(
         contains(report.warnings[0], "window.cfg: planner RRTConnect has no parameter 'max_failures'"));
-    window.problem.isReadingStated = true;
+    window.problem.meshes.isReadingStated = true;
 
-    window.problem.planners = {{"nonesuch", {}}};
+    window.problem.planning.planners = {{"nonesuch", {}}};
     BOOST_TEST(contains(refusal(planIt), "window.cfg: unknown planner 'nonesuch'"));
 }
 
 BOOST_AUTO_TEST_CASE(the_problems_only_planner_is_used_unless_another_is_asked_for) {
     auto window = windowScene();
-    window.problem.planners = {{"kpiece", {}}};
+    window.problem.planning.planners = {{"kpiece", {}}};
     using Names = std::vector<std::string>;
     BOOST_TEST((plan(window.problem, window.scene, withIterations(5)).planners == Names{"KPIECE1"}));
-    window.problem.planners.push_back({"est", {}});
+    window.problem.planning.planners.push_back({"est", {}});
     BOOST_TEST((plan(window.problem, window.scene, withIterations(5)).planners == Names{"PlannerTeam"}));
     PlanOptions options = withIterations(5);
     options.planner = "stride";

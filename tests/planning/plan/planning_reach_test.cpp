@@ -123,13 +123,13 @@ BOOST_AUTO_TEST_CASE(the_reach_holds_the_bounds_and_the_cap_all_that_planning_as
     walls.problem.fineness.reset();
     BOOST_TEST(walls.reach()->cap == 3 + Vector3(60, 40, 10).norm() / 500 + 2 * radius,
                boost::test_tools::tolerance(1e-12));
-    walls.problem.objective = "max_min_clearance";
+    walls.problem.planning.objective = "max_min_clearance";
     BOOST_TEST(!walls.reach());  // clearances of any size count
     PlanOptions options;
     options.objective = "length_with_clearance";
     options.wantedClearance = 20;
     BOOST_TEST(walls.reach(options)->cap == 3 + 20 + 2 * radius);
-    walls.problem.sampler = "max_clearance";
+    walls.problem.planning.sampler = "max_clearance";
     BOOST_TEST(!walls.reach());
 }
 

@@ -100,8 +100,9 @@ BOOST_AUTO_TEST_CASE(a_start_or_goal_in_collision_is_refused_by_name) {
 
 BOOST_AUTO_TEST_CASE(settings_of_the_problem_reach_space_and_sampler_or_are_warned_of) {
     WindowScene window = windowScene();
-    window.problem.sampler = "narrow_gap";
-    window.problem.settings = {{"longest_valid_segment_fraction", "0.25"}, {"gap", "3"}, {"no_such", "1"}};
+    window.problem.planning.sampler = "narrow_gap";
+    window.problem.planning.settings = {
+        {"longest_valid_segment_fraction", "0.25"}, {"gap", "3"}, {"no_such", "1"}};
     OmplLog log;
     const og::SimpleSetup setup = makeSetup(window.problem, window.scene);
     const auto& si = setup.getSpaceInformation();
@@ -110,7 +111,7 @@ BOOST_AUTO_TEST_CASE(settings_of_the_problem_reach_space_and_sampler_or_are_warn
     BOOST_TEST(std::count_if(log.lines.begin(), log.lines.end(), [](const std::string& line) {
                    return line.find("no_such") != std::string::npos;
                }) == 1);
-    window.problem.settings = {{"gap", "wide"}};
+    window.problem.planning.settings = {{"gap", "wide"}};
     BOOST_CHECK_EXCEPTION(makeSetup(window.problem, window.scene), std::invalid_argument, says("wide"));
 }
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "clearway/planning/ompl_messages.h"
-#include "clearway/planning/planner_team.h"
+#include "planning/planners/planner_team.h"
 #include "support/gates_scene.h"
 #include "support/motion_window.h"
 #include "support/random_meshes.h"

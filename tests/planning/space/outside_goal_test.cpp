@@ -10,6 +10,7 @@
 
 #include "clearway/planning/validity_checker.h"
 #include "planning/space/ompl_states.h"
+#include "problem/outside.h"
 #include "support/random_meshes.h"
 #include "support/window_scene.h"
 

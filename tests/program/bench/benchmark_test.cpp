@@ -46,7 +46,7 @@ Benchmark logOf(const Benchmark& benchmark) {
 BOOST_AUTO_TEST_CASE(every_planner_runs_as_often_as_asked_and_the_log_reads_back) {
     auto window = windowScene();
     window.problem.name = "through a window";
-    window.problem.planners = {
+    window.problem.planning.planners = {
         {"rrtconnect"}, {"rrtconnect", {{"name", "RRTC; fine"}, {"range", "5"}}}, {"rrt"}};
     const Benchmark benchmark = runBenchmark(window.problem, window.scene, patient());
     BOOST_TEST(benchmark.isComplete());
@@ -87,7 +87,7 @@ BOOST_AUTO_TEST_CASE(every_planner_runs_as_often_as_asked_and_the_log_reads_back
 
 BOOST_AUTO_TEST_CASE(the_same_seeds_give_the_same_paths) {
     auto window = windowScene();
-    window.problem.planners = {{"rrtconnect"}, {"rrt"}};
+    window.problem.planning.planners = {{"rrtconnect"}, {"rrt"}};
     BenchmarkOptions options = patient();
     options.seed = 7;
     const Benchmark first = runBenchmark(window.problem, window.scene, options);
@@ -104,7 +104,7 @@ BOOST_AUTO_TEST_CASE(the_same_seeds_give_the_same_paths) {
 
 BOOST_AUTO_TEST_CASE(with_iterations_a_run_alone_gives_the_values_that_it_gives_among_others) {
     auto window = windowScene();
-    window.problem.planners = {{"rrtconnect"}, {"rrtstar"}};  // RRTstar uses up its iterations
+    window.problem.planning.planners = {{"rrtconnect"}, {"rrtstar"}};  // RRTstar uses up its iterations
     BenchmarkOptions options = quick();
     options.iterations = 300;
     options.seconds = 1e-3;  // does not count
@@ -134,7 +134,7 @@ BOOST_AUTO_TEST_CASE(with_iterations_a_run_alone_gives_the_values_that_it_gives_
 
 BOOST_AUTO_TEST_CASE(planners_that_tell_of_their_progress_have_it_in_the_log) {
     auto window = windowScene();
-    window.problem.planners = {{"rrtstar"}};
+    window.problem.planning.planners = {{"rrtstar"}};
     BenchmarkOptions options = quick();
     options.simplify = false;
     const Benchmark log = testing::withProcessorTime(1, [&](double seconds) {  // for two runs
@@ -158,7 +158,7 @@ BOOST_AUTO_TEST_CASE(planners_that_tell_of_their_progress_have_it_in_the_log) {
 BOOST_AUTO_TEST_CASE(a_planner_without_a_path_ends_at_its_limit_of_time_or_memory) {
     auto window = windowScene();
     const Scene closed{Model::build(window.partMesh), Model::build(window.wallMesh), 12};  // half its height
-    window.problem.planners = {{"rrt"}};
+    window.problem.planning.planners = {{"rrt"}};
     BenchmarkOptions options = quick();
     options.runs = 1;
     options.seconds = 0.3;
@@ -178,7 +178,7 @@ BOOST_AUTO_TEST_CASE(a_planner_without_a_path_ends_at_its_limit_of_time_or_memor
 
 BOOST_AUTO_TEST_CASE(stopped_it_keeps_the_runs_that_have_ended) {
     auto window = windowScene();
-    window.problem.planners = {{"rrtconnect"}, {"est"}};
+    window.problem.planning.planners = {{"rrtconnect"}, {"est"}};
     BenchmarkOptions options = quick();
     int begun = 0;
     options.tell = [&](const BenchmarkProgress& at) {
@@ -209,11 +209,11 @@ BOOST_AUTO_TEST_CASE(stopped_it_keeps_the_runs_that_have_ended) {
 
 BOOST_AUTO_TEST_CASE(settings_for_one_planner_are_its_own) {
     auto window = windowScene();
-    window.problem.settings = {{"longest_valid_segment_fraction", "0.02"}, {"no_such", "1"}};
-    window.problem.planners = {{"rrt"},
-                               {"rrtconnect", {}, {{"longest_valid_segment_fraction", "0.05"}}},
-                               {"kpiece", {}, {{"projection.cellsize_factor", "2"}}},
-                               {"prm", {}, {{"sampler", "gaussian"}, {"standard_deviation", "20"}}}};
+    window.problem.planning.settings = {{"longest_valid_segment_fraction", "0.02"}, {"no_such", "1"}};
+    window.problem.planning.planners = {{"rrt"},
+                                        {"rrtconnect", {}, {{"longest_valid_segment_fraction", "0.05"}}},
+                                        {"kpiece", {}, {{"projection.cellsize_factor", "2"}}},
+                                        {"prm", {}, {{"sampler", "gaussian"}, {"standard_deviation", "20"}}}};
     BenchmarkOptions options = quick();
     options.runs = 1;
     options.seconds = 0.2;
@@ -236,7 +236,7 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_with_any_planner_is_refused_before_the_first_
     BenchmarkOptions options = quick();
     options.tell = [](const BenchmarkProgress&) { BOOST_ERROR("a run has begun"); };
     const auto refused = [&](const PlannerChoice& last, const std::vector<std::string>& words) {
-        window.problem.planners = {{"rrtconnect"}, last};
+        window.problem.planning.planners = {{"rrtconnect"}, last};
         testing::requireRefusedBy([&] { runBenchmark(window.problem, window.scene, options); }, words);
     };
     refused({"nonesuch"}, {"unknown planner 'nonesuch'"});

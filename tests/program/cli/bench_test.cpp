@@ -15,9 +15,9 @@ namespace {
 /// Two planners, one run each.
 struct BenchFolder : WindowProblemFolder {
     BenchFolder() {
-        window.problem.planners = {{"rrtconnect"}, {"rrt", {{"name", "RRT*?"}}}};
-        window.problem.timeLimit = 20;
-        window.problem.runCount = 1;
+        window.problem.planning.planners = {{"rrtconnect"}, {"rrt", {{"name", "RRT*?"}}}};
+        window.problem.benchmark.timeLimit = 20;
+        window.problem.benchmark.runCount = 1;
         rewrite();
     }
 };
@@ -41,7 +41,7 @@ BOOST_AUTO_TEST_CASE(the_problems_planners_are_run_and_the_log_lies_beside_it) {
 
 BOOST_AUTO_TEST_CASE(options_go_before_what_the_problem_says) {
     BenchFolder folder;
-    folder.window.problem.planners[0].parameters = {{"range", "13"}};
+    folder.window.problem.planning.planners[0].parameters = {{"range", "13"}};
     folder.rewrite();
     const Outcome outcome =
         runIn(folder,
@@ -70,10 +70,10 @@ BOOST_AUTO_TEST_CASE(options_go_before_what_the_problem_says) {
 
 BOOST_AUTO_TEST_CASE(the_problem_says_where_the_log_goes_and_which_paths_are_kept) {
     BenchFolder folder;
-    folder.window.problem.outputFolder = "results";
-    folder.window.problem.savedPaths = SavedPaths::kShortest;
-    folder.window.problem.planners = {{"rrtconnect"}, {"rrtconnect"}};
-    folder.window.problem.runCount = 2;
+    folder.window.problem.benchmark.outputFolder = "results";
+    folder.window.problem.benchmark.savedPaths = SavedPaths::kShortest;
+    folder.window.problem.planning.planners = {{"rrtconnect"}, {"rrtconnect"}};
+    folder.window.problem.benchmark.runCount = 2;
     folder.rewrite();
     BOOST_TEST(runIn(folder, "bench window.cfg").code == 0);
     readBenchmarkLog(folder.file("results/window.log"));
@@ -88,8 +88,8 @@ BOOST_AUTO_TEST_CASE(the_problem_says_where_the_log_goes_and_which_paths_are_kep
 
 BOOST_AUTO_TEST_CASE(an_interrupt_leaves_a_log_of_the_runs_that_ended) {
     BenchFolder folder;
-    folder.window.problem.planners = {{"rrtconnect"}, {"rrtstar"}};  // RRTstar takes all its time
-    folder.window.problem.timeLimit = 300;
+    folder.window.problem.planning.planners = {{"rrtconnect"}, {"rrtstar"}};  // RRTstar takes all its time
+    folder.window.problem.benchmark.timeLimit = 300;
     folder.rewrite();
     const Outcome outcome =
         runIn(folder, "bench window.cfg & program=$!; sleep 4; kill -INT $program; wait $program");
@@ -118,10 +118,10 @@ BOOST_AUTO_TEST_CASE(bad_input_is_one_line_and_exit_code_2) {
     requireRefused(folder, "bench none.cfg", {"none.cfg", "No such file"});
     std::filesystem::rename(folder.file("window.cfg"), folder.file("window.log"));
     requireRefused(folder, "bench window.log", {"the log is 'window.log'", "input file"});
-    folder.window.problem.planners.push_back({"lightning"});
+    folder.window.problem.planning.planners.push_back({"lightning"});
     folder.rewrite();
     refused("", {"window.cfg", "unknown planner 'lightning'"});
-    folder.window.problem.planners.back() = {"rrt", {{"range", "far"}}};
+    folder.window.problem.planning.planners.back() = {"rrt", {{"range", "far"}}};
     folder.rewrite();
     refused("", {"range", "'far'", "a number"});
 }

@@ -35,8 +35,8 @@ BOOST_AUTO_TEST_CASE(init_writes_a_problem_that_plan_solves) {
     BOOST_TEST(made["part"]["closed"] == true);
     BOOST_TEST(made["clearance_at_start"].get<double>() == 0.5, boost::test_tools::tolerance(1e-6));
     const Problem problem = readProblem(folder.file("p.cfg"));
-    BOOST_TEST(problem.isReadingStated);
-    BOOST_TEST(!problem.asOmplApp);
+    BOOST_TEST(problem.meshes.isReadingStated);
+    BOOST_TEST(!problem.meshes.asOmplApp);
     BOOST_TEST(problem.outside.has_value());
     BOOST_TEST(problem.volume.has_value());
     const Outcome planned = runIn(folder, "plan p.cfg --path o.path --quick --iterations 5000");

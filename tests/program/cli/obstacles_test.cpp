@@ -16,7 +16,7 @@ struct AssemblyFolder : WindowProblemFolder {
         blocks.components = {{"tray", 0, 12}, {"shelf", 12, 12}};
         saveMesh(blocks, file("blocks.obj"));
         problem.start.rotation = problem.goal.rotation = Eigen::Quaterniond::Identity();
-        problem.furtherWorlds = {file("blocks.obj")};
+        problem.meshes.furtherWorlds = {file("blocks.obj")};
         problem.rules.startContact = ContactRule{{"tray"}, 6};
         problem.rules.goalContact = ContactRule{{"blocks/shelf"}, 6};
         problem.rules.margins = {{"wall", 0.5}};
@@ -66,7 +66,7 @@ BOOST_AUTO_TEST_CASE(the_cure_of_a_start_in_contact_names_all_that_is_touched) {
     folder.problem.goal = folder.problem.start;
     const Mesh flag = transformed(box({1, 1, 30}), {Matrix3::Identity(), folder.problem.start.position});
     saveMesh(flag, folder.file("flag.obj"));
-    folder.problem.furtherWorlds.push_back(folder.file("flag.obj"));
+    folder.problem.meshes.furtherWorlds.push_back(folder.file("flag.obj"));
     folder.write();
     const std::string err = runIn(folder, kPlan).err;
     BOOST_TEST(holds(err, "contact.start = tray, flag, ", "in place of the contact.start"), err);
@@ -93,8 +93,8 @@ BOOST_AUTO_TEST_CASE(a_triangle_is_named_by_its_place_in_its_own_file) {
 BOOST_AUTO_TEST_CASE(a_part_inside_a_solid_is_told_so) {
     AssemblyFolder folder;
     saveMesh(transformed(box({60, 60, 60}), {Matrix3::Identity(), {-60, 0, 0}}), folder.file("block.obj"));
-    folder.problem.world = folder.file("block.obj");
-    folder.problem.furtherWorlds.clear();
+    folder.problem.meshes.world = folder.file("block.obj");
+    folder.problem.meshes.furtherWorlds.clear();
     folder.problem.rules = {};
     folder.write();
     BOOST_TEST(runIn(folder, std::string(kPlan) + " --time 0.1").code == 2);  // both, expected one of them
@@ -132,8 +132,8 @@ BOOST_AUTO_TEST_CASE(what_is_ignored_is_not_shown) {
 
     const std::string render = "render a.cfg in.path --size 160x90 --samples 1 --out ";
     BOOST_TEST(runIn(folder, render + "ignored.png").code == 0);
-    folder.problem.world = folder.file("blocks.obj");
-    folder.problem.furtherWorlds.clear();
+    folder.problem.meshes.world = folder.file("blocks.obj");
+    folder.problem.meshes.furtherWorlds.clear();
     folder.problem.rules = {};
     folder.write();
     BOOST_TEST(runIn(folder, render + "absent.png").code == 0);
@@ -160,7 +160,7 @@ BOOST_AUTO_TEST_CASE(names_that_are_none_are_refused_with_those_there_are) {
     for (const char* command : {kPlan, "info a.cfg"})
         requireRefused(folder, command, {"a.cfg", "ignore", "'roof'", "'wall/below'", "'blocks/shelf'"});
     folder.problem.rules.ignored.clear();
-    folder.problem.furtherWorlds.push_back(folder.file("none.obj"));
+    folder.problem.meshes.furtherWorlds.push_back(folder.file("none.obj"));
     folder.write();
     requireRefused(folder, kPlan, {"none.obj"});
 }

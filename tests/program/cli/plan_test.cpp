@@ -72,8 +72,8 @@ BOOST_AUTO_TEST_CASE(options_reach_the_planner) {
 BOOST_AUTO_TEST_CASE(an_objective_is_planned_for_and_its_cost_told) {
     const WindowProblemFolder folder;
     Problem problem = folder.window.problem;
-    problem.objective = "max_min_clearance";
-    problem.objectiveThreshold = 0.01;  // ends the planning, however busy the machine is
+    problem.planning.objective = "max_min_clearance";
+    problem.planning.objectiveThreshold = 0.01;  // ends the planning, however busy the machine is
     folder.rewrite(problem);
     const Outcome outcome = runIn(
         folder, "plan window.cfg --path out.path --time 100 --objective Min_Clearance --json facts.json");
@@ -180,7 +180,7 @@ BOOST_AUTO_TEST_CASE(what_a_problem_file_says_in_vain_is_refused) {
     const WindowProblemFolder folder;
     Problem problem = folder.window.problem;
     problem.fineness.reset();
-    problem.planners = {{"rrtconnect", {{"max_depth", "3"}}}};
+    problem.planning.planners = {{"rrtconnect", {{"max_depth", "3"}}}};
     folder.rewrite(problem);
     requireRefused(folder, kPlan, {"window.cfg", "RRTConnect", "'max_depth'", "expected one of"});
 
@@ -189,12 +189,12 @@ BOOST_AUTO_TEST_CASE(what_a_problem_file_says_in_vain_is_refused) {
         for (const char* command : {"info window.cfg", kPlan})
             requireRefused(folder, command, {"window.cfg", "'" + wrong + "'", "'" + meant + "'", "expected"});
     };
-    problem.planners = {{"prm", {}, {{"sampler", "gausian"}}}};
+    problem.planning.planners = {{"prm", {}, {{"sampler", "gausian"}}}};
     refusesBoth("gausian", "gaussian");
-    problem.planners = {{"rrtconnct", {}}};
+    problem.planning.planners = {{"rrtconnct", {}}};
     refusesBoth("rrtconnct", "RRTConnect");
-    problem.planners.clear();
-    problem.objective = "lenght";
+    problem.planning.planners.clear();
+    problem.planning.objective = "lenght";
     refusesBoth("lenght", "length");
 }
 

@@ -14,8 +14,8 @@ struct DoorFolder : TemporaryFolder {
     DoorFolder() {
         saveMesh(door.part, file("block.obj"));
         saveMesh(door.box, file("box.obj"));
-        door.problem.robot = file("block.obj");
-        door.problem.world = file("box.obj");
+        door.problem.meshes.robot = file("block.obj");
+        door.problem.meshes.world = file("box.obj");
         writeProblem(door.problem, file("door.cfg"));
     }
 
@@ -120,10 +120,10 @@ BOOST_AUTO_TEST_CASE(the_way_outside_is_explained_and_with_one_obstacle_the_marg
     BOOST_TEST(outside.code == 1, outside.err);
     BOOST_TEST(row(outside, "found without") == "'door'");
     problem = readProblem(CLEARWAY_DATA_DIR "/window/window.cfg");
-    Mesh wall = loadMesh(problem.world);
+    Mesh wall = loadMesh(problem.meshes.world);
     wall.components = {{"wall", 0, static_cast<std::uint32_t>(wall.triangles.size())}};
     saveMesh(wall, folder.file("wall.obj"));
-    problem.world = folder.file("wall.obj");
+    problem.meshes.world = folder.file("wall.obj");
     writeProblem(problem, folder.file("one.cfg"));
     const Outcome one =
         runIn(folder, "plan one.cfg --margin 12 --path out.path --iterations 1000 --explain 100");

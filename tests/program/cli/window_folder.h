@@ -15,9 +15,9 @@ struct WindowProblemFolder : TemporaryFolder {
     WindowProblemFolder() {
         saveMesh(window.partMesh, file("plate.obj"));
         saveMesh(window.wallMesh, file("wall.obj"));
-        window.problem.robot = file("plate.obj");
-        window.problem.world = file("wall.obj");
-        window.problem.asOmplApp = false;
+        window.problem.meshes.robot = file("plate.obj");
+        window.problem.meshes.world = file("wall.obj");
+        window.problem.meshes.asOmplApp = false;
         rewrite();
     }
     /// Writes the problem as it is by now.

@@ -76,10 +76,10 @@ BOOST_AUTO_TEST_CASE(a_frame_knows_the_clearance_and_the_pair_of_its_pose) {
         const DistanceResult d = distance(way.window.scene.part, way.window.scene.obstacles[0].model,
                                           frame.X_environmentPart, {}, workspace);
         BOOST_TEST(frame.clearance.lower == d.lower, boost::test_tools::tolerance(1e-9));
-        BOOST_TEST(
-            (frame.clearance.nearest.pointOnPart - frame.clearance.nearest.pointOnEnvironment).norm() ==
-                d.upper,
-            boost::test_tools::tolerance(1e-9));
+        BOOST_TEST((frame.clearance.nearest.witness->pointOnPart -
+                    frame.clearance.nearest.witness->pointOnEnvironment)
+                           .norm() == d.upper,
+                   boost::test_tools::tolerance(1e-9));
         BOOST_TEST(frame.partMesh == "plate");
         BOOST_TEST(!frame.environmentMesh.empty());
     }

@@ -12,8 +12,6 @@
 #include "clearway/planning/plan.h"
 #include "clearway/planning/validity_checker.h"
 
-#pragma GCC visibility push(default)
-
 namespace clearway::planning {
 
 /// Everything that planners need, made from a problem.
@@ -36,5 +34,3 @@ PlanSetup makePlanSetup(const Problem& problem, const Scene& scene, const PlanOp
                         const std::function<void(PlanSetup&)>& beforePlanners = {});
 
 }  // namespace clearway::planning
-
-#pragma GCC visibility pop

@@ -6,8 +6,6 @@
 #include <memory>
 #include <vector>
 
-#pragma GCC visibility push(default)
-
 namespace clearway::planning {
 
 /// Runs RRTConnect, which is quick where passages are wide, and two SlidingRRTConnect, one with standoffs of its
@@ -60,5 +58,3 @@ class PlannerTeam : public ompl::base::Planner {
 };
 
 }  // namespace clearway::planning
-
-#pragma GCC visibility pop

@@ -8,9 +8,7 @@
 #include <optional>
 
 #include "clearway/planning/audit.h"
-#include "clearway/planning/plan_setup.h"
-
-#pragma GCC visibility push(default)
+#include "planning/plan/plan_setup.h"
 
 namespace clearway::planning {
 
@@ -46,5 +44,3 @@ PathAudit finish(const PlanSetup& setup, ompl::geometric::PathGeometric& path,
                  const std::function<bool()>& isSpent, double kept = 0);
 
 }  // namespace clearway::planning
-
-#pragma GCC visibility pop
