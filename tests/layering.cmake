@@ -23,8 +23,8 @@ set(c_may_include)
 set(library core mesh tree build kernels exact query model scene isosurface shrink swept problem c)
 
 # The rooms of planning, each above those it may include.
-set(planning/space_may_include core model problem)
-set(planning/check_may_include core model problem planning/space)
+set(planning/space_may_include core model scene problem)
+set(planning/check_may_include core model scene problem planning/space)
 set(planning/objectives_may_include core model problem planning/space planning/check)
 set(planning/improve_may_include core model problem planning/space planning/check)
 set(planning/diagnose_may_include core model problem planning/space planning/check)

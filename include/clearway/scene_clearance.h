@@ -19,6 +19,7 @@
 namespace clearway {
 
 class ContactZones;
+struct PartState;
 
 /// A motion of the part, such as that between two states of a planner.
 struct PartMotion {
@@ -262,6 +263,15 @@ class SceneClearance {
     bool hasSolids_ = false;
     std::unique_ptr<ThreadScratch> scratch_;
 };
+
+/// Certifies two states of OMPL's SE(3) and all poses between them, as OMPL interpolates them: straight, with the turn of its slerp,
+/// unless that is so little that OMPL leaves it out. Undecided within 1e-5 of the part's diagonal of a margin. Throws
+/// std::invalid_argument unless the quaternions have unit length to within 1e-9, and what queries throw.
+SweepVerdict certifySe3Motion(const SceneClearance& clearance, const PartState& from, const PartState& to);
+
+/// Certifies two states of OMPL's SE(2) in the same way. A state is (x, y, yaw): environment units, and radians about z. The part
+/// turns the shorter way.
+SweepVerdict certifySe2Motion(const SceneClearance& clearance, const Vector3& from, const Vector3& to);
 
 /// A proof that no path joins two poses: one lies inside a closed surface, and the other does not.
 struct ShutIn {
