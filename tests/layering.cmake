@@ -48,7 +48,7 @@ set(demos demos/scenes demos/study)
 set(layers ${library} ${planning} ${program} ${demos})
 
 # The room of planning that holds each public planning header's source: including the header counts as including the room.
-set(space_headers ompl_messages.h state_to_pose.h state_motion.h se3_space.h displacement_bound.h outside_goal.h valid_state_samplers.h)
+set(space_headers ompl_messages.h state_to_pose.h shared_scene.h se3_space.h displacement_bound.h outside_goal.h valid_state_samplers.h)
 set(check_headers validity_checker.h motion_validator.h audit.h)
 set(objectives_headers clearance_objectives.h objectives.h)
 set(improve_headers simplify.h)

@@ -219,8 +219,19 @@ class SceneClearance {
     /// The least distance of all obstacles, whatever the margins, solids and contact zones.
     SceneDistance distance(const Pose& X_environmentPart) const;
 
-    /// Makes the calling thread's next answer independent, to the last digit, of what it asked before.
-    void forgetWarmStart() const;
+    /// While it lives, the calling thread's answers begin without a warm start: they are independent, to the last digit, of
+    /// what was asked before, and later answers are independent of them.
+    class ColdStart {
+      public:
+        explicit ColdStart(const SceneClearance& clearance);
+        ~ColdStart();
+        ColdStart(const ColdStart&) = delete;
+        ColdStart& operator=(const ColdStart&) = delete;
+
+      private:
+        bool& isCold_;
+        const bool wasCold_;
+    };
 
     /// Says why a pose is not valid, whatever the bounds, as words after "is", with meshes and triangles.
     /// Empty when the pose is valid.

@@ -1,5 +1,3 @@
-#include "clearway/planning/state_motion.h"
-
 #include <ompl/base/spaces/SE2StateSpace.h>
 
 #include <cmath>
@@ -8,7 +6,7 @@
 #include <typeinfo>
 #include <utility>
 
-#include "clearway/planning/state_to_pose.h"
+#include "clearway/planning/shared_scene.h"
 #include "planning/space/ompl_states.h"
 #include "scene/interpolated_motion.h"
 
