@@ -20,7 +20,7 @@ int main(int argc, char** argv) try {
     ompl::geometric::SimpleSetup setup = cp::makeSetup(problem, scene);
     const auto& si = setup.getSpaceInformation();
 
-    const auto objective = std::make_shared<cp::MinClearanceObjective>(si, scene);
+    const auto objective = std::make_shared<cp::MinClearanceObjective>(si, cp::sceneOf(si));
     setup.setOptimizationObjective(objective);
     setup.setPlanner(std::make_shared<ompl::geometric::RRTstar>(si));
 

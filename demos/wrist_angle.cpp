@@ -132,9 +132,9 @@ int main() {
     const Carriage carriage(scene.part);
     ompl::geometric::SimpleSetup setup(carriage.space);
     const auto si = setup.getSpaceInformation();
-    si->setStateValidityChecker(std::make_shared<cp::ValidityChecker>(si, scene, carriage.pose));
-    const auto motions =
-        std::make_shared<cp::MotionValidator>(si, scene, carriage.pose, carriage.bound, carriage.motion);
+    const cp::SharedScene shared(scene, carriage.pose, carriage.bound, carriage.motion);
+    si->setStateValidityChecker(std::make_shared<cp::ValidityChecker>(si, shared));
+    const auto motions = std::make_shared<cp::MotionValidator>(si, shared);
     si->setMotionValidator(motions);  // certified pair by pair
 
     ompl::RNG::setSeed(1);

@@ -23,8 +23,8 @@ set(c_may_include)
 set(library core mesh tree build kernels exact query model scene isosurface shrink swept problem c)
 
 # The rooms of planning, each above those it may include.
-set(planning/space_may_include core model problem)
-set(planning/check_may_include core model problem planning/space)
+set(planning/space_may_include core model scene problem)
+set(planning/check_may_include core model scene problem planning/space)
 set(planning/objectives_may_include core model problem planning/space planning/check)
 set(planning/improve_may_include core model problem planning/space planning/check)
 set(planning/diagnose_may_include core model problem planning/space planning/check)
@@ -49,7 +49,7 @@ set(demos demos/scenes demos/study)
 set(layers ${library} ${planning} ${program} ${demos})
 
 # The room of planning that holds each public planning header's source: including the header counts as including the room.
-set(space_headers ompl_messages.h state_to_pose.h state_motion.h se3_space.h displacement_bound.h outside_goal.h valid_state_samplers.h)
+set(space_headers ompl_messages.h state_to_pose.h shared_scene.h se3_space.h displacement_bound.h outside_goal.h valid_state_samplers.h)
 set(check_headers validity_checker.h motion_validator.h audit.h)
 set(objectives_headers clearance_objectives.h objectives.h)
 set(improve_headers simplify.h)

@@ -209,7 +209,7 @@ std::optional<StudyRun> runPlanned(const StudyProblem& problem, const Scene& sce
     CallSampling sampling = options.sampling;
     sampling.seed = static_cast<std::uint64_t>(planned.seed);
     std::optional<Recorder> recorder;
-    limits.watch = recordingInto(recorder, scene, sampling);
+    limits.watch = recordingInto(recorder, sampling);
     const planning::OmplMessages unheard;
     StudyRun result;
     const auto run =

@@ -22,7 +22,7 @@ class RecordingChecker : public planning::ValidityChecker {
   public:
     RecordingChecker(Recorder& recorder, const ob::SpaceInformationPtr& si,
                      std::shared_ptr<const planning::ValidityChecker> checker)
-        : ValidityChecker(si, checker->scene()), recorder_(recorder), checker_(std::move(checker)) {}
+        : ValidityChecker(si, checker->shared()), recorder_(recorder), checker_(std::move(checker)) {}
 
     using ValidityChecker::isValid;
     bool isValid(const ob::State* state) const override {
@@ -40,8 +40,8 @@ class RecordingChecker : public planning::ValidityChecker {
 
 class RecordingValidator : public planning::MotionValidator {
   public:
-    RecordingValidator(Recorder& recorder, const ob::SpaceInformationPtr& si, const Scene& scene,
-                       const planning::MotionOptions& options)
+    RecordingValidator(Recorder& recorder, const ob::SpaceInformationPtr& si,
+                       const planning::SharedScene& scene, const planning::MotionOptions& options)
         : MotionValidator(si, scene, options), recorder_(recorder) {}
 
     bool checkMotion(const ob::State* s1, const ob::State* s2) const override {
@@ -65,7 +65,8 @@ class RecordingValidator : public planning::MotionValidator {
 template <class Objective>
 class RecordingObjective : public Objective {
   public:
-    RecordingObjective(Recorder& recorder, const ob::SpaceInformationPtr& si, const Scene& scene)
+    RecordingObjective(Recorder& recorder, const ob::SpaceInformationPtr& si,
+                       const planning::SharedScene& scene)
         : Objective(si, scene), recorder_(recorder) {}
 
     ob::Cost stateCost(const ob::State* state) const override {
@@ -82,10 +83,11 @@ class RecordingObjective : public Objective {
 /// Replaces the definition's objective if it is of this class. The new objective has default options, because
 /// a study sets no others.
 template <class Objective>
-void recordObjective(Recorder& recorder, planning::PlanSetup& setup, const Scene& scene) {
+void recordObjective(Recorder& recorder, planning::PlanSetup& setup) {
     const ob::OptimizationObjectivePtr& objective = setup.definition->getOptimizationObjective();
     if (dynamic_cast<const Objective*>(objective.get()) == nullptr) return;
-    const auto recording = std::make_shared<RecordingObjective<Objective>>(recorder, setup.si, scene);
+    const auto recording =
+        std::make_shared<RecordingObjective<Objective>>(recorder, setup.si, setup.checker->shared());
     recording->setCostThreshold(objective->getCostThreshold());
     setup.definition->setOptimizationObjective(recording);
 }
@@ -93,17 +95,17 @@ void recordObjective(Recorder& recorder, planning::PlanSetup& setup, const Scene
 /// Puts recording decorators in place of the setup's checker, certified validator and clearance objective.
 /// The decorators answer as the originals do. They derive from the originals' classes, because planners and
 /// samplers cast to these classes.
-void recordInto(Recorder& recorder, planning::PlanSetup& setup, const Scene& scene,
-                const std::function<bool()>& isOver) {
+void recordInto(Recorder& recorder, planning::PlanSetup& setup, const std::function<bool()>& isOver) {
     setup.si->setStateValidityChecker(std::make_shared<RecordingChecker>(recorder, setup.si, setup.checker));
     planning::MotionOptions options;
     options.leastInterval = setup.certified->leastInterval();
     options.isStopped = isOver;
-    setup.certified = std::make_shared<RecordingValidator>(recorder, setup.si, scene, options);
+    setup.certified =
+        std::make_shared<RecordingValidator>(recorder, setup.si, setup.checker->shared(), options);
     setup.si->setMotionValidator(setup.certified);
-    recordObjective<planning::MinClearanceObjective>(recorder, setup, scene);
-    recordObjective<planning::ClearanceIntegralObjective>(recorder, setup, scene);
-    recordObjective<planning::LengthWithClearanceObjective>(recorder, setup, scene);
+    recordObjective<planning::MinClearanceObjective>(recorder, setup);
+    recordObjective<planning::ClearanceIntegralObjective>(recorder, setup);
+    recordObjective<planning::LengthWithClearanceObjective>(recorder, setup);
 }
 
 void measureCalls(const Recorder& recorder, RunMeasures& measures) {
@@ -167,12 +169,11 @@ std::vector<CallBlock> Recorder::sample() const {
     return blocks;
 }
 
-CallWatch recordingInto(std::optional<Recorder>& recorder, const Scene& scene, const CallSampling& sampling) {
+CallWatch recordingInto(std::optional<Recorder>& recorder, const CallSampling& sampling) {
     CallWatch watch;
-    watch.join = [&recorder, &scene, sampling](planning::PlanSetup& setup,
-                                               const std::function<bool()>& isOver) {
+    watch.join = [&recorder, sampling](planning::PlanSetup& setup, const std::function<bool()>& isOver) {
         recorder.emplace(setup.si->getStateSpace(), sampling);
-        recordInto(*recorder, setup, scene, isOver);
+        recordInto(*recorder, setup, isOver);
     };
     watch.begin = [&recorder] { recorder->begin(); };
     watch.end = [&recorder](RunMeasures& measures) {

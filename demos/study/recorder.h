@@ -79,8 +79,7 @@ class Recorder {
     QueryTally tally_;
 };
 
-/// For RunLimits: makes the recorder, which counts, times and samples the calls of a run in this scene. Recorder and scene
-/// must outlive the run.
-CallWatch recordingInto(std::optional<Recorder>& recorder, const Scene& scene, const CallSampling& sampling);
+/// For RunLimits: makes the recorder, which counts, times and samples the calls of a run, and must outlive it.
+CallWatch recordingInto(std::optional<Recorder>& recorder, const CallSampling& sampling);
 
 }  // namespace clearway::study

@@ -19,6 +19,7 @@
 namespace clearway {
 
 class ContactZones;
+struct PartState;
 
 /// A motion of the part, such as that between two states of a planner.
 struct PartMotion {
@@ -214,8 +215,19 @@ class SceneClearance {
     /// The least distance of all obstacles, whatever the margins, solids and contact zones.
     SceneDistance distance(const Pose& X_environmentPart) const;
 
-    /// Makes the calling thread's next answer independent, to the last digit, of its earlier queries.
-    void forgetWarmStart() const;
+    /// While it lives, the calling thread's answers begin without a warm start: they are independent, to the last digit, of
+    /// what was asked before, and later answers are independent of them.
+    class ColdStart {
+      public:
+        explicit ColdStart(const SceneClearance& clearance);
+        ~ColdStart();
+        ColdStart(const ColdStart&) = delete;
+        ColdStart& operator=(const ColdStart&) = delete;
+
+      private:
+        bool& isCold_;
+        const bool wasCold_;
+    };
 
     /// Says why a pose is not valid, whatever the bounds, as words after "is", with meshes and triangles.
     /// Empty when the pose is valid.
@@ -258,6 +270,15 @@ class SceneClearance {
     bool hasSolids_ = false;
     std::unique_ptr<ThreadScratch> scratch_;
 };
+
+/// Certifies two states of OMPL's SE(3) and all poses between them, as OMPL interpolates them: straight, with the turn of its slerp,
+/// unless that is so little that OMPL leaves it out. Undecided within 1e-5 of the part's diagonal of a margin. Throws
+/// std::invalid_argument unless the quaternions have unit length to within 1e-9, and what queries throw.
+SweepVerdict certifySe3Motion(const SceneClearance& clearance, const PartState& from, const PartState& to);
+
+/// Certifies two states of OMPL's SE(2) in the same way. A state is (x, y, yaw): environment units, and radians about z. The part
+/// turns the shorter way.
+SweepVerdict certifySe2Motion(const SceneClearance& clearance, const Vector3& from, const Vector3& to);
 
 /// A proof that no path joins two poses: one lies inside a closed surface, and the other does not.
 struct ShutIn {

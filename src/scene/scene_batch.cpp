@@ -13,7 +13,7 @@ template <class Answer>
 void forEachPoseInBlocks(const SceneClearance& scene, std::size_t count, const Answer& answer) {
     const std::size_t blocks = (count + kBatchBlock - 1) / kBatchBlock;
     forEachInParallel(blocks, [&](std::size_t block) {
-        scene.forgetWarmStart();
+        const SceneClearance::ColdStart cold(scene);
         const std::size_t end = std::min(count, (block + 1) * kBatchBlock);
         for (std::size_t i = block * kBatchBlock; i < end; ++i) answer(i);
     });

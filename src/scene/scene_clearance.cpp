@@ -60,7 +60,7 @@ SceneClearance::SceneClearance(Scene scene)
         // A query here refuses models that cannot be queried together, rather than later inside a planner.
         Pose somewhere;
         if (const auto& reach = obstacle.model.reach()) somewhere.translation = reach->positions.center();
-        isFree(i, somewhere, scratch_->perThread.local());
+        isFree(i, somewhere, scratch_->mine());
     }
     zoneCount_ = zones_->count();
 }
@@ -76,7 +76,7 @@ double SceneClearance::mostClearance() const {
 }
 
 bool SceneClearance::isFree(const Pose& X_environmentPart) const {
-    Scratch& mine = scratch_->perThread.local();
+    Scratch& mine = scratch_->mine();
     if (mine.freePoses.contain(X_environmentPart)) return true;
     if (!isFree(X_environmentPart, mine)) return false;
     mine.freePoses.add(X_environmentPart);
@@ -112,7 +112,7 @@ bool SceneClearance::isFree(std::size_t i, const Pose& X_environmentPart, Scratc
 
 PoseClearance SceneClearance::at(const Pose& X_environmentPart, const ClearanceOptions& options) const {
     PoseClearance answer;
-    Scratch& mine = scratch_->perThread.local();
+    Scratch& mine = scratch_->mine();
     if (scene_.obstacles.size() == 1 && zoneCount_ == 0 && !hasSolids_) {  // most scenes: nothing to compare
         const Asked found = ask(0, X_environmentPart, options, mine);
         answer.lower = found.clearance.lower;
@@ -197,7 +197,7 @@ void SceneClearance::ask(std::size_t i, const Pose& X_environmentPart, const Dis
 
 SceneDistance SceneClearance::distance(const Pose& X_environmentPart) const {
     SceneDistance least = nowhere();
-    Scratch& mine = scratch_->perThread.local();
+    Scratch& mine = scratch_->mine();
     visitAll(scene_.obstacles.size(), mine.nearest, [&](std::size_t i) {
         DistanceOptions options;
         options.cap = least.upper;
@@ -232,11 +232,17 @@ void SceneClearance::nameTriangle(SceneDistance& nearest) const {
                                    obstacle.model.components()[component].firstTriangle;
 }
 
-void SceneClearance::forgetWarmStart() const {
-    Scratch& mine = scratch_->perThread.local();
+SceneClearance::ColdStart::ColdStart(const SceneClearance& clearance)
+    : isCold_(clearance.scratch_->perThread.local().isCold), wasCold_(std::exchange(isCold_, true)) {
+    Scratch& mine = clearance.scratch_->mine();
+    mine.workspaces.resize(clearance.scene_.obstacles.size());
     for (Workspace& workspace : mine.workspaces) workspace.forgetWarmStart();
     mine.nearest = 0;
     mine.freePoses = {};
+}
+
+SceneClearance::ColdStart::~ColdStart() {
+    isCold_ = wasCold_;
 }
 
 bool SceneClearance::isOutOfReach(const Pose& X_environmentPart) const {

@@ -114,15 +114,15 @@ SweepVerdict SceneClearance::sideAlong(std::size_t i, const PartMotion& motion, 
     }
     if (travel > leastInterval) return SweepVerdict::kUndecided;
     const Obstacle& obstacle = scene_.obstacles[i];
-    const bool isClear = !isWithin(scene_.partFor(obstacle), obstacle.model, X, moved,
-                                   scratch_->perThread.local().workspaces[i]);
+    const bool isClear =
+        !isWithin(scene_.partFor(obstacle), obstacle.model, X, moved, scratch_->mine().workspaces[i]);
     return isClear && !enclosureBy(i, X) ? SweepVerdict::kCertified : SweepVerdict::kUndecided;
 }
 
 SceneSweep SceneClearance::sweep(const PartMotion& motion, const SceneSweepOptions& options) const {
     SceneSweep answer;
     answer.certifiedUntil = options.until;
-    Scratch& mine = scratch_->perThread.local();
+    Scratch& mine = scratch_->mine();
     SweepOptions asked;
     asked.from = options.from;
     asked.leastInterval = options.leastInterval;
@@ -156,7 +156,7 @@ SceneSweep SceneClearance::sweep(const PartMotion& motion, const SceneSweepOptio
 /// Where it cannot be told whether the part is free, it may collide later on, with any obstacle.
 void SceneClearance::lookBehind(const PartMotion& motion, SceneSweepOptions options,
                                 MotionAnswer& answer) const {
-    Scratch& mine = scratch_->perThread.local();
+    Scratch& mine = scratch_->mine();
     SweepOptions asked;
     asked.from = answer.certifiedUntil;
     asked.leastInterval = options.leastInterval;
@@ -214,7 +214,7 @@ LeastClearance SceneClearance::leastClearance(const PartMotion& motion,
     LeastClearance answer;
     answer.lower = std::numeric_limits<double>::infinity();
     answer.upper = std::min(options.cap.value_or(answer.lower), mostClearance());
-    Scratch& mine = scratch_->perThread.local();
+    Scratch& mine = scratch_->mine();
     LeastDistanceOptions asked;
     asked.poseError = options.poseError;
     asked.resolution = options.resolution;

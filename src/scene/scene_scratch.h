@@ -59,10 +59,21 @@ struct SceneClearance::Scratch {
 };
 
 struct SceneClearance::ThreadScratch {
+    struct Both {
+        Scratch warm, cold{};  ///< cold: made by the first ColdStart
+        bool isCold = false;
+    };
+
     explicit ThreadScratch(std::size_t obstacles)
-        : perThread([obstacles] { return Scratch{std::vector<Workspace>(obstacles)}; }) {}
+        : perThread([obstacles] { return Both{Scratch{std::vector<Workspace>(obstacles)}}; }) {}
+
+    Scratch& mine() {
+        Both& both = perThread.local();
+        return both.isCold ? both.cold : both.warm;
+    }
+
     /// The scratch of a thread is from the standard allocator: TBB's has locks, which do not survive a fork.
-    tbb::enumerable_thread_specific<Scratch, std::allocator<Scratch>> perThread;
+    tbb::enumerable_thread_specific<Both, std::allocator<Both>> perThread;
 };
 
 struct SceneClearance::Enclosure {

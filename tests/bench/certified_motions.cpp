@@ -119,8 +119,9 @@ class Comparison {
     /// Returns how many verdicts are lost. label: begins the rows of the table.
     std::size_t compare(std::ostream* table, const std::string& label) {
         const MotionValidator pairs(si_, scene_);
-        const MotionValidator globally(si_, scene_, planning::stateToPose(*space_),
-                                       planning::displacementBound(*space_, scene_.part));
+        const MotionValidator globally(
+            si_, planning::SharedScene(scene_, planning::stateToPose(*space_),
+                                       planning::displacementBound(*space_, scene_.part)));
         before_.assign(motions_.size(), {});
         Rows rows{table, label, {}};
         std::vector<Answer> after(motions_.size());
@@ -273,8 +274,8 @@ class Comparison {
     /// Times the least clearance, as MinClearanceObjective asks for it, of at most 200 valid motions.
     void printLeastClearances(const Rows& rows) const {
         const planning::MinClearanceObjective pairs(si_, scene_),
-            globally(si_, scene_, planning::stateToPose(*space_),
-                     planning::displacementBound(*space_, scene_.part));
+            globally(si_, planning::SharedScene(scene_, planning::stateToPose(*space_),
+                                                planning::displacementBound(*space_, scene_.part)));
         double before = 0, after = 0;
         std::size_t count = 0;
         for (std::size_t i = 0; i < motions_.size() && count < 200; ++i) {

@@ -20,7 +20,8 @@ namespace {
 
 struct CarriageFixture {
     CarriageFixture() {
-        si->setStateValidityChecker(std::make_shared<cp::ValidityChecker>(si, scene, carriage.pose));
+        si->setStateValidityChecker(
+            std::make_shared<cp::ValidityChecker>(si, cp::SharedScene(scene, carriage.pose)));
         si->setup();
     }
 
@@ -111,8 +112,9 @@ BOOST_AUTO_TEST_CASE(points_leave_straight_lines_by_no_more_than_the_deviation) 
 
 BOOST_AUTO_TEST_CASE(certified_motions_are_free_by_an_oracle) {
     const CarriageFixture f;
-    const cp::MotionValidator pairs(f.si, f.scene, f.carriage.pose, f.carriage.bound, f.carriage.motion),
-        globally(f.si, f.scene, f.carriage.pose, f.carriage.bound);
+    const cp::MotionValidator pairs(
+        f.si, cp::SharedScene(f.scene, f.carriage.pose, f.carriage.bound, f.carriage.motion)),
+        globally(f.si, cp::SharedScene(f.scene, f.carriage.pose, f.carriage.bound));
     const MeshOracle oracle(f.part, walls());
     Random random(3);
     int valid = 0, invalid = 0;

@@ -29,11 +29,15 @@ MotionVerdict verdictOf(const planning::MotionValidator& validator, const Call& 
 
 OtherValidators::OtherValidators(const CrowdedScene& scene)
     : reversed(scene.si, withObstaclesReversed(scene.scene), scene.limit.options()),
-      byCallbacks(scene.si, scene.scene, planning::stateToPose(*scene.space),
-                  planning::displacementBound(*scene.space, scene.scene.part),
-                  planning::stateMotion(scene.space, scene.scene.part), scene.limit.options()),
-      byClearance(scene.si, scene.scene, planning::stateToPose(*scene.space),
-                  planning::displacementBound(*scene.space, scene.scene.part), scene.limit.options()) {}
+      byCallbacks(scene.si,
+                  planning::SharedScene(scene.scene, planning::stateToPose(*scene.space),
+                                        planning::displacementBound(*scene.space, scene.scene.part),
+                                        planning::stateMotion(scene.space, scene.scene.part)),
+                  scene.limit.options()),
+      byClearance(scene.si,
+                  planning::SharedScene(scene.scene, planning::stateToPose(*scene.space),
+                                        planning::displacementBound(*scene.space, scene.scene.part)),
+                  scene.limit.options()) {}
 
 MotionAnswers::MotionAnswers(std::string theName, const planning::MotionValidator& validator,
                              const CrowdedScene& scene, const HardMotion& motion)

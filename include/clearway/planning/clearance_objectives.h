@@ -8,9 +8,7 @@
 #include <memory>
 #include <optional>
 
-#include "clearway/planning/displacement_bound.h"
-#include "clearway/planning/state_motion.h"
-#include "clearway/planning/state_to_pose.h"
+#include "clearway/planning/shared_scene.h"
 #include "clearway/scene.h"
 
 #pragma GCC visibility push(default)
@@ -55,22 +53,18 @@ class ClearanceObjective : public ompl::base::OptimizationObjective {
     ObjectiveCounters counters() const;
 
   protected:
-    /// For OMPL's SE(3) and SE(2). Throws ArgumentError when si is null or has another space (see
-    /// displacementBound), a margin is negative or not finite, the part and an obstacle cannot be queried
-    /// together, or the environment was built with a reach that is not longer than the margin.
-    ClearanceObjective(const ompl::base::SpaceInformationPtr& si, Scene scene);
-
-    /// For any space. Throws as the first constructor does, and when stateToPose or bound is empty. The poses
-    /// of interpolated states must be those that MotionValidator's constructor asks for.
-    ClearanceObjective(const ompl::base::SpaceInformationPtr& si, Scene scene, StateToPose stateToPose,
-                       DisplacementBound bound, StateMotion motion = {});
+    /// A Scene, or a SharedScene that others share. Throws ArgumentError when si is null or has another space than
+    /// OMPL's SE(3) and SE(2) and the scene no callbacks for it (see displacementBound), a margin is negative or not finite,
+    /// the part and an obstacle cannot be queried together, or the environment was built with a reach that is not longer
+    /// than the margin.
+    ClearanceObjective(const ompl::base::SpaceInformationPtr& si, SharedScene scene);
 
     std::unique_ptr<const ObjectiveMotions> motions_;  ///< finds clearances of states and motions; never null
 };
 
-/// Returns the scene of si's validity checker. Throws ArgumentError when si is null or its checker is
+/// Returns the scene of si's validity checker, to be shared. Throws ArgumentError when si is null or its checker is
 /// none of clearway's.
-const Scene& sceneOf(const ompl::base::SpaceInformationPtr& si);
+const SharedScene& sceneOf(const ompl::base::SpaceInformationPtr& si);
 
 /// The option of MinClearanceObjective.
 struct MinClearanceOptions {
@@ -89,19 +83,8 @@ struct MinClearanceOptions {
 /// certified to be valid.
 class MinClearanceObjective : public ClearanceObjective {
   public:
-    /// For OMPL's SE(3) and SE(2). Throws as ClearanceObjective does, and when the cap is not finite and
-    /// above 0.
-    MinClearanceObjective(const ompl::base::SpaceInformationPtr& si, Scene scene,
-                          const MinClearanceOptions& options = {});
-
-    /// For any space: the costs of motions are found by clearances of the whole part. Throws as the first
-    /// constructor does.
-    MinClearanceObjective(const ompl::base::SpaceInformationPtr& si, Scene scene, StateToPose stateToPose,
-                          DisplacementBound bound, const MinClearanceOptions& options = {});
-
-    /// For any space whose motions are known: their costs are found pair by pair, as those of SE(3) and SE(2) are.
-    MinClearanceObjective(const ompl::base::SpaceInformationPtr& si, Scene scene, StateToPose stateToPose,
-                          DisplacementBound bound, StateMotion motion,
+    /// Throws as ClearanceObjective does, and when the cap is not finite and above 0.
+    MinClearanceObjective(const ompl::base::SpaceInformationPtr& si, SharedScene scene,
                           const MinClearanceOptions& options = {});
 
     /// Whether c1 is larger: costs compare and combine as in OMPL's MaximizeMinClearanceObjective.
@@ -134,8 +117,7 @@ class MinClearanceObjective : public ClearanceObjective {
     double cap() const { return cap_; }
 
   private:
-    void setCap(const MinClearanceOptions& options);
-    double cap_ = 0;
+    double cap_;
 };
 
 /// Minimises length, weighted by how close the part is. Length is si->distance: in SE(3) and SE(2) that of
@@ -164,14 +146,9 @@ class WeightedLengthObjective : public ClearanceObjective {
                                          const ompl::base::State* s2) const override;
 
   protected:
-    /// For OMPL's SE(3) and SE(2). Throws as ClearanceObjective does, and when the resolution is not above 0
-    /// and at most 1.
-    WeightedLengthObjective(const ompl::base::SpaceInformationPtr& si, Scene scene,
+    /// Throws as ClearanceObjective does, and when the resolution is not above 0 and at most 1.
+    WeightedLengthObjective(const ompl::base::SpaceInformationPtr& si, const SharedScene& scene,
                             const ClosenessWeight& weight, double resolution);
-
-    /// For any space. Throws as the first constructor does.
-    WeightedLengthObjective(const ompl::base::SpaceInformationPtr& si, Scene scene, StateToPose stateToPose,
-                            DisplacementBound bound, const ClosenessWeight& weight, double resolution);
 
   private:
     std::unique_ptr<const ClosenessWeight> weight_;
@@ -191,13 +168,8 @@ struct ClearanceIntegralOptions {
 /// at clearances c < cap.
 class ClearanceIntegralObjective : public WeightedLengthObjective {
   public:
-    /// For OMPL's SE(3) and SE(2). Throws as WeightedLengthObjective does, and when an option is wrong.
-    ClearanceIntegralObjective(const ompl::base::SpaceInformationPtr& si, const Scene& scene,
-                               const ClearanceIntegralOptions& options = {});
-
-    /// For any space. Throws as the first constructor does.
-    ClearanceIntegralObjective(const ompl::base::SpaceInformationPtr& si, const Scene& scene,
-                               StateToPose stateToPose, DisplacementBound bound,
+    /// Throws as WeightedLengthObjective does, and when an option is wrong.
+    ClearanceIntegralObjective(const ompl::base::SpaceInformationPtr& si, const SharedScene& scene,
                                const ClearanceIntegralOptions& options = {});
 };
 
@@ -219,13 +191,8 @@ double wantedClearance(const LengthWithClearanceOptions& options, const Model& p
 /// while to avoid contact.
 class LengthWithClearanceObjective : public WeightedLengthObjective {
   public:
-    /// For OMPL's SE(3) and SE(2). Throws as WeightedLengthObjective does, and when an option is wrong.
-    LengthWithClearanceObjective(const ompl::base::SpaceInformationPtr& si, const Scene& scene,
-                                 const LengthWithClearanceOptions& options = {});
-
-    /// For any space. Throws as the first constructor does.
-    LengthWithClearanceObjective(const ompl::base::SpaceInformationPtr& si, const Scene& scene,
-                                 StateToPose stateToPose, DisplacementBound bound,
+    /// Throws as WeightedLengthObjective does, and when an option is wrong.
+    LengthWithClearanceObjective(const ompl::base::SpaceInformationPtr& si, const SharedScene& scene,
                                  const LengthWithClearanceOptions& options = {});
 };
 

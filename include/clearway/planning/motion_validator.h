@@ -13,9 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "clearway/planning/displacement_bound.h"
-#include "clearway/planning/state_motion.h"
-#include "clearway/planning/state_to_pose.h"
+#include "clearway/planning/shared_scene.h"
 #include "clearway/query.h"
 #include "clearway/scene.h"
 
@@ -122,26 +120,14 @@ struct ForwardOptions {
 /// through OMPL's console.
 class MotionValidator : public ompl::base::MotionValidator {
   public:
-    /// For OMPL's SE(3) and SE(2). Throws ArgumentError when si is null or has another space, which
-    /// the message names (see displacementBound), a margin is negative or not finite, the part and an
-    /// obstacle cannot be queried together, leastInterval is not finite and above 0, or the environment was
-    /// built with a reach shorter than the margin plus the least interval. Clearances beyond such a reach
-    /// count as the reach's end.
-    MotionValidator(const ompl::base::SpaceInformationPtr& si, Scene scene,
+    /// A Scene, or a SharedScene that others share. The bounds of a space with callbacks are checked at s1, at s2 and at each
+    /// pose that is queried. Throws ArgumentError when si is null or has another space than OMPL's SE(3) and SE(2) and
+    /// the scene no callbacks for it, with the name of the space (see displacementBound), a margin is negative or not finite,
+    /// the part and an obstacle cannot be queried together, leastInterval is not finite and above 0, or the environment was
+    /// built with a reach shorter than the margin plus the least interval. Clearances beyond such a reach count as the
+    /// reach's end.
+    MotionValidator(const ompl::base::SpaceInformationPtr& si, SharedScene scene,
                     const MotionOptions& options = {});
-
-    /// For any space; motions are certified by clearances of the whole part. The bounds of the space are checked at s1,
-    /// at s2 and at each pose that is queried.
-    /// Throws as the first constructor does, and when a callback is empty. The poses of interpolated states
-    /// may differ only by rounding from those that the bound is made for: by at most 2^-47 of the lengths
-    /// involved.
-    MotionValidator(const ompl::base::SpaceInformationPtr& si, Scene scene, StateToPose stateToPose,
-                    DisplacementBound bound, const MotionOptions& options = {});
-
-    /// For any space whose motions are known: they are certified pair by pair, as those of SE(3) and SE(2) are.
-    MotionValidator(const ompl::base::SpaceInformationPtr& si, Scene scene, StateToPose stateToPose,
-                    DisplacementBound bound, StateMotion motion, const MotionOptions& options = {});
-
     ~MotionValidator() override;
 
     /// Whether the motion is certified to be valid. Looks at the far end first.
@@ -189,6 +175,9 @@ class MotionValidator : public ompl::base::MotionValidator {
     /// The scene that motions are judged in.
     const Scene& scene() const;
 
+    /// The scene, to be shared with a checker or an objective.
+    const SharedScene& shared() const;
+
     /// X_environmentPart at a state, by the validator's own callback.
     Pose pose(const ompl::base::State* state) const;
 
@@ -199,9 +188,6 @@ class MotionValidator : public ompl::base::MotionValidator {
     const ompl::base::StateSpace& space() const { return *si_->getStateSpace(); }
 
   private:
-    MotionValidator(const ompl::base::SpaceInformationPtr& si, std::shared_ptr<const PosedScene> posed,
-                    const MotionOptions& options);
-
     struct Outcome;
     struct Judging {
         bool forward = false;

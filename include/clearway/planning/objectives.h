@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "clearway/scene.h"
+#include "clearway/planning/shared_scene.h"
 
 #pragma GCC visibility push(default)
 
@@ -30,7 +30,7 @@ std::string objectiveName(const std::string& name);
 
 /// Makes the objective of the given name. Throws as objectiveName and the constructor of the objective do.
 ompl::base::OptimizationObjectivePtr makeObjective(const ompl::base::SpaceInformationPtr& si,
-                                                   const Scene& scene, const ObjectiveChoice& choice);
+                                                   const SharedScene& scene, const ObjectiveChoice& choice);
 
 /// The clearance above which the objective sees no difference, in environment units; infinite where there is none; 0 for an
 /// objective that does not depend on clearance. Throws as objectiveName does, and when the wanted clearance is not finite

@@ -8,7 +8,7 @@
 #include <memory>
 #include <string>
 
-#include "clearway/planning/state_to_pose.h"
+#include "clearway/planning/shared_scene.h"
 #include "clearway/query.h"
 #include "clearway/scene.h"
 
@@ -34,14 +34,12 @@ struct CheckCounters {
 /// first one through OMPL's console.
 class ValidityChecker : public ompl::base::StateValidityChecker {
   public:
-    /// For OMPL's SE(3) and SE(2). Throws ArgumentError when si is null or has another space (see
-    /// stateToPose), a margin is negative or not finite, or the part and an obstacle cannot be queried
-    /// together. An environment built with a reach (Model::reach) must hold all positions within the bounds:
-    /// a state within the bounds and out of the reach is answered invalid, as one without a pose.
-    ValidityChecker(const ompl::base::SpaceInformationPtr& si, Scene scene);
-
-    /// For any space. Throws as the first constructor does, and when the callback is empty.
-    ValidityChecker(const ompl::base::SpaceInformationPtr& si, Scene scene, StateToPose stateToPose);
+    /// A Scene, or a SharedScene that others share. Throws ArgumentError when si is null or has another space than
+    /// OMPL's SE(3) and SE(2) and the scene no callback for it (see stateToPose), a margin is negative or not finite, or the
+    /// part and an obstacle cannot be queried together. An environment built with a reach (Model::reach) must hold all
+    /// positions within the bounds: a state within the bounds and out of the reach is answered invalid, as one without a
+    /// pose.
+    ValidityChecker(const ompl::base::SpaceInformationPtr& si, SharedScene scene);
 
     /// Whether the state is valid. Counted.
     bool isValid(const ompl::base::State* state) const override;
@@ -73,6 +71,9 @@ class ValidityChecker : public ompl::base::StateValidityChecker {
 
     /// The scene that states are judged in.
     const Scene& scene() const;
+
+    /// The scene, to be shared with a validator or an objective.
+    const SharedScene& shared() const;
 
     /// Counts of all threads' questions to this checker.
     CheckCounters counters() const;

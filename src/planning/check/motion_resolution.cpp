@@ -5,8 +5,6 @@
 namespace clearway::planning {
 namespace {
 
-constexpr double kDefaultLeastInterval = 1e-5;  ///< of the part's diagonal
-
 constexpr double kSpareShare = 0.1;    ///< of the spare at the ends, for planning
 constexpr double kFinestShare = 1e-3;  ///< of the default least interval
 constexpr double kAuditShare = 1.0 / 16;
@@ -15,17 +13,7 @@ constexpr double kUsualShare = 1e-2;
 constexpr double kUsualLargestShare = 0.1;
 constexpr double kUsualDiagonal = 1e-3;  ///< of the part's diagonal
 
-double diagonalOf(const Box& box) {
-    return box.isEmpty() ? 0 : box.diagonal().norm();
-}
-
 }  // namespace
-
-double defaultLeastInterval(const Scene& scene) {
-    const double part = diagonalOf(scene.part.box());
-    const double size = part > 0 ? part : diagonalOf(scene.environmentBox());
-    return kDefaultLeastInterval * (size > 0 ? size : 1);
-}
 
 MotionOptions planningMotions(const Scene& scene, double spareAtEnds) {
     const double usual = defaultLeastInterval(scene);

@@ -3,11 +3,9 @@
 
 #include "clearway/planning/motion_validator.h"
 #include "clearway/scene.h"
+#include "scene/interpolated_motion.h"
 
 namespace clearway::planning {
-
-/// 1e-5 of the diagonal of the part's box, or of the environment's box when the part is a point.
-double defaultLeastInterval(const Scene& scene);
 
 /// Options for planning between a start and a goal of which the tighter one has `spareAtEnds` clearance: a
 /// least interval of a tenth of that clearance where this is less than the default, but no less than a

@@ -68,29 +68,10 @@ struct MotionValidator::Outcome {
     std::uint64_t queries = 0;
 };
 
-MotionValidator::MotionValidator(const ob::SpaceInformationPtr& si, Scene scene, const MotionOptions& options)
-    : MotionValidator(si, std::make_shared<const PosedScene>(si, std::move(scene)), options) {}
-
-MotionValidator::MotionValidator(const ob::SpaceInformationPtr& si, Scene scene, StateToPose stateToPose,
-                                 DisplacementBound bound, const MotionOptions& options)
-    : MotionValidator(
-          si,
-          std::make_shared<const PosedScene>(si, std::move(scene), std::move(stateToPose), std::move(bound)),
-          options) {}
-
-MotionValidator::MotionValidator(const ob::SpaceInformationPtr& si, Scene scene, StateToPose stateToPose,
-                                 DisplacementBound bound, StateMotion motion, const MotionOptions& options)
-    : MotionValidator(si,
-                      std::make_shared<const PosedScene>(si, std::move(scene), std::move(stateToPose),
-                                                         std::move(bound), std::move(motion)),
-                      options) {
-    if (!posed_->motion()) throw ArgumentError("the state motion is empty, expected a function");
-}
-
-MotionValidator::MotionValidator(const ob::SpaceInformationPtr& si, std::shared_ptr<const PosedScene> posed,
+MotionValidator::MotionValidator(const ob::SpaceInformationPtr& si, SharedScene shared,
                                  const MotionOptions& options)
     : ob::MotionValidator(si),
-      posed_(std::move(posed)),
+      posed_(std::make_shared<const PosedScene>(si, std::move(shared), PosedScene::For::kMotions)),
       leastInterval_(chooseLeastInterval(scene(), options)),
       isStopped_(options.isStopped) {
     const double most = posed_->clearance().mostClearance();
@@ -106,6 +87,10 @@ MotionValidator::~MotionValidator() = default;
 
 const Scene& MotionValidator::scene() const {
     return posed_->scene();
+}
+
+const SharedScene& MotionValidator::shared() const {
+    return posed_->shared();
 }
 
 Pose MotionValidator::pose(const ob::State* state) const {

@@ -8,40 +8,22 @@
 #include "planning/space/ompl_states.h"
 
 namespace clearway::planning {
-namespace {
 
-template <class Callback>
-Callback requireCallback(Callback callback, const char* name) {
-    if (callback) return callback;
-    throw ArgumentError(std::string(name) + " is empty, expected a function");
-}
-
-StateToPose require(StateToPose callback) {
-    return requireCallback(std::move(callback), "stateToPose");
-}
-DisplacementBound require(DisplacementBound callback) {
-    return requireCallback(std::move(callback), "the displacement bound");
-}
-
-}  // namespace
-
-PosedScene::PosedScene(const ompl::base::SpaceInformationPtr& si, Scene scene)
-    : PosedScene(si, scene, planning::stateToPose(spaceOf(si)), displacementBound(spaceOf(si), scene.part)) {
-    areBoundsConvex_ = true;
-    motion_ = stateMotion(si->getStateSpace(), clearance_->scene().part);
-}
-
-PosedScene::PosedScene(const ompl::base::SpaceInformationPtr& si, Scene scene, StateToPose stateToPose,
-                       DisplacementBound bound, StateMotion motion)
-    : PosedScene(si, std::move(scene), std::move(stateToPose)) {
-    bound_ = require(std::move(bound));
-    motion_ = std::move(motion);
-}
-
-PosedScene::PosedScene(const ompl::base::SpaceInformationPtr& si, Scene scene, StateToPose stateToPose)
-    : si_(si.get()), stateToPose_(require(std::move(stateToPose))) {
+PosedScene::PosedScene(const ompl::base::SpaceInformationPtr& si, SharedScene shared, For what)
+    : si_(si.get()),
+      shared_(std::move(shared)),
+      areBoundsConvex_(!shared_.stateToPose()),
+      stateToPose_(areBoundsConvex_ ? planning::stateToPose(spaceOf(si)) : shared_.stateToPose()),
+      bound_(shared_.bound()),
+      motion_(shared_.motion()) {
     spaceOf(si);
-    clearance_.emplace(std::move(scene));
+    if (what == For::kStates) return;
+    if (areBoundsConvex_) {
+        bound_ = displacementBound(*si->getStateSpace(), scene().part);
+        motion_ = stateMotion(si->getStateSpace(), scene().part);
+    } else if (!bound_) {
+        throw std::invalid_argument("the displacement bound is empty, expected a function");
+    }
 }
 
 void PosedScene::warnOnce(const char* what, const char* why) const {

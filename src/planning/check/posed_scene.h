@@ -1,4 +1,4 @@
-// A scene as the states of a planner's space see it: what checkers, motion validators and objectives share.
+// A shared scene in one space, with counts of the answers: what a checker, a motion validator and an objective have in common.
 #pragma once
 
 #include <ompl/base/SpaceInformation.h>
@@ -6,13 +6,8 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
-#include <optional>
 
-#include "clearway/planning/displacement_bound.h"
-#include "clearway/planning/state_motion.h"
-#include "clearway/planning/state_to_pose.h"
-#include "clearway/scene.h"
-#include "clearway/scene_clearance.h"
+#include "clearway/planning/shared_scene.h"
 
 namespace clearway::planning {
 
@@ -24,22 +19,17 @@ constexpr std::size_t kCounts = 8;
 /// validator. Any number of threads may use one object.
 class PosedScene {
   public:
-    /// For OMPL's SE(3) and SE(2): poses and bounds come from stateToPose and displacementBound. All
-    /// constructors throw ArgumentError when si is null or a callback is empty, and what
-    /// SceneClearance, stateToPose and displacementBound throw.
-    PosedScene(const ompl::base::SpaceInformationPtr& si, Scene scene);
+    enum class For { kStates, kMotions };
 
-    /// For any space, by callbacks.
-    PosedScene(const ompl::base::SpaceInformationPtr& si, Scene scene, StateToPose stateToPose,
-               DisplacementBound bound, StateMotion motion = {});
-
-    /// For single states: there is no displacement bound.
-    PosedScene(const ompl::base::SpaceInformationPtr& si, Scene scene, StateToPose stateToPose);
+    /// Without callbacks, poses and motions are those of OMPL's SE(3) and SE(2). Throws std::invalid_argument when si is null,
+    /// motions are asked for and have no bound, and as stateToPose and displacementBound do.
+    PosedScene(const ompl::base::SpaceInformationPtr& si, SharedScene shared, For what);
 
     const ompl::base::SpaceInformation& si() const { return *si_; }
     const ompl::base::StateSpace& space() const { return *si_->getStateSpace(); }
-    const SceneClearance& clearance() const { return *clearance_; }
-    const Scene& scene() const { return clearance_->scene(); }
+    const SharedScene& shared() const { return shared_; }
+    const SceneClearance& clearance() const { return *shared_.clearance(); }
+    const Scene& scene() const { return shared_.scene(); }
 
     Pose pose(const ompl::base::State* state) const { return stateToPose_(state); }
     double bound(const ompl::base::State* from, const ompl::base::State* to) const {
@@ -64,11 +54,11 @@ class PosedScene {
 
   private:
     const ompl::base::SpaceInformation* si_;
-    std::optional<SceneClearance> clearance_;
+    SharedScene shared_;
+    bool areBoundsConvex_;
     StateToPose stateToPose_;
     DisplacementBound bound_;
     StateMotion motion_;
-    bool areBoundsConvex_ = false;
     mutable std::array<std::atomic<std::uint64_t>, kCounts> counters_{};
     mutable std::atomic<bool> hasWarned_{false};
 };

@@ -10,18 +10,19 @@ namespace clearway::planning {
 
 namespace ob = ompl::base;
 
-ValidityChecker::ValidityChecker(const ob::SpaceInformationPtr& si, Scene scene)
-    : ValidityChecker(si, std::move(scene), planning::stateToPose(spaceOf(si))) {}
-
-ValidityChecker::ValidityChecker(const ob::SpaceInformationPtr& si, Scene scene, StateToPose stateToPose)
+ValidityChecker::ValidityChecker(const ob::SpaceInformationPtr& si, SharedScene scene)
     : StateValidityChecker(si),
-      posed_(std::make_shared<const PosedScene>(si, std::move(scene), std::move(stateToPose))) {
+      posed_(std::make_shared<const PosedScene>(si, std::move(scene), PosedScene::For::kStates)) {
     specs_.clearanceComputationType = ob::StateValidityCheckerSpecs::BOUNDED_APPROXIMATE;
     specs_.hasValidDirectionComputation = false;
 }
 
 const Scene& ValidityChecker::scene() const {
     return posed_->scene();
+}
+
+const SharedScene& ValidityChecker::shared() const {
+    return posed_->shared();
 }
 
 Pose ValidityChecker::pose(const ob::State* state) const {

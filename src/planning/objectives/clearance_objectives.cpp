@@ -79,10 +79,10 @@ ob::Cost lengthToGo(const ob::State* state, const ob::Goal* goal) {
 
 }  // namespace
 
-const Scene& sceneOf(const ob::SpaceInformationPtr& si) {
+const SharedScene& sceneOf(const ob::SpaceInformationPtr& si) {
     spaceOf(si);
     const auto* checker = dynamic_cast<const ValidityChecker*>(si->getStateValidityChecker().get());
-    if (checker != nullptr) return checker->scene();
+    if (checker != nullptr) return checker->shared();
     throw ArgumentError(
         "there is no scene: the space information's validity checker is none of clearway's, expected "
         "a clearway::planning::ValidityChecker to be set before");
@@ -91,16 +91,17 @@ const Scene& sceneOf(const ob::SpaceInformationPtr& si) {
 /// Costs of states and motions in a scene. A motion and its reverse are looked at in one direction.
 class ObjectiveMotions {
   public:
-    /// Throws as ClearanceObjective's constructors do.
-    explicit ObjectiveMotions(std::unique_ptr<const PosedScene> posed)
-        : posed_(std::move(posed)), leastInterval_(defaultLeastInterval(scene())) {
+    /// Throws as ClearanceObjective's constructor does.
+    ObjectiveMotions(const ob::SpaceInformationPtr& si, SharedScene scene)
+        : posed_(si, std::move(scene), PosedScene::For::kMotions),
+          leastInterval_(defaultLeastInterval(posed_.scene())) {
         if (mostClearance() > 0) return;
         throw ArgumentError("an obstacle was built with a reach that ends " + shortNumber(mostClearance()) +
                             " beyond its margin, expected more than 0");
     }
 
-    const Scene& scene() const { return posed_->scene(); }
-    double mostClearance() const { return posed_->clearance().mostClearance(); }
+    const Scene& scene() const { return posed_.scene(); }
+    double mostClearance() const { return posed_.clearance().mostClearance(); }
     double leastInterval() const { return leastInterval_; }
 
     /// Returns cost(motion), or `otherwise` when that is nothing or throws. The motion has no warm start,
@@ -108,14 +109,14 @@ class ObjectiveMotions {
     template <class CostOfMotion>
     double costOfMotion(const ob::State* s1, const ob::State* s2, double otherwise,
                         const CostOfMotion& cost) const {
-        posed_->count(Count::kAsked);
+        posed_.count(Count::kAsked);
         try {
-            posed_->clearance().forgetWarmStart();
-            if (!isInOrder(posed_->space(), s1, s2)) std::swap(s1, s2);
-            Motion motion(*posed_, ClearanceDetail::kTight, 0, s1, s2);
+            const SceneClearance::ColdStart cold(posed_.clearance());
+            if (!isInOrder(posed_.space(), s1, s2)) std::swap(s1, s2);
+            Motion motion(posed_, ClearanceDetail::kTight, 0, s1, s2);
             const std::optional<double> found = cost(motion);
-            posed_->count(Count::kQueries, motion.queries());
-            if (!found) posed_->count(Count::kInvalid);
+            posed_.count(Count::kQueries, motion.queries());
+            if (!found) posed_.count(Count::kInvalid);
             return found.value_or(otherwise);
         } catch (const std::exception& error) {
             return unusable(error.what(), otherwise);
@@ -136,43 +137,35 @@ class ObjectiveMotions {
     }
 
     ObjectiveCounters counters() const {
-        return {posed_->counted(Count::kAsked), posed_->counted(Count::kInvalid),
-                posed_->counted(Count::kUnusable), posed_->counted(Count::kQueries)};
+        return {posed_.counted(Count::kAsked), posed_.counted(Count::kInvalid),
+                posed_.counted(Count::kUnusable), posed_.counted(Count::kQueries)};
     }
 
   private:
     std::optional<double> clearanceAt(const ob::State* state, double cap) const {
-        const Pose X_environmentPart = posed_->pose(state);
+        const Pose X_environmentPart = posed_.pose(state);
         requirePose(X_environmentPart);
-        if (!posed_->si().satisfiesBounds(state)) return std::nullopt;
+        if (!posed_.si().satisfiesBounds(state)) return std::nullopt;
         ClearanceOptions options;
         options.cap = cap;
-        const PoseClearance found = posed_->clearance().at(X_environmentPart, options);
-        posed_->count(Count::kQueries, found.queries);
+        const PoseClearance found = posed_.clearance().at(X_environmentPart, options);
+        posed_.count(Count::kQueries, found.queries);
         if (!found.isValid()) return std::nullopt;
         return std::min(cap, found.lower);
     }
 
     double unusable(const char* reason, double cost) const {
-        posed_->count(Count::kUnusable);
-        posed_->warnOnce("an objective gave the worst cost", reason);
+        posed_.count(Count::kUnusable);
+        posed_.warnOnce("an objective gave the worst cost", reason);
         return cost;
     }
 
-    std::unique_ptr<const PosedScene> posed_;
+    const PosedScene posed_;
     double leastInterval_;
 };
 
-ClearanceObjective::ClearanceObjective(const ob::SpaceInformationPtr& si, Scene scene)
-    : OptimizationObjective(si),
-      motions_(std::make_unique<ObjectiveMotions>(std::make_unique<const PosedScene>(si, std::move(scene)))) {
-}
-
-ClearanceObjective::ClearanceObjective(const ob::SpaceInformationPtr& si, Scene scene,
-                                       StateToPose stateToPose, DisplacementBound bound, StateMotion motion)
-    : OptimizationObjective(si),
-      motions_(std::make_unique<ObjectiveMotions>(std::make_unique<const PosedScene>(
-          si, std::move(scene), std::move(stateToPose), std::move(bound), std::move(motion)))) {}
+ClearanceObjective::ClearanceObjective(const ob::SpaceInformationPtr& si, SharedScene scene)
+    : OptimizationObjective(si), motions_(std::make_unique<ObjectiveMotions>(si, std::move(scene))) {}
 
 ClearanceObjective::~ClearanceObjective() = default;
 
@@ -184,29 +177,10 @@ ObjectiveCounters ClearanceObjective::counters() const {
     return motions_->counters();
 }
 
-MinClearanceObjective::MinClearanceObjective(const ob::SpaceInformationPtr& si, Scene scene,
+MinClearanceObjective::MinClearanceObjective(const ob::SpaceInformationPtr& si, SharedScene shared,
                                              const MinClearanceOptions& options)
-    : ClearanceObjective(si, std::move(scene)) {
-    setCap(options);
-}
-
-MinClearanceObjective::MinClearanceObjective(const ob::SpaceInformationPtr& si, Scene scene,
-                                             StateToPose stateToPose, DisplacementBound bound,
-                                             const MinClearanceOptions& options)
-    : ClearanceObjective(si, std::move(scene), std::move(stateToPose), std::move(bound)) {
-    setCap(options);
-}
-
-MinClearanceObjective::MinClearanceObjective(const ob::SpaceInformationPtr& si, Scene scene,
-                                             StateToPose stateToPose, DisplacementBound bound,
-                                             StateMotion motion, const MinClearanceOptions& options)
-    : ClearanceObjective(si, std::move(scene), std::move(stateToPose), std::move(bound), std::move(motion)) {
-    setCap(options);
-}
-
-void MinClearanceObjective::setCap(const MinClearanceOptions& options) {
+    : ClearanceObjective(si, std::move(shared)), cap_(motions_->mostClearance()) {
     description_ = "Least clearance";
-    cap_ = motions_->mostClearance();
     if (options.cap) cap_ = std::min(cap_, lengthOr(options.cap, 1, scene().part, "cap"));
     setCostThreshold(ob::Cost(cap_));
     setCostToGoHeuristic([cap = cap_](const ob::State*, const ob::Goal*) { return ob::Cost(cap); });
@@ -266,18 +240,9 @@ double wantedClearance(const LengthWithClearanceOptions& options, const Model& p
     return lengthOr(options.wanted, kWantedShare, part, "wanted clearance");
 }
 
-WeightedLengthObjective::WeightedLengthObjective(const ob::SpaceInformationPtr& si, Scene scene,
+WeightedLengthObjective::WeightedLengthObjective(const ob::SpaceInformationPtr& si, const SharedScene& scene,
                                                  const ClosenessWeight& weight, double resolution)
-    : ClearanceObjective(si, std::move(scene)),
-      weight_(std::make_unique<ClosenessWeight>(weight)),
-      resolution_(requireResolution(resolution)) {
-    setCostToGoHeuristic(lengthToGo);
-}
-
-WeightedLengthObjective::WeightedLengthObjective(const ob::SpaceInformationPtr& si, Scene scene,
-                                                 StateToPose stateToPose, DisplacementBound bound,
-                                                 const ClosenessWeight& weight, double resolution)
-    : ClearanceObjective(si, std::move(scene), std::move(stateToPose), std::move(bound)),
+    : ClearanceObjective(si, scene),
       weight_(std::make_unique<ClosenessWeight>(weight)),
       resolution_(requireResolution(resolution)) {
     setCostToGoHeuristic(lengthToGo);
@@ -304,33 +269,17 @@ ob::Cost WeightedLengthObjective::motionCostHeuristic(const ob::State* s1, const
     return ob::Cost(si_->distance(s1, s2));
 }
 
-ClearanceIntegralObjective::ClearanceIntegralObjective(const ob::SpaceInformationPtr& si, const Scene& scene,
+ClearanceIntegralObjective::ClearanceIntegralObjective(const ob::SpaceInformationPtr& si,
+                                                       const SharedScene& scene,
                                                        const ClearanceIntegralOptions& options)
-    : WeightedLengthObjective(si, scene, weightOf(scene, options), options.resolution) {
-    description_ = "Length weighted by closeness";
-}
-
-ClearanceIntegralObjective::ClearanceIntegralObjective(const ob::SpaceInformationPtr& si, const Scene& scene,
-                                                       StateToPose stateToPose, DisplacementBound bound,
-                                                       const ClearanceIntegralOptions& options)
-    : WeightedLengthObjective(si, scene, std::move(stateToPose), std::move(bound), weightOf(scene, options),
-                              options.resolution) {
+    : WeightedLengthObjective(si, scene, weightOf(scene.scene(), options), options.resolution) {
     description_ = "Length weighted by closeness";
 }
 
 LengthWithClearanceObjective::LengthWithClearanceObjective(const ob::SpaceInformationPtr& si,
-                                                           const Scene& scene,
+                                                           const SharedScene& scene,
                                                            const LengthWithClearanceOptions& options)
-    : WeightedLengthObjective(si, scene, weightOf(scene, options), options.resolution) {
-    description_ = "Length with a wanted clearance";
-}
-
-LengthWithClearanceObjective::LengthWithClearanceObjective(const ob::SpaceInformationPtr& si,
-                                                           const Scene& scene, StateToPose stateToPose,
-                                                           DisplacementBound bound,
-                                                           const LengthWithClearanceOptions& options)
-    : WeightedLengthObjective(si, scene, std::move(stateToPose), std::move(bound), weightOf(scene, options),
-                              options.resolution) {
+    : WeightedLengthObjective(si, scene, weightOf(scene.scene(), options), options.resolution) {
     description_ = "Length with a wanted clearance";
 }
 

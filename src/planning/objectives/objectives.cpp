@@ -17,12 +17,13 @@ namespace {
 namespace ob = ompl::base;
 
 template <class Objective>
-ob::OptimizationObjectivePtr make(const ob::SpaceInformationPtr& si, const Scene&, const ObjectiveChoice&) {
+ob::OptimizationObjectivePtr make(const ob::SpaceInformationPtr& si, const SharedScene&,
+                                  const ObjectiveChoice&) {
     return std::make_shared<Objective>(si);
 }
 
 template <class Objective>
-ob::OptimizationObjectivePtr makeInScene(const ob::SpaceInformationPtr& si, const Scene& scene,
+ob::OptimizationObjectivePtr makeInScene(const ob::SpaceInformationPtr& si, const SharedScene& scene,
                                          const ObjectiveChoice&) {
     return std::make_shared<Objective>(si, scene);
 }
@@ -33,7 +34,7 @@ LengthWithClearanceOptions wantedOf(const ObjectiveChoice& choice) {
     return options;
 }
 
-ob::OptimizationObjectivePtr makeWanted(const ob::SpaceInformationPtr& si, const Scene& scene,
+ob::OptimizationObjectivePtr makeWanted(const ob::SpaceInformationPtr& si, const SharedScene& scene,
                                         const ObjectiveChoice& choice) {
     return std::make_shared<LengthWithClearanceObjective>(si, scene, wantedOf(choice));
 }
@@ -56,7 +57,7 @@ double wanted(const ObjectiveChoice& choice, const Model& part) {
 
 struct NamedObjective {
     const char* name;
-    ob::OptimizationObjectivePtr (*make)(const ob::SpaceInformationPtr&, const Scene&,
+    ob::OptimizationObjectivePtr (*make)(const ob::SpaceInformationPtr&, const SharedScene&,
                                          const ObjectiveChoice&);
     double (*largestClearance)(const ObjectiveChoice&, const Model&);
 };
@@ -89,7 +90,7 @@ std::string objectiveName(const std::string& name) {
     return findObjective(name).name;
 }
 
-ob::OptimizationObjectivePtr makeObjective(const ob::SpaceInformationPtr& si, const Scene& scene,
+ob::OptimizationObjectivePtr makeObjective(const ob::SpaceInformationPtr& si, const SharedScene& scene,
                                            const ObjectiveChoice& choice) {
     return findObjective(choice.name).make(si, scene, choice);
 }

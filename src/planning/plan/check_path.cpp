@@ -77,7 +77,7 @@ PathCheck checkPath(const Problem& problem, const Scene& scene, const std::vecto
     const double spare = std::max(0.0, std::min(checker->clearance(first), checker->clearance(last)));
     MotionOptions motions = auditMotions(scene, spare);
     motions.isStopped = options.isStopped;
-    check.audit = audit(states, MotionValidator(si, scene, motions), options);
+    check.audit = audit(states, MotionValidator(si, checker->shared(), motions), options);
     return check;
 } catch (const ompl::Exception& refusal) {
     throw OmplRefusal(refusal);

@@ -141,8 +141,8 @@ void setLengths(PlanReport& report, const Problem& problem, const Scene& scene, 
     report.floor = options.floor.value_or(kFloorPerDiagonal * diagonal);
 }
 
-void useCertified(PlanSetup& setup, const Scene& scene, double spare, const std::function<bool()>& isOver,
-                  PlanReport& report) {
+void useCertified(PlanSetup& setup, double spare, const std::function<bool()>& isOver, PlanReport& report) {
+    const Scene& scene = setup.checker->scene();
     MotionOptions motions = planningMotions(scene, spare);
     motions.isStopped = isOver;
     if (spare < *motions.leastInterval) {
@@ -151,7 +151,7 @@ void useCertified(PlanSetup& setup, const Scene& scene, double spare, const std:
                 << " to spare: motions next to them may be too close to be certified";
         report.warnings.push_back(warning.str());
     }
-    setup.certified = std::make_shared<MotionValidator>(setup.si, scene, motions);
+    setup.certified = std::make_shared<MotionValidator>(setup.si, setup.checker->shared(), motions);
     setup.si->setMotionValidator(setup.certified);
 }
 
@@ -247,14 +247,15 @@ PlanSetup makePlanSetup(const Problem& stated, const Scene& scene, const PlanOpt
     const double startSpare = spare(problem.start, "start");  // the start is refused before the goal
     const double leastSpare =
         problem.outside ? startSpare : std::min(startSpare, spare(problem.goal, "goal"));
-    useCertified(setup, scene, leastSpare, isOver, report);
+    useCertified(setup, leastSpare, isOver, report);
     setup.floor = report.floor;
+    // What planners asked before does not change an audit, to the last digit.
     setup.auditor = std::make_shared<MotionValidator>(setup.si, scene, auditMotions(scene, leastSpare));
     setup.si->setStateValidityChecker(setup.checker);
     setup.definition = defineProblem(setup, problem, scene, report.warnings);
     if (objective) {
         setup.definition->setOptimizationObjective(
-            makePlanObjective(*setup.definition, scene, *objective, problem, leastSpare));
+            makePlanObjective(*setup.definition, setup.checker->shared(), *objective, problem, leastSpare));
     }
     if (beforePlanners) beforePlanners(setup);
     applySettings(*setup.si, problem, report.warnings);

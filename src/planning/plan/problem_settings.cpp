@@ -37,13 +37,14 @@ constexpr double kFinenessPerDiagonal = 1.0 / 500;
 
 /// The least clearance, capped by that of the ends or, where no obstacle is near, by any length. The best path is found when the
 /// cost is as close to it as costs are to clearances.
-ob::OptimizationObjectivePtr leastClearance(const ob::SpaceInformationPtr& si, const Scene& scene,
+ob::OptimizationObjectivePtr leastClearance(const ob::SpaceInformationPtr& si, const SharedScene& shared,
                                             double clearanceOfEnds) {
+    const Scene& scene = shared.scene();
     MinClearanceOptions options;
     options.cap = std::isfinite(clearanceOfEnds)
                       ? std::max(clearanceOfEnds, std::numeric_limits<double>::min())
                       : scene.part.box().diagonal().norm();
-    const auto objective = std::make_shared<MinClearanceObjective>(si, scene, options);
+    const auto objective = std::make_shared<MinClearanceObjective>(si, shared, options);
     const double most = objective->cap();
     objective->setCostThreshold(
         ob::Cost(most - 1.01 * usualResolution(scene, defaultLeastInterval(scene)).of(most)));
@@ -247,16 +248,16 @@ std::optional<ObjectiveChoice> chooseObjective(const Problem& problem, const Pla
     return ObjectiveChoice{name, options.wantedClearance};
 }
 
-ob::OptimizationObjectivePtr makePlanObjective(const ob::ProblemDefinition& definition, const Scene& scene,
-                                               const ObjectiveChoice& choice, const Problem& problem,
-                                               double clearanceOfEnds) {
+ob::OptimizationObjectivePtr makePlanObjective(const ob::ProblemDefinition& definition,
+                                               const SharedScene& scene, const ObjectiveChoice& choice,
+                                               const Problem& problem, double clearanceOfEnds) {
     const ob::SpaceInformationPtr& si = definition.getSpaceInformation();
     const ob::OptimizationObjectivePtr objective = choice.name == kLeastClearance
                                                        ? leastClearance(si, scene, clearanceOfEnds)
                                                        : makeObjective(si, scene, choice);
     const auto own = chooseObjective(problem, {});
     if (problem.planning.objectiveThreshold && own && own->name == choice.name)
-        useThreshold(*objective, problem, definition, scene.unit);
+        useThreshold(*objective, problem, definition, scene.scene().unit);
     return objective;
 }
 

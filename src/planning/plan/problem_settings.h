@@ -64,7 +64,8 @@ std::optional<ObjectiveChoice> chooseObjective(const Problem& problem, const Pla
 /// path exceeds; it is the threshold, too. Where the choice is the problem's own objective, its threshold counts. Throws
 /// ArgumentError when no path can meet that threshold, with the bound, and as makeObjective does.
 ompl::base::OptimizationObjectivePtr makePlanObjective(const ompl::base::ProblemDefinition& definition,
-                                                       const Scene& scene, const ObjectiveChoice& choice,
-                                                       const Problem& problem, double clearanceOfEnds);
+                                                       const SharedScene& scene,
+                                                       const ObjectiveChoice& choice, const Problem& problem,
+                                                       double clearanceOfEnds);
 
 }  // namespace clearway::planning

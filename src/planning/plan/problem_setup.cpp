@@ -22,7 +22,7 @@ og::SimpleSetup makeSetup(const Problem& problem, const Scene& scene) try {
     const ob::SpaceInformationPtr& si = setup.getSpaceInformation();
     const auto checker = std::make_shared<ValidityChecker>(si, scene);
     si->setStateValidityChecker(checker);
-    si->setMotionValidator(std::make_shared<MotionValidator>(si, scene));
+    si->setMotionValidator(std::make_shared<MotionValidator>(si, checker->shared()));
 
     const auto start = toOmpl(si->getStateSpace(), problem.space, problem.start);
     requireValid(problem, *checker, start.get(), "start");

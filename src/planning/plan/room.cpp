@@ -63,7 +63,7 @@ class RoomSetup {
     RoomSetup(const PlanSetup& setup, const RoomLimits& limits)
         : si_(makeOnSharedSpace(setup.si->getStateSpace())),
           definition_(std::make_shared<ob::ProblemDefinition>(si_)) {
-        const Scene& scene = setup.auditor->scene();
+        const SharedScene& scene = setup.checker->shared();
         validator_ = std::make_shared<MotionValidator>(
             si_, scene, MotionOptions{setup.auditor->leastInterval(), limits.isSpent});
         si_->setStateValidityChecker(std::make_shared<ValidityChecker>(si_, scene));
@@ -95,7 +95,11 @@ void makeRoomBySweeps(const RoomSetup& setup, og::PathGeometric& path, const Roo
                       double kept) {
     const Scene& scene = setup.validator().scene();
     const PartMoves moves(*setup.si()->getStateSpace(), scene.part);
-    const double most = SceneClearance(scene).at(moves.pose(path.getState(0))).lower;
+    const SceneClearance& clearance = *setup.validator().shared().clearance();
+    const double most = [&] {
+        const SceneClearance::ColdStart cold(clearance);
+        return clearance.at(moves.pose(path.getState(0))).lower;
+    }();
     endFurtherOut(path, setup.definition()->getGoal(), scene, most);
     RoomOptions options;
     options.clearance = kept;

@@ -169,7 +169,7 @@ PlannerTeam::PlannerTeam(const ob::SpaceInformationPtr& si) : Planner(si, "Plann
 PlannerTeam::~PlannerTeam() = default;
 
 void PlannerTeam::makeMembers() {
-    const double diagonal = sceneOf(si_).part.box().diagonal().norm();
+    const double diagonal = sceneOf(si_).scene().part.box().diagonal().norm();
     constexpr unsigned int kKinds = 3;
     const unsigned int count = std::max(threads_, kKinds);
     for (unsigned int i = 0; i < count; ++i) {

@@ -83,7 +83,7 @@ void RisingFloor::startFrom(const og::PathGeometric& path, const First& first) {
 /// No path can have more clearance than its ends, nor more than the environment's reach. A goal of many states is taken to have
 /// one with as much as the start. Where no obstacle is in reach, any length is as good.
 double RisingFloor::mostClearance() const {
-    const MinClearanceObjective objective(si_, validator_->scene());
+    const MinClearanceObjective objective(si_, validator_->shared());
     double most = -std::numeric_limits<double>::infinity();
     for (unsigned int i = 0; i < pdef_->getStartStateCount(); ++i) {
         most = std::max(most, objective.stateCost(pdef_->getStartState(i)).value());
@@ -142,7 +142,8 @@ ob::PlannerStatus RisingFloor::findFirst(const ob::PlannerTerminationCondition& 
     if (!team_ || teamValidator_ != validator_ || team_->getRange() != range_ ||
         team_->getThreads() != threads_) {
         const auto certified = makeOnSharedSpace(si_->getStateSpace());
-        certified->setStateValidityChecker(std::make_shared<ValidityChecker>(certified, validator_->scene()));
+        certified->setStateValidityChecker(
+            std::make_shared<ValidityChecker>(certified, validator_->shared()));
         certified->setMotionValidator(std::make_shared<FloorValidator>(certified, *validator_, 0));
         setUpOnSharedSpace(*certified);
         team_ = std::make_shared<PlannerTeam>(certified);

@@ -38,7 +38,9 @@ constexpr double kDomainGrowth = 1.1, kDomainLoss = 0.9;
 
 struct SlidingRRTConnect::Lengths {
     Lengths(const ob::SpaceInformationPtr& si, const SlidingRRTConnect& planner)
-        : clearance(sceneOf(si)), moves(*si->getStateSpace(), clearance.scene().part), certify(si) {
+        : clearance(sceneOf(si).clearance()),
+          moves(*si->getStateSpace(), clearance->scene().part),
+          certify(si) {
         const double radius = moves.radius();
         range = planner.range_ > 0 ? planner.range_ : kRange * radius;
         leastStandoff = planner.leastStandoff_ > 0 ? planner.leastStandoff_ : kLeastStandoff * radius;
@@ -46,7 +48,7 @@ struct SlidingRRTConnect::Lengths {
                                 planner.mostStandoff_ > 0 ? planner.mostStandoff_ : kMostStandoff * radius);
     }
 
-    SceneClearance clearance;
+    std::shared_ptr<const SceneClearance> clearance;
     PartMoves moves;
     ForwardCheck certify;
     double range, leastStandoff, mostStandoff;
@@ -137,7 +139,7 @@ class SlidingRRTConnect::Extension {
           at_(from),
           node_(from),
           standoff_(standoff),
-          contacts_(*planner.si_, lengths_.clearance, lengths_.moves, standoff),
+          contacts_(*planner.si_, *lengths_.clearance, lengths_.moves, standoff),
           next_(*planner.si_),
           blocked_(*planner.si_) {}
 

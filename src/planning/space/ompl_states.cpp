@@ -130,9 +130,9 @@ PartState partStateOfSe2(const ob::State* state) {
     return {{se2->getX(), se2->getY(), 0}, {std::cos(half), 0, 0, std::sin(half)}};
 }
 
-bool canBeInterpolated(const PartState& state) {
-    constexpr double kOmplNormError = 1e-9;
-    return std::abs(state.rotation.norm() - 1) < kOmplNormError;
+Vector3 planarNumbersOf(const ob::State* state) {
+    const auto* se2 = state->as<ob::SE2StateSpace::StateType>();
+    return {se2->getX(), se2->getY(), se2->getYaw()};
 }
 
 void setLastValid(const ob::SpaceInformation& si, const ob::State* s1, const ob::State* s2, double time,

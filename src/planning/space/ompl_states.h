@@ -41,9 +41,8 @@ PartState fromOmpl(Space kind, const ompl::base::State* state);
 PartState partStateOfSe3(const ompl::base::State* state);
 PartState partStateOfSe2(const ompl::base::State* state);
 
-/// Whether OMPL interpolates the state: a quaternion's norm may be off 1 by 1e-9. Beyond it a state satisfies no bounds, and
-/// OMPL asserts.
-bool canBeInterpolated(const PartState& state);
+/// (x, y, yaw) of a state of SE(2).
+Vector3 planarNumbersOf(const ompl::base::State* state);
 
 /// A state that is freed when it goes out of scope. si must outlive it.
 class ScratchState {

@@ -33,7 +33,7 @@ TracedRun runTraced(Problem problem, const Scene& scene, const std::string& plan
     limits.bytes = std::uint64_t(1) << 40;
     limits.simplify = false;
     std::optional<Recorder> recorder;
-    limits.watch = recordingInto(recorder, scene, {});
+    limits.watch = recordingInto(recorder, {});
     const planning::OmplMessages unheard;
     std::vector<std::string> warnings;
     return testing::withProcessorTime(seconds, [&](double limit) {

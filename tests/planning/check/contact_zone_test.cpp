@@ -281,8 +281,9 @@ BOOST_AUTO_TEST_CASE(the_clearance_at_the_end_counts_wherever_the_interpolation_
     scene.obstacles[0].isIgnoredAtStart = true;
     scene.startContact = ContactZone{{Matrix3::Identity(), {0, 0, 100}}, 1};
     const PartInSpace space(scene, 2e5);
-    const planning::MotionValidator byClearance(space.si, scene, planning::stateToPose(*space.space),
-                                                planning::displacementBound(*space.space, scene.part));
+    const planning::MotionValidator byClearance(
+        space.si, planning::SharedScene(scene, planning::stateToPose(*space.space),
+                                        planning::displacementBound(*space.space, scene.part)));
     const auto s1 = space.at(Vector3(20, 15, 0) - bodyInPart),
                s2 = space.at(Vector3(20, 0, 0) - bodyInPart, 8e-5);
     const planning::MotionValidator* const validators[] = {space.validator.get(), &byClearance};
@@ -305,8 +306,9 @@ BOOST_AUTO_TEST_CASE(a_zone_that_only_the_end_itself_is_in_leaves_the_motion_val
     const auto s2 = anywhere.at(Vector3(8, 0, 0) - bodyInPart, 8e-5);
     scene.goalContact = ContactZone{anywhere.checker->pose(s2.get()), 2};
     const PartInSpace space(scene, 2e5);
-    const planning::MotionValidator byClearance(space.si, scene, planning::stateToPose(*space.space),
-                                                planning::displacementBound(*space.space, scene.part));
+    const planning::MotionValidator byClearance(
+        space.si, planning::SharedScene(scene, planning::stateToPose(*space.space),
+                                        planning::displacementBound(*space.space, scene.part)));
     const planning::MotionValidator* const validators[] = {space.validator.get(), &byClearance};
     for (const planning::MotionValidator* validator : validators) {
         std::pair<ob::State*, double> lastValid(nullptr, 1);

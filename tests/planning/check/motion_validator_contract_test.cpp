@@ -50,8 +50,8 @@ BOOST_AUTO_TEST_CASE(the_certified_validator_keeps_the_contract) {
 
 BOOST_AUTO_TEST_CASE(the_certified_validator_keeps_the_contract_through_callbacks) {
     const Fixture f(2);
-    MotionValidator validator(f.si, f.window.scene, stateToPose(*f.space),
-                              displacementBound(*f.space, f.window.scene.part));
+    MotionValidator validator(f.si, SharedScene(f.window.scene, stateToPose(*f.space),
+                                                displacementBound(*f.space, f.window.scene.part)));
     checkMotionValidatorContract(*f.si, validator, f.motions());
 }
 

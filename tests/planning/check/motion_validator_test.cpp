@@ -166,8 +166,8 @@ BOOST_AUTO_TEST_CASE(a_report_names_the_interpolation_before_the_end_where_only_
 BOOST_AUTO_TEST_CASE(a_turn_that_ompl_leaves_out_does_not_blur_the_clearance_at_the_end) {
     // The turn moves the plate's corner by 0.0016.
     const Fixture f;
-    const MotionValidator byClearance(f.si, f.window.scene, stateToPose(*f.space),
-                                      displacementBound(*f.space, f.window.scene.part));
+    const MotionValidator byClearance(f.si, SharedScene(f.window.scene, stateToPose(*f.space),
+                                                        displacementBound(*f.space, f.window.scene.part)));
     const auto from = f.at({-40, 0, 30}), to = f.at({-32 - 0.01, 0, 30}, 8e-5);
     const MotionValidator* const validators[] = {f.validator.get(), &byClearance};
     for (const MotionValidator* validator : validators) {

@@ -122,8 +122,8 @@ BOOST_AUTO_TEST_CASE(a_profile_bounds_the_clearance_from_each_pose_to_the_next) 
 
 BOOST_AUTO_TEST_CASE(a_profile_by_clearances_holds_up_to_the_last_valid_pose) {
     const Fixture f;
-    const MotionValidator byClearance(f.si, f.window.scene, stateToPose(*f.space),
-                                      displacementBound(*f.space, f.window.scene.part));
+    const MotionValidator byClearance(f.si, SharedScene(f.window.scene, stateToPose(*f.space),
+                                                        displacementBound(*f.space, f.window.scene.part)));
     ob::ScopedState<> between(f.space);
     for (int seed = 1; seed <= testing::inForm(20, 8); ++seed) {
         testing::Random random(seed);
@@ -238,18 +238,15 @@ BOOST_AUTO_TEST_CASE(another_space_is_refused_by_name_and_works_through_callback
     const auto xOf = [](const ob::State* state) {
         return state->as<ob::RealVectorStateSpace::StateType>()->values[0];
     };
-    const MotionValidator onRail(
-        si, f.window.scene,
-        [&](const ob::State* s) {
-            return Pose{Matrix3::Identity(), {xOf(s), 0, 0}};
-        },
-        [&](const ob::State* a, const ob::State* b) { return std::abs(xOf(a) - xOf(b)); });
-    const MotionValidator raised(
-        si, f.window.scene,
-        [&](const ob::State* s) {
-            return Pose{Matrix3::Identity(), {xOf(s), 0, 12}};
-        },
-        [&](const ob::State* a, const ob::State* b) { return std::abs(xOf(a) - xOf(b)); });
+    const auto railAt = [&](double z) {
+        return SharedScene(
+            f.window.scene,
+            [xOf, z](const ob::State* s) {
+                return Pose{Matrix3::Identity(), {xOf(s), 0, z}};
+            },
+            [xOf](const ob::State* a, const ob::State* b) { return std::abs(xOf(a) - xOf(b)); });
+    };
+    const MotionValidator onRail(si, railAt(0)), raised(si, railAt(12));
     ob::ScopedState<ob::RealVectorStateSpace> a(line), b(line), outside(line);
     a[0] = -60;
     b[0] = 60;
@@ -296,7 +293,7 @@ BOOST_AUTO_TEST_CASE(nothing_is_thrown_by_a_motion_that_cannot_be_judged) {
                  {nowhere, bound, "pose"},
                  {stateToPose(*f.space), none, "no finite displacement bound"}};
     for (const auto& wrong : cases) {
-        const MotionValidator validator(f.si, f.window.scene, wrong.toPose, wrong.bound);
+        const MotionValidator validator(f.si, SharedScene(f.window.scene, wrong.toPose, wrong.bound));
         Log log;
         std::pair<ob::State*, double> lastValid(nullptr, -1);
         BOOST_TEST(!validator.checkMotion(s1.get(), s2.get()));
@@ -422,9 +419,13 @@ BOOST_AUTO_TEST_CASE(wrong_options_and_empty_callbacks_are_refused) {
         requireRefused([&] { MotionValidator(f.si, scene); }, "margin is ");
     }
     const DisplacementBound bound = displacementBound(*f.space, f.window.scene.part);
-    requireRefused([&] { MotionValidator(f.si, f.window.scene, StateToPose(), bound); }, "stateToPose");
-    requireRefused([&] { MotionValidator(f.si, f.window.scene, stateToPose(*f.space), DisplacementBound()); },
-                   "displacement bound is empty");
+    const SharedScene shared(f.window.scene);
+    const StateToPose pose = stateToPose(*f.space);
+    requireRefused([&] { SharedScene(shared, StateToPose(), bound); }, "stateToPose");
+    requireRefused([&] { SharedScene(shared, pose, DisplacementBound()); }, "displacement bound is empty");
+    requireRefused([&] { SharedScene(shared, pose, bound, StateMotion()); }, "state motion is empty");
+    requireRefused([&] { MotionValidator(f.si, SharedScene(shared, pose)); }, "displacement bound is empty");
+    requireRefused([&] { SharedScene(std::shared_ptr<const SceneClearance>()); }, "scene clearance is null");
     BOOST_TEST(MotionValidator(f.si, f.window.scene).leastInterval() == 1e-5 * Vector3(60, 40, 10).norm(),
                boost::test_tools::tolerance(1e-12));
 }

@@ -55,7 +55,7 @@ struct RailFixture {
         window.scene.obstacles[0].margin = margin;
         line->setBounds(-60, 60);
         radius = window.scene.part.radiusAboutOrigin();
-        si->setStateValidityChecker(std::make_shared<ValidityChecker>(si, window.scene, pose));
+        si->setStateValidityChecker(std::make_shared<ValidityChecker>(si, SharedScene(window.scene, pose)));
     }
 
     StateMotion motion(double trust = 1) const {
@@ -106,8 +106,8 @@ BOOST_AUTO_TEST_CASE(motions_along_a_curve_have_the_verdicts_of_their_poses_with
         for (const Rail rail :
              {Rail{0, 0, 0}, Rail{5, 1, 0}, Rail{13, 1, 0}, Rail{9, 3, 0.2}, Rail{0, 0, 1.2}}) {
             const RailFixture f(rail, margin);
-            const MotionValidator pairs(f.si, f.window.scene, f.pose, f.bound, f.motion()),
-                globally(f.si, f.window.scene, f.pose, f.bound);
+            const MotionValidator pairs(f.si, SharedScene(f.window.scene, f.pose, f.bound, f.motion())),
+                globally(f.si, SharedScene(f.window.scene, f.pose, f.bound));
             for (std::uint64_t seed = 1; seed <= 60; ++seed) {
                 testing::Random random(seed);
                 const double from = random.uniform(-60, 60), to = random.uniform(-60, 60);
@@ -132,8 +132,8 @@ BOOST_AUTO_TEST_CASE(motions_along_a_curve_have_the_verdicts_of_their_poses_with
 
 BOOST_AUTO_TEST_CASE(the_least_clearance_along_a_curve_is_found_with_and_without_velocities) {
     const RailFixture f({5, 3, 0.1});
-    const MinClearanceObjective pairs(f.si, f.window.scene, f.pose, f.bound, f.motion()),
-        globally(f.si, f.window.scene, f.pose, f.bound);
+    const MinClearanceObjective pairs(f.si, SharedScene(f.window.scene, f.pose, f.bound, f.motion())),
+        globally(f.si, SharedScene(f.window.scene, f.pose, f.bound));
     for (double x = -60; x < 60; x += 7) {
         const auto s1 = f.at(x), s2 = f.at(std::min(60.0, x + 31));
         const double found = pairs.motionCost(s1.get(), s2.get()).value(),
@@ -147,8 +147,8 @@ BOOST_AUTO_TEST_CASE(the_least_clearance_along_a_curve_is_found_with_and_without
 BOOST_AUTO_TEST_CASE(a_deviation_that_is_too_small_is_believed_and_caught_by_looking_at_poses) {
     const RailFixture f({12, 64, 0});
     const auto s1 = f.at(-60), s2 = f.at(60);
-    const MotionValidator honest(f.si, f.window.scene, f.pose, f.bound, f.motion(1)),
-        liar(f.si, f.window.scene, f.pose, f.bound, f.motion(0));
+    const MotionValidator honest(f.si, SharedScene(f.window.scene, f.pose, f.bound, f.motion(1))),
+        liar(f.si, SharedScene(f.window.scene, f.pose, f.bound, f.motion(0)));
     BOOST_TEST(!f.isValidAlong(-60, 60));
     BOOST_TEST(!honest.checkMotion(s1.get(), s2.get()));
     BOOST_TEST(liar.checkMotion(s1.get(), s2.get()));

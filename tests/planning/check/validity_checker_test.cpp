@@ -155,9 +155,10 @@ BOOST_AUTO_TEST_CASE(a_state_without_a_pose_is_invalid_counted_and_logged_once) 
 
 BOOST_AUTO_TEST_CASE(a_callback_that_throws_makes_a_state_invalid_and_is_not_passed_on) {
     const Fixture f;
-    const ValidityChecker checker(f.si, f.window.scene, [](const ob::State*) -> Pose {
+    const StateToPose fails = [](const ob::State*) -> Pose {
         throw std::runtime_error("no kinematics here");
-    });
+    };
+    const ValidityChecker checker(f.si, SharedScene(f.window.scene, fails));
     Log log;
     const auto state = f.at({-60, 0, 0});
     BOOST_TEST(!checker.isValid(state.get()));
@@ -173,9 +174,10 @@ BOOST_AUTO_TEST_CASE(another_space_works_through_a_callback) {
     space->setBounds(-100, 100);
     const auto si = std::make_shared<ob::SpaceInformation>(space);
     BOOST_CHECK_THROW(ValidityChecker(si, window.scene), std::invalid_argument);
-    const ValidityChecker checker(si, window.scene, [](const ob::State* state) {
+    const StateToPose alongX = [](const ob::State* state) {
         return Pose{Matrix3::Identity(), {state->as<ob::RealVectorStateSpace::StateType>()->values[0], 0, 0}};
-    });
+    };
+    const ValidityChecker checker(si, SharedScene(window.scene, alongX));
     ob::ScopedState<ob::RealVectorStateSpace> state(space);
     state[0] = 0;  // in the window: 11 from its upper and lower side
     BOOST_TEST(checker.clearance(state.get()) == 11, boost::test_tools::tolerance(1e-12));
@@ -267,7 +269,8 @@ BOOST_AUTO_TEST_CASE(a_wrong_margin_or_models_of_different_widths_are_refused) {
 
 BOOST_AUTO_TEST_CASE(an_empty_callback_is_refused) {
     const Fixture f;
-    BOOST_CHECK_THROW(ValidityChecker(f.si, f.window.scene, StateToPose()), std::invalid_argument);
+    BOOST_CHECK_THROW(ValidityChecker(f.si, SharedScene(f.window.scene, StateToPose())),
+                      std::invalid_argument);
 }
 
 }  // namespace

@@ -286,16 +286,14 @@ BOOST_AUTO_TEST_CASE(another_space_works_through_callbacks) {
     const DisplacementBound bound = [&](const ob::State* a, const ob::State* b) {
         return std::abs(xOf(b) - xOf(a));
     };
-    const MinClearanceObjective least(si, window.scene, pose, bound);
-    const LengthWithClearanceObjective wanted(si, window.scene, pose, bound);
+    const MinClearanceObjective least(si, SharedScene(window.scene, pose, bound));
+    const LengthWithClearanceObjective wanted(si, SharedScene(window.scene, pose, bound));
     ob::ScopedState<ob::RealVectorStateSpace> a(space), b(space);
     a[0] = -60, b[0] = 60;
     BOOST_TEST(cost(least, a, b) == 11, boost::test_tools::tolerance(0.011));
     // The objective wants less than 11.
     BOOST_TEST(cost(wanted, a, b) == 120, boost::test_tools::tolerance(0.1));
-    requireRefused([&] { MinClearanceObjective(si, window.scene, StateToPose(), bound); },
-                   "stateToPose is empty");
-    requireRefused([&] { ClearanceIntegralObjective(si, window.scene, pose, DisplacementBound()); },
+    requireRefused([&] { ClearanceIntegralObjective(si, SharedScene(window.scene, pose)); },
                    "displacement bound is empty");
 }
 

@@ -65,7 +65,7 @@ BOOST_AUTO_TEST_CASE(the_setup_has_the_problems_bounds_and_ends_and_the_scenes_m
     }
     BOOST_TEST(si->getStateSpace()->as<ob::SE3StateSpace>()->getSubspaceWeight(1) ==
                scene.part.radiusAboutOrigin());
-    BOOST_TEST(sceneOf(si).obstacles[0].margin == 0.5);
+    BOOST_TEST(sceneOf(si).scene().obstacles[0].margin == 0.5);
     BOOST_TEST(motionValidatorOf(si).scene().obstacles[0].margin == 0.5);
 
     og::PathGeometric ends(si);

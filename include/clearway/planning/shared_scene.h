@@ -1,0 +1,70 @@
+// A scene as the states of a planner's space see it, for the checker, the validator and the objectives to share.
+#pragma once
+
+#include <ompl/base/StateSpace.h>
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "clearway/model.h"
+#include "clearway/planning/displacement_bound.h"
+#include "clearway/planning/state_to_pose.h"
+#include "clearway/scene_clearance.h"
+
+#pragma GCC visibility push(default)
+
+namespace clearway::planning {
+
+/// Returns the motion between two states, which outlive it; one thread uses the motion. It is called from several threads at
+/// once.
+using StateMotion = std::function<PartMotion(const ompl::base::State* from, const ompl::base::State* to)>;
+
+/// The motions of OMPL's SE(3) and SE(2): straight, with a turn at a constant rate about an axis fixed in the part. Turns
+/// that OMPL may leave out, below 2e-4 rad, are not trusted: they may happen or not. Throws std::invalid_argument that names
+/// the space when it is another one, even one derived from these.
+StateMotion stateMotion(const ompl::base::StateSpacePtr& space, const Model& part);
+
+/// A scene, and how the states of a space place and move its part. Copies share one SceneClearance: each thread's queries then
+/// begin where the last one ended, whoever asked it. A Scene is one, too, that is shared by nobody else.
+///
+/// ```
+/// const SharedScene shared(scene);
+/// si->setStateValidityChecker(std::make_shared<ValidityChecker>(si, shared));
+/// si->setMotionValidator(std::make_shared<MotionValidator>(si, shared));
+/// ```
+class SharedScene {
+  public:
+    /// For OMPL's SE(3) and SE(2): poses and motions are those of the space. Throws as SceneClearance does.
+    SharedScene(Scene scene);
+
+    /// Shares what others ask, too. Throws std::invalid_argument when it is null.
+    SharedScene(std::shared_ptr<const SceneClearance> clearance);
+
+    /// For any space. Motions need a bound. They are certified pair by pair, by the bound alone where no StateMotion is given. The
+    /// poses of interpolated states may differ only by rounding from those that the bound is made for: by at most 2^-47 of the
+    /// lengths involved. Throws std::invalid_argument when a callback that is given is empty.
+    SharedScene(const SharedScene& scene, StateToPose stateToPose,
+                std::optional<DisplacementBound> bound = {}, std::optional<StateMotion> motion = {});
+
+    /// The scene as given.
+    const Scene& scene() const { return clearance_->scene(); }
+
+    /// What all copies ask; never null.
+    const std::shared_ptr<const SceneClearance>& clearance() const { return clearance_; }
+
+    /// The callbacks; empty where none was given.
+    const StateToPose& stateToPose() const { return stateToPose_; }
+    const DisplacementBound& bound() const { return bound_; }  ///< see stateToPose()
+    const StateMotion& motion() const { return motion_; }      ///< see stateToPose()
+
+  private:
+    std::shared_ptr<const SceneClearance> clearance_;
+    StateToPose stateToPose_;
+    DisplacementBound bound_;
+    StateMotion motion_;
+};
+
+}  // namespace clearway::planning
+
+#pragma GCC visibility pop
