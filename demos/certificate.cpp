@@ -40,10 +40,8 @@ void throughThePanel(const ompl::base::SpaceInformationPtr& si, const cp::Motion
     std::printf("   certified:                                %s (%zu distances)\n", say(isCertified),
                 std::size_t(certified.counters().queries));
     const cp::MotionReport report = certified.report(from, to);
-    ompl::base::ScopedState<> blocked(si->getStateSpace());
-    si->getStateSpace()->interpolate(from, to, report.blockedTime, blocked.get());
     std::printf("   Valid up to t = %.6f. At t = %.6f it is %s.\n", report.certifiedTime, report.blockedTime,
-                certified.whyInvalid(blocked.get()).c_str());
+                report.whyInvalid.words().c_str());
 }
 
 /// A valid motion, with its certified clearance between the poses that were looked at.

@@ -76,7 +76,8 @@ int main(int argc, char** argv) try {
         cp::audit(cp::pathThrough(si, cp::partStates(old)), cp::motionValidatorOf(si));
     for (const std::size_t i : audit.notValid) {
         std::printf("the old path's segment %zu is valid up to t = %.4f, then %s\n", i + 1,
-                    audit.segments[i].motion.certifiedTime, audit.segments[i].trouble.c_str());
+                    audit.segments[i].motion.certifiedTime,
+                    audit.segments[i].motion.whyInvalid.words().c_str());
     }
     const PathGeometric path = plan(after, problem);
     if (path.getStateCount() == 0) return 1;

@@ -103,8 +103,9 @@ py::dict dictOf(const PathAudit& audit) {
     py::list faults;
     for (const std::size_t i : audit.notValid) {
         const SegmentAudit& segment = audit.segments[i];
-        faults.append(
-            py::make_tuple(i, nameOf(segment.motion.verdict), segment.motion.certifiedTime, segment.trouble));
+        const WhyInvalid& why = segment.motion.whyInvalid;
+        faults.append(py::make_tuple(i, nameOf(segment.motion.verdict), segment.motion.certifiedTime,
+                                     why.words(), nameOf(why.kind), why.partMesh, why.environmentMesh));
     }
     py::dict result;
     result["verdict"] = nameOf(audit.verdict);

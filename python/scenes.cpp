@@ -110,10 +110,42 @@ not free inside of it either.)")
         });
 }
 
+/// A triangle of the closest pair, where that is the reason.
+template <std::int64_t DistanceResult::*kTriangle>
+std::optional<std::int64_t> triangleOf(const WhyInvalid& why) {
+    const std::int64_t triangle = why.nearest.*kTriangle;
+    return triangle < 0 ? std::nullopt : std::optional<std::int64_t>(triangle);
+}
+
+void bindWhyInvalid(py::module_& module) {
+    py::class_<WhyInvalid>(
+        module, "WhyInvalid",
+        R"(What is wrong with a pose. str() is the reason in words, after "is"; false when nothing is wrong.)")
+        .def_property_readonly(
+            "kind", [](const WhyInvalid& why) { return nameOf(why.kind); },
+            R"("valid", "collides", "too deep", "inside a solid", "too close", "no pose" or "out of reach".)")
+        .def_readonly("obstacle", &WhyInvalid::obstacle,
+                      R"(Index into Scene.obstacles; None unless an obstacle is the reason.)")
+        .def_readonly("part_mesh", &WhyInvalid::partMesh, R"(Name of the part's mesh, or "".)")
+        .def_readonly("environment_mesh", &WhyInvalid::environmentMesh,
+                      R"(Name of the obstacle's mesh, or "".)")
+        .def_property_readonly(
+            "part_triangle", &triangleOf<&DistanceResult::partTriangle>,
+            R"(Position in the part's mesh; None where no pair of triangles is the reason.)")
+        .def_property_readonly("environment_triangle", &triangleOf<&DistanceResult::environmentTriangle>,
+                               R"(Position in the obstacle's file, or None.)")
+        .def_readonly(
+            "limit", &WhyInvalid::limit,
+            R"(The distance to exceed or, of "too deep", the depth that is allowed; environment units.)")
+        .def("__str__", &WhyInvalid::words)
+        .def("__bool__", [](const WhyInvalid& why) { return !why.isValid(); });
+}
+
 }  // namespace
 
 void bindScenes(py::module_& module) {
     bindObstacle(module);
+    bindWhyInvalid(module);
     py::class_<PyScene>(
         module, "Scene",
         R"(One part among obstacles with margins. Immutable; any number of threads may ask one scene. Poses are (4, 4),
@@ -174,9 +206,18 @@ preset: as for Model. threads: 0 for all cores.)")
             [](const PyScene& scene, const py::object& pose) {
                 const Pose X = poseOf(pose);
                 const ReleasedGil released;
+                return scene.clearance.whyInvalid(X).words();
+            },
+            py::arg("pose"),
+            R"(str() of why_invalid(): why the pose is not free, as words after "is"; empty when it is.)")
+        .def(
+            "why_invalid",
+            [](const PyScene& scene, const py::object& pose) {
+                const Pose X = poseOf(pose);
+                const ReleasedGil released;
                 return scene.clearance.whyInvalid(X);
             },
-            py::arg("pose"), R"(Why the pose is not free, as words after "is"; empty when it is.)")
+            py::arg("pose"), R"(Why the pose is not free, as a WhyInvalid.)")
         .def(
             "check_motion", &checkMotion, py::arg("start"), py::arg("end"),
             R"(Checks the straight motion with the shorter turn between two poses (4, 4), however thin an obstacle is. Returns

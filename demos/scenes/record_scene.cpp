@@ -135,7 +135,7 @@ bool recordScene(const SceneOrigin& origin, const scenes::SceneFiles& files, con
     for (const planning::PathAudit& motion : audits) {
         if (!motion.isValid()) {
             std::cerr << "clearway: the path does not keep the clearance " << readable(stated) << ": "
-                      << motion.segments[0].trouble << "\n";
+                      << motion.segments[0].motion.whyInvalid.words() << "\n";
             return false;
         }
         least = std::min(least, stated + motion.lowerClearance);

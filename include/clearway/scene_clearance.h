@@ -78,6 +78,57 @@ struct PoseClearance : Clearances {
     bool isValid() const { return lower > 0; }
 };
 
+/// Why a pose or a motion is not valid. All that clearway says about it is made from this value.
+struct WhyInvalid {
+    /// What is wrong; nameOf() names it.
+    enum class Kind {
+        kValid,        ///< nothing
+        kOutOfBounds,  ///< outside of the state space's bounds
+        kCollides,     ///< the part and an obstacle share a point
+        kTooDeep,      ///< the obstacle reaches deeper into the part than its overlap allows
+        kInSolid,      ///< the part is inside a solid obstacle, or such an obstacle inside the part
+        kTooClose,     ///< the part and an obstacle are no farther apart than the margin
+        kNoPose,       ///< a state has no pose: an entry is not finite, or its rotation is none
+        kOutOfReach,   ///< the environment was built with a reach that does not hold the pose
+        kUnusable,     ///< not to be judged for another reason, such as a callback that threw
+        kUndecided  ///< a motion comes closer to a margin than can be told, and no invalid pose of it is known
+    };
+
+    /// A coordinate that is out of its bounds; environment units.
+    struct Coordinate {
+        char name;  ///< 'x', 'y' or 'z'
+        double value, least, most;
+    };
+
+    Kind kind = Kind::kValid;  ///< what is wrong
+    std::optional<std::size_t>
+        obstacle;           ///< index into Scene::obstacles; none unless an obstacle is the reason
+    SceneDistance nearest;  ///< the closest pair of triangles, of kCollides, kTooDeep and kTooClose
+    /// The meshes of that pair, or of the solid and of what is inside it: see distinctMeshNames.
+    std::string partMesh, environmentMesh;
+    bool isPartInside = false;  ///< kInSolid: the part is inside the obstacle
+    /// What the distance must be above, or of kTooDeep the depth that is allowed; environment units.
+    double limit = 0;
+    std::optional<Coordinate> coordinate;  ///< of kOutOfBounds in SE(3) and SE(2)
+    std::string reason;                    ///< isUnusable(): what was thrown
+    std::string unit;                      ///< Scene::unit
+
+    bool isValid() const { return kind == Kind::kValid; }  ///< whether nothing is wrong
+    /// Whether the part and an obstacle share a point that they may not share.
+    bool isCollision() const {
+        return kind == Kind::kCollides || kind == Kind::kTooDeep || kind == Kind::kInSolid;
+    }
+    /// Whether a pose or a motion could not be judged.
+    bool isUnusable() const {
+        return kind == Kind::kNoPose || kind == Kind::kOutOfReach || kind == Kind::kUnusable;
+    }
+    /// The whole reason as words after "is": "in collision: ...". Empty when nothing is wrong.
+    std::string words() const;
+};
+
+/// Names a kind in one to three words: "valid", "collides", "too close", ...
+std::string nameOf(WhyInvalid::Kind kind);
+
 /// How accurately SceneClearance::at must know a clearance. Lengths in environment units.
 struct ClearanceOptions {
     /// A clearance above the cap need not be known closer: lower is then at least the cap, but for the
@@ -229,9 +280,11 @@ class SceneClearance {
         const bool wasCold_;
     };
 
-    /// Says why a pose is not valid, whatever the bounds, as words after "is", with meshes and triangles.
-    /// Empty when the pose is valid.
-    std::string whyInvalid(const Pose& X_environmentPart) const;
+    /// Why a pose is not valid, whatever the bounds. A pose that queries refuse is kNoPose or kOutOfReach.
+    WhyInvalid whyInvalid(const Pose& X_environmentPart) const;
+
+    /// Likewise for a pose whose clearance at() found. Throws what queries throw.
+    WhyInvalid whyInvalid(const Pose& X_environmentPart, const PoseClearance& found) const;
 
     /// True when an obstacle was built with a reach that does not hold the pose, so that queries would throw.
     bool isOutOfReach(const Pose& X_environmentPart) const;
@@ -250,7 +303,7 @@ class SceneClearance {
     void ask(std::size_t obstacle, const Pose& X_environmentPart, const DistanceOptions& options,
              Scratch& scratch, Asked& answer) const;
     std::optional<Enclosure> enclosureBy(std::size_t obstacle, const Pose& X_environmentPart) const;
-    std::string describeEnclosure(const Pose& X_environmentPart) const;
+    void findEnclosure(const Pose& X_environmentPart, const PoseClearance& at, WhyInvalid& why) const;
     void lookAtSolids(const Pose& X_environmentPart, bool isOutside, PoseClearance& answer) const;
     void nameTriangle(SceneDistance& nearest) const;
     struct TimeRange {

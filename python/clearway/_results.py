@@ -60,6 +60,13 @@ class Fault:
     """The segment is valid up to this time, unless its first state is not."""
     why: str
     """Words after "is", with meshes and triangles: "in collision: ..."."""
+    kind: str
+    """"out of bounds", "collides", "too deep", "inside a solid", "too close", "no pose", "out of reach", "unusable" (a state or
+    motion that cannot be judged for another reason) or "undecided"."""
+    part_mesh: str
+    """Name of the part's component that is the reason, or ""."""
+    environment_mesh: str
+    """Name of the obstacle's component that is the reason, or ""."""
 
 
 @dataclass(frozen=True)

@@ -1,6 +1,12 @@
-// Says in words why a pose is not valid.
-#include <sstream>
+// Finds why a pose is not valid, and says in words why a pose or a motion is not.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <iterator>
+#include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "core/number.h"
 #include "scene/contact_zones.h"
@@ -23,63 +29,131 @@ std::string meshName(const Model& model, std::int64_t component) {
     return fileName(model);
 }
 
-double marginOf(const Scene& scene, const SceneDistance& nearest) {
-    return nearest.obstacle ? scene.obstacles[*nearest.obstacle].margin : 0;
+/// Every kind and its name.
+constexpr std::pair<WhyInvalid::Kind, const char*> kKindNames[] = {
+    {WhyInvalid::Kind::kValid, "valid"},
+    {WhyInvalid::Kind::kOutOfBounds, "out of bounds"},
+    {WhyInvalid::Kind::kCollides, "collides"},
+    {WhyInvalid::Kind::kTooDeep, "too deep"},
+    {WhyInvalid::Kind::kInSolid, "inside a solid"},
+    {WhyInvalid::Kind::kTooClose, "too close"},
+    {WhyInvalid::Kind::kNoPose, "no pose"},
+    {WhyInvalid::Kind::kOutOfReach, "out of reach"},
+    {WhyInvalid::Kind::kUnusable, "unusable"},
+    {WhyInvalid::Kind::kUndecided, "undecided"},
+};
+
+/// Of a pose that is not valid. Where the nearest surfaces are far enough apart, a solid is the reason.
+WhyInvalid::Kind brokenRule(const Scene& scene, const SceneDistance& nearest) {
+    if (!nearest.obstacle || !nearest.witness) return WhyInvalid::Kind::kInSolid;
+    const Obstacle& obstacle = scene.obstacles[*nearest.obstacle];
+    if (nearest.collides()) return obstacle.shrunk ? WhyInvalid::Kind::kTooDeep : WhyInvalid::Kind::kCollides;
+    return nearest.lower > obstacle.margin ? WhyInvalid::Kind::kInSolid : WhyInvalid::Kind::kTooClose;
 }
 
-const ShrunkModel* shrunkFor(const Scene& scene, const SceneDistance& nearest) {
-    return nearest.obstacle ? scene.obstacles[*nearest.obstacle].shrunk.get() : nullptr;
+std::string pairWords(const WhyInvalid& why) {
+    return fmt::format("triangle {} of the part's mesh '{}' and triangle {} of the environment's mesh '{}'",
+                       why.nearest.witness->partTriangle, why.partMesh, why.nearest.witness->environmentTriangle,
+                       why.environmentMesh);
 }
 
-/// Describes a pair that touches or is closer than the margin.
-std::string describePair(const Scene& scene, const SceneDistance& nearest) {
-    const double margin = marginOf(scene, nearest);
-    const MeshNames names = distinctMeshNames(scene, nearest);
-    std::ostringstream message;
-    const ShrunkModel* shrunk = shrunkFor(scene, nearest);
-    const auto inUnit = [&](double length) { return withUnit(roundedNumber(length), scene.unit); };
-    if (shrunk && nearest.collides()) {
-        message << "the environment's mesh '" << names.environment << "' reaches more than "
-                << inUnit(shrunk->overlap) << " below the surface of the part's mesh '" << names.part
-                << "', at triangle " << nearest.witness->environmentTriangle << ", nearest to triangle "
-                << nearest.witness->partTriangle << " of the part";
-        return message.str();
-    }
-    message << "triangle " << nearest.witness->partTriangle << " of the part's mesh '" << names.part
-            << "' and triangle " << nearest.witness->environmentTriangle << " of the environment's mesh '"
-            << names.environment << "' are ";
-    if (nearest.collides()) {
-        message << "touching, expected a distance above " << inUnit(margin);
-    } else {
-        message << inUnit(nearest.distance) << " apart, expected more than the margin " << inUnit(margin);
-    }
-    return message.str();
+std::string boundWords(const WhyInvalid::Coordinate& at) {
+    return fmt::format(": {} is {}, expected from {} to {}", at.name, roundedNumber(at.value),
+                       roundedNumber(at.least), roundedNumber(at.most));
+}
+
+std::string enclosureWords(const WhyInvalid& why) {
+    const std::string part = "the part's mesh '" + why.partMesh + "'",
+                      solid = "the solid '" + why.environmentMesh + "'";
+    return why.isPartInside ? part + " is inside " + solid : solid + " is inside " + part;
 }
 
 }  // namespace
 
-/// Names the solid and the mesh inside it, of the obstacles that count. Empty when nothing is enclosed.
-std::string SceneClearance::describeEnclosure(const Pose& X_environmentPart) const {
-    PoseClearance at;
-    zones_->findSpares(scene_, X_environmentPart, at);
+std::string nameOf(WhyInvalid::Kind kind) {
+    const auto row = std::find_if(std::begin(kKindNames), std::end(kKindNames),
+                                  [&](const auto& each) { return each.first == kind; });
+    assert(row != std::end(kKindNames));
+    return row->second;
+}
+
+std::string WhyInvalid::words() const {
+    const auto inUnit = [&](double length) { return withUnit(roundedNumber(length), unit); };
+    switch (kind) {
+        case Kind::kValid:
+            return "";
+        case Kind::kOutOfBounds:
+            return "outside of the bounds of the state space" + (coordinate ? boundWords(*coordinate) : "");
+        case Kind::kCollides:
+            return fmt::format("in collision: {} are touching, expected a distance above {}",
+                               pairWords(*this), inUnit(limit));
+        case Kind::kTooDeep:
+            return fmt::format(
+                "in collision: the environment's mesh '{}' reaches more than {} below the surface of the "
+                "part's mesh '{}', at triangle {}, nearest to triangle {} of the part",
+                environmentMesh, inUnit(limit), partMesh, nearest.witness->environmentTriangle,
+                nearest.witness->partTriangle);
+        case Kind::kInSolid:
+            return "in collision: " + enclosureWords(*this);
+        case Kind::kTooClose:
+            return fmt::format("too close: {} are {} apart, expected more than the margin {}",
+                               pairWords(*this), inUnit(nearest.distance), inUnit(limit));
+        case Kind::kUndecided:
+            return "undecided: closer than can be told";
+        case Kind::kNoPose:
+        case Kind::kOutOfReach:
+        case Kind::kUnusable:
+            break;
+    }
+    return "unusable: " + reason;
+}
+
+WhyInvalid SceneClearance::whyInvalid(const Pose& X_environmentPart) const {
+    try {
+        return whyInvalid(X_environmentPart, at(X_environmentPart));
+    } catch (const std::invalid_argument& error) {
+        WhyInvalid why;
+        why.kind = !(rotationDefect(X_environmentPart) <= kPoseDefect) ? WhyInvalid::Kind::kNoPose
+                   : isOutOfReach(X_environmentPart)                   ? WhyInvalid::Kind::kOutOfReach
+                                                                       : WhyInvalid::Kind::kUnusable;
+        why.reason = error.what();
+        return why;
+    }
+}
+
+WhyInvalid SceneClearance::whyInvalid(const Pose& X_environmentPart, const PoseClearance& found) const {
+    WhyInvalid why;
+    if (found.isValid()) return why;
+    why.unit = scene_.unit;
+    const SceneDistance& nearest = found.nearest;
+    why.kind = brokenRule(scene_, nearest);
+    if (why.kind == WhyInvalid::Kind::kInSolid) {
+        findEnclosure(X_environmentPart, found, why);
+        return why;
+    }
+    why.nearest = nearest;
+    why.obstacle = nearest.obstacle;
+    const Obstacle& obstacle = scene_.obstacles[*why.obstacle];
+    why.limit = why.kind == WhyInvalid::Kind::kTooDeep ? obstacle.shrunk->overlap : obstacle.margin;
+    const MeshNames names = distinctMeshNames(scene_, nearest);
+    why.partMesh = names.part;
+    why.environmentMesh = names.environment;
+    return why;
+}
+
+/// Names the solid and the mesh inside it, of the obstacles that count.
+void SceneClearance::findEnclosure(const Pose& X_environmentPart, const PoseClearance& at,
+                                   WhyInvalid& why) const {
     for (std::size_t i = 0; i < scene_.obstacles.size(); ++i) {
         if (zones_->isIgnored(i, at)) continue;
         const auto found = enclosureBy(i, X_environmentPart);
         if (!found) continue;
-        const std::string part = "the part's mesh '" + *found->partMesh + "'",
-                          obstacle = "the solid '" + *found->obstacleMesh + "'";
-        return found->isPartInside ? part + " is inside " + obstacle : obstacle + " is inside " + part;
+        why.obstacle = i;
+        why.partMesh = *found->partMesh;
+        why.environmentMesh = *found->obstacleMesh;
+        why.isPartInside = found->isPartInside;
+        return;
     }
-    return "";
-}
-
-std::string SceneClearance::whyInvalid(const Pose& X_environmentPart) const {
-    const PoseClearance found = at(X_environmentPart);
-    if (found.isValid()) return "";
-    if (found.nearest.collides()) return "in collision: " + describePair(scene_, found.nearest);
-    const bool isApart = !found.nearest.witness || found.nearest.lower > marginOf(scene_, found.nearest);
-    if (!isApart) return "too close: " + describePair(scene_, found.nearest);
-    return "in collision: " + describeEnclosure(X_environmentPart);
 }
 
 MeshNames meshNames(const Scene& scene, const SceneDistance& nearest) {

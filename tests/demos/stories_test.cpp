@@ -12,6 +12,7 @@
 
 #include "clearway/problem.h"
 #include "support/full_run.h"
+#include "support/invalid_words.h"
 #include "support/oracle.h"
 #include "support/path_check.h"
 #include "support/temporary_folder.h"
@@ -96,8 +97,8 @@ BOOST_AUTO_TEST_CASE(certificate_refuses_what_checks_at_states_pass_and_bounds_w
     BOOST_TEST(holds(out, "   1 % of the space apart:  valid (", "0.12 % of the space apart:  valid ("));
     BOOST_TEST(std::regex_search(out, std::regex("certified: +not valid \\(")));
     // The cover's front meets the panel's side after 150 of 304.
-    const auto blocked =
-        numbers(out, "Valid up to t = " + kNumber + "\\. At t = " + kNumber + " it is in collision");
+    const auto blocked = numbers(out, "Valid up to t = " + kNumber + "\\. At t = " + kNumber + " it is " +
+                                          beginningOf(WhyInvalid::Kind::kCollides));
     BOOST_TEST(blocked[0] < 150. / 304);
     BOOST_TEST(blocked[0] > 150. / 304 - 1e-4);
     BOOST_TEST(blocked[1] > 150. / 304 - 1e-6);

@@ -225,7 +225,11 @@ def test_scenes():
     scene = clearway.Scene(part, [clearway.Obstacle(wall, 0.25)])
     assert scene.is_free(place(2)) and not scene.is_free(place(1.7))
     assert scene.clearance(place(2)) <= 0.25 < scene.clearance(place(2)) + 1e-10
-    assert scene.why_not_free(place(2)) == "" and "in collision" in scene.why_not_free(place(1.2))
+    free, touching, close = (scene.why_invalid(place(x)) for x in (2, 1.2, 1.7))
+    assert not free and str(free) == "" and (free.kind, free.obstacle, free.part_triangle) == ("valid", None, None)
+    assert touching and (touching.kind, close.kind) == ("collides", "too close")
+    assert (close.obstacle, close.limit) == (0, 0.25) and 0 <= close.environment_triangle < 12
+    assert scene.why_not_free(place(2)) == "" and scene.why_not_free(place(1.2)) == str(scene.why_invalid(place(1.2)))
     verdict, until, contact = scene.check_motion(place(-4), place(4))
     assert verdict == "contact" and abs(until - 2.25 / 8) < 1e-3 and until < contact < 1
     assert scene.check_motion(place(-4, 3), place(4, 3)) == ("certified", 1.0, None)

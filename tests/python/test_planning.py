@@ -96,7 +96,7 @@ def test_a_check_says_where_a_path_is_not_valid():
     assert not checked and not checked.is_valid and checked.begins_at_start and not checked.ends_at_goal
     fault, = checked.audit.faults
     assert (fault.segment, fault.verdict) == (3, "invalid") and abs(fault.certified_until - 2.25 / 8) < 1e-3
-    assert "too close" in fault.why and "'cube'" in fault.why
+    assert fault.kind == "too close" and fault.part_mesh == fault.environment_mesh == "cube" and "'cube'" in fault.why
     closest = checked.audit.closest
     assert (closest.segment, closest.part_mesh, closest.environment_mesh) == (3, "cube", "cube")
     assert not scene.is_free(closest.pose) and checked.audit.lower_clearance <= -0.25 <= checked.audit.upper_clearance

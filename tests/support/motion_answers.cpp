@@ -66,7 +66,7 @@ MotionAnswers::MotionAnswers(std::string theName, const planning::MotionValidato
     } else {
         profile.report = limited([&] { return validator.report(s1, s2); });
     }
-    BOOST_TEST(report().problem == "");
+    BOOST_TEST(!report().whyInvalid.isUnusable());
 }
 
 bool MotionAnswers::says(MotionVerdict verdict) const {

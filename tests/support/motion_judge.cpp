@@ -97,8 +97,10 @@ class MotionJudge {
         }
         const ob::State* state = samples_.stateAt(report.blockedTime);
         BOOST_TEST(!blocked.isValid, "at " << report.blockedTime);
-        BOOST_TEST(report.leavesBounds == !scene_.si->satisfiesBounds(state));
-        if (!report.leavesBounds) BOOST_TEST(report.upperClearance <= scene_.rounding);
+        const bool leavesBounds = report.whyInvalid.kind == WhyInvalid::Kind::kOutOfBounds;
+        BOOST_TEST(leavesBounds == !scene_.si->satisfiesBounds(state));
+        BOOST_TEST((report.whyInvalid.kind == scene_.checker->whyInvalid(state).kind));
+        if (!leavesBounds) BOOST_TEST(report.upperClearance <= scene_.rounding);
         checkLastValid(answer, scene_.checker->pose(state));
     }
 
@@ -226,11 +228,9 @@ class MotionJudge {
         const bool isValid = own().says(MotionVerdict::kValid),
                    isInvalid = own().says(MotionVerdict::kInvalid);
         ++(isValid ? tally.valid : isInvalid ? tally.invalid : tally.undecided);
-        const bool isBlocked = report.verdict == MotionVerdict::kInvalid && !report.leavesBounds;
-        const ob::State* blocked = samples_.stateAt(report.blockedTime);
-        tally.enclosed =
-            isBlocked && scene_.checker->whyInvalid(blocked).find(" is inside ") != std::string::npos;
-        tally.outOfBounds = report.leavesBounds && report.certifiedTime > 0;
+        const WhyInvalid::Kind kind = report.whyInvalid.kind;
+        tally.enclosed = report.verdict == MotionVerdict::kInvalid && kind == WhyInvalid::Kind::kInSolid;
+        tally.outOfBounds = kind == WhyInvalid::Kind::kOutOfBounds && report.certifiedTime > 0;
         if (!isValid) return tally;
         const auto crosses = [](const std::optional<planning::TimeSpan>& contact) {
             return contact && (contact->first > 0 || contact->last < 1);

@@ -26,10 +26,6 @@ struct SegmentAudit {
     std::string partMesh;
     std::string environmentMesh;  ///< name of the obstacle's mesh in motion.closest, or empty
 
-    /// Why the segment is not valid, as words after "is": "in collision: ...", with meshes and triangles.
-    /// Empty when the segment is valid.
-    std::string trouble;
-
     /// Whether the motion is certified to be valid.
     bool isValid() const { return motion.verdict == MotionVerdict::kValid; }
 };

@@ -9,13 +9,13 @@
 #include <functional>
 #include <memory>
 #include <optional>
-#include <string>
 #include <utility>
 #include <vector>
 
 #include "clearway/planning/shared_scene.h"
 #include "clearway/query.h"
 #include "clearway/scene.h"
+#include "clearway/scene_clearance.h"
 
 #pragma GCC visibility push(default)
 
@@ -81,9 +81,9 @@ struct MotionReport {
     std::optional<TimeSpan> goalContact;  ///< the times within Scene::goalContact
     double travel = 0;       ///< no point of the part moves further along the motion; environment units
     double blockedTime = 1;  ///< of the pose that makes the motion invalid or undecided; 1 for a valid motion
-    bool leavesBounds = false;  ///< that pose is invalid because it is out of the space's bounds
-    std::uint64_t queries = 0;  ///< that the report took
-    std::string problem;        ///< why the motion cannot be judged; empty when it can
+    /// Why that pose is not valid, why the motion cannot be judged, or that it is undecided; nothing for a valid motion.
+    WhyInvalid whyInvalid;
+    std::uint64_t queries = 0;  ///< that the report took, but for whyInvalid
 };
 
 /// A pose of a motion, and the clearance from there to the next point. Lengths in environment units.
@@ -181,8 +181,8 @@ class MotionValidator : public ompl::base::MotionValidator {
     /// X_environmentPart at a state, by the validator's own callback.
     Pose pose(const ompl::base::State* state) const;
 
-    /// Says why a state is not valid, in the words of ValidityChecker::whyInvalid.
-    std::string whyInvalid(const ompl::base::State* state) const;
+    /// Why a state is not valid, as ValidityChecker::whyInvalid says it.
+    WhyInvalid whyInvalid(const ompl::base::State* state) const;
 
     /// The space whose interpolation makes the motions.
     const ompl::base::StateSpace& space() const { return *si_->getStateSpace(); }
@@ -198,6 +198,9 @@ class MotionValidator : public ompl::base::MotionValidator {
     Outcome judge(const ompl::base::State* s1, const ompl::base::State* s2, const Judging& judging) const;
     MotionReport report(const ompl::base::State* s1, const ompl::base::State* s2,
                         std::vector<ProfilePoint>* profile) const;
+    WhyInvalid whyBlocked(const ompl::base::State* s1, const ompl::base::State* s2, double time) const;
+    WhyInvalid whyUnusable(const ompl::base::State* s1, const ompl::base::State* s2,
+                           const char* reason) const;
     double timeWithinBounds(const ompl::base::State* s1, const ompl::base::State* s2, double time) const;
     bool count(const Outcome& outcome) const;
 

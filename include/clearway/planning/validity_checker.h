@@ -6,11 +6,11 @@
 
 #include <cstdint>
 #include <memory>
-#include <string>
 
 #include "clearway/planning/shared_scene.h"
 #include "clearway/query.h"
 #include "clearway/scene.h"
+#include "clearway/scene_clearance.h"
 
 #pragma GCC visibility push(default)
 
@@ -62,9 +62,8 @@ class ValidityChecker : public ompl::base::StateValidityChecker {
     /// Throws ArgumentError when the state has no pose or is out of the environment's reach.
     SceneDistance distance(const ompl::base::State* state) const;
 
-    /// Says why a state is not valid, as words after "is", with meshes and triangles: "in collision: ...".
-    /// Empty when the state is valid. Not counted. Throws as distance() does.
-    std::string whyInvalid(const ompl::base::State* state) const;
+    /// Why a state is not valid: out of the bounds or, within them, what SceneClearance::whyInvalid says. Not counted.
+    WhyInvalid whyInvalid(const ompl::base::State* state) const;
 
     /// X_environmentPart at a state, by the checker's own callback.
     Pose pose(const ompl::base::State* state) const;

@@ -38,35 +38,23 @@ struct Ends {
     const ob::State *from, *to;
 };
 
-template <class Result>
-Result askAt(const og::PathGeometric& path, const MotionValidator& validator, const Ends& ends, double time,
-             Result (MotionValidator::*question)(const ob::State*) const) {
-    if (time == 0) return (validator.*question)(ends.from);
-    if (time == 1) return (validator.*question)(ends.to);
+Pose poseAt(const og::PathGeometric& path, const MotionValidator& validator, const Ends& ends, double time) {
+    if (time == 0) return validator.pose(ends.from);
+    if (time == 1) return validator.pose(ends.to);
     const ScratchState state(*path.getSpaceInformation());
     validator.space().interpolate(ends.from, ends.to, time, state.get());
-    return (validator.*question)(state.get());
-}
-
-std::string troubleOf(const og::PathGeometric& path, const MotionValidator& validator, const Ends& ends,
-                      const MotionReport& motion) {
-    if (motion.verdict == MotionVerdict::kValid) return "";
-    if (!motion.problem.empty()) return "unusable: " + motion.problem;
-    const std::string why = askAt(path, validator, ends, motion.blockedTime, &MotionValidator::whyInvalid);
-    return why.empty() ? "undecided: closer than can be told" : why;
+    return validator.pose(state.get());
 }
 
 SegmentAudit describe(const og::PathGeometric& path, const MotionValidator& validator, const Ends& ends,
                       MotionReport motion) {
     SegmentAudit segment;
     segment.motion = std::move(motion);
-    segment.trouble = troubleOf(path, validator, ends, segment.motion);
-    if (!segment.motion.problem.empty()) return segment;  // the states have no poses
+    if (segment.motion.whyInvalid.isUnusable()) return segment;  // the states have no poses
     const Pose from = validator.pose(ends.from), to = validator.pose(ends.to);
     segment.length = (to.translation - from.translation).norm();
     segment.turned = angleBetween(from, to);
-    segment.X_environmentPart =
-        askAt(path, validator, ends, segment.motion.closestTime, &MotionValidator::pose);
+    segment.X_environmentPart = poseAt(path, validator, ends, segment.motion.closestTime);
     const MeshNames names = distinctMeshNames(validator.scene(), segment.motion.closest);
     segment.partMesh = names.part;
     segment.environmentMesh = names.environment;

@@ -56,9 +56,7 @@ MotionVerdict MotionSweep::invalidStart() {
 MotionVerdict MotionSweep::judgeEnds() {
     const double wanted = 2 * motion_.slack();
     if (!motion_.atStart(wanted).isValid()) return invalidStart();
-    const MotionSample end = motion_.atEnd(wanted);
-    leavesBounds_ = end.isOutOfBounds;
-    if (!end.isValid()) return MotionVerdict::kInvalid;
+    if (!motion_.atEnd(wanted).isValid()) return MotionVerdict::kInvalid;
     certifiedTime_ = 1;
     return MotionVerdict::kValid;
 }
@@ -66,12 +64,10 @@ MotionVerdict MotionSweep::judgeEnds() {
 /// A pose in collision is cheap to find, so the motion is halved until its middle is free before it is swept.
 MotionVerdict MotionSweep::goForward() {
     motion_.forgetSide();
-    leavesBounds_ = !motion_.isStartWithinBounds();
-    if (leavesBounds_) return invalidStart();
+    if (!motion_.isStartWithinBounds()) return invalidStart();
     if (motion_.length() == 0) return judgeEnds();
     const TimeSpan border = motion_.leavesBounds(options_.leastInterval);
-    leavesBounds_ = border.first == 0;
-    if (leavesBounds_) {
+    if (border.first == 0) {
         blockedTime_ = border.last;
         return MotionVerdict::kInvalid;
     }
@@ -93,7 +89,6 @@ MotionVerdict MotionSweep::goForward() {
         blockedTime_ =
             std::min({found.contactTime.value_or(1), solids.contactTime.value_or(1), options_.until});
         if (blockedTime_ == 1 && motion_.isEndValid()) blockedTime_ = kJustBeforeEnd;
-        leavesBounds_ = !motion_.isWithinBoundsAt(blockedTime_);
         return MotionVerdict::kInvalid;
     }
     if (found.verdict == SweepVerdict::kUndecided || solids.verdict == SweepVerdict::kUndecided) {
@@ -101,7 +96,6 @@ MotionVerdict MotionSweep::goForward() {
         return MotionVerdict::kUndecided;
     }
     if (border.first < 1) {
-        leavesBounds_ = true;
         blockedTime_ = border.last;
         return MotionVerdict::kInvalid;
     }

@@ -40,7 +40,6 @@ class MotionSweep {
 
     /// The pose that ended goForward, unless the motion is valid.
     double blockedTime() const { return blockedTime_; }
-    bool leavesBounds() const { return leavesBounds_; }
 
     /// Finds the least clearance of a motion that goForward found valid. Returns a clearance that no pose is below.
     double refineLower(const ClearanceResolution& resolution);
@@ -65,7 +64,6 @@ class MotionSweep {
     SceneSweepOptions options_;
     double certifiedTime_ = 0;
     double blockedTime_ = 1;
-    bool leavesBounds_ = false;
     bool isStartInvalid_ = false;
     std::optional<double> least_;  ///< clearance of the whole motion, if it is known
 };

@@ -116,9 +116,29 @@ double MotionValidator::validUntil(const ob::State* s1, const ob::State* s2,
     return count(outcome) ? 1 : timeWithinBounds(s1, s2, outcome.certifiedTime);
 }
 
-std::string MotionValidator::whyInvalid(const ob::State* state) const {
-    if (!si_->satisfiesBounds(state)) return whyOutOfBounds(*si_->getStateSpace(), state);
-    return posed_->clearance().whyInvalid(pose(state));
+WhyInvalid MotionValidator::whyInvalid(const ob::State* state) const {
+    return posed_->whyInvalid(state);
+}
+
+/// A motion that is not valid although no pose is known to be invalid is undecided.
+WhyInvalid MotionValidator::whyBlocked(const ob::State* s1, const ob::State* s2, double time) const {
+    const ScratchState scratch(*si_);
+    if (time > 0 && time < 1) si_->getStateSpace()->interpolate(s1, s2, time, scratch.get());
+    WhyInvalid why = whyInvalid(time == 0 ? s1 : time == 1 ? s2 : scratch.get());
+    if (why.isValid()) why.kind = WhyInvalid::Kind::kUndecided;
+    return why;
+}
+
+/// A state that cannot be judged is the reason, if there is one.
+WhyInvalid MotionValidator::whyUnusable(const ob::State* s1, const ob::State* s2, const char* reason) const {
+    WhyInvalid why;
+    why.kind = WhyInvalid::Kind::kUnusable;
+    for (const ob::State* state : {s2, s1}) {
+        const WhyInvalid ofState = whyInvalid(state);
+        if (ofState.isUnusable()) why.kind = ofState.kind;
+    }
+    why.reason = reason;
+    return why;
 }
 
 bool MotionValidator::keepsClearance(const ob::State* s1, const ob::State* s2, double more,
@@ -184,7 +204,6 @@ MotionReport MotionValidator::report(const ob::State* s1, const ob::State* s2,
             report.lowerClearance = sweep.refineLower(usualResolution(scene(), leastInterval_));
         } else {
             report.blockedTime = sweep.blockedTime();
-            report.leavesBounds = sweep.leavesBounds();
         }
         if (profile) *profile = pointsOf(sweep, looked, report);
         looked.lookAtReported(report.certifiedTime, report.blockedTime);
@@ -196,10 +215,12 @@ MotionReport MotionValidator::report(const ob::State* s1, const ob::State* s2,
         report.startContact = looked.startContact();
         report.goalContact = looked.goalContact();
         report.queries = looked.queries();
+        if (report.verdict != MotionVerdict::kValid)
+            report.whyInvalid = whyBlocked(s1, s2, report.blockedTime);
     } catch (const std::exception& error) {
         report.verdict = MotionVerdict::kInvalid;
         report.certifiedTime = 0;
-        report.problem = error.what();
+        report.whyInvalid = whyUnusable(s1, s2, error.what());
     }
     return report;
 }

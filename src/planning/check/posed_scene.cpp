@@ -26,6 +26,18 @@ PosedScene::PosedScene(const ompl::base::SpaceInformationPtr& si, SharedScene sh
     }
 }
 
+WhyInvalid PosedScene::whyInvalid(const ompl::base::State* state) const {
+    try {
+        if (!si_->satisfiesBounds(state)) return whyOutOfBounds(space(), state);
+        return clearance_->whyInvalid(pose(state));
+    } catch (const std::exception& error) {
+        WhyInvalid why;
+        why.kind = WhyInvalid::Kind::kUnusable;
+        why.reason = error.what();
+        return why;
+    }
+}
+
 void PosedScene::warnOnce(const char* what, const char* why) const {
     if (hasWarned_.exchange(true, std::memory_order_relaxed)) return;
     OMPL_WARN("clearway: %s: %s. Further ones are only counted.", what, why);

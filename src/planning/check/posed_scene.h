@@ -32,6 +32,9 @@ class PosedScene {
     const Scene& scene() const { return shared_.scene(); }
 
     Pose pose(const ompl::base::State* state) const { return stateToPose_(state); }
+    /// Why a state is not valid. The bounds are looked at first.
+    WhyInvalid whyInvalid(const ompl::base::State* state) const;
+
     double bound(const ompl::base::State* from, const ompl::base::State* to) const {
         return bound_(from, to);
     }

@@ -74,10 +74,8 @@ SceneDistance ValidityChecker::distance(const ob::State* state) const {
     return posed_->clearance().distance(pose(state));
 }
 
-std::string ValidityChecker::whyInvalid(const ob::State* state) const {
-    const std::string why = posed_->clearance().whyInvalid(pose(state));
-    if (!why.empty()) return why;
-    return si_->satisfiesBounds(state) ? "" : whyOutOfBounds(*si_->getStateSpace(), state);
+WhyInvalid ValidityChecker::whyInvalid(const ob::State* state) const {
+    return posed_->whyInvalid(state);
 }
 
 CheckCounters ValidityChecker::counters() const {

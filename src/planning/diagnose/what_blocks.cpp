@@ -86,7 +86,7 @@ class Trial {
 
     Blocker blockerBetween(const ob::State* before, const ob::State* after) const {
         const MotionReport report = validator_.report(before, after);
-        if (report.leavesBounds) return {};
+        if (report.whyInvalid.kind == WhyInvalid::Kind::kOutOfBounds) return {};
         const MeshNames names = meshNames(validator_.scene(), report.closest);
         const bool hasSeveral = validator_.scene().part.components().size() > 1;
         return {names.environment, hasSeveral ? names.part : std::string()};

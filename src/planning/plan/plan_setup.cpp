@@ -240,13 +240,14 @@ PlanSetup makePlanSetup(const Problem& stated, const Scene& scene, const PlanOpt
     requireReachOf(scene, bounds, finenessOf(problem, scene.part));
     setup.si = std::make_shared<ob::SpaceInformation>(makeSpace(problem.space, bounds, turnWeight));
     setup.checker = std::make_shared<ValidityChecker>(setup.si, scene);
-    const auto spare = [&](const PartState& state, const char* what) {
+    const auto spare = [&](const PartState& state, ProblemEnd end) {
         const auto omplState = toOmpl(setup.si->getStateSpace(), problem.space, state);
-        return requireValid(problem, *setup.checker, omplState.get(), what);
+        return requireValid(problem, *setup.checker, omplState.get(), end);
     };
-    const double startSpare = spare(problem.start, "start");  // the start is refused before the goal
+    const double startSpare =
+        spare(problem.start, ProblemEnd::kStart);  // the start is refused before the goal
     const double leastSpare =
-        problem.outside ? startSpare : std::min(startSpare, spare(problem.goal, "goal"));
+        problem.outside ? startSpare : std::min(startSpare, spare(problem.goal, ProblemEnd::kGoal));
     useCertified(setup, leastSpare, isOver, report);
     setup.floor = report.floor;
     // What planners asked before does not change an audit, to the last digit.

@@ -28,9 +28,6 @@
 namespace clearway::planning {
 namespace {
 
-constexpr const char* kStart = "start";
-constexpr const char* kCollision = "in collision";
-
 namespace ob = ompl::base;
 
 constexpr double kFinenessPerDiagonal = 1.0 / 500;
@@ -188,7 +185,7 @@ void applySettings(ob::SpaceInformation& si, const Problem& problem, std::vector
 namespace {
 
 /// Names the keys of [clearway] that let the problem begin at its start, which is in collision.
-InvalidStart refusedStart(const std::string& why, const Problem& problem, const ValidityChecker& checker,
+InvalidStart refusedStart(const std::string& message, const Problem& problem, const ValidityChecker& checker,
                           const ob::State* start) {
     const Scene& scene = checker.scene();
     const SceneDistance nearest = checker.distance(start);
@@ -197,19 +194,20 @@ InvalidStart refusedStart(const std::string& why, const Problem& problem, const 
     const double margin = scene.largestMargin();
     const double length = kUsualContact * scene.part.box().diagonal().norm() + 2 * margin;
     const bool mayOverlap = nearest.collides() && margin == 0;
-    return {why + startAdvice(problem, names, length, mayOverlap), mayOverlap};
+    return {message + startAdvice(problem, names, length, mayOverlap), mayOverlap};
 }
 
 }  // namespace
 
 double requireValid(const Problem& problem, const ValidityChecker& checker, const ob::State* state,
-                    const std::string& what) {
+                    ProblemEnd end) {
     double clearance = 0;
     if (checker.isValid(state, clearance)) return clearance;
-    const std::string why = checker.whyInvalid(state);
-    if (why.find(kCollision) == 0 && what == kStart)
-        throw refusedStart(what + " is " + why, problem, checker, state);
-    throw ArgumentError(what + " is " + why);
+    const WhyInvalid why = checker.whyInvalid(state);
+    const bool isStart = end == ProblemEnd::kStart;
+    const std::string message = (isStart ? "start is " : "goal is ") + why.words();
+    if (isStart && why.isCollision()) throw refusedStart(message, problem, checker, state);
+    throw ArgumentError(message);
 }
 
 double finenessOf(const Problem& problem, const Model& part) {

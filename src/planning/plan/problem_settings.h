@@ -43,10 +43,12 @@ void requireSampler(const std::string& name);
 void applySettings(ompl::base::SpaceInformation& si, const Problem& problem,
                    std::vector<std::string>& warnings);
 
-/// Returns the clearance of a state of the problem. Throws ArgumentError, naming the two closest meshes and
-/// triangles, unless the state is valid. what: "start", for which it names cures too, or "goal".
+enum class ProblemEnd { kStart, kGoal };
+
+/// Returns the clearance of the problem's start or goal. Throws ArgumentError with the words of whyInvalid unless
+/// the state is valid, and InvalidStart, which names remedies too, for a start in collision.
 double requireValid(const Problem& problem, const ValidityChecker& checker, const ompl::base::State* state,
-                    const std::string& what);
+                    ProblemEnd end);
 
 /// The problem's fineness, else 1/500 of the part's diagonal.
 double finenessOf(const Problem& problem, const Model& part);

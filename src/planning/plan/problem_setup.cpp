@@ -25,10 +25,10 @@ og::SimpleSetup makeSetup(const Problem& problem, const Scene& scene) try {
     si->setMotionValidator(std::make_shared<MotionValidator>(si, checker->shared()));
 
     const auto start = toOmpl(si->getStateSpace(), problem.space, problem.start);
-    requireValid(problem, *checker, start.get(), "start");
+    requireValid(problem, *checker, start.get(), ProblemEnd::kStart);
     if (!problem.outside) {
         const auto goal = toOmpl(si->getStateSpace(), problem.space, problem.goal);
-        requireValid(problem, *checker, goal.get(), "goal");
+        requireValid(problem, *checker, goal.get(), ProblemEnd::kGoal);
     }
     setup.setStartState(start);
     setup.setGoal(makeGoal(si, problem, scene));

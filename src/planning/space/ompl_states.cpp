@@ -11,7 +11,6 @@
 
 #include "clearway/errors.h"
 #include "clearway/planning/se3_space.h"
-#include "core/number.h"
 
 #if OMPL_VERSION_VALUE < 1005000
 #error "clearway needs OMPL 1.5 or later"
@@ -69,8 +68,9 @@ const ob::RealVectorBounds& positionBounds(Space kind, const ob::StateSpace& spa
                                : space.as<ob::SE3StateSpace>()->getBounds();
 }
 
-std::string whyOutOfBounds(const ob::StateSpace& space, const ob::State* state) {
-    const std::string why = "outside of the bounds of the state space";
+WhyInvalid whyOutOfBounds(const ob::StateSpace& space, const ob::State* state) {
+    WhyInvalid why;
+    why.kind = WhyInvalid::Kind::kOutOfBounds;
     const bool isSpatial = dynamic_cast<const ob::SE3StateSpace*>(&space) != nullptr;
     if (!isSpatial && dynamic_cast<const ob::SE2StateSpace*>(&space) == nullptr) return why;
     const Space kind = isSpatial ? Space::kSe3 : Space::kSe2;
@@ -79,8 +79,8 @@ std::string whyOutOfBounds(const ob::StateSpace& space, const ob::State* state) 
     for (unsigned i = 0; i < bounds.low.size(); ++i) {
         const double value = at.position[i];
         if (value >= bounds.low[i] && value <= bounds.high[i]) continue;
-        return why + ": " + std::string(1, "xyz"[i]) + " is " + roundedNumber(value) + ", expected from " +
-               roundedNumber(bounds.low[i]) + " to " + roundedNumber(bounds.high[i]);
+        why.coordinate = {"xyz"[i], value, bounds.low[i], bounds.high[i]};
+        return why;
     }
     return why;
 }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "clearway/problem.h"
+#include "clearway/scene_clearance.h"
 
 namespace clearway::planning {
 
@@ -28,8 +29,8 @@ ompl::base::StateSpacePtr makeSpace(Space kind, const Box& bounds, double turnWe
 /// Returns the bounds of positions in a space of the kinds that makeSpace makes.
 const ompl::base::RealVectorBounds& positionBounds(Space kind, const ompl::base::StateSpace& space);
 
-/// Why a state is outside of its space's bounds: names the coordinate of SE(3) and SE(2), its value and the bounds.
-std::string whyOutOfBounds(const ompl::base::StateSpace& space, const ompl::base::State* state);
+/// Why a state is outside of its space's bounds. Its position is looked at in SE(3) and SE(2).
+WhyInvalid whyOutOfBounds(const ompl::base::StateSpace& space, const ompl::base::State* state);
 
 /// Create and set up a SpaceInformation on a shared space, under a global lock: OMPL reads the space's parameters
 /// when it creates one, and writes them when it sets one up, without a lock of its own.

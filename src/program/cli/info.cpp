@@ -180,15 +180,15 @@ void describeProblem(const Problem& problem, const Box& environmentBox, const Bo
 void describePose(const char* label, const SceneClearance& clearance, const PartState& state,
                   const Mesh& part, const std::vector<Mesh>& worlds) {
     const Pose X_environmentPart = poseOf(state);
-    const std::string why = clearance.whyInvalid(X_environmentPart);
-    if (!why.empty()) return printRow(label, "NOT valid: " + why);
+    const PoseClearance at = clearance.at(X_environmentPart);
+    const WhyInvalid why = clearance.whyInvalid(X_environmentPart, at);
+    if (!why.isValid()) return printRow(label, "NOT valid: " + why.words());
     const auto& obstacles = clearance.scene().obstacles;
     const bool mayTouch = clearance.distance(X_environmentPart).collides() ||
                           std::any_of(obstacles.begin(), obstacles.end(),
                                       [](const Obstacle& obstacle) { return obstacle.shrunk != nullptr; });
     const std::string note = mayTouch ? "" : enclosureNote(part, worlds, X_environmentPart);
     if (!note.empty()) printWarnings({std::string(label) + " " + note});
-    const PoseClearance at = clearance.at(X_environmentPart);
     if (!at.nearest.witness) return printRow(label, "valid, with nothing near");
     const MeshNames names = distinctMeshNames(clearance.scene(), at.nearest);
     printRow(label, "valid, clearance " + shownLength(at.lower) + ", between '" + names.part + "' and '" +
@@ -230,8 +230,8 @@ double liftTolerance(const Problem& problem, double overlap) {
     return problem.rules.overlap.tolerance.value_or(kLiftTolerance * overlap);
 }
 
-/// Why the start is not valid with this overlap; empty when it is valid.
-std::string whyStartIsInvalid(Problem problem, double overlap) {
+/// Why the start is not valid with this overlap.
+WhyInvalid whyStartIsInvalid(Problem problem, double overlap) {
     OverlapRules& rules = problem.rules.overlap;
     rules.common = overlap;
     rules.tolerance = liftTolerance(problem, overlap);
@@ -247,9 +247,10 @@ std::string whyStartIsInvalid(Problem problem, double overlap) {
 /// For a start at which surfaces only touch.
 void printSmallLift(const Problem& problem, double partSize) {
     const double overlap = awayFromZero(kSmallLift * partSize, 3);
-    const std::string why = whyStartIsInvalid(problem, overlap);
-    if (!why.empty())
-        return printRow("lift", "overlap = " + depthText(overlap) + " does not free the start: " + why);
+    const WhyInvalid why = whyStartIsInvalid(problem, overlap);
+    if (!why.isValid())
+        return printRow("lift",
+                        "overlap = " + depthText(overlap) + " does not free the start: " + why.words());
     facts()["lift"] = {{"overlap", toJson(overlap)}};
     printRow("lift", "overlap = " + depthText(overlap) +
                          " frees the start, as every other one does: parts only touch");
@@ -269,27 +270,29 @@ void describeLift(const std::string& file) {
     problem.rules.overlap.isThinAllowed = true;
     if (overlaps.empty()) {
         const SceneClearance clearance(loadScene(problem, {}, guardedLoading()).scene);
-        const std::string why = clearance.whyInvalid(poseOf(problem.start));
-        printRow("start", "no obstacle reaches into the part" + (why.empty() ? "" : ", but " + why));
-        if (!why.empty() && !clearance.distance(poseOf(problem.start)).collides()) return;  // inside a solid
-        if (!why.empty()) printSmallLift(problem, clearance.scene().part.box().diagonal().norm());
+        const WhyInvalid why = clearance.whyInvalid(poseOf(problem.start));
+        printRow("start",
+                 "no obstacle reaches into the part" + (why.isValid() ? "" : ", but " + why.words()));
+        if (why.kind == WhyInvalid::Kind::kCollides)
+            printSmallLift(problem, clearance.scene().part.box().diagonal().norm());
         return;
     }
     double least = 0, enough = 0;
     for (const FoundOverlap& found : overlaps) enough = std::max(enough, found.deepest.upper);
     enough = awayFromZero(enough, 3);
-    std::string why = whyStartIsInvalid(problem, enough);
-    for (int doublings = 0; !why.empty() && doublings < kMostDoublings; ++doublings) {
+    WhyInvalid why = whyStartIsInvalid(problem, enough);
+    for (int doublings = 0; !why.isValid() && doublings < kMostDoublings; ++doublings) {
         least = enough;
         enough *= 2;
         why = whyStartIsInvalid(problem, enough);
     }
-    if (!why.empty())
-        throw std::invalid_argument("no overlap up to " + shownLength(enough) + " frees the start: " + why);
+    if (!why.isValid())
+        throw std::invalid_argument("no overlap up to " + shownLength(enough) +
+                                    " frees the start: " + why.words());
     const bool isFromSearch = least > 0;
     while (isFromSearch && enough - least > kLiftError * enough) {
         const double middle = awayFromZero(0.5 * (least + enough), 3);
-        (whyStartIsInvalid(problem, middle).empty() ? enough : least) = middle;
+        (whyStartIsInvalid(problem, middle).isValid() ? enough : least) = middle;
     }
     facts()["lift"] = {{"overlap", toJson(enough)}};
     if (isFromSearch) facts()["lift"]["tolerance"] = toJson(liftTolerance(problem, enough));

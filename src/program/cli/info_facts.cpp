@@ -127,11 +127,12 @@ Json obstacleFacts(const ObstacleGroups& obstacles) {
 
 Json poseFacts(const SceneClearance& clearance, const PartState& state) {
     const Pose X_environmentPart = poseOf(state);
-    const std::string why = clearance.whyInvalid(X_environmentPart);
     const PoseClearance at = clearance.at(X_environmentPart);
+    const WhyInvalid why = clearance.whyInvalid(X_environmentPart, at);
     const MeshNames names = distinctMeshNames(clearance.scene(), at.nearest);
-    return {{"valid", why.empty()},
-            {"why_not", why.empty() ? Json() : Json(why)},
+    return {{"valid", why.isValid()},
+            {"kind", nameOf(why.kind)},
+            {"why_not", why.isValid() ? Json() : Json(why.words())},
             {"clearance", toJson(at.lower)},
             {"pair", closestPair(at.nearest, names.part, names.environment)}};
 }

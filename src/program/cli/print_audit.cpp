@@ -25,19 +25,6 @@ using planning::PathAudit;
 using planning::PathProfilePoint;
 using planning::SegmentAudit;
 
-/// Names the verdict in one or two words.
-std::string nameOf(const SegmentAudit& segment) {
-    constexpr std::pair<const char*, const char*> kNames[] = {{"in collision", "collides"},
-                                                              {"too close", "too close"},
-                                                              {"outside", "outside"},
-                                                              {"undecided", "undecided"}};
-    if (segment.isValid()) return "valid";
-    for (const auto& [begin, name] : kNames) {
-        if (segment.trouble.rfind(begin, 0) == 0) return name;
-    }
-    return "unusable";
-}
-
 /// Names the closest pair of meshes and its triangles.
 std::string pairOf(const SegmentAudit& segment) {
     if (segment.partMesh.empty()) return "";
@@ -56,7 +43,7 @@ void printCells(const std::string& segment, const std::string& verdict, const st
                 const std::string& turned, const std::string& clearance, const std::string& time,
                 const std::string& between) {
     char text[160];
-    std::snprintf(text, sizeof text, "%7s  %-9s %9s %8s %10s %7s", segment.c_str(), verdict.c_str(),
+    std::snprintf(text, sizeof text, "%7s  %-14s %9s %8s %10s %7s", segment.c_str(), verdict.c_str(),
                   length.c_str(), turned.c_str(), clearance.c_str(), time.c_str());
     std::cout << text << (between.empty() ? "" : "  ") << between << "\n";
 }
@@ -195,7 +182,7 @@ void printAudit(const PathAudit& audit, const Scene& scene) {
         printRow("audit",
                  "NOT valid: " + std::to_string(audit.notValid.size()) + " of " + counted(count, "segment"));
         printRow("first", "segment " + std::to_string(audit.notValid[0] + 1) + ", " + validUpTo(first) +
-                              ", is " + first.trouble);
+                              ", is " + first.motion.whyInvalid.words());
     }
     printRows(contactRows(audit));
     const SegmentAudit& closest = audit.segments[audit.closest];
@@ -209,12 +196,12 @@ void printSegments(const PathAudit& audit) {
     for (std::size_t k = 0; k < audit.segments.size(); ++k) {
         const SegmentAudit& segment = audit.segments[k];
         const MotionReport& motion = segment.motion;
-        const bool isLooked = motion.problem.empty() && !std::isinf(motion.upperClearance);
+        const bool isLooked = !motion.whyInvalid.isUnusable() && !std::isinf(motion.upperClearance);
         const double clearance = segment.isValid() ? motion.lowerClearance : motion.upperClearance;
         const bool isTold = segment.isValid() || isLooked;
         const std::string between = isLooked ? pairOf(segment) : "";
         const std::string trouble = segment.isValid() ? "" : validUpTo(segment);
-        printCells(std::to_string(k + 1), nameOf(segment), shortened(segment.length),
+        printCells(std::to_string(k + 1), nameOf(motion.whyInvalid.kind), shortened(segment.length),
                    shortened(segment.turned * 180 / M_PI), isTold ? shortened(clearance) : "-",
                    isTold ? shortened(motion.closestTime) : "-",
                    between + (between.empty() || trouble.empty() ? "" : "; ") + trouble);

@@ -81,16 +81,15 @@ std::vector<PartState> endsOf(const Problem& problem) {
     return {problem.start, problem.goal};
 }
 
-void printPose(double share, const Scene& scene, const PoseClearance& at) {
-    const SceneDistance& nearest = at.nearest;
-    const MeshNames names = distinctMeshNames(scene, nearest);
-    const std::string between =
-        nearest.witness ? ", between '" + names.part + "' and '" + names.environment + "'" : " or more";
-    printRow("pose at " + readable(share),
-             std::isinf(at.lower) ? "nothing to keep clear of"
-             : nearest.collides() ? "IN COLLISION" + between
-             : !at.isValid()      ? "NOT valid, too close, clearance " + shownLength(at.lower) + between
-                                  : "clearance " + shownLength(at.lower) + between + leftOutAt(at));
+void printPose(double share, const Scene& scene, const PoseClearance& at, const WhyInvalid& why) {
+    const std::string label = "pose at " + readable(share);
+    if (!why.isValid()) return printRow(label, "NOT valid: " + why.words());
+    const MeshNames names = distinctMeshNames(scene, at.nearest);
+    const std::string between = !at.nearest.witness
+                                    ? " or more"
+                                    : ", between '" + names.part + "' and '" + names.environment + "'";
+    printRow(label, std::isinf(at.lower) ? "nothing to keep clear of"
+                                         : "clearance " + shownLength(at.lower) + between + leftOutAt(at));
 }
 
 Json placeFacts(double share, const PartState& state) {
@@ -151,7 +150,7 @@ std::vector<render::PosedPart> posesAt(const report::PathLine& line, const std::
         poses.push_back({state, at.lower});
         poses.back().isInContact = !at.isValid();
         if (!isPrinted) continue;
-        printPose(share, clearance.scene(), at);
+        printPose(share, clearance.scene(), at, clearance.whyInvalid(X_environmentPart, at));
         tellPose(share, state, clearance.scene(), at);
     }
     for (std::size_t i = 0; i < poses.size(); ++i) {

@@ -126,7 +126,8 @@ Json toJson(const planning::PathAudit& audit) {
         const planning::MotionReport& motion = segment.motion;
         json["segments"].push_back(
             {{"verdict", wordFor(motion.verdict)},
-             {"trouble", segment.trouble},
+             {"kind", nameOf(motion.whyInvalid.kind)},
+             {"trouble", motion.whyInvalid.words()},
              {"valid_until_t", toJson(motion.certifiedTime)},
              {"length", toJson(segment.length)},
              {"turned_degrees", toJson(segment.turned * 180 / M_PI)},

@@ -15,6 +15,7 @@ ReportFrame frameAt(double share, const PartState& state, const SceneClearance& 
     frame.isInReach = !clearance.isOutOfReach(frame.X_environmentPart);
     if (!frame.isInReach) return frame;
     frame.clearance = clearance.at(frame.X_environmentPart);
+    frame.whyInvalid = clearance.whyInvalid(frame.X_environmentPart, frame.clearance);
     const MeshNames names = distinctMeshNames(clearance.scene(), frame.clearance.nearest);
     frame.partMesh = names.part;
     frame.environmentMesh = names.environment;

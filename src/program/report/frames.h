@@ -15,6 +15,7 @@ struct ReportFrame {
     Pose X_environmentPart;
     bool isInReach = true;  ///< when false, only the share and the pose are known
     PoseClearance clearance;
+    WhyInvalid whyInvalid;
     std::string partMesh, environmentMesh;  ///< the closest pair; empty when unknown
 };
 

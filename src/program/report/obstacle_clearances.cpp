@@ -60,11 +60,12 @@ class Measuring {
             if (boxDistance - answer.margin >= answer.lower) break;
             ClearanceOptions options;
             options.cap = answer.lower;
-            const PoseClearance found = clearance.at(frames_[frame].X_environmentPart, options);
+            const Pose& X_environmentPart = frames_[frame].X_environmentPart;
+            const PoseClearance found = clearance.at(X_environmentPart, options);
             if (!(found.lower < answer.lower)) continue;
             answer.lower = found.lower;
             answer.frame = frame;
-            answer.isContact = !found.isValid();
+            answer.trouble = clearance.whyInvalid(X_environmentPart, found).kind;
         }
     }
 

@@ -86,21 +86,11 @@ void addClearance(const ObstacleClearance& clearance, FloatJson& object) {
     if (!std::isfinite(clearance.lower)) return;
     object[clearance.isMeasured ? "clearance" : "atLeast"] = clearance.lower;
     if (clearance.isMeasured) object["frame"] = clearance.frame;
-    if (clearance.isContact) object["isContact"] = true;
+    if (clearance.trouble != WhyInvalid::Kind::kValid) object["trouble"] = nameOf(clearance.trouble);
     if (clearance.isLeftOutAtStart || clearance.isLeftOutAtGoal)
         object["leftOut"] = !clearance.isLeftOutAtGoal    ? "start"
                             : !clearance.isLeftOutAtStart ? "goal"
                                                           : "start and goal";
-}
-
-/// Why the pose of a frame is not valid, in a few words.
-std::string troubleOf(const ReportFrame& frame, const Scene& scene) {
-    const SceneDistance& nearest = frame.clearance.nearest;
-    if (!frame.isInReach || frame.clearance.isValid()) return "";
-    if (!nearest.obstacle) return "inside a solid";
-    if (nearest.collides()) return "in contact";
-    const double margin = scene.obstacles[*nearest.obstacle].margin;
-    return nearest.lower > margin ? "inside a solid" : "closer than the margin";
 }
 
 std::size_t nearestFrame(const std::vector<ReportFrame>& frames, double share) {
@@ -147,7 +137,7 @@ class PageMaker {
           frames_(framesAlong(line_, SceneClearance(input.scene), kFrames,
                               tightPlaces(line_, input.audit, kMostTroubles))) {
         for (const ReportFrame& frame : frames_) {
-            const bool isContact = frame.isInReach && !frame.clearance.isValid();
+            const bool isContact = !frame.whyInvalid.isValid();
             hasContact_ = hasContact_ || isContact;
             if (!frame.isInReach || isContact || !std::isfinite(frame.clearance.lower)) continue;
             least_ = std::min(least_, frame.clearance.lower);
@@ -190,8 +180,7 @@ class PageMaker {
                           {"pose", exactText(X.translation) + " " + exactText(q.coeffs())},
                           {"clearance", frame.isInReach ? FloatJson(frame.clearance.lower) : FloatJson()}};
         if (frame.isInReach && std::isinf(frame.clearance.lower)) json["isFree"] = true;
-        const std::string trouble = troubleOf(frame, input_.scene);
-        if (!trouble.empty()) json["trouble"] = trouble;
+        if (!frame.whyInvalid.isValid()) json["trouble"] = nameOf(frame.whyInvalid.kind);
         if (frame.partMesh.empty()) return json;
         const SceneDistance& nearest = frame.clearance.nearest;
         json["distance"] = (nearest.witness->pointOnPart - nearest.witness->pointOnEnvironment).norm();

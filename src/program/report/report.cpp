@@ -63,10 +63,8 @@ std::string shortened(double value) {
 }
 
 std::string verdictOf(const planning::SegmentAudit& segment) {
-    if (segment.isValid()) return "valid";
-    if (!segment.motion.problem.empty()) return segment.motion.problem;
-    if (segment.motion.verdict == planning::MotionVerdict::kUndecided) return "undecided";
-    return segment.motion.leavesBounds ? "out of bounds" : "collides";
+    const WhyInvalid& why = segment.motion.whyInvalid;
+    return why.isUnusable() ? why.reason : nameOf(why.kind);
 }
 
 }  // namespace

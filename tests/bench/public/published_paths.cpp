@@ -63,9 +63,9 @@ PathVerdict judgePath(const PublicProblem& published, const std::string& path) {
             continue;
         }
         const planning::MotionReport& report = segment.motion;
-        const double t = report.leavesBounds ? report.blockedTime : report.closestTime;
+        const bool isOut = report.whyInvalid.kind == WhyInvalid::Kind::kOutOfBounds;
+        const double t = isOut ? report.blockedTime : report.closestTime;
         const PartState at = stateAt(problem, motion[0], motion[1], t);
-        const bool isOut = report.leavesBounds;
         const bool isUndecided = report.verdict == planning::MotionVerdict::kUndecided;
         outOfBounds += isOut;
         undecided += isUndecided;

@@ -65,14 +65,17 @@ BOOST_AUTO_TEST_CASE(an_invalid_path_is_audited_to_its_end) {
     const MotionReport& through = found.segments[1].motion;
     BOOST_TEST(through.certifiedTime == 28.0 / 120, boost::test_tools::tolerance(1e-3));
     BOOST_TEST(through.upperClearance == 0);
-    BOOST_TEST(!through.leavesBounds);
-    BOOST_TEST(found.segments[0].trouble == "");
-    BOOST_TEST(found.segments[1].trouble.rfind("in collision: triangle ", 0) == 0u);
-    BOOST_TEST(found.segments[3].trouble.rfind("outside of the bounds of the state space: x is ", 0) == 0u);
-    BOOST_TEST(found.segments[3].trouble.find(", expected from ") != std::string::npos);
+    BOOST_TEST(found.segments[0].motion.whyInvalid.isValid());
+    BOOST_TEST((through.whyInvalid.kind == WhyInvalid::Kind::kCollides));
+    const WhyInvalid& out = found.segments[3].motion.whyInvalid;
+    BOOST_TEST((out.kind == WhyInvalid::Kind::kOutOfBounds));
+    BOOST_TEST_REQUIRE(out.coordinate.has_value());
+    BOOST_TEST(out.coordinate->name == 'x');
+    BOOST_TEST(out.coordinate->value > 100);
+    BOOST_TEST(out.coordinate->least == -100);
+    BOOST_TEST(out.coordinate->most == 100);
     BOOST_TEST(found.segments[1].environmentMesh == "above");
     BOOST_TEST(found.closest == 1u);
-    BOOST_TEST(found.segments[3].motion.leavesBounds);
     BOOST_TEST(found.segments[4].motion.certifiedTime == 0);
     BOOST_TEST(found.lowerClearance <= 0);
     BOOST_TEST(found.profile.back().segment == 4u);
@@ -86,7 +89,7 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_told_is_undecided) {
     const PathAudit found = audit(path, *f.validator);
     BOOST_TEST((found.verdict == MotionVerdict::kUndecided));
     BOOST_TEST((found.notValid == std::vector<std::size_t>{0}));
-    BOOST_TEST(found.segments[0].trouble == "undecided: closer than can be told");
+    BOOST_TEST((found.segments[0].motion.whyInvalid.kind == WhyInvalid::Kind::kUndecided));
 }
 
 BOOST_AUTO_TEST_CASE(an_audit_that_is_stopped_tells_nothing) {
@@ -132,7 +135,8 @@ BOOST_AUTO_TEST_CASE(a_path_of_one_state_is_that_state) {
     BOOST_TEST(valid.length == 0);
     BOOST_TEST(valid.profile.size() == 2u);
     BOOST_TEST(!audit(pathOf(f, {f.at({0, 0, 30})}), *f.validator).isValid());
-    BOOST_TEST(audit(pathOf(f, {f.at({-200, 0, 30})}), *f.validator).segments[0].motion.leavesBounds);
+    const PathAudit beyond = audit(pathOf(f, {f.at({-200, 0, 30})}), *f.validator);
+    BOOST_TEST((beyond.segments[0].motion.whyInvalid.kind == WhyInvalid::Kind::kOutOfBounds));
     BOOST_CHECK_THROW(audit(og::PathGeometric(f.si), *f.validator), std::invalid_argument);
 }
 
@@ -155,7 +159,8 @@ BOOST_AUTO_TEST_CASE(states_without_a_pose_are_told_and_the_rest_is_audited) {
     for (const auto& bad : {f.at({std::nan(""), 0, 0}), twice}) {
         const PathAudit found = profiled(pathOf(f, {good, bad, good, f.at({-60, 10, 0})}), *f.validator);
         BOOST_TEST((found.notValid == std::vector<std::size_t>{0, 1}));
-        BOOST_TEST(found.segments[0].motion.problem != "");
+        BOOST_TEST(found.segments[0].motion.whyInvalid.isUnusable());
+        BOOST_TEST(found.segments[0].motion.whyInvalid.reason != "");
         BOOST_TEST(found.segments[2].isValid());
     }
 }

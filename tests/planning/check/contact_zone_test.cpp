@@ -148,7 +148,7 @@ void checkMotion(const Assembly& assembly, const PartInSpace& space, const ob::S
     const bool forward = space.validator->checkMotion(s1.get(), s2.get(), lastValid);
     const MotionReport report = space.validator->report(s1.get(), s2.get());
     const bool isReported = report.verdict == MotionVerdict::kValid;
-    BOOST_TEST(report.problem == "");
+    BOOST_TEST(!report.whyInvalid.isUnusable());
     double least = std::numeric_limits<double>::infinity();
     const double until = isValid || isReported ? 1 : lastValid.second;
     bool wasIn = false, wasOut = false;

@@ -39,12 +39,19 @@ Scene withoutSolids(Scene scene) {
     return scene;
 }
 
-void checkEnclosed(const Scene& scene, const Vector3& inside, const std::string& why) {
+/// The names are those of the meshes. isPartInside: otherwise the obstacle is inside the part.
+void checkEnclosed(const Scene& scene, const Vector3& inside, bool isPartInside = true) {
     const PartInSpace solid(scene), skin(withoutSolids(scene));
     BOOST_TEST(skin.isValid(inside));
     BOOST_TEST(!solid.isValid(inside));
     BOOST_TEST(solid.checker->clearance(solid.at(inside).get()) == 0);
-    BOOST_TEST(solid.checker->whyInvalid(solid.at(inside).get()) == "in collision: " + why);
+    const WhyInvalid why = solid.checker->whyInvalid(solid.at(inside).get());
+    BOOST_TEST((why.kind == WhyInvalid::Kind::kInSolid));
+    BOOST_TEST(why.isPartInside == isPartInside);
+    BOOST_TEST(why.partMesh == scene.part.components()[0].name);
+    BOOST_TEST(why.environmentMesh == scene.obstacles[0].model.components()[0].name);
+    BOOST_TEST_REQUIRE(why.obstacle.has_value());
+    BOOST_TEST(*why.obstacle == 0u);
     const Vector3 near = inside + Vector3(0.01, 0.02, 0.03);
     BOOST_TEST(skin.check(inside, near));
     BOOST_TEST(!solid.check(inside, near));
@@ -58,9 +65,8 @@ void checkEnclosed(const Scene& scene, const Vector3& inside, const std::string&
 
 BOOST_AUTO_TEST_CASE(a_part_inside_a_block_is_invalid_whichever_way_the_block_faces) {
     const Mesh part = named(box({1, 1, 1}), "peg"), block = named(box({10, 10, 10}, 3), "block");
-    const std::string why = "the part's mesh 'peg' is inside the solid 'block'";
-    checkEnclosed(solidScene(part, block), {1, 2, 3}, why);
-    checkEnclosed(solidScene(part, reversed(block), 0.5), {1, 2, 3}, why);
+    checkEnclosed(solidScene(part, block), {1, 2, 3});
+    checkEnclosed(solidScene(part, reversed(block), 0.5), {1, 2, 3});
     BOOST_TEST(makeSolids(reversed(block)).turnedOver == std::vector<std::string>{"block"},
                boost::test_tools::per_element());
     const PartInSpace solid(solidScene(part, block));
@@ -87,22 +93,22 @@ BOOST_AUTO_TEST_CASE(a_cavity_is_free_and_its_wall_is_not) {
         BOOST_TEST(solid.isValid({0, 0, 0}));
         BOOST_TEST(solid.check({0, 0, 0}, {3, -3, 3}));
         BOOST_TEST(!solid.isValid({5, 0, 0}));  // touches
-        checkEnclosed(solidScene(part, tank), {7, 0, 0}, "the part's mesh 'peg' is inside the solid 'tank'");
+        checkEnclosed(solidScene(part, tank), {7, 0, 0});
     }
 }
 
 BOOST_AUTO_TEST_CASE(each_loose_piece_of_the_part_counts) {
     const Mesh part = named(joined(box({1, 1, 1}), at(box({1, 1, 1}), {30, 0, 0})), "pair");
     const Mesh block = named(box({10, 10, 10}), "block");
-    checkEnclosed(solidScene(part, block), {-30, 0, 0}, "the part's mesh 'pair' is inside the solid 'block'");
-    checkEnclosed(solidScene(part, block), {0, 0, 0}, "the part's mesh 'pair' is inside the solid 'block'");
+    checkEnclosed(solidScene(part, block), {-30, 0, 0});
+    checkEnclosed(solidScene(part, block), {0, 0, 0});
     BOOST_TEST(PartInSpace(solidScene(part, block)).isValid({-15, 0, 0}));  // one on each side
 }
 
 BOOST_AUTO_TEST_CASE(an_obstacle_inside_a_closed_part_counts_and_inside_an_open_one_cannot) {
     const Mesh bolt = named(at(box({1, 1, 1}), {3, 3, 3}), "bolt");
     Mesh part = named(box({10, 10, 10}), "cover");
-    checkEnclosed(solidScene(part, bolt), {0, 0, 0}, "the solid 'bolt' is inside the part's mesh 'cover'");
+    checkEnclosed(solidScene(part, bolt), {0, 0, 0}, false);
     part.triangles.pop_back();
     part = named(part, "cover");
     const MadeSolids made = makeSolids(part);

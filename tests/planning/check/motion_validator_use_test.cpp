@@ -146,7 +146,7 @@ BOOST_AUTO_TEST_CASE(a_profile_goes_on_behind_what_blocks) {
     const auto s1 = f.at({-60, 0, 30}), s2 = f.at({60, 0, 30}), outside = f.at({-160, 0, 30});
     const MotionProfile through = f.validator->profile(s1.get(), s2.get());
     BOOST_TEST((through.report.verdict == MotionVerdict::kInvalid));
-    BOOST_TEST(!through.report.leavesBounds);
+    BOOST_TEST((through.report.whyInvalid.kind == WhyInvalid::Kind::kCollides));
     BOOST_TEST(through.report.blockedTime >= through.report.certifiedTime);
     BOOST_TEST(through.report.upperClearance == 0);
     BOOST_TEST(through.points.back().time == 1);
@@ -160,13 +160,15 @@ BOOST_AUTO_TEST_CASE(a_profile_goes_on_behind_what_blocks) {
 
     const MotionReport out = f.report(s1, outside);
     BOOST_TEST((out.verdict == MotionVerdict::kInvalid));
-    BOOST_TEST(out.leavesBounds);
+    BOOST_TEST((out.whyInvalid.kind == WhyInvalid::Kind::kOutOfBounds));
     const MotionProfile in = f.validator->profile(outside.get(), s1.get());
-    BOOST_TEST(in.report.leavesBounds);
+    BOOST_TEST((in.report.whyInvalid.kind == WhyInvalid::Kind::kOutOfBounds));
     BOOST_TEST(in.report.blockedTime == 0);
     for (const ProfilePoint& point : in.points) BOOST_TEST((point.clearance > 0) == (point.time >= 0.6));
     const auto nowhere = f.at({std::nan(""), 0, 0});
-    BOOST_TEST(f.validator->profile(s1.get(), nowhere.get()).points.empty());
+    const MotionProfile none = f.validator->profile(s1.get(), nowhere.get());
+    BOOST_TEST(none.points.empty());
+    BOOST_TEST((none.report.whyInvalid.kind == WhyInvalid::Kind::kNoPose));
 }
 
 // The part starts less than a least interval from a block and slides along a plate, so that 0 is its least clearance.
@@ -305,7 +307,8 @@ BOOST_AUTO_TEST_CASE(nothing_is_thrown_by_a_motion_that_cannot_be_judged) {
         BOOST_TEST(log.lines.at(0).find(wrong.words) != std::string::npos);
         const MotionReport report = validator.report(s1.get(), s2.get());
         BOOST_TEST((report.verdict == MotionVerdict::kInvalid));
-        BOOST_TEST(report.problem.find(wrong.words) != std::string::npos);
+        BOOST_TEST(report.whyInvalid.isUnusable());
+        BOOST_TEST(report.whyInvalid.reason.find(wrong.words) != std::string::npos);
     }
 }
 
@@ -336,7 +339,8 @@ BOOST_AUTO_TEST_CASE(an_environment_within_reach_gives_the_same_verdicts) {
         BOOST_TEST(std::isinf(report.upperClearance));
         BOOST_TEST(!report.closest.witness);
         const auto beyondReach = f.at({-120, 0, 0});
-        BOOST_TEST(validator.profile(beyondReach.get(), f.at({-50, 0, 0}).get()).report.problem == "");
+        const MotionProfile from = validator.profile(beyondReach.get(), f.at({-50, 0, 0}).get());
+        BOOST_TEST((from.report.whyInvalid.kind == WhyInvalid::Kind::kOutOfBounds));
         reach.cap = margin;
         requireRefused([&] { MotionValidator(f.si, scene()); },
                        "expected at least the margin and the least interval");

@@ -50,13 +50,16 @@ BOOST_AUTO_TEST_CASE(a_part_may_sink_into_a_floor_as_deep_as_the_overlap) {
         space.validator->report(space.at({-5, 0, 1.6}).get(), space.at({5, 3, 1.7}).get());
     BOOST_TEST((report.verdict == MotionVerdict::kValid));
     BOOST_TEST(report.lowerClearance > 0);
-    const std::string why = space.checker->whyInvalid(space.at({0, 0, 1}).get());
-    BOOST_TEST(
-        why.find("in collision: the environment's mesh 'floor' reaches more than 0.5 below the surface of "
-                 "the part's mesh 'part', at triangle ") == 0u,
-        why);
-    const std::string within = space.checker->whyInvalid(space.at({0, 0, -5}).get());
-    BOOST_TEST(within == "in collision: the part's mesh 'part' is inside the solid 'floor'");
+    const WhyInvalid why = space.checker->whyInvalid(space.at({0, 0, 1}).get());
+    BOOST_TEST((why.kind == WhyInvalid::Kind::kTooDeep));
+    BOOST_TEST(why.limit == 0.5);
+    BOOST_TEST(why.environmentMesh == "floor");
+    BOOST_TEST(why.partMesh == "part");
+    BOOST_TEST(why.nearest.environmentTriangle >= 0);
+    const WhyInvalid within = space.checker->whyInvalid(space.at({0, 0, -5}).get());
+    BOOST_TEST((within.kind == WhyInvalid::Kind::kInSolid));
+    BOOST_TEST(within.environmentMesh == "floor");
+    BOOST_TEST(within.isPartInside);
 }
 
 BOOST_AUTO_TEST_CASE(an_obstacle_within_the_part_is_invalid_even_when_it_is_open) {
@@ -114,8 +117,9 @@ BOOST_AUTO_TEST_CASE(a_margin_is_kept_from_the_shrunk_part) {
     const PartInSpace space(scene);
     BOOST_TEST(space.isValid({0, 0, 1.95}));
     BOOST_TEST(!space.isValid({0, 0, 1.75}));
-    const std::string why = space.checker->whyInvalid(space.at({0, 0, 1.75}).get());
-    BOOST_TEST(why.find("too close: ") == 0u, why);
+    const WhyInvalid why = space.checker->whyInvalid(space.at({0, 0, 1.75}).get());
+    BOOST_TEST((why.kind == WhyInvalid::Kind::kTooClose));
+    BOOST_TEST(why.limit == 0.4);
 }
 
 }  // namespace

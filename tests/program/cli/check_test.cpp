@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "clearway/scene_clearance.h"
 #include "program/cli/window_folder.h"
 #include "support/random_meshes.h"
 
@@ -65,14 +66,18 @@ BOOST_AUTO_TEST_CASE(a_path_that_collides_is_1_and_every_segment_that_does_is_to
     BOOST_TEST(outcome.code == 1);
     BOOST_TEST(outcome.err == "");
     BOOST_TEST(holds(row(outcome, "audit"), "NOT valid: 3 of 6"));
-    BOOST_TEST(holds(outcome.out, "collides", "outside", "xxx"));  // xxx: the plot's foot
+    BOOST_TEST(holds(outcome.out, nameOf(WhyInvalid::Kind::kCollides), nameOf(WhyInvalid::Kind::kOutOfBounds),
+                     "xxx"));  // xxx: the plot's foot
     const auto audit = jsonIn(folder, "facts.json")["audit"];
     BOOST_TEST(audit["verdict"] == "invalid");
     const auto& segments = audit["segments"];
     BOOST_TEST_REQUIRE(segments.size() == 6u);
     for (const int valid : {0, 1, 3}) BOOST_TEST(segments[valid]["verdict"] == "valid");
     for (const int invalid : {2, 4, 5}) BOOST_TEST(segments[invalid]["verdict"] == "invalid");
-    BOOST_TEST(holds(segments[2]["trouble"].get<std::string>(), "in collision", "triangle", "'above'"));
+    BOOST_TEST(segments[0]["kind"] == nameOf(WhyInvalid::Kind::kValid));
+    BOOST_TEST(segments[0]["trouble"] == "");
+    BOOST_TEST(segments[2]["kind"] == nameOf(WhyInvalid::Kind::kCollides));
+    BOOST_TEST(holds(segments[2]["trouble"].get<std::string>(), "'above'"));
     BOOST_TEST(segments[2]["valid_until_t"].get<double>() == 0.1, boost::test_tools::tolerance(1e-4));
     BOOST_TEST(segments[5]["valid_until_t"] == 0.0);
 }
@@ -83,8 +88,8 @@ BOOST_AUTO_TEST_CASE(the_margin_counts_and_clearance_is_what_is_beyond_it) {
     BOOST_TEST(within["audit"]["clearance"]["upper"].get<double>() == 1, boost::test_tools::tolerance(1e-6));
     BOOST_TEST(within["audit"]["closest"]["segment"] == 2);
     const auto beyond = factsOf(folder, "check window.cfg free.path --margin 11.5", 1);
-    BOOST_TEST(
-        holds(beyond["audit"]["segments"][1]["trouble"].get<std::string>(), "expected", "margin 11.5"));
+    BOOST_TEST(beyond["audit"]["segments"][1]["kind"] == nameOf(WhyInvalid::Kind::kTooClose));
+    BOOST_TEST(holds(beyond["audit"]["segments"][1]["trouble"].get<std::string>(), "11.5"));
 }
 
 BOOST_AUTO_TEST_CASE(the_profile_is_written_as_csv_in_order_and_bounds_hold) {

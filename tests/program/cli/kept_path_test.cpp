@@ -1,4 +1,5 @@
 #include "program/cli/window_folder.h"
+#include "support/invalid_words.h"
 
 namespace clearway::testing {
 
@@ -69,7 +70,7 @@ BOOST_AUTO_TEST_CASE(a_plan_that_is_refused_or_interrupted_sets_an_old_path_asid
     folder.write("out.path", kOld);
     const Outcome refused = runIn(folder, "plan window.cfg --path out.path --margin 100");
     BOOST_TEST(refused.code == 2);
-    BOOST_TEST(holds(refused.err, "start is too close"), refused.err);
+    BOOST_TEST(holds(refused.err, "start is " + beginningOf(WhyInvalid::Kind::kTooClose)), refused.err);
     BOOST_TEST(readText(folder.file("out.path.old")) == kOld);
 
     folder.write("out.path", kOld);

@@ -1,5 +1,6 @@
 // A problem whose obstacles count by name, from the .cfg to the audited path.
 #include "program/cli/window_folder.h"
+#include "support/invalid_words.h"
 #include "support/random_meshes.h"
 
 namespace clearway::testing {
@@ -54,7 +55,7 @@ BOOST_AUTO_TEST_CASE(without_its_contact_the_start_touches_by_name_and_triangle)
     folder.problem.rules.startContact.reset();
     folder.write();
     requireRefused(folder, kPlan,
-                   {"start is in collision: triangle", "'plate'", "'blocks/tray'", "touching"});
+                   {"start is " + beginningOf(WhyInvalid::Kind::kCollides), "'plate'", "'blocks/tray'"});
     folder.problem.rules.ignored = {"tray"};
     folder.write();
     BOOST_TEST(runIn(folder, kPlan).code == 0);
@@ -79,15 +80,11 @@ BOOST_AUTO_TEST_CASE(a_triangle_is_named_by_its_place_in_its_own_file) {
     AssemblyFolder folder;
     folder.problem.rules.goalContact.reset();
     folder.write();
-    const Outcome outcome = runIn(folder, kPlan);
-    BOOST_TEST(outcome.code == 2);
-    const std::string words = "and triangle ";
-    const std::size_t place = outcome.err.find(words);
-    BOOST_REQUIRE(place != std::string::npos);
-    const int triangle = std::stoi(outcome.err.substr(place + words.size()));
-    BOOST_TEST(triangle >= 12);  // the shelf's triangles are 12 to 23 of blocks.obj
-    BOOST_TEST(triangle < 24);
-    BOOST_TEST(holds(outcome.err, "'blocks/shelf'"));
+    const auto touched = factsOf(folder, "info a.cfg")["at_goal"]["pair"]["environment"];
+    BOOST_TEST(touched["triangle"] >= 12);  // the shelf's triangles are 12 to 23 of blocks.obj
+    BOOST_TEST(touched["triangle"] < 24);
+    BOOST_TEST(touched["mesh"] == "blocks/shelf");
+    requireRefused(folder, kPlan, {"triangle " + touched["triangle"].dump(), "'blocks/shelf'"});
 }
 
 BOOST_AUTO_TEST_CASE(a_part_inside_a_solid_is_told_so) {
@@ -101,7 +98,10 @@ BOOST_AUTO_TEST_CASE(a_part_inside_a_solid_is_told_so) {
     BOOST_TEST(runIn(folder, "plan a.cfg --path out.path --time 0.2").code == 1);
     folder.problem.rules.isAllSolid = true;
     folder.write();
-    requireRefused(folder, kPlan, {"start is in collision", "'plate' is inside the solid '"});
+    requireRefused(folder, kPlan, {"start is " + beginningOf(WhyInvalid::Kind::kInSolid), "'plate'"});
+    const auto start = factsOf(folder, "info a.cfg")["at_start"];
+    BOOST_TEST(start["kind"] == nameOf(WhyInvalid::Kind::kInSolid));
+    BOOST_TEST(start["why_not"].get<std::string>().find("'plate'") != std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(info_tells_how_obstacles_count) {

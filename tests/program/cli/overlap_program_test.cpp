@@ -1,6 +1,7 @@
 // The program on a part that sits a little way in its floor: how deep, the least overlap that frees it, and a way out.
 #include "clearway/problem.h"
 #include "program/cli/run_program.h"
+#include "support/invalid_words.h"
 #include "support/random_meshes.h"
 
 namespace clearway::testing {
@@ -37,8 +38,9 @@ struct SunkFolder : TemporaryFolder {
 BOOST_AUTO_TEST_CASE(a_sunk_start_names_both_cures_and_info_tells_how_deep) {
     const SunkFolder folder;
     folder.problem("");
-    requireRefused(folder, "plan p.cfg --path o.path",
-                   {"start is in collision: ", "contact.start = floor, ", "overlap = X"});
+    requireRefused(
+        folder, "plan p.cfg --path o.path",
+        {"start is " + beginningOf(WhyInvalid::Kind::kCollides), "contact.start = floor, ", "overlap = X"});
     const Outcome lifted = runIn(folder, "info p.cfg --lift");
     BOOST_TEST(lifted.code == 0, lifted.err);
     BOOST_TEST(holds(row(lifted, "floor"), "0.3 deep, at ("), lifted.out);
@@ -68,9 +70,9 @@ BOOST_AUTO_TEST_CASE(a_sunk_part_is_planned_checked_and_drawn_with_its_overlap) 
         BOOST_TEST(roomy.code == 0, roomy.err);
     }
     folder.problem("overlap = 0.2\n");
-    const Outcome deeper = runIn(folder, "check p.cfg o.path");
-    BOOST_TEST(deeper.code == 1);
-    BOOST_TEST(holds(deeper.out, "reaches more than 0.2 below"), deeper.out);
+    const auto deeper = factsOf(folder, "check p.cfg o.path", 1)["audit"]["segments"][0];
+    BOOST_TEST(deeper["kind"] == nameOf(WhyInvalid::Kind::kTooDeep));
+    BOOST_TEST(holds(deeper["trouble"].get<std::string>(), "0.2"));
     folder.problem("overlap.floor = 0.35\noverlap.tolerance = 0.1\n");
     BOOST_TEST(runIn(folder, "check p.cfg o.path").code == 0);
 }

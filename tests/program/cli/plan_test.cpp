@@ -2,6 +2,7 @@
 #include <filesystem>
 
 #include "program/cli/window_folder.h"
+#include "support/invalid_words.h"
 #include "support/oracle.h"
 #include "support/path_check.h"
 #include "support/random_meshes.h"
@@ -166,10 +167,11 @@ BOOST_AUTO_TEST_CASE(a_start_or_goal_that_cannot_be_is_refused_in_one_line) {
     Problem problem = folder.window.problem;
     problem.start.position.x() = 0;
     folder.rewrite(problem);
-    requireRefused(folder, kPlan, {"start is in collision", "plate", "triangle", "touching"});
+    requireRefused(folder, kPlan, {"start is " + beginningOf(WhyInvalid::Kind::kCollides), "plate"});
     problem.start.position.x() = -34;
     folder.rewrite(problem);
-    requireRefused(folder, added("--margin 2.5"), {"start is too close", "2 apart", "margin 2.5"});
+    requireRefused(folder, added("--margin 2.5"),
+                   {"start is " + beginningOf(WhyInvalid::Kind::kTooClose), "2.5"});
     problem.start.position.x() = -60;
     problem.goal.position.x() = 81;
     folder.rewrite(problem);

@@ -2,6 +2,7 @@
 #include "clearway/problem.h"
 #include "program/cli/run_program.h"
 #include "support/door_scene.h"
+#include "support/invalid_words.h"
 
 namespace clearway::testing {
 
@@ -79,7 +80,7 @@ BOOST_AUTO_TEST_CASE(an_invalid_end_and_an_interrupt_leave_no_file_out_in_silenc
     for (const std::string name : {"goal", "start"}) {
         const Outcome outcome = runIn(folder, "plan " + name + ".cfg --path out.path" + kAllFiles);
         BOOST_TEST(outcome.code == 2, outcome.out);
-        BOOST_TEST(holds(outcome.err, name + " is in collision"), outcome.err);
+        BOOST_TEST(holds(outcome.err, name + " is " + beginningOf(WhyInvalid::Kind::kCollides)), outcome.err);
         for (const char* label : {"nearest", "report", "export", "swept"})
             BOOST_TEST(holds(row(outcome, label), "not written"));
     }

@@ -48,7 +48,7 @@ BOOST_AUTO_TEST_CASE(the_least_clearance_to_each_obstacle_is_that_of_its_distanc
                 distance(way.window.scene.part, model, frame.X_environmentPart, {}, workspace).lower - 2);
         const double least = *std::min_element(lowers.begin(), lowers.end());
         BOOST_TEST(clearances[i].isMeasured);
-        BOOST_TEST(!clearances[i].isContact);
+        BOOST_TEST((clearances[i].trouble == WhyInvalid::Kind::kValid));
         BOOST_TEST(clearances[i].margin == 2);
         BOOST_TEST(clearances[i].lower == least, boost::test_tools::tolerance(1e-9));
         BOOST_TEST(lowers[clearances[i].frame] == least, boost::test_tools::tolerance(1e-9));
@@ -57,7 +57,8 @@ BOOST_AUTO_TEST_CASE(the_least_clearance_to_each_obstacle_is_that_of_its_distanc
 
 BOOST_AUTO_TEST_CASE(an_obstacle_in_the_way_is_told_from_the_others) {
     const auto clearances = StraightWay(20).clearances(99);  // runs into the wall on the right
-    for (std::size_t i = 0; i < 4; ++i) BOOST_TEST(clearances[i].isContact == (i == 3));
+    for (std::size_t i = 0; i < 4; ++i)
+        BOOST_TEST(((clearances[i].trouble == WhyInvalid::Kind::kCollides) == (i == 3)));
     BOOST_TEST(clearances[3].lower <= 0);
 }
 
@@ -92,7 +93,7 @@ BOOST_AUTO_TEST_CASE(inside_a_solid_there_is_no_clearance) {
     scene.obstacles.back().solids = makeSolids(shell).solids;
     const auto clearances = obstacleClearances(scene, shell, way.frames, 99);
     BOOST_TEST_REQUIRE(clearances.size() == 1u);
-    BOOST_TEST(clearances[0].isContact);
+    BOOST_TEST((clearances[0].trouble == WhyInvalid::Kind::kInSolid));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

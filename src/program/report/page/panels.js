@@ -80,14 +80,12 @@ class ObstacleList {
 
   clearanceButton(object) {
     const away = object.leftOut ? `, away from its contact at the ${object.leftOut}` : '';
-    const words = (object.isContact ? this.troubleWords(object) : boundText(object.clearance)) + away;
+    const words = (object.trouble || boundText(object.clearance)) + away;
     const button = make('button', { className: 'link', title: 'go there' }, words);
-    if (object.isContact) button.prepend(make('span', { className: 'contact' }));
+    if (object.trouble) button.prepend(make('span', { className: 'contact' }));
     button.addEventListener('click', () => this.choose(object.frame));
     return button;
   }
-
-  troubleWords(object) { return object.margin ? 'too close' : 'in contact'; }
 
   otherWords(others, listed) {
     if (others.every((i) => objects[i].isIgnored)) return `${others.length} ignored`;
@@ -123,7 +121,7 @@ class ObstacleList {
   words(index) {
     const object = objects[index];
     if (object.clearance === undefined) return '';
-    return object.isContact ? this.troubleWords(object) + ' on the way' : `least clearance ${boundText(object.clearance)}`;
+    return object.trouble ? object.trouble + ' on the way' : `least clearance ${boundText(object.clearance)}`;
   }
 }
 

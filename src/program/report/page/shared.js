@@ -98,6 +98,6 @@ const marginOf = new Map(objects.map((object) => [object.name, object.margin ?? 
 // The line below: how near, where a margin or a solid makes that differ from the clearance.
 function distanceWords(frame) {
   const margin = frame.between ? marginOf.get(frame.between[1]) : 0;
-  if (!frame.between || frame.trouble === 'in contact' || !(frame.trouble || margin > 0)) return '';
+  if (!frame.between || !frame.distance || !(frame.trouble || margin > 0)) return '';
   return `distance ${lengthText(frame.distance)}` + (margin > 0 ? `, margin ${lengthText(margin)}` : '');
 }

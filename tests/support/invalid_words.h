@@ -1,0 +1,18 @@
+// How messages begin that say why a pose or a motion is not valid. tests/scene/why_invalid_test.cpp alone holds the words.
+#pragma once
+
+#include <string>
+
+#include "clearway/scene_clearance.h"
+
+namespace clearway::testing {
+
+/// What the words of this kind begin with, up to their colon.
+inline std::string beginningOf(WhyInvalid::Kind kind) {
+    WhyInvalid why;
+    why.kind = kind;
+    const std::string words = why.words();
+    return words.substr(0, words.find(':'));
+}
+
+}  // namespace clearway::testing
