@@ -1,11 +1,11 @@
 #include "program/cli/path_outputs.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <boost/algorithm/string/predicate.hpp>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "clearway/swept_volume.h"
@@ -13,6 +13,7 @@
 #include "problem/rotation.h"
 #include "program/cli/print_audit.h"
 #include "program/cli/swept_tolerance.h"
+#include "program/options/facts.h"
 #include "program/options/load_guard.h"
 #include "program/options/print.h"
 #include "program/report/export_motion.h"
@@ -54,8 +55,8 @@ Rows pathRows(const std::vector<PartState>& path, const planning::PathAudit& aud
                  {"least clearance", leastClearanceOf(audit)}};
     for (const auto& row : contactRows(audit)) rows.push_back(row);
     if (!closest.partMesh.empty()) {
-        rows.push_back({"there", closest.partMesh + " and " + closest.environmentMesh + ", segment " +
-                                     std::to_string(audit.closest + 1)});
+        rows.push_back({"there", fmt::format("{} and {}, segment {}", closest.partMesh,
+                                             closest.environmentMesh, audit.closest + 1)});
     }
     return rows;
 }
@@ -74,14 +75,12 @@ report::ReportTable overlapTable(const std::vector<FoundOverlap>& overlaps) {
 
 std::string verdictOf(const planning::PathAudit& audit, const Scene& scene) {
     if (audit.isValid()) return "valid along the whole path, certified" + certificateScope(scene);
-    return "NOT valid: " + std::to_string(audit.notValid.size()) + " of " +
-           counted(audit.segments.size(), "segment");
+    return fmt::format("NOT valid: {} of {}", audit.notValid.size(),
+                       counted(audit.segments.size(), "segment"));
 }
 
 std::string megabytes(std::size_t bytes) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.1f MB", double(bytes) * 1e-6);
-    return text;
+    return fmt::format("{:.1f} MB", double(bytes) * 1e-6);
 }
 
 void writePage(const Problem& problem, const Mesh& part, const Mesh& environment, const Scene& scene,
@@ -146,8 +145,9 @@ bool writeSwept(const Problem& problem, const Mesh& part, const Model& model,
         saveMesh(swept, file);
     }
     const std::string unit = !metres ? "" : isGlb(file) ? ", in metres" : ", in " + problem.unit;
-    printRow("swept", file + unit + ", " + counted(swept.triangles.size(), "triangle") + ", within " +
-                          shownLength(options.tolerance) + " of the part's places");
+    printRow("swept",
+             fmt::format("{}{}, {}, within {} of the part's places", file, unit,
+                         counted(swept.triangles.size(), "triangle"), shownLength(options.tolerance)));
     return true;
 }
 

@@ -1,7 +1,8 @@
 #include "program/cli/print_benchmark.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "core/text.h"
@@ -24,27 +25,23 @@ std::optional<double> secondsOf(const BenchmarkRun& run) {
     return std::stod(found->second);
 }
 
-Json factsOf(const PlannerBenchmark& planner) {
-    Json runs = Json::array();
-    for (const BenchmarkRun& run : planner.runs)
-        runs.push_back({{"solved", run.isSolved},
-                        {"seconds", secondsOf(run) ? toJson(*secondsOf(run)) : Json()},
-                        {"length", run.isSolved ? toJson(run.length) : Json()}});
-    return {{"name", planner.name}, {"runs", runs}};
-}
-
-void printPlanner(const PlannerBenchmark& planner) {
+void tellPlanner(const PlannerBenchmark& planner) {
     std::vector<double> seconds, lengths;
+    Json runs = Json::array();
     for (const BenchmarkRun& run : planner.runs) {
-        if (const auto ofRun = secondsOf(run)) seconds.push_back(*ofRun);
+        const std::optional<double> took = secondsOf(run);
+        if (took) seconds.push_back(*took);
         if (run.isSolved) lengths.push_back(run.length);
+        runs.push_back({{"solved", run.isSolved},
+                        {"seconds", took ? toJson(*took) : Json()},
+                        {"length", run.isSolved ? toJson(run.length) : Json()}});
     }
+    facts()["planners"].push_back({{"name", planner.name}, {"runs", runs}});
     const auto median = [](std::vector<double>& values) {
         std::nth_element(values.begin(), values.begin() + static_cast<long>(values.size() / 2), values.end());
         return values[values.size() / 2];
     };
-    std::string text =
-        std::to_string(lengths.size()) + " of " + counted(planner.runs.size(), "run") + " solved";
+    std::string text = fmt::format("{} of {} solved", lengths.size(), counted(planner.runs.size(), "run"));
     if (!seconds.empty()) text += ", " + readable(median(seconds)) + " s";
     if (!lengths.empty()) text += ", length " + shownLength(median(lengths));
     printRow(planner.name, text + (seconds.empty() ? "" : " in the median"));
@@ -56,7 +53,7 @@ std::string shownSeeds(const Seeds& seeds) {
     for (auto first = seeds.begin(); first != seeds.end();) {
         auto last = first, next = std::next(first);
         for (; next != seeds.end() && *next == *last + 1; ++next) last = next;
-        ranges.push_back(std::to_string(*first) + (first == last ? "" : " to " + std::to_string(*last)));
+        ranges.push_back(first == last ? fmt::format("{}", *first) : fmt::format("{} to {}", *first, *last));
         first = next;
     }
     return (seeds.size() == 1 ? "seed " : "seeds ") + joined(ranges);
@@ -80,20 +77,15 @@ std::size_t tellLost(const Benchmark& benchmark) {
 void printBenchmark(const Benchmark& benchmark, const std::string& log) {
     printWarnings(benchmark.warnings);
     printRow("experiment", benchmark.experiment);
-    for (const PlannerBenchmark& planner : benchmark.planners) {
-        printPlanner(planner);
-        facts()["planners"].push_back(factsOf(planner));
-    }
+    for (const PlannerBenchmark& planner : benchmark.planners) tellPlanner(planner);
     const std::size_t lost = tellLost(benchmark);
-    facts()["experiment"] = benchmark.experiment;
-    facts()["seconds"] = toJson(benchmark.seconds);
-    facts()["complete"] = lost == 0;
-    facts()["log"] = log;
     std::string trouble;
     if (lost > 0) trouble = ", " + counted(lost, "run") + " lost";
     if (lost > 0 && isInterrupted()) trouble = ", interrupted: the log has the runs that ended";
-    printRow("took", readable(benchmark.seconds) + " s" + trouble);
-    printRow("log", log);
+    tell({kept("experiment", benchmark.experiment),
+          {"took", readable(benchmark.seconds) + " s" + trouble, "seconds", toJson(benchmark.seconds)},
+          kept("complete", lost == 0),
+          {"log", log, "log", log}});
 }
 
 }  // namespace clearway::cli
