@@ -79,8 +79,8 @@ void addRailsAndBuffers(Bay& bay) {
         bay.assembly.add(side > 0 ? "guide_rail_left" : "guide_rail_right", placed(rail, inBay));
         const Vector3 below(0.7 * side * design.bodyHalf, 0, -design.halfHeight - design.gap - kBufferHeight);
         const Piece buffer = bay.turnedRound(domeOutline(9, kBufferHeight, bay.quarterFor(9)));
-        bay.assembly.add(side > 0 ? "buffer_left" : "buffer_right",
-                         placed(buffer, standingAt(design.place + below, Vector3::UnitZ())));
+        bay.assembly.add(side > 0 ? "buffer_left" : "buffer_right", buffer, design.place + below,
+                         Vector3::UnitZ());
     }
 }
 
@@ -271,12 +271,12 @@ void Bay::addBolt(const Vector3& at, const Vector3& axis, double shank) {
     shape.head = 1.7 * shank;
     shape.height = 1.4 * shank;
     const Vector3 up = axis.normalized();
-    addNumbered("bolt", placed(bolt(shape, segmentsFor(2 * shank)),
-                               standingAt(at + up * (washer + kSlit), axis, random.between(0, M_PI))));
+    addNumbered("bolt", bolt(shape, segmentsFor(2 * shank)), at + up * (washer + kSlit), axis,
+                random.between(0, M_PI));
     if (detail.richness < kWithWashers) return;
     const Polyline section{
         {1.15 * shank, 0}, {2.6 * shank, 0}, {2.6 * shank, washer}, {1.15 * shank, washer}};
-    addNumbered("washer", placed(turnedRing(section), standingAt(at, axis)));
+    addNumbered("washer", turnedRing(section), at, axis);
 }
 
 void Bay::addBoltRow(const Vector3& from, const Vector3& to, const Vector3& axis, double shank,

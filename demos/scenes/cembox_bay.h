@@ -60,6 +60,16 @@ struct Bay {
     void add(const std::string& name, const Piece& piece);
     void addNumbered(const std::string& stem, const Piece& piece);
 
+    /// Adds the piece with its origin at `at` and its z along `axis`, as standingAt() says.
+    void add(const std::string& name, const Piece& piece, const Vector3& at, const Vector3& axis,
+             double turn = 0) {
+        add(name, placed(piece, standingAt(at, axis, turn)));
+    }
+    void addNumbered(const std::string& stem, const Piece& piece, const Vector3& at, const Vector3& axis,
+                     double turn = 0) {
+        addNumbered(stem, placed(piece, standingAt(at, axis, turn)));
+    }
+
     Piece box(const Vector3& low, const Vector3& high, double corner, double edge) const;
     /// Segments of a circle of that radius (mm), a multiple of 4, and of a quarter of a rounding. Chords grow
     /// with the root of the radius, as with a chord tolerance. Each radius gets its next segment at another

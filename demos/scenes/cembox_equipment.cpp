@@ -17,18 +17,17 @@ void addBattery(Bay& bay) {
     for (int i = 0; i < 2; ++i) {
         const Vector3 at(high.x() - 38, i == 0 ? low.y() + 40 : high.y() - 40, high.z() + 14.3);
         const Polyline pole = bay.rounded({{0, 0}, {9, 0}, {8, 17}, {0, 17}}, {1, 2});
-        bay.addNumbered("battery_pole", placed(bay.turnedRound(pole), standingAt(at, Vector3::UnitZ())));
+        bay.addNumbered("battery_pole", bay.turnedRound(pole), at, Vector3::UnitZ());
         const Polyline clamp{{9.6, 2}, {15, 2}, {15, 15}, {9.6, 15}};
-        bay.addNumbered("battery_clamp", placed(bay.turnedRing(clamp), standingAt(at, Vector3::UnitZ())));
+        bay.addNumbered("battery_clamp", bay.turnedRing(clamp), at, Vector3::UnitZ());
         bay.addBolt(at + Vector3(20, 0, 12), Vector3::UnitX(), 3);
     }
     const int caps = std::max(3, bay.detail.count(3));
     for (int i = 0; i < caps; ++i) {
         const double y = low.y() + 60 + (high.y() - low.y() - 120) * i / (caps - 1.0);
         const Polyline cap = bay.rounded({{0, 0}, {11, 0}, {11, 4}, {0, 4}}, {0.5, 1.5});
-        bay.addNumbered(
-            "battery_cap",
-            placed(bay.turnedRound(cap), standingAt({low.x() + 50, y, high.z() + 14.3}, Vector3::UnitZ())));
+        bay.addNumbered("battery_cap", bay.turnedRound(cap), {low.x() + 50, y, high.z() + 14.3},
+                        Vector3::UnitZ());
     }
     const double middle = 0.5 * (low.y() + high.y());
     const Polyline strap{{low.x() - 14, 240},           {low.x() - 6, 290},  {low.x() - 6, high.z() + 18},
@@ -86,12 +85,11 @@ void addTank(Bay& bay, const std::string& name, const Vector3& low, const Vector
     const Polyline cap = bay.rounded(
         {{0, 0}, {0.8 * capRadius, 0}, {0.8 * capRadius, 14}, {capRadius, 14}, {capRadius, 32}, {0, 34}},
         {0, 0, 1, 4});
-    bay.add(name + "_cap", placed(bay.turnedRound(cap), standingAt(neck, Vector3::UnitZ())));
+    bay.add(name + "_cap", bay.turnedRound(cap), neck, Vector3::UnitZ());
     const int grips = bay.detail.count(8);
     for (int i = 0; i < grips; ++i) {
         const Piece grip = bay.box({capRadius + 0.2, -1, 16}, {capRadius + 1.8, 1, 29}, 0.6, 0.3);
-        bay.addNumbered(name + "_grip",
-                        placed(grip, standingAt(neck, Vector3::UnitZ(), 2 * M_PI * i / grips)));
+        bay.addNumbered(name + "_grip", grip, neck, Vector3::UnitZ(), 2 * M_PI * i / grips);
     }
     bay.addBolt({high.x() + 9, neck.y(), seam}, Vector3::UnitX(), 3);
 }
@@ -109,27 +107,24 @@ void addBrakes(Bay& bay) {
                                       {30, 98},
                                       {0, 98}},
                                      {8, 8, 0, 1, 1, 0, 18, 8});
-    bay.add("brake_booster", placed(bay.turnedRound(can), standingAt(booster, -Vector3::UnitY())));
+    bay.add("brake_booster", bay.turnedRound(can), booster, -Vector3::UnitY());
     const Polyline master =
         bay.rounded({{0, 0}, {26, 0}, {26, 10}, {19, 12}, {19, 140}, {0, 146}}, {2, 2, 2, 5});
-    bay.add("brake_master",
-            placed(bay.turnedRound(master), standingAt(booster - Vector3(0, 98.4, 0), -Vector3::UnitY())));
+    bay.add("brake_master", bay.turnedRound(master), booster - Vector3(0, 98.4, 0), -Vector3::UnitY());
     addTank(bay, "brake_reservoir", {-438, 610, 546}, {-362, 730, 600}, 24);
     const Vector3 low(470, 440, 250), high(590, 540, 340);
     bay.add("pressure_unit", bay.box(low, high, 8, 3));
     bay.add("pressure_unit_cover", bay.box({low.x() + 6, low.y() - 34, low.z() + 8},
                                            {high.x() - 6, low.y() - Bay::kSlit, high.z() - 8}, 8, 5));
     const Polyline motor = bay.rounded({{0, 0}, {36, 0}, {36, 62}, {0, 62}}, {3, 8});
-    bay.add("pressure_unit_motor",
-            placed(bay.turnedRound(motor), standingAt({530, 540.4, 296}, Vector3::UnitY())));
+    bay.add("pressure_unit_motor", bay.turnedRound(motor), {530, 540.4, 296}, Vector3::UnitY());
     const int valves = bay.detail.count(4);
     for (int i = 0; i < valves; ++i) {
         const Polyline valve =
             bay.rounded({{0, 0}, {8, 0}, {8, 12}, {5, 16}, {5, 26}, {0, 26}}, {1, 2, 2, 1});
         const double x = low.x() + 15 + 90.0 * (i + 0.5) / valves;
-        bay.addNumbered("pressure_valve",
-                        placed(bay.turnedRound(valve),
-                               standingAt({x, low.y() + 26, high.z() + Bay::kSlit}, Vector3::UnitZ())));
+        bay.addNumbered("pressure_valve", bay.turnedRound(valve), {x, low.y() + 26, high.z() + Bay::kSlit},
+                        Vector3::UnitZ());
     }
 }
 
@@ -177,9 +172,8 @@ void addPipe(Bay& bay, const std::string& name, const Line& points, double radiu
                                       {2 * radius, 4 * radius},
                                       {radius + Bay::kSlit, 4 * radius}},
                                      {0.6, 0.6});
-    bay.addNumbered("pipe_nut", placed(ring(nut, 6), standingAt(line.front(), line[1] - line[0])));
-    bay.addNumbered("pipe_nut",
-                    placed(ring(nut, 6), standingAt(line.back(), line[line.size() - 2] - line.back())));
+    bay.addNumbered("pipe_nut", ring(nut, 6), line.front(), line[1] - line[0]);
+    bay.addNumbered("pipe_nut", ring(nut, 6), line.back(), line[line.size() - 2] - line.back());
 }
 
 /// A cable in a corrugated conduit with a plug at its end.
@@ -191,8 +185,7 @@ void addCable(Bay& bay, const std::string& stem, const Line& points, double radi
     }));
     const Vector3 end = line.back(), onward = end - line[line.size() - 2];
     const double r = 1.6 * radius;
-    bay.addNumbered("plug", placed(bay.box({-1.3 * r, -r, 0.5}, {1.3 * r, r, 5 * r}, 0.5 * r, 0.3 * r),
-                                   standingAt(end, onward)));
+    bay.addNumbered("plug", bay.box({-1.3 * r, -r, 0.5}, {1.3 * r, r, 5 * r}, 0.5 * r, 0.3 * r), end, onward);
 }
 
 void addCoolantHoses(Bay& bay) {
@@ -262,8 +255,7 @@ void addHarness(Bay& bay) {
     bay.add("harness_trunk", bay.bar(smooth(trunk, bay.detail.step / 2), 13));
     for (std::size_t i = 1; i < trunk.size(); i += 2) {
         const Polyline tie{{13.6, -4}, {16, -4}, {16, 4}, {13.6, 4}};
-        bay.addNumbered("harness_tie",
-                        placed(bay.turnedRing(tie), standingAt(trunk[i], trunk[i + 1] - trunk[i - 1])));
+        bay.addNumbered("harness_tie", bay.turnedRing(tie), trunk[i], trunk[i + 1] - trunk[i - 1]);
     }
     const int branches = bay.detail.count(4);
     for (int i = 0; i < branches; ++i) {
