@@ -1,4 +1,5 @@
-#include "demos/scenes/car_fittings.h"
+// The front of the car body, and the fittings of the body.
+#include "demos/scenes/car_body.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,10 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "demos/scenes/cembox_body.h"
-#include "demos/scenes/cembox_engine.h"
-#include "demos/scenes/cembox_equipment.h"
-
 namespace clearway::scenes {
 
 namespace {
@@ -79,8 +75,8 @@ void addRailsAndBuffers(Bay& bay) {
         bay.assembly.add(side > 0 ? "guide_rail_left" : "guide_rail_right", placed(rail, inBay));
         const Vector3 below(0.7 * side * design.bodyHalf, 0, -design.halfHeight - design.gap - kBufferHeight);
         const Piece buffer = bay.turnedRound(domeOutline(9, kBufferHeight, bay.quarterFor(9)));
-        bay.assembly.add(side > 0 ? "buffer_left" : "buffer_right", buffer, design.place + below,
-                         Vector3::UnitZ());
+        bay.assembly.add(side > 0 ? "buffer_left" : "buffer_right",
+                         placed(buffer, standingAt(design.place + below, Vector3::UnitZ())));
     }
 }
 

@@ -95,6 +95,20 @@ struct Bay {
     void addBoltRow(const Vector3& from, const Vector3& to, const Vector3& axis, double shank, double number);
 };
 
+/// The sheet metal of the bay.
+void addBody(Bay& bay);
+void addWeldStuds(Bay& bay, int studs);
+/// Adds front end, chassis, insulation, wing braces, wipers.
+void addBayFittings(Bay& bay);
+/// Adds the engine with its gearbox and the devices that the belt drives.
+void addEngine(Bay& bay);
+/// Adds the radiator with its fans, in front of the engine.
+void addCooling(Bay& bay);
+/// Adds battery, air filter, fluid tanks, brakes and fuse box.
+void addAggregates(Bay& bay);
+/// Adds hoses, pipes and cables.
+void addLines(Bay& bay);
+
 /// Everything around the module, with `studs` weld studs on the bulkhead.
 Assembly buildEngineBay(const CemboxDesign& design, const KeptFree& keptFree, const Detail& detail,
                         Random random, int studs);

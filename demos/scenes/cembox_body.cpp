@@ -1,4 +1,5 @@
-#include "demos/scenes/cembox_body.h"
+// The sheet metal of the engine bay, and the chassis below it.
+#include "demos/scenes/cembox_bay.h"
 
 #include <cmath>
 
@@ -344,7 +345,7 @@ void addWeldStuds(Bay& bay, int studs) {
     for (int i = 0; i < studs; ++i) {
         const double x = kPitch * (i % kColumns - 0.5 * (kColumns - 1)), z = kRows[i / kColumns % 4];
         const double y = archedBack(Bay::kBulkhead, x) - 0.6 - Bay::kSlit;
-        bay.assembly.addNumbered("weld_stud", dome, {x, y, z}, -Vector3::UnitY());
+        bay.assembly.addNumbered("weld_stud", placed(dome, standingAt({x, y, z}, -Vector3::UnitY())));
     }
 }
 

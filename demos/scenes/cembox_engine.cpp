@@ -1,4 +1,5 @@
-#include "demos/scenes/cembox_engine.h"
+// The engine, its gearbox and its radiator in the engine bay.
+#include "demos/scenes/cembox_bay.h"
 
 #include <algorithm>
 #include <cmath>

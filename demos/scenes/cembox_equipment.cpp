@@ -1,4 +1,5 @@
-#include "demos/scenes/cembox_equipment.h"
+// The equipment around the engine, and its hoses, pipes and cables.
+#include "demos/scenes/cembox_bay.h"
 
 #include <algorithm>
 #include <cmath>

@@ -86,9 +86,10 @@ class SheetMetal {
 
     /// Adds one of many similar parts, named by `stem` and a number.
     void part(const std::string& stem, const Piece& piece);
-    /// ... with its origin at `at` and its z along `axis`.
-    void part(const std::string& stem, const Piece& piece, const Vector3& at, const Vector3& axis) {
-        part(stem, placed(piece, standingAt(at, axis)));
+    /// The piece with its origin at `at` and its z along `axis`, as standingAt() says.
+    void part(const std::string& stem, const Piece& piece, const Vector3& at, const Vector3& axis,
+              double turn = 0) {
+        part(stem, placed(piece, standingAt(at, axis, turn)));
     }
 
     /// Adds an outline turned about z (see turned), its foot at `at`, its axis along `axis`.
