@@ -9,7 +9,6 @@
 #include "program/cli/overlaps.h"
 #include "program/cli/path_outputs.h"
 #include "program/cli/print_audit.h"
-#include "program/cli/swept_tolerance.h"
 #include "program/options/facts.h"
 #include "program/options/print.h"
 #include "program/options/shared_options.h"

@@ -12,7 +12,6 @@
 #include "core/replace_file.h"
 #include "problem/rotation.h"
 #include "program/cli/print_audit.h"
-#include "program/cli/swept_tolerance.h"
 #include "program/options/facts.h"
 #include "program/options/load_guard.h"
 #include "program/options/print.h"
@@ -22,6 +21,11 @@
 namespace clearway::cli {
 
 namespace {
+
+constexpr double kUsualTolerance = 0.01;      ///< of the part's diagonal
+constexpr double kErrorPerTolerance = 0.125;  ///< that sweptVolume allows
+constexpr double kLeftOut = 2e-4;             ///< radians: OMPL may leave out turns below this
+constexpr double kFloatRounding = 1e-6;       ///< of the largest coordinate, in the file
 
 report::ReportTable tableOf(const std::string& title, const Rows& rows) {
     report::ReportTable table;
@@ -118,6 +122,24 @@ std::vector<RigidMotion> motionsOf(const std::vector<PartState>& path) {
     return motions;
 }
 
+/// The tolerance of --swept: the stated one, or 1 % of the part's diagonal.
+double toleranceOf(const PathOutputs& outputs, const Model& part) {
+    return outputs.sweptTolerance.value_or(kUsualTolerance * part.box().diagonal().norm());
+}
+
+/// How far places of the part may be off a path's motions: by small turns, which OMPL may leave out, and by the floats of
+/// the file. radius: the part's about its origin.
+double sweptPlaceError(const std::vector<PartState>& path, double radius) {
+    double turn = 0, farthest = 0;
+    for (std::size_t i = 0; i < path.size(); ++i) {
+        const PartState &from = path[i], &to = path[std::min(i + 1, path.size() - 1)];
+        const double angle = from.rotation.angularDistance(to.rotation);
+        if (angle < kLeftOut) turn = std::max(turn, angle);
+        farthest = std::max(farthest, from.position.norm() + (to.position - from.position).norm());
+    }
+    return radius * turn + kFloatRounding * (radius + farthest);
+}
+
 bool isGlb(const std::string& file) {
     return boost::iequals(std::filesystem::path(file).extension().string(), ".glb");
 }
@@ -175,13 +197,25 @@ bool PathOutputs::write(const Problem& problem, const Scene& scene, const std::v
         printRow("export", motion + (metres ? ", in metres" : ", lengths as they are: no unit is stated"));
     }
     return swept.empty() ||
-           writeSwept(problem, part, scene.part, path, cli::sweptTolerance(*this, scene.part), swept);
+           writeSwept(problem, part, scene.part, path, toleranceOf(*this, scene.part), swept);
 }
 
 void PathOutputs::tellUnwritten(const std::string& why) const {
     if (!report.empty()) printRow("report", "not written: " + why);
     if (!motion.empty()) printRow("export", "not written: " + why);
     if (!swept.empty()) printRow("swept", "not written: " + why);
+}
+
+std::string whySweptIsTooFine(const PathOutputs& outputs, const Scene& scene,
+                              const std::vector<PartState>& path) {
+    if (outputs.swept.empty()) return "";
+    const double tolerance = toleranceOf(outputs, scene.part);
+    const double error = sweptPlaceError(path, scene.part.radiusAboutOrigin());
+    if (error < kErrorPerTolerance * tolerance) return "";
+    return "--swept-tolerance is " + shownLength(tolerance) +
+           (outputs.sweptTolerance ? "" : ", 1 % of the part's diagonal") +
+           ", too fine for how exactly the part's places are known, expected at least " +
+           inUnit(shortenedUp(error / kErrorPerTolerance * (1 + 1e-6)));
 }
 
 void addPathOutputs(CommandLine& commandLine, PathOutputs& outputs) {

@@ -16,7 +16,6 @@
 #include "program/cli/path_outputs.h"
 #include "program/cli/print_audit.h"
 #include "program/cli/print_why_no_path.h"
-#include "program/cli/swept_tolerance.h"
 #include "program/options/facts.h"
 #include "program/options/print.h"
 #include "program/options/program.h"

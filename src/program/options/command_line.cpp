@@ -10,7 +10,7 @@
 
 #include "core/number.h"
 #include "core/text.h"
-#include "program/options/man_page.h"
+#include "program/options/help.h"
 
 namespace clearway::cli {
 

@@ -1,9 +1,11 @@
-#include "program/cli/print_benchmark.h"
+#include "program/cli/bench_results.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <optional>
+#include <vector>
 
 #include "core/text.h"
 #include "program/options/facts.h"
@@ -72,6 +74,36 @@ std::size_t tellLost(const Benchmark& benchmark) {
     return lost;
 }
 
+namespace fs = std::filesystem;
+
+/// Replaces the characters that file names may not have on every system.
+std::string fileName(std::string text) {
+    for (char& c : text) {
+        const bool isPlain = (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') ||
+                             c == '-' || c == '.';
+        if (!isPlain) c = '_';
+    }
+    return text;
+}
+
+/// Writes one planner's paths as EXPERIMENT_PLANNER_RUN.path, with runs counted from 0 as in OMPL.app.
+/// Returns the number of files.
+std::size_t writePaths(const std::string& stem, const PlannerBenchmark& planner, const Problem& problem) {
+    std::optional<std::size_t> shortest;
+    std::size_t written = 0;
+    for (std::size_t i = 0; i < planner.runs.size(); ++i) {
+        const BenchmarkRun& run = planner.runs[i];
+        if (!run.isSolved) continue;
+        if (!shortest || run.length < planner.runs[*shortest].length) shortest = i;
+        if (problem.savedPaths != SavedPaths::kAll) continue;
+        writePath(run.path, problem.space, stem + "_" + std::to_string(i) + ".path");
+        ++written;
+    }
+    if (problem.savedPaths == SavedPaths::kAll || !shortest) return written;
+    writePath(planner.runs[*shortest].path, problem.space, stem + "_" + std::to_string(*shortest) + ".path");
+    return 1;
+}
+
 }  // namespace
 
 void printBenchmark(const Benchmark& benchmark, const std::string& log) {
@@ -86,6 +118,21 @@ void printBenchmark(const Benchmark& benchmark, const std::string& log) {
           {"took", readable(benchmark.seconds) + " s" + trouble, "seconds", toJson(benchmark.seconds)},
           kept("complete", lost == 0),
           {"log", log, "log", log}});
+}
+
+std::optional<std::size_t> writePaths(const Benchmark& benchmark, const Problem& problem,
+                                      const std::string& log) {
+    if (problem.savedPaths == SavedPaths::kNone) return std::nullopt;
+    std::size_t written = 0;
+    std::vector<std::string> names;
+    for (const PlannerBenchmark& planner : benchmark.planners) {
+        std::string name = fileName(benchmark.experiment + "_" + planner.name);
+        const auto before = std::count(names.begin(), names.end(), name);
+        names.push_back(name);
+        if (before > 0) name += "-" + std::to_string(before + 1);
+        written += writePaths((fs::path(log).parent_path() / name).string(), planner, problem);
+    }
+    return written;
 }
 
 }  // namespace clearway::cli
