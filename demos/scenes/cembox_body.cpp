@@ -70,17 +70,9 @@ void addInnerWing(Bay& bay, double side) {
 
 void addStrutTower(Bay& bay, double side) {
     const double top = Bay::kTowerTop, t = 2;
-    const Polyline outline = bay.rounded({{0, top - t},
-                                          {52, top - t},
-                                          {80, top - 26},
-                                          {88, 420},
-                                          {125, 380},
-                                          {127, 382},
-                                          {88 + t, 421},
-                                          {80 + t, top - 25},
-                                          {53, top},
-                                          {0, top}},
-                                         {6, 12, 14, 0, 0, 15, 13, 7});
+    const Polyline corners{{0, top - t}, {52, top - t}, {80, top - 26},     {88, 420}, {125, 380},
+                           {127, 382},   {88 + t, 421}, {80 + t, top - 25}, {53, top}, {0, top}};
+    const Polyline outline = bay.rounded(corners, {6, 12, 14, 0, 0, 15, 13, 7});
     const Vector3 foot(side * Bay::kTowerX, Bay::kTowerY, 0);
     const Vector3 lean(-0.06 * side, 0.05, 1);
     bay.add(side > 0 ? "strut_tower_left" : "strut_tower_right", bay.turnedRound(outline),
@@ -206,13 +198,9 @@ void addFrontEnd(Bay& bay) {
 
 /// The chassis below the engine: a frame, the steering with its bellows, the shafts with their boots.
 void addChassis(Bay& bay) {
-    const Line frame = bent({{-380, 660, -20},
-                             {-380, 200, -32},
-                             {-300, 120, -32},
-                             {300, 120, -32},
-                             {380, 200, -32},
-                             {380, 660, -20}},
-                            60, bay.quarterFor(60));
+    const Line corners{{-380, 660, -20}, {-380, 200, -32}, {-300, 120, -32},
+                       {300, 120, -32},  {380, 200, -32},  {380, 660, -20}};
+    const Line frame = bent(corners, 60, bay.quarterFor(60));
     bay.add("subframe", pulled(hollowBeam(bay, 34, 22, 3), frame));
     bay.add("subframe_cross", placed(sweep(hollowBeam(bay, 40, 18, 3), bay.stations(-330, 330)),
                                      [](const Vector3& p) -> Vector3 { return p + Vector3(0, 560, -22); }));

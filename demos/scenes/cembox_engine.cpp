@@ -74,12 +74,11 @@ void addCover(Bay& bay) {
     }
     const Polyline cap = bay.rounded({{0, 0}, {26, 0}, {26, 8}, {22, 8}, {22, 20}, {0, 20}}, {1, 3, 2, 5});
     bay.add("oil_cap", bay.turnedRound(cap), {kRight + 60, kRear - 90, 478.5}, Vector3::UnitZ());
-    bay.add("dipstick", bay.bar(smooth({{kRight + 130, kFront - 8, 230},
-                                        {kRight + 125, kFront - 16, 330},
-                                        {kRight + 128, kFront - 4, 420},
-                                        {kRight + 128, kFront - 2, 500}},
-                                       bay.detail.step / 2),
-                                4));
+    const Line dipstick{{kRight + 130, kFront - 8, 230},
+                        {kRight + 125, kFront - 16, 330},
+                        {kRight + 128, kFront - 4, 420},
+                        {kRight + 128, kFront - 2, 500}};
+    bay.add("dipstick", bay.bar(smooth(dipstick, bay.detail.step / 2), 4));
 }
 
 /// Runners from the head to a plenum behind it.
@@ -120,24 +119,20 @@ void addIntake(Bay& bay) {
 void addExhaust(Bay& bay) {
     for (int i = 0; i < kCylinders; ++i) {
         const double x = cylinderX(i), gather = -80 + 14 * (i - 1.5);
-        bay.addNumbered("exhaust_runner", bay.tube(smooth({{x, kFront + 2, 380},
-                                                           {x, kFront - 32, 376},
-                                                           {0.6 * x + 0.4 * gather, kFront - 62, 330},
-                                                           {gather, kFront - 66, 262}},
-                                                          bay.detail.step / 2),
-                                                   18, 2));
+        const Line points{{x, kFront + 2, 380},
+                          {x, kFront - 32, 376},
+                          {0.6 * x + 0.4 * gather, kFront - 62, 330},
+                          {gather, kFront - 66, 262}};
+        bay.addNumbered("exhaust_runner", bay.tube(smooth(points, bay.detail.step / 2), 18, 2));
         bay.addNumbered("exhaust_flange",
                         bay.box({x - 33, kFront - 8, 352}, {x + 33, kFront + 1.5, 410}, 9, 2));
         bay.addBolt({x - 27, kFront - 8.3, 359}, -Vector3::UnitY(), 3.5);
         bay.addBolt({x + 27, kFront - 8.3, 403}, -Vector3::UnitY(), 3.5);
     }
-    bay.add("exhaust_collector",
-            bay.wavyBar(smooth({{-80, kFront - 66, 268},
-                                {-80, kFront - 66, 200},
-                                {-70, kFront - 40, 120},
-                                {-66, kFront + 40, 18}},
-                               bay.detail.step / 2),
-                        46, [](double along) { return along < 60 ? 46 - along / 4 : 31; }));
+    const Line points{
+        {-80, kFront - 66, 268}, {-80, kFront - 66, 200}, {-70, kFront - 40, 120}, {-66, kFront + 40, 18}};
+    bay.add("exhaust_collector", bay.wavyBar(smooth(points, bay.detail.step / 2), 46,
+                                             [](double along) { return along < 60 ? 46 - along / 4 : 31; }));
     // The heat shield's waves run along x.
     Polyline wave;
     const int waves = std::clamp(bay.detail.count(4), 4, 14);
@@ -186,15 +181,9 @@ void addDriven(Bay& bay, const Pulley& pulley) {
     const double r = pulley.radius, w = kBeltWidth / 2 + 2;
     const Vector3 at(kBeltX, pulley.centre.x(), pulley.centre.y());
     const std::string name = pulley.name;
-    const Polyline rim = bay.rounded({{0.35 * r, -w},
-                                      {r + 3, -w},
-                                      {r + 3, 2 - w},
-                                      {r, 2 - w},
-                                      {r, w - 2},
-                                      {r + 3, w - 2},
-                                      {r + 3, w},
-                                      {0.35 * r, w}},
-                                     {1, 0, 0, 0, 0, 1});
+    const Polyline corners{{0.35 * r, -w}, {r + 3, -w},    {r + 3, 2 - w}, {r, 2 - w},
+                           {r, w - 2},     {r + 3, w - 2}, {r + 3, w},     {0.35 * r, w}};
+    const Polyline rim = bay.rounded(corners, {1, 0, 0, 0, 0, 1});
     bay.add(name + "_pulley", bay.turnedRing(rim), at, Vector3::UnitX());
     bay.addBolt(at - Vector3(w + 1, 0, 0), -Vector3::UnitX(), 6);
     if (pulley.depth <= 0) return;
